@@ -1,0 +1,222 @@
+"""What was measured: a Recording of one leg (or rig), in SI units, on one clock, validated once, here.
+
+Plain frozen dataclasses over NumPy arrays: reading a file must not load JAX.
+"""
+
+from dataclasses import dataclass, field, fields
+from typing import Literal
+
+import numpy as np
+from jaxtyping import Float
+
+Samples = Float[np.ndarray, " time"]
+Kind = Literal["passive", "active", "measured"]
+
+KINDS: tuple[Kind, ...] = ("passive", "active", "measured")
+TORQUE_FREQUENCIES = ("1/T", "2/T")  # the two readings of Eq. 4
+KNEE_ANGLE_LIMIT = 3.6  # rad; a knee spans about -2.7 (heel at the thigh) to +0.3
+
+
+def ranged(key: str, unit: str, lower: float, upper: float, default=None):
+    """A number of the sidecar: its TOML key, its unit, and the range in which it can be true."""
+    return field(
+        default=default, metadata={"key": key, "unit": unit, "lower": lower, "upper": upper}
+    )
+
+
+def text(key: str, choices: tuple[str, ...] | None = None):
+    """A word of the sidecar: its TOML key and, where only some words make sense, which."""
+    return field(default=None, metadata={"key": key, "choices": choices})
+
+
+@dataclass(frozen=True)
+class Subject:
+    """Whose leg, or which rig. None means unknown, never a default."""
+
+    kind: Literal["leg", "rig"] | None = text("kind", ("leg", "rig"))
+    body_mass: float | None = ranged("body_mass_kg", "kg", 2.0, 400.0)
+    height: float | None = ranged("height_m", "m", 0.4, 2.6)
+    shank_length: float | None = ranged("shank_length_m", "m", 0.05, 0.8)
+    shank_radius: float | None = ranged("shank_radius_m", "m", 0.01, 0.2)
+    shank_foot_mass: float | None = ranged("shank_foot_mass_kg", "kg", 0.05, 40.0)
+    com_distance: float | None = ranged("com_distance_m", "m", 0.01, 0.8)
+    added_mass: float | tuple[float, ...] | None = ranged("added_mass_kg", "kg", 0.0, 50.0)
+    added_mass_distance: float | tuple[float, ...] | None = ranged(
+        "added_mass_distance_m", "m", 0.0, 1.0
+    )
+    notes: str | None = text("notes")
+
+
+@dataclass(frozen=True)
+class Protocol:
+    """How the leg was moved. A tuple holds one value per segment."""
+
+    kind: Kind | tuple[Kind, ...] | None = text("kind", KINDS)
+    cycle_period: float | tuple[float, ...] | None = ranged("cycle_period_s", "s", 0.05, 120.0)
+    torque_frequency: str | None = text("torque_frequency", TORQUE_FREQUENCIES)
+    torque_known: bool | None = field(default=None, metadata={"key": "torque_known"})
+    segment_start: tuple[float, ...] | None = ranged("segment_start_s", "s", 0.0, 1e6)
+    segment_end: tuple[float, ...] | None = ranged("segment_end_s", "s", 0.0, 1e6)
+
+
+@dataclass(frozen=True)
+class Sensors:
+    """What is known of the sensors."""
+
+    encoder_counts: float | None = ranged("encoder_counts", "counts per turn", 16.0, 2.0**26)
+    angle_noise: float | None = ranged("angle_noise_rad", "rad", 1e-9, 1.0)
+    velocity_noise: float | None = ranged("velocity_noise_rad_s", "rad/s", 1e-9, 10.0)
+    gyro_range: float | None = ranged("gyro_range_dps", "deg/s", 10.0, 20000.0)
+    sample_rate: float | None = ranged("sample_rate_hz", "Hz", 1.0, 20000.0)
+
+
+def channel(column: str, unit: str, upper: float):
+    """A measured channel: its CSV column, its unit, and the size beyond which no knee can go."""
+    return field(default=None, metadata={"column": column, "unit": unit, "upper": upper})
+
+
+@dataclass(frozen=True, eq=False)
+class Segment:
+    """One release, or one movement cycle with its rest before it. NaN marks a missing sample."""
+
+    time: Samples = field(metadata={"column": "time_s", "unit": "s", "upper": 1e7})
+    angle: Samples | None = channel("angle_rad", "rad", 14.0)
+    angular_velocity: Samples | None = channel("velocity_rad_s", "rad/s", 100.0)
+    angular_acceleration: Samples | None = channel("acceleration_rad_s2", "rad/s^2", 1e5)
+    raw_angle: Samples | None = channel("raw_angle_rad", "rad", 14.0)
+    raw_angular_velocity: Samples | None = channel("raw_velocity_rad_s", "rad/s", 100.0)
+    raw_acceleration_x: Samples | None = channel("raw_acceleration_x_m_s2", "m/s^2", 1000.0)
+    raw_acceleration_z: Samples | None = channel("raw_acceleration_z_m_s2", "m/s^2", 1000.0)
+    applied_torque: Samples | None = channel("torque_nm", "N m", 1000.0)
+
+    def channels(self) -> dict[str, Samples]:
+        """The channels that were measured, by field name, `time` first."""
+        found = {f.name: getattr(self, f.name) for f in fields(self)}
+        return {name: samples for name, samples in found.items() if samples is not None}
+
+
+@dataclass(frozen=True, eq=False)
+class Recording:
+    """One trial: its segments and what is known of subject, protocol and sensors.
+
+    **Raises** `ValueError` (one line: what, which segment and sample, what to do) when times do
+    not increase, lengths differ, no angle was measured, a value is infinite or beyond what a
+    knee can do, or a per-segment entry of the metadata does not match the segments.
+    """
+
+    segments: tuple[Segment, ...]
+    subject: Subject = Subject()
+    protocol: Protocol = Protocol()
+    sensors: Sensors = Sensors()
+
+    def __post_init__(self):
+        if not self.segments:
+            raise ValueError("A recording needs at least one segment, and this one has none.")
+        for number, segment in enumerate(self.segments):
+            check_segment(number, segment)
+            if self.subject.kind != "rig":
+                check_knee(number, segment)
+        check_metadata(self)
+
+    def kind(self, segment: int) -> Kind | None:
+        """How this segment was moved: passive, active, measured, or None where unknown."""
+        return per_segment(self.protocol.kind, segment)
+
+    def cycle_period(self, segment: int) -> float | None:
+        """The period of the voluntary cycle in this segment [s], None where unknown."""
+        return per_segment(self.protocol.cycle_period, segment)
+
+    def added_mass(self, segment: int) -> float:
+        """The mass fixed to the shank in this segment [kg]."""
+        return per_segment(self.subject.added_mass, segment) or 0.0
+
+    def added_mass_distance(self, segment: int) -> float | None:
+        """The distance of that mass from the knee axis [m], None where unknown."""
+        return per_segment(self.subject.added_mass_distance, segment)
+
+
+def per_segment(value, segment: int):
+    """An entry of the metadata that holds for all segments, or one for each."""
+    return value[segment] if isinstance(value, tuple) else value
+
+
+def check_segment(number: int, segment: Segment) -> None:
+    where = f"segment {number}"
+    time = segment.time
+    if time.size < 2:
+        raise ValueError(f"{where} has {time.size} sample(s); at least 2 are needed. Drop it.")
+    if segment.angle is None and segment.raw_angle is None:
+        raise ValueError(f"{where} has no angle: give `angle_rad` or `raw_angle_rad`.")
+    for entry in fields(segment):
+        check_channel(where, entry, getattr(segment, entry.name), time.size)
+    if np.isnan(time).any():
+        at = int(np.flatnonzero(np.isnan(time))[0])
+        raise ValueError(f"time_s is missing in {where}, sample {at}. Drop that row.")
+    steps = np.diff(time)
+    if (steps <= 0).any():
+        at = int(np.flatnonzero(steps <= 0)[0])
+        raise ValueError(
+            f"time_s must increase, but in {where} sample {at + 1} ({time[at + 1]:.6f} s) does not "
+            f"come after sample {at} ({time[at]:.6f} s). Did the clock wrap, or were rows repeated?"
+        )
+
+
+def check_channel(where: str, entry, samples: Samples | None, size: int) -> None:
+    if samples is None:
+        return
+    name, upper, unit = (entry.metadata[key] for key in ("column", "upper", "unit"))
+    if samples.shape != (size,):
+        raise ValueError(f"{name} in {where} has shape {samples.shape}, but time_s has {size}.")
+    if np.isnan(samples).all():
+        raise ValueError(f"{name} in {where} holds no number. Leave the column out.")
+    bad = np.abs(samples) > upper  # NaN compares false: a missing sample passes
+    if bad.any():
+        at = int(np.flatnonzero(bad)[0])
+        hint = (
+            " Is it in degrees? Then call the column by its `_deg` name."
+            if name.endswith(("_rad", "_rad_s"))
+            else ""
+        )
+        raise ValueError(
+            f"{name} in {where}, sample {at} is {samples[at]:g} {unit}, beyond +-{upper:g}.{hint}"
+        )
+
+
+def check_knee(number: int, segment: Segment) -> None:
+    for name, angle in (("angle_rad", segment.angle), ("raw_angle_rad", segment.raw_angle)):
+        if angle is not None and np.nanmax(np.abs(angle)) > KNEE_ANGLE_LIMIT:
+            at = int(np.nanargmax(np.abs(angle)))
+            raise ValueError(
+                f"{name} in segment {number}, sample {at} is {angle[at]:g} rad = "
+                f"{np.degrees(angle[at]):.0f} deg, which no knee reaches. If it is in degrees, name "
+                f"the column {name.removesuffix('_rad')}_deg; if this is a rig, say so with "
+                '[subject] kind = "rig".'
+            )
+
+
+def check_metadata(recording: Recording) -> None:
+    for table in (recording.subject, recording.protocol, recording.sensors):
+        for entry in fields(table):
+            check_entry(entry.metadata, getattr(table, entry.name), len(recording.segments))
+    subject = recording.subject
+    if subject.added_mass_distance is not None and subject.added_mass is None:
+        raise ValueError("added_mass_distance_m is given without added_mass_kg. Give both.")
+
+
+def check_entry(meta, value, segments: int) -> None:
+    if value is None:
+        return
+    key = meta["key"]
+    values = value if isinstance(value, tuple) else (value,)
+    if isinstance(value, tuple) and len(value) != segments:
+        raise ValueError(
+            f"{key} lists {len(value)} value(s) for {segments} segment(s). Give one for each."
+        )
+    for each in values:
+        if meta.get("choices") and each not in meta["choices"]:
+            raise ValueError(f"{key} is {each!r}; it can be {' or '.join(meta['choices'])}.")
+        if "lower" in meta and not meta["lower"] <= each <= meta["upper"]:
+            raise ValueError(
+                f"{key} is {each:g} {meta['unit']}; it must lie between "
+                f"{meta['lower']:g} and {meta['upper']:g}."
+            )
