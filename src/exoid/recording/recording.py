@@ -1,15 +1,17 @@
-"""What was measured: a Recording of one leg (or rig), in SI units, on one clock, validated once, here.
+"""What was measured: a Recording of one leg (or rig), in SI units, on one clock, checked here.
 
 Plain frozen dataclasses over NumPy arrays: reading a file must not load JAX.
 """
+# ruff: noqa: RUF009 (the calls below make dataclass fields)
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
-from jaxtyping import Float
+from numpy.typing import NDArray
 
-Samples = Float[np.ndarray, " time"]
+Samples = NDArray[np.float64]  # one value per sample; jaxtyping here would cost 0.1 s at start
 Kind = Literal["passive", "active", "measured"]
 
 KINDS: tuple[Kind, ...] = ("passive", "active", "measured")
@@ -29,6 +31,11 @@ def text(key: str, choices: tuple[str, ...] | None = None):
     return field(default=None, metadata={"key": key, "choices": choices})
 
 
+def extra():
+    """What a file holds that this format does not know: kept, by name, as it was read."""
+    return field(default_factory=dict, hash=False)
+
+
 @dataclass(frozen=True)
 class Subject:
     """Whose leg, or which rig. None means unknown, never a default."""
@@ -45,6 +52,7 @@ class Subject:
         "added_mass_distance_m", "m", 0.0, 1.0
     )
     notes: str | None = text("notes")
+    extra_keys: Mapping[str, Any] = extra()
 
 
 @dataclass(frozen=True)
@@ -57,6 +65,7 @@ class Protocol:
     torque_known: bool | None = field(default=None, metadata={"key": "torque_known"})
     segment_start: tuple[float, ...] | None = ranged("segment_start_s", "s", 0.0, 1e6)
     segment_end: tuple[float, ...] | None = ranged("segment_end_s", "s", 0.0, 1e6)
+    extra_keys: Mapping[str, Any] = extra()
 
 
 @dataclass(frozen=True)
@@ -68,6 +77,20 @@ class Sensors:
     velocity_noise: float | None = ranged("velocity_noise_rad_s", "rad/s", 1e-9, 10.0)
     gyro_range: float | None = ranged("gyro_range_dps", "deg/s", 10.0, 20000.0)
     sample_rate: float | None = ranged("sample_rate_hz", "Hz", 1.0, 20000.0)
+    extra_keys: Mapping[str, Any] = extra()
+
+
+class BadSample(ValueError):
+    """A sample that cannot be true, and which it is: a reader adds the line of its file."""
+
+    segment: int
+    sample: int
+
+
+def bad_sample(segment: int, sample: int, message: str) -> BadSample:
+    error = BadSample(message)
+    error.segment, error.sample = segment, sample
+    return error
 
 
 def channel(column: str, unit: str, upper: float):
@@ -88,10 +111,11 @@ class Segment:
     raw_acceleration_x: Samples | None = channel("raw_acceleration_x_m_s2", "m/s^2", 1000.0)
     raw_acceleration_z: Samples | None = channel("raw_acceleration_z_m_s2", "m/s^2", 1000.0)
     applied_torque: Samples | None = channel("torque_nm", "N m", 1000.0)
+    extra_columns: Mapping[str, tuple[str, ...]] = extra()
 
     def channels(self) -> dict[str, Samples]:
         """The channels that were measured, by field name, `time` first."""
-        found = {f.name: getattr(self, f.name) for f in fields(self)}
+        found = {f.name: getattr(self, f.name) for f in known(self)}
         return {name: samples for name, samples in found.items() if samples is not None}
 
 
@@ -108,6 +132,7 @@ class Recording:
     subject: Subject = Subject()
     protocol: Protocol = Protocol()
     sensors: Sensors = Sensors()
+    extra_tables: Mapping[str, Any] = extra()
 
     def __post_init__(self):
         if not self.segments:
@@ -135,9 +160,15 @@ class Recording:
         return per_segment(self.subject.added_mass_distance, segment)
 
 
+def known(table):
+    """The fields that the format names: all but what is kept as extra."""
+    return [entry for entry in fields(table) if entry.metadata]
+
+
 def per_segment(value, segment: int):
-    """An entry of the metadata that holds for all segments, or one for each."""
-    return value[segment] if isinstance(value, tuple) else value
+    """An entry of the metadata that holds for all segments, or one for each (nan: not this one)."""
+    one = value[segment] if isinstance(value, tuple) else value
+    return None if one != one else one
 
 
 def check_segment(number: int, segment: Segment) -> None:
@@ -147,23 +178,29 @@ def check_segment(number: int, segment: Segment) -> None:
         raise ValueError(f"{where} has {time.size} sample(s); at least 2 are needed. Drop it.")
     if segment.angle is None and segment.raw_angle is None:
         raise ValueError(f"{where} has no angle: give `angle_rad` or `raw_angle_rad`.")
-    for entry in fields(segment):
-        check_channel(where, entry, getattr(segment, entry.name), time.size)
     if np.isnan(time).any():
         at = int(np.flatnonzero(np.isnan(time))[0])
-        raise ValueError(f"time_s is missing in {where}, sample {at}. Drop that row.")
+        raise bad_sample(number, at, f"time_s is missing in {where}, sample {at}. Drop that row.")
+    for entry in known(segment):
+        check_channel(number, entry, getattr(segment, entry.name), time.size)
+    for name, cells in segment.extra_columns.items():
+        if len(cells) != time.size:
+            raise ValueError(f"{name} in {where} has {len(cells)} cells, but time_s {time.size}.")
     steps = np.diff(time)
     if (steps <= 0).any():
         at = int(np.flatnonzero(steps <= 0)[0])
-        raise ValueError(
+        raise bad_sample(
+            number,
+            at + 1,
             f"time_s must increase, but in {where} sample {at + 1} ({time[at + 1]:.6f} s) does not "
-            f"come after sample {at} ({time[at]:.6f} s). Did the clock wrap, or were rows repeated?"
+            f"come after sample {at} ({time[at]:.6f} s). Did the clock wrap, were rows repeated?",
         )
 
 
-def check_channel(where: str, entry, samples: Samples | None, size: int) -> None:
+def check_channel(number: int, entry, samples: Samples | None, size: int) -> None:
     if samples is None:
         return
+    where = f"segment {number}"
     name, upper, unit = (entry.metadata[key] for key in ("column", "upper", "unit"))
     if samples.shape != (size,):
         raise ValueError(f"{name} in {where} has shape {samples.shape}, but time_s has {size}.")
@@ -173,12 +210,12 @@ def check_channel(where: str, entry, samples: Samples | None, size: int) -> None
     if bad.any():
         at = int(np.flatnonzero(bad)[0])
         hint = (
-            " Is it in degrees? Then call the column by its `_deg` name."
-            if name.endswith(("_rad", "_rad_s"))
-            else ""
+            " Is it in degrees? Then call the column by its `_deg` name." if "_rad" in name else ""
         )
-        raise ValueError(
-            f"{name} in {where}, sample {at} is {samples[at]:g} {unit}, beyond +-{upper:g}.{hint}"
+        raise bad_sample(
+            number,
+            at,
+            f"{name} in {where}, sample {at} is {samples[at]:g} {unit}, beyond +-{upper:g}.{hint}",
         )
 
 
@@ -186,35 +223,43 @@ def check_knee(number: int, segment: Segment) -> None:
     for name, angle in (("angle_rad", segment.angle), ("raw_angle_rad", segment.raw_angle)):
         if angle is not None and np.nanmax(np.abs(angle)) > KNEE_ANGLE_LIMIT:
             at = int(np.nanargmax(np.abs(angle)))
-            raise ValueError(
+            raise bad_sample(
+                number,
+                at,
                 f"{name} in segment {number}, sample {at} is {angle[at]:g} rad = "
-                f"{np.degrees(angle[at]):.0f} deg, which no knee reaches. If it is in degrees, name "
-                f"the column {name.removesuffix('_rad')}_deg; if this is a rig, say so with "
-                '[subject] kind = "rig".'
+                f"{np.degrees(angle[at]):.0f} deg, which no knee reaches. If it is in degrees, "
+                f"name the column {name.removesuffix('_rad')}_deg; if this is a rig, say so with "
+                '[subject] kind = "rig".',
             )
 
 
 def check_metadata(recording: Recording) -> None:
+    marks, segments = recording.protocol.segment_start, len(recording.segments)
+    if marks and segments == 1:
+        segments = len(marks)  # a log not split yet: its entries are one for each mark
     for table in (recording.subject, recording.protocol, recording.sensors):
-        for entry in fields(table):
-            check_entry(entry.metadata, getattr(table, entry.name), len(recording.segments))
+        for entry in known(table):
+            check_entry(entry.metadata, getattr(table, entry.name), segments)
     subject = recording.subject
     if subject.added_mass_distance is not None and subject.added_mass is None:
         raise ValueError("added_mass_distance_m is given without added_mass_kg. Give both.")
 
 
-def check_entry(meta, value, segments: int) -> None:
+def check_entry(meta, value, segments: int | None) -> None:
+    """Refuses an entry that cannot be true; its count only where `segments` is known."""
     if value is None:
         return
     key = meta["key"]
     values = value if isinstance(value, tuple) else (value,)
-    if isinstance(value, tuple) and len(value) != segments:
+    if isinstance(value, tuple) and segments is not None and len(value) != segments:
         raise ValueError(
             f"{key} lists {len(value)} value(s) for {segments} segment(s). Give one for each."
         )
     for each in values:
         if meta.get("choices") and each not in meta["choices"]:
             raise ValueError(f"{key} is {each!r}; it can be {' or '.join(meta['choices'])}.")
+        if isinstance(value, tuple) and each != each:
+            continue  # nan in a list: this segment has none, as a passive one has no period
         if "lower" in meta and not meta["lower"] <= each <= meta["upper"]:
             raise ValueError(
                 f"{key} is {each:g} {meta['unit']}; it must lie between "

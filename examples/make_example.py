@@ -1,0 +1,104 @@
+"""Makes the recording that comes with exoid: one session of a leg that does not exist.
+
+    python examples/make_example.py [FOLDER]
+
+The same seed gives the same files. Everything in them is simulated: three passive drops, one with
+a known mass at the ankle, six voluntary cycles driven by Eq. 10 with f = 1/T, at two speeds.
+"""
+
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import can
+import jax
+import jax.numpy as jnp
+import numpy as np
+
+import exoid
+from exoid.physics.leg import LegModel, LegParameters
+from exoid.physics.torque import NoTorque
+from exoid.recording.recording import Protocol, Recording, Subject
+from exoid.recording.table import write_sidecar
+from exoid.twin.frames import frames
+from exoid.twin.motion import Movement
+from exoid.twin.protocols import session
+
+SEED = 20
+EPOCH = 1_750_000_000.0  # s, when the first sample reached the host
+JITTER = 0.3e-3  # s, of the host's time stamps
+CLOCK_ERROR = 150e-6  # the node's 10 ms last that much longer
+
+LEG = {"mass": 4.5, "inertia": 0.42, "com_distance": 0.26, "damping": 0.33, "stiffness": 2.6}
+SUBJECT = Subject(
+    kind="leg", body_mass=74.0, height=1.78, notes="Simulated; nobody wore the exoskeleton."
+)
+
+DROPS = [(-12.0, 5.6), (-35.0, 5.2), (-22.0, 5.4)]  # start [deg], duration [s]
+LOADED_DROP = (-18.0, 5.8)
+LOAD = {"added_mass": 1.0, "added_mass_distance": 0.40}  # kg, m: a cuff at the ankle
+# Start [deg], amplitude [N m], period [s]. With f = 1/T this leg comes back to rest at T only for
+# periods near 1.2 s (a full swing with little help) and 1.35 s (a shallow one, held against
+# gravity); in between and beyond it arrives at speed.
+CYCLES = [
+    (-6.0, -4.0, 1.19),
+    (-9.0, -3.6, 1.18),
+    (-4.0, -4.4, 1.20),
+    (-2.0, -9.8, 1.32),
+    (0.0, -10.0, 1.34),
+    (-3.0, -10.2, 1.33),
+]
+
+
+def movements() -> list[Movement]:
+    """The session in order."""
+    drops = [Movement(np.radians(start), duration) for start, duration in DROPS]
+    loaded = Movement(np.radians(LOADED_DROP[0]), LOADED_DROP[1], **LOAD)
+    cycles = [Movement(np.radians(start), period, tau) for start, tau, period in CYCLES]
+    return [*drops, loaded, *cycles]
+
+
+def make() -> Recording:
+    """The continuous log, on the host's clock."""
+    model = LegModel(LegParameters(**{k: jnp.array(v) for k, v in LEG.items()}), NoTorque())
+    step = 0.01 * (1 + CLOCK_ERROR)
+    log = session(model, movements(), jax.random.key(SEED), subject=SUBJECT, time_step=step)
+    return replace(log, protocol=as_noted(log.protocol))
+
+
+def as_noted(protocol: Protocol) -> Protocol:
+    """The marks as a user notes them: full hundredths of a second, each end just before the catch,
+    on whichever of the two clocks."""
+    starts, ends = protocol.segment_start or (), protocol.segment_end or ()
+    return replace(
+        protocol,
+        segment_start=tuple(round(time, 2) for time in starts),
+        segment_end=tuple(round(time - 0.03, 2) for time in ends),
+    )
+
+
+def write(recording: Recording, folder: Path) -> None:
+    """session.blf and session.toml in `folder`."""
+    folder.mkdir(parents=True, exist_ok=True)
+    sent = frames(
+        recording.segments[0],
+        np.random.default_rng(SEED),
+        epoch=EPOCH,
+        jitter=JITTER,
+        config_crc=0,
+    )
+    with can.BLFWriter(folder / "session.blf") as log:
+        for time, identifier, data in sent:
+            log.on_message_received(
+                can.Message(
+                    timestamp=time, arbitration_id=identifier, is_extended_id=False, data=data
+                )
+            )
+    tables = (recording.subject, recording.protocol, recording.sensors)
+    write_sidecar(*tables, folder / "session.toml")
+
+
+if __name__ == "__main__":
+    jax.config.update("jax_enable_x64", True)
+    beside = Path(exoid.__file__).parent / "example"
+    write(make(), Path(sys.argv[1]) if len(sys.argv) > 1 else beside)

@@ -1,0 +1,77 @@
+"""Least squares under constraints: the constraints enter as extra residuals.
+
+minimise |r(y)|^2 / 2 subject to g(y) <= 0, by minimising |r|^2/2 + |p|^2/2 with
+p = sqrt(rho) max(0, g + mu / rho) and updating mu <- max(0, mu + rho g) until it stands still
+(Hestenes 1969, Powell 1969, Rockafellar 1973; Nocedal & Wright, Numerical Optimization, ch. 17).
+"""
+
+from collections.abc import Callable
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+import optimistix as optx
+from jaxtyping import Array, Bool, Float, Int, PyTree
+
+from exoid.fit.least_squares import NegligibleStep
+
+STEPS = 60  # of the inner solver; a start that needs more has lost its way
+
+
+class Outcome(eqx.Module):
+    """Where a start ended. `failed` marks a point that must never be chosen."""
+
+    point: PyTree
+    multiplier: Float[Array, " constraint"]
+    violation: Float[Array, ""]  # greatest of g, relative as in `violations`
+    steps: Int[Array, ""]  # evaluations of the residual
+    exhausted: Bool[Array, ""]  # the inner solver ran out of steps
+
+
+def minimise(
+    residual: Callable[[PyTree], PyTree],
+    constraint: Callable[[PyTree], Float[Array, " constraint"]],
+    start: PyTree,
+    penalty: Float[Array, " constraint"],
+    *,
+    tolerance: Float[Array, ""],
+    rounds: Int[Array, ""],
+) -> Outcome:
+    """At most `rounds` updates of the multipliers, each with one inner least-squares solve.
+
+    `penalty` is rho: taken as 100 over the variance of each g, it gains two digits a round.
+    """
+
+    def penalised(point, multiplier):
+        excess = jnp.maximum(0.0, constraint(point) + multiplier / penalty)
+        return residual(point), jnp.sqrt(penalty) * excess
+
+    def update(carry):
+        outcome, number, _ = carry
+        solution = optx.least_squares(
+            penalised,
+            NegligibleStep(optx.LevenbergMarquardt(tolerance, tolerance), tolerance),
+            outcome.point,
+            args=outcome.multiplier,
+            max_steps=STEPS,
+            throw=False,
+        )
+        value = constraint(solution.value)
+        multiplier = jnp.maximum(0.0, outcome.multiplier + penalty * value)
+        # sqrt(rho) g is in units of noise, as the tolerance is.
+        change = jnp.abs(multiplier - outcome.multiplier) / jnp.sqrt(penalty)
+        following = Outcome(
+            point=solution.value,
+            multiplier=multiplier,
+            violation=value.max(),
+            steps=outcome.steps + solution.stats["num_steps"],
+            exhausted=solution.result == optx.RESULTS.nonlinear_max_steps_reached,
+        )
+        return following, number + 1, change.max() > tolerance
+
+    nothing = jnp.zeros_like(penalty)
+    before = Outcome(start, nothing, jnp.array(jnp.inf), jnp.array(0), jnp.array(False))
+    outcome, _, _ = jax.lax.while_loop(
+        lambda carry: (carry[1] < rounds) & carry[2], update, (before, 0, jnp.array(True))
+    )
+    return outcome

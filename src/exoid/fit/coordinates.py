@@ -1,0 +1,81 @@
+"""The coordinates in which a fit moves: what motion can tell, apart from what it cannot.
+
+Motion fixes m l g / J, c / J, d / J and tau / J (exactly; scaling m, J, d, c and tau together
+changes nothing). The inertia matters only beside a known mass or torque, the mass never.
+"""
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+from jaxtyping import Array, Float
+
+from exoid.physics.leg import GRAVITY, LegParameters
+
+
+class Shared(eqx.Module):
+    """What the leg owns and motion can tell."""
+
+    log_inertia: Float[Array, "*batch"]  # log(J / kg m^2)
+    gravity: Float[Array, "*batch"]  # m l g / J, 1/s^2
+    stiffness: Float[Array, "*batch"]  # c / J, 1/s^2
+    damping: Float[Array, "*batch"]  # d / J, 1/s
+
+
+class Own(eqx.Module):
+    """What a segment owns."""
+
+    torque: Float[Array, "*segment"]  # tau / J, 1/s^2
+    angle: Float[Array, "*segment"]  # rad, at the segment's first sample
+    angular_velocity: Float[Array, "*segment"]  # rad/s
+
+
+class Coordinates(eqx.Module):
+    """A point of the fit; `own` carries an axis `segment`."""
+
+    shared: Shared
+    log_mass: Float[Array, "*batch"]  # log(m / kg)
+    own: Own
+
+
+TYPICAL = Coordinates(Shared(0.3, 10.0, 3.0, 1.0), 0.3, Own(10.0, 0.1, 0.5))  # a step of order one
+
+
+def scaled(coordinates: Coordinates) -> Coordinates:
+    """In units of `TYPICAL`: what the solver sees."""
+    return jax.tree.map(lambda value, unit: value / unit, coordinates, TYPICAL)
+
+
+def unscaled(coordinates: Coordinates) -> Coordinates:
+    """Back from units of `TYPICAL`."""
+    return jax.tree.map(lambda value, unit: value * unit, coordinates, TYPICAL)
+
+
+def leg_parameters(coordinates: Coordinates) -> LegParameters:
+    """P without the torque: l from m l g / J, the rest directly."""
+    shared = coordinates.shared
+    inertia, mass = jnp.exp(shared.log_inertia), jnp.exp(coordinates.log_mass)
+    return LegParameters(
+        mass=mass,
+        inertia=inertia,
+        com_distance=shared.gravity * inertia / (mass * GRAVITY),
+        damping=shared.damping * inertia,
+        stiffness=shared.stiffness * inertia,
+    )
+
+
+def torque_amplitudes(coordinates: Coordinates) -> Float[Array, "*segment"]:
+    """tau of Eq. 10 in every segment [N m]."""
+    return coordinates.own.torque * jnp.exp(coordinates.shared.log_inertia)
+
+
+def from_parameters(leg: LegParameters, torque: Float[Array, " segment"], own: Own) -> Coordinates:
+    """The point that has these parameters and torque amplitudes; `own` gives the initial state."""
+    shared = Shared(
+        log_inertia=jnp.log(leg.inertia),
+        gravity=leg.mass * leg.com_distance * GRAVITY / leg.inertia,
+        stiffness=leg.stiffness / leg.inertia,
+        damping=leg.damping / leg.inertia,
+    )
+    return Coordinates(
+        shared, jnp.log(leg.mass), Own(torque / leg.inertia, own.angle, own.angular_velocity)
+    )

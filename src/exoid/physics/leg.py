@@ -1,0 +1,84 @@
+"""The leg as a damped pendulum with a spring: the equation of motion (Eq. 9) and its parameters."""
+
+import equinox as eqx
+import jax.numpy as jnp
+from jaxtyping import Array, Float
+
+from exoid.physics.cosine import cos
+from exoid.physics.parameter import parameter
+from exoid.physics.state import LegState
+from exoid.physics.torque import Torque
+
+GRAVITY = 9.81  # m/s^2, as the paper has it
+
+
+class LegParameters(eqx.Module):
+    """Shank, foot and exoskeleton together. The ranges are the bounds of Eq. 13."""
+
+    mass: Float[Array, "*batch"] = parameter("m", "kg", 2.0, 6.0, "mass")
+    inertia: Float[Array, "*batch"] = parameter("J", "kg m^2", 0.15, 1.0, "inertia about the knee")
+    com_distance: Float[Array, "*batch"] = parameter("l", "m", 0.15, 0.6, "distance knee to COM")
+    damping: Float[Array, "*batch"] = parameter("d", "N m s/rad", 0.0, 60.0, "damping")
+    stiffness: Float[Array, "*batch"] = parameter("c", "N m/rad", 0.0, 4.0, "stiffness")
+
+    def with_added_mass(
+        self, mass: Float[Array, "*batch"], distance: Float[Array, "*batch"]
+    ) -> "LegParameters":
+        """The leg with a point mass [kg] fixed to it at `distance` [m] from the knee."""
+        total = self.mass + mass
+        return LegParameters(
+            mass=total,
+            inertia=self.inertia + mass * distance**2,
+            com_distance=(self.mass * self.com_distance + mass * distance) / total,
+            damping=self.damping,
+            stiffness=self.stiffness,
+        )
+
+
+class Ratios(eqx.Module):
+    """Eq. 9 divided by J: all that motion can tell of a leg.
+
+    phi'' = tau_h / J - gravity cos(phi) - stiffness phi - damping phi'
+    """
+
+    gravity: Float[Array, "*batch"]  # m l g / J, 1/s^2
+    stiffness: Float[Array, "*batch"]  # c / J, 1/s^2
+    damping: Float[Array, "*batch"]  # d / J, 1/s
+
+
+class LegModel(eqx.Module):
+    """The leg and what drives it: J phi'' = tau_h(t) - m l g cos(phi) - c phi - d phi' (Eq. 9)."""
+
+    leg: LegParameters
+    torque: Torque
+
+    def ratios(self) -> Ratios:
+        """The coefficients of Eq. 9 per inertia."""
+        leg = self.leg
+        return Ratios(
+            gravity=leg.mass * leg.com_distance * GRAVITY / leg.inertia,
+            stiffness=leg.stiffness / leg.inertia,
+            damping=leg.damping / leg.inertia,
+        )
+
+
+def angular_acceleration(
+    ratios: Ratios, state: LegState, torque_over_inertia: Float[Array, "*batch"]
+) -> Float[Array, "*batch"]:
+    """phi'' of Eq. 9 [rad/s^2]."""
+    return (
+        torque_over_inertia
+        - ratios.gravity * cos(state.angle)
+        - ratios.stiffness * state.angle
+        - ratios.damping * state.angular_velocity
+    )
+
+
+def energy(model: LegModel, state: LegState) -> Float[Array, "*batch"]:
+    """Kinetic, gravity and spring energy [J]: J phi'^2/2 + m l g sin(phi) + c phi^2/2."""
+    leg = model.leg
+    return (
+        leg.inertia * state.angular_velocity**2 / 2
+        + leg.mass * leg.com_distance * GRAVITY * jnp.sin(state.angle)
+        + leg.stiffness * state.angle**2 / 2
+    )

@@ -1,0 +1,31 @@
+"""A parameter declares its unit, its range and its symbol where it is born."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, fields
+
+import equinox as eqx
+
+
+@dataclass(frozen=True)
+class Declaration:
+    """What a parameter says of itself. `lower` and `upper` are the bounds of a fit."""
+
+    symbol: str
+    unit: str
+    lower: float
+    upper: float
+    title: str
+
+
+def parameter(symbol: str, unit: str, lower: float, upper: float, title: str = ""):
+    """Declare a parameter field: its symbol, unit, bounds and the words that tables print."""
+    return eqx.field(
+        metadata={"parameter": Declaration(symbol, unit, lower, upper, title)},
+    )
+
+
+def declarations(module: type) -> Iterator[tuple[str, Declaration]]:
+    """Every declared parameter of a module class, in order, by field name."""
+    for entry in fields(module):
+        if "parameter" in entry.metadata:
+            yield entry.name, entry.metadata["parameter"]

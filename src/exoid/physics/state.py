@@ -1,0 +1,11 @@
+"""The state of the leg."""
+
+import equinox as eqx
+from jaxtyping import Array, Float
+
+
+class LegState(eqx.Module):
+    """Angle and angular velocity of the shank, extension positive, 0 = shank horizontal."""
+
+    angle: Float[Array, "*batch"]  # rad
+    angular_velocity: Float[Array, "*batch"]  # rad/s

@@ -1,0 +1,67 @@
+"""What drives the leg: nothing, the voluntary cycle of Eq. 10, or a measured torque."""
+
+from abc import abstractmethod
+
+import equinox as eqx
+import jax.numpy as jnp
+from jaxtyping import Array, Float
+
+from exoid.physics.parameter import parameter
+
+
+class Torque(eqx.Module):
+    """A torque on the knee that depends on time alone, extension positive."""
+
+    @abstractmethod
+    def __call__(self, time: Float[Array, "*time"]) -> Float[Array, "*time"]:
+        """The torque at `time` [N m]."""
+
+
+class NoTorque(Torque):
+    """tau_h = 0: a relaxed leg, or an unpowered rig."""
+
+    def __call__(self, time: Float[Array, "*time"]) -> Float[Array, "*time"]:
+        return jnp.zeros_like(time)
+
+
+class CycleTorque(Torque):
+    """Eq. 10: tau_h = -tau sin(2 pi f t) up to half the period T, +tau sin(2 pi f t) after it.
+
+    With f = 1/T this is -tau |sin(2 pi t / T)|, of one sign throughout, as the paper's words have
+    it; its Eq. 4 says f = 2/T, which gives four lobes of mean zero. Both are time-symmetric.
+    """
+
+    amplitude: Float[Array, ""] = parameter("tau", "N m", -250.0, 250.0, "torque amplitude")
+    period: Float[Array, ""]  # s
+    frequency: Float[Array, ""]  # Hz
+    onset: Float[Array, ""]  # s, where the cycle's clock starts
+
+    def __call__(self, time: Float[Array, "*time"]) -> Float[Array, "*time"]:
+        return self.amplitude * cycle_shape(time - self.onset, self.period, self.frequency)
+
+
+class MeasuredTorque(Torque):
+    """A torque that was measured at `time`, linear between its samples."""
+
+    time: Float[Array, " samples"]  # s
+    torque: Float[Array, " samples"]  # N m
+
+    def __call__(self, time: Float[Array, "*time"]) -> Float[Array, "*time"]:
+        return jnp.interp(time, self.time, self.torque)
+
+
+class TorqueSum(Torque):
+    """Several torques that act together."""
+
+    parts: tuple[Torque, ...]
+
+    def __call__(self, time: Float[Array, "*time"]) -> Float[Array, "*time"]:
+        return sum((part(time) for part in self.parts), jnp.zeros_like(time))
+
+
+def cycle_shape(
+    time: Float[Array, "*time"], period: Float[Array, ""], frequency: Float[Array, ""]
+) -> Float[Array, "*time"]:
+    """Eq. 10 for unit amplitude, 0 before the cycle's clock starts."""
+    sine = jnp.sin(2 * jnp.pi * frequency * time)
+    return jnp.where(time < 0, 0.0, jnp.where(time <= period / 2, -sine, sine))

@@ -1,0 +1,450 @@
+"""A recording on disk, format version 1: the samples in NAME.csv, what is known in NAME.toml.
+
+Columns and keys are those that `recording.py` declares; this file holds no second list of them.
+Commas and decimal points only: a semicolon or a decimal comma is refused, never guessed at.
+"""
+
+import csv
+import io
+import os
+import re
+import tomllib
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from contextlib import contextmanager
+from dataclasses import replace
+from itertools import chain
+from pathlib import Path
+from types import NoneType
+from typing import Any, get_args, get_origin
+
+import numpy as np
+
+from exoid.recording.recording import (
+    BadSample,
+    Protocol,
+    Recording,
+    Segment,
+    Sensors,
+    Subject,
+    check_entry,
+    known,
+)
+
+Notes = tuple[str, ...]
+Cells = np.ndarray | tuple[str, ...]  # a known column as numbers, an unknown one as its text
+
+TABLES = {"subject": Subject, "protocol": Protocol, "sensors": Sensors}
+CHANNELS = {entry.metadata["column"]: entry.name for entry in known(Segment)}
+IN_DEGREES = {name.replace("_rad", "_deg"): name for name in CHANNELS if "_rad" in name}
+NUMERIC = {*CHANNELS, *IN_DEGREES, "segment"}
+NUMBER = r"(?:[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)?"
+NUMBERS = re.compile(f"{NUMBER}(?:,{NUMBER})*", re.ASCII)
+NOT_IN_NUMBERS = re.compile(r"[^0-9+\-.eE,\n]")  # no letters but e: `nan` and `inf` are not read
+FIRST_LINE = 2  # the line of the first sample; the header is line 1
+
+
+def read_table(path: str | Path) -> tuple[Recording, Notes]:
+    """The recording in NAME.csv and NAME.toml, and what its owner should be told.
+
+    A missing NAME.toml means that nothing is known of subject, protocol and sensors. Unknown
+    columns (as text) and keys are kept and named in the notes, with the known name they resemble.
+
+    **Raises** `ValueError` (one line: file, line or key, what to do) for anything else.
+    """
+    path = Path(path)
+    sidecar = path.with_suffix(".toml")
+    if path == sidecar:
+        raise ValueError(f"{path}: this is the sidecar. Name the .csv beside it.")
+    with naming(path):
+        columns, column_notes = parse_table(read_text(path))
+        starts = segment_starts(columns)
+    tables, extra, key_notes = read_keys(sidecar) if sidecar.exists() else no_keys()
+    with naming(path):
+        samples = build(columns, starts, Subject(kind=tables["subject"].kind))
+    with naming(sidecar):  # what fails now, with all samples sound, fails by a key
+        recording = replace(samples, **tables, extra_tables=extra)
+    if not sidecar.exists():
+        key_notes = (f"{sidecar} does not exist: subject, protocol and sensors are unknown.",)
+    notes = column_notes + late_starts(recording)
+    return recording, tuple(f"{path}: {note}" for note in notes) + key_notes
+
+
+def read_sidecar(path: str | Path) -> tuple[Subject, Protocol, Sensors, Notes]:
+    """What NAME.toml says, and what its owner should be told; for a log whose segments are unknown.
+
+    Lists of one value per segment are not counted here: `Recording` does that.
+    """
+    tables, _, notes = read_keys(Path(path))
+    return tables["subject"], tables["protocol"], tables["sensors"], notes
+
+
+def write_table(recording: Recording, path: str | Path) -> None:
+    """Writes NAME.csv and NAME.toml, such that `read_table` gives back every number and key.
+
+    Both are first written in full beside their targets and then moved into place: a failure
+    leaves the files that were there as they were.
+    """
+    path = Path(path)
+    if path.suffix.lower() != ".csv":
+        raise ValueError(f"{path}: a recording is written to a name that ends in .csv.")
+    tables = (recording.subject, recording.protocol, recording.sensors)
+    sidecar = sidecar_text(*tables, recording.extra_tables)
+    replace_files({path.with_suffix(".toml"): [sidecar], path: table_lines(recording)})
+
+
+def write_sidecar(
+    subject: Subject,
+    protocol: Protocol,
+    sensors: Sensors,
+    path: str | Path,
+    extra_tables: Mapping[str, Any] | None = None,
+) -> None:
+    """Writes NAME.toml, in full or not at all."""
+    replace_files({Path(path): [sidecar_text(subject, protocol, sensors, extra_tables or {})]})
+
+
+@contextmanager
+def naming(path: Path):
+    """Puts the name of the file before what is wrong in it."""
+    try:
+        yield
+    except ValueError as error:
+        raise ValueError(f"{path}: {error}") from error
+
+
+def read_text(path: Path) -> str:
+    """The text of a file, with plain line ends and without a byte order mark."""
+    if path.is_dir():
+        raise ValueError("this is a directory. Name the file in it.")
+    try:
+        content = path.read_bytes()
+    except OSError as error:
+        raise ValueError(f"cannot be read: {error.strerror}. Check the name.") from error
+    try:
+        text = content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise ValueError(
+            f"is not UTF-8 text (byte {content[error.start]:#04x} at {error.start}). "
+            "Export it as CSV in UTF-8."
+        ) from error
+    if "\0" in text:
+        raise ValueError("holds binary data, not text. Export it as CSV in UTF-8.")
+    return text.replace("\r\n", "\n").replace("\r", "\n")
+
+
+def parse_table(text: str) -> tuple[dict[str, Cells], Notes]:
+    """The columns by their name in the file: known ones as numbers, unknown ones as text."""
+    first, _, body = text.partition("\n")
+    names = header(first)
+    body = body.rstrip("\n")
+    check_lines(body)
+    unknown = [name for name in names if name not in NUMERIC]
+    if unknown or NOT_IN_NUMBERS.search(body):
+        columns = parse_cells(names, body)
+    else:
+        columns = dict(zip(names, parse_numbers(names, body).T, strict=True))
+    channels = [name for name in names if name in NUMERIC - {"time_s", "segment"}]
+    empty = [name for name in channels if np.isnan(columns[name]).all()]
+    notes = [f"column {name} holds no number and is left out." for name in empty]
+    notes += [f"unknown column {name} is kept as text.{near(name, NUMERIC)}" for name in unknown]
+    return {name: columns[name] for name in names if name not in empty}, tuple(notes)
+
+
+def header(line: str) -> list[str]:
+    """The names of the columns, refused where they cannot be a recording's."""
+    if not line.strip():
+        raise ValueError("line 1 is empty; it must name the columns, time_s and angle_rad first.")
+    if "," not in line and (";" in line or "\t" in line):
+        raise ValueError(
+            "line 1 separates columns by semicolons or tabs. Export with commas and decimal points."
+        )
+    try:
+        names = [name.strip() for name in next(csv.reader([line], skipinitialspace=True))]
+    except csv.Error as error:
+        raise ValueError(f"line 1: {error}. It must name the columns.") from error
+    check_names(names)
+    return names
+
+
+def check_names(names: list[str]) -> None:
+    if "" in names:
+        raise ValueError(
+            f"column {names.index('') + 1} has no name. Delete it (pandas: to_csv(index=False))."
+        )
+    if twice := [name for name, count in Counter(names).items() if count > 1]:
+        raise ValueError(f"column {twice[0]} is there twice. Delete or rename one.")
+    if both := [name for name in names if IN_DEGREES.get(name) in names]:
+        raise ValueError(f"{both[0]} and {IN_DEGREES[both[0]]} are the same quantity. Keep one.")
+    found = f" The first line holds: {', '.join(names)[:200]}."
+    if "time_s" not in names:
+        raise ValueError(f"has no column time_s.{found} Name the time in seconds time_s.")
+    if not {"angle_rad", "raw_angle_rad", "angle_deg", "raw_angle_deg"} & {*names}:
+        raise ValueError(f"has no angle.{found} Give angle_rad or raw_angle_rad (or _deg).")
+
+
+def check_lines(body: str) -> None:
+    if not body.strip():
+        raise ValueError("holds a header but no samples.")
+    gap = 0 if body.startswith("\n") else body.find("\n\n") + 1
+    if gap or body.startswith("\n"):
+        line = FIRST_LINE + body.count("\n", 0, gap)
+        raise ValueError(f"line {line} is empty. Delete it, so that every line is one sample.")
+
+
+def parse_numbers(names: list[str], body: str) -> np.ndarray:
+    """All cells as numbers, NaN where a cell is empty, by NumPy's parser in C."""
+    filled = f"\n{body}\n"
+    for gap, missing in ((",,", ",nan,"), (",,", ",nan,"), ("\n,", "\nnan,"), (",\n", ",nan\n")):
+        filled = filled.replace(gap, missing) if gap in filled else filled
+    try:
+        table = np.loadtxt(filled[1:-1].split("\n"), delimiter=",", comments=None, ndmin=2)
+    except ValueError as error:
+        raise first_bad_cell(names, body) or error from error
+    if table.shape[1] != len(names):
+        raise first_bad_cell(names, body) or ValueError("the lines do not fit the header.")
+    return table
+
+
+def parse_cells(names: list[str], body: str) -> dict[str, Cells]:
+    """The same for a file with text or spaces in it, some three times slower."""
+    try:
+        rows = list(csv.reader(io.StringIO(body), strict=True))
+        cells = dict(zip(names, zip(*rows, strict=True), strict=True))
+        return {
+            name: parse_column(column) if name in NUMERIC else column
+            for name, column in cells.items()
+        }
+    except (ValueError, csv.Error) as error:
+        raise first_bad_cell(names, body) or ValueError(str(error)) from error
+
+
+def parse_column(cells: tuple[str, ...]) -> np.ndarray:
+    if NOT_IN_NUMBERS.search("".join(cells).replace(" ", "")):
+        raise ValueError("text in a column of numbers")  # which cell: first_bad_cell
+    return np.array([float(cell) if cell.strip() else np.nan for cell in cells])
+
+
+def first_bad_cell(names: list[str], body: str) -> ValueError | None:
+    """What is wrong with the first line that cannot be read, looked for only after a failure."""
+    reader = csv.reader(io.StringIO(body), strict=True)
+    try:
+        for row in reader:
+            plain = len(row) == len(names) and NUMBERS.fullmatch(",".join(row))
+            if not plain and (problem := bad_row(names, row)):
+                return ValueError(f"line {reader.line_num + FIRST_LINE - 1}{problem}")
+    except csv.Error as error:
+        return ValueError(f"line {reader.line_num + FIRST_LINE - 1}: {error}. Check the quotes.")
+    return None
+
+
+def bad_row(names: list[str], row: list[str]) -> str | None:
+    if len(row) != len(names):
+        return (
+            f" has {len(row)} cells, but the header names {len(names)} columns. "
+            "Is a cell missing, or are there decimal commas?"
+        )
+    for name, cell in zip(names, row, strict=True):
+        if name in NUMERIC and not NUMBERS.fullmatch(cell.strip(" ")):
+            return (
+                f", column {name}: {cell[:40]!r} is not a number. "
+                "Leave the cell empty where a sample is missing."
+            )
+    return None
+
+
+def segment_starts(columns: dict[str, Cells]) -> np.ndarray:
+    """The row at which each segment begins; without a column `segment` there is one."""
+    if "segment" not in columns:
+        return np.zeros(1, int)
+    number = np.asarray(columns["segment"])
+    starts = np.concatenate([[0], np.flatnonzero(np.diff(number) != 0) + 1])
+    wrong = np.flatnonzero(number[starts] != np.arange(starts.size))
+    if wrong.size:
+        at = int(starts[wrong[0]])
+        value = "empty" if np.isnan(number[at]) else f"{number[at]:g}"
+        raise ValueError(
+            f"line {at + FIRST_LINE}, column segment: {value}, where {wrong[0]}"
+            f"{f' or {wrong[0] - 1}' if wrong[0] else ''} is expected. Segments count 0, 1, 2, ... "
+            "and the rows of each stand together: renumber or sort them."
+        )
+    return starts
+
+
+def build(columns: dict[str, Cells], starts: np.ndarray, subject: Subject) -> Recording:
+    """The samples, checked by the recording's own rules; a bad one is named by its line as well."""
+    stops = [*starts[1:], len(columns["time_s"])]
+    segments = tuple(
+        cut(columns, slice(start, stop)) for start, stop in zip(starts, stops, strict=True)
+    )
+    try:
+        return Recording(segments, subject)
+    except BadSample as error:
+        line = starts[error.segment] + error.sample + FIRST_LINE
+        converted = [name for name in columns if name in IN_DEGREES]
+        hint = f" ({', '.join(converted)}: read as degrees.)" if converted else ""
+        raise ValueError(f"line {line}: {error}{hint}") from error
+
+
+def late_starts(recording: Recording) -> Notes:
+    """A clock that runs on from segment to segment: read as it is, and said."""
+    late = [n for n, segment in enumerate(recording.segments) if segment.time[0] != 0]
+    if not late:
+        return ()
+    start = recording.segments[late[0]].time[0]
+    return (f"time_s starts at {start:g} s, not at 0, in segment {late[0]}. It is kept as it is.",)
+
+
+def cut(columns: dict[str, Cells], rows: slice) -> Segment:
+    """One segment. A channel that is empty throughout it was not measured in it."""
+    channels = {}
+    for name in columns:
+        if name in CHANNELS or name in IN_DEGREES:
+            samples = np.array(columns[name][rows])
+            if name == "time_s" or not np.isnan(samples).all():
+                inside = np.radians(samples) if name in IN_DEGREES else samples
+                channels[CHANNELS[IN_DEGREES.get(name, name)]] = inside
+    extra = {name: tuple(columns[name][rows]) for name in columns if name not in NUMERIC}
+    return Segment(**channels, extra_columns=extra)
+
+
+def near(name: str, names: Iterable[str]) -> str:
+    """The known name that an unknown one resembles, as a question."""
+    import difflib  # only a file with a typo pays for it
+
+    alike = difflib.get_close_matches(name.lower(), sorted(names), 1, 0.6)
+    return f" Did you mean {alike[0]}?" if alike else ""
+
+
+def no_keys() -> tuple[dict[str, Any], dict[str, Any], Notes]:
+    return {name: kind() for name, kind in TABLES.items()}, {}, ()
+
+
+def read_keys(path: Path) -> tuple[dict[str, Any], dict[str, Any], Notes]:
+    """The known tables by name, the unknown ones as they are, and the notes."""
+    with naming(path):
+        try:
+            document = tomllib.loads(read_text(path))
+        except tomllib.TOMLDecodeError as error:
+            raise ValueError(f"is not valid TOML: {error}.") from error
+        tables = {name: parse_keys(name, document.get(name, {})) for name in TABLES}
+        extra = {name: value for name, value in document.items() if name not in TABLES}
+        notes = [f"unknown [{name}] is kept.{near(name, TABLES)}" for name in extra]
+        for name, table in tables.items():
+            notes += [f"unknown {key} in [{name}] is kept.{place(key)}" for key in table.extra_keys]
+    return tables, extra, tuple(f"{path}: {note}" for note in notes)
+
+
+def parse_keys(name: str, document: Any):
+    """One table of the sidecar, its known keys checked, its unknown ones kept."""
+    if not isinstance(document, dict):
+        raise ValueError(f"{name} must be a table: write [{name}] and its keys below.")
+    entries = {entry.metadata["key"]: entry for entry in known(TABLES[name])}
+    values = {
+        entries[key].name: parse_entry(f"{key} in [{name}]", entries[key], value)
+        for key, value in document.items()
+        if key in entries
+    }
+    extra = {key: value for key, value in document.items() if key not in entries}
+    return TABLES[name](**values, extra_keys=extra)
+
+
+def place(key: str) -> str:
+    """Where an unknown key may belong."""
+    keys = {e.metadata["key"]: name for name, table in TABLES.items() for e in known(table)}
+    return f" It belongs in [{keys[key]}]." if key in keys else near(key, keys)
+
+
+def parse_entry(where: str, entry, value: Any):
+    """One key: of the type its field declares, a list only where segments may differ."""
+    shapes = [get_origin(shape) is tuple for shape in get_args(entry.type) if shape is not NoneType]
+    if isinstance(value, list):
+        if not any(shapes):
+            raise ValueError(f"{where} is a list; it takes one value.")
+        if not value:
+            raise ValueError(f"{where} is an empty list. Leave the key out.")
+        result = tuple(parse_value(where, entry.metadata, each) for each in value)
+    elif all(shapes):
+        raise ValueError(f"{where} takes a list, one value per segment.")
+    else:
+        result = parse_value(where, entry.metadata, value)
+    check_entry(entry.metadata, result, None)
+    return result
+
+
+def parse_value(where: str, meta: Mapping[str, Any], value: Any) -> float | str | bool:
+    number = "lower" in meta
+    wanted, word = (
+        ((int, float), "a number, without quotes")
+        if number
+        else (str, "a text in quotes")
+        if "choices" in meta
+        else (bool, "true or false")
+    )
+    if not isinstance(value, wanted) or (number and isinstance(value, bool)):
+        raise ValueError(f"{where} is {value!r:.60}; it must be {word}.")
+    return float(min(max(value, -1e300), 1e300)) if number and value == value else value
+
+
+def table_lines(recording: Recording) -> Iterable[str]:
+    """The CSV, segment by segment: numbers as short as they are exact, missing samples empty."""
+    names = [
+        column
+        for column, field in CHANNELS.items()
+        if any(getattr(segment, field) is not None for segment in recording.segments)
+    ]
+    extra = list(dict.fromkeys(chain(*(segment.extra_columns for segment in recording.segments))))
+    header = [names[0], "segment", *names[1:], *extra]
+    check_names(header)
+    yield as_csv([header])
+    for number, segment in enumerate(recording.segments):
+        blank = [""] * segment.time.size
+        cells = [as_cells(getattr(segment, CHANNELS[name]), blank) for name in names]
+        cells.insert(1, [str(number)] * segment.time.size)
+        cells += [segment.extra_columns.get(name, blank) for name in extra]
+        yield as_csv(zip(*cells, strict=True))
+
+
+def as_cells(samples: np.ndarray | None, blank: list[str]) -> list[str]:
+    if samples is None:
+        return blank
+    return [repr(value) if value == value else "" for value in samples.tolist()]
+
+
+def as_csv(rows: Iterable[Iterable[str]]) -> str:
+    text = io.StringIO()
+    csv.writer(text, lineterminator="\n").writerows(rows)
+    return text.getvalue()
+
+
+def sidecar_text(subject, protocol, sensors, extra_tables: Mapping[str, Any]) -> str:
+    import tomli_w  # only writing needs it
+
+    tables = {
+        name: written(table)
+        for name, table in zip(TABLES, (subject, protocol, sensors), strict=True)
+    }
+    return tomli_w.dumps({name: keys for name, keys in tables.items() if keys} | {**extra_tables})
+
+
+def written(table) -> dict[str, Any]:
+    """A table's known keys in plain Python types, then the unknown ones as they were."""
+    values = {entry.metadata["key"]: getattr(table, entry.name) for entry in known(table)}
+    plain = {key: np.asarray(v).tolist() for key, v in values.items() if v is not None}
+    return plain | {**table.extra_keys}
+
+
+def replace_files(contents: Mapping[Path, Iterable[str]]) -> None:
+    """Writes every file beside its target, and only when all are complete puts them in place."""
+    beside = {path: path.with_name(f".{path.name}.{os.getpid()}.part") for path in contents}
+    try:
+        for path, parts in contents.items():
+            with beside[path].open("w", encoding="utf-8", newline="") as file:
+                file.writelines(parts)
+                file.flush()
+                os.fsync(file.fileno())
+        for path, part in beside.items():
+            part.replace(path)
+    finally:
+        for part in beside.values():
+            part.unlink(missing_ok=True)

@@ -1,0 +1,130 @@
+"""The true motion of a session: rest, release, motion, catch, rest, lift to the next release."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+from jaxtyping import Array, Float
+
+from exoid.physics.leg import LegModel
+from exoid.physics.simulate import simulate
+from exoid.physics.state import LegState
+from exoid.physics.torque import CycleTorque
+from exoid.recording.recording import Kind
+
+REST = 1.5  # s held still before each release
+REST_MARKED = 1.0  # s of that rest which belong to the segment
+CATCH = 0.03  # s, time constant with which a hand stops the leg
+CAUGHT = 1.0  # s from the catch to the next lift
+LIFT = 1.5  # s from where one movement ended to where the next begins
+
+Samples = Float[Array, " time"]
+Reading = Literal["1/T", "2/T"]  # of Eq. 4
+CYCLES = {"1/T": 1.0, "2/T": 2.0}  # of the torque's sine in one period
+
+
+@dataclass(frozen=True)
+class Movement:
+    """One release from rest: a passive drop, or a voluntary cycle of Eq. 10."""
+
+    start_angle: float  # rad
+    duration: float  # s from the release to the catch; of a cycle its period T
+    amplitude: float | None = None  # N m, tau of Eq. 10; None for a drop
+    added_mass: float = 0.0  # kg
+    added_mass_distance: float = 0.0  # m
+
+    @property
+    def kind(self) -> Kind:
+        return "passive" if self.amplitude is None else "active"
+
+
+class Course(eqx.Module):
+    """A stretch of motion on a grid of equal steps."""
+
+    angle: Samples  # rad
+    angular_velocity: Samples  # rad/s
+    angular_acceleration: Samples  # rad/s^2
+
+
+class Session(eqx.Module):
+    """The motion of a whole session, and the samples at which its segments start and end."""
+
+    course: Course
+    start: tuple[int, ...] = eqx.field(static=True)
+    end: tuple[int, ...] = eqx.field(static=True)
+
+
+def perform(
+    model: LegModel, movements: Sequence[Movement], reading: Reading, time_step: float
+) -> Session:
+    """The movements one after the other, on a grid of `time_step` [s]."""
+    parts, starts, ends, size = [], [], [], 0
+    motions = release(model, movements, reading, time_step)
+    for before, motion, after in surround(motions, time_step):
+        released = size + before.angle.size
+        starts.append(released - round(REST_MARKED / time_step))
+        ends.append(released + motion.angle.size - 1)
+        size = ends[-1] + 1 + after.angle.size
+        parts += [before, motion, after]
+    return Session(joined(parts), tuple(starts), tuple(ends))
+
+
+def release(
+    model: LegModel, movements: Sequence[Movement], reading: Reading, time_step: float
+) -> list[Course]:
+    """The motion of every movement from its release to its catch, all in one compiled program."""
+    samples = [1 + round(movement.duration / time_step) for movement in movements]
+    time = jnp.arange(max(samples)) * time_step
+
+    def motion(start, period, amplitude, mass, distance):
+        torque = CycleTorque(amplitude, period, CYCLES[reading] / period, jnp.zeros(()))
+        driven = replace(model, leg=model.leg.with_added_mass(mass, distance), torque=torque)
+        moved = simulate(driven, LegState(start, jnp.zeros_like(start)), time)
+        return Course(moved.angle, moved.angular_velocity, moved.angular_acceleration)
+
+    rows = [
+        (m.start_angle, m.duration, m.amplitude or 0.0, m.added_mass, m.added_mass_distance)
+        for m in movements
+    ]
+    moved = jax.jit(jax.vmap(motion))(*jnp.array(rows).T)
+    return [jax.tree.map(lambda s, i=i, n=n: s[i, :n], moved) for i, n in enumerate(samples)]
+
+
+def surround(motions: list[Course], time_step: float):
+    """Each motion between the rest before it and the catch and lift after it."""
+    begins = [motion.angle[0] for motion in motions]
+    for motion, begin, following in zip(motions, begins, [*begins[1:], None], strict=True):
+        caught = catch(motion, time_step)
+        raised = [] if following is None else [lift(caught.angle[-1], following, time_step)]
+        yield hold(begin, round(REST / time_step)), motion, joined([caught, *raised])
+
+
+def hold(angle: Float[Array, ""], samples: int) -> Course:
+    still = jnp.zeros(samples)
+    return Course(still + angle, still, still)
+
+
+def catch(motion: Course, time_step: float) -> Course:
+    """A hand stops the leg: its velocity decays with `CATCH`, then it is held."""
+    time = jnp.arange(1, round(CAUGHT / time_step)) * time_step
+    angle, velocity = motion.angle[-1], motion.angular_velocity[-1]
+    slowing = velocity * jnp.exp(-time / CATCH)
+    return Course(angle + CATCH * (velocity - slowing), slowing, -slowing / CATCH)
+
+
+def lift(start: Float[Array, ""], end: Float[Array, ""], time_step: float) -> Course:
+    """A raised cosine from one angle to another."""
+    rate, half = jnp.pi / LIFT, (end - start) / 2
+    phase = jnp.linspace(0, jnp.pi, round(LIFT / time_step))
+    return Course(
+        start + half * (1 - jnp.cos(phase)),
+        half * rate * jnp.sin(phase),
+        half * rate**2 * jnp.cos(phase),
+    )
+
+
+def joined(parts: list[Course]) -> Course:
+    return jax.tree.map(lambda *each: jnp.concatenate(each), *parts)

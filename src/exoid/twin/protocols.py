@@ -1,0 +1,113 @@
+"""Drops and cycles as a user would record them, through the sensors and the firmware's filter."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import jax.numpy as jnp
+import numpy as np
+from jaxtyping import PRNGKeyArray
+
+from exoid.physics.leg import LegModel
+from exoid.physics.simulate import Trajectory
+from exoid.recording import kalman
+from exoid.recording.condition import split
+from exoid.recording.recording import Kind, Protocol, Recording, Segment, Sensors, Subject
+from exoid.twin.motion import Course, Movement, Reading, perform
+from exoid.twin.sensors import SensorKit, measure
+
+TICK = 0.01  # s, the firmware's sample time, and what its filter takes for it
+NOBODY = Subject()
+
+
+def record(
+    model: LegModel, movements: Sequence[Movement], key: PRNGKeyArray, **options
+) -> Recording:
+    """`session`, cut at its marks: one segment per movement, its time starting at 0."""
+    return split(session(model, movements, key, **options))
+
+
+def session(
+    model: LegModel,
+    movements: Sequence[Movement],
+    key: PRNGKeyArray,
+    *,
+    kit: SensorKit | None = None,
+    subject: Subject = NOBODY,
+    torque_frequency: Reading = "1/T",
+    time_step: float = TICK,
+) -> Recording:
+    """The continuous log of a session: rest, release, motion, catch, rest, lift, and so on.
+
+    The marks of its protocol run from 1 s before each release to the catch. `time_step` is the
+    true time [s] between samples; the firmware's filter takes it for 10 ms whatever it is.
+    The torque of `model` is replaced by each movement's own.
+    """
+    kit = kit or SensorKit()
+    performed = perform(model, movements, torque_frequency, time_step)
+    time = np.arange(performed.course.angle.size) * time_step
+    starts, ends = (tuple(time[list(at)].tolist()) for at in (performed.start, performed.end))
+    return Recording(
+        (observe(kit, performed.course, time, key),),
+        describe_subject(subject, movements),
+        describe_protocol(movements, torque_frequency, starts, ends),
+        describe_sensors(kit),
+    )
+
+
+def observe(kit: SensorKit, course: Course, time: kalman.Samples, key: PRNGKeyArray) -> Segment:
+    """What the node logs of a motion: raw readings, and its own filter's float32 estimate."""
+    motion = Trajectory(
+        jnp.asarray(time), course.angle, course.angular_velocity, course.angular_acceleration
+    )
+    seen = measure(kit, motion, key)
+    ticks = np.full(time.size - 1, TICK, dtype=np.float32)
+    angle, rate = (jnp.asarray(raw, jnp.float32) for raw in (seen.angle, seen.angular_velocity))
+    state = kalman.filter(ticks, angle, rate).state
+    return Segment(
+        *(np.asarray(samples, dtype=float) for samples in (time, *state.T)),
+        raw_angle=np.asarray(seen.angle, dtype=float),
+        raw_angular_velocity=np.asarray(seen.angular_velocity, dtype=float),
+        raw_acceleration_x=np.asarray(seen.acceleration_x, dtype=float),
+        raw_acceleration_z=np.asarray(seen.acceleration_z, dtype=float),
+    )
+
+
+def describe_subject(subject: Subject, movements: Sequence[Movement]) -> Subject:
+    """The subject, with the mass that was fixed to the shank in each movement."""
+    if not any(movement.added_mass for movement in movements):
+        return subject
+    return replace(
+        subject,
+        added_mass=tuple(movement.added_mass for movement in movements),
+        added_mass_distance=tuple(movement.added_mass_distance for movement in movements),
+    )
+
+
+def describe_protocol(
+    movements: Sequence[Movement],
+    reading: Reading,
+    starts: tuple[float, ...],
+    ends: tuple[float, ...],
+) -> Protocol:
+    """What the user noted: kind and marks of every movement, and the periods of the cycles."""
+    kinds: tuple[Kind, ...] = tuple(movement.kind for movement in movements)
+    voluntary = "active" in kinds
+    periods = tuple(m.duration if m.kind == "active" else np.nan for m in movements)
+    return Protocol(
+        kind=kinds,
+        cycle_period=periods if voluntary else None,
+        torque_frequency=reading if voluntary else None,
+        torque_known=not voluntary,
+        segment_start=starts,
+        segment_end=ends,
+    )
+
+
+def describe_sensors(kit: SensorKit) -> Sensors:
+    return Sensors(
+        encoder_counts=float(kit.encoder.counts_per_turn),
+        angle_noise=float(kit.encoder.noise),
+        velocity_noise=float(kit.gyroscope.noise),
+        gyro_range=2000.0,
+        sample_rate=1 / TICK,
+    )
