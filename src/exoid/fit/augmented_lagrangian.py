@@ -10,18 +10,21 @@ from collections.abc import Callable
 import equinox as eqx
 import jax
 import jax.numpy as jnp
+import lineax as lx
 import optimistix as optx
 from jaxtyping import Array, Bool, Float, Int, PyTree
 
 from exoid.fit.least_squares import NegligibleStep
 
 STEPS = 60  # of the inner solver; a start that needs more has lost its way
+EXACT = 1e-10  # a change of loss and point that is rounding; `tolerance` decides before
 
 
 class Outcome(eqx.Module):
     """Where a start ended. `failed` marks a point that must never be chosen."""
 
     point: PyTree
+    detail: PyTree  # what `residual` gave beside its value, at `point`
     multiplier: Float[Array, " constraint"]
     violation: Float[Array, ""]  # greatest of g, relative as in `violations`
     steps: Int[Array, ""]  # evaluations of the residual
@@ -29,7 +32,7 @@ class Outcome(eqx.Module):
 
 
 def minimise(
-    residual: Callable[[PyTree], PyTree],
+    residual: Callable[[PyTree], tuple[PyTree, PyTree]],
     constraint: Callable[[PyTree], Float[Array, " constraint"]],
     start: PyTree,
     penalty: Float[Array, " constraint"],
@@ -39,20 +42,25 @@ def minimise(
 ) -> Outcome:
     """At most `rounds` updates of the multipliers, each with one inner least-squares solve.
 
-    `penalty` is rho: taken as 100 over the variance of each g, it gains two digits a round.
+    `residual` returns its value and any detail worth keeping of the last point. `penalty` is rho: taken as 100 over the variance of each g, it gains two digits a round.
     """
 
     def penalised(point, multiplier):
         excess = jnp.maximum(0.0, constraint(point) + multiplier / penalty)
-        return residual(point), jnp.sqrt(penalty) * excess
+        value, detail = residual(point)
+        return (value, jnp.sqrt(penalty) * excess), detail
 
     def update(carry):
         outcome, number, _ = carry
         solution = optx.least_squares(
             penalised,
-            NegligibleStep(optx.LevenbergMarquardt(tolerance, tolerance), tolerance),
+            NegligibleStep(
+                optx.LevenbergMarquardt(EXACT, EXACT, linear_solver=lx.Normal(lx.Cholesky())),
+                tolerance,
+            ),
             outcome.point,
             args=outcome.multiplier,
+            has_aux=True,
             max_steps=STEPS,
             throw=False,
         )
@@ -62,6 +70,7 @@ def minimise(
         change = jnp.abs(multiplier - outcome.multiplier) / jnp.sqrt(penalty)
         following = Outcome(
             point=solution.value,
+            detail=solution.aux,
             multiplier=multiplier,
             violation=value.max(),
             steps=outcome.steps + solution.stats["num_steps"],
@@ -70,7 +79,10 @@ def minimise(
         return following, number + 1, change.max() > tolerance
 
     nothing = jnp.zeros_like(penalty)
-    before = Outcome(start, nothing, jnp.array(jnp.inf), jnp.array(0), jnp.array(False))
+    detail = jax.tree.map(
+        lambda leaf: jnp.zeros(leaf.shape, leaf.dtype), jax.eval_shape(residual, start)[1]
+    )
+    before = Outcome(start, detail, nothing, jnp.array(jnp.inf), jnp.array(0), jnp.array(False))
     outcome, _, _ = jax.lax.while_loop(
         lambda carry: (carry[1] < rounds) & carry[2], update, (before, 0, jnp.array(True))
     )

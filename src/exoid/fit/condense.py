@@ -14,7 +14,9 @@ from jaxtyping import Array, Float
 from exoid.fit.chain import Chain
 from exoid.fit.coordinates import TYPICAL, Coordinates, Own, Shared
 from exoid.fit.observation import Observation
-from exoid.fit.residual import misfit
+from exoid.fit.residual import Stage, advance, equation, residual
+from exoid.physics.simulate import march
+from exoid.physics.state import LegState
 
 UNKNOWNS = 7  # of one segment: four that the leg owns, three of its own
 ROUNDING = 1e-13  # relative, keeps the Cholesky factor real where two columns are nearly parallel
@@ -33,25 +35,73 @@ def condense(
     own: Own,
     observation: Observation,
     known: Float[Array, " unknown"],
-    tether: Float[Array, ""],
+    stage: Stage,
     chain: Chain,
 ) -> Condensed:
-    """Simulate one segment with its sensitivities. `known` is 1 for unknowns that play no part."""
+    """Simulate one segment with its sensitivities. `known` is 1 for unknowns that play no part.
+
+    The sum over samples of (dr/dz, r)'(dr/dz, r) is gathered on the way: nothing is stored.
+    """
     point, unravel = ravel_pytree((shared, own))
     unit, _ = ravel_pytree((TYPICAL.shared, TYPICAL.own))
 
-    def residual(scaled):
+    def setup(scaled):
         at_shared, at_own = unravel(scaled * unit)
-        return misfit(at_shared, at_own, observation, tether, chain)
+        state = LegState(at_own.angle, at_own.angular_velocity)
+        return equation(at_shared, at_own, observation, stage), state, chain.begin(state)
 
-    value, push = jax.linearize(residual, point / unit)
-    columns = jax.vmap(push)(jnp.diag(1 - known))
-    normal = columns @ columns.T
-    # A known one stands apart from the rest: 1 on the diagonal to factorise, 0 afterwards.
+    (eq, state, memory), (by_eq, by_state, by_memory) = along(
+        setup, (point / unit,), (jnp.diag(1 - known),)
+    )
+
+    def forward(index, carry):
+        def step(eq, state):
+            return advance(eq, state, index, observation, stage)
+
+        return along(step, (eq, carry[0]), (by_eq, carry[1]))
+
+    def gather(index, carry, folded):
+        (memory, by_memory), total = folded
+
+        def show(state, memory):
+            memory, shown = chain.push(memory, state)
+            return memory, residual(shown, index, observation)
+
+        (memory, value), (by_memory, columns) = along(
+            show, (carry[0], memory), (carry[1], by_memory)
+        )
+        rows = jnp.concatenate([columns, value[None]])
+        return (memory, by_memory), total + outer(rows)
+
+    nothing = jnp.zeros((UNKNOWNS + 1, UNKNOWNS + 1))
+    _, total = march(
+        forward, gather, (state, by_state), ((memory, by_memory), nothing), stage.steps
+    )
+    return factorise(total, known)
+
+
+def along(function, primals, tangents):
+    """The value of `function` and its derivatives along several directions at once."""
+
+    def one(*direction):
+        return jax.jvp(function, primals, direction)
+
+    return jax.vmap(one, out_axes=(None, 0))(*tangents)
+
+
+def outer(rows: Float[Array, "column 2"]) -> Float[Array, "column column"]:
+    """The sum over angle and velocity of the outer products, without a matrix multiply call."""
+    return jnp.sum(rows[:, None, :] * rows[None, :, :], axis=-1)
+
+
+def factorise(total: Float[Array, "column column"], known: Float[Array, " unknown"]) -> Condensed:
+    """R, Q'r and the rest from (J, r)'(J, r)."""
+    normal, gradient, square = total[:-1, :-1], total[:-1, -1], total[-1, -1]
+    # A known unknown stands apart from the rest: 1 on the diagonal to factorise, 0 afterwards.
     normal = normal + jnp.diag(ROUNDING * jnp.diag(normal) + known)
     lower = jnp.linalg.cholesky(normal)
-    projection = jax.scipy.linalg.solve_triangular(lower, columns @ value, lower=True)
-    remainder = jnp.sqrt(jnp.maximum(value @ value - projection @ projection, 0.0))
+    projection = jax.scipy.linalg.solve_triangular(lower, gradient, lower=True)
+    remainder = jnp.sqrt(jnp.maximum(square - projection @ projection, 0.0))
     return Condensed(lower.T * (1 - known), projection, remainder)
 
 

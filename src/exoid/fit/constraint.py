@@ -1,8 +1,11 @@
 """Constraints g(leg, torque) <= 0, each with its unit and its reason (Eq. 12 and 13)."""
 
+from dataclasses import fields
+
 import equinox as eqx
 import jax
 import jax.numpy as jnp
+import numpy as np
 from jaxtyping import Array, Float
 
 from exoid.physics.leg import LegParameters
@@ -25,24 +28,28 @@ def violations(
     limits: Limits, leg: LegParameters, torque: Float[Array, " segment"]
 ) -> Float[Array, " constraint"]:
     """Every g, positive where violated, relative to the size of what it limits."""
-    low = [
-        jnp.where(jnp.isfinite(bound), (bound - value) / scale, NEVER)
-        for bound, value, scale in zip(*map(jax.tree.leaves, (limits.lower, leg, SIZE)), strict=True)
-    ]
-    high = [
-        jnp.where(jnp.isfinite(bound), (value - bound) / scale, NEVER)
-        for bound, value, scale in zip(*map(jax.tree.leaves, (limits.upper, leg, SIZE)), strict=True)
-    ]
+    low = jax.tree.map(lambda bound, value, size: (bound - value) / size, limits.lower, leg, SIZE)
+    high = jax.tree.map(lambda bound, value, size: (value - bound) / size, limits.upper, leg, SIZE)
     moment = leg.mass * leg.com_distance
     rigid = (moment * leg.com_distance - leg.inertia) / SIZE.inertia
     within = (leg.inertia - limits.reach * moment) / SIZE.inertia
-    body = jnp.stack([rigid, jnp.where(jnp.isfinite(limits.reach), within, NEVER)])
-    body = jnp.where(jnp.isfinite(limits.lower.mass), body, NEVER)
-    drive = (jnp.abs(torque) - limits.torque) / SIZE_TORQUE
-    drive = jnp.where(jnp.isfinite(limits.torque), drive, NEVER)
-    return jnp.concatenate([jnp.stack(low), jnp.stack(high), body, drive])
+    every = [*jax.tree.leaves(low), *jax.tree.leaves(high), rigid, within]
+    each = jnp.concatenate(
+        [jnp.stack(every), (torque - limits.torque) / SIZE_TORQUE, (-torque - limits.torque) / SIZE_TORQUE]
+    )
+    # An infinite limit is none. Eq. 12 holds for a leg only: on a rig m and l are not separable.
+    body = jnp.isfinite(limits.reach)
+    exists = jnp.isfinite(each).at[len(every) - 2].set(body)
+    return jnp.where(exists, each, NEVER)
 
 
-SIZE = LegParameters(mass=1.0, inertia=0.1, com_distance=0.1, damping=0.1, stiffness=1.0)
+def constraint_names(segments: int) -> list[str]:
+    """Which parameter each entry of `violations` limits, or the rule that it states."""
+    parameters = [entry.name for entry in fields(LegParameters)]
+    torques = [f"torque_amplitude[{number}]" for number in range(segments)]
+    return [*parameters, *parameters, "m l^2 <= J", "J <= reach m l", *torques, *torques]
+
+
+SIZE = LegParameters(*map(np.asarray, (1.0, 0.1, 0.1, 0.1, 1.0)))
 SIZE_TORQUE = 10.0  # N m
 NEVER = -1.0  # the g of a limit that is not there

@@ -7,6 +7,7 @@ changes nothing). The inertia matters only beside a known mass or torque, the ma
 import equinox as eqx
 import jax
 import jax.numpy as jnp
+import numpy as np
 from jaxtyping import Array, Float
 
 from exoid.physics.leg import GRAVITY, LegParameters
@@ -37,7 +38,11 @@ class Coordinates(eqx.Module):
     own: Own
 
 
-TYPICAL = Coordinates(Shared(0.3, 10.0, 3.0, 1.0), 0.3, Own(10.0, 0.1, 0.5))  # a step of order one
+TYPICAL = Coordinates(
+    Shared(*map(np.asarray, (0.3, 10.0, 3.0, 1.0))),
+    np.asarray(0.3),
+    Own(*map(np.asarray, (10.0, 0.1, 0.5))),
+)  # a step of order one
 
 
 def scaled(coordinates: Coordinates) -> Coordinates:
@@ -66,16 +71,3 @@ def leg_parameters(coordinates: Coordinates) -> LegParameters:
 def torque_amplitudes(coordinates: Coordinates) -> Float[Array, "*segment"]:
     """tau of Eq. 10 in every segment [N m]."""
     return coordinates.own.torque * jnp.exp(coordinates.shared.log_inertia)
-
-
-def from_parameters(leg: LegParameters, torque: Float[Array, " segment"], own: Own) -> Coordinates:
-    """The point that has these parameters and torque amplitudes; `own` gives the initial state."""
-    shared = Shared(
-        log_inertia=jnp.log(leg.inertia),
-        gravity=leg.mass * leg.com_distance * GRAVITY / leg.inertia,
-        stiffness=leg.stiffness / leg.inertia,
-        damping=leg.damping / leg.inertia,
-    )
-    return Coordinates(
-        shared, jnp.log(leg.mass), Own(torque / leg.inertia, own.angle, own.angular_velocity)
-    )

@@ -1,9 +1,30 @@
-"""What a fit sees of a recording: samples to meet, their weight, and what drove each segment."""
+"""What a fit sees of a recording: samples to meet, their noise, and what drove each segment."""
+
+from dataclasses import dataclass
 
 import equinox as eqx
-from jaxtyping import Array, Bool, Float
+import jax
+import numpy as np
+from jaxtyping import Array, Float
 
 from exoid.physics.simulate import Drive
+from exoid.physics.torque import cycle_shape
+from exoid.recording.condition import (
+    best_velocity,
+    classify,
+    clip,
+    cut,
+    interpolated,
+    local_line,
+    measure_period,
+    movements,
+    torque_frequencies,
+)
+from exoid.recording.recording import Recording, Samples, Segment, Sensors
+
+LONGEST_STEP = 0.02  # s; a gap or slow sampling is bridged by samples that weigh nothing
+SETTLING = 0.15  # s of rest before a cycle below which its clock starts with the segment
+GUIDE_WIDTH = 0.06  # s, over which angle and velocity are smoothed to guide a start
 
 
 class Observation(eqx.Module):
@@ -14,7 +35,7 @@ class Observation(eqx.Module):
     """
 
     time: Float[Array, "*segment time"]  # s
-    angle: Float[Array, "*segment time"]  # rad, after the chain of conditioning
+    angle: Float[Array, "*segment time"]  # rad
     angular_velocity: Float[Array, "*segment time"]  # rad/s
     angle_weight: Float[Array, "*segment time"]  # 1/rad: 1/noise, 0 where nothing was measured
     velocity_weight: Float[Array, "*segment time"]  # s/rad
@@ -22,6 +43,187 @@ class Observation(eqx.Module):
     guide_velocity: Float[Array, "*segment time"]  # rad/s
     cycle: Drive  # Eq. 10 for unit amplitude at the stage times, 0 where not voluntary
     torque: Drive  # N m, the measured torque at the stage times, 0 where none was
-    voluntary: Bool[Array, "*segment"]  # does the amplitude of Eq. 10 act here
     added_mass: Float[Array, "*segment"]  # kg
     added_mass_distance: Float[Array, "*segment"]  # m
+
+
+@dataclass(frozen=True, eq=False)
+class Movement:
+    """A segment as it enters the fit: clipped, on its own clock, with its noise and its drive."""
+
+    name: str  # of the recording, and the segment's number in it
+    kind: str  # passive, active or measured
+    segment: Segment
+    angle: Samples  # rad, the channel that is fitted
+    angular_velocity: Samples | None
+    filtered: bool  # that channel went through the firmware's filter
+    angle_noise: float  # rad
+    velocity_noise: float  # rad/s
+    onset: float  # s, where the clock of Eq. 10 starts
+    period: float  # s, of the cycle; nan where there is none
+    added_mass: float  # kg
+    added_mass_distance: float  # m
+
+    @property
+    def voluntary(self) -> bool:
+        return self.kind == "active"
+
+    @property
+    def scaled(self) -> bool:
+        """Does a known mass or torque act, so that this segment can tell the inertia?"""
+        return self.kind == "measured" or self.added_mass > 0
+
+
+def movement(recording: Recording, number: int, name: str) -> Movement:
+    """Condition one segment: choose its channels, clip its ends, find its clock and its noise."""
+    segment = recording.segments[number]
+    kind = recording.kind(number) or classify(segment) or "passive"
+    if kind == "measured" and segment.applied_torque is None:
+        raise ValueError(f"{name} is said to be measured, but has no torque_nm column.")
+    period = recording.cycle_period(number)
+    onset = 0.0
+    if kind == "active":
+        period = measure_period(segment) if period is None else period
+        onset = find_onset(segment)
+        part = clip(best_velocity(segment))
+        stop = int(np.searchsorted(segment.time, onset + period, side="right"))
+        part = slice(part.start, min(part.stop, stop))
+    else:
+        part = clip(best_velocity(segment)) if kind == "passive" else slice(0, segment.time.size)
+    if part.stop - part.start < 10:
+        raise ValueError(f"{name} keeps {part.stop - part.start} samples of movement: too few.")
+    clipped = cut(segment, part)
+    raw = clipped.raw_angle is not None
+    angle = clipped.raw_angle if raw else clipped.angle
+    velocity = clipped.raw_angular_velocity if raw else clipped.angular_velocity
+    mass = recording.added_mass(number)
+    distance = recording.added_mass_distance(number)
+    if mass > 0 and distance is None:
+        raise ValueError(f"{name} carries {mass:g} kg; give added_mass_distance_m too.")
+    assert angle is not None
+    return Movement(
+        name=name,
+        kind=kind,
+        segment=clipped,
+        angle=angle,
+        angular_velocity=velocity,
+        filtered=not raw,
+        angle_noise=angle_noise(recording.sensors, angle),
+        velocity_noise=velocity_noise(recording.sensors, velocity),
+        onset=onset - float(segment.time[part.start] - segment.time[0]),
+        period=np.nan if period is None else period,
+        added_mass=mass,
+        added_mass_distance=distance or 0.0,
+    )
+
+
+def find_onset(segment: Segment) -> float:
+    """When the movement begins [s]: after the rest in front of it, or with the segment."""
+    found = movements(segment)
+    first = float(segment.time[found[0].start]) if found else 0.0
+    return first if first > SETTLING else float(segment.time[0])
+
+
+def angle_noise(sensors: Sensors, angle: Samples) -> float:
+    """Standard deviation [rad] of an angle sample: declared, else from the data; and its steps."""
+    step = 0.0 if sensors.encoder_counts is None else 2 * np.pi / sensors.encoder_counts
+    white = scatter(angle) if sensors.angle_noise is None else sensors.angle_noise
+    return float(np.hypot(white, step / np.sqrt(12)))
+
+
+def velocity_noise(sensors: Sensors, velocity: Samples | None) -> float:
+    """Standard deviation [rad/s] of a gyro sample: declared, else from the data."""
+    if velocity is None:
+        return np.inf
+    return scatter(velocity) if sensors.velocity_noise is None else sensors.velocity_noise
+
+
+def scatter(samples: Samples) -> float:
+    """White noise of a smooth signal, from its third differences (whose variance is 20 times)."""
+    third = np.diff(samples[~np.isnan(samples)], 3)
+    spread = float(np.median(np.abs(third)) / 0.6745 / np.sqrt(20))
+    return spread if spread > 0 else float(np.std(third) / np.sqrt(20)) or 1e-6
+
+
+def observe(movements: list[Movement], reading: str) -> Observation:
+    """All movements in one shape; `reading` of Eq. 4 gives the torque its frequency."""
+    grids = [with_gaps_bridged(each.segment.time) for each in movements]
+    size = bucket(max(grid.size for grid in grids))
+    rows = [
+        one_observation(each, grid, size, reading)
+        for each, grid in zip(movements, grids, strict=True)
+    ]
+    return jax.tree.map(lambda *each: np.stack(each), *rows)
+
+
+def bucket(size: int) -> int:
+    """The shape that serves this many samples, so that few lengths need compiling."""
+    coarse = 64 if size <= 512 else 256 if size <= 4096 else 2048
+    return -(-size // coarse) * coarse
+
+
+def with_gaps_bridged(time: Samples) -> Samples:
+    """The sample times, and more between them where they are farther apart than a safe step."""
+    pieces = np.maximum(np.ceil(np.diff(time) / LONGEST_STEP - 1e-6), 1).astype(int)
+    parts = [
+        np.linspace(start, stop, count, endpoint=False)
+        for start, stop, count in zip(time[:-1], time[1:], pieces, strict=True)
+        if count > 1
+    ]
+    if not parts:
+        return time
+    return np.union1d(time, np.concatenate(parts))
+
+
+def one_observation(each: Movement, grid: Samples, size: int, reading: str) -> Observation:
+    own = each.segment.time
+    at = np.searchsorted(grid, own)
+    step = np.median(np.diff(grid))
+    time = np.concatenate([grid, grid[-1] + step * np.arange(1, size - grid.size + 1)])
+
+    def placed(samples: Samples | None, noise: float) -> tuple[Samples, Samples]:
+        value, weight = np.zeros(size), np.zeros(size)
+        if samples is not None:
+            known = ~np.isnan(samples)
+            value[at[known]], weight[at[known]] = samples[known], 1 / noise
+        return value, weight
+
+    angle, angle_weight = placed(each.angle, each.angle_noise)
+    velocity, velocity_weight = placed(each.angular_velocity, each.velocity_noise)
+    guide, slope = local_line(own, each.angle, GUIDE_WIDTH)
+    if each.angular_velocity is not None:
+        slope = local_line(own, each.angular_velocity, GUIDE_WIDTH)[0]
+    return Observation(
+        time=time,
+        angle=angle,
+        angular_velocity=velocity,
+        angle_weight=angle_weight,
+        velocity_weight=velocity_weight,
+        guide_angle=np.interp(time, own, guide),
+        guide_velocity=np.interp(time, own, slope),
+        cycle=staged(time, lambda at: cycle_torque(at - each.onset, each, reading)),
+        torque=staged(time, lambda at: measured_torque(at, each)),
+        added_mass=np.asarray(each.added_mass),
+        added_mass_distance=np.asarray(each.added_mass_distance),
+    )
+
+
+def staged(time: Samples, torque) -> Drive:
+    """A torque at the begin, middle and end of every step."""
+    return Drive(torque(time[:-1]), torque((time[:-1] + time[1:]) / 2), torque(time[1:]))
+
+
+def cycle_torque(time: Samples, each: Movement, reading: str) -> Samples:
+    """Eq. 10 for unit amplitude at `time` since the onset, 0 in movements that are not voluntary."""
+    if not each.voluntary:
+        return np.zeros_like(time)
+    frequency = torque_frequencies(each.period)[reading]
+    return cycle_shape(time, each.period, frequency, xp=np)
+
+
+def measured_torque(time: Samples, each: Movement) -> Samples:
+    """The torque that was measured [N m], linear between its samples."""
+    torque = each.segment.applied_torque
+    if each.kind != "measured" or torque is None:
+        return np.zeros_like(time)
+    return np.interp(time, each.segment.time, interpolated(each.segment.time, torque))

@@ -1,72 +1,102 @@
 """The one definition of misfit (Eq. 11): simulated against measured, in units of their noise."""
 
+import equinox as eqx
 import jax
 import jax.numpy as jnp
-from jaxtyping import Array, Float
+from jaxtyping import Array, Float, Int
 
 from exoid.fit.chain import Chain
 from exoid.fit.coordinates import Own, Shared
 from exoid.fit.observation import Observation
 from exoid.physics.leg import GRAVITY, Ratios
-from exoid.physics.simulate import Drive, Trajectory, integrate
+from exoid.physics.simulate import Drive, march, rk4_step
 from exoid.physics.state import LegState
 
 
-def misfit(
-    shared: Shared, own: Own, observation: Observation, tether: Float[Array, ""], chain: Chain
-) -> Float[Array, " residual"]:
-    """Angle and angular velocity of one segment minus the measured ones, over their noise."""
-    simulated = predict(shared, own, observation, tether, chain)
-    return jnp.concatenate(
-        [
-            observation.angle_weight * (simulated.angle - observation.angle),
-            observation.velocity_weight
-            * (simulated.angular_velocity - observation.angular_velocity),
-        ]
+class Stage(eqx.Module):
+    """How much of the motion a misfit looks at, and how freely the simulation moves.
+
+    A start that is far from the leg begins tied to the measured motion by a critically damped
+    spring, which makes the misfit nearly linear in the parameters, and ends free.
+    """
+
+    tether: Float[Array, ""]  # rad/s, natural frequency of the spring; 0 is free
+    steps: Int[Array, ""]  # of the simulation, from the first sample on
+
+
+class Equation(eqx.Module):
+    """Eq. 9 of one segment, leg and added mass together, per inertia; what sensitivities act on."""
+
+    ratios: Ratios
+    cycle: Float[Array, ""]  # 1/s^2 for unit shape of Eq. 10
+    torque: Float[Array, ""]  # 1/(kg m^2), for a measured torque
+
+
+def equation(shared: Shared, own: Own, observation: Observation, stage: Stage) -> Equation:
+    """J + m_a r^2 and m l g + m_a r g move; the tether adds its stiffness and damping."""
+    inertia = jnp.exp(shared.log_inertia)
+    moment = observation.added_mass * observation.added_mass_distance
+    total = inertia + moment * observation.added_mass_distance
+    return Equation(
+        ratios=Ratios(
+            gravity=(shared.gravity * inertia + moment * GRAVITY) / total,
+            stiffness=shared.stiffness * inertia / total + stage.tether**2,
+            damping=shared.damping * inertia / total + 2 * stage.tether,
+        ),
+        cycle=own.torque * inertia / total,
+        torque=1 / total,
+    )
+
+
+def advance(
+    eq: Equation, state: LegState, index: Int[Array, ""], observation: Observation, stage: Stage
+) -> LegState:
+    """The step from sample `index` to the next."""
+
+    def push(cycle, torque, guide_angle, guide_velocity):
+        pull = stage.tether**2 * guide_angle + 2 * stage.tether * guide_velocity
+        return eq.cycle * cycle + eq.torque * torque + pull
+
+    now, after = (
+        jax.tree.map(lambda samples: samples[at], (observation.guide_angle, observation.guide_velocity))
+        for at in (index, index + 1)
+    )
+    middle = jax.tree.map(lambda a, b: (a + b) / 2, now, after)
+    cycle, torque = jax.tree.map(lambda at: at[index], (observation.cycle, observation.torque))
+    drive = Drive(
+        begin=push(cycle.begin, torque.begin, *now),
+        middle=push(cycle.middle, torque.middle, *middle),
+        end=push(cycle.end, torque.end, *after),
+    )
+    step = observation.time[index + 1] - observation.time[index]
+    return rk4_step(eq.ratios, state, step, drive)
+
+
+def residual(
+    shown: LegState, index: Int[Array, ""], observation: Observation
+) -> Float[Array, "2"]:
+    """Angle and angular velocity minus the measured ones at sample `index`, over their noise."""
+    angle = shown.angle - observation.angle[index]
+    velocity = shown.angular_velocity - observation.angular_velocity[index]
+    return jnp.stack(
+        [observation.angle_weight[index] * angle, observation.velocity_weight[index] * velocity]
     )
 
 
 def predict(
-    shared: Shared, own: Own, observation: Observation, tether: Float[Array, ""], chain: Chain
-) -> Trajectory:
-    """The segment as the leg would have moved and the chain of conditioning would have shown it."""
-    ratios, drive = loaded(shared, own, observation)
-    ratios, drive = tied(ratios, drive, observation, tether)
+    shared: Shared, own: Own, observation: Observation, stage: Stage, chain: Chain
+) -> LegState:
+    """The whole segment as the leg would have moved and the chain would have shown it."""
+    eq = equation(shared, own, observation, stage)
     start = LegState(own.angle, own.angular_velocity)
-    return chain(integrate(ratios, start, observation.time, drive))
 
+    def store(index, state, folded):
+        memory, shown = folded
+        memory, now = chain.push(memory, state)
+        return memory, jax.tree.map(lambda all, one: all.at[index].set(one), shown, now)
 
-def loaded(shared: Shared, own: Own, observation: Observation) -> tuple[Ratios, Drive]:
-    """Eq. 9 per inertia of leg and added mass together, J + m_a r^2 and m l g + m_a r g."""
-    inertia = jnp.exp(shared.log_inertia)
-    moment = observation.added_mass * observation.added_mass_distance
-    total = inertia + moment * observation.added_mass_distance
-    ratios = Ratios(
-        gravity=(shared.gravity * inertia + moment * GRAVITY) / total,
-        stiffness=shared.stiffness * inertia / total,
-        damping=shared.damping * inertia / total,
-    )
-    drive = jax.tree.map(
-        lambda cycle, torque: (own.torque * inertia * cycle + torque) / total,
-        observation.cycle,
-        observation.torque,
-    )
-    return ratios, drive
+    def forward(index, state):
+        return advance(eq, state, index, observation, stage)
 
-
-def tied(
-    ratios: Ratios, drive: Drive, observation: Observation, tether: Float[Array, ""]
-) -> tuple[Ratios, Drive]:
-    """Eq. 9 with a critically damped spring of `tether` [rad/s] to the measured motion.
-
-    A start that is far from the leg begins tied, which makes the misfit nearly linear in the
-    parameters, and ends free (tether 0).
-    """
-    spring, damper = tether**2, 2 * tether
-    pull = spring * observation.guide_angle + damper * observation.guide_velocity
-    tied_ratios = Ratios(ratios.gravity, ratios.stiffness + spring, ratios.damping + damper)
-    return tied_ratios, Drive(
-        begin=drive.begin + pull[:-1],
-        middle=drive.middle + (pull[:-1] + pull[1:]) / 2,
-        end=drive.end + pull[1:],
-    )
+    empty = LegState(jnp.zeros_like(observation.time), jnp.zeros_like(observation.time))
+    return march(forward, store, start, (chain.begin(start), empty), stage.steps)[1]

@@ -11,7 +11,7 @@ from jaxtyping import Array, Bool, Float, Int
 from exoid.fit.augmented_lagrangian import minimise
 from exoid.fit.chain import Chain
 from exoid.fit.condense import Condensed, condense, linear_model
-from exoid.fit.constraint import Limits, violations
+from exoid.fit.constraint import NEVER, Limits, violations
 from exoid.fit.coordinates import (
     Coordinates,
     leg_parameters,
@@ -21,7 +21,8 @@ from exoid.fit.coordinates import (
 )
 from exoid.fit.observation import Observation
 from exoid.fit.prior import Prior, prior_residual
-from exoid.fit.residual import predict
+from exoid.fit.residual import Stage, predict
+from exoid.physics.leg import LegParameters
 
 PENALTY = 100.0  # rho times the variance of a constraint: each round gains two digits
 WEAK = 1e-6  # relative curvature that stands in where neither data nor prior has any
@@ -31,16 +32,29 @@ class Task(eqx.Module):
     """What a run of the solver is asked to do."""
 
     noise_scale: Float[Array, ""]  # residuals are divided by it
-    tether: Float[Array, ""]  # rad/s
+    stage: Stage
     bounded: Float[Array, ""]  # 1: with prior and limits, 0: the data alone
     tolerance: Float[Array, ""]  # in units of noise
     rounds: Int[Array, ""]  # of multiplier updates
+    information: Condensed  # of the free fit that came before; it sets the penalties
+
+
+class Local(eqx.Module):
+    """The end point's neighbourhood in scaled coordinates: what standard errors are made of."""
+
+    data: Float[Array, "*start coordinate coordinate"]  # Gauss-Newton information of the misfit
+    prior: Float[Array, "*start coordinate coordinate"]  # of the prior
+    parameters: Float[Array, "*start parameter coordinate"]  # d (P, tau of each segment)
+    ratios: Float[Array, "*start ratio coordinate"]  # d (m l g, c, d, tau of each segment) / J
+    constraints: Float[Array, "*start constraint coordinate"]  # d g
 
 
 class Solved(eqx.Module):
     """Where every start of the block ended."""
 
     coordinates: Coordinates
+    leg: LegParameters
+    torque: Float[Array, "*start segment"]  # N m
     loss: Float[Array, "*start"]  # half the sum of squares, data and prior
     misfit: Float[Array, "*start"]  # sum of squares of the data residual over their noise
     condensed: Condensed  # at the end point
@@ -48,6 +62,7 @@ class Solved(eqx.Module):
     violation: Float[Array, "*start"]
     steps: Int[Array, "*start"]
     exhausted: Bool[Array, "*start"]
+    local: Local
     angle: Float[Array, "*start segment time"]  # rad, as simulated
     angular_velocity: Float[Array, "*start segment time"]  # rad/s
 
@@ -79,45 +94,41 @@ def solve_one(
     chain: Chain,
 ) -> Solved:
     def at(point: Coordinates) -> Condensed:
-        one = partial(condense, tether=task.tether, chain=chain)
-        fitted = jax.vmap(one, in_axes=(None, 0, 0, 0))(
-            unscaled(point).shared, unscaled(point).own, observation, known
-        )
-        return jax.tree.map(lambda value: value / task.noise_scale, fitted)
+        each = jax.vmap(partial(condense, stage=task.stage, chain=chain), in_axes=(None, 0, 0, 0))
+        condensed = each(point.shared, point.own, observation, known)
+        return jax.tree.map(lambda value: value / task.noise_scale, condensed)
 
     def residual(point: Coordinates):
         # The value is exact at every point, the derivative is that of the linear model there.
         here = jax.lax.stop_gradient(point)
-        data = linear_model(at(here), here, point)
-        return data, task.bounded * prior_residual(prior, leg_parameters(unscaled(point)))
+        condensed = at(unscaled(here))
+        belief = prior_residual(prior, leg_parameters(unscaled(point)))
+        value = linear_model(condensed, here, point), task.bounded * belief
+        return value, (value, condensed)
 
     def constraint(point: Coordinates):
         free = unscaled(point)
         limit = violations(limits, leg_parameters(free), torque_amplitudes(free))
-        return jnp.where(task.bounded > 0, limit, -1.0)
+        return jnp.where(task.bounded > 0, limit, NEVER)
 
-    begin = scaled(start)
     outcome = minimise(
         residual,
         constraint,
-        begin,
-        jax.lax.cond(
-            task.bounded > 0,
-            lambda: penalties(residual, constraint, begin),
-            lambda: jnp.ones_like(constraint(begin)),
-        ),
+        scaled(start),
+        penalties(task.information, prior, constraint, scaled(start)),
         tolerance=task.tolerance,
         rounds=task.rounds,
     )
+    (data, belief), condensed = outcome.detail
     end = unscaled(outcome.point)
-    condensed = at(outcome.point)
-    data = jnp.concatenate([condensed.projection.ravel(), condensed.remainder])
-    belief = task.bounded * prior_residual(prior, leg_parameters(end))
-    simulated = jax.vmap(partial(predict, chain=chain), in_axes=(None, 0, 0, None))(
-        end.shared, end.own, observation, task.tether
+    free = Stage(jnp.zeros_like(task.stage.tether), task.stage.steps)
+    simulated = jax.vmap(partial(predict, stage=free, chain=chain), in_axes=(None, 0, 0))(
+        end.shared, end.own, observation
     )
     return Solved(
         coordinates=end,
+        leg=leg_parameters(end),
+        torque=torque_amplitudes(end),
         loss=(data @ data + belief @ belief) / 2,
         misfit=data @ data * task.noise_scale**2,
         condensed=condensed,
@@ -125,20 +136,47 @@ def solve_one(
         violation=outcome.violation,
         steps=outcome.steps,
         exhausted=outcome.exhausted,
+        local=neighbourhood(outcome.point, condensed, prior, constraint),
         angle=simulated.angle,
         angular_velocity=simulated.angular_velocity,
     )
 
 
-def penalties(residual, constraint, point: Coordinates) -> Float[Array, " constraint"]:
-    """rho of every constraint: PENALTY over the variance that data and prior leave to it."""
+def neighbourhood(point: Coordinates, condensed: Condensed, prior: Prior, constraint) -> Local:
+    """First derivatives at `point` of all that is reported."""
     flat, unravel = ravel_pytree(point)
-    value, push = jax.linearize(lambda x: ravel_pytree(residual(unravel(x)))[0], flat)
-    del value
-    columns = jax.vmap(push)(jnp.eye(flat.size))
-    normal = columns @ columns.T
-    normal = normal + jnp.diag(WEAK * (1 + jnp.diag(normal)))
-    gradients = jax.jacfwd(lambda x: constraint(unravel(x)))(flat)
-    spread = jnp.linalg.solve(normal, gradients.T)
-    variance = jnp.sum(gradients.T * spread, axis=0)
+
+    def data(x):
+        return linear_model(condensed, point, unravel(x))
+
+    def belief(x):
+        return prior_residual(prior, leg_parameters(unscaled(unravel(x))))
+
+    def parameters(x):
+        free = unscaled(unravel(x))
+        return jnp.stack([*jax.tree.leaves(leg_parameters(free)), *torque_amplitudes(free)])
+
+    def ratios(x):
+        free = unscaled(unravel(x))
+        shared = free.shared
+        return jnp.stack([shared.gravity, shared.stiffness, shared.damping, *free.own.torque])
+
+    by_data, by_prior, by_parameters, by_ratios, by_constraint = (
+        jax.jacfwd(function)(flat)
+        for function in (data, belief, parameters, ratios, lambda x: constraint(unravel(x)))
+    )
+    return Local(
+        by_data.T @ by_data, by_prior.T @ by_prior, by_parameters, by_ratios, by_constraint
+    )
+
+
+def penalties(
+    information: Condensed, prior: Prior, constraint, point: Coordinates
+) -> Float[Array, " constraint"]:
+    """rho of every constraint: PENALTY over the variance that data and prior leave to it."""
+    local = neighbourhood(point, information, prior, constraint)
+    total = local.data + local.prior
+    total = total + jnp.diag(WEAK * (1 + jnp.diag(total)))
+    spread = jnp.linalg.solve(total, local.constraints.T)
+    variance = jnp.sum(local.constraints.T * spread, axis=0)
     return PENALTY / jnp.maximum(variance, WEAK)

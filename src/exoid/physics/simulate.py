@@ -1,9 +1,11 @@
-"""The only time loop: classical Runge-Kutta of order four over the sample times."""
+"""Motion from physics, in the only time loop: classical Runge-Kutta of order four over the sample times."""
+
+from collections.abc import Callable
 
 import equinox as eqx
 import jax
 import jax.numpy as jnp
-from jaxtyping import Array, Float
+from jaxtyping import Array, Float, Int, PyTree
 
 from exoid.physics.leg import LegModel, Ratios, angular_acceleration
 from exoid.physics.state import LegState
@@ -35,7 +37,19 @@ def simulate(model: LegModel, start: LegState, time: Float[Array, " time"]) -> T
     """
     torque = sample_torque(model.torque, time)
     drive = jax.tree.map(lambda samples: samples / model.leg.inertia, torque)
-    return integrate(model.ratios(), start, time, drive)
+    ratios, step = model.ratios(), jnp.diff(time)
+
+    def advance(index, state):
+        return rk4_step(ratios, state, step[index], jax.tree.map(lambda at: at[index], drive))
+
+    def store(index, state, states):
+        return jax.tree.map(lambda all, one: all.at[index].set(one), states, state)
+
+    empty = jax.tree.map(lambda value: jnp.full(time.shape, value), start)
+    states = march(advance, store, start, empty, step.size)
+    pushed = jnp.concatenate([drive.begin, drive.end[-1:]])
+    acceleration = angular_acceleration(ratios, states, pushed)
+    return Trajectory(time, states.angle, states.angular_velocity, acceleration)
 
 
 def sample_torque(torque: Torque, time: Float[Array, " time"]) -> Drive:
@@ -45,20 +59,25 @@ def sample_torque(torque: Torque, time: Float[Array, " time"]) -> Drive:
     return Drive(at_samples[:-1], torque(middle), at_samples[1:])
 
 
-def integrate(
-    ratios: Ratios, start: LegState, time: Float[Array, " time"], drive: Drive
-) -> Trajectory:
-    """The loop of `simulate`, for callers that hold the coefficients per inertia already."""
+def march(
+    advance: Callable[[Int[Array, ""], PyTree], PyTree],
+    fold: Callable[[Int[Array, ""], PyTree, PyTree], PyTree],
+    state: PyTree,
+    folded: PyTree,
+    steps: int | Int[Array, ""],
+) -> PyTree:
+    """The only time loop: `advance(index, state)` step by step, every state folded into a result.
 
-    def advance(state, step_and_drive):
-        after = rk4_step(ratios, state, *step_and_drive)
-        return after, after
+    `fold(index, state, folded)` sees the states 0 to `steps`. A number of steps that is known only
+    at run time lets one compiled program serve any length, but not reverse-mode derivatives.
+    """
 
-    _, later = jax.lax.scan(advance, start, (jnp.diff(time), drive))
-    states = jax.tree.map(lambda first, rest: jnp.concatenate([first[None], rest]), start, later)
-    pushed = jnp.concatenate([drive.begin, drive.end[-1:]])
-    acceleration = angular_acceleration(ratios, states, pushed)
-    return Trajectory(time, states.angle, states.angular_velocity, acceleration)
+    def step(index, carry):
+        now, gathered = carry
+        following = advance(index, now)
+        return following, fold(index + 1, following, gathered)
+
+    return jax.lax.fori_loop(0, steps, step, (state, fold(jnp.array(0), state, folded)))[1]
 
 
 def rk4_step(

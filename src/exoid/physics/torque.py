@@ -32,9 +32,9 @@ class CycleTorque(Torque):
     """
 
     amplitude: Float[Array, ""] = parameter("tau", "N m", -250.0, 250.0, "torque amplitude")
-    period: Float[Array, ""]  # s
-    frequency: Float[Array, ""]  # Hz
-    onset: Float[Array, ""]  # s, where the cycle's clock starts
+    period: Float[Array, ""] = parameter("T", "s", 0.05, 120.0, "cycle period")
+    frequency: Float[Array, ""] = parameter("f", "Hz", 0.0, 40.0, "torque frequency")
+    onset: Float[Array, ""] = parameter("t0", "s", 0.0, 1e4, "start of the cycle's clock")
 
     def __call__(self, time: Float[Array, "*time"]) -> Float[Array, "*time"]:
         return self.amplitude * cycle_shape(time - self.onset, self.period, self.frequency)
@@ -59,9 +59,7 @@ class TorqueSum(Torque):
         return sum((part(time) for part in self.parts), jnp.zeros_like(time))
 
 
-def cycle_shape(
-    time: Float[Array, "*time"], period: Float[Array, ""], frequency: Float[Array, ""]
-) -> Float[Array, "*time"]:
-    """Eq. 10 for unit amplitude, 0 before the cycle's clock starts."""
-    sine = jnp.sin(2 * jnp.pi * frequency * time)
-    return jnp.where(time < 0, 0.0, jnp.where(time <= period / 2, -sine, sine))
+def cycle_shape(time, period, frequency, xp=jnp):
+    """Eq. 10 for unit amplitude, 0 before the cycle's clock starts; `xp` is jax.numpy or numpy."""
+    sine = xp.sin(2 * xp.pi * frequency * time)
+    return xp.where(time < 0, 0.0, xp.where(time <= period / 2, -sine, sine))

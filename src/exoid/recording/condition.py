@@ -14,6 +14,7 @@ from exoid.recording.recording import Kind, Protocol, Recording, Samples, Segmen
 MOTION_SPEED = np.radians(20.0)  # rad/s, the paper's criterion of significant motion
 REST_SPEED = np.radians(5.0)  # rad/s, below it the leg is held; twitches and a gyro's bias fit in
 REST_DURATION = 0.3  # s, longer than any turning point of a cycle below about 7 s
+SMOOTHING = 0.05  # s, of the velocity that decides what moves; half a leg's swing takes 0.5 s
 REST_KEPT = 0.5  # s of rest in front of each movement
 NEAR = 0.35  # of the range of a movement; a drop ends at 0.5 (no damping) to 1 of it, lower
 
@@ -74,17 +75,35 @@ def cut(segment: Segment, part: slice) -> Segment:
 
 
 def best_velocity(segment: Segment) -> Samples:
-    """The filtered velocity [rad/s], else what the smoother makes of encoder and gyro."""
+    """The filtered velocity [rad/s], else the gyro's mean over 50 ms, else the angle's slope."""
     if segment.angular_velocity is not None:
         return interpolated(segment.time, segment.angular_velocity)
-    from exoid.recording.kalman import PROCESS_NOISE, smooth  # loads JAX, so only when needed
-
+    if segment.raw_angular_velocity is not None:
+        return local_line(segment.time, segment.raw_angular_velocity, SMOOTHING)[0]
     angle = next(a for a in (segment.raw_angle, segment.angle) if a is not None)
-    nothing = np.full_like(segment.time, np.nan)
-    gyro = nothing if segment.raw_angular_velocity is None else segment.raw_angular_velocity
-    steps = np.diff(segment.time)
-    noise = np.array(PROCESS_NOISE) * np.median(steps) / 0.01  # per step of 10 ms
-    return np.asarray(smooth(steps, angle, gyro, noise).state[:, 1], dtype=float)
+    return local_line(segment.time, angle, SMOOTHING)[1]
+
+
+def local_line(time: Samples, samples: Samples, width: float) -> tuple[Samples, Samples]:
+    """Value and slope at every sample of the straight line fitted to the `width` s around it.
+
+    Missing samples are bridged; sums run over the window, so uneven sampling does no harm.
+    """
+    filled = interpolated(time, samples)
+    first = np.searchsorted(time, time - width / 2)
+    last = np.searchsorted(time, time + width / 2, side="right")
+    first = np.minimum(first, np.maximum(last - 3, 0))  # three samples carry a line and a check
+    last = np.minimum(np.maximum(last, first + 3), time.size)
+
+    def window_sum(of: Samples) -> Samples:
+        total = np.concatenate([[0.0], np.cumsum(of)])
+        return total[last] - total[first]
+
+    count = last - first
+    middle, mean = window_sum(time) / count, window_sum(filled) / count
+    spread = window_sum(time**2) / count - middle**2
+    slope = (window_sum(time * filled) / count - middle * mean) / spread
+    return mean + slope * (time - middle), slope
 
 
 def interpolated(time: Signal, samples: Signal) -> Samples:

@@ -1,0 +1,243 @@
+"""The fit: many starts, brought to the data first, then to what anatomy and bounds allow."""
+
+from dataclasses import dataclass
+
+import jax
+import numpy as np
+
+from exoid.fit.belief import Belief
+from exoid.fit.chain import Chain
+from exoid.fit.condense import UNKNOWNS, Condensed
+from exoid.fit.coordinates import Coordinates, scaled
+from exoid.fit.observation import Movement, Observation, observe
+from exoid.fit.program import run
+from exoid.fit.residual import Stage
+from exoid.fit.solve import Solved, Task
+from exoid.fit.starts import coordinates
+from exoid.fit.uncertainty import noise_scale
+
+BASIN = 0.2  # typical steps within which tied starts have come together
+SAME_LOSS = 1e-3  # relative; other minima lie orders of magnitude higher
+FIRST_HORIZON = 1.0  # s of every segment that a start sees first
+TETHERS = (60.0, 15.0)  # rad/s, of the first stage and the second; then free
+STIFF = 0.6  # greatest tether times step: Runge-Kutta carries it with room for the leg
+COARSE, FINE = 1.0, 1e-3  # tolerances, in units of noise
+ROUNDS = 10  # of multipliers; two digits a round
+FEASIBLE = 1e-6  # relative violation that is rounding of the multiplier method
+BATCH = 20  # lanes of start and segment that run at once: what fits the vector units and cache
+
+
+@dataclass(frozen=True, eq=False)
+class Problem:
+    """Everything about a fit that does not depend on the start."""
+
+    movements: list[Movement]
+    observation: Observation
+    known: np.ndarray
+    belief: Belief
+    chain: Chain
+
+    @property
+    def steps(self) -> int:
+        """Of the longest segment's simulation."""
+        weights = self.observation.angle_weight + self.observation.velocity_weight
+        return int(np.flatnonzero((np.asarray(weights) > 0).any(axis=0))[-1])
+
+    @property
+    def longest_step(self) -> float:
+        return float(np.diff(np.asarray(self.observation.time)).max())
+
+    @property
+    def unknowns(self) -> int:
+        shared = int((self.known[:, :4] == 0).any(axis=0).sum())
+        return shared + int((self.known[:, 4:] == 0).sum())
+
+
+def pose(movements: list[Movement], belief: Belief, reading: str, chain: Chain) -> Problem:
+    """The problem of fitting one leg to these movements."""
+    known = np.zeros((len(movements), UNKNOWNS))
+    known[:, 0] = [not each.scaled for each in movements]
+    known[:, 4] = [not each.voluntary for each in movements]
+    return Problem(movements, observe(movements, reading), known, belief, chain)
+
+
+@dataclass(frozen=True, eq=False)
+class Ended:
+    """Where all starts ended: the free fits, which start led to which, and the chosen fit."""
+
+    free: Solved
+    member: np.ndarray  # per start: its row of `free`, -1 where it failed
+    failures: dict[str, int]
+    best: Solved  # one row, with prior and limits
+    noise_scale: float
+    starts: Coordinates
+
+
+def search(problem: Problem, starts: np.ndarray) -> Ended:
+    """Fit from every start (m, J, l, d, c, tau).
+
+    Tied to the measured motion over its first second, then over all of it, then free; starts that
+    have come together are carried on by the best of them. The best free fit then meets prior
+    and limits.
+    """
+    tether = min(TETHERS[0], STIFF / problem.longest_step)
+    greatest = 2 / problem.longest_step - 2 * tether
+    begin = coordinates(starts, problem.movements, greatest)
+    first = np.searchsorted(np.asarray(problem.observation.time)[0], FIRST_HORIZON)
+    horizon = min(max(int(first), 50), problem.steps)
+    tied = advance(problem, begin, task(problem, tether, horizon, COARSE))
+    rows, member, failures = basins(problem, tied)
+    gathered = take(tied.coordinates, rows)
+    weaker = min(TETHERS[1], tether / 2)
+    gathered = advance(problem, gathered, task(problem, weaker, problem.steps, COARSE)).coordinates
+    free = advance(problem, gathered, task(problem, 0.0, problem.steps, FINE))
+    member, failures = without_lost(free, member, failures)
+    scale = spread_of(problem, take(free, [int(np.nanargmin(finite(free.loss)))]))
+    return Ended(free, member, failures, settle(problem, free, begin, scale), scale, begin)
+
+
+def task(
+    problem: Problem,
+    tether: float,
+    steps: int,
+    tolerance: float,
+    *,
+    scale: float = 1.0,
+    information: Condensed | None = None,
+) -> Task:
+    """What to ask of the solver; with `information` of a free fit, prior and limits take part."""
+    segments = len(problem.movements)
+    nothing = Condensed(
+        np.zeros((segments, UNKNOWNS, UNKNOWNS)), np.zeros((segments, UNKNOWNS)), np.zeros(segments)
+    )
+    bounded = information is not None
+    return Task(
+        noise_scale=np.asarray(scale),
+        stage=Stage(np.asarray(float(tether)), np.asarray(steps)),
+        bounded=np.asarray(float(bounded)),
+        tolerance=np.asarray(tolerance),
+        rounds=np.asarray(ROUNDS if bounded else 1),
+        information=nothing if information is None else information,
+    )
+
+
+def advance(problem: Problem, starts: Coordinates, task: Task) -> Solved:
+    """Solve from all starts, a batch at a time: a batch ends when its slowest start has."""
+    count = starts.log_mass.shape[0]
+    lanes = max(1, BATCH // len(problem.movements))
+    parts = []
+    for first in range(0, count, lanes):
+        rows = np.minimum(np.arange(first, first + lanes), count - 1)
+        belief = problem.belief
+        parts.append(
+            run(
+                take(starts, rows),
+                problem.observation,
+                problem.known,
+                belief.prior,
+                belief.limits,
+                task,
+                problem.chain,
+            )
+        )
+    return jax.tree.map(lambda *each: np.concatenate(each)[:count], *parts)
+
+
+def take(tree, rows):
+    """These rows of every leaf."""
+    return jax.tree.map(lambda leaf: leaf[np.asarray(rows)], tree)
+
+
+def finite(loss: np.ndarray) -> np.ndarray:
+    """A start whose loss is not a number ended nowhere: it can never be the best."""
+    return np.where(np.isfinite(loss), loss, np.inf)
+
+
+def basins(problem: Problem, tied: Solved) -> tuple[np.ndarray, np.ndarray, dict[str, int]]:
+    """The best start of every basin, each start's basin, and why starts were lost."""
+    lost = ~np.isfinite(tied.loss)
+    place = data_coordinates(problem, tied.coordinates)
+    cell = np.where(lost[:, None], np.inf, np.round(place / BASIN))
+    order = np.lexsort((finite(tied.loss),))
+    _, first, member = np.unique(cell[order], axis=0, return_index=True, return_inverse=True)
+    rows = order[first]
+    back = np.empty(order.size, dtype=int)
+    back[order] = member.ravel()
+    good = ~lost[rows]
+    renumbered = np.cumsum(good) - 1
+    failures = {"its motion could not be simulated": int(lost.sum())} if lost.any() else {}
+    if not good.any():
+        raise ArithmeticError("no start could be simulated: is the recording what it says it is?")
+    return rows[good], np.where(lost, -1, renumbered[back]), failures
+
+
+def data_coordinates(problem: Problem, at: Coordinates) -> np.ndarray:
+    """What the data can tell a start by, in typical steps: (start, coordinate)."""
+    unit = scaled(at)
+    shared = [unit.shared.gravity, unit.shared.stiffness, unit.shared.damping]
+    if (problem.known[:, 0] == 0).any():
+        shared.append(unit.shared.log_inertia)
+    return np.concatenate([np.stack(shared, axis=1), unit.own.torque], axis=1)
+
+
+def without_lost(free: Solved, member: np.ndarray, failures: dict[str, int]):
+    """Mark the starts whose free fit was lost or did not end."""
+    lost = ~np.isfinite(free.loss)
+    gone = (member >= 0) & lost[member]
+    tired = (member >= 0) & ~lost[member] & free.exhausted[member]
+    failures = dict(failures)
+    if gone.any():
+        failures["its free motion could not be simulated"] = int(gone.sum())
+    if tired.any():
+        failures["it was still moving when its steps ran out"] = int(tired.sum())
+    if lost.all():
+        raise ArithmeticError("no start reached a motion that can be simulated freely.")
+    return np.where(gone, -1, member), failures
+
+
+def residuals(problem: Problem, at: Solved) -> list[np.ndarray]:
+    """Per channel and segment, simulated minus measured over noise, of the first row of `at`."""
+    seen = problem.observation
+    each = []
+    for number in range(len(problem.movements)):
+        for weight, simulated, measured in (
+            (seen.angle_weight, at.angle, seen.angle),
+            (seen.velocity_weight, at.angular_velocity, seen.angular_velocity),
+        ):
+            weight = np.asarray(weight[number])
+            used = weight > 0
+            if used.any():
+                difference = simulated[0, number] - np.asarray(measured[number])
+                each.append((weight * difference)[used])
+    return each
+
+
+def spread_of(problem: Problem, best: Solved) -> float:
+    """How far the residual exceeds the noise, as it counts for errors."""
+    return noise_scale(residuals(problem, best), problem.unknowns)
+
+
+def settle(problem: Problem, free: Solved, begin: Coordinates, scale: float) -> Solved:
+    """The best free fit under prior and limits, from several inertias and masses."""
+    best = int(np.argmin(finite(free.loss)))
+    lanes = max(1, BATCH // len(problem.movements))
+    one = take(free.coordinates, [best] * lanes)
+    prior = problem.belief.prior
+    own_scale = (problem.known[:, 0] == 0).any()
+    others = np.resize(np.arange(begin.log_mass.size), lanes)
+    inertia = one.shared.log_inertia.copy() if own_scale else begin.shared.log_inertia[others]
+    mass = begin.log_mass[others].copy()
+    if problem.belief.expected is not None:
+        inertia[0] = inertia[0] if own_scale else np.log(prior.expected.inertia)
+        mass[0] = np.log(prior.expected.mass)
+    shared = type(one.shared)(
+        inertia, one.shared.gravity, one.shared.stiffness, one.shared.damping
+    )
+    starts = Coordinates(shared, mass, one.own)
+    information = jax.tree.map(lambda leaf: leaf[best] / scale, free.condensed)
+    ended = advance(
+        problem, starts, task(problem, 0.0, problem.steps, FINE, scale=scale, information=information)
+    )
+    feasible = np.where(ended.violation < FEASIBLE, finite(ended.loss), np.inf)
+    chosen = feasible if np.isfinite(feasible).any() else finite(ended.loss)
+    return take(ended, [int(np.argmin(chosen))])

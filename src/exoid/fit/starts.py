@@ -1,0 +1,74 @@
+"""Where a multi-start begins: drawn from the bounds, from anatomy, and from inverse dynamics."""
+
+import numpy as np
+
+from exoid.fit.coordinates import Coordinates, Own, Shared
+from exoid.fit.observation import Movement
+from exoid.physics.leg import GRAVITY, LegParameters
+from exoid.physics.parameter import declarations
+from exoid.physics.torque import CycleTorque
+from exoid.recording.condition import local_line
+
+SLOPE_WIDTH = 0.08  # s, over which the acceleration is taken for inverse dynamics
+
+
+def draw(count: int, seed: int) -> np.ndarray:
+    """`count` vectors (m, J, l, d, c, tau), uniform within the bounds of Eq. 13."""
+    declared = [each for _, each in declarations(LegParameters)]
+    declared += [each for name, each in declarations(CycleTorque) if name == "amplitude"]
+    lower = np.array([each.lower for each in declared])
+    upper = np.array([each.upper for each in declared])
+    return np.random.default_rng(seed).uniform(lower, upper, size=(count, lower.size))
+
+
+def coordinates(
+    parameters: np.ndarray, movements: list[Movement], greatest_damping: float
+) -> Coordinates:
+    """The starts (m, J, l, d, c, tau), every movement from its first measured state.
+
+    d/J is held below `greatest_damping` [1/s]: beyond it the time step cannot carry the motion.
+    """
+    mass, inertia, com_distance, damping, stiffness, torque = parameters.T
+    first = np.array([first_state(each) for each in movements])
+    voluntary = np.array([each.voluntary for each in movements])
+    shape = (mass.size, len(movements))
+    return Coordinates(
+        shared=Shared(
+            log_inertia=np.log(inertia),
+            gravity=mass * com_distance * GRAVITY / inertia,
+            stiffness=stiffness / inertia,
+            damping=np.minimum(damping / inertia, greatest_damping),
+        ),
+        log_mass=np.log(mass),
+        own=Own(
+            torque=(torque / inertia)[:, None] * voluntary,
+            angle=np.broadcast_to(first[:, 0], shape).copy(),
+            angular_velocity=np.broadcast_to(first[:, 1], shape).copy(),
+        ),
+    )
+
+
+def first_state(movement: Movement) -> tuple[float, float]:
+    """Angle [rad] and angular velocity [rad/s] of the first sample, from the ones around it."""
+    angle, slope = local_line(movement.segment.time, movement.angle, SLOPE_WIDTH)
+    if movement.angular_velocity is not None:
+        slope = local_line(movement.segment.time, movement.angular_velocity, SLOPE_WIDTH)[0]
+    return float(angle[0]), float(slope[0])
+
+
+def inverse_dynamics(movements: list[Movement], cycles: list[np.ndarray]) -> np.ndarray:
+    """(m l g, c, d, tau) / J that fit phi'' = tau s(t)/J - m l g cos(phi)/J - ... by least squares.
+
+    Linear in the ratios, so it needs no start; biased where the acceleration is noisy. `cycles`
+    holds Eq. 10 for unit amplitude at every sample.
+    """
+    rows, accelerations = [], []
+    for each, cycle in zip(movements, cycles, strict=True):
+        time = each.segment.time
+        angle, velocity = local_line(time, each.angle, SLOPE_WIDTH)
+        if each.angular_velocity is not None:
+            velocity = local_line(time, each.angular_velocity, SLOPE_WIDTH)[0]
+        rows.append(np.stack([-np.cos(angle), -angle, -velocity, cycle], axis=1))
+        accelerations.append(local_line(time, velocity, SLOPE_WIDTH)[1])
+    solution, *_ = np.linalg.lstsq(np.concatenate(rows), np.concatenate(accelerations), rcond=None)
+    return solution

@@ -1,0 +1,25 @@
+"""Every test runs in float64, with the shapes and types annotated in `exoid` checked as it runs."""
+
+from pathlib import Path
+
+import hypothesis
+import jax
+import pytest
+from jaxtyping import install_import_hook
+
+jax.config.update("jax_enable_x64", True)
+install_import_hook("exoid", "beartype.beartype")  # works only before the first import of exoid
+
+# The same examples in every run; the first one compiles, so no deadline.
+hypothesis.settings.register_profile("exoid", derandomize=True, deadline=None, database=None)
+hypothesis.settings.load_profile("exoid")
+
+SHARED = Path(__file__).parents[2] / "shared" / "data"
+
+
+@pytest.fixture(scope="session")
+def shared():
+    """The folder of recordings and logs beside the repository, which a clone does not hold."""
+    if not SHARED.is_dir():
+        pytest.skip(f"{SHARED} is absent: it holds recordings that are not in the repository")
+    return SHARED
