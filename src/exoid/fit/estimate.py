@@ -7,7 +7,7 @@ import numpy as np
 from exoid.fit.belief import NAMES, Belief, PriorName, believe
 from exoid.fit.chain import Chain, MovingAverage, Raw
 from exoid.fit.constraint import constraint_names
-from exoid.fit.multistart import SAME_LOSS, Ended, Problem, finite, pose, search
+from exoid.fit.multistart import FEASIBLE, SAME_LOSS, Ended, Problem, finite, pose, search
 from exoid.fit.observation import Movement, movement
 from exoid.fit.result import Estimate, FitResult, MultistartReport, SegmentFit
 from exoid.fit.starts import draw
@@ -335,7 +335,7 @@ def notes(problem: Problem, ended: Ended, at_bound: set[str]) -> list[str]:
             f"the residual is larger than the sensors' noise: standard errors are widened "
             f"{ended.noise_scale:.3g} times. Something is missing in the model or in the noise level."
         )
-    if float(ended.best.violation[0]) > 1e-6:
+    if float(ended.best.violation[0]) > FEASIBLE:
         said.append("the limits could not all be met: see the bounds in the table.")
     for rule in ("m l^2 <= J", "J <= reach m l"):
         if rule in at_bound:

@@ -115,7 +115,11 @@ def solve_one(
         residual,
         constraint,
         scaled(start),
-        penalties(task.information, prior, constraint, scaled(start)),
+        nothing_unless(
+            task.bounded > 0,
+            lambda: penalties(task.information, prior, constraint, scaled(start)),
+        )
+        + (1 - task.bounded),
         tolerance=task.tolerance,
         rounds=task.rounds,
     )
@@ -136,10 +140,19 @@ def solve_one(
         violation=outcome.violation,
         steps=outcome.steps,
         exhausted=outcome.exhausted,
-        local=neighbourhood(outcome.point, condensed, prior, constraint),
+        local=nothing_unless(
+            task.bounded > 0,
+            lambda: neighbourhood(outcome.point, condensed, prior, constraint),
+        ),
         angle=simulated.angle,
         angular_velocity=simulated.angular_velocity,
     )
+
+
+def nothing_unless(wanted: Bool[Array, ""], compute):
+    """What `compute` gives, or zeros of its shape at no cost."""
+    zeros = jax.tree.map(lambda leaf: jnp.zeros(leaf.shape, leaf.dtype), jax.eval_shape(compute))
+    return jax.lax.cond(wanted, compute, lambda: zeros)
 
 
 def neighbourhood(point: Coordinates, condensed: Condensed, prior: Prior, constraint) -> Local:

@@ -1,6 +1,5 @@
 """Standard errors, and whether the data, the prior or a bound determined a value."""
 
-from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
@@ -9,40 +8,43 @@ from jaxtyping import Float
 Source = Literal["data", "prior", "both", "bound"]
 
 UNDETERMINED = 1e-3  # information per typical step squared: an error of thirty typical steps
+ON_BOUND = 1e-6  # relative size of what is left of a gradient, below which it is rounding
 FROM_DATA = 0.9  # share of the precision above which the data alone determined a value
 FROM_PRIOR = 0.5  # of its prior's standard deviation, above which the data hardly narrowed it
 
 
-@dataclass(frozen=True, eq=False)
 class Information:
-    """Gauss-Newton information of a fit in its own coordinates, around the end point."""
+    """Gauss-Newton information of a fit in its own coordinates, around the end point.
 
-    data: Float[np.ndarray, "coordinate coordinate"]
-    prior: Float[np.ndarray, "coordinate coordinate"]
-    active: Float[np.ndarray, "constraint coordinate"]  # gradients of the constraints that hold
+    `data` and `prior` are (coordinate, coordinate); `active` holds the gradients of the constraints
+    that hold as equalities there, (constraint, coordinate).
+    """
+
+    def __init__(self, data: np.ndarray, prior: np.ndarray, active: np.ndarray):
+        self.free = null_space(active, data.shape[0])
+        self.posterior = np.linalg.eigh(self.free.T @ (data + prior) @ self.free)
+        self.likelihood = np.linalg.eigh(self.free.T @ data @ self.free)
 
     def standard_error(self, gradient: Float[np.ndarray, " coordinate"]) -> float:
         """Of a quantity with this gradient; inf where nothing determines it, 0 on a bound."""
-        return spread(self.data + self.prior, self.active, gradient)
+        return self.spread(self.posterior, gradient)
 
     def data_only(self, gradient: Float[np.ndarray, " coordinate"]) -> float:
         """The standard error without any prior; inf where motion cannot tell."""
-        return spread(self.data, self.active, gradient)
+        return self.spread(self.likelihood, gradient)
 
-
-def spread(information, active, gradient) -> float:
-    """sqrt(a' I^-1 a) within the directions that the active constraints leave free."""
-    free = null_space(active, information.shape[0])
-    inner = free.T @ information @ free
-    along = free.T @ gradient
-    if np.linalg.norm(along) < 1e-9 * max(np.linalg.norm(gradient), 1e-300):
-        return 0.0
-    values, vectors = np.linalg.eigh(inner)
-    parts = vectors.T @ along
-    known = values > UNDETERMINED
-    if np.linalg.norm(parts[~known]) > 1e-6 * np.linalg.norm(along):
-        return np.inf
-    return float(np.sqrt(np.sum(parts[known] ** 2 / values[known])))
+    def spread(self, decomposed, gradient) -> float:
+        """sqrt(a' I^-1 a) within the directions that the active constraints leave free."""
+        along = self.free.T @ gradient
+        size = np.linalg.norm(along)
+        if size < ON_BOUND * np.linalg.norm(gradient):
+            return 0.0
+        values, vectors = decomposed
+        parts = vectors.T @ along
+        known = values > UNDETERMINED
+        if np.linalg.norm(parts[~known]) > ON_BOUND * size:
+            return np.inf
+        return float(np.sqrt(np.sum(parts[known] ** 2 / values[known])))
 
 
 def null_space(rows, size: int):
