@@ -16,6 +16,8 @@ from jaxtyping import Array, Bool, Float, Int, PyTree
 
 from exoid.fit.least_squares import NegligibleStep
 
+Vector = Float[Array, " _"]
+
 STEPS = 60  # of the inner solver; a start that needs more has lost its way
 EXACT = 1e-10  # a change of loss and point that is rounding; `tolerance` decides before
 
@@ -23,37 +25,38 @@ EXACT = 1e-10  # a change of loss and point that is rounding; `tolerance` decide
 class Outcome(eqx.Module):
     """Where a start ended. `failed` marks a point that must never be chosen."""
 
-    point: PyTree
+    point: Vector
     detail: PyTree  # what `residual` gave beside its value, at `point`
-    multiplier: Float[Array, " constraint"]
+    multiplier: Vector
     violation: Float[Array, ""]  # greatest of g, relative as in `violations`
     steps: Int[Array, ""]  # evaluations of the residual
     exhausted: Bool[Array, ""]  # the inner solver ran out of steps
 
 
 def minimise(
-    residual: Callable[[PyTree], tuple[PyTree, PyTree]],
-    constraint: Callable[[PyTree], Float[Array, " constraint"]],
-    start: PyTree,
-    penalty: Float[Array, " constraint"],
+    residual: Callable[[Vector], tuple[Vector, PyTree]],
+    constraint: Callable[[Vector], Vector],
+    start: Vector,
+    penalty: Vector,
     *,
     tolerance: Float[Array, ""],
     rounds: Int[Array, ""],
 ) -> Outcome:
     """At most `rounds` updates of the multipliers, each with one inner least-squares solve.
 
-    `residual` returns its value and any detail worth keeping of the last point. `penalty` is rho: taken as 100 over the variance of each g, it gains two digits a round.
+    `residual` returns its value and any detail worth keeping of the last point. `penalty` is rho:
+    taken as 100 over the variance of each g, it gains two digits a round.
     """
 
     def penalised(point, multiplier):
         excess = jnp.maximum(0.0, constraint(point) + multiplier / penalty)
         value, detail = residual(point)
-        return (value, jnp.sqrt(penalty) * excess), detail
+        return jnp.concatenate([value, jnp.sqrt(penalty) * excess]), detail
 
     def update(carry):
         outcome, number, _ = carry
         solution = optx.least_squares(
-            penalised,
+            with_dense_derivative(penalised),
             NegligibleStep(
                 optx.LevenbergMarquardt(EXACT, EXACT, linear_solver=lx.Normal(lx.Cholesky())),
                 tolerance,
@@ -87,3 +90,19 @@ def minimise(
         lambda carry: (carry[1] < rounds) & carry[2], update, (before, 0, jnp.array(True))
     )
     return outcome
+
+
+def with_dense_derivative(function):
+    """The same function, its derivative held as one matrix.
+
+    A solver's loop carries what the derivative is made of from step to step: one array instead of
+    the dozens that the pieces of a residual leave behind, which would double the compiled program.
+    """
+
+    def evaluated(point, args):
+        here = jax.lax.stop_gradient(point)
+        value, push, detail = jax.linearize(lambda x: function(x, args), here, has_aux=True)
+        matrix = jax.vmap(push, out_axes=1)(jnp.eye(here.size))
+        return value + matrix @ (point - here), detail
+
+    return evaluated

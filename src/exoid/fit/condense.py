@@ -5,6 +5,8 @@ and Gauss-Newton matrix in 8 numbers instead of two per sample. A joint fit of m
 becomes a small dense problem, and R and Q'r are what the standard errors need.
 """
 
+from typing import Any
+
 import equinox as eqx
 import jax
 import jax.numpy as jnp
@@ -25,9 +27,9 @@ ROUNDING = 1e-13  # relative, keeps the Cholesky factor real where two columns a
 class Condensed(eqx.Module):
     """R, Q'r and the rest of one segment's residual, in units of noise and of `TYPICAL`."""
 
-    factor: Float[Array, "*batch unknown unknown"]
-    projection: Float[Array, "*batch unknown"]
-    remainder: Float[Array, "*batch"]
+    factor: Float[Any, "*batch unknown unknown"]
+    projection: Float[Any, "*batch unknown"]
+    remainder: Float[Any, "*batch"]
 
 
 def condense(

@@ -1,6 +1,7 @@
 """Constraints g(leg, torque) <= 0, each with its unit and its reason (Eq. 12 and 13)."""
 
 from dataclasses import fields
+from typing import Any
 
 import equinox as eqx
 import jax
@@ -20,27 +21,25 @@ class Limits(eqx.Module):
 
     lower: LegParameters
     upper: LegParameters
-    torque: Float[Array, ""]  # N m, greatest amplitude
-    reach: Float[Array, ""]  # m
+    torque: Float[Any, ""]  # N m, greatest amplitude
+    reach: Float[Any, ""]  # m
 
 
 def violations(
-    limits: Limits, leg: LegParameters, torque: Float[Array, " segment"]
+    limits: Limits, leg: LegParameters, torque: Float[Array, " segment"], xp=jnp
 ) -> Float[Array, " constraint"]:
     """Every g, positive where violated, relative to the size of what it limits."""
     low = jax.tree.map(lambda bound, value, size: (bound - value) / size, limits.lower, leg, SIZE)
     high = jax.tree.map(lambda bound, value, size: (value - bound) / size, limits.upper, leg, SIZE)
     moment = leg.mass * leg.com_distance
-    rigid = (moment * leg.com_distance - leg.inertia) / SIZE.inertia
+    # Eq. 12 and the reach are of a leg; on a rig, whose reach is infinite, m and l mean nothing.
+    body = xp.isfinite(limits.reach)
+    rigid = xp.where(body, (moment * leg.com_distance - leg.inertia) / SIZE.inertia, NEVER)
     within = (leg.inertia - limits.reach * moment) / SIZE.inertia
-    every = [*jax.tree.leaves(low), *jax.tree.leaves(high), rigid, within]
-    each = jnp.concatenate(
-        [jnp.stack(every), (torque - limits.torque) / SIZE_TORQUE, (-torque - limits.torque) / SIZE_TORQUE]
-    )
-    # An infinite limit is none. Eq. 12 holds for a leg only: on a rig m and l are not separable.
-    body = jnp.isfinite(limits.reach)
-    exists = jnp.isfinite(each).at[len(every) - 2].set(body)
-    return jnp.where(exists, each, NEVER)
+    every = xp.stack([*jax.tree.leaves(low), *jax.tree.leaves(high), rigid, within])
+    drive = [(torque - limits.torque) / SIZE_TORQUE, (-torque - limits.torque) / SIZE_TORQUE]
+    each = xp.concatenate([every, *drive])
+    return xp.where(xp.isfinite(each), each, NEVER)
 
 
 def constraint_names(segments: int) -> list[str]:

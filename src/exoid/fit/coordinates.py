@@ -4,6 +4,8 @@ Motion fixes m l g / J, c / J, d / J and tau / J (exactly; scaling m, J, d, c an
 changes nothing). The inertia matters only beside a known mass or torque, the mass never.
 """
 
+from typing import Any
+
 import equinox as eqx
 import jax
 import jax.numpy as jnp
@@ -16,25 +18,25 @@ from exoid.physics.leg import GRAVITY, LegParameters
 class Shared(eqx.Module):
     """What the leg owns and motion can tell."""
 
-    log_inertia: Float[Array, "*batch"]  # log(J / kg m^2)
-    gravity: Float[Array, "*batch"]  # m l g / J, 1/s^2
-    stiffness: Float[Array, "*batch"]  # c / J, 1/s^2
-    damping: Float[Array, "*batch"]  # d / J, 1/s
+    log_inertia: Float[Any, "*batch"]  # log(J / kg m^2)
+    gravity: Float[Any, "*batch"]  # m l g / J, 1/s^2
+    stiffness: Float[Any, "*batch"]  # c / J, 1/s^2
+    damping: Float[Any, "*batch"]  # d / J, 1/s
 
 
 class Own(eqx.Module):
     """What a segment owns."""
 
-    torque: Float[Array, "*segment"]  # tau / J, 1/s^2
-    angle: Float[Array, "*segment"]  # rad, at the segment's first sample
-    angular_velocity: Float[Array, "*segment"]  # rad/s
+    torque: Float[Any, "*segment"]  # tau / J, 1/s^2
+    angle: Float[Any, "*segment"]  # rad, at the segment's first sample
+    angular_velocity: Float[Any, "*segment"]  # rad/s
 
 
 class Coordinates(eqx.Module):
     """A point of the fit; `own` carries an axis `segment`."""
 
     shared: Shared
-    log_mass: Float[Array, "*batch"]  # log(m / kg)
+    log_mass: Float[Any, "*batch"]  # log(m / kg)
     own: Own
 
 
@@ -55,10 +57,10 @@ def unscaled(coordinates: Coordinates) -> Coordinates:
     return jax.tree.map(lambda value, unit: value * unit, coordinates, TYPICAL)
 
 
-def leg_parameters(coordinates: Coordinates) -> LegParameters:
-    """P without the torque: l from m l g / J, the rest directly."""
+def leg_parameters(coordinates: Coordinates, xp=jnp) -> LegParameters:
+    """P without the torque: l from m l g / J, the rest directly; `xp` is jax.numpy or numpy."""
     shared = coordinates.shared
-    inertia, mass = jnp.exp(shared.log_inertia), jnp.exp(coordinates.log_mass)
+    inertia, mass = xp.exp(shared.log_inertia), xp.exp(coordinates.log_mass)
     return LegParameters(
         mass=mass,
         inertia=inertia,
@@ -68,6 +70,6 @@ def leg_parameters(coordinates: Coordinates) -> LegParameters:
     )
 
 
-def torque_amplitudes(coordinates: Coordinates) -> Float[Array, "*segment"]:
+def torque_amplitudes(coordinates: Coordinates, xp=jnp) -> Float[Array, "*segment"]:
     """tau of Eq. 10 in every segment [N m]."""
-    return coordinates.own.torque * jnp.exp(coordinates.shared.log_inertia)
+    return coordinates.own.torque * xp.exp(coordinates.shared.log_inertia)

@@ -5,7 +5,7 @@ from typing import Literal
 import numpy as np
 
 from exoid.fit.belief import NAMES, Belief, PriorName, believe
-from exoid.fit.chain import Chain, MovingAverage, Raw
+from exoid.fit.chain import Raw
 from exoid.fit.constraint import constraint_names
 from exoid.fit.multistart import FEASIBLE, SAME_LOSS, Ended, Problem, finite, pose, search
 from exoid.fit.observation import Movement, movement
@@ -90,12 +90,12 @@ def describe(
     problem: Problem, ended: Ended, reading: str | None, other_rmse: float | None
 ) -> FitResult:
     """The numbers with their errors, units and reasons."""
-    best = ended.best
+    best, local = ended.best, ended.local
     segments = len(problem.movements)
     names = constraint_names(segments)
     active = best.multiplier[0] > 0
     information = Information(
-        data=best.local.data[0], prior=best.local.prior[0], active=best.local.constraints[0][active]
+        data=local.data, prior=local.prior, active=local.constraints[active]
     )
     at_bound = {name for name, hold in zip(names, active, strict=True) if hold}
     parameters = {
@@ -133,7 +133,7 @@ def estimate_parameter(
     if expected is not None:
         given = float(getattr(belief.prior.standard_deviation, name))
         deviation = given / np.sqrt(float(belief.prior.weight))
-    gradient = ended.best.local.parameters[0, number]
+    gradient = ended.local.parameters[number]
     error = information.standard_error(gradient)
     found = source(information, gradient, deviation, name in at_bound)
     lower, upper = (
@@ -161,7 +161,7 @@ def reason(name, found, information: Information, ended: Ended, number: int) -> 
         return "at a bound: no error is quoted"
     if found is not None:
         return None
-    inertia = ended.best.local.parameters[0, NAMES.index("inertia")]
+    inertia = ended.local.parameters[NAMES.index("inertia")]
     scale_known = np.isfinite(information.standard_error(inertia))
     return MASS_AND_DISTANCE if scale_known and name in ("mass", "com_distance") else SCALE_FREE
 
@@ -169,7 +169,7 @@ def reason(name, found, information: Information, ended: Ended, number: int) -> 
 def estimate_torque(number: int, ended: Ended, information: Information, at_bound) -> Estimate:
     """tau of one voluntary segment."""
     declared = dict(declarations(CycleTorque))["amplitude"]
-    gradient = ended.best.local.parameters[0, len(NAMES) + number]
+    gradient = ended.local.parameters[len(NAMES) + number]
     held = f"torque_amplitude[{number}]" in at_bound
     found = source(information, gradient, np.inf, held)
     known = found is not None
@@ -191,11 +191,11 @@ def estimate_ratios(problem: Problem, ended: Ended, information: Information) ->
     best = ended.best
     shared = best.coordinates.shared
     values = [shared.gravity[0], shared.stiffness[0], shared.damping[0]]
-    gradients = list(best.local.ratios[0, :3])
+    gradients = list(ended.local.ratios[:3])
     voluntary = [number for number, each in enumerate(problem.movements) if each.voluntary]
     if voluntary:
         values.append(best.coordinates.own.torque[0, voluntary].mean())
-        gradients.append(best.local.ratios[0, [3 + number for number in voluntary]].mean(axis=0))
+        gradients.append(ended.local.ratios[[3 + number for number in voluntary]].mean(axis=0))
     estimates = {}
     for (name, (symbol, unit, title)), value, gradient in zip(
         list(RATIOS.items())[: len(values)], values, gradients, strict=True

@@ -7,13 +7,15 @@ import numpy as np
 
 from exoid.fit.belief import Belief
 from exoid.fit.chain import Chain
-from exoid.fit.condense import UNKNOWNS, Condensed
+from exoid.fit.condense import UNKNOWNS
+from exoid.fit.constraint import constraint_names
 from exoid.fit.coordinates import Coordinates, scaled
+from exoid.fit.local import Local, neighbourhood, penalties
 from exoid.fit.observation import Movement, Observation, observe
 from exoid.fit.program import run
 from exoid.fit.residual import Stage
-from exoid.fit.solve import Solved, Task
 from exoid.fit.starts import coordinates
+from exoid.fit.task import Solved, Task
 from exoid.fit.uncertainty import noise_scale
 
 BASIN = 0.2  # typical steps within which tied starts have come together
@@ -71,6 +73,7 @@ class Ended:
     best: Solved  # one row, with prior and limits
     noise_scale: float
     starts: Coordinates
+    local: Local  # of `best`
 
 
 def search(problem: Problem, starts: np.ndarray) -> Ended:
@@ -93,7 +96,15 @@ def search(problem: Problem, starts: np.ndarray) -> Ended:
     free = advance(problem, gathered, task(problem, 0.0, problem.steps, FINE))
     member, failures = without_lost(free, member, failures)
     scale = spread_of(problem, take(free, [int(np.nanargmin(finite(free.loss)))]))
-    return Ended(free, member, failures, settle(problem, free, begin, scale), scale, begin)
+    best = settle(problem, free, begin, scale)
+    return Ended(free, member, failures, best, scale, begin, around(problem, best))
+
+
+def around(problem: Problem, at: Solved, row: int = 0, scale: float = 1.0) -> Local:
+    """Derivatives and information at one end point, whose residual counts 1 / `scale`."""
+    one = take(at, row)
+    condensed = jax.tree.map(lambda leaf: leaf / scale, one.condensed)
+    return neighbourhood(one.coordinates, condensed, problem.belief.prior, problem.belief.limits)
 
 
 def task(
@@ -103,21 +114,18 @@ def task(
     tolerance: float,
     *,
     scale: float = 1.0,
-    information: Condensed | None = None,
+    penalty: np.ndarray | None = None,
 ) -> Task:
-    """What to ask of the solver; with `information` of a free fit, prior and limits take part."""
-    segments = len(problem.movements)
-    nothing = Condensed(
-        np.zeros((segments, UNKNOWNS, UNKNOWNS)), np.zeros((segments, UNKNOWNS)), np.zeros(segments)
-    )
-    bounded = information is not None
+    """What to ask of the solver; with a `penalty` for each constraint, prior and limits take part."""
+    bounded = penalty is not None
+    constraints = len(constraint_names(len(problem.movements)))
     return Task(
         noise_scale=np.asarray(scale),
         stage=Stage(np.asarray(float(tether)), np.asarray(steps)),
         bounded=np.asarray(float(bounded)),
         tolerance=np.asarray(tolerance),
         rounds=np.asarray(ROUNDS if bounded else 1),
-        information=nothing if information is None else information,
+        penalty=np.ones(constraints) if penalty is None else penalty,
     )
 
 
@@ -234,10 +242,9 @@ def settle(problem: Problem, free: Solved, begin: Coordinates, scale: float) -> 
         inertia, one.shared.gravity, one.shared.stiffness, one.shared.damping
     )
     starts = Coordinates(shared, mass, one.own)
-    information = jax.tree.map(lambda leaf: leaf[best] / scale, free.condensed)
-    ended = advance(
-        problem, starts, task(problem, 0.0, problem.steps, FINE, scale=scale, information=information)
-    )
+    penalty = penalties(around(problem, free, best, scale))
+    asked = task(problem, 0.0, problem.steps, FINE, scale=scale, penalty=penalty)
+    ended = advance(problem, starts, asked)
     feasible = np.where(ended.violation < FEASIBLE, finite(ended.loss), np.inf)
     chosen = feasible if np.isfinite(feasible).any() else finite(ended.loss)
     return take(ended, [int(np.argmin(chosen))])

@@ -1,11 +1,12 @@
 """What a fit sees of a recording: samples to meet, their noise, and what drove each segment."""
 
 from dataclasses import dataclass
+from typing import Any
 
 import equinox as eqx
 import jax
 import numpy as np
-from jaxtyping import Array, Float
+from jaxtyping import Float
 
 from exoid.physics.simulate import Drive
 from exoid.physics.torque import cycle_shape
@@ -34,17 +35,17 @@ class Observation(eqx.Module):
     different length share one shape.
     """
 
-    time: Float[Array, "*segment time"]  # s
-    angle: Float[Array, "*segment time"]  # rad
-    angular_velocity: Float[Array, "*segment time"]  # rad/s
-    angle_weight: Float[Array, "*segment time"]  # 1/rad: 1/noise, 0 where nothing was measured
-    velocity_weight: Float[Array, "*segment time"]  # s/rad
-    guide_angle: Float[Array, "*segment time"]  # rad, smoothed: what a start is tied to
-    guide_velocity: Float[Array, "*segment time"]  # rad/s
+    time: Float[Any, "*segment time"]  # s
+    angle: Float[Any, "*segment time"]  # rad
+    angular_velocity: Float[Any, "*segment time"]  # rad/s
+    angle_weight: Float[Any, "*segment time"]  # 1/rad: 1/noise, 0 where nothing was measured
+    velocity_weight: Float[Any, "*segment time"]  # s/rad
+    guide_angle: Float[Any, "*segment time"]  # rad, smoothed: what a start is tied to
+    guide_velocity: Float[Any, "*segment time"]  # rad/s
     cycle: Drive  # Eq. 10 for unit amplitude at the stage times, 0 where not voluntary
     torque: Drive  # N m, the measured torque at the stage times, 0 where none was
-    added_mass: Float[Array, "*segment"]  # kg
-    added_mass_distance: Float[Array, "*segment"]  # m
+    added_mass: Float[Any, "*segment"]  # kg
+    added_mass_distance: Float[Any, "*segment"]  # m
 
 
 @dataclass(frozen=True, eq=False)

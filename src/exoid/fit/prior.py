@@ -1,5 +1,7 @@
 """What is believed of a leg before it moves."""
 
+from typing import Any
+
 import equinox as eqx
 import jax
 import jax.numpy as jnp
@@ -13,10 +15,10 @@ class Prior(eqx.Module):
 
     expected: LegParameters
     standard_deviation: LegParameters
-    weight: Float[Array, ""]  # lambda of Eq. 11
+    weight: Float[Any, ""]  # lambda of Eq. 11
 
 
-def prior_residual(prior: Prior, leg: LegParameters) -> Float[Array, " parameter"]:
+def prior_residual(prior: Prior, leg: LegParameters, xp=jnp) -> Float[Array, " parameter"]:
     """sqrt(lambda) (P - P_exp) / sd, the second term of Eq. 11 in standardised units."""
     each = jax.tree.map(
         lambda value, expected, sd: (value - expected) / sd,
@@ -24,4 +26,4 @@ def prior_residual(prior: Prior, leg: LegParameters) -> Float[Array, " parameter
         prior.expected,
         prior.standard_deviation,
     )
-    return jnp.sqrt(prior.weight) * jnp.stack(jax.tree.leaves(each))
+    return xp.sqrt(prior.weight) * xp.stack(jax.tree.leaves(each))

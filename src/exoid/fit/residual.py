@@ -1,5 +1,7 @@
 """The one definition of misfit (Eq. 11): simulated against measured, in units of their noise."""
 
+from typing import Any
+
 import equinox as eqx
 import jax
 import jax.numpy as jnp
@@ -20,16 +22,16 @@ class Stage(eqx.Module):
     spring, which makes the misfit nearly linear in the parameters, and ends free.
     """
 
-    tether: Float[Array, ""]  # rad/s, natural frequency of the spring; 0 is free
-    steps: Int[Array, ""]  # of the simulation, from the first sample on
+    tether: Float[Any, ""]  # rad/s, natural frequency of the spring; 0 is free
+    steps: Int[Any, ""]  # of the simulation, from the first sample on
 
 
 class Equation(eqx.Module):
     """Eq. 9 of one segment, leg and added mass together, per inertia; what sensitivities act on."""
 
     ratios: Ratios
-    cycle: Float[Array, ""]  # 1/s^2 for unit shape of Eq. 10
-    torque: Float[Array, ""]  # 1/(kg m^2), for a measured torque
+    cycle: Float[Any, ""]  # 1/s^2 for unit shape of Eq. 10
+    torque: Float[Any, ""]  # 1/(kg m^2), for a measured torque
 
 
 def equation(shared: Shared, own: Own, observation: Observation, stage: Stage) -> Equation:

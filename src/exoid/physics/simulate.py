@@ -1,6 +1,7 @@
 """Motion from physics, in the only time loop: classical Runge-Kutta of order four over the sample times."""
 
 from collections.abc import Callable
+from typing import Any
 
 import equinox as eqx
 import jax
@@ -24,9 +25,9 @@ class Trajectory(eqx.Module):
 class Drive(eqx.Module):
     """The torque per inertia [rad/s^2] at the three stage times of every step."""
 
-    begin: Float[Array, "*steps"]
-    middle: Float[Array, "*steps"]
-    end: Float[Array, "*steps"]
+    begin: Float[Any, "*steps"]
+    middle: Float[Any, "*steps"]
+    end: Float[Any, "*steps"]
 
 
 def simulate(model: LegModel, start: LegState, time: Float[Array, " time"]) -> Trajectory:

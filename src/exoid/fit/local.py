@@ -1,0 +1,89 @@
+"""The neighbourhood of a point of the fit: what penalties and standard errors are made of."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import jax
+import numpy as np
+from jaxtyping import Float
+
+from exoid.fit.condense import Condensed
+from exoid.fit.constraint import Limits, violations
+from exoid.fit.coordinates import Coordinates, leg_parameters, scaled, torque_amplitudes, unscaled
+from exoid.fit.prior import Prior, prior_residual
+
+COMPLEX_STEP = 1e-30  # exact to rounding: no difference is taken
+PENALTY = 100.0  # rho times the variance of a constraint: each round gains two digits
+WEAK = 1e-6  # relative curvature that stands in where neither data nor prior has any
+
+
+@dataclass(frozen=True, eq=False)
+class Local:
+    """First derivatives at a point in scaled coordinates, and the information they carry."""
+
+    data: Float[np.ndarray, "coordinate coordinate"]  # Gauss-Newton information of the misfit
+    prior: Float[np.ndarray, "coordinate coordinate"]  # of the prior
+    parameters: Float[np.ndarray, "parameter coordinate"]  # d (m, J, l, d, c, tau of each segment)
+    ratios: Float[np.ndarray, "ratio coordinate"]  # d (m l g, c, d, tau of each segment) / J
+    constraints: Float[np.ndarray, "constraint coordinate"]  # d g
+
+
+def neighbourhood(point: Coordinates, condensed: Condensed, prior: Prior, limits: Limits) -> Local:
+    """The derivatives at `point` (no leading axis), where the misfit condenses to `condensed`."""
+    flat = np.concatenate([np.ravel(leaf) for leaf in jax.tree.leaves(scaled(point))])
+    structure = jax.tree.structure(point)
+    segments = np.size(point.own.torque)
+
+    def free(scaled_values) -> Coordinates:
+        shared, own = scaled_values[:5], scaled_values[5:].reshape(3, segments)
+        return unscaled(jax.tree.unflatten(structure, [*shared, *own]))
+
+    def parameters(values):
+        at = free(values)
+        leg = np.stack(jax.tree.leaves(leg_parameters(at, np)))
+        return np.concatenate([leg, torque_amplitudes(at, np)])
+
+    def ratios(values):
+        shared, own = free(values).shared, free(values).own
+        return np.array([shared.gravity, shared.stiffness, shared.damping, *own.torque])
+
+    def belief(values):
+        return prior_residual(prior, leg_parameters(free(values), np), np)
+
+    def constraint(values):
+        at = free(values)
+        return violations(limits, leg_parameters(at, np), torque_amplitudes(at, np), np)
+
+    by_prior = derivative(belief, flat)
+    return Local(
+        data=information(condensed, segments),
+        prior=by_prior.T @ by_prior,
+        parameters=derivative(parameters, flat),
+        ratios=derivative(ratios, flat),
+        constraints=derivative(constraint, flat),
+    )
+
+
+def derivative(function: Callable, at: np.ndarray) -> np.ndarray:
+    """The Jacobian (output, input) of a smooth NumPy function, by the complex step."""
+    steps = at + 1j * COMPLEX_STEP * np.eye(at.size)
+    return np.stack([function(step).imag / COMPLEX_STEP for step in steps], axis=1)
+
+
+def information(condensed: Condensed, segments: int) -> np.ndarray:
+    """The sum over segments of R'R, each placed at the coordinates that the segment has."""
+    total = np.zeros((5 + 3 * segments, 5 + 3 * segments))
+    for number, factor in enumerate(np.asarray(condensed.factor)):
+        own = 5 + number + segments * np.arange(3)
+        place = np.concatenate([np.arange(4), own])
+        total[np.ix_(place, place)] += factor.T @ factor
+    return total
+
+
+def penalties(local: Local) -> Float[np.ndarray, " constraint"]:
+    """rho of every constraint: PENALTY over the variance that data and prior leave to it."""
+    total = local.data + local.prior
+    total = total + np.diag(WEAK * (1 + np.diag(total)))
+    spread = np.linalg.solve(total, local.constraints.T)
+    variance = np.sum(local.constraints.T * spread, axis=0)
+    return PENALTY / np.maximum(variance, WEAK)

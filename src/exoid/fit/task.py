@@ -1,0 +1,61 @@
+"""What the compiled program takes in and gives back. Light to import: no solver is loaded."""
+
+from typing import Any
+
+import equinox as eqx
+import jax
+import numpy as np
+from jaxtyping import Array, Bool, Float, Int
+
+from exoid.fit.condense import Condensed
+from exoid.fit.coordinates import TYPICAL, Coordinates
+from exoid.fit.residual import Stage
+from exoid.physics.leg import LegParameters
+
+
+class Task(eqx.Module):
+    """What a run of the solver is asked to do."""
+
+    noise_scale: Float[Any, ""]  # residuals are divided by it
+    stage: Stage
+    bounded: Float[Any, ""]  # 1: with prior and limits, 0: the data alone
+    tolerance: Float[Any, ""]  # in units of noise
+    rounds: Int[Any, ""]  # of multiplier updates
+    penalty: Float[Array, " constraint"]  # rho
+
+
+class Solved(eqx.Module):
+    """Where every start of the block ended."""
+
+    coordinates: Coordinates
+    leg: LegParameters
+    torque: Float[Any, "*start segment"]  # N m
+    loss: Float[Any, "*start"]  # half the sum of squares, data and prior
+    misfit: Float[Any, "*start"]  # sum of squares of the data residual over their noise
+    condensed: Condensed  # at the end point
+    multiplier: Float[Any, "*start constraint"]
+    violation: Float[Any, "*start"]
+    steps: Int[Any, "*start"]
+    exhausted: Bool[Any, "*start"]
+    angle: Float[Any, "*start segment time"]  # rad, as simulated
+    angular_velocity: Float[Any, "*start segment time"]  # rad/s
+
+
+def solved_structure():
+    """The tree structure of `Solved`, for a program that gives back bare arrays."""
+    number, row, table = np.zeros(()), np.zeros(1), np.zeros((1, 1))
+    solved = Solved(
+        coordinates=TYPICAL,
+        leg=LegParameters(*[number] * 5),
+        torque=row,
+        loss=number,
+        misfit=number,
+        condensed=Condensed(table, row, number),
+        multiplier=row,
+        violation=number,
+        steps=np.zeros((), int),
+        exhausted=np.zeros((), bool),
+        angle=table,
+        angular_velocity=table,
+    )
+    return jax.tree.structure(solved)

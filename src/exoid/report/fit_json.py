@@ -1,0 +1,197 @@
+"""A fit as JSON, for machines: the document's schema, and how a file is put in place."""
+
+import json
+import math
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from exoid.fit.result import Estimate, FitResult, MultistartReport, SegmentFit
+
+NO_TORQUE = "no segment has a voluntary torque"
+
+
+def fit_document(
+    result: FitResult,
+    *,
+    version: str,
+    recordings: Sequence[Mapping[str, Any]],
+    settings: Mapping[str, Any],
+) -> dict[str, Any]:
+    """The fit in SI units and radians; null, with a reason beside it, where nothing is known.
+
+    `recordings` has path, sha256 and segments of every file; `settings` what the user asked for.
+    """
+    return plain(
+        {
+            "exoid": version,
+            "recordings": list(recordings),
+            "settings": settings,
+            "parameters": {
+                **{name: entry(each) for name, each in result.parameters.items()},
+                "torque_amplitude": entry(mean_torque(result) or no_torque()),
+            },
+            "ratios": {name: entry(each) for name, each in result.ratios.items()},
+            "fit": quality(result),
+            "multistart": multistart(result.multistart),
+            "segments": [segment(each) for each in result.segments],
+            "notes": result.notes,
+        }
+    )
+
+
+def entry(each: Estimate) -> dict[str, Any]:
+    """One quantity."""
+    return {
+        "symbol": each.symbol,
+        "title": each.title,
+        "unit": each.unit,
+        "value": each.value,
+        "standard_error": each.standard_error,
+        "expected": each.expected,
+        "expected_deviation": each.expected_deviation,
+        "lower": each.lower,
+        "upper": each.upper,
+        "determined_by": each.determined_by,
+        "reason": each.reason,
+    }
+
+
+def quality(result: FitResult) -> dict[str, Any]:
+    """How well the simulation follows the samples."""
+    return {
+        "angle_rmse_rad": result.angle_rmse,
+        "velocity_rmse_rad_s": result.velocity_rmse,
+        "angle_noise_rad": result.angle_noise,
+        "samples": result.samples,
+        "loss": result.loss,
+        "noise_scale": result.noise_scale,
+        "torque_frequency": result.torque_frequency,
+        "other_torque_frequency_angle_rmse_rad": result.other_reading_rmse,
+        "prior": result.prior,
+    }
+
+
+def multistart(report: MultistartReport) -> dict[str, Any]:
+    """Where the starts ended; `loss` is null where one failed."""
+    return {
+        "starts": report.starts,
+        "succeeded": report.succeeded,
+        "at_best": report.at_best,
+        "distinct": report.distinct,
+        "failures": report.failures,
+        "loss": report.loss,
+        "family": {
+            name: {"lower": lower, "upper": upper}
+            for name, (lower, upper) in report.family.items()
+        },
+        "members": report.members,
+    }
+
+
+def segment(each: SegmentFit) -> dict[str, Any]:
+    """One segment, without its samples."""
+    torque = each.torque_amplitude
+    return {
+        "name": each.name,
+        "kind": each.kind,
+        "period_s": each.period,
+        "torque_amplitude": None if torque is None else torque.value,
+        "torque_amplitude_standard_error": None if torque is None else torque.standard_error,
+        "torque_amplitude_determined_by": None if torque is None else torque.determined_by,
+        "added_mass_kg": each.added_mass,
+        "angle_rmse_rad": each.angle_rmse,
+        "velocity_rmse_rad_s": each.velocity_rmse,
+        "angle_noise_rad": each.angle_noise,
+        "velocity_noise_rad_s": each.velocity_noise,
+        "samples": each.time.size,
+    }
+
+
+def mean_torque(result: FitResult) -> Estimate | None:
+    """The mean torque amplitude over the voluntary segments; None where there is none.
+
+    Its standard error is the mean of the segments' errors, which it cannot exceed, and which it
+    reaches where all share the error of one scale, as they do.
+    """
+    each = [one.torque_amplitude for one in result.segments if one.torque_amplitude is not None]
+    if not each:
+        return None
+    values = [one.value for one in each if one.value is not None]
+    errors = [one.standard_error for one in each if one.standard_error is not None]
+    sources = {one.determined_by for one in each}
+    found = next((source for source in ("bound", "prior", "both", "data") if source in sources), None)
+    complete = len(values) == len(each)
+    reasons = [one.reason for one in each if one.reason is not None]
+    return Estimate(
+        symbol=each[0].symbol,
+        title="mean torque amplitude of the voluntary segments",
+        unit=each[0].unit,
+        value=float(np.mean(values)) if complete else None,
+        standard_error=float(np.mean(errors)) if complete and len(errors) == len(each) else None,
+        lower=each[0].lower,
+        upper=each[0].upper,
+        determined_by=found if complete else None,
+        reason=reasons[0] if reasons else None,
+    )
+
+
+def no_torque() -> Estimate:
+    """The torque amplitude of a recording without voluntary movement."""
+    from exoid.physics.parameter import declarations
+    from exoid.physics.torque import CycleTorque
+
+    declared = dict(declarations(CycleTorque))["amplitude"]
+    return Estimate(declared.symbol, declared.title, declared.unit, None, None, reason=NO_TORQUE)
+
+
+def plain(value: Any) -> Any:
+    """The value as JSON has it: no array, no NumPy number, null for what is not finite."""
+    if isinstance(value, Mapping):
+        return {str(key): plain(each) for key, each in value.items()}
+    if isinstance(value, np.ndarray | np.generic):
+        return plain(value.tolist())
+    if isinstance(value, list | tuple):
+        return [plain(each) for each in value]
+    if isinstance(value, float):
+        return value if math.isfinite(value) else None
+    return str(value) if isinstance(value, Path) else value
+
+
+def write_json(document: Mapping[str, Any], path: str | Path) -> None:
+    """Writes the document, in full or not at all.
+
+    **Raises** `ValueError` or `OSError` (what to do) where the file cannot be written.
+    """
+    text = json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+    with replacing(path) as part:
+        part.write_text(text, encoding="utf-8")
+
+
+@contextmanager
+def replacing(path: str | Path) -> Iterator[Path]:
+    """A file to write beside `path`, moved into its place when the block has succeeded.
+
+    What was there before survives any failure. A pipe or a device is written to directly.
+    """
+    path = Path(path)
+    if path.is_dir():
+        raise ValueError(f"{path}: this is a directory. Name the file to write in it.")
+    if not path.parent.is_dir():
+        raise ValueError(f"{path}: the folder {path.parent} does not exist. Make it first.")
+    if path.exists() and not path.is_file():
+        yield path
+        return
+    target = path.resolve()  # a link stays a link
+    part = target.with_name(f".{target.name}.{os.getpid()}.part")
+    try:
+        yield part
+        with part.open("rb+") as file:
+            os.fsync(file.fileno())
+        part.replace(target)
+    finally:
+        part.unlink(missing_ok=True)

@@ -1,0 +1,260 @@
+"""What a person reads after a fit: values with their errors and units, and what they rest on."""
+
+from math import degrees, floor, log10
+
+from rich.box import SIMPLE_HEAD
+from rich.console import Console
+from rich.padding import Padding
+from rich.table import Table
+from rich.text import Text
+
+from exoid.fit.result import Estimate, FitResult, SegmentFit
+from exoid.report.fit_json import mean_torque
+
+NOT_DETERMINED = "not determined"
+MOST_DECIMALS = 6  # beyond them a power of ten is read more easily
+MOST_DIGITS = 9  # of a value, however small its error
+AT_BOUND = 1e-3  # relative distance within which a value is written as its bound
+OTHER_COLUMNS = 62  # characters that the segments' table needs beside the names
+
+
+def print_fit(result: FitResult, console: Console) -> None:
+    """Print the whole fit; 80 columns are enough."""
+    print_parameters(result, console)
+    print_ratios(result, console)
+    print_segments(result, console)
+    print_quality(result, console)
+    print_multistart(result, console)
+    print_remarks(result, console)
+
+
+def print_parameters(result: FitResult, console: Console) -> None:
+    """(m, J, l, d, c) with what was expected, what was allowed and who decided."""
+    headings = ["parameter", "value", "unit", "expected", "bounds", "set by"]
+    rows = [
+        [
+            f"{name} {each.symbol}",
+            written(each),
+            each.unit,
+            expectation(each),
+            bounds(each),
+            each.determined_by or "",
+        ]
+        for name, each in result.parameters.items()
+    ]
+    heading(console, "Parameters")
+    console.print(table(headings, rows))
+    say(console, "± one standard error; set by data, by the prior, by both, or by a bound.")
+    say(console, f"Prior: {result.prior}.")
+
+
+def print_ratios(result: FitResult, console: Console) -> None:
+    """What the motion alone determines."""
+    heading(console, "Ratios, from the motion alone")
+    rows = [
+        [name, each.symbol, written(each), each.unit] for name, each in result.ratios.items()
+    ]
+    console.print(table(["ratio", "", "value", "unit"], rows))
+
+
+def print_segments(result: FitResult, console: Console) -> None:
+    """One line per segment; columns that would be empty are left out."""
+    heading(console, "Segments")
+    widest = max(16, console.width - OTHER_COLUMNS)
+    columns = {
+        "segment": [shortened(each.name, widest) for each in result.segments],
+        "kind": [each.kind for each in result.segments],
+        "T [s]": ["" if each.period is None else f"{each.period:.4g}" for each in result.segments],
+        "tau [N m]": [torque(each) for each in result.segments],
+        "added\n[kg]": [f"{each.added_mass:.3g}" if each.added_mass else "" for each in result.segments],
+        "RMSE\n[deg]": [in_degrees(each.angle_rmse) for each in result.segments],
+        "noise\n[deg]": [in_degrees(each.angle_noise) for each in result.segments],
+    }
+    shown = {title: cells for title, cells in columns.items() if any(cells)}
+    console.print(table(list(shown), [list(row) for row in zip(*shown.values(), strict=True)]))
+    mean = mean_torque(result)
+    if mean is not None and mean.value is not None and len(result.segments) > 1:
+        say(console, f"Mean torque amplitude tau = {written(mean)} {mean.unit}.")
+
+
+def print_quality(result: FitResult, console: Console) -> None:
+    """The misfit beside the noise, and the reading of Eq. 4."""
+    heading(console, "Fit")
+    noise, angle = result.angle_noise, result.angle_rmse
+    lines = {
+        "angle RMSE": f"{in_degrees(angle)} deg, {angle / noise:.3g} times the noise floor "
+        f"of {in_degrees(noise)} deg",
+    }
+    if result.velocity_rmse is not None:
+        lines["velocity RMSE"] = f"{in_degrees(result.velocity_rmse)} deg/s"
+    lines["samples"] = f"{result.samples} in {counted(len(result.segments), 'segment')}"
+    if result.torque_frequency is not None:
+        lines["torque frequency"] = reading(result)
+    if result.noise_scale > 1:
+        lines["errors widened"] = f"{result.noise_scale:.3g} times, for the misfit beyond noise"
+    aligned(console, lines)
+
+
+def reading(result: FitResult) -> str:
+    """Which f of Eq. 4 was taken, and what the other would have given."""
+    chosen, other = result.torque_frequency, result.other_reading_rmse
+    if other is None:
+        return f"f = {chosen} (Eq. 4; no other was tried)"
+    rival = {"1/T": "2/T", "2/T": "1/T"}.get(str(chosen), "the other")
+    return (
+        f"f = {chosen} (Eq. 4); {rival} gives {in_degrees(other)} deg, "
+        f"{other / result.angle_rmse:.3g} times as much"
+    )
+
+
+def print_multistart(result: FitResult, console: Console) -> None:
+    """Where the starts ended, and which other sets move the leg in the same way."""
+    heading(console, "Multi-start")
+    report = result.multistart
+    lines = {
+        "starts": f"{report.starts}: {report.succeeded} succeeded, {report.at_best} at the best "
+        f"cost; {counted(report.distinct, 'distinct minimum', 'distinct minima')}",
+    }
+    aligned(console, lines)
+    for reason, count in report.failures.items():
+        say(console, f"{counted(count, 'start')} failed: {reason}.")
+    if report.family:
+        say(
+            console,
+            "Any set in these ranges that keeps the ratios above fits equally well; "
+            "the data cannot choose among them:",
+        )
+        aligned(console, {name: span(result, name) for name in report.family})
+
+
+def span(result: FitResult, name: str) -> str:
+    """The range of one parameter over all sets that fit equally well."""
+    lower, upper = result.multistart.family[name]
+    unit = result.parameters[name].unit
+    if upper - lower <= AT_BOUND * abs(upper):
+        return f"{upper:.4g} {unit}, the same in all"
+    return f"{lower:.3g} to {upper:.3g} {unit}"
+
+
+def print_remarks(result: FitResult, console: Console) -> None:
+    """Why values or errors are missing, each reason once, and the notes."""
+    reasons: dict[str, list[str]] = {}
+    for name, each in {**result.parameters, **result.ratios}.items():
+        if each.reason is not None:
+            reasons.setdefault(each.reason, []).append(name)
+    for each in result.segments:
+        if each.torque_amplitude is not None and each.torque_amplitude.reason is not None:
+            reasons.setdefault(each.torque_amplitude.reason, []).append(f"tau of {each.name}")
+    remarks = [f"{', '.join(names)}: {reason}." for reason, names in reasons.items()]
+    if not remarks and not result.notes:
+        return
+    heading(console, "Notes")
+    for remark in [*remarks, *result.notes]:
+        say(console, f"- {remark}", hanging=2)
+
+
+def written(each: Estimate) -> str:
+    """value ± standard error, as far as they are known."""
+    if each.value is None:
+        return NOT_DETERMINED
+    if each.standard_error is not None:
+        return with_error(each.value, each.standard_error)
+    for bound in (each.lower, each.upper):
+        if bound is not None and abs(each.value - bound) <= AT_BOUND * max(1.0, abs(bound)):
+            return f"{bound:.4g}"
+    return f"{each.value:.4g}"
+
+
+def with_error(value: float, error: float) -> str:
+    """The error with two digits, the value to the same decimal."""
+    if not error > 0:
+        return f"{value:.{MOST_DIGITS}g}"
+    last = exponent(error) - 1  # the power of ten of the last digit that is written
+    first = max(exponent(value), exponent(error))
+    if first - last >= MOST_DIGITS:
+        return f"{value:.{MOST_DIGITS}g} ± {error:.1e}"
+    if -MOST_DECIMALS <= last <= 0:
+        return f"{value:.{-last}f} ± {error:.{-last}f}"
+    decimals = first - last
+    return f"({value / 10**first:.{decimals}f} ± {error / 10**first:.{decimals}f})e{first:+d}"
+
+
+def exponent(value: float) -> int:
+    """The power of ten of the first digit when two are written."""
+    return int(f"{value:.1e}".partition("e")[2]) if value else 0
+
+
+def expectation(each: Estimate) -> str:
+    """expected ± standard deviation."""
+    if each.expected is None:
+        return ""
+    if each.expected_deviation is None:
+        return f"{each.expected:.4g}"
+    return with_error(each.expected, each.expected_deviation)
+
+
+def bounds(each: Estimate) -> str:
+    """lower to upper; one-sided where only one is known."""
+    if each.lower is None:
+        return "" if each.upper is None else f"≤ {each.upper:.4g}"
+    return f"≥ {each.lower:.4g}" if each.upper is None else f"{each.lower:.4g} to {each.upper:.4g}"
+
+
+def torque(each: SegmentFit) -> str:
+    """The torque amplitude of a segment, empty where no voluntary torque acts."""
+    return "" if each.torque_amplitude is None else written(each.torque_amplitude)
+
+
+def in_degrees(angle: float) -> str:
+    """rad as degrees with three digits, never as a power of ten."""
+    value = degrees(angle)
+    decimals = 3 if value == 0 else min(max(2 - floor(log10(abs(value))), 0), 9)
+    return f"{value:.{decimals}f}"
+
+
+def counted(count: int, one: str, many: str = "") -> str:
+    """A number with its noun."""
+    return f"{count} {one if count == 1 else many or one + 's'}"
+
+
+def shortened(name: str, widest: int) -> str:
+    """A long name without its middle: the end tells segments apart."""
+    if len(name) <= widest:
+        return name
+    kept = widest - 1
+    return f"{name[: kept // 3]}…{name[len(name) - kept + kept // 3 :]}"
+
+
+def table(headings: list[str], rows: list[list[str]]) -> Table:
+    """A table without frame; columns that hold nothing are left out."""
+    drawn = Table(box=SIMPLE_HEAD, show_edge=False, pad_edge=False, header_style="bold")
+    filled = [any(row[at] for row in rows) for at in range(len(headings))]
+    for title, used in zip(headings, filled, strict=True):
+        if used:
+            drawn.add_column(Text(title), no_wrap=True, overflow="fold")
+    for row in rows:
+        drawn.add_row(*(Text(cell) for cell, used in zip(row, filled, strict=True) if used))
+    return drawn
+
+
+def heading(console: Console, title: str) -> None:
+    console.print()
+    console.print(Text(title, style="bold"))
+
+
+def say(console: Console, sentence: str, hanging: int = 0) -> None:
+    """A sentence, broken between words; a hanging indent for lists."""
+    lines = Text(sentence).wrap(console, max(console.width - hanging, 20))
+    for number, line in enumerate(lines):
+        line.rstrip()
+        console.print(Padding.indent(line, hanging) if number and hanging else line)
+
+
+def aligned(console: Console, lines: dict[str, str]) -> None:
+    """Names and what they are, in two columns."""
+    grid = Table.grid(padding=(0, 2))
+    grid.add_column(no_wrap=True)
+    grid.add_column()
+    for name, what in lines.items():
+        grid.add_row(Text(name), Text(what))
+    console.print(grid)
