@@ -7,7 +7,7 @@ import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
-from jaxtyping import Array, Float
+from jaxtyping import Float, Inexact
 
 from exoid.physics.leg import LegParameters
 
@@ -26,8 +26,8 @@ class Limits(eqx.Module):
 
 
 def violations(
-    limits: Limits, leg: LegParameters, torque: Float[Array, " segment"], xp=jnp
-) -> Float[Array, " constraint"]:
+    limits: Limits, leg: LegParameters, torque: Inexact[Any, " segment"], xp=jnp
+) -> Inexact[Any, " constraint"]:
     """Every g, positive where violated, relative to the size of what it limits."""
     low = jax.tree.map(lambda bound, value, size: (bound - value) / size, limits.lower, leg, SIZE)
     high = jax.tree.map(lambda bound, value, size: (value - bound) / size, limits.upper, leg, SIZE)

@@ -10,7 +10,7 @@ import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
-from jaxtyping import Array, Float
+from jaxtyping import Float, Inexact
 
 from exoid.physics.leg import GRAVITY, LegParameters
 
@@ -70,6 +70,6 @@ def leg_parameters(coordinates: Coordinates, xp=jnp) -> LegParameters:
     )
 
 
-def torque_amplitudes(coordinates: Coordinates, xp=jnp) -> Float[Array, "*segment"]:
+def torque_amplitudes(coordinates: Coordinates, xp=jnp) -> Inexact[Any, "*segment"]:
     """tau of Eq. 10 in every segment [N m]."""
     return coordinates.own.torque * xp.exp(coordinates.shared.log_inertia)

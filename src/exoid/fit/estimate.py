@@ -1,11 +1,12 @@
 """`fit`: from recordings of one leg to its parameters, with errors, reasons and what fits as well."""
 
+from dataclasses import replace
 from typing import Literal
 
 import numpy as np
 
 from exoid.fit.belief import NAMES, Belief, PriorName, believe
-from exoid.fit.chain import Raw
+from exoid.fit.conditioning import conditioned
 from exoid.fit.constraint import constraint_names
 from exoid.fit.multistart import FEASIBLE, SAME_LOSS, Ended, Problem, finite, pose, search
 from exoid.fit.observation import Movement, movement
@@ -17,6 +18,7 @@ from exoid.physics.parameter import declarations
 from exoid.physics.torque import CycleTorque
 from exoid.recording.recording import Recording
 
+PLAIN_SCALE = 1e3  # 1/rad: the solver's tolerances are in units of noise, here 1 mrad
 READINGS = ("1/T", "2/T")  # of Eq. 4
 RATIOS = {  # name: symbol, unit, title
     "gravity_over_inertia": ("m l g / J", "1/s^2", "gravity over inertia"),
@@ -27,6 +29,10 @@ RATIOS = {  # name: symbol, unit, title
 SCALE_FREE = (
     "motion alone fixes only the ratios to J: record a drop with a known mass, measure the torque, "
     "or give body mass and height"
+)
+SCALE_FREE_RIG = (
+    "motion alone fixes only the ratios to J: record it with a known mass, or with a measured "
+    "torque that varies"
 )
 MASS_AND_DISTANCE = "motion shows only the product m l: weigh the part or measure l"
 
@@ -39,12 +45,16 @@ def fit(
     prior: PriorName = "de_leva",
     weight: float = 1.0,
     method: Literal["lm", "slsqp"] = "lm",
+    smooth: int = 1,
+    misfit: Literal["weighted", "paper"] = "weighted",
     starts: np.ndarray | None = None,
 ) -> FitResult:
     """Fit one leg to all segments of the recordings (Eq. 9-13).
 
     `recordings` are (name, recording) pairs, or one recording; all are of one leg. `weight` is
-    lambda of Eq. 11 in standardised units. `starts`, (start, 6) in the order m, J, l, d, c, tau,
+    lambda of Eq. 11 in standardised units. `smooth` is the window of Eq. 3 in samples, applied to
+    data and simulation alike. `misfit` "paper" is Eq. 11 as printed: the angle alone in rad, and
+    the prior in the parameters' own units. `starts`, (start, 6) in the order m, J, l, d, c, tau,
     replace the draw from the bounds of Eq. 13 by `seed`.
 
     **Raises** `ValueError` where the recording cannot be fitted, `ArithmeticError` where no start
@@ -56,10 +66,14 @@ def fit(
         for name, recording in named
         for number in range(len(recording.segments))
     ]
-    belief = believe(named[0][1].subject, prior, weight)
+    plain = misfit == "paper"
+    belief = believe(named[0][1].subject, prior, weight * PLAIN_SCALE**2 if plain else weight, plain)
+    if plain:
+        movements = [plainly(each) for each in movements]
+    chain, movements = conditioned(movements, smooth)
     begin = draw(multistart, seed) if starts is None else starts
     tried = {
-        reading: solved(pose(movements, belief, reading, Raw()), begin, method)
+        reading: solved(pose(movements, belief, reading, chain), begin, method)
         for reading in readings(named, movements)
     }
     best = min(tried, key=lambda reading: float(tried[reading][1].best.loss[0]))
@@ -67,6 +81,13 @@ def fit(
     others = [describe(*tried[reading], None, None).angle_rmse for reading in tried if reading != best]
     voluntary = any(each.voluntary for each in movements)
     return describe(problem, ended, best if voluntary else None, others[0] if others else None)
+
+
+def plainly(each: Movement) -> Movement:
+    """Weigh every angle alike and leave the velocity out, as Eq. 11 does."""
+    return replace(
+        each, angle_noise=1 / PLAIN_SCALE, angular_velocity=None, velocity_noise=np.inf
+    )
 
 
 def readings(named: list[tuple[str, Recording]], movements: list[Movement]) -> tuple[str, ...]:
@@ -98,8 +119,16 @@ def describe(
         data=local.data, prior=local.prior, active=local.constraints[active]
     )
     at_bound = {name for name, hold in zip(names, active, strict=True) if hold}
+    belief = problem.belief
     parameters = {
-        name: estimate_parameter(number, name, problem.belief, ended, information, at_bound)
+        name: parameter_estimate(
+            name,
+            belief,
+            float(getattr(best.leg, name)[0]),
+            information,
+            local.parameters[number],
+            at_bound,
+        )
         for number, name in enumerate(NAMES)
     }
     torques = [
@@ -108,7 +137,7 @@ def describe(
     ]
     ratios = estimate_ratios(problem, ended, information)
     return FitResult(
-        parameters=parameters,
+        parameters=with_reasons(parameters, not np.isfinite(belief.limits.reach)),
         ratios=ratios,
         segments=[
             segment_fit(problem, ended, number, torque) for number, torque in enumerate(torques)
@@ -123,47 +152,56 @@ def describe(
     )
 
 
-def estimate_parameter(
-    number: int, name: str, belief: Belief, ended: Ended, information: Information, at_bound
+def parameter_estimate(
+    name: str,
+    belief: Belief,
+    value: float,
+    information: Information,
+    gradient: np.ndarray,
+    at_bound: set[str],
 ) -> Estimate:
-    """One of m, J, l, d, c."""
+    """One of m, J, l, d, c, with what determined it or why nothing did."""
     declared = dict(declarations(LegParameters))[name]
     expected = None if belief.expected is None else getattr(belief.expected, name)
     deviation = np.inf
     if expected is not None:
         given = float(getattr(belief.prior.standard_deviation, name))
         deviation = given / np.sqrt(float(belief.prior.weight))
-    gradient = ended.local.parameters[number]
     error = information.standard_error(gradient)
     found = source(information, gradient, deviation, name in at_bound)
     lower, upper = (
         float(getattr(limit, name)) for limit in (belief.limits.lower, belief.limits.upper)
     )
-    known = found is not None
+    if name in at_bound:  # the solver meets a bound to rounding; the bound itself is meant
+        value = lower if abs(value - lower) < abs(value - upper) else upper
     return Estimate(
         symbol=declared.symbol,
         title=declared.title,
         unit=declared.unit,
-        value=float(getattr(ended.best.leg, name)[0]) if known else None,
-        standard_error=error if known and found != "bound" else None,
+        value=None if found is None else value,
+        standard_error=None if found in (None, "bound") else error,
         expected=None if expected is None else expected.value,
         expected_deviation=None if expected is None else deviation,
         lower=lower if np.isfinite(lower) else None,
         upper=upper if np.isfinite(upper) else None,
         determined_by=found,
-        reason=reason(name, found, information, ended, number),
+        reason="at a bound: no error is quoted" if found == "bound" else None,
     )
 
 
-def reason(name, found, information: Information, ended: Ended, number: int) -> str | None:
-    """Why a value, or its error, is missing."""
-    if found == "bound":
-        return "at a bound: no error is quoted"
-    if found is not None:
-        return None
-    inertia = ended.local.parameters[NAMES.index("inertia")]
-    scale_known = np.isfinite(information.standard_error(inertia))
-    return MASS_AND_DISTANCE if scale_known and name in ("mass", "com_distance") else SCALE_FREE
+def with_reasons(parameters: dict[str, Estimate], rig: bool) -> dict[str, Estimate]:
+    """Say of every missing value why it is missing."""
+    scale_known = parameters["inertia"].value is not None
+
+    def why(name: str) -> str:
+        if scale_known and name in ("mass", "com_distance"):
+            return MASS_AND_DISTANCE
+        return SCALE_FREE_RIG if rig else SCALE_FREE
+
+    return {
+        name: replace(each, reason=why(name)) if each.value is None else each
+        for name, each in parameters.items()
+    }
 
 
 def estimate_torque(number: int, ended: Ended, information: Information, at_bound) -> Estimate:

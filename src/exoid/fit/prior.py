@@ -5,7 +5,7 @@ from typing import Any
 import equinox as eqx
 import jax
 import jax.numpy as jnp
-from jaxtyping import Array, Float
+from jaxtyping import Float, Inexact
 
 from exoid.physics.leg import LegParameters
 
@@ -18,7 +18,7 @@ class Prior(eqx.Module):
     weight: Float[Any, ""]  # lambda of Eq. 11
 
 
-def prior_residual(prior: Prior, leg: LegParameters, xp=jnp) -> Float[Array, " parameter"]:
+def prior_residual(prior: Prior, leg: LegParameters, xp=jnp) -> Inexact[Any, " parameter"]:
     """sqrt(lambda) (P - P_exp) / sd, the second term of Eq. 11 in standardised units."""
     each = jax.tree.map(
         lambda value, expected, sd: (value - expected) / sd,

@@ -5,7 +5,7 @@ from typing import Any
 import equinox as eqx
 import jax
 import numpy as np
-from jaxtyping import Array, Bool, Float, Int
+from jaxtyping import Bool, Float, Int
 
 from exoid.fit.condense import Condensed
 from exoid.fit.coordinates import TYPICAL, Coordinates
@@ -21,7 +21,7 @@ class Task(eqx.Module):
     bounded: Float[Any, ""]  # 1: with prior and limits, 0: the data alone
     tolerance: Float[Any, ""]  # in units of noise
     rounds: Int[Any, ""]  # of multiplier updates
-    penalty: Float[Array, " constraint"]  # rho
+    penalty: Float[Any, " constraint"]  # rho
 
 
 class Solved(eqx.Module):

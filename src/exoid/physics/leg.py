@@ -4,7 +4,7 @@ from typing import Any
 
 import equinox as eqx
 import jax.numpy as jnp
-from jaxtyping import Array, Float
+from jaxtyping import Array, Float, Inexact
 
 from exoid.physics.cosine import cos
 from exoid.physics.parameter import parameter
@@ -17,11 +17,11 @@ GRAVITY = 9.81  # m/s^2, as the paper has it
 class LegParameters(eqx.Module):
     """Shank, foot and exoskeleton together. The ranges are the bounds of Eq. 13."""
 
-    mass: Float[Any, "*batch"] = parameter("m", "kg", 2.0, 6.0, "mass")
-    inertia: Float[Any, "*batch"] = parameter("J", "kg m^2", 0.15, 1.0, "inertia about the knee")
-    com_distance: Float[Any, "*batch"] = parameter("l", "m", 0.15, 0.6, "distance knee to COM")
-    damping: Float[Any, "*batch"] = parameter("d", "N m s/rad", 0.0, 60.0, "damping")
-    stiffness: Float[Any, "*batch"] = parameter("c", "N m/rad", 0.0, 4.0, "stiffness")
+    mass: Inexact[Any, "*batch"] = parameter("m", "kg", 2.0, 6.0, "mass")
+    inertia: Inexact[Any, "*batch"] = parameter("J", "kg m^2", 0.15, 1.0, "inertia about the knee")
+    com_distance: Inexact[Any, "*batch"] = parameter("l", "m", 0.15, 0.6, "distance knee to COM")
+    damping: Inexact[Any, "*batch"] = parameter("d", "N m s/rad", 0.0, 60.0, "damping")
+    stiffness: Inexact[Any, "*batch"] = parameter("c", "N m/rad", 0.0, 4.0, "stiffness")
 
     def with_added_mass(
         self, mass: Float[Array, "*batch"], distance: Float[Array, "*batch"]

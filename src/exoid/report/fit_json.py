@@ -11,8 +11,10 @@ from typing import Any
 import numpy as np
 
 from exoid.fit.result import Estimate, FitResult, MultistartReport, SegmentFit
+from exoid.fit.uncertainty import Source
 
 NO_TORQUE = "no segment has a voluntary torque"
+WEAKEST: list[Source] = ["bound", "prior", "both", "data"]  # a mean is as good as its weakest part
 
 
 def fit_document(
@@ -86,8 +88,7 @@ def multistart(report: MultistartReport) -> dict[str, Any]:
         "failures": report.failures,
         "loss": report.loss,
         "family": {
-            name: {"lower": lower, "upper": upper}
-            for name, (lower, upper) in report.family.items()
+            name: {"lower": lower, "upper": upper} for name, (lower, upper) in report.family.items()
         },
         "members": report.members,
     }
@@ -123,8 +124,8 @@ def mean_torque(result: FitResult) -> Estimate | None:
         return None
     values = [one.value for one in each if one.value is not None]
     errors = [one.standard_error for one in each if one.standard_error is not None]
-    sources = {one.determined_by for one in each}
-    found = next((source for source in ("bound", "prior", "both", "data") if source in sources), None)
+    known = {one.determined_by for one in each}
+    sources: list[Source] = [source for source in WEAKEST if source in known]
     complete = len(values) == len(each)
     reasons = [one.reason for one in each if one.reason is not None]
     return Estimate(
@@ -135,7 +136,7 @@ def mean_torque(result: FitResult) -> Estimate | None:
         standard_error=float(np.mean(errors)) if complete and len(errors) == len(each) else None,
         lower=each[0].lower,
         upper=each[0].upper,
-        determined_by=found if complete else None,
+        determined_by=sources[0] if complete and sources else None,
         reason=reasons[0] if reasons else None,
     )
 

@@ -13,9 +13,9 @@ from exoid.report.fit_json import mean_torque
 
 NOT_DETERMINED = "not determined"
 MOST_DECIMALS = 6  # beyond them a power of ten is read more easily
-MOST_DIGITS = 9  # of a value, however small its error
+MOST_DIGITS = 7  # of a value, however small its error
 AT_BOUND = 1e-3  # relative distance within which a value is written as its bound
-OTHER_COLUMNS = 62  # characters that the segments' table needs beside the names
+SHORTEST_NAME = 16  # that still tells the segments of two recordings apart
 
 
 def print_fit(result: FitResult, console: Console) -> None:
@@ -30,20 +30,19 @@ def print_fit(result: FitResult, console: Console) -> None:
 
 def print_parameters(result: FitResult, console: Console) -> None:
     """(m, J, l, d, c) with what was expected, what was allowed and who decided."""
-    headings = ["parameter", "value", "unit", "expected", "bounds", "set by"]
-    rows = [
-        [
-            f"{name} {each.symbol}",
-            written(each),
-            each.unit,
-            expectation(each),
-            bounds(each),
-            each.determined_by or "",
-        ]
-        for name, each in result.parameters.items()
-    ]
+    each = list(result.parameters.values())
+    columns = {
+        "parameter": [f"{name} {one.symbol}" for name, one in result.parameters.items()],
+        "value": [written(one) for one in each],
+        "unit": [one.unit for one in each],
+        "expected": [expectation(one) for one in each],
+        "bounds": [bounds(one) for one in each],
+        "set by": [one.determined_by or "" for one in each],
+    }
+    if width(columns) > console.width:
+        columns["parameter"] = list(result.parameters)
     heading(console, "Parameters")
-    console.print(table(headings, rows))
+    console.print(table(columns))
     say(console, "± one standard error; set by data, by the prior, by both, or by a bound.")
     say(console, f"Prior: {result.prior}.")
 
@@ -51,29 +50,33 @@ def print_parameters(result: FitResult, console: Console) -> None:
 def print_ratios(result: FitResult, console: Console) -> None:
     """What the motion alone determines."""
     heading(console, "Ratios, from the motion alone")
-    rows = [
-        [name, each.symbol, written(each), each.unit] for name, each in result.ratios.items()
-    ]
-    console.print(table(["ratio", "", "value", "unit"], rows))
+    each = list(result.ratios.values())
+    columns = {
+        "ratio": list(result.ratios),
+        "": [one.symbol for one in each],
+        "value": [written(one) for one in each],
+        "unit": [one.unit for one in each],
+    }
+    console.print(table(columns))
 
 
 def print_segments(result: FitResult, console: Console) -> None:
-    """One line per segment; columns that would be empty are left out."""
-    heading(console, "Segments")
-    widest = max(16, console.width - OTHER_COLUMNS)
+    """One line per segment."""
+    each = result.segments
     columns = {
-        "segment": [shortened(each.name, widest) for each in result.segments],
-        "kind": [each.kind for each in result.segments],
-        "T [s]": ["" if each.period is None else f"{each.period:.4g}" for each in result.segments],
-        "tau [N m]": [torque(each) for each in result.segments],
-        "added\n[kg]": [f"{each.added_mass:.3g}" if each.added_mass else "" for each in result.segments],
-        "RMSE\n[deg]": [in_degrees(each.angle_rmse) for each in result.segments],
-        "noise\n[deg]": [in_degrees(each.angle_noise) for each in result.segments],
+        "kind": [one.kind for one in each],
+        "T [s]": ["" if one.period is None else f"{one.period:.4g}" for one in each],
+        "tau [N m]": [torque(one) for one in each],
+        "added\n[kg]": [f"{one.added_mass:.3g}" if one.added_mass else "" for one in each],
+        "RMSE\n[deg]": [in_degrees(one.angle_rmse) for one in each],
+        "noise\n[deg]": [in_degrees(one.angle_noise) for one in each],
     }
-    shown = {title: cells for title, cells in columns.items() if any(cells)}
-    console.print(table(list(shown), [list(row) for row in zip(*shown.values(), strict=True)]))
+    room = max(SHORTEST_NAME, console.width - width(columns) - 2)
+    names = {"segment": [shortened(one.name, room) for one in each]}
+    heading(console, "Segments")
+    console.print(table(names | columns))
     mean = mean_torque(result)
-    if mean is not None and mean.value is not None and len(result.segments) > 1:
+    if mean is not None and mean.value is not None and len(each) > 1:
         say(console, f"Mean torque amplitude tau = {written(mean)} {mean.unit}.")
 
 
@@ -90,8 +93,6 @@ def print_quality(result: FitResult, console: Console) -> None:
     lines["samples"] = f"{result.samples} in {counted(len(result.segments), 'segment')}"
     if result.torque_frequency is not None:
         lines["torque frequency"] = reading(result)
-    if result.noise_scale > 1:
-        lines["errors widened"] = f"{result.noise_scale:.3g} times, for the misfit beyond noise"
     aligned(console, lines)
 
 
@@ -115,9 +116,11 @@ def print_multistart(result: FitResult, console: Console) -> None:
         "starts": f"{report.starts}: {report.succeeded} succeeded, {report.at_best} at the best "
         f"cost; {counted(report.distinct, 'distinct minimum', 'distinct minima')}",
     }
+    if report.failures:
+        lines["failed"] = "; ".join(
+            f"{counted(count, 'start')}: {reason}" for reason, count in report.failures.items()
+        )
     aligned(console, lines)
-    for reason, count in report.failures.items():
-        say(console, f"{counted(count, 'start')} failed: {reason}.")
     if report.family:
         say(
             console,
@@ -159,10 +162,17 @@ def written(each: Estimate) -> str:
         return NOT_DETERMINED
     if each.standard_error is not None:
         return with_error(each.value, each.standard_error)
+    return f"{on_bound(each):.4g}"
+
+
+def on_bound(each: Estimate) -> float | None:
+    """The value, without the rounding by which one that a bound set lies beside it."""
+    if each.value is None or each.determined_by != "bound":
+        return each.value
     for bound in (each.lower, each.upper):
         if bound is not None and abs(each.value - bound) <= AT_BOUND * max(1.0, abs(bound)):
-            return f"{bound:.4g}"
-    return f"{each.value:.4g}"
+            return bound
+    return each.value
 
 
 def with_error(value: float, error: float) -> str:
@@ -194,10 +204,10 @@ def expectation(each: Estimate) -> str:
 
 
 def bounds(each: Estimate) -> str:
-    """lower to upper; one-sided where only one is known."""
+    """lower..upper; one-sided where only one is known."""
     if each.lower is None:
         return "" if each.upper is None else f"≤ {each.upper:.4g}"
-    return f"≥ {each.lower:.4g}" if each.upper is None else f"{each.lower:.4g} to {each.upper:.4g}"
+    return f"≥ {each.lower:.4g}" if each.upper is None else f"{each.lower:.4g}..{each.upper:.4g}"
 
 
 def torque(each: SegmentFit) -> str:
@@ -225,16 +235,21 @@ def shortened(name: str, widest: int) -> str:
     return f"{name[: kept // 3]}…{name[len(name) - kept + kept // 3 :]}"
 
 
-def table(headings: list[str], rows: list[list[str]]) -> Table:
+def table(columns: dict[str, list[str]]) -> Table:
     """A table without frame; columns that hold nothing are left out."""
-    drawn = Table(box=SIMPLE_HEAD, show_edge=False, pad_edge=False, header_style="bold")
-    filled = [any(row[at] for row in rows) for at in range(len(headings))]
-    for title, used in zip(headings, filled, strict=True):
-        if used:
-            drawn.add_column(Text(title), no_wrap=True, overflow="fold")
-    for row in rows:
-        drawn.add_row(*(Text(cell) for cell, used in zip(row, filled, strict=True) if used))
+    drawn = Table(box=SIMPLE_HEAD, show_edge=False, padding=(0, 1, 0, 0), header_style="bold")
+    shown = {title: cells for title, cells in columns.items() if any(cells)}
+    for title in shown:
+        drawn.add_column(Text(title), no_wrap=True, overflow="ellipsis")
+    for row in zip(*shown.values(), strict=True):
+        drawn.add_row(*(Text(cell) for cell in row))
     return drawn
+
+
+def width(columns: dict[str, list[str]]) -> int:
+    """Characters that the table takes."""
+    texts = [[*title.split("\n"), *cells] for title, cells in columns.items() if any(cells)]
+    return sum(max(map(len, each)) + 2 for each in texts)
 
 
 def heading(console: Console, title: str) -> None:

@@ -35,23 +35,31 @@ def session(
     subject: Subject = NOBODY,
     torque_frequency: Reading = "1/T",
     time_step: float = TICK,
+    exact: bool = False,
 ) -> Recording:
     """The continuous log of a session: rest, release, motion, catch, rest, lift, and so on.
 
     The marks of its protocol run from 1 s before each release to the catch. `time_step` is the
     true time [s] between samples; the firmware's filter takes it for 10 ms whatever it is.
-    The torque of `model` is replaced by each movement's own.
+    The torque of `model` is replaced by each movement's own. `exact` logs the true motion in place
+    of what sensors and filter make of it.
     """
     kit = kit or SensorKit()
     performed = perform(model, movements, torque_frequency, time_step)
     time = np.arange(performed.course.angle.size) * time_step
     starts, ends = (tuple(time[list(at)].tolist()) for at in (performed.start, performed.end))
     return Recording(
-        (observe(kit, performed.course, time, key),),
+        (truth(performed.course, time) if exact else observe(kit, performed.course, time, key),),
         describe_subject(subject, movements),
         describe_protocol(movements, torque_frequency, starts, ends),
         describe_sensors(kit),
     )
+
+
+def truth(course: Course, time: kalman.Samples) -> Segment:
+    """The motion itself, as if sensors and filter were perfect."""
+    angle, velocity = np.asarray(course.angle), np.asarray(course.angular_velocity)
+    return Segment(time, angle, velocity, np.asarray(course.angular_acceleration), angle, velocity)
 
 
 def observe(kit: SensorKit, course: Course, time: kalman.Samples, key: PRNGKeyArray) -> Segment:

@@ -1,0 +1,74 @@
+"""Which chain of conditioning the data went through, so that the simulation goes through it too."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from exoid.fit.chain import Chain, MovingAverage, Raw, SettledKalman
+from exoid.fit.observation import LONGEST_STEP, Movement
+from exoid.recording.condition import moving_average
+from exoid.recording.recording import Samples
+
+SETTLING_SAMPLES = 25  # in which the firmware's filter forgets how it was started
+EVEN = 0.05  # relative scatter of the steps up to which sampling counts as even
+
+
+def conditioned(movements: list[Movement], smooth: int) -> tuple[Chain, list[Movement]]:
+    """The chain that the simulation must pass, and the movements with it applied to their data.
+
+    Raw channels need none. Channels that only the firmware's filter gave are met by a simulation
+    that passes the same filter. A moving average (Eq. 3) is asked for by `smooth` > 1.
+
+    **Raises** `ValueError` where a chain cannot be applied to the simulation as it was to the data.
+    """
+    filtered = [each.filtered for each in movements]
+    if smooth > 1:
+        if any(filtered):
+            raise ValueError("the moving average needs raw channels: raw_angle_rad is missing.")
+        return MovingAverage(smooth), [averaged(each, smooth) for each in movements]
+    if not all(filtered) or any(each.angular_velocity is None for each in movements):
+        return Raw(), movements
+    step = even_step(movements[0])
+    return SettledKalman(round(step, 6)), [settled(each) for each in movements]
+
+
+def even_step(movement: Movement) -> float:
+    """The one sample time [s] of a movement."""
+    steps = np.diff(movement.segment.time)
+    step = float(np.median(steps))
+    if np.abs(steps - step).max() > EVEN * step or step > LONGEST_STEP:
+        raise ValueError(
+            f"{movement.name} is not sampled evenly, so its filter cannot be applied to the "
+            "simulation. Record the raw channels, or cut the segment at its gaps."
+        )
+    return step
+
+
+def averaged(movement: Movement, window: int) -> Movement:
+    """Eq. 3 on the fitted channels, each mean stamped with the last sample of its window."""
+    even_step(movement)
+
+    def mean(samples: Samples) -> Samples:
+        return np.concatenate([np.full(window - 1, np.nan), moving_average(samples, window)])
+
+    velocity = movement.angular_velocity
+    return replace(
+        movement,
+        angle=mean(movement.angle),
+        angular_velocity=None if velocity is None else mean(velocity),
+    )
+
+
+def settled(movement: Movement) -> Movement:
+    """Leave out the first samples, in which the simulated filter has yet to settle."""
+    count = min(SETTLING_SAMPLES, movement.angle.size // 4)
+
+    def late(samples: Samples) -> Samples:
+        return np.concatenate([np.full(count, np.nan), samples[count:]])
+
+    velocity = movement.angular_velocity
+    return replace(
+        movement,
+        angle=late(movement.angle),
+        angular_velocity=None if velocity is None else late(velocity),
+    )

@@ -1,0 +1,128 @@
+"""The objective of a fit as a plain function of the raw parameters of Eq. 13, for SciPy."""
+
+from dataclasses import dataclass
+from functools import cached_property, partial
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jaxtyping import Array, Float
+
+from exoid.fit.chain import Chain
+from exoid.fit.constraint import SIZE, SIZE_TORQUE, violations
+from exoid.fit.coordinates import (
+    TYPICAL,
+    Coordinates,
+    Own,
+    Shared,
+    leg_parameters,
+    scaled,
+    torque_amplitudes,
+)
+from exoid.fit.multistart import Problem
+from exoid.fit.observation import Observation
+from exoid.fit.prior import Prior, prior_residual
+from exoid.fit.residual import Stage, predict, residual
+from exoid.fit.starts import first_state
+from exoid.physics.leg import GRAVITY
+from exoid.physics.state import LegState
+
+LEG = 5  # m, J, l, d, c come first in a vector
+POSITIVE = 1e-3  # of its typical size: mass and inertia have a logarithm
+
+
+@dataclass(frozen=True, eq=False)
+class Objective:
+    """What SLSQP sees: functions of (m, J, l, d, c, tau, states), each over its typical size."""
+
+    problem: Problem
+    scale: float  # the noise is this much larger than the sensors'
+    bounded: bool  # with prior and limits, or the data alone
+
+    def cost(self, vector: np.ndarray) -> float:
+        """Half the sum of squares of data and prior."""
+        stage = Stage(np.asarray(0.0), np.asarray(self.problem.steps))
+        prior = self.problem.belief.prior
+        data, belief = squares(self.point(vector), self.seen, prior, stage, self.problem.chain)
+        return float(data / self.scale**2 + self.bounded * belief) / 2
+
+    def slack(self, vector: np.ndarray) -> np.ndarray:
+        """What is left of every limit, negative where it is violated."""
+        positive = vector[:2] - POSITIVE
+        if not self.bounded:
+            return positive
+        limits, point = self.problem.belief.limits, self.point(vector)
+        limit = violations(limits, leg_parameters(point, np), torque_amplitudes(point, np), np)
+        return np.concatenate([-limit, positive])
+
+    @cached_property
+    def samples(self) -> int:
+        """The number of measured values that are fitted."""
+        seen = self.problem.observation
+        return int(np.sum(seen.angle_weight > 0) + np.sum(seen.velocity_weight > 0))
+
+    @cached_property
+    def seen(self) -> Observation:
+        return jax.device_put(self.problem.observation)
+
+    @cached_property
+    def voluntary(self) -> list[int]:
+        return [n for n, each in enumerate(self.problem.movements) if each.voluntary]
+
+    @cached_property
+    def sizes(self) -> np.ndarray:
+        """What a vector is divided by."""
+        segments = len(self.problem.movements)
+        torques = [SIZE_TORQUE] * len(self.voluntary)
+        states = [TYPICAL.own.angle] * segments + [TYPICAL.own.angular_velocity] * segments
+        return np.array([*jax.tree.leaves(SIZE), *torques, *states], dtype=float)
+
+    def point(self, vector: np.ndarray) -> Coordinates:
+        """The vector in the coordinates in which the misfit is written."""
+        segments = len(self.problem.movements)
+        values = vector * self.sizes
+        mass, inertia, com_distance, damping, stiffness = (np.asarray(v) for v in values[:LEG])
+        log_mass, log_inertia = logarithms(mass, inertia)
+        torque = np.zeros(segments)
+        torque[self.voluntary] = values[LEG : -2 * segments]
+        shared = Shared(
+            log_inertia=log_inertia,
+            gravity=mass * com_distance * GRAVITY / inertia,
+            stiffness=stiffness / inertia,
+            damping=damping / inertia,
+        )
+        own = Own(torque / inertia, values[-2 * segments : -segments], values[-segments:])
+        return Coordinates(shared, log_mass, own)
+
+    def vector(self, start: np.ndarray) -> np.ndarray:
+        """The start (m, J, l, d, c, tau), every movement from its first measured state."""
+        states = np.array([first_state(each) for each in self.problem.movements])
+        torques = [start[LEG]] * len(self.voluntary)
+        return np.array([*start[:LEG], *torques, *states[:, 0], *states[:, 1]]) / self.sizes
+
+    def flat(self, vector: np.ndarray) -> np.ndarray:
+        """The coordinates of `point` as the fit scales and orders them."""
+        return np.concatenate([np.ravel(x) for x in jax.tree.leaves(scaled(self.point(vector)))])
+
+
+def logarithms(*values: np.ndarray) -> list[np.ndarray]:
+    """nan beyond the limit `POSITIVE`, from where a line search turns back."""
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return [np.log(value) for value in values]
+
+
+@partial(jax.jit, static_argnames="chain")
+def squares(
+    point: Coordinates, observation: Observation, prior: Prior, stage: Stage, chain: Chain
+) -> tuple[Float[Array, ""], Float[Array, ""]]:
+    """The sums of squares of the data residual and of the prior's."""
+
+    def one(own: Own, seen: Observation) -> Float[Array, "time 2"]:
+        shown = predict(point.shared, own, seen, stage, chain)
+        at = jnp.arange(seen.time.size)
+        return jax.vmap(lambda angle, velocity, i: residual(LegState(angle, velocity), i, seen))(
+            shown.angle, shown.angular_velocity, at
+        )
+
+    belief = prior_residual(prior, leg_parameters(point))
+    return jnp.sum(jax.vmap(one)(point.own, observation) ** 2), belief @ belief

@@ -1,0 +1,73 @@
+"""Any recording file: a table or a CAN log, with the sidecar beside it, cut into its movements."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from exoid.recording.can_quality import LogQuality
+from exoid.recording.condition import split
+from exoid.recording.recording import Protocol, Recording, Sensors, Subject
+from exoid.recording.table import read_sidecar, read_table
+
+TABLE_SUFFIX = ".csv"
+LOG_HEADER = b"timestamp,"  # of python-can's own .csv
+
+
+@dataclass(frozen=True, eq=False)
+class Loaded:
+    """A recording, what its reader noticed, and for a CAN log its quality report."""
+
+    recording: Recording
+    notes: tuple[str, ...]
+    quality: LogQuality | None
+
+
+def load(
+    path: str | Path,
+    *,
+    dbc: str | Path | None = None,
+    signals: dict[str, str] | None = None,
+    strict: bool = False,
+) -> Loaded:
+    """Read a recording of either kind; a continuous log is cut into its drops and cycles.
+
+    **Raises** `ValueError` (one line: what, where, what to do) and `OSError`; with `strict` also
+    for anything that a CAN log lost.
+    """
+    path = Path(path)
+    if path.suffix.lower() == TABLE_SUFFIX and not is_log(path) and dbc is None:
+        recording, notes = read_table(path)
+        return Loaded(with_movements(recording), notes, None)
+    from exoid.recording.can_log import read_can_log
+
+    subject, protocol, sensors, notes = beside(path)
+    recording, quality = read_can_log(
+        path,
+        dbc=dbc,
+        signals=signals,
+        strict=strict,
+        subject=subject,
+        protocol=protocol,
+        sensors=sensors,
+    )
+    return Loaded(split(recording), notes, quality)
+
+
+def is_log(path: Path) -> bool:
+    """Is this .csv one that python-can wrote?"""
+    with path.open("rb") as file:
+        return file.read(len(LOG_HEADER)) == LOG_HEADER
+
+
+def beside(path: Path) -> tuple[Subject, Protocol, Sensors | None, tuple[str, ...]]:
+    """What the sidecar says; a log without one is of an unknown subject."""
+    sidecar = path.with_suffix(".toml")
+    if not sidecar.exists():
+        note = f"no {sidecar.name} beside the log: subject and protocol are unknown"
+        return Subject(), Protocol(), None, (note,)
+    subject, protocol, sensors, notes = read_sidecar(sidecar)
+    return subject, protocol, None if sensors == Sensors() else sensors, notes
+
+
+def with_movements(recording: Recording) -> Recording:
+    """A table of one long segment with marks is cut at them; any other stays as it is."""
+    return recording if recording.protocol.segment_start is None else split(recording)
