@@ -50,7 +50,9 @@ def state(angle: float, angular_velocity: float = 0.0) -> LegState:
 
 
 def cycle_torque(amplitude=-4.0, period=1.19, onset=0.0, cycles=1.0) -> CycleTorque:
-    return CycleTorque(*(jnp.asarray(x, float) for x in (amplitude, period, cycles / period, onset)))
+    return CycleTorque(
+        *(jnp.asarray(x, float) for x in (amplitude, period, cycles / period, onset))
+    )
 
 
 def one(segment: Segment, kind="passive", subject: Subject = BODY, **protocol) -> Recording:
@@ -62,7 +64,9 @@ def coordinates_of(parameters: LegParameters, own: list[tuple[float, float, floa
     """The fit's coordinates of a leg, and of (tau, angle, angular velocity) of every segment."""
     torque, angle, velocity = np.array(own, dtype=float).T
     m, j, l, d, c = (np.asarray(leaf) for leaf in jax.tree.leaves(parameters))  # noqa: E741
-    shared = Shared(np.log(j), np.asarray(m * l * GRAVITY / j), np.asarray(c / j), np.asarray(d / j))
+    shared = Shared(
+        np.log(j), np.asarray(m * l * GRAVITY / j), np.asarray(c / j), np.asarray(d / j)
+    )
     return Coordinates(shared, np.log(m), Own(torque / j, angle, velocity))
 
 
@@ -71,7 +75,8 @@ def without_sample_noise(recording: Recording, generator: np.random.Generator) -
     segments = tuple(
         replace(
             segment,
-            raw_angle=segment.raw_angle + NOISE.angle_noise * generator.normal(size=segment.time.size),
+            raw_angle=segment.raw_angle
+            + NOISE.angle_noise * generator.normal(size=segment.time.size),
         )
         for segment in recording.segments
     )

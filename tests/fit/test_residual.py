@@ -69,7 +69,9 @@ def cases():
     )
 
 
-@pytest.mark.parametrize(("recording", "reading", "torque"), [c[1:] for c in cases()], ids=[c[0] for c in cases()])
+@pytest.mark.parametrize(
+    ("recording", "reading", "torque"), [c[1:] for c in cases()], ids=[c[0] for c in cases()]
+)
 def test_a_free_prediction_is_the_plain_simulation(recording, reading, torque):
     each, seen = seen_by_the_fit(recording, reading)
     parameters, start = leg(mass=5.0, inertia=0.5), state(-0.25, 0.3)
@@ -106,13 +108,13 @@ def test_the_tether_pulls_a_wrong_leg_to_the_guide_with_its_square():
 
 
 def test_a_right_leg_feels_no_tether():
-    """The guide lies within its smoothing, about 60 ms wide, of the motion that it guides to."""
+    """Lines over w = 60 ms put the guide up to w^2/24 phi'' = 4 mrad from the motion."""
     segment = exact(LegModel(leg(), NoTorque()), state(-0.2, -0.5), TIME)
     each, seen = seen_by_the_fit(one(segment))
     start = (0.0, float(each.angle[0]), float(each.angular_velocity[0]))
     right = coordinates_of(leg(), [start])
     tied, free = (predicted(right, seen, each, tether=w).angle for w in (20.0, FREE))
-    assert np.abs(tied - free).max() < 2e-3
+    assert np.abs(tied - free).max() < 6e-3
 
 
 def test_the_moving_average_of_the_simulation_is_that_of_the_recording():
@@ -126,19 +128,17 @@ def test_the_moving_average_of_the_simulation_is_that_of_the_recording():
 
 
 def test_the_settled_filter_is_the_firmwares_once_its_covariance_stands_still():
-    """Posterior gain K = P H' R^-1; after 1 s of a drop the first difference has been forgotten."""
+    """What differs at first, P and the acceleration, fades by 11 % a sample: 1e-5 of it after 1 s."""
     segment = exact(LegModel(leg(), NoTorque()), state(-0.2, -0.5), TIME)
     each, seen = seen_by_the_fit(one(segment))
     point = coordinates_of(leg(), [(0.0, -0.3, -1.0)])
     raw = predicted(point, seen, each)
     steps = np.full(raw.angle.size - 1, 0.01)
     filtered = kalman.filter(steps, raw.angle, raw.angular_velocity)
-    gain = filtered.covariance[-1][:, :2] / jnp.asarray(kalman.MEASUREMENT_NOISE)
-    chain = SettledKalman(kalman.transition(jnp.array([0.01]))[0], gain)
-    shown = predicted(point, seen, each, chain=chain)
+    shown = predicted(point, seen, each, chain=SettledKalman(0.01))
     difference = np.stack([shown.angle, shown.angular_velocity], axis=1) - filtered.state[:, :2]
-    assert np.abs(difference[0]).max() < 1e-2
-    assert np.abs(difference[100:]).max() < 1e-7
+    assert np.abs(difference[2:20]).max() > 1e-6
+    assert np.abs(difference[90:]).max() < 1e-6
 
 
 def test_a_chain_changes_nothing_in_a_leg_that_rests():

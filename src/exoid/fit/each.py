@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+import jax
 import numpy as np
 
 from exoid.fit.belief import NAMES, Belief, believe
@@ -15,6 +16,7 @@ from exoid.physics.leg import GRAVITY, LegParameters
 from exoid.recording.recording import Recording
 
 COMMON = ("gravity_over_inertia", "stiffness_over_inertia", "damping_over_inertia")
+SMALLEST_ERROR = 1e-6  # relative, of a ratio: nothing is known better than that
 HOLDS = 1e-6  # relative slack below which a constraint holds as an equality
 
 
@@ -82,58 +84,54 @@ def averaged(each: list[Estimate]) -> Estimate:
 
 
 def settled_parameters(belief: Belief, ratios: dict[str, Estimate]) -> dict[str, Estimate]:
-    """P from the mean ratios, prior and limits: five unknowns, so SciPy's SLSQP will do."""
+    """P at the mean ratios: prior and limits choose m and J, two unknowns for SciPy's SLSQP."""
     from scipy.optimize import minimize
 
     values = np.array([ratios[name].value for name in COMMON], dtype=float)
     errors = np.array([ratios[name].standard_error for name in COMMON], dtype=float)
-    errors = np.maximum(errors, 1e-6 * np.abs(values))
-    limits = belief.limits
-    nothing = np.zeros(0)
+    errors = np.maximum(errors, SMALLEST_ERROR * np.abs(values))
+    limits, nothing = belief.limits, np.zeros(0)
 
     def leg(logs):
-        return LegParameters(*np.exp(logs))
-
-    def by_ratio(logs):
-        mass, inertia, distance, damping, stiffness = np.exp(logs)
-        each = np.array([mass * distance * GRAVITY, stiffness, damping]) / inertia
-        return (each - values) / errors
+        mass, inertia = np.exp(logs[:2])
+        gravity, stiffness, damping = logs[2:]
+        distance = gravity * inertia / (mass * GRAVITY)
+        return LegParameters(mass, inertia, distance, damping * inertia, stiffness * inertia)
 
     def by_prior(logs):
         return prior_residual(belief.prior, leg(logs), np)
 
-    def slack(logs):
-        return -violations(limits, leg(logs), nothing, np)
+    def violation(logs):
+        return violations(limits, leg(logs), nothing, np)
 
-    begin = np.log(first_guess(belief, values))
+    def at(logs):
+        return np.concatenate([logs, values])
+
     found = minimize(
-        lambda logs: (by_ratio(logs) @ by_ratio(logs) + by_prior(logs) @ by_prior(logs)) / 2,
-        begin,
+        lambda logs: float(by_prior(at(logs)) @ by_prior(at(logs))) / 2,
+        np.log(first_guess(belief)),
         method="SLSQP",
-        constraints={"type": "ineq", "fun": slack},
-        options={"maxiter": 500, "ftol": 1e-12},
+        constraints={"type": "ineq", "fun": lambda logs: -violation(at(logs))},
     )
-    active = slack(found.x) < HOLDS
-    data, prior = derivative(by_ratio, found.x), derivative(by_prior, found.x)
-    information = Information(
-        data.T @ data, prior.T @ prior, derivative(slack, found.x)[active]
-    )
-    names = constraint_names(0)
-    at_bound = {name for name, holds in zip(names, active, strict=True) if holds}
+    point = at(found.x)
+    active = violation(point) > -HOLDS
+    prior = derivative(by_prior, point)
+    data = np.diag([0.0, 0.0, *errors**-2.0])
+    gradients = derivative(lambda logs: np.stack(jax.tree.leaves(leg(logs))), point)
+    information = Information(data, prior.T @ prior, derivative(violation, point)[active])
+    at_bound = {
+        name for name, holds in zip(constraint_names(0), active, strict=True) if holds
+    }
     return {
-        name: parameter_estimate(
-            name, belief, float(value), information, np.exp(found.x[number]) * unit, at_bound
-        )
-        for number, (name, value, unit) in enumerate(
-            zip(NAMES, np.exp(found.x), np.eye(len(NAMES)), strict=True)
+        name: parameter_estimate(name, belief, float(value), information, gradient, at_bound)
+        for name, value, gradient in zip(
+            NAMES, jax.tree.leaves(leg(point)), gradients, strict=True
         )
     }
 
 
-def first_guess(belief: Belief, ratios: np.ndarray) -> np.ndarray:
-    """m, J, l, d, c: what anatomy expects, else 4 kg and the mean ratios with J = 0.4 kg m^2."""
+def first_guess(belief: Belief) -> np.ndarray:
+    """m [kg] and J [kg m^2]: what anatomy expects, else those of a middling leg."""
     if belief.expected is not None:
-        return np.array([getattr(belief.expected, name).value for name in NAMES])
-    gravity, stiffness, damping = np.maximum(ratios, 1e-6)
-    inertia = 0.4
-    return np.array([4.0, inertia, gravity * inertia / (4.0 * GRAVITY), damping * inertia, stiffness * inertia])
+        return np.array([belief.expected.mass.value, belief.expected.inertia.value])
+    return np.array([4.0, 0.4])

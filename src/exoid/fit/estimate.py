@@ -11,13 +11,14 @@ from exoid.fit.constraint import constraint_names
 from exoid.fit.multistart import FEASIBLE, SAME_LOSS, Ended, Problem, finite, pose, search
 from exoid.fit.observation import Movement, movement
 from exoid.fit.result import Estimate, FitResult, MultistartReport, SegmentFit
-from exoid.fit.starts import draw
+from exoid.fit.starts import draw, informed
 from exoid.fit.uncertainty import Information, source
 from exoid.physics.leg import GRAVITY, LegParameters
 from exoid.physics.parameter import declarations
 from exoid.physics.torque import CycleTorque
 from exoid.recording.recording import Recording
 
+MIDDLING = (4.0, 0.4)  # kg, kg m^2: where nothing is expected
 PLAIN_SCALE = 1e3  # 1/rad: the solver's tolerances are in units of noise, here 1 mrad
 READINGS = ("1/T", "2/T")  # of Eq. 4
 RATIOS = {  # name: symbol, unit, title
@@ -62,7 +63,7 @@ def fit(
     """
     named = [("recording", recordings)] if isinstance(recordings, Recording) else recordings
     movements = [
-        movement(recording, number, f"{name}, segment {number}")
+        movement(recording, number, f"{name} {number}" if len(named) > 1 else str(number))
         for name, recording in named
         for number in range(len(recording.segments))
     ]
@@ -71,9 +72,12 @@ def fit(
     if plain:
         movements = [plainly(each) for each in movements]
     chain, movements = conditioned(movements, smooth)
-    begin = draw(multistart, seed) if starts is None else starts
     tried = {
-        reading: solved(pose(movements, belief, reading, chain), begin, method)
+        reading: solved(
+            pose(movements, belief, reading, chain),
+            begin(movements, belief, reading, multistart, seed) if starts is None else starts,
+            method,
+        )
         for reading in readings(named, movements)
     }
     best = min(tried, key=lambda reading: float(tried[reading][1].best.loss[0]))
@@ -81,6 +85,22 @@ def fit(
     others = [describe(*tried[reading], None, None).angle_rmse for reading in tried if reading != best]
     voluntary = any(each.voluntary for each in movements)
     return describe(problem, ended, best if voluntary else None, others[0] if others else None)
+
+
+def begin(
+    movements: list[Movement], belief: Belief, reading: str, count: int, seed: int
+) -> np.ndarray:
+    """The starts: two informed ones, from anatomy and from inverse dynamics, the rest drawn."""
+    starts = draw(count, seed)
+    mass, inertia = MIDDLING
+    if belief.expected is not None:
+        each = [getattr(belief.expected, name).value for name in NAMES]
+        mass, inertia = each[:2]
+        starts[0] = [*each, 0.0]
+    guess = informed(movements, reading, mass, inertia)
+    if count > 1 and guess is not None:
+        starts[1] = guess
+    return starts
 
 
 def plainly(each: Movement) -> Movement:

@@ -191,9 +191,7 @@ def one_observation(each: Movement, grid: Samples, size: int, reading: str) -> O
 
     angle, angle_weight = placed(each.angle, each.angle_noise)
     velocity, velocity_weight = placed(each.angular_velocity, each.velocity_noise)
-    guide, slope = local_line(own, each.angle, GUIDE_WIDTH)
-    if each.angular_velocity is not None:
-        slope = local_line(own, each.angular_velocity, GUIDE_WIDTH)[0]
+    guide, slope = smoothed_motion(each, GUIDE_WIDTH)
     return Observation(
         time=time,
         angle=angle,
@@ -207,6 +205,16 @@ def one_observation(each: Movement, grid: Samples, size: int, reading: str) -> O
         added_mass=np.asarray(each.added_mass),
         added_mass_distance=np.asarray(each.added_mass_distance),
     )
+
+
+def smoothed_motion(each: Movement, width: float) -> tuple[Samples, Samples]:
+    """Angle and angular velocity as the leg had them, before any chain, smoothed over `width` s."""
+    part = each.segment
+    angle = part.angle if part.raw_angle is None else part.raw_angle
+    gyro = part.angular_velocity if part.raw_angle is None else part.raw_angular_velocity
+    assert angle is not None  # a Segment has one or the other
+    smooth, slope = local_line(part.time, angle, width)
+    return smooth, slope if gyro is None else local_line(part.time, gyro, width)[0]
 
 
 def staged(time: Samples, torque) -> Drive:

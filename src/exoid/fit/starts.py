@@ -3,7 +3,7 @@
 import numpy as np
 
 from exoid.fit.coordinates import Coordinates, Own, Shared
-from exoid.fit.observation import Movement
+from exoid.fit.observation import Movement, cycle_torque, smoothed_motion
 from exoid.physics.leg import GRAVITY, LegParameters
 from exoid.physics.parameter import declarations
 from exoid.physics.torque import CycleTorque
@@ -50,25 +50,30 @@ def coordinates(
 
 def first_state(movement: Movement) -> tuple[float, float]:
     """Angle [rad] and angular velocity [rad/s] of the first sample, from the ones around it."""
-    angle, slope = local_line(movement.segment.time, movement.angle, SLOPE_WIDTH)
-    if movement.angular_velocity is not None:
-        slope = local_line(movement.segment.time, movement.angular_velocity, SLOPE_WIDTH)[0]
-    return float(angle[0]), float(slope[0])
+    angle, velocity = smoothed_motion(movement, SLOPE_WIDTH)
+    return float(angle[0]), float(velocity[0])
 
 
-def inverse_dynamics(movements: list[Movement], cycles: list[np.ndarray]) -> np.ndarray:
-    """(m l g, c, d, tau) / J that fit phi'' = tau s(t)/J - m l g cos(phi)/J - ... by least squares.
+def informed(
+    movements: list[Movement], reading: str, mass: float, inertia: float
+) -> np.ndarray | None:
+    """The start (m, J, l, d, c, tau) that inverse dynamics suggests, None where it has no say.
 
-    Linear in the ratios, so it needs no start; biased where the acceleration is noisy. `cycles`
-    holds Eq. 10 for unit amplitude at every sample.
+    Least squares on phi'' = tau s(t)/J - m l g cos(phi)/J - c phi/J - d phi'/J, linear in the
+    ratios, so it needs no start itself; biased where the acceleration is noisy. Movements with a
+    known mass or torque follow another equation and are left out.
     """
     rows, accelerations = [], []
-    for each, cycle in zip(movements, cycles, strict=True):
+    for each in movements:
+        if each.scaled:
+            continue
         time = each.segment.time
-        angle, velocity = local_line(time, each.angle, SLOPE_WIDTH)
-        if each.angular_velocity is not None:
-            velocity = local_line(time, each.angular_velocity, SLOPE_WIDTH)[0]
+        angle, velocity = smoothed_motion(each, SLOPE_WIDTH)
+        cycle = cycle_torque(time - each.onset, each, reading)
         rows.append(np.stack([-np.cos(angle), -angle, -velocity, cycle], axis=1))
         accelerations.append(local_line(time, velocity, SLOPE_WIDTH)[1])
+    if not rows:
+        return None
     solution, *_ = np.linalg.lstsq(np.concatenate(rows), np.concatenate(accelerations), rcond=None)
-    return solution
+    gravity, stiffness, damping, torque = solution * inertia
+    return np.array([mass, inertia, gravity / (mass * GRAVITY), damping, stiffness, torque])

@@ -164,7 +164,7 @@ def decorate(axes: list[Axes], row: int, used: int, *, last: bool) -> None:
     axes[0].set_ylabel(LABELS[row])
     for number, panel in enumerate(axes):
         panel.set_visible(number < used)
-        panel.yaxis.set_major_locator(MaxNLocator(3 if row % 2 else 5))
+        panel.yaxis.set_major_locator(MaxNLocator(4 if row % 2 else 5))
         panel.xaxis.set_major_locator(MaxNLocator(5))
         panel.tick_params(labelleft=number == 0)
         if last:
@@ -249,7 +249,7 @@ def missing(result: FitResult, pairs: list[tuple[str, str]]) -> str:
     for name, each in unknown.items():
         if each.value is None:
             reasons.setdefault(each.reason or NO_REASON, []).append(name)
-    wide = 40 * (len(PAIRS) - len(pairs))
+    wide = 30 * (len(PAIRS) - len(pairs))
     lines = [f"{', '.join(names)} not determined:\n{reason}" for reason, names in reasons.items()]
     return "\n".join(fill(line, wide) for text in lines for line in text.split("\n"))
 

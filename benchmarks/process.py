@@ -1,0 +1,93 @@
+"""Times whole processes, from the shell's point of view: exoid and what a SciPy user would run.
+
+python benchmarks/process.py [--runs 7]
+"""
+
+import argparse
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import numpy as np
+
+from problem import cycle, ten_segments, write
+
+EXOID = str(Path(sys.executable).with_name("exoid"))
+RIVAL = [sys.executable, str(Path(__file__).with_name("rival_process.py"))]
+Commands = dict[str, list[str]]
+
+
+def fits(table: Path) -> Commands:
+    """What reads a table, fits it from 64 starts and prints the parameters."""
+    end = [str(table), "--multistart", "64"]
+    return {
+        "exoid fit": [EXOID, "fit", *end],
+        "SLSQP, numba": [*RIVAL, "slsqp_numba", *end],
+        "TRF, numba": [*RIVAL, "trf_numba", *end],
+        "TRF, 2 processes": [*RIVAL, "trf_numba", *end, "--processes", "2"],
+    }
+
+
+def small() -> Commands:
+    """What should answer at once."""
+    return {
+        "python -c pass": [sys.executable, "-c", "pass"],
+        "import exoid": [sys.executable, "-c", "import exoid"],
+        "exoid --version": [EXOID, "--version"],
+        "exoid --help": [EXOID, "--help"],
+    }
+
+
+def seconds(command: list[str], cache: Path) -> float:
+    """Wall time of one process, with `cache` as the user's cache folder."""
+    environment = os.environ | {"XDG_CACHE_HOME": str(cache)}
+    started = time.perf_counter()
+    subprocess.run(command, env=environment, check=True, capture_output=True)
+    return time.perf_counter() - started
+
+
+def interleaved(commands: Commands, runs: int, cache: Path) -> dict[str, list[float]]:
+    """Times of every command, each in its turn; all have run before."""
+    times: dict[str, list[float]] = {name: [] for name in commands}
+    for _ in range(runs):
+        for name, command in commands.items():
+            times[name].append(seconds(command, cache))
+    return times
+
+
+def table(times: dict[str, list[float]]) -> str:
+    """Medians, and how often the first command's median goes into each."""
+    unit = float(np.median(next(iter(times.values()))))
+    return "\n".join(
+        f"  {name:18}{np.median(each):8.3f} s  ({min(each):.3f} - {max(each):.3f})"
+        f"{np.median(each) / unit:8.2f}"
+        for name, each in times.items()
+    )
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--runs", type=int, default=7)
+    runs = parser.parse_args().runs
+    print(f"Wall time of whole processes: median (min - max) of {runs}, ratio to the first line.")
+    with tempfile.TemporaryDirectory() as folder:
+        for name, problem in (("cycle", cycle()), ("ten_segments", ten_segments())):
+            recording, cache = Path(folder) / f"{name}.csv", Path(folder) / f"{name} cache"
+            write(problem, recording)
+            commands = fits(recording)
+            first = {each: seconds(command, cache) for each, command in commands.items()}
+            times = interleaved(commands, runs, cache)
+            extra = first["exoid fit"] - float(np.median(times["exoid fit"]))
+            print(f"\n{name}, 64 starts\n{table(times)}")
+            print(
+                f"  exoid's first run, empty cache: {first['exoid fit']:.3f} s, {extra:.3f} s more"
+            )
+        interleaved(small(), 1, Path(folder))
+        print(f"\nstart-up\n{table(interleaved(small(), runs, Path(folder)))}")
+
+
+if __name__ == "__main__":
+    main()

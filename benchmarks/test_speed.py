@@ -1,0 +1,54 @@
+"""The times that should not grow unnoticed: `pytest benchmarks --no-cov`."""
+
+import subprocess
+import sys
+
+import jax
+import numpy as np
+import pytest
+
+from exoid.fit.estimate import fit
+from exoid.recording.dbc import exoid_messages
+from exoid.recording.kalman import filter
+from exoid.recording.load import load
+from problem import TIME_STEP, cycle, starts, ten_segments, write
+
+FRAMES = 1_000_000
+SAMPLES = 60_000  # ten minutes
+
+
+@pytest.mark.parametrize("problem", [cycle, ten_segments])
+def test_warm_fit_from_64_starts(benchmark, tmp_path, problem):
+    write(problem(), tmp_path / "recording.csv")
+    recording = load(tmp_path / "recording.csv").recording
+    begin = starts(64, 0)
+    result = benchmark.pedantic(
+        fit, (recording,), {"starts": begin}, rounds=5, iterations=1, warmup_rounds=1
+    )
+    assert result.multistart.at_best > 57  # nine starts in ten
+
+
+def test_decoding_can_frames(benchmark):
+    data = np.random.default_rng(0).integers(0, 256, (FRAMES, 8), dtype=np.uint8)
+    plan = exoid_messages()["EXO_RAW"]
+    values = benchmark(plan.decode, data)
+    benchmark.extra_info["million_frames_per_second"] = FRAMES / benchmark.stats["median"] / 1e6
+    assert all(np.isfinite(each).all() for each in values.values())
+
+
+def test_filtering_ten_minutes(benchmark):
+    rng = np.random.default_rng(0)
+    time = TIME_STEP * np.arange(SAMPLES)
+    angle = np.cos(time) + 1e-3 * rng.standard_normal(SAMPLES)
+    velocity = -np.sin(time) + 3e-3 * rng.standard_normal(SAMPLES)
+    given = np.full(SAMPLES - 1, TIME_STEP), angle, velocity
+    found = benchmark.pedantic(
+        lambda: jax.block_until_ready(filter(*given)), rounds=10, warmup_rounds=1
+    )
+    assert np.abs(found.state[100:, 0] - np.cos(time[100:])).max() < 5e-3
+
+
+def test_importing_exoid(benchmark):
+    command = [sys.executable, "-c", "import exoid"]
+    finished = benchmark.pedantic(subprocess.run, (command,), {"check": True}, rounds=7)
+    assert finished.returncode == 0

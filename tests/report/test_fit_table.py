@@ -1,0 +1,181 @@
+"""The printed fit: every number with its unit and no more digits than its error allows."""
+
+import io
+import re
+from dataclasses import replace
+from decimal import Decimal
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from rich.console import Console
+from test_fit_json import fitted
+
+from exoid.report.fit_table import (
+    MOST_DIGITS,
+    counted,
+    exponent,
+    in_degrees,
+    print_fit,
+    shortened,
+    with_error,
+)
+
+
+def printed(result, width=80):
+    stream = io.StringIO()
+    print_fit(result, Console(file=stream, width=width))
+    return stream.getvalue()
+
+
+def line_of(start, text):
+    return next(line for line in text.splitlines() if line.startswith(start))
+
+
+def test_every_parameter_has_value_error_unit_expectation_bounds_and_source():
+    line = line_of("inertia J", printed(fitted()))
+    assert re.search(r"0\.451 ± 0\.041 +kg m\^2 +0\.446 ± 0\.067 +0\.15\.\.1 +prior", line)
+
+
+def test_what_nothing_determines_says_so_and_why_once():
+    text = printed(fitted())
+    assert "not determined" in line_of("mass m", text)
+    assert text.count("motion shows only m l") == 1
+
+
+def test_value_that_a_bound_set_is_printed_as_the_bound_without_error():
+    assert re.search(r"stiffness c +4 +N m/rad .* bound", printed(fitted()))
+
+
+@pytest.mark.parametrize(
+    "expected",
+    [
+        r"gravity_over_inertia +m l g / J +26\.1880 ± 0\.0023 +1/s\^2",
+        r"damping_over_inertia +d / J +0\.77780 ± 0\.00035 +1/s",
+        r"leg, segment 1 +active +2 +-9\.50 ± 0\.86 +0\.0573 +0\.0458",
+        r"T \[s\] +tau \[N m\]",
+        r"angle RMSE +0\.0573 deg, 1\.25 times the noise floor of 0\.0458 deg",
+        r"velocity RMSE +0\.172 deg/s",
+        r"samples +402 in 2 segments",
+        r"f = 1/T \(Eq\. 4\); 2/T gives 4\.30 deg, 75 times as much",
+        r"starts +5: 4 succeeded, 3 at the best cost; 2 distinct minima",
+        r"failed +1 start: its motion could not be simulated",
+        r"stiffness +1\.8 to 4 N m/rad",
+        r"Prior: anatomy, table de_leva, 77 kg and 1\.8 m",
+        r"- the fit lies on the limit m l\^2 <= J of a rigid leg\.",
+    ],
+)
+def test_report_says(expected):
+    assert re.search(expected, printed(fitted()))
+
+
+@pytest.mark.parametrize("width", [80, 100, 140])
+def test_no_line_is_wider_than_the_terminal_and_nothing_is_cut(width):
+    result = fitted()
+    long = "2024-11-02_left_leg_with_exoskeleton_and_added_mass"
+    named = [
+        replace(each, name=f"{long}, segment {number}", added_mass=1.25)
+        for number, each in enumerate(result.segments)
+    ]
+    text = printed(replace(result, segments=named), width)
+    assert max(map(len, text.splitlines())) <= width
+    assert "segment 1  active" in text
+    assert text.count("…") == (2 if width < 140 else 0)  # names only
+
+
+def test_piped_output_is_plain():
+    text = printed(fitted())
+    assert "\x1b" not in text
+    assert not set("│┃╭╰|") & set(text)
+
+
+def test_names_with_brackets_and_colons_are_printed_as_they_are():
+    result = fitted()
+    odd = replace(result.segments[0], name="[red]leg[/] :leg:")
+    assert "[red]leg[/] :leg:" in printed(replace(result, segments=[odd]))
+
+
+def test_rig_without_torque_gyro_or_anatomy_has_no_empty_columns():
+    result = fitted()
+    rig = {
+        name: replace(each, value=None, standard_error=None, expected=None, determined_by=None)
+        for name, each in result.parameters.items()
+    }
+    bare = replace(result.segments[0], angular_velocity=None, velocity_rmse=None)
+    start = replace(result.multistart, family={}, members={})
+    text = printed(
+        replace(result, parameters=rig, segments=[bare], multistart=start, torque_frequency=None)
+    )
+    for absent in ("expected", "tau [N m]", "velocity RMSE", "torque frequency", "equally well"):
+        assert absent not in text
+
+
+def test_family_says_where_all_sets_agree():
+    result = fitted()
+    start = replace(result.multistart, family={"inertia": (0.45, 0.45)})
+    assert "0.45 kg m^2, the same in all" in printed(replace(result, multistart=start))
+
+
+def last_place(number):
+    return Decimal(number).as_tuple().exponent
+
+
+values = st.floats(-1e4, 1e4)
+errors = st.floats(1e-7, 1e4)
+
+
+@given(value=values, error=errors)
+def test_error_has_two_digits_and_the_value_ends_at_the_same_decimal(value, error):
+    text = with_error(value, error)
+    power = re.fullmatch(r"\((.*) ± (.*)\)e([+-]\d+)", text)
+    shown, spread = power.groups()[:2] if power else text.split(" ± ")
+    scale = Decimal(10) ** int(power[3]) if power else Decimal(1)
+    assert abs(Decimal(spread) * scale - Decimal(error)) <= Decimal(error) * Decimal("0.051")
+    digits = len(Decimal(shown).as_tuple().digits)
+    assert digits <= MOST_DIGITS + 1
+    if max(exponent(value), exponent(error)) - exponent(error) + 1 < MOST_DIGITS:
+        assert last_place(shown) == last_place(spread)
+        assert len(Decimal(spread).as_tuple().digits) == 2
+        assert abs(Decimal(shown) * scale - Decimal(value)) <= Decimal(error) * Decimal("0.06")
+
+
+@pytest.mark.parametrize(
+    ("value", "error", "text"),
+    [
+        (4.5276, 0.37974, "4.53 ± 0.38"),
+        (0.35, 0.0996, "0.35 ± 0.10"),
+        (9.96, 0.996, "10.0 ± 1.0"),
+        (123.4, 56.0, "123 ± 56"),
+        (-0.00003299, 2.7e-7, "(-3.299 ± 0.027)e-5"),
+        (1234.0, 560.0, "(1.23 ± 0.56)e+3"),
+        (0.0, 0.25, "0.00 ± 0.25"),
+        (np.pi, 1e-12, "3.141593 ± 1.0e-12"),
+    ],
+)
+def test_digits_follow_the_error(value, error, text):
+    assert with_error(value, error) == text
+
+
+@given(st.floats(1e-9, 3.0))
+def test_degrees_have_three_digits_and_no_power_of_ten(angle):
+    text = in_degrees(angle)
+    assert re.fullmatch(r"\d+(\.\d+)?", text)
+    assert float(text) == pytest.approx(np.degrees(angle), rel=0.006)
+
+
+def test_degrees_of_nothing_are_nothing():
+    assert in_degrees(0.0) == "0.000"
+
+
+@given(st.text(min_size=1, max_size=60), st.integers(5, 40))
+def test_shortened_name_fits_and_keeps_its_end(name, widest):
+    short = shortened(name, widest)
+    assert len(short) <= max(widest, 0)
+    assert name.endswith(short.rpartition("…")[2]) or short == name
+
+
+def test_counts_agree_with_their_nouns():
+    assert counted(1, "start") == "1 start"
+    assert counted(2, "start") == "2 starts"
+    assert counted(2, "distinct minimum", "distinct minima") == "2 distinct minima"
