@@ -1,0 +1,75 @@
+"""Mechanical parameters of the lower leg from exoskeleton recordings.
+
+The names below are the public ones. They load when they are first used: JAX alone takes longer to
+import than most commands take to answer.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from exoid.fit.each import fit_each
+    from exoid.fit.estimate import fit as fit_leg
+    from exoid.fit.result import FitResult
+    from exoid.physics.anatomy import expected_leg
+    from exoid.physics.leg import LegModel, LegParameters
+    from exoid.physics.simulate import Trajectory, simulate
+    from exoid.physics.state import LegState
+    from exoid.physics.torque import CycleTorque, MeasuredTorque, NoTorque
+    from exoid.recording.load import load
+    from exoid.recording.recording import Protocol, Recording, Segment, Sensors, Subject
+    from exoid.recording.table import write_table
+    from exoid.report.plots import plot_fit
+
+_HOMES = {
+    "fit_each": ("exoid.fit.each", "fit_each"),
+    "fit_leg": ("exoid.fit.estimate", "fit"),
+    "FitResult": ("exoid.fit.result", "FitResult"),
+    "expected_leg": ("exoid.physics.anatomy", "expected_leg"),
+    "LegModel": ("exoid.physics.leg", "LegModel"),
+    "LegParameters": ("exoid.physics.leg", "LegParameters"),
+    "Trajectory": ("exoid.physics.simulate", "Trajectory"),
+    "simulate": ("exoid.physics.simulate", "simulate"),
+    "LegState": ("exoid.physics.state", "LegState"),
+    "CycleTorque": ("exoid.physics.torque", "CycleTorque"),
+    "MeasuredTorque": ("exoid.physics.torque", "MeasuredTorque"),
+    "NoTorque": ("exoid.physics.torque", "NoTorque"),
+    "load": ("exoid.recording.load", "load"),
+    "Protocol": ("exoid.recording.recording", "Protocol"),
+    "Recording": ("exoid.recording.recording", "Recording"),
+    "Segment": ("exoid.recording.recording", "Segment"),
+    "Sensors": ("exoid.recording.recording", "Sensors"),
+    "Subject": ("exoid.recording.recording", "Subject"),
+    "write_table": ("exoid.recording.table", "write_table"),
+    "plot_fit": ("exoid.report.plots", "plot_fit"),
+}
+
+__all__ = [
+    "CycleTorque",
+    "FitResult",
+    "LegModel",
+    "LegParameters",
+    "LegState",
+    "MeasuredTorque",
+    "NoTorque",
+    "Protocol",
+    "Recording",
+    "Segment",
+    "Sensors",
+    "Subject",
+    "Trajectory",
+    "expected_leg",
+    "fit_each",
+    "fit_leg",
+    "load",
+    "plot_fit",
+    "simulate",
+    "write_table",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        raise AttributeError(f"module 'exoid' has no attribute {name!r}")
+    module, attribute = _HOMES[name]
+    return getattr(import_module(module), attribute)

@@ -128,7 +128,7 @@ def test_the_moving_average_of_the_simulation_is_that_of_the_recording():
 
 
 def test_the_settled_filter_is_the_firmwares_once_its_covariance_stands_still():
-    """What differs at first, P and the acceleration, fades by 11 % a sample: 1e-5 of it after 1 s."""
+    """What differs at first, P and the acceleration, fades by 11 % a sample."""
     segment = exact(LegModel(leg(), NoTorque()), state(-0.2, -0.5), TIME)
     each, seen = seen_by_the_fit(one(segment))
     point = coordinates_of(leg(), [(0.0, -0.3, -1.0)])

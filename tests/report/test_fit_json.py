@@ -61,8 +61,8 @@ def fitted():
         parameters={name: Estimate(symbol, name, *rest) for name, symbol, *rest in leg},
         ratios={name: Estimate(symbol, name, *rest) for name, symbol, *rest in ratios},
         segments=[
-            swing("leg, segment 0", "passive"),
-            swing("leg, segment 1", "active", 2.0, torque(-9.5, 0.86)),
+            swing("leg 0", "passive"),
+            swing("leg 1", "active", 2.0, torque(-9.5, 0.86)),
         ],
         multistart=MultistartReport(
             starts=5,

@@ -53,7 +53,7 @@ def test_value_that_a_bound_set_is_printed_as_the_bound_without_error():
     [
         r"gravity_over_inertia +m l g / J +26\.1880 ± 0\.0023 +1/s\^2",
         r"damping_over_inertia +d / J +0\.77780 ± 0\.00035 +1/s",
-        r"leg, segment 1 +active +2 +-9\.50 ± 0\.86 +0\.0573 +0\.0458",
+        r"leg 1 +active +2 +-9\.50 ± 0\.86 +0\.0573 +0\.0458",
         r"T \[s\] +tau \[N m\]",
         r"angle RMSE +0\.0573 deg, 1\.25 times the noise floor of 0\.0458 deg",
         r"velocity RMSE +0\.172 deg/s",
@@ -75,12 +75,12 @@ def test_no_line_is_wider_than_the_terminal_and_nothing_is_cut(width):
     result = fitted()
     long = "2024-11-02_left_leg_with_exoskeleton_and_added_mass"
     named = [
-        replace(each, name=f"{long}, segment {number}", added_mass=1.25)
+        replace(each, name=f"{long} {number}", added_mass=1.25)
         for number, each in enumerate(result.segments)
     ]
     text = printed(replace(result, segments=named), width)
     assert max(map(len, text.splitlines())) <= width
-    assert "segment 1  active" in text
+    assert "mass 1  active" in text
     assert text.count("…") == (2 if width < 140 else 0)  # names only
 
 

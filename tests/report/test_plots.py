@@ -100,7 +100,7 @@ def test_segment_without_gyro_beside_one_with_it_says_so():
 def test_of_too_many_segments_the_worst_are_shown_in_their_order():
     result = fitted()
     many = [
-        replace(result.segments[0], name=f"segment {number}", angle_rmse=1e-3 * (number % 7))
+        replace(result.segments[0], name=f"leg {number}", angle_rmse=1e-3 * (number % 7))
         for number in range(40)
     ]
     crowd = replace(result, segments=many)

@@ -176,9 +176,6 @@ def compute(named, settings: dict):
     from platformdirs import user_cache_path
 
     with waiting("fitting; the first run of a new shape compiles for some seconds"):
-        import jax
-
-        jax.config.update("jax_enable_x64", True)
         from exoid.fit.estimate import fit
         from exoid.fit.program import keep_programs_in
 

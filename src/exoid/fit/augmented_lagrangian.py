@@ -19,6 +19,7 @@ from exoid.fit.least_squares import NegligibleStep
 Vector = Float[Array, " _"]
 
 STEPS = 60  # of the inner solver; a start that needs more has lost its way
+FEASIBLE = 1e-5  # greatest g that counts as met; g is relative
 EXACT = 1e-10  # a change of loss and point that is rounding; `tolerance` decides before
 
 
@@ -79,7 +80,8 @@ def minimise(
             steps=outcome.steps + solution.stats["num_steps"],
             exhausted=solution.result == optx.RESULTS.nonlinear_max_steps_reached,
         )
-        return following, number + 1, change.max() > tolerance
+        unsettled = (change.max() > tolerance) | (value.max() > FEASIBLE)
+        return following, number + 1, unsettled
 
     nothing = jnp.zeros_like(penalty)
     detail = jax.tree.map(

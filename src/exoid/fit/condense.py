@@ -44,6 +44,10 @@ def condense(
 
     The sum over samples of (dr/dz, r)'(dr/dz, r) is gathered on the way: nothing is stored.
     """
+    # While tied only the angle counts: where encoder and gyro disagree, the spring would turn
+    # their difference into a torque.
+    counted = jnp.where(stage.tether > 0, 0.0, observation.velocity_weight)
+    observation = eqx.tree_at(lambda seen: seen.velocity_weight, observation, counted)
     point, unravel = ravel_pytree((shared, own))
     unit, _ = ravel_pytree((TYPICAL.shared, TYPICAL.own))
 

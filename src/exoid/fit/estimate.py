@@ -189,6 +189,7 @@ def parameter_estimate(
         deviation = given / np.sqrt(float(belief.prior.weight))
     error = information.standard_error(gradient)
     found = source(information, gradient, deviation, name in at_bound)
+    held = name in at_bound or error == 0.0
     lower, upper = (
         float(getattr(limit, name)) for limit in (belief.limits.lower, belief.limits.upper)
     )
@@ -199,13 +200,13 @@ def parameter_estimate(
         title=declared.title,
         unit=declared.unit,
         value=None if found is None else value,
-        standard_error=None if found in (None, "bound") else error,
+        standard_error=None if found is None or held else error,
         expected=None if expected is None else expected.value,
         expected_deviation=None if expected is None else deviation,
         lower=lower if np.isfinite(lower) else None,
         upper=upper if np.isfinite(upper) else None,
         determined_by=found,
-        reason="at a bound: no error is quoted" if found == "bound" else None,
+        reason="at a bound: no error is quoted" if held else None,
     )
 
 

@@ -55,12 +55,14 @@ def neighbourhood(point: Coordinates, condensed: Condensed, prior: Prior, limits
         return violations(limits, leg_parameters(at, np), torque_amplitudes(at, np), np)
 
     by_prior = derivative(belief, flat)
+    with np.errstate(invalid="ignore"):  # infinite limits are no limits
+        by_constraint = derivative(constraint, flat)
     return Local(
         data=information(condensed, segments),
         prior=by_prior.T @ by_prior,
         parameters=derivative(parameters, flat),
         ratios=derivative(ratios, flat),
-        constraints=derivative(constraint, flat),
+        constraints=by_constraint,
     )
 
 

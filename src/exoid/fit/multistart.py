@@ -9,7 +9,7 @@ from exoid.fit.belief import Belief
 from exoid.fit.chain import Chain
 from exoid.fit.condense import UNKNOWNS
 from exoid.fit.constraint import constraint_names
-from exoid.fit.coordinates import Coordinates, scaled
+from exoid.fit.coordinates import Coordinates, Shared, scaled
 from exoid.fit.local import Local, neighbourhood, penalties
 from exoid.fit.observation import Movement, Observation, observe
 from exoid.fit.program import run
@@ -90,14 +90,23 @@ def search(problem: Problem, starts: np.ndarray) -> Ended:
     horizon = min(max(int(first), 50), problem.steps)
     tied = advance(problem, begin, task(problem, tether, horizon, COARSE))
     rows, member, failures = basins(problem, tied)
-    gathered = take(tied.coordinates, rows)
+    gathered = without_thrust(take(tied.coordinates, rows))
     weaker = min(TETHERS[1], tether / 2)
-    gathered = advance(problem, gathered, task(problem, weaker, problem.steps, COARSE)).coordinates
-    free = advance(problem, gathered, task(problem, 0.0, problem.steps, FINE))
+    looser = advance(problem, gathered, task(problem, weaker, problem.steps, COARSE)).coordinates
+    free = advance(problem, without_thrust(looser), task(problem, 0.0, problem.steps, FINE))
     member, failures = without_lost(free, member, failures)
     scale = spread_of(problem, take(free, [int(np.nanargmin(finite(free.loss)))]))
     best = settle(problem, free, begin, scale)
     return Ended(free, member, failures, best, scale, begin, around(problem, best))
+
+
+def without_thrust(at: Coordinates) -> Coordinates:
+    """No negative damping: it would run away once the tether that held it is loosened."""
+    shared = at.shared
+    damped = Shared(
+        shared.log_inertia, shared.gravity, shared.stiffness, np.maximum(shared.damping, 0.0)
+    )
+    return Coordinates(damped, at.log_mass, at.own)
 
 
 def around(problem: Problem, at: Solved, row: int = 0, scale: float = 1.0) -> Local:
@@ -238,7 +247,7 @@ def settle(problem: Problem, free: Solved, begin: Coordinates, scale: float) -> 
     if problem.belief.expected is not None:
         inertia[0] = inertia[0] if own_scale else np.log(prior.expected.inertia)
         mass[0] = np.log(prior.expected.mass)
-    shared = type(one.shared)(
+    shared = Shared(
         inertia, one.shared.gravity, one.shared.stiffness, one.shared.damping
     )
     starts = Coordinates(shared, mass, one.own)

@@ -191,7 +191,8 @@ def one_observation(each: Movement, grid: Samples, size: int, reading: str) -> O
 
     angle, angle_weight = placed(each.angle, each.angle_noise)
     velocity, velocity_weight = placed(each.angular_velocity, each.velocity_noise)
-    guide, slope = smoothed_motion(each, GUIDE_WIDTH)
+    guide, _ = smoothed_motion(each, GUIDE_WIDTH)
+    slope = local_line(own, guide, GUIDE_WIDTH)[1]  # of the angle itself, whatever the gyro says
     return Observation(
         time=time,
         angle=angle,

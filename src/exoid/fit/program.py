@@ -12,6 +12,7 @@ from functools import cache
 from pathlib import Path
 
 import jax
+import jax.export
 import numpy as np
 
 from exoid.fit.chain import Chain
@@ -31,11 +32,12 @@ def keep_programs_in(folder: Path) -> None:
 
 
 def run(starts, observation, known, prior, limits, task, chain: Chain) -> Solved:
-    """`solve`, with NumPy arrays in and out."""
+    """`solve`, with NumPy arrays in and out, in float64 whatever JAX's default."""
     arguments = (starts, observation, known, prior, limits, task)
     leaves, structure = jax.tree.flatten(arguments)
     shapes = tuple(jax.ShapeDtypeStruct(np.shape(leaf), np.result_type(leaf)) for leaf in leaves)
-    results = program(structure, shapes, chain)(*leaves)
+    with jax.enable_x64(True):  # a fit in float32 would stop short of its optimum
+        results = program(structure, shapes, chain)(*leaves)
     return jax.tree.unflatten(solved_structure(), [np.asarray(result) for result in results])
 
 
@@ -75,8 +77,6 @@ def fingerprint(shapes, chain: Chain) -> str:
 
 def load(path: Path):
     """The kept program, or None where there is none that can be read."""
-    import jax.export
-
     try:
         return jax.export.deserialize(bytearray(path.read_bytes()))
     except FileNotFoundError:

@@ -24,27 +24,35 @@ class Information:
         self.free = null_space(active, data.shape[0])
         self.posterior = np.linalg.eigh(self.free.T @ (data + prior) @ self.free)
         self.likelihood = np.linalg.eigh(self.free.T @ data @ self.free)
+        self.unbounded = np.linalg.eigh(data)
 
     def standard_error(self, gradient: Float[np.ndarray, " coordinate"]) -> float:
         """Of a quantity with this gradient; inf where nothing determines it, 0 on a bound."""
-        return self.spread(self.posterior, gradient)
+        return spread(self.posterior, self.free, gradient)
 
     def data_only(self, gradient: Float[np.ndarray, " coordinate"]) -> float:
         """The standard error without any prior; inf where motion cannot tell."""
-        return self.spread(self.likelihood, gradient)
+        return spread(self.likelihood, self.free, gradient)
 
-    def spread(self, decomposed, gradient) -> float:
-        """sqrt(a' I^-1 a) within the directions that the active constraints leave free."""
-        along = self.free.T @ gradient
-        size = np.linalg.norm(along)
-        if size < ON_BOUND * np.linalg.norm(gradient):
-            return 0.0
-        values, vectors = decomposed
-        parts = vectors.T @ along
-        known = values > UNDETERMINED
-        if np.linalg.norm(parts[~known]) > ON_BOUND * size:
-            return np.inf
-        return float(np.sqrt(np.sum(parts[known] ** 2 / values[known])))
+    def needs_bound(self, gradient: Float[np.ndarray, " coordinate"]) -> bool:
+        """Is it a bound that lets the data tell this?"""
+        everything = np.eye(gradient.size)
+        alone = np.isfinite(spread(self.unbounded, everything, gradient))
+        return bool(np.isfinite(self.data_only(gradient)) and not alone)
+
+
+def spread(decomposed, free, gradient) -> float:
+    """sqrt(a' I^-1 a) within the `free` directions, from the eigenvalues and vectors of I there."""
+    along = free.T @ gradient
+    size = np.linalg.norm(along)
+    if size <= ON_BOUND * np.linalg.norm(gradient):
+        return 0.0
+    values, vectors = decomposed
+    parts = vectors.T @ along
+    known = values > UNDETERMINED
+    if np.linalg.norm(parts[~known]) > ON_BOUND * size:
+        return np.inf
+    return float(np.sqrt(np.sum(parts[known] ** 2 / values[known])))
 
 
 def null_space(rows, size: int):
@@ -65,6 +73,8 @@ def source(
         return "bound"
     if not np.isfinite(error):
         return None
+    if information.needs_bound(gradient):
+        return "bound"
     alone = information.data_only(gradient)
     if np.isfinite(alone) and error**2 >= FROM_DATA * alone**2:
         return "data"

@@ -147,7 +147,9 @@ def print_remarks(result: FitResult, console: Console) -> None:
             reasons.setdefault(each.reason, []).append(name)
     for each in result.segments:
         if each.torque_amplitude is not None and each.torque_amplitude.reason is not None:
-            reasons.setdefault(each.torque_amplitude.reason, []).append(f"tau of {each.name}")
+            reasons.setdefault(each.torque_amplitude.reason, []).append(
+                f"tau of segment {each.name}"
+            )
     remarks = [f"{', '.join(names)}: {reason}." for reason, names in reasons.items()]
     if not remarks and not result.notes:
         return

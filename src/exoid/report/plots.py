@@ -141,7 +141,7 @@ def draw_segment(segment: SegmentFit, panels: list[Axes]) -> None:
         segment.velocity_noise,
     )
     rmse = f"RMSE {in_degrees(segment.angle_rmse)} deg"
-    panels[0].set_title(f"{fill(segment.name, 26)}\n{rmse}", loc="left")
+    panels[0].set_title(f"{fill(f'segment {segment.name}', 26)}\n{rmse}", loc="left")
     if segment.velocity_rmse is not None:
         panels[2].set_title(f"RMSE {in_degrees(segment.velocity_rmse)} deg/s", loc="left")
 

@@ -1,0 +1,70 @@
+"""Where a multi-start begins."""
+
+import jax
+import numpy as np
+import pytest
+from fit_cases import cycle_torque, exact, leg, one, state
+
+from exoid.fit.coordinates import leg_parameters, torque_amplitudes
+from exoid.fit.observation import movement
+from exoid.fit.starts import coordinates, draw, first_state
+from exoid.physics.leg import LegModel, LegParameters
+from exoid.physics.parameter import declarations
+from exoid.physics.torque import NoTorque
+
+TIME = np.arange(120) * 0.01
+
+
+def drop():
+    return movement(one(exact(LegModel(leg(), NoTorque()), state(-0.2, -0.5), TIME)), 0, "drop")
+
+
+def cycle():
+    segment = exact(LegModel(leg(), cycle_torque()), state(-0.1, -0.5), TIME)
+    return movement(one(segment, "active", cycle_period=1.19), 0, "cycle")
+
+
+def test_starts_fill_the_bounds_of_eq_13():
+    starts = draw(2000, seed=1)
+    declared = [said for _, said in declarations(LegParameters)]
+    lower = np.array([*(said.lower for said in declared), -250.0])
+    upper = np.array([*(said.upper for said in declared), 250.0])
+    share = (starts - lower) / (upper - lower)
+    assert share.min() >= 0
+    assert share.max() <= 1
+    assert np.abs(share.mean(axis=0) - 0.5).max() < 0.03  # 4 sigma of 2000 uniform draws is 0.026
+
+
+def test_a_seed_gives_one_draw_whose_beginning_does_not_depend_on_its_length():
+    assert np.array_equal(draw(64, 3), draw(64, 3))
+    assert np.array_equal(draw(64, 3)[:16], draw(16, 3))
+    assert not np.array_equal(draw(64, 3), draw(64, 4))
+
+
+def test_a_start_means_the_parameters_that_it_was_given():
+    starts = draw(50, seed=0)
+    starts[:, 3] = 0.3  # d/J below the limit that the time step sets
+    there = coordinates(starts, [cycle(), drop()], greatest_damping=100.0)
+    back = leg_parameters(there, np)
+    for number, leaf in enumerate(jax.tree.leaves(back)):
+        assert np.allclose(leaf, starts[:, number], rtol=1e-13)
+    torque = torque_amplitudes(jax.tree.map(lambda leaf: leaf[0], there), np)
+    assert torque == pytest.approx([starts[0, 5], 0.0], rel=1e-13)  # a drop has none
+
+
+def test_damping_that_the_time_step_cannot_carry_is_held_below_it():
+    there = coordinates(draw(50, seed=0), [drop()], greatest_damping=40.0)
+    assert there.shared.damping.max() == 40.0
+
+
+@pytest.mark.parametrize("gyro", [True, False])
+def test_a_start_begins_where_the_leg_began(gyro):
+    """A line over 80 ms lags by at most half of it: 40 ms of 25 rad/s^2 is 1 rad/s."""
+    segment = exact(LegModel(leg(), NoTorque()), state(-0.2, -0.5), TIME)
+    if not gyro:
+        object.__setattr__(segment, "raw_angular_velocity", None)
+    each = movement(one(segment), 0, "drop")
+    angle, velocity = first_state(each)
+    assert angle == pytest.approx(each.angle[0], abs=0.02)
+    first = np.searchsorted(TIME, 0.0)
+    assert velocity == pytest.approx(-0.5 - 25 * TIME[first], abs=1.0)
