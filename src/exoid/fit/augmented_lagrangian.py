@@ -54,14 +54,13 @@ def minimise(
         value, detail = residual(point)
         return jnp.concatenate([value, jnp.sqrt(penalty) * excess]), detail
 
+    inner = optx.LevenbergMarquardt(EXACT, EXACT, linear_solver=lx.Normal(lx.Cholesky()))
+
     def update(carry):
         outcome, number, _ = carry
         solution = optx.least_squares(
             with_dense_derivative(penalised),
-            NegligibleStep(
-                optx.LevenbergMarquardt(EXACT, EXACT, linear_solver=lx.Normal(lx.Cholesky())),
-                tolerance,
-            ),
+            NegligibleStep(inner=inner, tolerance=tolerance),
             outcome.point,
             args=outcome.multiplier,
             has_aux=True,

@@ -81,8 +81,10 @@ def settled_gain(step: float) -> np.ndarray:
     gain = np.zeros((3, 2))
     for _ in range(RECURSIONS):
         covariance = after @ covariance @ after.T + np.diag(PROCESS_NOISE)
-        gain = covariance @ see.T @ np.linalg.inv(
-            see @ covariance @ see.T + np.diag(MEASUREMENT_NOISE)
+        gain = (
+            covariance
+            @ see.T
+            @ np.linalg.inv(see @ covariance @ see.T + np.diag(MEASUREMENT_NOISE))
         )
         covariance = covariance - gain @ see @ covariance
     return gain

@@ -7,7 +7,8 @@ import numpy as np
 
 from exoid.fit.belief import NAMES, Belief, believe
 from exoid.fit.constraint import constraint_names, violations
-from exoid.fit.estimate import PLAIN_SCALE, fit, parameter_estimate, with_reasons
+from exoid.fit.describe import parameter_estimate, with_reasons
+from exoid.fit.estimate import PLAIN_SCALE, fit
 from exoid.fit.local import derivative
 from exoid.fit.prior import prior_residual
 from exoid.fit.result import Estimate, FitResult
@@ -41,7 +42,9 @@ def fit_each(recordings: list[tuple[str, Recording]], **options) -> FitResult:
     said = dict.fromkeys(note for each in results for note in each.notes)
     return replace(
         results[0],
-        parameters=with_reasons(settled_parameters(belief, ratios), not np.isfinite(belief.limits.reach)),
+        parameters=with_reasons(
+            settled_parameters(belief, ratios), not np.isfinite(belief.limits.reach)
+        ),
         ratios=ratios,
         segments=[segment for each in results for segment in each.segments],
         loss=sum(each.loss for each in results),
@@ -119,14 +122,10 @@ def settled_parameters(belief: Belief, ratios: dict[str, Estimate]) -> dict[str,
     data = np.diag([0.0, 0.0, *errors**-2.0])
     gradients = derivative(lambda logs: np.stack(jax.tree.leaves(leg(logs))), point)
     information = Information(data, prior.T @ prior, derivative(violation, point)[active])
-    at_bound = {
-        name for name, holds in zip(constraint_names(0), active, strict=True) if holds
-    }
+    at_bound = {name for name, holds in zip(constraint_names(0), active, strict=True) if holds}
     return {
         name: parameter_estimate(name, belief, float(value), information, gradient, at_bound)
-        for name, value, gradient in zip(
-            NAMES, jax.tree.leaves(leg(point)), gradients, strict=True
-        )
+        for name, value, gradient in zip(NAMES, jax.tree.leaves(leg(point)), gradients, strict=True)
     }
 
 

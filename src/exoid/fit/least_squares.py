@@ -1,11 +1,12 @@
 """A Levenberg-Marquardt solver that stops where the next step no longer matters."""
 
+from collections.abc import Callable
 from typing import Any
 
 import jax
 import jax.numpy as jnp
 import optimistix as optx
-from jaxtyping import Array, Float
+from jaxtyping import Array, Float, PyTree, Scalar
 
 
 class NegligibleStep(optx.AbstractLeastSquaresSolver):
@@ -17,19 +18,10 @@ class NegligibleStep(optx.AbstractLeastSquaresSolver):
     """
 
     inner: optx.AbstractLeastSquaresSolver
-    tolerance: Float[Array, ""]
-
-    @property
-    def rtol(self):
-        return self.tolerance
-
-    @property
-    def atol(self):
-        return self.tolerance
-
-    @property
-    def norm(self):
-        return optx.max_norm
+    tolerance: Float[Array, ""]  # in units of the residual
+    rtol: float = 0.0  # of the interface; `inner` and `tolerance` decide
+    atol: float = 0.0
+    norm: Callable[[PyTree], Scalar] = optx.max_norm
 
     def init(self, fn, y, args, options, f_struct, aux_struct, tags) -> Any:
         return self.inner.init(fn, y, args, options, f_struct, aux_struct, tags)

@@ -125,7 +125,7 @@ def task(
     scale: float = 1.0,
     penalty: np.ndarray | None = None,
 ) -> Task:
-    """What to ask of the solver; with a `penalty` for each constraint, prior and limits take part."""
+    """What to ask of the solver; with a `penalty` per constraint, prior and limits take part."""
     bounded = penalty is not None
     constraints = len(constraint_names(len(problem.movements)))
     return Task(
@@ -247,9 +247,7 @@ def settle(problem: Problem, free: Solved, begin: Coordinates, scale: float) -> 
     if problem.belief.expected is not None:
         inertia[0] = inertia[0] if own_scale else np.log(prior.expected.inertia)
         mass[0] = np.log(prior.expected.mass)
-    shared = Shared(
-        inertia, one.shared.gravity, one.shared.stiffness, one.shared.damping
-    )
+    shared = Shared(inertia, one.shared.gravity, one.shared.stiffness, one.shared.damping)
     starts = Coordinates(shared, mass, one.own)
     penalty = penalties(around(problem, free, best, scale))
     asked = task(problem, 0.0, problem.steps, FINE, scale=scale, penalty=penalty)

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property, partial
+from typing import Any
 
 import jax
 import jax.numpy as jnp
@@ -105,7 +106,7 @@ class Objective:
         return np.concatenate([np.ravel(x) for x in jax.tree.leaves(scaled(self.point(vector)))])
 
 
-def logarithms(*values: np.ndarray) -> list[np.ndarray]:
+def logarithms(*values: Float[Any, ""]) -> list[Float[Any, ""]]:
     """nan beyond the limit `POSITIVE`, from where a line search turns back."""
     with np.errstate(invalid="ignore", divide="ignore"):
         return [np.log(value) for value in values]

@@ -224,7 +224,7 @@ def staged(time: Samples, torque) -> Drive:
 
 
 def cycle_torque(time: Samples, each: Movement, reading: str) -> Samples:
-    """Eq. 10 for unit amplitude at `time` since the onset, 0 in movements that are not voluntary."""
+    """Eq. 10 for unit amplitude at `time` since the onset, 0 where nothing is voluntary."""
     if not each.voluntary:
         return np.zeros_like(time)
     frequency = torque_frequencies(each.period)[reading]

@@ -59,10 +59,10 @@ def advance(
         pull = stage.tether**2 * guide_angle + 2 * stage.tether * guide_velocity
         return eq.cycle * cycle + eq.torque * torque + pull
 
-    now, after = (
-        jax.tree.map(lambda samples: samples[at], (observation.guide_angle, observation.guide_velocity))
-        for at in (index, index + 1)
-    )
+    def guide(at):
+        return observation.guide_angle[at], observation.guide_velocity[at]
+
+    now, after = guide(index), guide(index + 1)
     middle = jax.tree.map(lambda a, b: (a + b) / 2, now, after)
     cycle, torque = jax.tree.map(lambda at: at[index], (observation.cycle, observation.torque))
     drive = Drive(
@@ -74,9 +74,7 @@ def advance(
     return rk4_step(eq.ratios, state, step, drive)
 
 
-def residual(
-    shown: LegState, index: Int[Array, ""], observation: Observation
-) -> Float[Array, "2"]:
+def residual(shown: LegState, index: Int[Array, ""], observation: Observation) -> Float[Array, "2"]:
     """Angle and angular velocity minus the measured ones at sample `index`, over their noise."""
     angle = shown.angle - observation.angle[index]
     velocity = shown.angular_velocity - observation.angular_velocity[index]

@@ -24,7 +24,6 @@ from exoid.fit.residual import Stage, predict
 from exoid.fit.task import Solved, Task
 
 
-
 @partial(jax.jit, static_argnames="chain")
 def solve(
     starts: Coordinates,

@@ -1,4 +1,4 @@
-"""Motion from physics, in the only time loop: classical Runge-Kutta of order four over the sample times."""
+"""Motion from physics, in the only time loop: classical Runge-Kutta of order four."""
 
 from collections.abc import Callable
 from typing import Any

@@ -56,7 +56,7 @@ def session(
     )
 
 
-def truth(course: Course, time: kalman.Samples) -> Segment:
+def truth(course: Course, time: np.ndarray) -> Segment:
     """The motion itself, as if sensors and filter were perfect."""
     angle, velocity = np.asarray(course.angle), np.asarray(course.angular_velocity)
     return Segment(time, angle, velocity, np.asarray(course.angular_acceleration), angle, velocity)
