@@ -18,6 +18,8 @@ from exoid.fit.least_squares import NegligibleStep
 
 Vector = Float[Array, " _"]
 
+SLOW = 0.25  # of the error before: a round that gains less
+STIFFER = 10.0  # makes that constraint's penalty so much greater
 STEPS = 60  # of the inner solver; a start that needs more has lost its way
 FEASIBLE = 1e-5  # greatest g that counts as met; g is relative
 EXACT = 1e-10  # a change of loss and point that is rounding; `tolerance` decides before
@@ -46,31 +48,35 @@ def minimise(
     """At most `rounds` updates of the multipliers, each with one inner least-squares solve.
 
     `residual` returns its value and any detail worth keeping of the last point. `penalty` is rho:
-    taken as 100 over the variance of each g, it gains two digits a round.
+    taken as 100 over the variance of each g, it gains two digits a round. Where it gains less,
+    because other constraints hold that variance down, it grows.
     """
 
-    def penalised(point, multiplier):
-        excess = jnp.maximum(0.0, constraint(point) + multiplier / penalty)
+    def penalised(point, weighed):
+        multiplier, rho = weighed
+        excess = jnp.maximum(0.0, constraint(point) + multiplier / rho)
         value, detail = residual(point)
-        return jnp.concatenate([value, jnp.sqrt(penalty) * excess]), detail
+        return jnp.concatenate([value, jnp.sqrt(rho) * excess]), detail
 
     inner = optx.LevenbergMarquardt(EXACT, EXACT, linear_solver=lx.Normal(lx.Cholesky()))
 
     def update(carry):
-        outcome, number, _ = carry
+        outcome, rho, error, number, _ = carry
         solution = optx.least_squares(
             with_dense_derivative(penalised),
             NegligibleStep(inner=inner, tolerance=tolerance),
             outcome.point,
-            args=outcome.multiplier,
+            args=(outcome.multiplier, rho),
             has_aux=True,
             max_steps=STEPS,
             throw=False,
         )
         value = constraint(solution.value)
-        multiplier = jnp.maximum(0.0, outcome.multiplier + penalty * value)
-        # sqrt(rho) g is in units of noise, as the tolerance is.
-        change = jnp.abs(multiplier - outcome.multiplier) / jnp.sqrt(penalty)
+        multiplier = jnp.maximum(0.0, outcome.multiplier + rho * value)
+        # How far g <= 0 <= mu, g mu = 0 are from true; sqrt(rho) of it is in units of noise, as
+        # the tolerance is.
+        remaining = jnp.abs(multiplier - outcome.multiplier) / rho
+        apart = jnp.sqrt(rho) * remaining > tolerance
         following = Outcome(
             point=solution.value,
             detail=solution.aux,
@@ -79,16 +85,19 @@ def minimise(
             steps=outcome.steps + solution.stats["num_steps"],
             exhausted=solution.result == optx.RESULTS.nonlinear_max_steps_reached,
         )
-        unsettled = (change.max() > tolerance) | (value.max() > FEASIBLE)
-        return following, number + 1, unsettled
+        slow = apart & (remaining > SLOW * error)
+        unsettled = apart.any() | (value.max() > FEASIBLE)
+        return following, jnp.where(slow, STIFFER * rho, rho), remaining, number + 1, unsettled
 
     nothing = jnp.zeros_like(penalty)
     detail = jax.tree.map(
         lambda leaf: jnp.zeros(leaf.shape, leaf.dtype), jax.eval_shape(residual, start)[1]
     )
     before = Outcome(start, detail, nothing, jnp.array(jnp.inf), jnp.array(0), jnp.array(False))
-    outcome, _, _ = jax.lax.while_loop(
-        lambda carry: (carry[1] < rounds) & carry[2], update, (before, 0, jnp.array(True))
+    outcome, *_ = jax.lax.while_loop(
+        lambda carry: (carry[3] < rounds) & carry[4],
+        update,
+        (before, penalty, jnp.full_like(penalty, jnp.inf), 0, jnp.array(True)),
     )
     return outcome
 

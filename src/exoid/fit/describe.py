@@ -15,7 +15,6 @@ from exoid.physics.parameter import declarations
 from exoid.physics.torque import CycleTorque
 
 MISFIT = 1.2  # widening of the errors from which the model does not explain the data
-INSEPARABLE = 0.9  # correlation
 NO_RATIO = 1e-3  # a ratio below it, at a bound of zero, is the rounding of the bound
 RATIOS = {  # name: symbol, title, unit
     "gravity_over_inertia": ("m l g / J", "gravity over inertia", "1/s^2"),
@@ -73,7 +72,7 @@ def describe(
         torque_frequency=reading,
         other_reading_rmse=other_rmse,
         prior=problem.belief.note,
-        notes=notes(problem, ended, information, at_bound),
+        notes=notes(problem, ended, at_bound),
     )
 
 
@@ -224,23 +223,24 @@ def report(problem: Problem, ended: Ended) -> MultistartReport:
     )
 
 
-def notes(
-    problem: Problem, ended: Ended, information: Information, at_bound: set[str]
-) -> list[str]:
+def notes(problem: Problem, ended: Ended, at_bound: set[str]) -> list[str]:
     """What the user should know, in sentences."""
     said = []
+    guessed = [each for each in problem.movements if not each.kind_said]
+    if guessed:
+        each = ", ".join(f"{one.name} {one.kind}" for one in guessed)
+        said.append(f"the sidecar does not say how the leg was moved; by its motion: {each}.")
     if ended.noise_scale > MISFIT:
         said.append(
             "the residual is larger than the sensors' noise: standard errors are widened "
             f"{ended.noise_scale:.3g} times. Something is missing in the model, or the noise level "
             "is wrong."
         )
-        shared = information.correlation(*ended.local.ratios[:2])
-        if abs(shared) > INSEPARABLE:
+        if np.isfinite(problem.belief.limits.reach):
             said.append(
-                f"m l g / J and c / J can hardly be told apart here (correlation {shared:.3f}): what "
-                "the model misses moves both by more than their errors say. Drops from other "
-                "angles, or with a known mass, would separate them."
+                "m l g / J and c / J hold for a spring that is slack at full extension (Eq. 9). "
+                "With another rest angle they trade off against each other by more than their "
+                "errors say: drops from several angles, or with a known mass, tell them apart."
             )
     if not np.isfinite(problem.belief.limits.reach):
         said.append(

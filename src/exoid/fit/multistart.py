@@ -24,6 +24,7 @@ FIRST_HORIZON = 1.0  # s of every segment that a start sees first
 TETHERS = (60.0, 15.0)  # rad/s, of the first stage and the second; then free
 STIFF = 0.6  # greatest tether times step: Runge-Kutta carries it with room for the leg
 COARSE, FINE = 10.0, 1e-2  # tolerances, in units of noise
+LIMITED = 1e-3  # the same with limits: a multiplier of ten makes it 1e-3 of half a sum of squares
 ROUNDS = 10  # of multipliers; two digits a round
 FEASIBLE = 1e-4  # relative violation that is rounding of the multiplier method
 BATCH = 16  # lanes of start and segment at once: more leave the fast path of the compiled loop
@@ -250,7 +251,7 @@ def settle(problem: Problem, free: Solved, begin: Coordinates, scale: float) -> 
     shared = Shared(inertia, one.shared.gravity, one.shared.stiffness, one.shared.damping)
     starts = Coordinates(shared, mass, one.own)
     penalty = penalties(around(problem, free, best, scale))
-    asked = task(problem, 0.0, problem.steps, FINE, scale=scale, penalty=penalty)
+    asked = task(problem, 0.0, problem.steps, LIMITED, scale=scale, penalty=penalty)
     ended = advance(problem, starts, asked)
     feasible = np.where(ended.violation < FEASIBLE, finite(ended.loss), np.inf)
     chosen = feasible if np.isfinite(feasible).any() else finite(ended.loss)

@@ -24,6 +24,7 @@ from exoid.recording.condition import (
 from exoid.recording.recording import Recording, Samples, Segment, Sensors
 
 LONGEST_STEP = 0.02  # s; a gap or slow sampling is bridged by samples that weigh nothing
+FEWEST = 10  # samples that a movement must have to be fitted
 SETTLING = 0.15  # s of rest before a cycle below which its clock starts with the segment
 GUIDE_WIDTH = 0.06  # s, over which angle and velocity are smoothed to guide a start
 
@@ -54,6 +55,7 @@ class Movement:
 
     name: str  # of the recording, and the segment's number in it
     kind: str  # passive, active or measured
+    kind_said: bool  # by the sidecar; otherwise it was taken from the shape of the motion
     segment: Segment
     angle: Samples  # rad, the channel that is fitted
     angular_velocity: Samples | None
@@ -76,53 +78,71 @@ class Movement:
 
 
 def movement(recording: Recording, number: int, name: str) -> Movement:
-    """Condition one segment: choose its channels, clip its ends, find its clock and its noise."""
-    segment = recording.segments[number]
-    kind = recording.kind(number) or classify(segment) or "passive"
+    """Condition one segment: choose its channels, clip its ends, find its clock and its noise.
+
+    **Raises** `ValueError` where nothing moves, or a torque or a distance is missing.
+    """
+    segment, said = recording.segments[number], recording.kind(number)
+    kind = said or classify(segment) or "passive"
     if kind == "measured" and segment.applied_torque is None:
-        raise ValueError(f"{name} is said to be measured, but has no torque_nm column.")
-    period = recording.cycle_period(number)
-    onset = 0.0
-    if kind == "active":
-        period = measure_period(segment) if period is None else period
-        onset = find_onset(segment)
-        part = clip(best_velocity(segment))
-        stop = int(np.searchsorted(segment.time, onset + period, side="right"))
-        part = slice(part.start, min(part.stop, stop))
-    else:
-        part = clip(best_velocity(segment)) if kind == "passive" else slice(0, segment.time.size)
-    if part.stop - part.start < 10:
-        raise ValueError(f"{name} keeps {part.stop - part.start} samples of movement: too few.")
+        raise ValueError(f"segment {name} is said to be measured, but has no torque_nm column.")
+    part, onset, period = extent(segment, kind, recording.cycle_period(number), name)
     clipped = cut(segment, part)
     raw = clipped.raw_angle is not None
     angle = clipped.raw_angle if raw else clipped.angle
     velocity = clipped.raw_angular_velocity if raw else clipped.angular_velocity
-    mass = recording.added_mass(number)
-    distance = recording.added_mass_distance(number)
+    mass, distance = recording.added_mass(number), recording.added_mass_distance(number)
     if mass > 0 and distance is None:
-        raise ValueError(f"{name} carries {mass:g} kg; give added_mass_distance_m too.")
-    assert angle is not None
+        raise ValueError(f"segment {name} carries {mass:g} kg; give added_mass_distance_m too.")
+    assert angle is not None  # a Segment has one or the other
     return Movement(
         name=name,
         kind=kind,
+        kind_said=said is not None,
         segment=clipped,
         angle=angle,
         angular_velocity=velocity,
         filtered=not raw,
         angle_noise=angle_noise(recording.sensors, angle),
         velocity_noise=velocity_noise(recording.sensors, velocity),
-        onset=onset - float(segment.time[part.start] - segment.time[0]),
-        period=np.nan if period is None else period,
+        onset=onset - float(segment.time[part.start]),
+        period=period,
         added_mass=mass,
         added_mass_distance=distance or 0.0,
     )
 
 
+def extent(
+    segment: Segment, kind: str, period: float | None, name: str
+) -> tuple[slice, float, float]:
+    """The samples to fit, and of a cycle when its clock starts [s] and how long it runs [s].
+
+    Ends slower than 20 deg/s are cut off; a cycle also ends after its period, when it is caught.
+    What a measured torque moves is kept whole: its rest tells about the torque.
+    """
+    if kind == "measured":
+        return slice(0, segment.time.size), 0.0, np.nan
+    part = clip(best_velocity(segment))
+    onset = float(segment.time[0])
+    if kind == "active":
+        onset = find_onset(segment)
+        period = measure_period(segment) if period is None else period
+        stop = int(np.searchsorted(segment.time, onset + period, side="right"))
+        part = slice(part.start, min(part.stop, stop))
+    if part.stop - part.start < FEWEST:
+        raise ValueError(
+            f"segment {name} moves faster than 20 deg/s in {max(part.stop - part.start, 0)} "
+            f"samples; {FEWEST} are the least. Check its marks, its period and its units."
+        )
+    return part, onset, np.nan if period is None else period
+
+
 def find_onset(segment: Segment) -> float:
     """When the movement begins [s]: after the rest in front of it, or with the segment."""
     found = movements(segment)
-    first = float(segment.time[found[0].start]) if found else 0.0
-    return first if first > SETTLING else float(segment.time[0])
+    begin = float(segment.time[0])
+    first = float(segment.time[found[0].start]) if found else begin
+    return first if first > begin + SETTLING else begin
 
 
 def angle_noise(sensors: Sensors, angle: Samples) -> float:

@@ -34,13 +34,6 @@ class Information:
         """The standard error without any prior; inf where motion cannot tell."""
         return spread(self.likelihood, self.free, gradient)
 
-    def correlation(self, one: np.ndarray, other: np.ndarray) -> float:
-        """Between two quantities with these gradients; nan where either is not determined."""
-        first, second = self.standard_error(one), self.standard_error(other)
-        if not (0 < first < np.inf and 0 < second < np.inf):
-            return np.nan
-        return self.standard_error(one / first + other / second) ** 2 / 2 - 1
-
     def needs_bound(self, gradient: Float[np.ndarray, " coordinate"]) -> bool:
         """Is it a bound that lets the data tell this?"""
         everything = np.eye(gradient.size)

@@ -1,0 +1,47 @@
+"""What the README shows runs as it stands."""
+
+import re
+from pathlib import Path
+
+import jax
+import numpy as np
+import pytest
+
+import exoid
+from exoid.physics.leg import LegModel, LegParameters
+from exoid.physics.torque import NoTorque
+from exoid.twin.motion import Movement
+from exoid.twin.protocols import record
+
+README = Path(__file__).parents[1] / "README.md"
+BLOCKS = re.findall(r"```python\n(.*?)```", README.read_text(encoding="utf-8"), re.DOTALL)
+
+
+@pytest.fixture
+def folder_with_a_drop(tmp_path, monkeypatch):
+    leg = LegParameters(*map(np.asarray, (4.5, 0.44, 0.265, 0.35, 2.8)))
+    movement = Movement(start_angle=-0.3, duration=3.0)
+    recording = record(LegModel(leg, NoTorque()), [movement], jax.random.key(0))
+    exoid.write_table(recording, tmp_path / "drop.csv")
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+@pytest.mark.slow
+def test_the_library_examples_run(folder_with_a_drop):
+    assert len(BLOCKS) == 2
+    for block in BLOCKS:
+        exec(compile(block, "README.md", "exec"), {})
+    assert (folder_with_a_drop / "fit.pdf").stat().st_size > 1000
+
+
+def test_every_option_it_names_exists():
+    from typer.main import get_command
+
+    from exoid.cli.app import app
+
+    commands = get_command(app).commands  # type: ignore[attr-defined]
+    known = {name for each in commands.values() for entry in each.params for name in entry.opts}
+    for line in re.findall(r"^.*\bexoid (?:fit|simulate).*$", README.read_text(), re.MULTILINE):
+        for option in re.findall(r"(?<![\w-])--[a-z][a-z-]*", line.split("exoid ", 1)[1]):
+            assert option in known | {"--help"}, line
