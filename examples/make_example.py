@@ -19,7 +19,7 @@ import exoid
 from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.torque import NoTorque
 from exoid.recording.recording import Protocol, Recording, Subject
-from exoid.recording.table import write_sidecar
+from exoid.recording.sidecar import write_sidecar
 from exoid.twin.frames import frames
 from exoid.twin.motion import Movement
 from exoid.twin.protocols import session

@@ -74,7 +74,7 @@ def test_a_bound_does_not_claim_what_the_data_tell_without_it():
 
 @pytest.mark.parametrize(
     ("deviation", "expected"),
-    [(0.3, "data"), (0.02, "both"), (0.001, "prior")],  # of the prior; the data have 0.0141
+    [(0.3, "data"), (0.03, "both"), (0.001, "prior")],  # of the prior; the data have 0.0141
 )
 def test_who_determined_a_value_is_whose_information_is_greater(deviation, expected):
     data, _ = line()

@@ -13,7 +13,8 @@ from hypothesis import strategies as st
 
 from exoid.recording import table
 from exoid.recording.recording import Protocol, Recording, Segment, Sensors, Subject, known
-from exoid.recording.table import read_sidecar, read_table, write_sidecar, write_table
+from exoid.recording.sidecar import read_sidecar, write_sidecar
+from exoid.recording.table import read_table, write_table
 
 DATA = Path(__file__).parents[3] / "shared" / "data"
 REAL = ["knee-drop", "motor-ringing", "motor-swing", "servo-drop"]

@@ -8,7 +8,7 @@ from jaxtyping import Float
 Source = Literal["data", "prior", "both", "bound"]
 
 UNDETERMINED = 1e-3  # information per typical step squared: an error of thirty typical steps
-ON_BOUND = 1e-6  # relative size of what is left of a gradient, below which it is rounding
+ON_BOUND = 1e-4  # relative size of what is left of a gradient where an end point lies on a limit
 FROM_DATA = 0.9  # share of the precision above which the data alone determined a value
 FROM_PRIOR = 0.5  # of its prior's standard deviation, above which the data hardly narrowed it
 
@@ -81,7 +81,7 @@ def source(
     return "prior" if error >= FROM_PRIOR * prior_deviation else "both"
 
 
-def noise_scale(residuals: list[Float[np.ndarray, " sample"]], unknowns: int) -> float:
+def noise_scale(residuals: list[np.ndarray], unknowns: int) -> float:
     """How much larger than the noise the residual is, as it counts for standard errors.
 
     1 where the model explains the data. Where it does not, chi per degree of freedom times the

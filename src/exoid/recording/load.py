@@ -6,7 +6,8 @@ from pathlib import Path
 from exoid.recording.can_quality import LogQuality
 from exoid.recording.condition import split
 from exoid.recording.recording import Protocol, Recording, Sensors, Subject
-from exoid.recording.table import read_sidecar, read_table
+from exoid.recording.sidecar import read_sidecar
+from exoid.recording.table import read_table
 
 TABLE_SUFFIX = ".csv"
 LOG_HEADER = b"timestamp,"  # of python-can's own .csv

@@ -6,35 +6,27 @@ Commas and decimal points only: a semicolon or a decimal comma is refused, never
 
 import csv
 import io
-import os
 import re
-import tomllib
 from collections import Counter
-from collections.abc import Iterable, Mapping
-from contextlib import contextmanager
+from collections.abc import Iterable
 from dataclasses import replace
 from itertools import chain
 from pathlib import Path
-from types import NoneType
-from typing import Any, get_args, get_origin
 
 import numpy as np
 
 from exoid.recording.recording import (
     BadSample,
-    Protocol,
     Recording,
     Segment,
-    Sensors,
     Subject,
-    check_entry,
     known,
 )
+from exoid.recording.sidecar import no_keys, read_keys, sidecar_text
+from exoid.recording.text_file import Notes, naming, near, read_text, replace_files
 
-Notes = tuple[str, ...]
 Cells = np.ndarray | tuple[str, ...]  # a known column as numbers, an unknown one as its text
 
-TABLES = {"subject": Subject, "protocol": Protocol, "sensors": Sensors}
 CHANNELS = {entry.metadata["column"]: entry.name for entry in known(Segment)}
 IN_DEGREES = {name.replace("_rad", "_deg"): name for name in CHANNELS if "_rad" in name}
 NUMERIC = {*CHANNELS, *IN_DEGREES, "segment"}
@@ -70,15 +62,6 @@ def read_table(path: str | Path) -> tuple[Recording, Notes]:
     return recording, tuple(f"{path}: {note}" for note in notes) + key_notes
 
 
-def read_sidecar(path: str | Path) -> tuple[Subject, Protocol, Sensors, Notes]:
-    """What NAME.toml says, and what its owner should be told; for a log whose segments are unknown.
-
-    Lists of one value per segment are not counted here: `Recording` does that.
-    """
-    tables, _, notes = read_keys(Path(path))
-    return tables["subject"], tables["protocol"], tables["sensors"], notes
-
-
 def write_table(recording: Recording, path: str | Path) -> None:
     """Writes NAME.csv and NAME.toml, such that `read_table` gives back every number and key.
 
@@ -91,46 +74,6 @@ def write_table(recording: Recording, path: str | Path) -> None:
     tables = (recording.subject, recording.protocol, recording.sensors)
     sidecar = sidecar_text(*tables, recording.extra_tables)
     replace_files({path.with_suffix(".toml"): [sidecar], path: table_lines(recording)})
-
-
-def write_sidecar(
-    subject: Subject,
-    protocol: Protocol,
-    sensors: Sensors,
-    path: str | Path,
-    extra_tables: Mapping[str, Any] | None = None,
-) -> None:
-    """Writes NAME.toml, in full or not at all."""
-    replace_files({Path(path): [sidecar_text(subject, protocol, sensors, extra_tables or {})]})
-
-
-@contextmanager
-def naming(path: Path):
-    """Puts the name of the file before what is wrong in it."""
-    try:
-        yield
-    except ValueError as error:
-        raise ValueError(f"{path}: {error}") from error
-
-
-def read_text(path: Path) -> str:
-    """The text of a file, with plain line ends and without a byte order mark."""
-    if path.is_dir():
-        raise ValueError("this is a directory. Name the file in it.")
-    try:
-        content = path.read_bytes()
-    except OSError as error:
-        raise ValueError(f"cannot be read: {error.strerror}. Check the name.") from error
-    try:
-        text = content.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise ValueError(
-            f"is not UTF-8 text (byte {content[error.start]:#04x} at {error.start}). "
-            "Export it as CSV in UTF-8."
-        ) from error
-    if "\0" in text:
-        raise ValueError("holds binary data, not text. Export it as CSV in UTF-8.")
-    return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
 def parse_table(text: str) -> tuple[dict[str, Cells], Notes]:
@@ -308,84 +251,6 @@ def cut(columns: dict[str, Cells], rows: slice) -> Segment:
     return Segment(**channels, extra_columns=extra)
 
 
-def near(name: str, names: Iterable[str]) -> str:
-    """The known name that an unknown one resembles, as a question."""
-    import difflib  # only a file with a typo pays for it
-
-    alike = difflib.get_close_matches(name.lower(), sorted(names), 1, 0.6)
-    return f" Did you mean {alike[0]}?" if alike else ""
-
-
-def no_keys() -> tuple[dict[str, Any], dict[str, Any], Notes]:
-    return {name: kind() for name, kind in TABLES.items()}, {}, ()
-
-
-def read_keys(path: Path) -> tuple[dict[str, Any], dict[str, Any], Notes]:
-    """The known tables by name, the unknown ones as they are, and the notes."""
-    with naming(path):
-        try:
-            document = tomllib.loads(read_text(path))
-        except tomllib.TOMLDecodeError as error:
-            raise ValueError(f"is not valid TOML: {error}.") from error
-        tables = {name: parse_keys(name, document.get(name, {})) for name in TABLES}
-        extra = {name: value for name, value in document.items() if name not in TABLES}
-        notes = [f"unknown [{name}] is kept.{near(name, TABLES)}" for name in extra]
-        for name, table in tables.items():
-            notes += [f"unknown {key} in [{name}] is kept.{place(key)}" for key in table.extra_keys]
-    return tables, extra, tuple(f"{path}: {note}" for note in notes)
-
-
-def parse_keys(name: str, document: Any):
-    """One table of the sidecar, its known keys checked, its unknown ones kept."""
-    if not isinstance(document, dict):
-        raise ValueError(f"{name} must be a table: write [{name}] and its keys below.")
-    entries = {entry.metadata["key"]: entry for entry in known(TABLES[name])}
-    values = {
-        entries[key].name: parse_entry(f"{key} in [{name}]", entries[key], value)
-        for key, value in document.items()
-        if key in entries
-    }
-    extra = {key: value for key, value in document.items() if key not in entries}
-    return TABLES[name](**values, extra_keys=extra)
-
-
-def place(key: str) -> str:
-    """Where an unknown key may belong."""
-    keys = {e.metadata["key"]: name for name, table in TABLES.items() for e in known(table)}
-    return f" It belongs in [{keys[key]}]." if key in keys else near(key, keys)
-
-
-def parse_entry(where: str, entry, value: Any):
-    """One key: of the type its field declares, a list only where segments may differ."""
-    shapes = [get_origin(shape) is tuple for shape in get_args(entry.type) if shape is not NoneType]
-    if isinstance(value, list):
-        if not any(shapes):
-            raise ValueError(f"{where} is a list; it takes one value.")
-        if not value:
-            raise ValueError(f"{where} is an empty list. Leave the key out.")
-        result = tuple(parse_value(where, entry.metadata, each) for each in value)
-    elif all(shapes):
-        raise ValueError(f"{where} takes a list, one value per segment.")
-    else:
-        result = parse_value(where, entry.metadata, value)
-    check_entry(entry.metadata, result, None)
-    return result
-
-
-def parse_value(where: str, meta: Mapping[str, Any], value: Any) -> float | str | bool:
-    number = "lower" in meta
-    wanted, word = (
-        ((int, float), "a number, without quotes")
-        if number
-        else (str, "a text in quotes")
-        if "choices" in meta
-        else (bool, "true or false")
-    )
-    if not isinstance(value, wanted) or (number and isinstance(value, bool)):
-        raise ValueError(f"{where} is {value!r:.60}; it must be {word}.")
-    return float(min(max(value, -1e300), 1e300)) if number and value == value else value
-
-
 def table_lines(recording: Recording) -> Iterable[str]:
     """The CSV, segment by segment: numbers as short as they are exact, missing samples empty."""
     names = [
@@ -415,36 +280,3 @@ def as_csv(rows: Iterable[Iterable[str]]) -> str:
     text = io.StringIO()
     csv.writer(text, lineterminator="\n").writerows(rows)
     return text.getvalue()
-
-
-def sidecar_text(subject, protocol, sensors, extra_tables: Mapping[str, Any]) -> str:
-    import tomli_w  # only writing needs it
-
-    tables = {
-        name: written(table)
-        for name, table in zip(TABLES, (subject, protocol, sensors), strict=True)
-    }
-    return tomli_w.dumps({name: keys for name, keys in tables.items() if keys} | {**extra_tables})
-
-
-def written(table) -> dict[str, Any]:
-    """A table's known keys in plain Python types, then the unknown ones as they were."""
-    values = {entry.metadata["key"]: getattr(table, entry.name) for entry in known(table)}
-    plain = {key: np.asarray(v).tolist() for key, v in values.items() if v is not None}
-    return plain | {**table.extra_keys}
-
-
-def replace_files(contents: Mapping[Path, Iterable[str]]) -> None:
-    """Writes every file beside its target, and only when all are complete puts them in place."""
-    beside = {path: path.with_name(f".{path.name}.{os.getpid()}.part") for path in contents}
-    try:
-        for path, parts in contents.items():
-            with beside[path].open("w", encoding="utf-8", newline="") as file:
-                file.writelines(parts)
-                file.flush()
-                os.fsync(file.fileno())
-        for path, part in beside.items():
-            part.replace(path)
-    finally:
-        for part in beside.values():
-            part.unlink(missing_ok=True)

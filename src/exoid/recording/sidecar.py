@@ -1,0 +1,121 @@
+"""What is known of a recording, in NAME.toml; its keys are those that `recording.py` declares."""
+
+import tomllib
+from collections.abc import Mapping
+from pathlib import Path
+from types import NoneType
+from typing import Any, get_args, get_origin
+
+import numpy as np
+
+from exoid.recording.recording import Protocol, Sensors, Subject, check_entry, known
+from exoid.recording.text_file import Notes, naming, near, read_text, replace_files
+
+TABLES = {"subject": Subject, "protocol": Protocol, "sensors": Sensors}
+
+
+def read_sidecar(path: str | Path) -> tuple[Subject, Protocol, Sensors, Notes]:
+    """What NAME.toml says, and what its owner should be told; for a log whose segments are unknown.
+
+    Lists of one value per segment are not counted here: `Recording` does that.
+    """
+    tables, _, notes = read_keys(Path(path))
+    return tables["subject"], tables["protocol"], tables["sensors"], notes
+
+
+def write_sidecar(
+    subject: Subject,
+    protocol: Protocol,
+    sensors: Sensors,
+    path: str | Path,
+    extra_tables: Mapping[str, Any] | None = None,
+) -> None:
+    """Writes NAME.toml, in full or not at all."""
+    replace_files({Path(path): [sidecar_text(subject, protocol, sensors, extra_tables or {})]})
+
+
+def no_keys() -> tuple[dict[str, Any], dict[str, Any], Notes]:
+    return {name: kind() for name, kind in TABLES.items()}, {}, ()
+
+
+def read_keys(path: Path) -> tuple[dict[str, Any], dict[str, Any], Notes]:
+    """The known tables by name, the unknown ones as they are, and the notes."""
+    with naming(path):
+        try:
+            document = tomllib.loads(read_text(path))
+        except tomllib.TOMLDecodeError as error:
+            raise ValueError(f"is not valid TOML: {error}.") from error
+        tables = {name: parse_keys(name, document.get(name, {})) for name in TABLES}
+        extra = {name: value for name, value in document.items() if name not in TABLES}
+        notes = [f"unknown [{name}] is kept.{near(name, TABLES)}" for name in extra]
+        for name, table in tables.items():
+            notes += [f"unknown {key} in [{name}] is kept.{place(key)}" for key in table.extra_keys]
+    return tables, extra, tuple(f"{path}: {note}" for note in notes)
+
+
+def parse_keys(name: str, document: Any):
+    """One table of the sidecar, its known keys checked, its unknown ones kept."""
+    if not isinstance(document, dict):
+        raise ValueError(f"{name} must be a table: write [{name}] and its keys below.")
+    entries = {entry.metadata["key"]: entry for entry in known(TABLES[name])}
+    values = {
+        entries[key].name: parse_entry(f"{key} in [{name}]", entries[key], value)
+        for key, value in document.items()
+        if key in entries
+    }
+    extra = {key: value for key, value in document.items() if key not in entries}
+    return TABLES[name](**values, extra_keys=extra)
+
+
+def place(key: str) -> str:
+    """Where an unknown key may belong."""
+    keys = {e.metadata["key"]: name for name, table in TABLES.items() for e in known(table)}
+    return f" It belongs in [{keys[key]}]." if key in keys else near(key, keys)
+
+
+def parse_entry(where: str, entry, value: Any):
+    """One key: of the type its field declares, a list only where segments may differ."""
+    shapes = [get_origin(shape) is tuple for shape in get_args(entry.type) if shape is not NoneType]
+    if isinstance(value, list):
+        if not any(shapes):
+            raise ValueError(f"{where} is a list; it takes one value.")
+        if not value:
+            raise ValueError(f"{where} is an empty list. Leave the key out.")
+        result = tuple(parse_value(where, entry.metadata, each) for each in value)
+    elif all(shapes):
+        raise ValueError(f"{where} takes a list, one value per segment.")
+    else:
+        result = parse_value(where, entry.metadata, value)
+    check_entry(entry.metadata, result, None)
+    return result
+
+
+def parse_value(where: str, meta: Mapping[str, Any], value: Any) -> float | str | bool:
+    number = "lower" in meta
+    wanted, word = (
+        ((int, float), "a number, without quotes")
+        if number
+        else (str, "a text in quotes")
+        if "choices" in meta
+        else (bool, "true or false")
+    )
+    if not isinstance(value, wanted) or (number and isinstance(value, bool)):
+        raise ValueError(f"{where} is {value!r:.60}; it must be {word}.")
+    return float(min(max(value, -1e300), 1e300)) if number and value == value else value
+
+
+def sidecar_text(subject, protocol, sensors, extra_tables: Mapping[str, Any]) -> str:
+    import tomli_w  # only writing needs it
+
+    tables = {
+        name: written(table)
+        for name, table in zip(TABLES, (subject, protocol, sensors), strict=True)
+    }
+    return tomli_w.dumps({name: keys for name, keys in tables.items() if keys} | {**extra_tables})
+
+
+def written(table) -> dict[str, Any]:
+    """A table's known keys in plain Python types, then the unknown ones as they were."""
+    values = {entry.metadata["key"]: getattr(table, entry.name) for entry in known(table)}
+    plain = {key: np.asarray(v).tolist() for key, v in values.items() if v is not None}
+    return plain | {**table.extra_keys}

@@ -1,0 +1,61 @@
+"""Text files: read with a reason where they cannot be, and written in full or not at all."""
+
+import os
+from collections.abc import Iterable, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+
+Notes = tuple[str, ...]
+
+
+@contextmanager
+def naming(path: Path):
+    """Puts the name of the file before what is wrong in it."""
+    try:
+        yield
+    except ValueError as error:
+        raise ValueError(f"{path}: {error}") from error
+
+
+def read_text(path: Path) -> str:
+    """The text of a file, with plain line ends and without a byte order mark."""
+    if path.is_dir():
+        raise ValueError("this is a directory. Name the file in it.")
+    try:
+        content = path.read_bytes()
+    except OSError as error:
+        raise ValueError(f"cannot be read: {error.strerror}. Check the name.") from error
+    try:
+        text = content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise ValueError(
+            f"is not UTF-8 text (byte {content[error.start]:#04x} at {error.start}). "
+            "Export it as CSV in UTF-8."
+        ) from error
+    if "\0" in text:
+        raise ValueError("holds binary data, not text. Export it as CSV in UTF-8.")
+    return text.replace("\r\n", "\n").replace("\r", "\n")
+
+
+def near(name: str, names: Iterable[str]) -> str:
+    """The known name that an unknown one resembles, as a question."""
+    import difflib  # only a file with a typo pays for it
+
+    alike = difflib.get_close_matches(name.lower(), sorted(names), 1, 0.6)
+    return f" Did you mean {alike[0]}?" if alike else ""
+
+
+def replace_files(contents: Mapping[Path, Iterable[str]]) -> None:
+    """Writes every file beside its target, and only when all are complete puts them in place."""
+    beside = {path: path.with_name(f".{path.name}.{os.getpid()}.part") for path in contents}
+    try:
+        for path, parts in contents.items():
+            with beside[path].open("w", encoding="utf-8", newline="") as file:
+                file.writelines(parts)
+                file.flush()
+                os.fsync(file.fileno())
+        for path, part in beside.items():
+            part.replace(path)
+    finally:
+        for part in beside.values():
+            part.unlink(missing_ok=True)
