@@ -11,7 +11,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from exoid.recording import table
 from exoid.recording.recording import Protocol, Recording, Segment, Sensors, Subject, known
 from exoid.recording.sidecar import read_sidecar, write_sidecar
 from exoid.recording.table import read_table, write_table
@@ -403,7 +402,7 @@ def test_a_failure_leaves_the_files_that_were_there(tmp_path, monkeypatch):
     def full(*_):
         raise OSError("no space left on device")
 
-    monkeypatch.setattr(table.os, "fsync", full)
+    monkeypatch.setattr("exoid.recording.text_file.os.fsync", full)
     with pytest.raises(OSError, match="no space left"):
         write_table(drop(), path)
     assert {file: file.read_bytes() for file in tmp_path.iterdir()} == before
