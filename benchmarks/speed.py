@@ -34,7 +34,8 @@ at best: share of starts within 0.1 % of the method's own best cost, 0 where tha
 than 1 % above the best of all. excess: the method's best cost over the best of all, by one
 function on all samples.
 times exoid: the method's median over exoid's, and its fastest run over exoid's fastest, which other
-load on the machine disturbs less.
+load on the machine disturbs less. Two processes gain only where both cores are idle.
+Load before: {load:.2f} on {cores} cores.
 """
 
 
@@ -128,7 +129,8 @@ def main() -> None:
     parser.add_argument("--json", type=Path, help="the rows, for machines")
     options = parser.parse_args()
     jax.config.update("jax_enable_x64", True)
-    print(HEADER.format(seed=SEED))
+    load, cores = os.getloadavg()[0], os.cpu_count()
+    print(HEADER.format(seed=SEED, load=load, cores=cores), flush=True)
     with tempfile.TemporaryDirectory() as folder, get_context("spawn").Pool(2) as pool:
         rows = []
         for case in cases(options.quick, Path(folder), pool.map):

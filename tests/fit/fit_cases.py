@@ -1,7 +1,5 @@
 """Legs, motions and recordings that the tests of the fit share. Few lengths: each compiles anew."""
 
-from dataclasses import replace
-
 import jax
 import jax.numpy as jnp
 import numpy as np
@@ -68,16 +66,3 @@ def coordinates_of(parameters: LegParameters, own: list[tuple[float, float, floa
         np.log(j), np.asarray(m * l * GRAVITY / j), np.asarray(c / j), np.asarray(d / j)
     )
     return Coordinates(shared, np.log(m), Own(torque / j, angle, velocity))
-
-
-def without_sample_noise(recording: Recording, generator: np.random.Generator) -> Recording:
-    """The same recording with another draw of the declared noise on top."""
-    segments = tuple(
-        replace(
-            segment,
-            raw_angle=segment.raw_angle
-            + NOISE.angle_noise * generator.normal(size=segment.time.size),
-        )
-        for segment in recording.segments
-    )
-    return replace(recording, segments=segments)

@@ -18,6 +18,7 @@ from exoid.physics.torque import MeasuredTorque, NoTorque
 from exoid.recording.recording import Recording, Segment, Subject
 from exoid.recording.table import read_table
 from exoid.twin.motion import Movement
+from exoid.twin.protocols import record
 
 RIG = Subject(kind="rig")
 NOBODY = Subject(kind="leg")
@@ -138,8 +139,6 @@ def test_a_leg_of_unknown_body_says_how_to_make_it_known():
 
 @pytest.mark.parametrize("reading", ["1/T", "2/T"])
 def test_both_readings_of_eq_4_are_tried_and_the_right_one_is_named(reading):
-    from exoid.twin.protocols import record
-
     made = record(
         LegModel(leg(), NoTorque()),
         (replace(CYCLE, amplitude=-6.0),),

@@ -108,13 +108,15 @@ def test_the_tether_pulls_a_wrong_leg_to_the_guide_with_its_square():
 
 
 def test_a_right_leg_feels_no_tether():
-    """Lines over w = 60 ms put the guide up to w^2/24 phi'' = 4 mrad from the motion."""
+    """The guide's slope is that of 30 ms later at its beginning: off by 30 ms phi'' = 0.8 rad/s for
+    some 30 ms, 20 mrad at most. A wrong leg strays by ten times as much.
+    """
     segment = exact(LegModel(leg(), NoTorque()), state(-0.2, -0.5), TIME)
     each, seen = seen_by_the_fit(one(segment))
     start = (0.0, float(each.angle[0]), float(each.angular_velocity[0]))
     right = coordinates_of(leg(), [start])
     tied, free = (predicted(right, seen, each, tether=w).angle for w in (20.0, FREE))
-    assert np.abs(tied - free).max() < 6e-3
+    assert np.abs(tied - free).max() < 2e-2
 
 
 def test_the_moving_average_of_the_simulation_is_that_of_the_recording():

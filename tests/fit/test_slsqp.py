@@ -19,10 +19,10 @@ STARTS = np.array(
 )
 
 
-def both(recording, **options):
+def both(recording, starts=STARTS[:1], **options):
     return (
         fit(recording, multistart=8, **options),
-        fit(recording, method="slsqp", starts=STARTS, **options),
+        fit(recording, method="slsqp", starts=starts, **options),
     )
 
 
@@ -41,7 +41,7 @@ def agree(one, other):
 
 
 def test_both_methods_agree_on_a_cycle():
-    one, other = both(recorded(CYCLE))
+    one, other = both(recorded(CYCLE), STARTS)
     agree(one, other)
     assert other.multistart.at_best == len(STARTS)
 

@@ -5,48 +5,80 @@ import sys
 
 # Small matrices only: threads of the linear algebra library cost more than they bring.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+# XLA writes about its own affairs to stderr, past Python.
+os.environ.setdefault("TF_CPP_MIN_LOG_LEVEL", "3")
+
+INTERRUPTED = 130  # as shells have it: 128 and the number of the signal
 
 
 def main() -> None:
     """Run a command. Bad input ends with one line and exit code 2, a failed computation with 1."""
-    from exoid.cli.app import app
-
     try:
-        app(standalone_mode=False)
-        code = 0
-    except (Exception, KeyboardInterrupt) as fault:
+        silence_libraries()
+        from exoid.cli.app import app
+
+        code = app(standalone_mode=False) or 0
+        sys.stdout.flush()
+        if code == INTERRUPTED:
+            code = explain(KeyboardInterrupt())
+    except (Exception, KeyboardInterrupt, SystemExit) as fault:
         code = explain(fault)
-    sys.stdout.flush()
-    sys.stderr.flush()
     # Tearing down XLA takes a third of a second that nobody needs to wait for.
     os._exit(code)
 
 
+def silence_libraries() -> None:
+    """What libraries tell developers is not for users; PYTHONWARNINGS still shows it."""
+    import logging
+    import warnings
+
+    logging.getLogger().addHandler(logging.NullHandler())
+    if not sys.warnoptions:
+        warnings.simplefilter("ignore")
+
+
 def explain(fault: BaseException) -> int:
-    """Say what went wrong, in one line where the user can mend it; the exit code."""
-    from typer import Abort, Exit
+    """Say what went wrong, in one line; the exit code."""
+    from typer import Abort
+
+    if isinstance(fault, SystemExit | BrokenPipeError):  # the reader of our output has seen enough
+        return 0
+    if isinstance(fault, Abort | KeyboardInterrupt):
+        return complain("interrupted", INTERRUPTED)
+    if isinstance(fault, ArithmeticError) and not isinstance(fault, ZeroDivisionError):
+        return complain(fault, 1)
+    if isinstance(fault, MemoryError) or "RESOURCE_EXHAUSTED" in str(fault):
+        return complain("out of memory: use fewer starts, or shorter recordings.", 1)
+    if isinstance(fault, ValueError | OSError):
+        return complain(one_line(fault), 2)
+    return explain_usage(fault)
+
+
+def explain_usage(fault: BaseException) -> int:
+    """What is wrong in the command line itself; anything else is a fault of ours, and is raised."""
     from typer.exceptions import TyperException
 
-    if isinstance(fault, Exit):
-        return fault.exit_code
-    if isinstance(fault, TyperException):
-        fault.show()
+    if not isinstance(fault, TyperException):
+        raise fault
+    message = " ".join(fault.format_message().replace("Value error, ", "").split())
+    context = getattr(fault, "ctx", None)
+    if context is None:
+        return complain(message, 2)
+    if message == " ".join(context.get_help().split()):  # no command was given
+        print(context.get_help(), file=sys.stderr)
         return 2
-    if isinstance(fault, Abort | KeyboardInterrupt):
-        return 130
-    if isinstance(fault, BrokenPipeError):  # the reader of our output has seen enough
-        return 0
-    if isinstance(fault, ArithmeticError) and not isinstance(fault, ZeroDivisionError):
-        print(f"exoid: {fault}", file=sys.stderr)
-        return 1
-    if isinstance(fault, ValueError | OSError):
-        print(f"exoid: {one_line(fault)}", file=sys.stderr)
-        return 2
-    raise fault
+    return complain(f"{message.rstrip('.')}. Try '{context.command_path} --help'.", 2)
+
+
+def complain(message: object, code: int) -> int:
+    print(f"exoid: {message}", file=sys.stderr, flush=True)
+    return code
 
 
 def one_line(fault: Exception) -> str:
-    """The message; an error of the operating system as "FILE: reason"."""
-    if isinstance(fault, OSError) and fault.strerror:
-        return f"{fault.filename}: {fault.strerror}" if fault.filename else fault.strerror
-    return " ".join(str(fault).split())
+    """The message; an error of the operating system as "FILE: reason. What to do."."""
+    if not isinstance(fault, OSError) or not fault.strerror:
+        return " ".join(str(fault).split())
+    hint = " Check the name." if isinstance(fault, FileNotFoundError) else ""
+    said = f"{fault.strerror}.{hint}"
+    return f"{fault.filename}: {said}" if fault.filename else said

@@ -1,11 +1,20 @@
 """exoid simulate: from parameters to a recording."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
+from exoid.cli.body import given_body
+from exoid.cli.destination import check_destination
+from exoid.cli.waiting import patiently
+
 ANKLE = 0.40  # m
+TINY, HUGE = 1e-3, 1e3  # of a leg's parameters in SI units; beyond them the steps are too coarse
+LOWEST, HIGHEST = -180.0, 20.0  # deg, of a start; a drop from there stays within a knee's reach
+STRONGEST = 250.0  # N m
+LONGEST = 120.0  # s, of a movement
 
 
 def simulate(
@@ -24,15 +33,15 @@ def simulate(
         typer.Option(help="A voluntary cycle from this angle [deg], Eq. 10; repeat."),
     ] = None,
     torque_amplitude: Annotated[float, typer.Option(help="tau of the cycles [N m]")] = -9.5,
-    period: Annotated[float, typer.Option(min=0.2, help="T of the cycles [s]")] = 1.8,
-    duration: Annotated[float, typer.Option(min=0.5, help="Of each drop [s]")] = 6.0,
-    added_mass: Annotated[float, typer.Option(min=0.0, help="At the ankle [kg]")] = 0.0,
+    period: Annotated[float, typer.Option(min=0.2, max=LONGEST, help="T of the cycles [s]")] = 1.8,
+    duration: Annotated[float, typer.Option(min=0.5, max=LONGEST, help="Of each drop [s]")] = 6.0,
+    added_mass: Annotated[float, typer.Option(min=0.0, max=50.0, help="At the ankle [kg]")] = 0.0,
     body_mass: Annotated[float | None, typer.Option(help="For the sidecar [kg]")] = None,
     height: Annotated[float | None, typer.Option(help="For the sidecar [m]")] = None,
     noise: Annotated[
         bool, typer.Option("--noise/--no-noise", help="Of AS5600 and LSM6DS3.")
     ] = True,
-    seed: Annotated[int, typer.Option(min=0, help="Of the noise.")] = 0,
+    seed: Annotated[int, typer.Option(min=0, max=2**32 - 1, help="Of the noise.")] = 0,
 ) -> None:
     """Simulate drops and cycles of a leg and write them as a recording.
 
@@ -42,8 +51,17 @@ def simulate(
       exoid simulate leg.csv --inertia 0.5 --drop -20 --drop -60 --no-noise
       exoid simulate cycles.csv --cycle -3 --torque-amplitude -9.5 --period 2
     """
-    if output.suffix != ".csv":
-        raise ValueError(f"{output}: the table's name must end in .csv")
+    check_destination(output, ("csv",))
+    leg = {
+        "mass": mass,
+        "inertia": inertia,
+        "com_distance": com_distance,
+        "damping": damping,
+        "stiffness": stiffness,
+    }
+    check_leg(leg)
+    check_starts(drop, cycle, torque_amplitude)
+    body = given_body(body_mass=body_mass, height=height)
     import jax
 
     jax.config.update("jax_enable_x64", True)
@@ -57,35 +75,53 @@ def simulate(
     from exoid.twin.motion import Movement
     from exoid.twin.protocols import record
 
-    leg = LegParameters(*map(jnp.asarray, (mass, inertia, com_distance, damping, stiffness)))
-    check_leg(mass, inertia, com_distance, damping, stiffness)
     drops = [
         Movement(float(np.radians(angle)), duration, None, added_mass, ANKLE if added_mass else 0.0)
         for angle in (drop or ([] if cycle else [-10.0, -35.0, -55.0]))
     ]
     cycles = [Movement(float(np.radians(a)), period, torque_amplitude) for a in cycle or []]
-    recording = record(
-        LegModel(leg, NoTorque()),
-        [*drops, *cycles],
-        jax.random.key(seed),
-        exact=not noise,
-        subject=Subject(kind="leg", body_mass=body_mass, height=height),
+    parameters = LegParameters(**{name: jnp.asarray(value) for name, value in leg.items()})
+    recording = patiently(
+        lambda: record(
+            LegModel(parameters, NoTorque()),
+            [*drops, *cycles],
+            jax.random.key(seed),
+            exact=not noise,
+            subject=replace(Subject(kind="leg"), **body),
+        ),
+        "simulating",
     )
     write_table(recording, output)
     typer.echo(f"{output}: {len(recording.segments)} segments, and {output.with_suffix('.toml')}")
 
 
-def check_leg(
-    mass: float, inertia: float, com_distance: float, damping: float, stiffness: float
-) -> None:
+def check_leg(leg: dict[str, float]) -> None:
     """Refuse a body that cannot exist."""
-    for name, value in (("--mass", mass), ("--inertia", inertia), ("--com-distance", com_distance)):
-        if not value > 0:
-            raise ValueError(f"{name} is {value:g}; it must be positive.")
-    if damping < 0 or stiffness < 0:
-        raise ValueError("--damping and --stiffness cannot be negative.")
-    if inertia < mass * com_distance**2:
+    for name, value in leg.items():
+        option = f"--{name.replace('_', '-')}"
+        lowest = 0.0 if name in ("damping", "stiffness") else TINY
+        if not lowest <= value <= HUGE:
+            raise ValueError(f"{option} is {value:g}; it must lie between {lowest:g} and {HUGE:g}.")
+    least = leg["mass"] * leg["com_distance"] ** 2
+    if leg["inertia"] < least:
         raise ValueError(
-            f"--inertia {inertia:g} is less than m l^2 = {mass * com_distance**2:.3g} kg m^2: "
+            f"--inertia {leg['inertia']:g} is less than m l^2 = {least:.3g} kg m^2: "
             "no rigid body has that (Eq. 12)."
+        )
+
+
+def check_starts(
+    drop: list[float] | None, cycle: list[float] | None, torque_amplitude: float
+) -> None:
+    """Refuse angles that no knee reaches, and a torque that no leg has."""
+    for name, angles in (("drop", drop), ("cycle", cycle)):
+        for angle in angles or []:
+            if not LOWEST <= angle <= HIGHEST:
+                raise ValueError(
+                    f"--{name} is {angle:g} deg; it must lie between {LOWEST:g} and {HIGHEST:g}."
+                )
+    if not abs(torque_amplitude) <= STRONGEST:
+        raise ValueError(
+            f"--torque-amplitude is {torque_amplitude:g} N m; "
+            f"it must lie between -{STRONGEST:g} and {STRONGEST:g}."
         )

@@ -10,6 +10,8 @@ from exoid.recording.condition import moving_average
 from exoid.recording.recording import Samples
 
 SETTLING_SAMPLES = 25  # in which the firmware's filter forgets how it was started
+LONGEST_WINDOW = 0.5  # s, of the moving average: a leg swings to its other side in as much
+ROUNDING = 1 + 1e-6  # of a step, as where gaps are bridged
 EVEN = 0.05  # relative scatter of the steps up to which sampling counts as even
 
 
@@ -28,25 +30,41 @@ def conditioned(movements: list[Movement], smooth: int) -> tuple[Chain, list[Mov
         return MovingAverage(smooth), [averaged(each, smooth) for each in movements]
     if not all(filtered) or any(each.angular_velocity is None for each in movements):
         return Raw(), movements
-    step = even_step(movements[0])
-    return SettledKalman(round(step, 6)), [settled(each) for each in movements]
+    return SettledKalman(round(common_step(movements), 6)), [settled(each) for each in movements]
+
+
+def common_step(movements: list[Movement]) -> float:
+    """The sample time [s] that all movements share: the filter is one for all."""
+    steps = [even_step(each) for each in movements]
+    if max(steps) - min(steps) > EVEN * min(steps):
+        raise ValueError(
+            f"filtered channels were sampled every {min(steps):.3g} s and every {max(steps):.3g} "
+            "s, but one filter is simulated for all. Record the raw channels, or fit them apart."
+        )
+    return float(np.median(steps))
 
 
 def even_step(movement: Movement) -> float:
     """The one sample time [s] of a movement."""
     steps = np.diff(movement.segment.time)
     step = float(np.median(steps))
-    if np.abs(steps - step).max() > EVEN * step or step > LONGEST_STEP:
+    if np.abs(steps - step).max() > EVEN * step or steps.max() > LONGEST_STEP * ROUNDING:
         raise ValueError(
-            f"{movement.name} is not sampled evenly, so its filter cannot be applied to the "
-            "simulation. Record the raw channels, or cut the segment at its gaps."
+            f"segment {movement.name} is not sampled evenly at {1 / LONGEST_STEP:g} Hz or more, so "
+            "its filter cannot be applied to the simulation. Fit the raw channels unsmoothed, or "
+            "cut the segment at its gaps."
         )
     return step
 
 
 def averaged(movement: Movement, window: int) -> Movement:
     """Eq. 3 on the fitted channels, each mean stamped with the last sample of its window."""
-    even_step(movement)
+    most = round(LONGEST_WINDOW / even_step(movement))
+    if window > most:
+        raise ValueError(
+            f"segment {movement.name}: a moving average over {window} samples is longer than "
+            f"{LONGEST_WINDOW:g} s and would leave no swing to fit. Choose at most {most}."
+        )
 
     def mean(samples: Samples) -> Samples:
         return np.concatenate([np.full(window - 1, np.nan), moving_average(samples, window)])

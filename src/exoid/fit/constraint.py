@@ -26,8 +26,8 @@ class Limits(eqx.Module):
 
 
 def violations(
-    limits: Limits, leg: LegParameters, torque: Inexact[Any, " segment"], xp=jnp
-) -> Inexact[Any, " constraint"]:
+    limits: Limits, leg: LegParameters, torque: Inexact[Any, " segment *column"], xp=jnp
+) -> Inexact[Any, " constraint *column"]:
     """Every g, positive where violated, relative to the size of what it limits."""
     low = jax.tree.map(lambda bound, value, size: (bound - value) / size, limits.lower, leg, SIZE)
     high = jax.tree.map(lambda bound, value, size: (value - bound) / size, limits.upper, leg, SIZE)

@@ -1,4 +1,4 @@
-"""Every segment fitted alone, and the ratios averaged; parameters along null directions must not be."""
+"""Every segment fitted alone, and the ratios averaged: parameters lie along null directions."""
 
 from dataclasses import replace
 
@@ -18,6 +18,10 @@ from exoid.recording.recording import Recording
 
 COMMON = ("gravity_over_inertia", "stiffness_over_inertia", "damping_over_inertia")
 SMALLEST_ERROR = 1e-6  # relative, of a ratio: nothing is known better than that
+MIXED = (
+    "some cycles fit better with f = 1/T, some with 2/T (Eq. 4), and tau / J is a mean over both: "
+    "choose one with torque_frequency"
+)
 HOLDS = 1e-6  # relative slack below which a constraint holds as an equality
 
 
@@ -26,7 +30,7 @@ def fit_each(recordings: list[tuple[str, Recording]], **options) -> FitResult:
     of their scatter; the parameters are what prior and limits make of the mean ratios.
     """
     results = [
-        fit([(f"{name}[{number}]", only(recording, number))], **options)
+        alone(name if len(recordings) > 1 else "", recording, number, options)
         for name, recording in recordings
         for number in range(len(recording.segments))
     ]
@@ -40,6 +44,9 @@ def fit_each(recordings: list[tuple[str, Recording]], **options) -> FitResult:
     weight = options.get("weight", 1.0) * (PLAIN_SCALE**2 if plain else 1.0)
     belief = believe(recordings[0][1].subject, options.get("prior", "de_leva"), weight, plain)
     said = dict.fromkeys(note for each in results for note in each.notes)
+    readings = {each.torque_frequency for each in results} - {None}
+    if len(readings) > 1:
+        said[MIXED] = None
     return replace(
         results[0],
         parameters=with_reasons(
@@ -48,12 +55,26 @@ def fit_each(recordings: list[tuple[str, Recording]], **options) -> FitResult:
         ratios=ratios,
         segments=[segment for each in results for segment in each.segments],
         loss=sum(each.loss for each in results),
+        noise_scale=max(each.noise_scale for each in results),
+        torque_frequency=readings.pop() if len(readings) == 1 else None,
+        other_reading_rmse=None,
         notes=[
-            f"every segment was fitted alone: the ratios are the mean of {len(results)} fits, their "
-            "errors come from the scatter between them, and the starts are those of the first",
+            f"every segment was fitted alone: the ratios are the mean of {len(results)} fits, "
+            "their errors come from the scatter between them, and the starts are those of the "
+            "first",
             *said,
         ],
     )
+
+
+def alone(name: str, recording: Recording, number: int, options: dict) -> FitResult:
+    """The fit of one segment, which keeps the name it has among the others."""
+    name = f"{name} {number}".strip()
+    try:
+        result = fit([(name, only(recording, number))], **options)
+    except ValueError as fault:
+        raise ValueError(f"segment {name} alone: {fault}") from fault
+    return replace(result, segments=[replace(result.segments[0], name=name)])
 
 
 def only(recording: Recording, number: int) -> Recording:
@@ -93,7 +114,7 @@ def settled_parameters(belief: Belief, ratios: dict[str, Estimate]) -> dict[str,
     values = np.array([ratios[name].value for name in COMMON], dtype=float)
     errors = np.array([ratios[name].standard_error for name in COMMON], dtype=float)
     errors = np.maximum(errors, SMALLEST_ERROR * np.abs(values))
-    limits, nothing = belief.limits, np.zeros(0)
+    limits = belief.limits
 
     def leg(logs):
         mass, inertia = np.exp(logs[:2])
@@ -105,7 +126,8 @@ def settled_parameters(belief: Belief, ratios: dict[str, Estimate]) -> dict[str,
         return prior_residual(belief.prior, leg(logs), np)
 
     def violation(logs):
-        return violations(limits, leg(logs), nothing, np)
+        no_torque = np.zeros((0, *np.shape(logs)[1:]))
+        return violations(limits, leg(logs), no_torque, np)
 
     def at(logs):
         return np.concatenate([logs, values])

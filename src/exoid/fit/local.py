@@ -34,9 +34,9 @@ def neighbourhood(point: Coordinates, condensed: Condensed, prior: Prior, limits
     structure = jax.tree.structure(point)
     segments = np.size(point.own.torque)
 
-    def free(scaled_values) -> Coordinates:
-        shared, own = scaled_values[:5], scaled_values[5:].reshape(3, segments)
-        return unscaled(jax.tree.unflatten(structure, [*shared, *own]))
+    def free(values) -> Coordinates:
+        own = values[5:].reshape(3, segments, *values.shape[1:])
+        return unscaled(jax.tree.unflatten(structure, [*values[:5], *own]))
 
     def parameters(values):
         at = free(values)
@@ -45,7 +45,7 @@ def neighbourhood(point: Coordinates, condensed: Condensed, prior: Prior, limits
 
     def ratios(values):
         shared, own = free(values).shared, free(values).own
-        return np.array([shared.gravity, shared.stiffness, shared.damping, *own.torque])
+        return np.stack([shared.gravity, shared.stiffness, shared.damping, *own.torque])
 
     def belief(values):
         return prior_residual(prior, leg_parameters(free(values), np), np)
@@ -67,9 +67,12 @@ def neighbourhood(point: Coordinates, condensed: Condensed, prior: Prior, limits
 
 
 def derivative(function: Callable, at: np.ndarray) -> np.ndarray:
-    """The Jacobian (output, input) of a smooth NumPy function, by the complex step."""
-    steps = at + 1j * COMPLEX_STEP * np.eye(at.size)
-    return np.stack([function(step).imag / COMPLEX_STEP for step in steps], axis=1)
+    """The Jacobian (output, input) of a smooth NumPy function, by the complex step.
+
+    The function is called once, with every step as a column of its own.
+    """
+    steps = at[:, None] + 1j * COMPLEX_STEP * np.eye(at.size)
+    return function(steps).imag / COMPLEX_STEP
 
 
 def information(condensed: Condensed, segments: int) -> np.ndarray:

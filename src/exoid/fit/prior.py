@@ -18,7 +18,7 @@ class Prior(eqx.Module):
     weight: Float[Any, ""]  # lambda of Eq. 11
 
 
-def prior_residual(prior: Prior, leg: LegParameters, xp=jnp) -> Inexact[Any, " parameter"]:
+def prior_residual(prior: Prior, leg: LegParameters, xp=jnp) -> Inexact[Any, " parameter *column"]:
     """sqrt(lambda) (P - P_exp) / sd, the second term of Eq. 11 in standardised units."""
     each = jax.tree.map(
         lambda value, expected, sd: (value - expected) / sd,

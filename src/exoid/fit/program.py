@@ -6,10 +6,15 @@ both without importing the solver.
 """
 
 import hashlib
+import logging
 import os
 import platform
+import warnings
+from collections.abc import Callable
 from functools import cache
+from importlib.metadata import version
 from pathlib import Path
+from typing import TypeVar
 
 import jax
 import jax.export
@@ -18,17 +23,46 @@ import numpy as np
 from exoid.fit.chain import Chain
 from exoid.fit.task import Solved, solved_structure
 
-SOURCES = ("fit", "physics")  # folders whose code is in the program
+SOURCES = ("fit/*.py", "physics/**/*.py", "recording/kalman.py")  # whose code is in the program
+LIBRARIES = ("jax", "jaxlib", "equinox", "lineax", "optimistix")  # likewise
+DIGEST = 32  # bytes of the checksum before a kept program
+UNREADABLE = "Error reading persistent compilation cache"  # what XLA's Python side says of it
+Result = TypeVar("Result")
+LOG = logging.getLogger("exoid")
 _folder: list[Path] = []  # where programs are kept; empty: nowhere
 
 
 def keep_programs_in(folder: Path) -> None:
-    """Keep traced and compiled programs in `folder` from now on. Others must not write there."""
-    folder.mkdir(parents=True, exist_ok=True)
+    """Keep traced and compiled programs in `folder` from now on. Others must not write there.
+
+    Where it cannot be made, nothing is kept, and every process compiles anew.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as fault:
+        LOG.warning("programs are not kept: %s", fault)
+        return
     jax.config.update("jax_compilation_cache_dir", str(folder))
     jax.config.update("jax_persistent_cache_min_compile_time_secs", 0.0)
     jax.config.update("jax_persistent_cache_min_entry_size_bytes", -1)
     _folder[:] = [folder]
+
+
+def with_sound_programs(task: Callable[[], Result]) -> Result:
+    """What `task` returns; where XLA cannot read what it kept, that is forgotten and it runs again.
+
+    XLA itself would compile the same program in every process, and never replace the file.
+    """
+    try:
+        with warnings.catch_warnings():
+            warnings.filterwarnings("error", UNREADABLE)
+            return task()
+    except UserWarning as fault:
+        if not (_folder and str(fault).startswith(UNREADABLE)):
+            raise
+        for kept in _folder[0].glob("*-cache"):
+            kept.unlink(missing_ok=True)
+        return task()
 
 
 def run(starts, observation, known, prior, limits, task, chain: Chain) -> Solved:
@@ -46,7 +80,7 @@ def program(structure, shapes, chain: Chain):
     """The compiled program for these shapes: loaded, or traced and kept."""
     if not _folder:
         return jax.jit(traceable(structure, chain))
-    path = _folder[0] / f"{fingerprint(shapes, chain)}.stablehlo"
+    path = _folder[0] / f"{fingerprint(structure, shapes, chain)}.stablehlo"
     exported = load(path)
     if exported is None:
         exported = jax.export.export(jax.jit(traceable(structure, chain)))(*shapes)
@@ -64,29 +98,33 @@ def traceable(structure, chain: Chain):
     return flat
 
 
-def fingerprint(shapes, chain: Chain) -> str:
-    """What a kept program depends on: its code, its shapes, its library and its platform."""
+def fingerprint(structure, shapes, chain: Chain) -> str:
+    """What a kept program depends on: its code, its shapes, its libraries and its platform."""
     digest = hashlib.sha256()
-    for folder in SOURCES:
-        for path in sorted((Path(__file__).parents[1] / folder).glob("**/*.py")):
+    for pattern in SOURCES:
+        for path in sorted(Path(__file__).parents[1].glob(pattern)):
             digest.update(path.read_bytes())
-    words = (jax.__version__, platform.machine(), jax.default_backend(), shapes, chain)
-    digest.update(repr(words).encode())
+    words = (platform.machine(), jax.default_backend(), str(structure), shapes, chain)
+    digest.update(repr((*map(version, LIBRARIES), *words)).encode())
     return digest.hexdigest()[:32]
 
 
-def load(path: Path):
-    """The kept program, or None where there is none that can be read."""
+def load(path: Path) -> jax.export.Exported | None:
+    """The kept program, or None where there is none, or one that is not whole."""
     try:
-        return jax.export.deserialize(bytearray(path.read_bytes()))
-    except FileNotFoundError:
+        content = path.read_bytes()
+    except OSError:
         return None
-    except (ValueError, OSError, AttributeError, IndexError):  # cut short, or another version's
+    if hashlib.sha256(content[DIGEST:]).digest() != content[:DIGEST]:
         return None
+    return jax.export.deserialize(bytearray(content[DIGEST:]))
 
 
-def store(path: Path, content: bytes) -> None:
+def store(path: Path, content: bytes | bytearray) -> None:
     """Write in one piece, so that two processes at once do not disturb each other."""
     part = path.with_suffix(f".{os.getpid()}.part")
-    part.write_bytes(content)
-    part.replace(path)
+    try:
+        part.write_bytes(hashlib.sha256(content).digest() + content)
+        part.replace(path)
+    except OSError as fault:  # a full disk: the next process traces anew
+        LOG.warning("a program is not kept: %s", fault)

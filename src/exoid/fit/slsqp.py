@@ -23,7 +23,8 @@ from exoid.fit.task import Solved
 
 PRECISION = 1e-7  # change of half a sum of squares in units of noise that ends a search
 ITERATIONS = 300
-RESTARTS = 12
+RESTARTS = 30
+GAIN = 1e-5  # of a restart, in the same unit, that is none
 NOTHING_MOVES = np.inf  # tolerance of a solver that is to look at a point, not to leave it
 
 
@@ -69,7 +70,7 @@ def descend(objective: Objective, start: np.ndarray) -> OptimizeResult:
             result.success, result.message = False, "the motion could not be simulated"
             return result
         result = once(objective, result.x, evenly_curved(objective, result.x))
-        if before - result.fun < PRECISION:
+        if before - result.fun < GAIN:
             result.success = bool(objective.slack(result.x).min() > -FEASIBLE)
             return result
     result.success, result.message = False, "SLSQP still gained when its restarts ran out"

@@ -8,9 +8,10 @@ from exoid.recording.condition import split
 from exoid.recording.recording import Protocol, Recording, Sensors, Subject
 from exoid.recording.sidecar import read_sidecar
 from exoid.recording.table import read_table
+from exoid.recording.text_file import naming
 
 TABLE_SUFFIX = ".csv"
-LOG_HEADER = b"timestamp,"  # of python-can's own .csv
+LOG_HEADER = b"timestamp,arbitration_id,"  # of python-can's own .csv
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,9 +36,11 @@ def load(
     for anything that a CAN log lost.
     """
     path = Path(path)
+    check_request(path, dbc, signals)
     if path.suffix.lower() == TABLE_SUFFIX and not is_log(path) and dbc is None:
         recording, notes = read_table(path)
-        return Loaded(with_movements(recording), notes, None)
+        with naming(path):
+            return Loaded(with_movements(recording), notes, None)
     from exoid.recording.can_log import read_can_log
 
     subject, protocol, sensors, notes = beside(path)
@@ -50,7 +53,21 @@ def load(
         protocol=protocol,
         sensors=sensors,
     )
-    return Loaded(split(recording), notes, quality)
+    with naming(path):
+        return Loaded(split(recording), notes, quality)
+
+
+def check_request(path: Path, dbc: str | Path | None, signals: dict[str, str] | None) -> None:
+    """Refuse what is no recording, and half of what a log of another device needs."""
+    if path.is_dir():
+        raise ValueError(f"{path}: this is a directory. Name the file in it.")
+    if path.suffix.lower() == ".toml":
+        raise ValueError(f"{path}: this is a sidecar. Name the table or log beside it.")
+    if (dbc is None) != (signals is None):
+        raise ValueError(
+            f"{path}: a DBC and a signal map belong together. Give both (--dbc and --signal), or "
+            "none for a table or a log of the exoskeleton's own node."
+        )
 
 
 def is_log(path: Path) -> bool:

@@ -1,0 +1,40 @@
+"""Where output goes: checked before anything is computed."""
+
+from collections.abc import Iterable
+from pathlib import Path
+from tempfile import TemporaryFile
+
+
+def check_destination(path: Path | None, kinds: tuple[str, ...] = ()) -> None:
+    """Refuse a file that cannot be written, or whose name ends in none of `kinds`."""
+    if path is None:
+        return
+    if kinds and path.suffix.lower().lstrip(".") not in kinds:
+        raise ValueError(
+            f"{path}: the name must end in {' or '.join(f'.{kind}' for kind in kinds)}."
+        )
+    if path.is_dir():
+        raise ValueError(f"{path}: this is a directory. Name the file to write in it.")
+    if path.exists() and not path.is_file():  # a pipe or a device
+        return
+    folder = path.parent
+    if not folder.is_dir():
+        raise ValueError(f"{path}: the folder {folder} does not exist. Make it first.")
+    try:
+        with TemporaryFile(dir=folder):
+            pass
+    except OSError as fault:
+        raise ValueError(
+            f"{path}: the folder {folder} cannot be written to ({fault.strerror}). Name another."
+        ) from fault
+
+
+def check_apart(outputs: Iterable[Path | None], inputs: Iterable[Path]) -> None:
+    """Refuse to write over a recording or its sidecar, or two outputs to one file."""
+    taken = {name.resolve() for path in inputs for name in (path, path.with_suffix(".toml"))}
+    for path in outputs:
+        if path is None or (path.exists() and not path.is_file()):
+            continue
+        if path.resolve() in taken:
+            raise ValueError(f"{path}: this file is read here, or written twice. Name another.")
+        taken.add(path.resolve())

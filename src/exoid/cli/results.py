@@ -1,0 +1,44 @@
+"""A fit as the user gets it: tables, figure and document."""
+
+import hashlib
+from contextlib import suppress
+from pathlib import Path
+
+
+def show(result) -> None:
+    """The tables, on stdout."""
+    from rich.console import Console
+
+    from exoid.report.fit_table import print_fit
+
+    with suppress(SystemExit):  # rich's answer to a closed pipe; files are still to be written
+        print_fit(result, Console())
+
+
+def draw(result, path: Path) -> None:
+    """The figure."""
+    from exoid.report.plots import plot_fit, save_figure
+
+    save_figure(plot_fit(result), path)
+
+
+def write_document(result, recordings, settings: dict, path: Path) -> None:
+    """The document for machines."""
+    from importlib.metadata import version
+
+    from exoid.report.fit_json import fit_document, write_json
+
+    described = [describe(source, recording) for source, (_, recording) in recordings]
+    write_json(
+        fit_document(result, version=version("exoid"), recordings=described, settings=settings),
+        path,
+    )
+
+
+def describe(path: Path, recording) -> dict:
+    """Which file it was, so that the result can be traced to it."""
+    return {
+        "path": str(path),
+        "sha256": hashlib.sha256(path.read_bytes()).hexdigest(),
+        "segments": len(recording.segments),
+    }

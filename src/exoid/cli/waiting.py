@@ -1,0 +1,25 @@
+"""Patience: what takes long shows that it lives, and can be interrupted."""
+
+import sys
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor, wait
+from typing import TypeVar
+
+SLOW = 2.0  # s, after which a person wants to see that something happens
+
+Result = TypeVar("Result")
+
+
+def patiently(task: Callable[[], Result], what: str) -> Result:
+    """The result of `task`; once it is slow, a spinner on stderr where that is a terminal.
+
+    It runs in a thread, because XLA does not hear Ctrl-C while it compiles.
+    """
+    running = ThreadPoolExecutor(1).submit(task)
+    wait([running], SLOW)
+    if not running.done() and sys.stderr.isatty():
+        from rich.console import Console
+
+        with Console(stderr=True).status(what):
+            wait([running])
+    return running.result()

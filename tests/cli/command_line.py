@@ -1,0 +1,65 @@
+"""Runs the real console script in a process of its own."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+SCRIPT = Path(sys.executable).with_name("exoid")
+LIMIT = 120  # s; a first compilation on a busy machine takes a quarter of it
+
+
+class Command:
+    """`exoid` with a cache folder of its own and every warning of Python shown."""
+
+    def __init__(self, cache: Path):
+        self.environment = {
+            **{name: value for name, value in os.environ.items() if name != "COLUMNS"},
+            "XDG_CACHE_HOME": str(cache),
+            "PYTHONWARNINGS": "default",
+        }
+
+    def __call__(self, *arguments, **options) -> subprocess.CompletedProcess[str]:
+        return subprocess.run(
+            [SCRIPT, *map(str, arguments)],
+            **{"env": self.environment, "timeout": LIMIT, **options},
+            capture_output=True,
+            text=True,
+            stdin=subprocess.DEVNULL,
+        )
+
+    def start(self, *arguments) -> subprocess.Popen[str]:
+        return subprocess.Popen(
+            [SCRIPT, *map(str, arguments)],
+            env=self.environment,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+
+    def document(self, *arguments, folder: Path) -> dict:
+        """What `exoid fit ... --json` writes."""
+        path = folder / "fit.json"
+        done = self("fit", *arguments, "--json", path)
+        assert done.returncode == 0, done.stderr
+        return json.loads(path.read_text(encoding="utf-8"))
+
+
+def refusal(done: subprocess.CompletedProcess[str], code: int = 2) -> str:
+    """The one line with which a command refused; nothing else may be said, least on stdout."""
+    lines = done.stderr.splitlines()
+    assert done.returncode == code, done.stderr
+    assert done.stdout == ""
+    assert len(lines) == 1, done.stderr
+    assert lines[0].startswith("exoid: ")
+    return lines[0]
+
+
+def apart(one: dict, other: dict) -> dict[str, float]:
+    """The distance of each of two fits' estimates, in standard errors."""
+    return {
+        name: abs(each["value"] - other[name]["value"]) / each["standard_error"]
+        for name, each in one.items()
+        if each["standard_error"]
+    }

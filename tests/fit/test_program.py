@@ -1,0 +1,150 @@
+"""Programs kept between processes: found again, bitwise the same, and never a reason to fail."""
+
+import warnings
+from pathlib import Path
+
+import jax
+import numpy as np
+import pytest
+from fit_cases import DROP, recorded
+
+from exoid.fit import program
+from exoid.fit.chain import MovingAverage, Raw
+from exoid.fit.estimate import fit
+
+KEPT = "*.stablehlo"
+SETTINGS = (
+    "jax_compilation_cache_dir",
+    "jax_persistent_cache_min_compile_time_secs",
+    "jax_persistent_cache_min_entry_size_bytes",
+)
+
+
+@pytest.fixture(autouse=True)
+def _as_before():
+    """JAX and the program as they were, whatever a test has set."""
+    before = {name: getattr(jax.config, name) for name in SETTINGS}
+    yield
+    for name, value in before.items():
+        jax.config.update(name, value)
+    begin_anew()
+    program._folder.clear()
+
+
+def begin_anew():
+    """Forget what this process has compiled, as a new one would not know it."""
+    from jax.experimental.compilation_cache import compilation_cache
+
+    program.program.cache_clear()
+    compilation_cache.reset_cache()
+
+
+@pytest.fixture(scope="module")
+def drop():
+    return recorded(DROP)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    return tmp_path_factory.mktemp("programs")
+
+
+def numbers(drop, folder: Path) -> np.ndarray:
+    """All of a fit's values and errors, by a process that keeps its programs in `folder`."""
+    begin_anew()
+    program.keep_programs_in(folder)
+    found = program.with_sound_programs(lambda: fit([("leg", drop)], multistart=2))
+    each = [*found.parameters.values(), *found.ratios.values()]
+    return np.array([(one.value, one.standard_error) for one in each], dtype=float)
+
+
+def test_a_kept_program_is_found_again_and_gives_bitwise_the_same(drop, folder, monkeypatch):
+    traced = numbers(drop, folder)
+    (kept,) = folder.glob(KEPT)
+    written = kept.stat().st_mtime_ns
+    monkeypatch.setattr(program, "traceable", None)  # tracing again would fail
+    np.testing.assert_array_equal(numbers(drop, folder), traced)
+    assert kept.stat().st_mtime_ns == written
+
+
+@pytest.mark.parametrize("damage", [lambda c: c[:1000], lambda c: b"", lambda c: b"foreign" * 99])
+def test_a_damaged_program_is_traced_anew_and_replaced(drop, folder, damage):
+    before = numbers(drop, folder)
+    (kept,) = folder.glob(KEPT)
+    whole = kept.read_bytes()
+    kept.write_bytes(damage(whole))
+    np.testing.assert_array_equal(numbers(drop, folder), before)
+    assert program.load(kept) is not None
+    assert [path.suffix for path in folder.glob("*.part")] == []
+
+
+def test_what_xla_kept_and_cannot_read_is_replaced(drop, folder):
+    before = numbers(drop, folder)
+    compiled = list(folder.glob("*-cache"))
+    assert compiled
+    for path in compiled:
+        path.write_bytes(path.read_bytes()[:100])
+    np.testing.assert_array_equal(numbers(drop, folder), before)
+    assert all(path.stat().st_size > 100 for path in folder.glob("*-cache"))
+
+
+def test_another_warning_is_not_mistaken_for_an_unreadable_program(tmp_path):
+    program.keep_programs_in(tmp_path)
+    (tmp_path / "kept-cache").touch()
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        with pytest.raises(UserWarning, match="something else"):
+            program.with_sound_programs(lambda: warnings.warn("something else", stacklevel=1))
+    assert (tmp_path / "kept-cache").exists()
+
+
+def test_a_folder_that_cannot_be_made_keeps_nothing(tmp_path):
+    (tmp_path / "file").touch()
+    program.keep_programs_in(tmp_path / "file" / "programs")
+    assert program._folder == []
+
+
+def test_a_program_that_cannot_be_written_is_not_kept(tmp_path):
+    program.store(tmp_path / "nowhere" / "a.stablehlo", b"content")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_only_what_is_whole_is_loaded(tmp_path):
+    path = tmp_path / "a.stablehlo"
+    exported = jax.export.export(jax.jit(lambda x: 2 * x))(jax.ShapeDtypeStruct((), np.float64))
+    program.store(path, exported.serialize())
+    loaded = program.load(path)
+    assert loaded is not None
+    assert float(loaded.call(3.0)) == 6.0
+    flipped = bytearray(path.read_bytes())
+    flipped[-7] ^= 1
+    path.write_bytes(flipped)
+    assert program.load(path) is None
+    assert program.load(tmp_path / "missing.stablehlo") is None
+
+
+def test_the_fingerprint_tells_everything_apart_that_changes_a_program(tmp_path, monkeypatch):
+    shape = jax.ShapeDtypeStruct((3,), np.float64)
+    structures = [jax.tree.structure(each) for each in ((0, 1), [0, 1])]
+    prints = [
+        program.fingerprint(structures[0], (shape,), Raw()),
+        program.fingerprint(structures[1], (shape,), Raw()),
+        program.fingerprint(structures[0], (shape, shape), Raw()),
+        program.fingerprint(structures[0], (shape,), MovingAverage(3)),
+        program.fingerprint(structures[0], (shape,), MovingAverage(4)),
+    ]
+    source = tmp_path / "exoid" / "fit" / "program.py"
+    for text in ("a = 1", "a = 2"):
+        source.parent.mkdir(parents=True, exist_ok=True)
+        source.write_text(text)
+        monkeypatch.setattr(program, "__file__", str(source))
+        prints.append(program.fingerprint(structures[0], (shape,), Raw()))
+    monkeypatch.setattr(program, "version", lambda name: "0")
+    prints.append(program.fingerprint(structures[0], (shape,), Raw()))
+    assert len(set(prints)) == len(prints)
+
+
+@pytest.mark.parametrize("name", ["fit/solve.py", "physics/simulate.py", "recording/kalman.py"])
+def test_the_code_of_a_program_is_in_its_fingerprint(name):
+    home = Path(program.__file__).parents[1]
+    assert any((home / name) in home.glob(pattern) for pattern in program.SOURCES)
