@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from exoid.fit.each import fit_each
     from exoid.fit.estimate import fit as fit_leg
+    from exoid.fit.program import keep_programs_in
     from exoid.fit.result import FitResult
     from exoid.physics.anatomy import expected_leg
     from exoid.physics.leg import LegModel, LegParameters
@@ -25,6 +26,7 @@ _HOMES = {
     "fit_each": ("exoid.fit.each", "fit_each"),
     "fit_leg": ("exoid.fit.estimate", "fit"),
     "FitResult": ("exoid.fit.result", "FitResult"),
+    "keep_programs_in": ("exoid.fit.program", "keep_programs_in"),
     "expected_leg": ("exoid.physics.anatomy", "expected_leg"),
     "LegModel": ("exoid.physics.leg", "LegModel"),
     "LegParameters": ("exoid.physics.leg", "LegParameters"),
@@ -61,6 +63,7 @@ __all__ = [
     "expected_leg",
     "fit_each",
     "fit_leg",
+    "keep_programs_in",
     "load",
     "plot_fit",
     "simulate",

@@ -157,7 +157,8 @@ def test_the_period_of_a_cycle_is_measured_from_onset_to_return(session):
     # 5 deg/s is passed where the raised cosine has moved for 5 / (pi^2 180 / T^2) s
     for period, true in zip(periods[2:], (1.8, 3.0, 5.0), strict=True):
         late = 5 / (np.pi**2 * 180 / true**2)
-        assert period == pytest.approx(true - 2 * late, abs=0.04)
+        # The slope of a 12-bit angle over 50 ms is off by about 1 deg/s, 30 ms at either end.
+        assert period == pytest.approx(true - 2 * late, abs=0.08)
 
 
 def test_a_filtered_velocity_gives_the_same_split_as_the_raw_angle(session):

@@ -113,9 +113,11 @@ def fit(
     show(result)
     if plot is not None:
         patiently(lambda: draw(result, plot), "drawing")
+        typer.echo(f"wrote {plot}", err=True)
     if json is not None:
         settings = {"lambda": options.pop("weight"), **options, "each": each}
         write_document(result, zip(paths, named, strict=True), settings, json)
+        typer.echo(f"wrote {json}", err=True)
 
 
 def read(path: Path, dbc: Path | None, signal: list[str] | None, strict: bool):
@@ -148,12 +150,11 @@ def signal_map(signal: list[str] | None) -> dict[str, str] | None:
 def compute(named, each: bool, options: dict):
     """The fit, with programs kept in the user's cache folder."""
     import jax
-    from platformdirs import user_cache_path
 
     from exoid.fit.program import keep_programs_in, with_sound_programs
 
     jax.config.update("jax_enable_x64", True)
-    keep_programs_in(user_cache_path("exoid") / "programs")
+    keep_programs_in()
     if each:
         from exoid.fit.each import fit_each as fit
     else:

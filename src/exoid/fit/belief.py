@@ -78,9 +78,10 @@ def expectation(subject: Subject, name: PriorName) -> tuple[ExpectedLeg | None, 
     mass, distance = subject.shank_foot_mass, subject.com_distance
     if mass is not None and distance is not None:
         return measured_leg(mass, distance), "shank_foot_mass_kg and com_distance_m"
+    known = {"body mass": body_mass, "height": height}
+    missing = " and ".join(name for name, value in known.items() if value is None)
     return None, (
-        "body mass and height are unknown, so absolute values stay open: "
-        "give --body-mass KG --height M"
+        f"{missing} unknown, so absolute values stay open: give --body-mass KG and --height M"
     )
 
 

@@ -232,9 +232,10 @@ def notes(problem: Problem, ended: Ended, at_bound: set[str]) -> list[str]:
         said.append(f"the sidecar does not say how the leg was moved; by its motion: {each}.")
     if ended.noise_scale > MISFIT:
         said.append(
-            "the residual is larger than the sensors' noise: standard errors are widened "
-            f"{ended.noise_scale:.3g} times. Something is missing in the model, or the noise level "
-            "is wrong."
+            "the residual is larger than the sensors' noise and not random: the model misses "
+            "something, or the noise level is wrong. Standard errors are widened "
+            f"{ended.noise_scale:.3g} times, for its size and for how slowly it varies; --plot "
+            "shows where it is."
         )
         if np.isfinite(problem.belief.limits.reach):
             said.append(

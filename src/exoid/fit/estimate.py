@@ -3,6 +3,7 @@
 from dataclasses import replace
 from typing import Literal
 
+import jax
 import numpy as np
 
 from exoid.fit.belief import NAMES, Belief, PriorName, believe
@@ -106,5 +107,6 @@ def solved(problem: Problem, starts: np.ndarray, method: str) -> tuple[Problem, 
     if method == "slsqp":
         from exoid.fit.slsqp import search_slsqp
 
-        return problem, search_slsqp(problem, starts)
+        with jax.enable_x64(True):  # finite differences of a float32 loss lead nowhere
+            return problem, search_slsqp(problem, starts)
     return problem, search(problem, starts)

@@ -122,7 +122,10 @@ def extent(
     """
     if kind == "measured":
         return slice(0, segment.time.size), 0.0, np.nan
-    part = clip(best_velocity(segment))
+    try:
+        part = clip(best_velocity(segment))
+    except ValueError as fault:
+        raise ValueError(f"segment {name}: {fault}") from fault
     onset = float(segment.time[0])
     if kind == "active":
         onset = find_onset(segment)

@@ -19,6 +19,7 @@ from typing import TypeVar
 import jax
 import jax.export
 import numpy as np
+from platformdirs import user_cache_path
 
 from exoid.fit.chain import Chain
 from exoid.fit.task import Solved, solved_structure
@@ -32,11 +33,13 @@ LOG = logging.getLogger("exoid")
 _folder: list[Path] = []  # where programs are kept; empty: nowhere
 
 
-def keep_programs_in(folder: Path) -> None:
-    """Keep traced and compiled programs in `folder` from now on. Others must not write there.
+def keep_programs_in(folder: Path | None = None) -> None:
+    """Keep traced and compiled programs in `folder` from now on, by default in the user's cache.
 
-    Where it cannot be made, nothing is kept, and every process compiles anew.
+    Whoever can write there can run code as this user. Where it cannot be made, nothing is kept, and
+    every process compiles anew.
     """
+    folder = user_cache_path("exoid") / "programs" if folder is None else folder
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as fault:

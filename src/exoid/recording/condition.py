@@ -141,9 +141,11 @@ def runs(mask: NDArray[np.bool_]) -> list[tuple[int, int]]:
 
 
 def classify(segment: Segment) -> Kind | None:
-    """Back at its start: a voluntary cycle; ended lower: a passive drop; higher: None, a lift."""
+    """Back at its start: a voluntary cycle; ended lower: a passive drop; a lift or still: None."""
     measured = next(a for a in (segment.angle, segment.raw_angle) if a is not None)
     angle = interpolated(segment.time, measured)
+    if np.ptp(angle) == 0:
+        return None
     rise = (angle[-1] - angle[0]) / np.ptp(angle)
     if abs(rise) < NEAR:
         return "active"

@@ -124,8 +124,8 @@ def print_multistart(result: FitResult, console: Console) -> None:
     if report.family:
         say(
             console,
-            "Any set in these ranges that keeps the ratios above fits equally well; "
-            "the data cannot choose among them:",
+            "Any set within the bounds that keeps the ratios above fits the motion equally "
+            "well; only the prior chooses among them:",
         )
         aligned(console, {name: span(result, name) for name in report.family})
 
