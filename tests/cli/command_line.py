@@ -7,6 +7,11 @@ import sys
 from pathlib import Path
 
 SCRIPT = Path(sys.executable).with_name("exoid")
+# A job that a shell runs in the background ignores Ctrl-C, and so would what it starts.
+HEEDING = (
+    "import os, signal, sys; signal.signal(signal.SIGINT, signal.SIG_DFL); "
+    "os.execv(sys.argv[1], sys.argv[1:])"
+)
 LIMIT = 120  # s; a first compilation on a busy machine takes a quarter of it
 
 
@@ -31,7 +36,7 @@ class Command:
 
     def start(self, *arguments) -> subprocess.Popen[str]:
         return subprocess.Popen(
-            [SCRIPT, *map(str, arguments)],
+            [sys.executable, "-c", HEEDING, str(SCRIPT), *map(str, arguments)],
             env=self.environment,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
