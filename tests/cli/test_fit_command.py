@@ -105,7 +105,7 @@ def test_the_same_seed_gives_the_same_bytes_and_another_the_same_leg(
 def test_a_figure_is_drawn_in_the_format_of_its_name(command, recordings, tmp_path, suffix, begin):
     path = tmp_path / f"figure{suffix}"
     done = command("fit", recordings / "drop.csv", "--plot", path)
-    assert (done.returncode, done.stderr) == (0, "")
+    assert (done.returncode, done.stderr) == (0, f"wrote {path}\n")
     assert path.read_bytes().startswith(begin)
     assert [each.name for each in tmp_path.iterdir()] == [path.name]
 
@@ -183,7 +183,7 @@ def test_another_devices_log_is_read_by_its_own_dbc(command, fitted, tmp_path):
 def test_a_result_is_still_written_when_nobody_reads_the_table(command, recordings, tmp_path):
     with command.start("fit", recordings / "drop.csv", "--json", tmp_path / "fit.json") as running:
         running.stdout.close()
-        assert running.stderr.read() == ""
+        assert running.stderr.read() == f"wrote {tmp_path / 'fit.json'}\n"
     assert running.returncode == 0
     assert "ratios" in json.loads((tmp_path / "fit.json").read_text(encoding="utf-8"))
 
