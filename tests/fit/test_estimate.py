@@ -269,4 +269,4 @@ def test_real_recordings_are_fitted_as_well_as_a_wide_search_did(name, shared):
     assert result.ratios["damping_over_inertia"].value > -1e-3
     assert result.multistart.at_best == 16
     assert result.noise_scale > 10  # dry friction is not in the model
-    assert any("Something is missing" in note for note in result.notes)
+    assert any("the model misses something" in note for note in result.notes)
