@@ -4,7 +4,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from exoid.fit.coordinates import Coordinates, Own, Shared
+from exoid.fit.coordinates import Coordinates, Mounting, Own, Shared
 from exoid.physics.leg import GRAVITY, LegModel, LegParameters
 from exoid.physics.simulate import simulate
 from exoid.physics.state import LegState
@@ -17,6 +17,7 @@ BODY = Subject(kind="leg", body_mass=74.0, height=1.78)
 NOISE = Sensors(angle_noise=8.7e-4, velocity_noise=1.8e-3)  # what the exoskeleton's sensors have
 DROP = Movement(np.radians(-12), 2.3)
 LOADED = Movement(np.radians(-12), 2.3, added_mass=1.0, added_mass_distance=0.4)
+UNMOVED = Mounting(*[np.zeros(0)] * 4)  # of one recording whose added mass has a known place
 CYCLE = Movement(np.radians(-6), 1.19, amplitude=-4.0)
 
 
@@ -65,4 +66,4 @@ def coordinates_of(parameters: LegParameters, own: list[tuple[float, float, floa
     shared = Shared(
         np.log(j), np.asarray(m * l * GRAVITY / j), np.asarray(c / j), np.asarray(d / j)
     )
-    return Coordinates(shared, np.log(m), Own(torque / j, angle, velocity))
+    return Coordinates(shared, np.log(m), UNMOVED, Own(torque / j, angle, velocity))

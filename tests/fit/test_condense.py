@@ -5,11 +5,11 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
-from fit_cases import coordinates_of, cycle_torque, exact, leg, one, state
+from fit_cases import UNMOVED, coordinates_of, cycle_torque, exact, leg, one, state
 
 from exoid.fit.chain import Raw
 from exoid.fit.condense import condense, linear_model
-from exoid.fit.coordinates import TYPICAL
+from exoid.fit.coordinates import TYPICAL, scaled
 from exoid.fit.observation import movement, observe
 from exoid.fit.residual import Stage
 from exoid.physics.leg import LegModel, LegParameters
@@ -67,9 +67,8 @@ def condensed_at(point, seen, known, steps=None):
     own = jax.tree.map(lambda leaf: jnp.asarray(leaf[0]), point.own)
     shared = jax.tree.map(jnp.asarray, point.shared)
     count = seen.time.size - 1 if steps is None else steps
-    return condense(
-        shared, own, seen, jnp.asarray(known), Stage(jnp.asarray(0.0), jnp.asarray(count)), Raw()
-    )
+    stage = Stage(jnp.asarray(0.0), jnp.asarray(count))
+    return condense(shared, UNMOVED, own, seen, jnp.asarray(known), stage, Raw())
 
 
 def differences(each, point):
@@ -120,8 +119,9 @@ def test_the_linear_model_has_the_exact_value_at_its_own_point_and_the_right_slo
     each, seen, point, known = posed(LOAD, "active")
     every = jax.tree.map(lambda leaf: leaf[None], condensed_at(point, seen, known))
     value, columns = differences(each, point)
-    unit = jax.tree.map(lambda leaf, size: jnp.asarray(leaf) / size, point, TYPICAL)
-    here = linear_model(every, unit, unit)
+    unit = scaled(jax.tree.map(jnp.asarray, point))
+    seat = jax.tree.map(lambda leaf: leaf[None], seen.seat)
+    here = linear_model(every, unit, unit, seat)
     assert here @ here == pytest.approx((value**2).sum(), rel=1e-10)
     step = np.linspace(-0.5, 0.5, 7) * 1e-2
     shared = jax.tree.unflatten(jax.tree.structure(unit.shared), list(step[:4]))
@@ -131,7 +131,7 @@ def test_the_linear_model_has_the_exact_value_at_its_own_point_and_the_right_slo
         unit,
         (jax.tree.map(jnp.add, unit.shared, shared), jax.tree.map(jnp.add, unit.own, own)),
     )
-    moved = linear_model(every, unit, there)
+    moved = linear_model(every, unit, there, seat)
     expected = value.ravel() + columns.reshape(-1, 7) @ step
     assert moved @ moved == pytest.approx(expected @ expected, rel=1e-6)  # of the differences
 

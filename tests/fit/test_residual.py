@@ -4,7 +4,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
-from fit_cases import coordinates_of, cycle_torque, exact, leg, one, state
+from fit_cases import UNMOVED, coordinates_of, cycle_torque, exact, leg, one, state
 
 from exoid.fit.chain import MovingAverage, Raw, SettledKalman
 from exoid.fit.observation import movement, observe
@@ -36,7 +36,7 @@ def predicted(point, seen, each, *, tether=FREE, chain=None) -> LegState:
     stage = Stage(jnp.asarray(tether), jnp.asarray(seen.time.size - 1))
     own = jax.tree.map(lambda leaf: jnp.asarray(leaf[0]), point.own)
     shared = jax.tree.map(jnp.asarray, point.shared)
-    shown = predict(shared, own, seen, stage, chain or Raw())
+    shown = predict(shared, UNMOVED, own, seen, stage, chain or Raw())
     return jax.tree.map(lambda samples: np.asarray(samples)[: each.segment.time.size], shown)
 
 
@@ -85,7 +85,7 @@ def test_the_misfit_is_the_difference_over_the_noise():
     segment = exact(LegModel(leg(), NoTorque()), state(-0.2, -0.5), TIME)
     each, seen = seen_by_the_fit(one(segment))
     there = LegState(jnp.array(-0.3), jnp.array(-1.0))
-    found = residual(there, jnp.array(7), seen)
+    found = residual(there, jnp.zeros(3), jnp.array(7), seen)
     expected = [
         (-0.3 - each.angle[7]) / each.angle_noise,
         (-1.0 - each.angular_velocity[7]) / each.velocity_noise,

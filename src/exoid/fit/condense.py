@@ -14,13 +14,12 @@ from jax.flatten_util import ravel_pytree
 from jaxtyping import Array, Float
 
 from exoid.fit.chain import Chain
-from exoid.fit.coordinates import TYPICAL, Coordinates, Own, Shared
+from exoid.fit.coordinates import TYPICAL, Coordinates, Mounting, Own, Seat, Shared, by_segment
 from exoid.fit.observation import Observation
-from exoid.fit.residual import Stage, advance, equation, residual
+from exoid.fit.residual import Stage, advance, equation, residual, sensor_map
 from exoid.physics.simulate import march
 from exoid.physics.state import LegState
 
-UNKNOWNS = 7  # of one segment: four that the leg owns, three of its own
 ROUNDING = 1e-13  # relative, keeps the Cholesky factor real where two columns are nearly parallel
 
 
@@ -34,6 +33,7 @@ class Condensed(eqx.Module):
 
 def condense(
     shared: Shared,
+    mounting: Mounting,
     own: Own,
     observation: Observation,
     known: Float[Array, " unknown"],
@@ -48,15 +48,18 @@ def condense(
     # their difference into a torque.
     counted = jnp.where(stage.tether > 0, 0.0, observation.velocity_weight)
     observation = eqx.tree_at(lambda seen: seen.velocity_weight, observation, counted)
-    point, unravel = ravel_pytree((shared, own))
-    unit, _ = ravel_pytree((TYPICAL.shared, TYPICAL.own))
+    unknowns = (shared, mounting, own)
+    point, unravel = ravel_pytree(unknowns)
+    sizes = (TYPICAL.shared, TYPICAL.mounting, TYPICAL.own)
+    unit, _ = ravel_pytree(jax.tree.map(jnp.full_like, unknowns, sizes))
 
     def setup(scaled):
-        at_shared, at_own = unravel(scaled * unit)
+        at_shared, at_mounting, at_own = unravel(scaled * unit)
         state = LegState(at_own.angle, at_own.angular_velocity)
-        return equation(at_shared, at_own, observation, stage), state, chain.begin(state)
+        eq = equation(at_shared, at_mounting, at_own, observation, stage)
+        return (eq, sensor_map(at_mounting, observation)), state, chain.begin(state)
 
-    (eq, state, memory), (by_eq, by_state, by_memory) = along(
+    ((eq, sensors), state, memory), ((by_eq, by_sensors), by_state, by_memory) = along(
         setup, (point / unit,), (jnp.diag(1 - known),)
     )
 
@@ -69,17 +72,17 @@ def condense(
     def gather(index, carry, folded):
         (memory, by_memory), total = folded
 
-        def show(state, memory):
+        def show(state, memory, sensors):
             memory, shown = chain.push(memory, state)
-            return memory, residual(shown, index, observation)
+            return memory, residual(shown, sensors, index, observation)
 
         (memory, value), (by_memory, columns) = along(
-            show, (carry[0], memory), (carry[1], by_memory)
+            show, (carry[0], memory, sensors), (carry[1], by_memory, by_sensors)
         )
         rows = jnp.concatenate([columns, value[None]])
         return (memory, by_memory), total + outer(rows)
 
-    nothing = jnp.zeros((UNKNOWNS + 1, UNKNOWNS + 1))
+    nothing = jnp.zeros((point.size + 1, point.size + 1))
     _, total = march(
         forward, gather, (state, by_state), ((memory, by_memory), nothing), stage.steps
     )
@@ -112,12 +115,9 @@ def factorise(total: Float[Array, "column column"], known: Float[Array, " unknow
 
 
 def linear_model(
-    condensed: Condensed, at: Coordinates, to: Coordinates
+    condensed: Condensed, at: Coordinates, to: Coordinates, seat: Seat
 ) -> Float[Array, " residual"]:
     """The condensed residual at `to`, by its linear model around `at` (all scaled)."""
-    change = jax.tree.map(jnp.subtract, to, at)
-    shared = jnp.stack(jax.tree.leaves(change.shared))
-    own = jnp.stack(jax.tree.leaves(change.own), axis=-1)
-    each = jnp.concatenate([jnp.broadcast_to(shared, (own.shape[0], shared.size)), own], axis=1)
-    predicted = condensed.projection + jnp.einsum("kij,kj->ki", condensed.factor, each)
+    change = by_segment(jax.tree.map(jnp.subtract, to, at), seat)
+    predicted = condensed.projection + jnp.einsum("kij,kj->ki", condensed.factor, change)
     return jnp.concatenate([predicted.ravel(), condensed.remainder])

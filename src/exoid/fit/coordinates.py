@@ -10,7 +10,7 @@ import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
-from jaxtyping import Float, Inexact
+from jaxtyping import Float, Inexact, Int, Num
 
 from exoid.physics.leg import GRAVITY, LegParameters
 
@@ -22,6 +22,17 @@ class Shared(eqx.Module):
     gravity: Float[Any, "*batch"]  # m l g / J, 1/s^2
     stiffness: Float[Any, "*batch"]  # c / J, 1/s^2
     damping: Float[Any, "*batch"]  # d / J, 1/s
+
+
+class Mounting(eqx.Module):
+    """What a recording owns: where the added mass sat, and how the sensors sat compared with the
+    first recording. A leaf without entries is no unknown of this fit.
+    """
+
+    log_distance: Float[Any, "*place"]  # log(distance of the added mass from the knee / m)
+    zero: Float[Any, "*remount"]  # rad, of the encoder
+    gyro_scale: Float[Any, "*remount"]  # relative
+    gyro_bias: Float[Any, "*remount"]  # rad/s
 
 
 class Own(eqx.Module):
@@ -37,12 +48,21 @@ class Coordinates(eqx.Module):
 
     shared: Shared
     log_mass: Float[Any, "*batch"]  # log(m / kg)
+    mounting: Mounting
     own: Own
+
+
+class Seat(eqx.Module):
+    """Which entries of the mounting a segment has; -1 where it has none."""
+
+    place: Int[Any, "*segment"]  # of `log_distance`
+    remount: Int[Any, "*segment"]  # of the others
 
 
 TYPICAL = Coordinates(
     Shared(*map(np.asarray, (0.3, 10.0, 3.0, 1.0))),
     np.asarray(0.3),
+    Mounting(*map(np.asarray, (0.1, 0.05, 0.05, 0.02))),
     Own(*map(np.asarray, (10.0, 0.1, 0.5))),
 )  # a step of order one
 
@@ -55,6 +75,44 @@ def scaled(coordinates: Coordinates) -> Coordinates:
 def unscaled(coordinates: Coordinates) -> Coordinates:
     """Back from units of `TYPICAL`."""
     return jax.tree.map(lambda value, unit: value * unit, coordinates, TYPICAL)
+
+
+def flattened(coordinates: Coordinates) -> np.ndarray:
+    """All entries in one row."""
+    return np.concatenate([np.ravel(leaf) for leaf in jax.tree.leaves(coordinates)])
+
+
+def unflattened(values: np.ndarray, like: Coordinates) -> Coordinates:
+    """`flattened` undone; `values` may carry further axes behind."""
+    leaves, structure = jax.tree.flatten(like)
+    parts = np.split(values, np.cumsum([np.size(leaf) for leaf in leaves])[:-1])
+    shaped = [
+        part.reshape(*np.shape(leaf), *values.shape[1:])
+        for part, leaf in zip(parts, leaves, strict=True)
+    ]
+    return jax.tree.unflatten(structure, shaped)
+
+
+def seated(mounting: Mounting, seat: Seat) -> Mounting:
+    """The entries of one segment, each leaf of length one, or none where it is no unknown."""
+
+    def entry(leaf, at):
+        return leaf[at][None] if leaf.size else leaf
+
+    return Mounting(
+        entry(mounting.log_distance, seat.place),
+        *(entry(leaf, seat.remount) for leaf in jax.tree.leaves(mounting)[1:]),
+    )
+
+
+def by_segment(point: Coordinates, seat: Seat, xp=jnp) -> Num[Any, "segment unknown"]:
+    """The unknowns of every segment in one row: what the leg, its recording and itself own."""
+    count = point.own.angle.shape[0]
+    shared = [xp.broadcast_to(leaf, (count,)) for leaf in jax.tree.leaves(point.shared)]
+    at = [seat.place, *[seat.remount] * 3]
+    leaves = jax.tree.leaves(point.mounting)
+    mounting = [leaf[rows] for leaf, rows in zip(leaves, at, strict=True) if leaf.size]
+    return xp.stack([*shared, *mounting, *jax.tree.leaves(point.own)], axis=1)
 
 
 def leg_parameters(coordinates: Coordinates, xp=jnp) -> LegParameters:

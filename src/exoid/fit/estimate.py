@@ -45,8 +45,8 @@ def fit(
     """
     named = [("recording", recordings)] if isinstance(recordings, Recording) else recordings
     movements = [
-        movement(recording, number, f"{name} {number}" if len(named) > 1 else str(number))
-        for name, recording in named
+        movement(recording, number, f"{name} {number}" if len(named) > 1 else str(number), belongs)
+        for belongs, (name, recording) in enumerate(named)
         for number in range(len(recording.segments))
     ]
     plain = misfit == "paper"

@@ -9,8 +9,18 @@ from jaxtyping import Float
 
 from exoid.fit.condense import Condensed
 from exoid.fit.constraint import Limits, violations
-from exoid.fit.coordinates import Coordinates, leg_parameters, scaled, torque_amplitudes, unscaled
-from exoid.fit.prior import Prior, prior_residual
+from exoid.fit.coordinates import (
+    Coordinates,
+    Seat,
+    by_segment,
+    flattened,
+    leg_parameters,
+    scaled,
+    torque_amplitudes,
+    unflattened,
+    unscaled,
+)
+from exoid.fit.prior import Prior, mounting_residual, prior_residual
 
 COMPLEX_STEP = 1e-30  # exact to rounding: no difference is taken
 PENALTY = 100.0  # rho times the variance of a constraint: each round gains two digits
@@ -28,15 +38,14 @@ class Local:
     constraints: Float[np.ndarray, "constraint coordinate"]  # d g
 
 
-def neighbourhood(point: Coordinates, condensed: Condensed, prior: Prior, limits: Limits) -> Local:
+def neighbourhood(
+    point: Coordinates, condensed: Condensed, seat: Seat, prior: Prior, limits: Limits
+) -> Local:
     """The derivatives at `point` (no leading axis), where the misfit condenses to `condensed`."""
-    flat = np.concatenate([np.ravel(leaf) for leaf in jax.tree.leaves(scaled(point))])
-    structure = jax.tree.structure(point)
-    segments = np.size(point.own.torque)
+    flat = flattened(scaled(point))
 
     def free(values) -> Coordinates:
-        own = values[5:].reshape(3, segments, *values.shape[1:])
-        return unscaled(jax.tree.unflatten(structure, [*values[:5], *own]))
+        return unscaled(unflattened(values, point))
 
     def parameters(values):
         at = free(values)
@@ -48,7 +57,9 @@ def neighbourhood(point: Coordinates, condensed: Condensed, prior: Prior, limits
         return np.stack([shared.gravity, shared.stiffness, shared.damping, *own.torque])
 
     def belief(values):
-        return prior_residual(prior, leg_parameters(free(values), np), np)
+        at = free(values)
+        leg = prior_residual(prior, leg_parameters(at, np), np)
+        return np.concatenate([leg, mounting_residual(at.mounting, np)])
 
     def constraint(values):
         at = free(values)
@@ -58,7 +69,7 @@ def neighbourhood(point: Coordinates, condensed: Condensed, prior: Prior, limits
     with np.errstate(invalid="ignore"):  # infinite limits are no limits
         by_constraint = derivative(constraint, flat)
     return Local(
-        data=information(condensed, segments),
+        data=information(condensed, columns(point, seat), flat.size),
         prior=by_prior.T @ by_prior,
         parameters=derivative(parameters, flat),
         ratios=derivative(ratios, flat),
@@ -75,12 +86,16 @@ def derivative(function: Callable, at: np.ndarray) -> np.ndarray:
     return function(steps).imag / COMPLEX_STEP
 
 
-def information(condensed: Condensed, segments: int) -> np.ndarray:
+def columns(point: Coordinates, seat: Seat) -> np.ndarray:
+    """Which coordinate every unknown of every segment is: (segment, unknown)."""
+    numbers = np.arange(flattened(point).size)
+    return by_segment(unflattened(numbers, point), seat, np)
+
+
+def information(condensed: Condensed, columns: np.ndarray, size: int) -> np.ndarray:
     """The sum over segments of R'R, each placed at the coordinates that the segment has."""
-    total = np.zeros((5 + 3 * segments, 5 + 3 * segments))
-    for number, factor in enumerate(np.asarray(condensed.factor)):
-        own = 5 + number + segments * np.arange(3)
-        place = np.concatenate([np.arange(4), own])
+    total = np.zeros((size, size))
+    for place, factor in zip(columns, np.asarray(condensed.factor), strict=True):
         total[np.ix_(place, place)] += factor.T @ factor
     return total
 

@@ -7,11 +7,10 @@ import numpy as np
 
 from exoid.fit.belief import Belief
 from exoid.fit.chain import Chain
-from exoid.fit.condense import UNKNOWNS
 from exoid.fit.constraint import constraint_names
 from exoid.fit.coordinates import Coordinates, Shared, scaled
 from exoid.fit.local import Local, neighbourhood, penalties
-from exoid.fit.observation import Movement, Observation, observe
+from exoid.fit.observation import Movement, Observation, observe, places, remounts
 from exoid.fit.program import run
 from exoid.fit.residual import Stage
 from exoid.fit.starts import coordinates
@@ -53,15 +52,22 @@ class Problem:
     @property
     def unknowns(self) -> int:
         shared = int((self.known[:, :4] == 0).any(axis=0).sum())
-        return shared + int((self.known[:, 4:] == 0).sum())
+        mounting = len(places(self.movements)) + 3 * len(remounts(self.movements))
+        return shared + mounting + int((self.known[:, -3:] == 0).sum())
 
 
 def pose(movements: list[Movement], belief: Belief, reading: str, chain: Chain) -> Problem:
     """The problem of fitting one leg to these movements."""
-    known = np.zeros((len(movements), UNKNOWNS))
+    observation = observe(movements, reading)
+    own = 4 + bool(places(movements)) + 3 * bool(remounts(movements))
+    known = np.zeros((len(movements), own + 3))
     known[:, 0] = [not each.scaled for each in movements]
-    known[:, 4] = [not each.voluntary for each in movements]
-    return Problem(movements, observe(movements, reading), known, belief, chain)
+    if places(movements):
+        known[:, 4] = observation.seat.place < 0
+    if remounts(movements):
+        known[:, own - 3 : own] = (observation.seat.remount < 0)[:, None]
+    known[:, own] = [not each.voluntary for each in movements]
+    return Problem(movements, observation, known, belief, chain)
 
 
 @dataclass(frozen=True, eq=False)
@@ -107,14 +113,15 @@ def without_thrust(at: Coordinates) -> Coordinates:
     damped = Shared(
         shared.log_inertia, shared.gravity, shared.stiffness, np.maximum(shared.damping, 0.0)
     )
-    return Coordinates(damped, at.log_mass, at.own)
+    return Coordinates(damped, at.log_mass, at.mounting, at.own)
 
 
 def around(problem: Problem, at: Solved, row: int = 0, scale: float = 1.0) -> Local:
     """Derivatives and information at one end point, whose residual counts 1 / `scale`."""
     one = take(at, row)
     condensed = jax.tree.map(lambda leaf: leaf / scale, one.condensed)
-    return neighbourhood(one.coordinates, condensed, problem.belief.prior, problem.belief.limits)
+    belief, seat = problem.belief, problem.observation.seat
+    return neighbourhood(one.coordinates, condensed, seat, belief.prior, belief.limits)
 
 
 def task(
@@ -249,7 +256,7 @@ def settle(problem: Problem, free: Solved, begin: Coordinates, scale: float) -> 
         inertia[0] = inertia[0] if own_scale else np.log(prior.expected.inertia)
         mass[0] = np.log(prior.expected.mass)
     shared = Shared(inertia, one.shared.gravity, one.shared.stiffness, one.shared.damping)
-    starts = Coordinates(shared, mass, one.own)
+    starts = Coordinates(shared, mass, one.mounting, one.own)
     penalty = penalties(around(problem, free, best, scale))
     asked = task(problem, 0.0, problem.steps, LIMITED, scale=scale, penalty=penalty)
     ended = advance(problem, starts, asked)

@@ -24,11 +24,12 @@ from exoid.fit.multistart import Problem
 from exoid.fit.observation import Observation
 from exoid.fit.prior import Prior, prior_residual
 from exoid.fit.residual import Stage, predict, residual
-from exoid.fit.starts import first_state
+from exoid.fit.starts import first_state, usual_mounting
 from exoid.physics.leg import GRAVITY
 from exoid.physics.state import LegState
 
 LEG = 5  # m, J, l, d, c come first in a vector
+TRUE = np.zeros(3)  # a sensor map that changes nothing
 POSITIVE = 1e-3  # of its typical size: mass and inertia have a logarithm
 
 
@@ -93,7 +94,7 @@ class Objective:
             damping=damping / inertia,
         )
         own = Own(torque / inertia, values[-2 * segments : -segments], values[-segments:])
-        return Coordinates(shared, log_mass, own)
+        return Coordinates(shared, log_mass, usual_mounting(self.problem.movements), own)
 
     def vector(self, start: np.ndarray) -> np.ndarray:
         """The start (m, J, l, d, c, tau), every movement from its first measured state."""
@@ -119,11 +120,11 @@ def squares(
     """The sums of squares of the data residual and of the prior's."""
 
     def one(own: Own, seen: Observation) -> Float[Array, "time 2"]:
-        shown = predict(point.shared, own, seen, stage, chain)
+        shown = predict(point.shared, point.mounting, own, seen, stage, chain)
         at = jnp.arange(seen.time.size)
-        return jax.vmap(lambda angle, velocity, i: residual(LegState(angle, velocity), i, seen))(
-            shown.angle, shown.angular_velocity, at
-        )
+        return jax.vmap(
+            lambda angle, velocity, i: residual(LegState(angle, velocity), TRUE, i, seen)
+        )(shown.angle, shown.angular_velocity, at)
 
     belief = prior_residual(prior, leg_parameters(point))
     return jnp.sum(jax.vmap(one)(point.own, observation) ** 2), belief @ belief

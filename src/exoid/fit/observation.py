@@ -8,6 +8,7 @@ import jax
 import numpy as np
 from jaxtyping import Float
 
+from exoid.fit.coordinates import Seat
 from exoid.physics.simulate import Drive
 from exoid.physics.torque import cycle_shape
 from exoid.recording.condition import (
@@ -47,6 +48,8 @@ class Observation(eqx.Module):
     torque: Drive  # N m, the measured torque at the stage times, 0 where none was
     added_mass: Float[Any, "*segment"]  # kg
     added_mass_distance: Float[Any, "*segment"]  # m
+    thigh_angle: Float[Any, "*segment"]  # rad, the knee above the hip
+    seat: Seat
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,7 +68,9 @@ class Movement:
     onset: float  # s, where the clock of Eq. 10 starts
     period: float  # s, of the cycle; nan where there is none
     added_mass: float  # kg
-    added_mass_distance: float  # m
+    added_mass_distance: float  # m, nan where it is to be estimated
+    thigh_angle: float  # rad
+    recording: int = 0  # of those that are fitted together
 
     @property
     def voluntary(self) -> bool:
@@ -76,11 +81,18 @@ class Movement:
         """Does a known mass or torque act, so that this segment can tell the inertia?"""
         return self.kind == "measured" or self.added_mass > 0
 
+    @property
+    def unplaced(self) -> bool:
+        """Is it unknown where the added mass sat?"""
+        return self.added_mass > 0 and bool(np.isnan(self.added_mass_distance))
 
-def movement(recording: Recording, number: int, name: str) -> Movement:
+
+def movement(recording: Recording, number: int, name: str, belongs: int = 0) -> Movement:
     """Condition one segment: choose its channels, clip its ends, find its clock and its noise.
 
-    **Raises** `ValueError` where nothing moves, or a torque or a distance is missing.
+    `belongs` counts the recordings that are fitted together.
+
+    **Raises** `ValueError` where nothing moves, or a torque is missing.
     """
     segment, said = recording.segments[number], recording.kind(number)
     kind = said or classify(segment) or "passive"
@@ -92,8 +104,6 @@ def movement(recording: Recording, number: int, name: str) -> Movement:
     angle = clipped.raw_angle if raw else clipped.angle
     velocity = clipped.raw_angular_velocity if raw else clipped.angular_velocity
     mass, distance = recording.added_mass(number), recording.added_mass_distance(number)
-    if mass > 0 and distance is None:
-        raise ValueError(f"segment {name} carries {mass:g} kg; give added_mass_distance_m too.")
     assert angle is not None  # a Segment has one or the other
     return Movement(
         name=name,
@@ -108,7 +118,9 @@ def movement(recording: Recording, number: int, name: str) -> Movement:
         onset=onset - float(segment.time[part.start]),
         period=period,
         added_mass=mass,
-        added_mass_distance=distance or 0.0,
+        added_mass_distance=np.nan if mass > 0 and distance is None else distance or 0.0,
+        thigh_angle=recording.protocol.thigh_angle or 0.0,
+        recording=belongs,
     )
 
 
@@ -174,8 +186,8 @@ def observe(movements: list[Movement], reading: str) -> Observation:
     grids = [with_gaps_bridged(each.segment.time) for each in movements]
     size = bucket(max(grid.size for grid in grids))
     rows = [
-        one_observation(each, grid, size, reading)
-        for each, grid in zip(movements, grids, strict=True)
+        one_observation(each, grid, size, reading, seat)
+        for each, grid, seat in zip(movements, grids, seats(movements), strict=True)
     ]
     return jax.tree.map(lambda *each: np.stack(each), *rows)
 
@@ -199,7 +211,32 @@ def with_gaps_bridged(time: Samples) -> Samples:
     return np.union1d(time, np.concatenate(parts))
 
 
-def one_observation(each: Movement, grid: Samples, size: int, reading: str) -> Observation:
+def places(movements: list[Movement]) -> list[int]:
+    """The recordings in which an added mass sat at an unknown distance."""
+    return sorted({each.recording for each in movements if each.unplaced})
+
+
+def remounts(movements: list[Movement]) -> list[int]:
+    """The recordings but the first, whose sensors are compared with those of the first."""
+    return sorted({each.recording for each in movements})[1:]
+
+
+def seats(movements: list[Movement]) -> list[Seat]:
+    """Which entries of the mounting every segment has."""
+    distances, others = places(movements), remounts(movements)
+
+    def entry(known: list[int], each: Movement, has: bool):
+        return np.asarray(known.index(each.recording) if has else -1)
+
+    return [
+        Seat(entry(distances, each, each.unplaced), entry(others, each, each.recording in others))
+        for each in movements
+    ]
+
+
+def one_observation(
+    each: Movement, grid: Samples, size: int, reading: str, seat: Seat
+) -> Observation:
     own = each.segment.time
     at = np.searchsorted(grid, own)
     step = np.median(np.diff(grid))
@@ -227,7 +264,9 @@ def one_observation(each: Movement, grid: Samples, size: int, reading: str) -> O
         cycle=staged(time, lambda at: cycle_torque(at - each.onset, each, reading)),
         torque=staged(time, lambda at: measured_torque(at, each)),
         added_mass=np.asarray(each.added_mass),
-        added_mass_distance=np.asarray(each.added_mass_distance),
+        added_mass_distance=np.nan_to_num(np.asarray(each.added_mass_distance)),
+        thigh_angle=np.asarray(each.thigh_angle),
+        seat=seat,
     )
 
 

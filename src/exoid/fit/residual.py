@@ -8,7 +8,7 @@ import jax.numpy as jnp
 from jaxtyping import Array, Float, Int
 
 from exoid.fit.chain import Chain
-from exoid.fit.coordinates import Own, Shared
+from exoid.fit.coordinates import Mounting, Own, Shared
 from exoid.fit.observation import Observation
 from exoid.physics.leg import GRAVITY, Ratios
 from exoid.physics.simulate import Drive, march, rk4_step
@@ -32,22 +32,42 @@ class Equation(eqx.Module):
     ratios: Ratios
     cycle: Float[Any, ""]  # 1/s^2 for unit shape of Eq. 10
     torque: Float[Any, ""]  # 1/(kg m^2), for a measured torque
+    zero: Float[Any, ""]  # rad, of the encoder; the tether pulls to the angle without it
 
 
-def equation(shared: Shared, own: Own, observation: Observation, stage: Stage) -> Equation:
-    """J + m_a r^2 and m l g + m_a r g move; the tether adds its stiffness and damping."""
+def equation(
+    shared: Shared, mounting: Mounting, own: Own, observation: Observation, stage: Stage
+) -> Equation:
+    """J + m_a r^2 and m l g + m_a r g move; the tether adds its stiffness and damping.
+
+    `mounting` is that of the segment, as `seated` gives it.
+    """
     inertia = jnp.exp(shared.log_inertia)
-    moment = observation.added_mass * observation.added_mass_distance
-    total = inertia + moment * observation.added_mass_distance
+    distance = observation.added_mass_distance
+    if mounting.log_distance.size:
+        estimated = jnp.exp(mounting.log_distance[0])
+        distance = jnp.where(observation.seat.place >= 0, estimated, distance)
+    moment = observation.added_mass * distance
+    total = inertia + moment * distance
     return Equation(
         ratios=Ratios(
             gravity=(shared.gravity * inertia + moment * GRAVITY) / total,
             stiffness=shared.stiffness * inertia / total + stage.tether**2,
             damping=shared.damping * inertia / total + 2 * stage.tether,
+            thigh_angle=observation.thigh_angle,
         ),
         cycle=own.torque * inertia / total,
         torque=1 / total,
+        zero=sensor_map(mounting, observation)[0],
     )
+
+
+def sensor_map(mounting: Mounting, observation: Observation) -> Float[Array, "3"]:
+    """Encoder zero [rad], gyro scale [relative] and bias [rad/s] of the segment's recording."""
+    each = [mounting.zero, mounting.gyro_scale, mounting.gyro_bias]
+    if not mounting.zero.size:
+        return jnp.zeros(3)
+    return jnp.where(observation.seat.remount >= 0, jnp.concatenate(each), 0.0)
 
 
 def advance(
@@ -60,7 +80,7 @@ def advance(
         return eq.cycle * cycle + eq.torque * torque + pull
 
     def guide(at):
-        return observation.guide_angle[at], observation.guide_velocity[at]
+        return observation.guide_angle[at] - eq.zero, observation.guide_velocity[at]
 
     now, after = guide(index), guide(index + 1)
     middle = jax.tree.map(lambda a, b: (a + b) / 2, now, after)
@@ -74,20 +94,32 @@ def advance(
     return rk4_step(eq.ratios, state, step, drive)
 
 
-def residual(shown: LegState, index: Int[Array, ""], observation: Observation) -> Float[Array, "2"]:
-    """Angle and angular velocity minus the measured ones at sample `index`, over their noise."""
-    angle = shown.angle - observation.angle[index]
-    velocity = shown.angular_velocity - observation.angular_velocity[index]
+def residual(
+    shown: LegState, sensors: Float[Array, "3"], index: Int[Array, ""], observation: Observation
+) -> Float[Array, "2"]:
+    """Angle and angular velocity minus the measured ones at sample `index`, over their noise.
+
+    `sensors` is the recording's `sensor_map`.
+    """
+    zero, scale, bias = sensors
+    angle = shown.angle + zero - observation.angle[index]
+    velocity = (1 + scale) * shown.angular_velocity + bias - observation.angular_velocity[index]
     return jnp.stack(
         [observation.angle_weight[index] * angle, observation.velocity_weight[index] * velocity]
     )
 
 
 def predict(
-    shared: Shared, own: Own, observation: Observation, stage: Stage, chain: Chain
+    shared: Shared,
+    mounting: Mounting,
+    own: Own,
+    observation: Observation,
+    stage: Stage,
+    chain: Chain,
 ) -> LegState:
-    """The whole segment as the leg would have moved and the chain would have shown it."""
-    eq = equation(shared, own, observation, stage)
+    """The whole segment as the leg would have moved, and sensors and chain would have shown it."""
+    eq = equation(shared, mounting, own, observation, stage)
+    zero, scale, bias = sensor_map(mounting, observation)
     start = LegState(own.angle, own.angular_velocity)
 
     def store(index, state, folded):
@@ -99,4 +131,5 @@ def predict(
         return advance(eq, state, index, observation, stage)
 
     empty = LegState(jnp.zeros_like(observation.time), jnp.zeros_like(observation.time))
-    return march(forward, store, start, (chain.begin(start), empty), stage.steps)[1]
+    shown = march(forward, store, start, (chain.begin(start), empty), stage.steps)[1]
+    return LegState(shown.angle + zero, (1 + scale) * shown.angular_velocity + bias)

@@ -19,6 +19,7 @@ from exoid.fit.multistart import (
     task,
 )
 from exoid.fit.objective import Objective
+from exoid.fit.observation import places, remounts
 from exoid.fit.task import Solved
 
 PRECISION = 1e-7  # change of half a sum of squares in units of noise that ends a search
@@ -33,7 +34,14 @@ def search_slsqp(problem: Problem, starts: np.ndarray) -> Ended:
 
     Every start is brought to data, prior and limits at once. The best of them without prior and
     limits tells how far the residual exceeds the noise, and is then brought to both under it.
+
+    **Raises** `ValueError` where recordings own more than their starts and torques.
     """
+    if places(problem.movements) or remounts(problem.movements):
+        raise ValueError(
+            "slsqp, the reference, fits one recording whose added mass sits at a known distance. "
+            "Leave --method slsqp out, or fit one recording."
+        )
     objective = Objective(problem, 1.0, True)
     begin = [objective.vector(start) for start in starts]
     found = [descend(objective, vector) for vector in begin]

@@ -13,13 +13,15 @@ from exoid.fit.condense import Condensed, condense, linear_model
 from exoid.fit.constraint import NEVER, Limits, violations
 from exoid.fit.coordinates import (
     Coordinates,
+    Mounting,
     leg_parameters,
     scaled,
+    seated,
     torque_amplitudes,
     unscaled,
 )
 from exoid.fit.observation import Observation
-from exoid.fit.prior import Prior, prior_residual
+from exoid.fit.prior import Prior, mounting_residual, prior_residual
 from exoid.fit.residual import Stage, predict
 from exoid.fit.task import Solved, Task
 
@@ -50,9 +52,14 @@ def solve_one(
     task: Task,
     chain: Chain,
 ) -> Solved:
+    def seats(point: Coordinates) -> Mounting:
+        return jax.vmap(seated, in_axes=(None, 0))(point.mounting, observation.seat)
+
     def at(point: Coordinates) -> Condensed:
-        each = jax.vmap(partial(condense, stage=task.stage, chain=chain), in_axes=(None, 0, 0, 0))
-        condensed = each(point.shared, point.own, observation, known)
+        each = partial(condense, stage=task.stage, chain=chain)
+        condensed = jax.vmap(each, in_axes=(None, 0, 0, 0, 0))(
+            point.shared, seats(point), point.own, observation, known
+        )
         return jax.tree.map(lambda value: value / task.noise_scale, condensed)
 
     def residual(flat):
@@ -60,8 +67,13 @@ def solve_one(
         point = unravel(flat)
         here = jax.lax.stop_gradient(point)
         condensed = at(unscaled(here))
-        data = linear_model(condensed, here, point)
-        belief = task.bounded * prior_residual(prior, leg_parameters(unscaled(point)))
+        data = linear_model(condensed, here, point, observation.seat)
+        believed = unscaled(point)
+        expected = [
+            prior_residual(prior, leg_parameters(believed)),
+            mounting_residual(believed.mounting),
+        ]
+        belief = task.bounded * jnp.concatenate(expected)
         return jnp.concatenate([data, belief]), (condensed, data @ data, belief @ belief)
 
     def constraint(flat):
@@ -76,8 +88,8 @@ def solve_one(
     condensed, data, belief = outcome.detail
     end = unscaled(unravel(outcome.point))
     free = Stage(jnp.zeros_like(task.stage.tether), task.stage.steps)
-    simulated = jax.vmap(partial(predict, stage=free, chain=chain), in_axes=(None, 0, 0))(
-        end.shared, end.own, observation
+    simulated = jax.vmap(partial(predict, stage=free, chain=chain), in_axes=(None, 0, 0, 0))(
+        end.shared, seats(end), end.own, observation
     )
     return Solved(
         coordinates=end,

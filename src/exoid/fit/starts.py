@@ -1,9 +1,11 @@
 """Where a multi-start begins: drawn from the bounds, from anatomy, and from inverse dynamics."""
 
+import jax
 import numpy as np
 
-from exoid.fit.coordinates import Coordinates, Own, Shared
-from exoid.fit.observation import Movement, cycle_torque, smoothed_motion
+from exoid.fit.coordinates import Coordinates, Mounting, Own, Shared
+from exoid.fit.observation import Movement, cycle_torque, places, remounts, smoothed_motion
+from exoid.fit.prior import SEAT
 from exoid.physics.leg import GRAVITY, LegParameters
 from exoid.physics.parameter import declarations
 from exoid.physics.torque import CycleTorque
@@ -40,11 +42,20 @@ def coordinates(
             damping=np.minimum(damping / inertia, greatest_damping),
         ),
         log_mass=np.log(mass),
+        mounting=usual_mounting(movements, (mass.size,)),
         own=Own(
             torque=(torque / inertia)[:, None] * voluntary,
             angle=np.broadcast_to(first[:, 0], shape).copy(),
             angular_velocity=np.broadcast_to(first[:, 1], shape).copy(),
         ),
+    )
+
+
+def usual_mounting(movements: list[Movement], shape: tuple[int, ...] = ()) -> Mounting:
+    """The mounting to expect of every recording, for starts of this shape."""
+    sizes = [len(places(movements)), *[len(remounts(movements))] * 3]
+    return Mounting(
+        *(np.full((*shape, n), one) for n, one in zip(sizes, jax.tree.leaves(SEAT), strict=True))
     )
 
 

@@ -45,7 +45,7 @@ def solved_structure():
     """The tree structure of `Solved`, for a program that gives back bare arrays."""
     number, row, table = np.zeros(()), np.zeros(1), np.zeros((1, 1))
     solved = Solved(
-        coordinates=TYPICAL,
+        coordinates=TYPICAL,  # leaf for leaf; only the structure counts
         leg=LegParameters(*[number] * 5),
         torque=row,
         loss=number,

@@ -1,9 +1,11 @@
 """The leg as a damped pendulum with a spring: the equation of motion (Eq. 9) and its parameters."""
 
+from dataclasses import field
 from typing import Any
 
 import equinox as eqx
 import jax.numpy as jnp
+import numpy as np
 from jaxtyping import Array, Float, Inexact
 
 from exoid.physics.cosine import cos
@@ -12,6 +14,11 @@ from exoid.physics.state import LegState
 from exoid.physics.torque import Torque
 
 GRAVITY = 9.81  # m/s^2, as the paper has it
+
+
+def horizontal() -> np.ndarray:
+    """The angle [rad] of the thigh of a person who sits as the paper has it."""
+    return np.zeros(())
 
 
 class LegParameters(eqx.Module):
@@ -40,19 +47,28 @@ class LegParameters(eqx.Module):
 class Ratios(eqx.Module):
     """Eq. 9 divided by J: all that motion can tell of a leg.
 
-    phi'' = tau_h / J - gravity cos(phi) - stiffness phi - damping phi'
+    phi'' = tau_h / J - gravity cos(phi + thigh_angle) - stiffness phi - damping phi'
     """
 
     gravity: Float[Array, "*batch"]  # m l g / J, 1/s^2
     stiffness: Float[Array, "*batch"]  # c / J, 1/s^2
     damping: Float[Array, "*batch"]  # d / J, 1/s
+    thigh_angle: Float[Any, "*batch"] = field(
+        default_factory=horizontal
+    )  # rad, the knee above the hip
 
 
 class LegModel(eqx.Module):
-    """The leg and what drives it: J phi'' = tau_h(t) - m l g cos(phi) - c phi - d phi' (Eq. 9)."""
+    """The leg and what drives it: J phi'' = tau_h(t) - m l g cos(phi) - c phi - d phi' (Eq. 9).
+
+    On a seat that holds the thigh at an angle, gravity acts with cos(phi + thigh_angle).
+    """
 
     leg: LegParameters
     torque: Torque
+    thigh_angle: Float[Any, "*batch"] = field(
+        default_factory=horizontal
+    )  # rad, the knee above the hip
 
     def ratios(self) -> Ratios:
         """The coefficients of Eq. 9 per inertia."""
@@ -61,6 +77,7 @@ class LegModel(eqx.Module):
             gravity=leg.mass * leg.com_distance * GRAVITY / leg.inertia,
             stiffness=leg.stiffness / leg.inertia,
             damping=leg.damping / leg.inertia,
+            thigh_angle=self.thigh_angle,
         )
 
 
@@ -70,17 +87,17 @@ def angular_acceleration(
     """phi'' of Eq. 9 [rad/s^2]."""
     return (
         torque_over_inertia
-        - ratios.gravity * cos(state.angle)
+        - ratios.gravity * cos(state.angle + ratios.thigh_angle)
         - ratios.stiffness * state.angle
         - ratios.damping * state.angular_velocity
     )
 
 
 def energy(model: LegModel, state: LegState) -> Float[Array, "*batch"]:
-    """Kinetic, gravity and spring energy [J]: J phi'^2/2 + m l g sin(phi) + c phi^2/2."""
+    """Kinetic, gravity and spring energy [J]: J phi'^2/2 + m l g sin(phi + thigh) + c phi^2/2."""
     leg = model.leg
     return (
         leg.inertia * state.angular_velocity**2 / 2
-        + leg.mass * leg.com_distance * GRAVITY * jnp.sin(state.angle)
+        + leg.mass * leg.com_distance * GRAVITY * jnp.sin(state.angle + model.thigh_angle)
         + leg.stiffness * state.angle**2 / 2
     )

@@ -62,6 +62,7 @@ class Protocol:
     kind: Kind | tuple[Kind, ...] | None = text("kind", KINDS)
     cycle_period: float | tuple[float, ...] | None = ranged("cycle_period_s", "s", 0.05, 120.0)
     torque_frequency: str | None = text("torque_frequency", TORQUE_FREQUENCIES)
+    thigh_angle: float | None = ranged("thigh_angle_rad", "rad", -1.2, 1.2)
     torque_known: bool | None = field(default=None, metadata={"key": "torque_known"})
     segment_start: tuple[float, ...] | None = ranged("segment_start_s", "s", 0.0, 1e6)
     segment_end: tuple[float, ...] | None = ranged("segment_end_s", "s", 0.0, 1e6)
