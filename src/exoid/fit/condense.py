@@ -48,16 +48,53 @@ def condense(
     # their difference into a torque.
     counted = jnp.where(stage.tether > 0, 0.0, observation.velocity_weight)
     observation = eqx.tree_at(lambda seen: seen.velocity_weight, observation, counted)
+
+    def gather(index, rows, total):
+        return total + outer(rows)
+
+    nothing = jnp.zeros((known.size + 1, known.size + 1))
     unknowns = (shared, mounting, own)
+    return factorise(sweep(unknowns, observation, known, stage, chain, gather, nothing), known)
+
+
+class Sensed(eqx.Module):
+    """The residual of every sample, and its derivatives, in units of noise and of `TYPICAL`."""
+
+    residual: Float[Any, "*segment time channel"]
+    columns: Float[Any, "*segment unknown time channel"]
+
+
+def sense(
+    shared: Shared,
+    mounting: Mounting,
+    own: Own,
+    observation: Observation,
+    known: Float[Array, " unknown"],
+    stage: Stage,
+    chain: Chain,
+) -> Sensed:
+    """`condense`, sample by sample."""
+
+    def store(index, rows, table):
+        return table.at[:, index].set(rows)
+
+    empty = jnp.zeros((known.size + 1, observation.time.size, 2))
+    unknowns = (shared, mounting, own)
+    table = sweep(unknowns, observation, known, stage, chain, store, empty)
+    return Sensed(residual=table[-1], columns=table[:-1])
+
+
+def sweep(unknowns, observation, known, stage, chain, fold, folded):
+    """Simulate with sensitivities; `fold` gathers the rows (dr/dz, r) of every sample."""
     point, unravel = ravel_pytree(unknowns)
     sizes = (TYPICAL.shared, TYPICAL.mounting, TYPICAL.own)
     unit, _ = ravel_pytree(jax.tree.map(jnp.full_like, unknowns, sizes))
 
     def setup(scaled):
-        at_shared, at_mounting, at_own = unravel(scaled * unit)
-        state = LegState(at_own.angle, at_own.angular_velocity)
-        eq = equation(at_shared, at_mounting, at_own, observation, stage)
-        return (eq, sensor_map(at_mounting, observation)), state, chain.begin(state)
+        shared, mounting, own = unravel(scaled * unit)
+        state = LegState(own.angle, own.angular_velocity)
+        eq = equation(shared, mounting, own, observation, stage)
+        return (eq, sensor_map(mounting, observation)), state, chain.begin(state)
 
     ((eq, sensors), state, memory), ((by_eq, by_sensors), by_state, by_memory) = along(
         setup, (point / unit,), (jnp.diag(1 - known),)
@@ -69,8 +106,8 @@ def condense(
 
         return along(step, (eq, carry[0]), (by_eq, carry[1]))
 
-    def gather(index, carry, folded):
-        (memory, by_memory), total = folded
+    def gather(index, carry, gathered):
+        (memory, by_memory), folded = gathered
 
         def show(state, memory, sensors):
             memory, shown = chain.push(memory, state)
@@ -80,13 +117,10 @@ def condense(
             show, (carry[0], memory, sensors), (carry[1], by_memory, by_sensors)
         )
         rows = jnp.concatenate([columns, value[None]])
-        return (memory, by_memory), total + outer(rows)
+        return (memory, by_memory), fold(index, rows, folded)
 
-    nothing = jnp.zeros((point.size + 1, point.size + 1))
-    _, total = march(
-        forward, gather, (state, by_state), ((memory, by_memory), nothing), stage.steps
-    )
-    return factorise(total, known)
+    begin = ((memory, by_memory), folded)
+    return march(forward, gather, (state, by_state), begin, stage.steps)[1]
 
 
 def along(function, primals, tangents):
@@ -106,7 +140,9 @@ def outer(rows: Float[Array, "column 2"]) -> Float[Array, "column column"]:
 def factorise(total: Float[Array, "column column"], known: Float[Array, " unknown"]) -> Condensed:
     """R, Q'r and the rest from (J, r)'(J, r)."""
     normal, gradient, square = total[:-1, :-1], total[:-1, -1], total[-1, -1]
-    # A known unknown stands apart from the rest: 1 on the diagonal to factorise, 0 afterwards.
+    # A known unknown, or one that moves nothing (the gyro's scale where there is no gyro), stands
+    # apart from the rest: 1 on the diagonal to factorise, 0 afterwards.
+    known = jnp.where(jnp.diag(normal) > 0, known, 1.0)
     normal = normal + jnp.diag(ROUNDING * jnp.diag(normal) + known)
     lower = jnp.linalg.cholesky(normal)
     projection = jax.scipy.linalg.solve_triangular(lower, gradient, lower=True)

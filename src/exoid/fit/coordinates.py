@@ -87,7 +87,7 @@ def unflattened(values: np.ndarray, like: Coordinates) -> Coordinates:
     leaves, structure = jax.tree.flatten(like)
     parts = np.split(values, np.cumsum([np.size(leaf) for leaf in leaves])[:-1])
     shaped = [
-        part.reshape(*np.shape(leaf), *values.shape[1:])
+        part.reshape((*np.shape(leaf), *values.shape[1:]))
         for part, leaf in zip(parts, leaves, strict=True)
     ]
     return jax.tree.unflatten(structure, shaped)

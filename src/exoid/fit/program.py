@@ -22,7 +22,8 @@ import numpy as np
 from platformdirs import user_cache_path
 
 from exoid.fit.chain import Chain
-from exoid.fit.task import Solved, solved_structure
+from exoid.fit.condense import Sensed
+from exoid.fit.task import SENSED, SOLVED, Solved
 
 SOURCES = ("fit/*.py", "physics/**/*.py", "recording/kalman.py")  # whose code is in the program
 LIBRARIES = ("jax", "jaxlib", "equinox", "lineax", "optimistix")  # likewise
@@ -69,45 +70,56 @@ def with_sound_programs(task: Callable[[], Result]) -> Result:
 
 
 def run(starts, observation, known, prior, limits, task, chain: Chain) -> Solved:
-    """`solve`, with NumPy arrays in and out, in float64 whatever JAX's default."""
-    arguments = (starts, observation, known, prior, limits, task)
-    leaves, structure = jax.tree.flatten(arguments)
+    """`solve`, with NumPy arrays in and out."""
+    return called("solve", (starts, observation, known, prior, limits, task), chain, SOLVED)
+
+
+def run_sense(point, observation, known, stage, chain: Chain) -> Sensed:
+    """`sense_all`, with NumPy arrays in and out."""
+    return called("sense_all", (point, observation, known, stage), chain, SENSED)
+
+
+def called(name: str, arguments: tuple, chain: Chain, structure):
+    """A function of `exoid.fit.solve`, in float64 whatever JAX's default."""
+    leaves, given = jax.tree.flatten(arguments)
     shapes = tuple(jax.ShapeDtypeStruct(np.shape(leaf), np.result_type(leaf)) for leaf in leaves)
     with jax.enable_x64(True):  # a fit in float32 would stop short of its optimum
-        results = program(structure, shapes, chain)(*leaves)
-    return jax.tree.unflatten(solved_structure(), [np.asarray(result) for result in results])
+        results = program(name, given, shapes, chain)(*leaves)
+    return jax.tree.unflatten(structure, [np.asarray(result) for result in results])
 
 
 @cache
-def program(structure, shapes, chain: Chain):
+def program(name: str, structure, shapes, chain: Chain):
     """The compiled program for these shapes: loaded, or traced and kept."""
     if not _folder:
-        return jax.jit(traceable(structure, chain))
-    path = _folder[0] / f"{fingerprint(structure, shapes, chain)}.stablehlo"
+        return jax.jit(traceable(name, structure, chain))
+    path = _folder[0] / f"{fingerprint(name, structure, shapes, chain)}.stablehlo"
     exported = load(path)
     if exported is None:
-        exported = jax.export.export(jax.jit(traceable(structure, chain)))(*shapes)
+        exported = jax.export.export(jax.jit(traceable(name, structure, chain)))(*shapes)
         store(path, exported.serialize())
     return jax.jit(exported.call)
 
 
-def traceable(structure, chain: Chain):
-    """`solve` on bare arrays. The solver is imported here, only where it must be traced."""
-    from exoid.fit.solve import solve
+def traceable(name: str, structure, chain: Chain):
+    """The function on bare arrays. The solver is imported here, only where it must be traced."""
+    from exoid.fit import solve
+
+    function = getattr(solve, name)
 
     def flat(*leaves):
-        return jax.tree.leaves(solve(*jax.tree.unflatten(structure, leaves), chain))
+        return jax.tree.leaves(function(*jax.tree.unflatten(structure, leaves), chain))
 
     return flat
 
 
-def fingerprint(structure, shapes, chain: Chain) -> str:
+def fingerprint(name: str, structure, shapes, chain: Chain) -> str:
     """What a kept program depends on: its code, its shapes, its libraries and its platform."""
     digest = hashlib.sha256()
     for pattern in SOURCES:
         for path in sorted(Path(__file__).parents[1].glob(pattern)):
             digest.update(path.read_bytes())
-    words = (platform.machine(), jax.default_backend(), str(structure), shapes, chain)
+    words = (name, platform.machine(), jax.default_backend(), str(structure), shapes, chain)
     digest.update(repr((*map(version, LIBRARIES), *words)).encode())
     return digest.hexdigest()[:32]
 

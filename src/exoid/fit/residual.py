@@ -95,7 +95,7 @@ def advance(
 
 
 def residual(
-    shown: LegState, sensors: Float[Array, "3"], index: Int[Array, ""], observation: Observation
+    shown: LegState, sensors: Float[Any, "3"], index: Int[Array, ""], observation: Observation
 ) -> Float[Array, "2"]:
     """Angle and angular velocity minus the measured ones at sample `index`, over their noise.
 

@@ -9,7 +9,7 @@ from jaxtyping import Array, Float
 
 from exoid.fit.augmented_lagrangian import minimise
 from exoid.fit.chain import Chain
-from exoid.fit.condense import Condensed, condense, linear_model
+from exoid.fit.condense import Condensed, Sensed, condense, linear_model, sense
 from exoid.fit.constraint import NEVER, Limits, violations
 from exoid.fit.coordinates import (
     Coordinates,
@@ -52,13 +52,10 @@ def solve_one(
     task: Task,
     chain: Chain,
 ) -> Solved:
-    def seats(point: Coordinates) -> Mounting:
-        return jax.vmap(seated, in_axes=(None, 0))(point.mounting, observation.seat)
-
     def at(point: Coordinates) -> Condensed:
         each = partial(condense, stage=task.stage, chain=chain)
         condensed = jax.vmap(each, in_axes=(None, 0, 0, 0, 0))(
-            point.shared, seats(point), point.own, observation, known
+            point.shared, mountings(point, observation), point.own, observation, known
         )
         return jax.tree.map(lambda value: value / task.noise_scale, condensed)
 
@@ -89,7 +86,7 @@ def solve_one(
     end = unscaled(unravel(outcome.point))
     free = Stage(jnp.zeros_like(task.stage.tether), task.stage.steps)
     simulated = jax.vmap(partial(predict, stage=free, chain=chain), in_axes=(None, 0, 0, 0))(
-        end.shared, seats(end), end.own, observation
+        end.shared, mountings(end, observation), end.own, observation
     )
     return Solved(
         coordinates=end,
@@ -104,4 +101,24 @@ def solve_one(
         exhausted=outcome.exhausted,
         angle=simulated.angle,
         angular_velocity=simulated.angular_velocity,
+    )
+
+
+def mountings(point: Coordinates, observation: Observation) -> Mounting:
+    """What every segment's recording owns."""
+    return jax.vmap(seated, in_axes=(None, 0))(point.mounting, observation.seat)
+
+
+@partial(jax.jit, static_argnames="chain")
+def sense_all(
+    point: Coordinates,
+    observation: Observation,
+    known: Float[Array, "segment unknown"],
+    stage: Stage,
+    chain: Chain,
+) -> Sensed:
+    """Residual and sensitivities of every sample of every segment, at one point."""
+    each = partial(sense, stage=stage, chain=chain)
+    return jax.vmap(each, in_axes=(None, 0, 0, 0, 0))(
+        point.shared, mountings(point, observation), point.own, observation, known
     )

@@ -7,7 +7,7 @@ import jax
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
-from exoid.fit.condense import Condensed
+from exoid.fit.condense import Condensed, Sensed
 from exoid.fit.coordinates import TYPICAL, Coordinates
 from exoid.fit.residual import Stage
 from exoid.physics.leg import LegParameters
@@ -43,19 +43,23 @@ class Solved(eqx.Module):
 
 def solved_structure():
     """The tree structure of `Solved`, for a program that gives back bare arrays."""
-    number, row, table = np.zeros(()), np.zeros(1), np.zeros((1, 1))
     solved = Solved(
-        coordinates=TYPICAL,  # leaf for leaf; only the structure counts
-        leg=LegParameters(*[number] * 5),
-        torque=row,
-        loss=number,
-        misfit=number,
-        condensed=Condensed(table, row, number),
-        multiplier=row,
-        violation=number,
+        coordinates=TYPICAL,
+        leg=LegParameters(*[NUMBER] * 5),
+        torque=ROW,
+        loss=NUMBER,
+        misfit=NUMBER,
+        condensed=Condensed(TABLE, ROW, NUMBER),
+        multiplier=ROW,
+        violation=NUMBER,
         steps=np.zeros((), int),
         exhausted=np.zeros((), bool),
-        angle=table,
-        angular_velocity=table,
+        angle=TABLE,
+        angular_velocity=TABLE,
     )
     return jax.tree.structure(solved)
+
+
+NUMBER, ROW, TABLE = np.zeros(()), np.zeros(1), np.zeros((1, 1))
+SOLVED = solved_structure()
+SENSED = jax.tree.structure(Sensed(TABLE, np.zeros((1, 1, 1))))
