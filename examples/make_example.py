@@ -54,7 +54,8 @@ def movements() -> list[Movement]:
     """The session in order."""
     drops = [Movement(np.radians(start), duration) for start, duration in DROPS]
     loaded = Movement(np.radians(LOADED_DROP[0]), LOADED_DROP[1], **LOAD)
-    cycles = [Movement(np.radians(start), period, tau) for start, tau, period in CYCLES]
+    lasting = 1 + CLOCK_ERROR  # s for a second of the node's clock, by which periods are noted
+    cycles = [Movement(np.radians(start), lasting * period, tau) for start, tau, period in CYCLES]
     return [*drops, loaded, *cycles]
 
 
@@ -70,8 +71,10 @@ def as_noted(protocol: Protocol) -> Protocol:
     """The marks as a user notes them: full hundredths of a second, each end just before the catch,
     on whichever of the two clocks."""
     starts, ends = protocol.segment_start or (), protocol.segment_end or ()
+    periods = [np.nan] * (len(DROPS) + 1) + [period for *_, period in CYCLES]
     return replace(
         protocol,
+        cycle_period=tuple(periods),
         segment_start=tuple(round(time, 2) for time in starts),
         segment_end=tuple(round(time - 0.03, 2) for time in ends),
     )

@@ -154,6 +154,18 @@ def test_what_cannot_be_fitted_is_refused_with_a_reason():
         movement(one(dropped(TIME[:8])), 0, "case")
     with pytest.raises(ValueError, match="torque_nm"):
         movement(one(dropped(), "measured"), 0, "case")
+
+
+def test_a_mass_at_an_unknown_place_is_estimated_with_its_recording():
     loaded = replace(BODY, added_mass=1.0)
-    with pytest.raises(ValueError, match="added_mass_distance_m"):
-        movement(one(dropped(), subject=loaded), 0, "case")
+    each = [
+        movement(one(dropped()), 0, "bare"),
+        movement(one(dropped(), subject=loaded), 0, "loaded", 1),
+        movement(one(dropped(), subject=replace(loaded, added_mass_distance=0.4)), 0, "known", 2),
+        movement(one(dropped(), subject=loaded), 0, "again", 2),
+    ]
+    assert [one.unplaced for one in each] == [False, True, False, True]
+    seen = observe(each, "1/T")
+    assert list(seen.seat.place) == [-1, 0, -1, 1]  # one distance for each recording
+    assert list(seen.seat.remount) == [-1, 0, 1, 1]  # its sensors against those of the first
+    assert list(seen.added_mass_distance) == [0.0, 0.0, 0.4, 0.0]

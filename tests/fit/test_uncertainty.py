@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from exoid.fit.uncertainty import Information, correlation_time, noise_scale, source
+from exoid.fit.uncertainty import HELD, Information
 
 FIRST, SECOND = np.eye(2)
 NONE = np.zeros((0, 2))
@@ -53,7 +53,7 @@ def test_what_nothing_determines_has_an_infinite_error():
     information = Information(data, np.zeros((2, 2)), NONE)
     assert information.standard_error(FIRST) == np.inf
     assert information.standard_error(FIRST + SECOND) == pytest.approx(2 / np.sqrt(4 * 100.0) * 1.0)
-    assert source(information, FIRST, np.inf, False) is None
+    assert information.shares(FIRST) is None
 
 
 def test_a_bound_that_holds_takes_a_direction_away():
@@ -62,14 +62,17 @@ def test_a_bound_that_holds_takes_a_direction_away():
     information = Information(data, np.zeros((2, 2)), FIRST[None])
     assert information.standard_error(FIRST) == 0
     assert information.standard_error(SECOND) == pytest.approx(0.1)
-    assert source(information, FIRST, np.inf, True) == "bound"
-    assert source(information, SECOND, np.inf, False) == "bound"  # the data alone could not
+    assert information.shares(FIRST) == HELD
+    assert information.shares(SECOND) == HELD  # the data alone could not
 
 
 def test_a_bound_does_not_claim_what_the_data_tell_without_it():
     data, _ = line()
     information = Information(data, np.zeros((2, 2)), FIRST[None])
-    assert source(information, SECOND, np.inf, False) == "data"
+    shares = information.shares(SECOND)
+    assert shares is not None
+    assert shares.source == "data"
+    assert shares.data == pytest.approx(1.0)  # intercept and slope are independent here
 
 
 @pytest.mark.parametrize(
@@ -79,7 +82,32 @@ def test_a_bound_does_not_claim_what_the_data_tell_without_it():
 def test_who_determined_a_value_is_whose_information_is_greater(deviation, expected):
     data, _ = line()
     information = Information(data, np.diag([1 / deviation**2, 0.0]), NONE)
-    assert source(information, FIRST, deviation, False) == expected
+    shares = information.shares(FIRST)
+    assert shares is not None
+    assert shares.source == expected
+    # Of one number the shares of the precision are those of the information.
+    assert shares.prior == pytest.approx(deviation**-2 / (deviation**-2 + data[0, 0]))
+    assert shares.data + shares.prior + shares.bound == pytest.approx(1.0)
+
+
+def test_what_a_prior_tells_of_another_value_is_the_priors():
+    """The data know the sum very well, the prior only the first: the second is its doing."""
+    data = np.outer(FIRST + SECOND, FIRST + SECOND) * 1e8
+    information = Information(data, np.diag([1.0, 0.0]), NONE)
+    shares = information.shares(SECOND)
+    assert shares is not None
+    assert shares.source == "prior"
+    assert information.standard_error(SECOND) == pytest.approx(1.0, rel=1e-6)
+
+
+def test_a_bound_has_the_share_by_which_it_lowers_the_variance():
+    """Two values of correlation 0.8: with one held the variance of the other falls to 0.36."""
+    covariance = np.array([[1.0, 0.8], [0.8, 1.0]])
+    information = Information(np.linalg.inv(covariance), np.zeros((2, 2)), FIRST[None])
+    shares = information.shares(SECOND)
+    assert shares is not None
+    assert shares.bound == pytest.approx(0.64)
+    assert shares.source == "bound"
 
 
 def test_an_error_does_not_depend_on_the_units_of_its_quantity():
@@ -88,27 +116,3 @@ def test_an_error_does_not_depend_on_the_units_of_its_quantity():
     assert information.standard_error(1000 * FIRST) == pytest.approx(
         1000 * information.standard_error(FIRST)
     )
-
-
-def test_white_noise_of_the_declared_size_widens_nothing():
-    """chi^2 per sample of 4000 is 1 within 4.5 %, so its root within 2.3 %."""
-    residual = np.random.default_rng(0).normal(size=(2, 2000))
-    assert noise_scale(list(residual), 7) < 1.05
-    assert noise_scale(list(0.3 * residual), 7) == 1.0  # noise was declared too large
-
-
-def test_white_noise_twice_the_declared_widens_by_two():
-    """The autocorrelation of 2000 white samples is within 2.2 %: its sum adds a few per cent."""
-    residual = 2 * np.random.default_rng(0).normal(size=(2, 2000))
-    assert noise_scale(list(residual), 7) == pytest.approx(2.0, rel=0.1)
-
-
-def test_the_correlation_time_is_that_of_an_autoregression():
-    """x_i = a x_{i-1} + e: 1 + 2 sum a^k = (1 + a) / (1 - a), less what lies below 0.05."""
-    generator, a = np.random.default_rng(3), 0.9
-    noise = generator.normal(size=200_000)
-    x = np.zeros_like(noise)
-    for i in range(1, x.size):
-        x[i] = a * x[i - 1] + noise[i]
-    assert correlation_time(x) == pytest.approx((1 + a) / (1 - a) - 2 * 0.05 / (1 - a), rel=0.06)
-    assert correlation_time(noise) == pytest.approx(1.0, abs=0.02)

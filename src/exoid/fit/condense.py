@@ -16,8 +16,8 @@ from jaxtyping import Array, Float
 from exoid.fit.chain import Chain
 from exoid.fit.coordinates import TYPICAL, Coordinates, Mounting, Own, Seat, Shared, by_segment
 from exoid.fit.observation import Observation
-from exoid.fit.residual import Stage, advance, equation, residual, sensor_map
-from exoid.physics.simulate import march
+from exoid.fit.residual import NOTHING, Stage, advance, equation, residual, sensor_map
+from exoid.physics.simulate import Drive, march
 from exoid.physics.state import LegState
 
 ROUNDING = 1e-13  # relative, keeps the Cholesky factor real where two columns are nearly parallel
@@ -54,7 +54,9 @@ def condense(
 
     nothing = jnp.zeros((known.size + 1, known.size + 1))
     unknowns = (shared, mounting, own)
-    return factorise(sweep(unknowns, observation, known, stage, chain, gather, nothing), known)
+    none = jax.tree.map(lambda leaf: jnp.zeros((0, leaf.size)), observation.cycle)
+    total = sweep(unknowns, observation, known, none, stage, chain, gather, nothing)
+    return factorise(total, known)
 
 
 class Sensed(eqx.Module):
@@ -62,6 +64,7 @@ class Sensed(eqx.Module):
 
     residual: Float[Any, "*segment time channel"]
     columns: Float[Any, "*segment unknown time channel"]
+    responses: Float[Any, "*segment push time channel"]  # to missing torques
 
 
 def sense(
@@ -70,22 +73,24 @@ def sense(
     own: Own,
     observation: Observation,
     known: Float[Array, " unknown"],
+    pushes: Drive,
     stage: Stage,
     chain: Chain,
 ) -> Sensed:
-    """`condense`, sample by sample."""
+    """`condense`, sample by sample; also along torques [J rad/s^2], (push, step)."""
 
     def store(index, rows, table):
         return table.at[:, index].set(rows)
 
-    empty = jnp.zeros((known.size + 1, observation.time.size, 2))
+    count = pushes.begin.shape[0]
+    empty = jnp.zeros((known.size + count + 1, observation.time.size, 2))
     unknowns = (shared, mounting, own)
-    table = sweep(unknowns, observation, known, stage, chain, store, empty)
-    return Sensed(residual=table[-1], columns=table[:-1])
+    table = sweep(unknowns, observation, known, pushes, stage, chain, store, empty)
+    return Sensed(table[-1], table[: known.size], table[known.size : -1])
 
 
-def sweep(unknowns, observation, known, stage, chain, fold, folded):
-    """Simulate with sensitivities; `fold` gathers the rows (dr/dz, r) of every sample."""
+def sweep(unknowns, observation, known, pushes, stage, chain, fold, folded):
+    """Simulate with sensitivities; `fold` gathers the rows (dr/dz, dr/dpush, r) of every sample."""
     point, unravel = ravel_pytree(unknowns)
     sizes = (TYPICAL.shared, TYPICAL.mounting, TYPICAL.own)
     unit, _ = ravel_pytree(jax.tree.map(jnp.full_like, unknowns, sizes))
@@ -96,15 +101,21 @@ def sweep(unknowns, observation, known, stage, chain, fold, folded):
         eq = equation(shared, mounting, own, observation, stage)
         return (eq, sensor_map(mounting, observation)), state, chain.begin(state)
 
+    count = pushes.begin.shape[0]
+    directions = jnp.concatenate([jnp.diag(1 - known), jnp.zeros((count, known.size))])
     ((eq, sensors), state, memory), ((by_eq, by_sensors), by_state, by_memory) = along(
-        setup, (point / unit,), (jnp.diag(1 - known),)
+        setup, (point / unit,), (directions,)
     )
 
     def forward(index, carry):
-        def step(eq, state):
-            return advance(eq, state, index, observation, stage)
+        def step(eq, state, missing):
+            return advance(eq, state, index, observation, stage, missing)
 
-        return along(step, (eq, carry[0]), (by_eq, carry[1]))
+        def pushed(leaf):
+            return jnp.concatenate([jnp.zeros(known.size), leaf[:, index]])
+
+        missing = jax.tree.map(jnp.asarray, NOTHING)
+        return along(step, (eq, carry[0], missing), (by_eq, carry[1], jax.tree.map(pushed, pushes)))
 
     def gather(index, carry, gathered):
         (memory, by_memory), folded = gathered

@@ -14,6 +14,8 @@ from jaxtyping import Float, Inexact, Int, Num
 
 from exoid.physics.leg import GRAVITY, LegParameters
 
+QUANTITIES = 8  # of the leg that a fit reports; two more of every segment
+
 
 class Shared(eqx.Module):
     """What the leg owns and motion can tell."""
@@ -113,6 +115,14 @@ def by_segment(point: Coordinates, seat: Seat, xp=jnp) -> Num[Any, "segment unkn
     leaves = jax.tree.leaves(point.mounting)
     mounting = [leaf[rows] for leaf, rows in zip(leaves, at, strict=True) if leaf.size]
     return xp.stack([*shared, *mounting, *jax.tree.leaves(point.own)], axis=1)
+
+
+def quantities(coordinates: Coordinates, xp=jnp) -> Inexact[Any, " quantity *column"]:
+    """What a fit reports: m, J, l, d, c, m l g / J, c / J, d / J; of each segment tau, tau / J."""
+    shared, own = coordinates.shared, coordinates.own
+    leg = jax.tree.leaves(leg_parameters(coordinates, xp))
+    common = xp.stack([*leg, shared.gravity, shared.stiffness, shared.damping])
+    return xp.concatenate([common, torque_amplitudes(coordinates, xp), own.torque])
 
 
 def leg_parameters(coordinates: Coordinates, xp=jnp) -> LegParameters:

@@ -6,21 +6,38 @@ import numpy as np
 
 from exoid.fit.belief import NAMES, Belief
 from exoid.fit.constraint import constraint_names
+from exoid.fit.coordinates import QUANTITIES, TYPICAL, flattened, unflattened
 from exoid.fit.family import equally_good
-from exoid.fit.multistart import FEASIBLE, SAME_LOSS, Ended, Problem, finite
-from exoid.fit.result import Estimate, FitResult, MultistartReport, SegmentFit
-from exoid.fit.uncertainty import Information, source
+from exoid.fit.multistart import SAME_LOSS, Ended
+from exoid.fit.observation import places, remounts
+from exoid.fit.problem import Problem, finite, take
+from exoid.fit.remarks import remarks
+from exoid.fit.result import (
+    Basis,
+    Estimate,
+    FitResult,
+    MountingFit,
+    MultistartReport,
+    SegmentFit,
+)
+from exoid.fit.uncertainty import HELD, Information
 from exoid.physics.leg import LegParameters
 from exoid.physics.parameter import declarations
 from exoid.physics.torque import CycleTorque
 
-MISFIT = 1.2  # widening of the errors from which the model does not explain the data
 NO_RATIO = 1e-3  # a ratio below it, at a bound of zero, is the rounding of the bound
+ON_BOUND = "at a bound: no error is quoted"
 RATIOS = {  # name: symbol, title, unit
     "gravity_over_inertia": ("m l g / J", "gravity over inertia", "1/s^2"),
     "stiffness_over_inertia": ("c / J", "stiffness over inertia", "1/s^2"),
     "damping_over_inertia": ("d / J", "damping over inertia", "1/s"),
     "torque_over_inertia": ("tau / J", "torque over inertia", "1/s^2"),
+}
+MOUNTING = {  # name: symbol, title, unit
+    "added_mass_distance": ("r", "distance of the added mass from the knee", "m"),
+    "zero": ("zero", "encoder zero against the first recording", "rad"),
+    "gyro_scale": ("scale", "gyro scale against the first recording, less 1", "-"),
+    "gyro_bias": ("bias", "gyro bias against the first recording", "rad/s"),
 }
 SCALE_FREE = (
     "motion alone fixes only the ratios to J: record a drop with a known mass, measure the torque, "
@@ -38,41 +55,38 @@ def describe(
 ) -> FitResult:
     """The numbers with their errors, units and reasons."""
     best, local = ended.best, ended.local
-    segments = len(problem.movements)
-    names = constraint_names(segments)
+    names = constraint_names(len(problem.movements))
     active = best.multiplier[0] > 0
     information = Information(data=local.data, prior=local.prior, active=local.constraints[active])
     at_bound = {name for name, hold in zip(names, active, strict=True) if hold}
     belief = problem.belief
     parameters = {
-        name: parameter_estimate(
-            name,
-            belief,
-            float(getattr(best.leg, name)[0]),
-            information,
-            local.parameters[number],
-            at_bound,
-        )
-        for number, name in enumerate(NAMES)
+        name: parameter_estimate(name, belief, float(value), information, gradient, at_bound)
+        for name, value, gradient in zip(NAMES, best.quantities[0], local.quantities, strict=False)
     }
+    voluntary = [number for number, each in enumerate(problem.movements) if each.voluntary]
     torques = [
-        estimate_torque(number, ended, information, at_bound) if each.voluntary else None
+        estimate_torque([number], ended, information, at_bound) if each.voluntary else None
         for number, each in enumerate(problem.movements)
     ]
-    ratios = estimate_ratios(problem, ended, information, at_bound)
     return FitResult(
         parameters=with_reasons(parameters, not np.isfinite(belief.limits.reach)),
-        ratios=ratios,
+        ratios=estimate_ratios(problem, ended, information, at_bound),
+        torque_amplitude=estimate_torque(voluntary, ended, information, at_bound)
+        if voluntary
+        else None,
         segments=[
             segment_fit(problem, ended, number, torque) for number, torque in enumerate(torques)
         ],
+        mountings=estimate_mountings(problem, ended, information),
         multistart=report(problem, ended),
         loss=float(best.loss[0]),
-        noise_scale=ended.noise_scale,
+        disturbance=ended.disturbance,
         torque_frequency=reading,
         other_reading_rmse=other_rmse,
         prior=problem.belief.note,
-        notes=notes(problem, ended, at_bound),
+        notes=remarks(problem, ended, at_bound),
+        basis=Basis(problem, ended, information),
     )
 
 
@@ -92,26 +106,25 @@ def parameter_estimate(
         given = float(getattr(belief.prior.standard_deviation, name))
         weight = float(belief.prior.weight)
         deviation = given / np.sqrt(weight) if weight > 0 else np.inf
-    error = information.standard_error(gradient)
-    found = source(information, gradient, deviation, name in at_bound)
-    held = name in at_bound or error == 0.0
+    shares = HELD if name in at_bound else information.shares(gradient)
     lower, upper = (
         float(getattr(limit, name)) for limit in (belief.limits.lower, belief.limits.upper)
     )
     if name in at_bound:  # the solver meets a bound to rounding; the bound itself is meant
         value = lower if abs(value - lower) < abs(value - upper) else upper
+    quoted = shares is not None and shares != HELD
     return Estimate(
         symbol=declared.symbol,
         title=declared.title,
         unit=declared.unit,
-        value=None if found is None else value,
-        standard_error=None if found is None or held else error,
+        value=None if shares is None else value,
+        standard_error=information.standard_error(gradient) if quoted else None,
         expected=None if expected is None else expected.value,
         expected_deviation=deviation if np.isfinite(deviation) else None,
         lower=lower if np.isfinite(lower) else None,
         upper=upper if np.isfinite(upper) else None,
-        determined_by=found,
-        reason="at a bound: no error is quoted" if held else None,
+        shares=shares,
+        reason=ON_BOUND if shares == HELD else None,
     )
 
 
@@ -130,22 +143,26 @@ def with_reasons(parameters: dict[str, Estimate], rig: bool) -> dict[str, Estima
     }
 
 
-def estimate_torque(number: int, ended: Ended, information: Information, at_bound) -> Estimate:
-    """tau of one voluntary segment."""
+def estimate_torque(
+    numbers: list[int], ended: Ended, information: Information, at_bound: set[str]
+) -> Estimate:
+    """The mean of tau over these voluntary segments."""
     declared = dict(declarations(CycleTorque))["amplitude"]
-    gradient = ended.local.parameters[len(NAMES) + number]
-    held = f"torque_amplitude[{number}]" in at_bound
-    found = source(information, gradient, np.inf, held)
-    known = found is not None
+    rows = QUANTITIES + np.array(numbers)
+    gradient = ended.local.quantities[rows].mean(axis=0)
+    held = all(f"torque_amplitude[{number}]" in at_bound for number in numbers)
+    shares = HELD if held else information.shares(gradient)
+    known = shares is not None
+    quoted = known and shares != HELD
     return Estimate(
         symbol=declared.symbol,
         title=declared.title,
         unit=declared.unit,
-        value=float(ended.best.torque[0, number]) if known else None,
-        standard_error=information.standard_error(gradient) if known and found != "bound" else None,
+        value=float(ended.best.quantities[0, rows].mean()) if known else None,
+        standard_error=information.standard_error(gradient) if quoted else None,
         lower=declared.lower,
         upper=declared.upper,
-        determined_by=found,
+        shares=shares,
         reason=None if known else SCALE_FREE,
     )
 
@@ -154,25 +171,64 @@ def estimate_ratios(
     problem: Problem, ended: Ended, information: Information, at_bound: set[str]
 ) -> dict[str, Estimate]:
     """m l g / J, c / J, d / J, and tau / J as the mean over the voluntary segments."""
-    best = ended.best
-    shared = best.coordinates.shared
-    values = [shared.gravity[0], shared.stiffness[0], shared.damping[0]]
-    gradients = list(ended.local.ratios[:3])
+    first, end = len(NAMES), QUANTITIES
+    values = list(ended.best.quantities[0, first:end])
+    gradients = list(ended.local.quantities[first:end])
     voluntary = [number for number, each in enumerate(problem.movements) if each.voluntary]
     if voluntary:
-        values.append(best.coordinates.own.torque[0, voluntary].mean())
-        gradients.append(ended.local.ratios[[3 + number for number in voluntary]].mean(axis=0))
+        rows = end + len(problem.movements) + np.array(voluntary)
+        values.append(ended.best.quantities[0, rows].mean())
+        gradients.append(ended.local.quantities[rows].mean(axis=0))
     estimates = {}
     for name, value, gradient in zip(RATIOS, values, gradients, strict=False):
-        error = information.standard_error(gradient)
-        held = error == 0.0 or name.removesuffix("_over_inertia") in at_bound & {"damping"}
+        held = name.removesuffix("_over_inertia") in at_bound & {"damping"}
+        shares = HELD if held else information.shares(gradient)
+        held = shares == HELD
         estimates[name] = Estimate(
             *RATIOS[name],
             value=0.0 if held and abs(value) < NO_RATIO else float(value),
-            standard_error=None if held or not np.isfinite(error) else error,
-            reason="at a bound: no error is quoted" if held else None,
+            standard_error=None if held or shares is None else information.standard_error(gradient),
+            shares=shares,
+            reason=ON_BOUND if held else None,
         )
     return estimates
+
+
+def estimate_mountings(
+    problem: Problem, ended: Ended, information: Information
+) -> list[MountingFit]:
+    """What every recording owned, of what was to be estimated."""
+    point = take(ended.best.coordinates, 0)
+    number = unflattened(np.arange(flattened(point).size), point).mounting
+    distances, others = places(problem.movements), remounts(problem.movements)
+
+    def estimate(name: str, field: str, entry: int) -> Estimate:
+        at = int(getattr(number, field)[entry])
+        value = float(getattr(point.mounting, field)[entry])
+        slope = float(getattr(TYPICAL.mounting, field))
+        if field == "log_distance":
+            value = float(np.exp(value))
+            slope *= value
+        gradient = slope * np.eye(flattened(point).size)[at]
+        shares = information.shares(gradient)
+        error = None if shares is None else information.standard_error(gradient)
+        return Estimate(*MOUNTING[name], value=value, standard_error=error, shares=shares)
+
+    def mounting(recording: int) -> MountingFit:
+        name = next(each.source for each in problem.movements if each.recording == recording)
+        placed, moved = recording in distances, recording in others
+        return MountingFit(
+            name,
+            estimate("added_mass_distance", "log_distance", distances.index(recording))
+            if placed
+            else None,
+            *(
+                estimate(each, each, others.index(recording)) if moved else None
+                for each in ("zero", "gyro_scale", "gyro_bias")
+            ),
+        )
+
+    return [mounting(recording) for recording in sorted({*distances, *others})]
 
 
 def segment_fit(problem: Problem, ended: Ended, number: int, torque: Estimate | None) -> SegmentFit:
@@ -221,36 +277,3 @@ def report(problem: Problem, ended: Ended) -> MultistartReport:
         members=members,
         distinct=len(np.unique(np.round(np.log(free[np.isfinite(free)]), 3))),
     )
-
-
-def notes(problem: Problem, ended: Ended, at_bound: set[str]) -> list[str]:
-    """What the user should know, in sentences."""
-    said = []
-    guessed = [each for each in problem.movements if not each.kind_said]
-    if guessed:
-        each = ", ".join(f"{one.name} {one.kind}" for one in guessed)
-        said.append(f"the sidecar does not say how the leg was moved; by its motion: {each}.")
-    if ended.noise_scale > MISFIT:
-        said.append(
-            "the residual is larger than the sensors' noise and not random: the model misses "
-            "something, or the noise level is wrong. Standard errors are widened "
-            f"{ended.noise_scale:.3g} times, for its size and for how slowly it varies; --plot "
-            "shows where it is."
-        )
-        if np.isfinite(problem.belief.limits.reach):
-            said.append(
-                "m l g / J and c / J hold for a spring that is slack at full extension (Eq. 9). "
-                "With another rest angle they trade off against each other by more than their "
-                "errors say: drops from several angles, or with a known mass, tell them apart."
-            )
-    if not np.isfinite(problem.belief.limits.reach):
-        said.append(
-            "on a rig the spring term c phi also takes up a constant torque and an encoder zero "
-            "that is off: read c / J as a spring only where a spring is known to be."
-        )
-    if float(ended.best.violation[0]) > FEASIBLE:
-        said.append("the limits could not all be met: see the bounds in the table.")
-    for rule in ("m l^2 <= J", "J <= reach m l"):
-        if rule in at_bound:
-            said.append(f"the fit lies on the limit {rule} of a rigid leg.")
-    return said

@@ -53,9 +53,12 @@ def fit_each(recordings: list[tuple[str, Recording]], **options) -> FitResult:
             settled_parameters(belief, ratios), not np.isfinite(belief.limits.reach)
         ),
         ratios=ratios,
+        torque_amplitude=mean_torque([r.torque_amplitude for r in results]),
         segments=[segment for each in results for segment in each.segments],
         loss=sum(each.loss for each in results),
-        noise_scale=max(each.noise_scale for each in results),
+        disturbance=max((each.disturbance for each in results), key=lambda one: one.scale),
+        mountings=[mounting for each in results for mounting in each.mountings],
+        basis=None,
         torque_frequency=readings.pop() if len(readings) == 1 else None,
         other_reading_rmse=None,
         notes=[
@@ -105,6 +108,14 @@ def averaged(each: list[Estimate]) -> Estimate:
     values = np.array([one.value for one in each], dtype=float)
     error = float(values.std(ddof=1) / np.sqrt(values.size)) if values.size > 1 else None
     return replace(each[0], value=float(values.mean()), standard_error=error)
+
+
+def mean_torque(each: list[Estimate | None]) -> Estimate | None:
+    """The mean over the voluntary segments, where it is known of all of them."""
+    there = [one for one in each if one is not None]
+    if not there or any(one.value is None for one in there):
+        return there[0] if there else None
+    return averaged(there)
 
 
 def settled_parameters(belief: Belief, ratios: dict[str, Estimate]) -> dict[str, Estimate]:

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from exoid.fit.multistart import Ended, Problem
+from exoid.fit.multistart import Ended
+from exoid.fit.problem import Problem
 from exoid.physics.leg import GRAVITY
 
 

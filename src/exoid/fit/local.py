@@ -1,9 +1,8 @@
 """The neighbourhood of a point of the fit: what penalties and standard errors are made of."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-import jax
 import numpy as np
 from jaxtyping import Float
 
@@ -15,6 +14,7 @@ from exoid.fit.coordinates import (
     by_segment,
     flattened,
     leg_parameters,
+    quantities,
     scaled,
     torque_amplitudes,
     unflattened,
@@ -33,8 +33,7 @@ class Local:
 
     data: Float[np.ndarray, "coordinate coordinate"]  # Gauss-Newton information of the misfit
     prior: Float[np.ndarray, "coordinate coordinate"]  # of the prior
-    parameters: Float[np.ndarray, "parameter coordinate"]  # d (m, J, l, d, c, tau of each segment)
-    ratios: Float[np.ndarray, "ratio coordinate"]  # d (m l g, c, d, tau of each segment) / J
+    quantities: Float[np.ndarray, "quantity coordinate"]  # d of `coordinates.quantities`
     constraints: Float[np.ndarray, "constraint coordinate"]  # d g
 
 
@@ -46,15 +45,6 @@ def neighbourhood(
 
     def free(values) -> Coordinates:
         return unscaled(unflattened(values, point))
-
-    def parameters(values):
-        at = free(values)
-        leg = np.stack(jax.tree.leaves(leg_parameters(at, np)))
-        return np.concatenate([leg, torque_amplitudes(at, np)])
-
-    def ratios(values):
-        shared, own = free(values).shared, free(values).own
-        return np.stack([shared.gravity, shared.stiffness, shared.damping, *own.torque])
 
     def belief(values):
         at = free(values)
@@ -71,10 +61,14 @@ def neighbourhood(
     return Local(
         data=information(condensed, columns(point, seat), flat.size),
         prior=by_prior.T @ by_prior,
-        parameters=derivative(parameters, flat),
-        ratios=derivative(ratios, flat),
+        quantities=derivative(lambda values: quantities(free(values), np), flat),
         constraints=by_constraint,
     )
+
+
+def weighed(local: Local, scale: float) -> Local:
+    """The same where the residual counts 1 / `scale`."""
+    return replace(local, data=local.data / scale**2)
 
 
 def derivative(function: Callable, at: np.ndarray) -> np.ndarray:

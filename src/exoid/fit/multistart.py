@@ -2,20 +2,14 @@
 
 from dataclasses import dataclass
 
-import jax
 import numpy as np
 
-from exoid.fit.belief import Belief
-from exoid.fit.chain import Chain
-from exoid.fit.constraint import constraint_names
 from exoid.fit.coordinates import Coordinates, Shared, scaled
-from exoid.fit.local import Local, neighbourhood, penalties
-from exoid.fit.observation import Movement, Observation, observe, places, remounts
-from exoid.fit.program import run
-from exoid.fit.residual import Stage
+from exoid.fit.disturbance import Disturbance
+from exoid.fit.local import Local, penalties, weighed
+from exoid.fit.problem import BATCH, Problem, advance, around, explained, finite, take, task
 from exoid.fit.starts import coordinates
-from exoid.fit.task import Solved, Task
-from exoid.fit.uncertainty import noise_scale
+from exoid.fit.task import Solved
 
 BASIN = 0.2  # typical steps within which tied starts have come together
 SAME_LOSS = 1e-3  # relative; other minima lie orders of magnitude higher
@@ -24,50 +18,7 @@ TETHERS = (60.0, 15.0)  # rad/s, of the first stage and the second; then free
 STIFF = 0.6  # greatest tether times step: Runge-Kutta carries it with room for the leg
 COARSE, FINE = 10.0, 1e-2  # tolerances, in units of noise
 LIMITED = 1e-3  # the same with limits: a multiplier of ten makes it 1e-3 of half a sum of squares
-ROUNDS = 10  # of multipliers; two digits a round
 FEASIBLE = 1e-4  # relative violation that is rounding of the multiplier method
-BATCH = 16  # lanes of start and segment at once: more leave the fast path of the compiled loop
-
-
-@dataclass(frozen=True, eq=False)
-class Problem:
-    """Everything about a fit that does not depend on the start."""
-
-    movements: list[Movement]
-    observation: Observation
-    known: np.ndarray
-    belief: Belief
-    chain: Chain
-
-    @property
-    def steps(self) -> int:
-        """Of the longest segment's simulation."""
-        weights = self.observation.angle_weight + self.observation.velocity_weight
-        return int(np.flatnonzero((np.asarray(weights) > 0).any(axis=0))[-1])
-
-    @property
-    def longest_step(self) -> float:
-        return float(np.diff(np.asarray(self.observation.time)).max())
-
-    @property
-    def unknowns(self) -> int:
-        shared = int((self.known[:, :4] == 0).any(axis=0).sum())
-        mounting = len(places(self.movements)) + 3 * len(remounts(self.movements))
-        return shared + mounting + int((self.known[:, -3:] == 0).sum())
-
-
-def pose(movements: list[Movement], belief: Belief, reading: str, chain: Chain) -> Problem:
-    """The problem of fitting one leg to these movements."""
-    observation = observe(movements, reading)
-    own = 4 + bool(places(movements)) + 3 * bool(remounts(movements))
-    known = np.zeros((len(movements), own + 3))
-    known[:, 0] = [not each.scaled for each in movements]
-    if places(movements):
-        known[:, 4] = observation.seat.place < 0
-    if remounts(movements):
-        known[:, own - 3 : own] = (observation.seat.remount < 0)[:, None]
-    known[:, own] = [not each.voluntary for each in movements]
-    return Problem(movements, observation, known, belief, chain)
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,7 +29,7 @@ class Ended:
     member: np.ndarray  # per start: its row of `free`, -1 where it failed
     failures: dict[str, int]
     best: Solved  # one row, with prior and limits
-    noise_scale: float
+    disturbance: Disturbance  # in the residual of the free fit
     starts: Coordinates
     local: Local  # of `best`
 
@@ -102,9 +53,10 @@ def search(problem: Problem, starts: np.ndarray) -> Ended:
     looser = advance(problem, gathered, task(problem, weaker, problem.steps, COARSE)).coordinates
     free = advance(problem, without_thrust(looser), task(problem, 0.0, problem.steps, FINE))
     member, failures = without_lost(free, member, failures)
-    scale = spread_of(problem, take(free, [int(np.nanargmin(finite(free.loss)))]))
-    best = settle(problem, free, begin, scale)
-    return Ended(free, member, failures, best, scale, begin, around(problem, best))
+    disturbance = explained(problem, free, int(np.argmin(finite(free.loss))))
+    best = settle(problem, free, begin, disturbance.scale)
+    local = around(problem, best, disturbance)
+    return Ended(free, member, failures, best, disturbance, begin, local)
 
 
 def without_thrust(at: Coordinates) -> Coordinates:
@@ -114,68 +66,6 @@ def without_thrust(at: Coordinates) -> Coordinates:
         shared.log_inertia, shared.gravity, shared.stiffness, np.maximum(shared.damping, 0.0)
     )
     return Coordinates(damped, at.log_mass, at.mounting, at.own)
-
-
-def around(problem: Problem, at: Solved, row: int = 0, scale: float = 1.0) -> Local:
-    """Derivatives and information at one end point, whose residual counts 1 / `scale`."""
-    one = take(at, row)
-    condensed = jax.tree.map(lambda leaf: leaf / scale, one.condensed)
-    belief, seat = problem.belief, problem.observation.seat
-    return neighbourhood(one.coordinates, condensed, seat, belief.prior, belief.limits)
-
-
-def task(
-    problem: Problem,
-    tether: float,
-    steps: int,
-    tolerance: float,
-    *,
-    scale: float = 1.0,
-    penalty: np.ndarray | None = None,
-) -> Task:
-    """What to ask of the solver; with a `penalty` per constraint, prior and limits take part."""
-    bounded = penalty is not None
-    constraints = len(constraint_names(len(problem.movements)))
-    return Task(
-        noise_scale=np.asarray(scale),
-        stage=Stage(np.asarray(float(tether)), np.asarray(steps)),
-        bounded=np.asarray(float(bounded)),
-        tolerance=np.asarray(tolerance),
-        rounds=np.asarray(ROUNDS if bounded else 1),
-        penalty=np.ones(constraints) if penalty is None else penalty,
-    )
-
-
-def advance(problem: Problem, starts: Coordinates, task: Task) -> Solved:
-    """Solve from all starts, a batch at a time: a batch ends when its slowest start has."""
-    count = starts.log_mass.shape[0]
-    lanes = max(2, BATCH // len(problem.movements))
-    parts = []
-    for first in range(0, count, lanes):
-        rows = np.minimum(np.arange(first, first + lanes), count - 1)
-        belief = problem.belief
-        parts.append(
-            run(
-                take(starts, rows),
-                problem.observation,
-                problem.known,
-                belief.prior,
-                belief.limits,
-                task,
-                problem.chain,
-            )
-        )
-    return jax.tree.map(lambda *each: np.concatenate(each)[:count], *parts)
-
-
-def take(tree, rows):
-    """These rows of every leaf."""
-    return jax.tree.map(lambda leaf: leaf[np.asarray(rows)], tree)
-
-
-def finite(loss: np.ndarray) -> np.ndarray:
-    """A start whose loss is not a number ended nowhere: it can never be the best."""
-    return np.where(np.isfinite(loss), loss, np.inf)
 
 
 def basins(problem: Problem, tied: Solved) -> tuple[np.ndarray, np.ndarray, dict[str, int]]:
@@ -220,28 +110,6 @@ def without_lost(free: Solved, member: np.ndarray, failures: dict[str, int]):
     return np.where(gone, -1, member), failures
 
 
-def residuals(problem: Problem, at: Solved) -> list[np.ndarray]:
-    """Per channel and segment, simulated minus measured over noise, of the first row of `at`."""
-    seen = problem.observation
-    each = []
-    for number in range(len(problem.movements)):
-        for weight, simulated, measured in (
-            (seen.angle_weight, at.angle, seen.angle),
-            (seen.velocity_weight, at.angular_velocity, seen.angular_velocity),
-        ):
-            weight = np.asarray(weight[number])
-            used = weight > 0
-            if used.any():
-                difference = simulated[0, number] - np.asarray(measured[number])
-                each.append((weight * difference)[used])
-    return each
-
-
-def spread_of(problem: Problem, best: Solved) -> float:
-    """How far the residual exceeds the noise, as it counts for errors."""
-    return noise_scale(residuals(problem, best), problem.unknowns)
-
-
 def settle(problem: Problem, free: Solved, begin: Coordinates, scale: float) -> Solved:
     """The best free fit under prior and limits, from several inertias and masses."""
     best = int(np.argmin(finite(free.loss)))
@@ -257,9 +125,8 @@ def settle(problem: Problem, free: Solved, begin: Coordinates, scale: float) -> 
         mass[0] = np.log(prior.expected.mass)
     shared = Shared(inertia, one.shared.gravity, one.shared.stiffness, one.shared.damping)
     starts = Coordinates(shared, mass, one.mounting, one.own)
-    penalty = penalties(around(problem, free, best, scale))
-    asked = task(problem, 0.0, problem.steps, LIMITED, scale=scale, penalty=penalty)
-    ended = advance(problem, starts, asked)
+    penalty = penalties(weighed(around(problem, free, row=best), scale))
+    ended = advance(problem, starts, task(problem, 0.0, problem.steps, LIMITED, penalty), scale)
     feasible = np.where(ended.violation < FEASIBLE, finite(ended.loss), np.inf)
     chosen = feasible if np.isfinite(feasible).any() else finite(ended.loss)
     return take(ended, [int(np.argmin(chosen))])

@@ -20,9 +20,9 @@ from exoid.fit.coordinates import (
     scaled,
     torque_amplitudes,
 )
-from exoid.fit.multistart import Problem
 from exoid.fit.observation import Observation
 from exoid.fit.prior import Prior, prior_residual
+from exoid.fit.problem import Problem
 from exoid.fit.residual import Stage, predict, residual
 from exoid.fit.starts import first_state, usual_mounting
 from exoid.physics.leg import GRAVITY

@@ -73,6 +73,11 @@ class Movement:
     recording: int = 0  # of those that are fitted together
 
     @property
+    def source(self) -> str:
+        """The recording, by its name where there are several."""
+        return self.name.rpartition(" ")[0] or "recording"
+
+    @property
     def voluntary(self) -> bool:
         return self.kind == "active"
 

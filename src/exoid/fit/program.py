@@ -69,14 +69,14 @@ def with_sound_programs(task: Callable[[], Result]) -> Result:
         return task()
 
 
-def run(starts, observation, known, prior, limits, task, chain: Chain) -> Solved:
+def run(starts, aim, observation, known, prior, limits, task, chain: Chain) -> Solved:
     """`solve`, with NumPy arrays in and out."""
-    return called("solve", (starts, observation, known, prior, limits, task), chain, SOLVED)
+    return called("solve", (starts, aim, observation, known, prior, limits, task), chain, SOLVED)
 
 
-def run_sense(point, observation, known, stage, chain: Chain) -> Sensed:
+def run_sense(point, observation, known, pushes, stage, chain: Chain) -> Sensed:
     """`sense_all`, with NumPy arrays in and out."""
-    return called("sense_all", (point, observation, known, stage), chain, SENSED)
+    return called("sense_all", (point, observation, known, pushes, stage), chain, SENSED)
 
 
 def called(name: str, arguments: tuple, chain: Chain, structure):

@@ -5,6 +5,7 @@ from typing import Any
 import equinox as eqx
 import jax
 import jax.numpy as jnp
+import numpy as np
 from jaxtyping import Array, Float, Int
 
 from exoid.fit.chain import Chain
@@ -13,6 +14,8 @@ from exoid.fit.observation import Observation
 from exoid.physics.leg import GRAVITY, Ratios
 from exoid.physics.simulate import Drive, march, rk4_step
 from exoid.physics.state import LegState
+
+NOTHING = Drive(*[np.zeros(())] * 3)  # is missing
 
 
 class Stage(eqx.Module):
@@ -32,6 +35,7 @@ class Equation(eqx.Module):
     ratios: Ratios
     cycle: Float[Any, ""]  # 1/s^2 for unit shape of Eq. 10
     torque: Float[Any, ""]  # 1/(kg m^2), for a measured torque
+    share: Float[Any, ""]  # of the leg in the inertia that moves
     zero: Float[Any, ""]  # rad, of the encoder; the tether pulls to the angle without it
 
 
@@ -58,6 +62,7 @@ def equation(
         ),
         cycle=own.torque * inertia / total,
         torque=1 / total,
+        share=inertia / total,
         zero=sensor_map(mounting, observation)[0],
     )
 
@@ -71,13 +76,18 @@ def sensor_map(mounting: Mounting, observation: Observation) -> Float[Array, "3"
 
 
 def advance(
-    eq: Equation, state: LegState, index: Int[Array, ""], observation: Observation, stage: Stage
+    eq: Equation,
+    state: LegState,
+    index: Int[Array, ""],
+    observation: Observation,
+    stage: Stage,
+    missing: Drive = NOTHING,
 ) -> LegState:
-    """The step from sample `index` to the next."""
+    """The step from sample `index` to the next, where a torque `missing` [J rad/s^2] acts too."""
 
-    def push(cycle, torque, guide_angle, guide_velocity):
+    def push(cycle, torque, missing, guide_angle, guide_velocity):
         pull = stage.tether**2 * guide_angle + 2 * stage.tether * guide_velocity
-        return eq.cycle * cycle + eq.torque * torque + pull
+        return eq.cycle * cycle + eq.torque * torque + eq.share * missing + pull
 
     def guide(at):
         return observation.guide_angle[at] - eq.zero, observation.guide_velocity[at]
@@ -86,9 +96,9 @@ def advance(
     middle = jax.tree.map(lambda a, b: (a + b) / 2, now, after)
     cycle, torque = jax.tree.map(lambda at: at[index], (observation.cycle, observation.torque))
     drive = Drive(
-        begin=push(cycle.begin, torque.begin, *now),
-        middle=push(cycle.middle, torque.middle, *middle),
-        end=push(cycle.end, torque.end, *after),
+        begin=push(cycle.begin, torque.begin, missing.begin, *now),
+        middle=push(cycle.middle, torque.middle, missing.middle, *middle),
+        end=push(cycle.end, torque.end, missing.end, *after),
     )
     step = observation.time[index + 1] - observation.time[index]
     return rk4_step(eq.ratios, state, step, drive)

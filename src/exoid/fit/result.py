@@ -1,11 +1,14 @@
 """What a fit found: values with their errors and reasons, not bare numbers."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 
 import numpy as np
 from jaxtyping import Float
 
-from exoid.fit.uncertainty import Source
+from exoid.fit.disturbance import Disturbance
+from exoid.fit.multistart import Ended
+from exoid.fit.problem import Problem
+from exoid.fit.uncertainty import Information, Shares, Source
 
 
 @dataclass(frozen=True)
@@ -21,8 +24,12 @@ class Estimate:
     expected_deviation: float | None = None
     lower: float | None = None
     upper: float | None = None
-    determined_by: Source | None = None
+    shares: Shares | None = None  # of its precision; None where there is none
     reason: str | None = None  # why there is no value, or no error
+
+    @property
+    def determined_by(self) -> Source | None:
+        return None if self.shares is None else self.shares.source
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,6 +52,22 @@ class SegmentFit:
     simulated_velocity: Float[np.ndarray, " sample"]  # rad/s
 
 
+@dataclass(frozen=True)
+class MountingFit:
+    """What a recording owned, where that was to be estimated."""
+
+    recording: str
+    added_mass_distance: Estimate | None
+    zero: Estimate | None  # of the encoder; this and the rest compare with the first recording
+    gyro_scale: Estimate | None
+    gyro_bias: Estimate | None
+
+    @property
+    def known(self) -> dict[str, Estimate]:
+        each = {f.name: getattr(self, f.name) for f in fields(self)[1:]}
+        return {name: one for name, one in each.items() if one is not None}
+
+
 @dataclass(frozen=True, eq=False)
 class MultistartReport:
     """Where the starts ended. `members` are sets that fit as well as the best, one per start."""
@@ -65,14 +88,22 @@ class FitResult:
 
     parameters: dict[str, Estimate]  # mass, inertia, com_distance, damping, stiffness (, torque)
     ratios: dict[str, Estimate]
+    torque_amplitude: Estimate | None  # mean over the voluntary segments, None where none is
     segments: list[SegmentFit]
+    mountings: list[MountingFit]
     multistart: MultistartReport
     loss: float  # half the sum of squares of data and prior, in units of noise
-    noise_scale: float  # by which standard errors were widened beyond sensor noise
+    disturbance: Disturbance  # what besides noise is in the residual
     torque_frequency: str | None  # the reading of Eq. 4 that fits better, None without cycles
     other_reading_rmse: float | None  # rad, of the reading that fits worse, where both were tried
     prior: str
     notes: list[str] = field(default_factory=list)
+    basis: "Basis | None" = None  # None where every segment was fitted alone
+
+    @property
+    def noise_scale(self) -> float:
+        """By which standard errors were widened beyond the sensors' noise, in the mean."""
+        return self.disturbance.scale
 
     @property
     def samples(self) -> int:
@@ -97,6 +128,15 @@ class FitResult:
     def angle_noise(self) -> float:
         """rad, the floor that no model can go below."""
         return pooled([(each.angle_noise, each.time.size) for each in self.segments])
+
+
+@dataclass(frozen=True, eq=False)
+class Basis:
+    """What a result rests on, for those who ask further: profiles, posterior, plans."""
+
+    problem: Problem
+    ended: Ended
+    information: Information
 
 
 def pooled(each: list[tuple[float, int]]) -> float:

@@ -8,18 +8,11 @@ import numpy as np
 from scipy.optimize import OptimizeResult, approx_fprime, minimize
 
 from exoid.fit.coordinates import Coordinates
-from exoid.fit.multistart import (
-    FEASIBLE,
-    Ended,
-    Problem,
-    advance,
-    around,
-    finite,
-    spread_of,
-    task,
-)
+from exoid.fit.local import weighed
+from exoid.fit.multistart import FEASIBLE, Ended
 from exoid.fit.objective import Objective
 from exoid.fit.observation import places, remounts
+from exoid.fit.problem import Problem, advance, around, explained, finite, task
 from exoid.fit.task import Solved
 
 PRECISION = 1e-7  # change of half a sum of squares in units of noise that ends a search
@@ -51,17 +44,18 @@ def search_slsqp(problem: Problem, starts: np.ndarray) -> Ended:
     cost = finite(np.where(arrived, [each.fun for each in found], np.inf))
     nearest = found[int(np.argmin(cost))].x
     alone = descend(replace(objective, bounded=False), nearest)
-    scale = spread_of(problem, look(problem, [objective.point(alone.x)]))
-    chosen = descend(replace(objective, scale=scale), nearest)
-    best = under_limits(problem, objective.point(chosen.x), scale, chosen.multipliers)
+    disturbance = explained(problem, look(problem, [objective.point(alone.x)]))
+    chosen = descend(replace(objective, scale=disturbance.scale), nearest)
+    point = objective.point(chosen.x)
+    best = under_limits(problem, point, disturbance.scale, chosen.multipliers)
     return Ended(
         free=look(problem, [objective.point(each.x) for each in found]),
         member=np.where(arrived, np.arange(arrived.size), -1),
         failures=dict(Counter(each.message for each in found if not each.success)),
         best=best,
-        noise_scale=scale,
+        disturbance=disturbance,
         starts=stacked([objective.point(vector) for vector in begin]),
-        local=around(problem, best),
+        local=around(problem, best, disturbance),
     )
 
 
@@ -106,17 +100,22 @@ def evenly_curved(objective: Objective, vector: np.ndarray) -> np.ndarray:
     """Axes along which a step changes the cost by about one, at most of the typical size."""
     problem = objective.problem
     there = look(problem, [objective.point(vector)])
-    local = around(problem, there, 0, objective.scale)
+    local = weighed(around(problem, there), objective.scale)
     by_vector = np.asarray(approx_fprime(vector, objective.flat))
     information = by_vector.T @ (local.data + objective.bounded * local.prior) @ by_vector
     values, vectors = np.linalg.eigh(information)
     return vectors / np.sqrt(np.maximum(values, 0) + 1)
 
 
-def look(problem: Problem, points: list[Coordinates], **asked) -> Solved:
+def look(
+    problem: Problem,
+    points: list[Coordinates],
+    scale: float = 1.0,
+    penalty: np.ndarray | None = None,
+) -> Solved:
     """The compiled program at these points, told that every step is negligible."""
-    still = task(problem, 0.0, problem.steps, NOTHING_MOVES, **asked)
-    return advance(problem, stacked(points), still)
+    still = task(problem, 0.0, problem.steps, NOTHING_MOVES, penalty)
+    return advance(problem, stacked(points), still, scale)
 
 
 def under_limits(
@@ -124,7 +123,7 @@ def under_limits(
 ) -> Solved:
     """This point as a bounded fit gives it back, with SLSQP's own multipliers of the limits."""
     limits = multipliers[:-2]  # without those that keep mass and inertia positive
-    seen = look(problem, [point], scale=scale, penalty=np.ones(limits.size))
+    seen = look(problem, [point], scale, np.ones(limits.size))
     return replace(seen, multiplier=limits[None])
 
 

@@ -15,6 +15,7 @@ from exoid.fit.coordinates import (
     Coordinates,
     Mounting,
     leg_parameters,
+    quantities,
     scaled,
     seated,
     torque_amplitudes,
@@ -23,12 +24,14 @@ from exoid.fit.coordinates import (
 from exoid.fit.observation import Observation
 from exoid.fit.prior import Prior, mounting_residual, prior_residual
 from exoid.fit.residual import Stage, predict
-from exoid.fit.task import Solved, Task
+from exoid.fit.task import Aim, Solved, Task
+from exoid.physics.simulate import Drive
 
 
 @partial(jax.jit, static_argnames="chain")
 def solve(
     starts: Coordinates,
+    aim: Aim,
     observation: Observation,
     known: Float[Array, "segment unknown"],
     prior: Prior,
@@ -36,15 +39,16 @@ def solve(
     task: Task,
     chain: Chain,
 ) -> Solved:
-    """Fit from every start. `starts` carries a leading axis; all else is shared."""
+    """Fit from every start. `starts` and `aim` carry a leading axis; all else is shared."""
     one = partial(solve_one, chain=chain)
-    return jax.vmap(one, in_axes=(0, None, None, None, None, None))(
-        starts, observation, known, prior, limits, task
+    return jax.vmap(one, in_axes=(0, 0, None, None, None, None, None))(
+        starts, aim, observation, known, prior, limits, task
     )
 
 
 def solve_one(
     start: Coordinates,
+    aim: Aim,
     observation: Observation,
     known: Float[Array, "segment unknown"],
     prior: Prior,
@@ -57,7 +61,7 @@ def solve_one(
         condensed = jax.vmap(each, in_axes=(None, 0, 0, 0, 0))(
             point.shared, mountings(point, observation), point.own, observation, known
         )
-        return jax.tree.map(lambda value: value / task.noise_scale, condensed)
+        return jax.tree.map(lambda value: value / aim.noise_scale, condensed)
 
     def residual(flat):
         # The value is exact at every point, the derivative is that of the linear model there.
@@ -71,7 +75,9 @@ def solve_one(
             mounting_residual(believed.mounting),
         ]
         belief = task.bounded * jnp.concatenate(expected)
-        return jnp.concatenate([data, belief]), (condensed, data @ data, belief @ belief)
+        pull = aim.strength * (aim.weights @ quantities(believed) - aim.target)
+        detail = (condensed, data @ data, belief @ belief)
+        return jnp.concatenate([data, belief, pull[None]]), detail
 
     def constraint(flat):
         point = unscaled(unravel(flat))
@@ -92,8 +98,9 @@ def solve_one(
         coordinates=end,
         leg=leg_parameters(end),
         torque=torque_amplitudes(end),
+        quantities=quantities(end),
         loss=(data + belief) / 2,
-        misfit=data * task.noise_scale**2,
+        misfit=data * aim.noise_scale**2,
         condensed=condensed,
         multiplier=outcome.multiplier,
         violation=outcome.violation,
@@ -114,11 +121,12 @@ def sense_all(
     point: Coordinates,
     observation: Observation,
     known: Float[Array, "segment unknown"],
+    pushes: Drive,
     stage: Stage,
     chain: Chain,
 ) -> Sensed:
     """Residual and sensitivities of every sample of every segment, at one point."""
     each = partial(sense, stage=stage, chain=chain)
-    return jax.vmap(each, in_axes=(None, 0, 0, 0, 0))(
-        point.shared, mountings(point, observation), point.own, observation, known
+    return jax.vmap(each, in_axes=(None, 0, 0, 0, 0, 0))(
+        point.shared, mountings(point, observation), point.own, observation, known, pushes
     )

@@ -16,12 +16,24 @@ from exoid.physics.leg import LegParameters
 class Task(eqx.Module):
     """What a run of the solver is asked to do."""
 
-    noise_scale: Float[Any, ""]  # residuals are divided by it
     stage: Stage
     bounded: Float[Any, ""]  # 1: with prior and limits, 0: the data alone
     tolerance: Float[Any, ""]  # in units of noise
     rounds: Int[Any, ""]  # of multiplier updates
     penalty: Float[Any, " constraint"]  # rho
+
+
+class Aim(eqx.Module):
+    """What a start is asked for by itself.
+
+    `strength` (weights . quantities - target) joins the residual. Where such a search ends, the
+    loss is the least for the value that the quantity has there: a point of its profile.
+    """
+
+    noise_scale: Float[Any, "*start"]  # residuals are divided by it
+    weights: Float[Any, "*start quantity"]  # of `coordinates.quantities`
+    target: Float[Any, "*start"]
+    strength: Float[Any, "*start"]
 
 
 class Solved(eqx.Module):
@@ -32,6 +44,7 @@ class Solved(eqx.Module):
     torque: Float[Any, "*start segment"]  # N m
     loss: Float[Any, "*start"]  # half the sum of squares, data and prior
     misfit: Float[Any, "*start"]  # sum of squares of the data residual over their noise
+    quantities: Float[Any, "*start quantity"]
     condensed: Condensed  # at the end point
     multiplier: Float[Any, "*start constraint"]
     violation: Float[Any, "*start"]
@@ -49,6 +62,7 @@ def solved_structure():
         torque=ROW,
         loss=NUMBER,
         misfit=NUMBER,
+        quantities=ROW,
         condensed=Condensed(TABLE, ROW, NUMBER),
         multiplier=ROW,
         violation=NUMBER,
@@ -62,4 +76,4 @@ def solved_structure():
 
 NUMBER, ROW, TABLE = np.zeros(()), np.zeros(1), np.zeros((1, 1))
 SOLVED = solved_structure()
-SENSED = jax.tree.structure(Sensed(TABLE, np.zeros((1, 1, 1))))
+SENSED = jax.tree.structure(Sensed(TABLE, *[np.zeros((1, 1, 1))] * 2))

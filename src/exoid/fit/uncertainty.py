@@ -1,5 +1,6 @@
 """Standard errors, and whether the data, the prior or a bound determined a value."""
 
+from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
@@ -9,8 +10,28 @@ Source = Literal["data", "prior", "both", "bound"]
 
 UNDETERMINED = 1e-3  # information per typical step squared: an error of thirty typical steps
 ON_BOUND = 1e-4  # relative size of what is left of a gradient where an end point lies on a limit
-FROM_DATA = 0.9  # share of the precision above which the data alone determined a value
-FROM_PRIOR = 0.5  # of its prior's standard deviation, above which the data hardly narrowed it
+DECIDED = 0.9  # share of the precision from which on one source alone determined a value
+
+
+@dataclass(frozen=True)
+class Shares:
+    """What part of a value's precision came from where; the three add up to 1."""
+
+    data: float
+    prior: float
+    bound: float
+
+    @property
+    def source(self) -> Source:
+        """Who determined the value."""
+        if self.bound > max(self.data, self.prior):
+            return "bound"
+        if self.data >= DECIDED:
+            return "data"
+        return "prior" if self.prior >= DECIDED else "both"
+
+
+HELD = Shares(0.0, 0.0, 1.0)  # on a bound
 
 
 class Information:
@@ -24,7 +45,8 @@ class Information:
         self.free = null_space(active, data.shape[0])
         self.posterior = np.linalg.eigh(self.free.T @ (data + prior) @ self.free)
         self.likelihood = np.linalg.eigh(self.free.T @ data @ self.free)
-        self.unbounded = np.linalg.eigh(data)
+        self.unbounded = np.linalg.eigh(data + prior)
+        self.parts = (data, prior)
 
     def standard_error(self, gradient: Float[np.ndarray, " coordinate"]) -> float:
         """Of a quantity with this gradient; inf where nothing determines it, 0 on a bound."""
@@ -34,11 +56,23 @@ class Information:
         """The standard error without any prior; inf where motion cannot tell."""
         return spread(self.likelihood, self.free, gradient)
 
-    def needs_bound(self, gradient: Float[np.ndarray, " coordinate"]) -> bool:
-        """Is it a bound that lets the data tell this?"""
-        everything = np.eye(gradient.size)
-        alone = np.isfinite(spread(self.unbounded, everything, gradient))
-        return bool(np.isfinite(self.data_only(gradient)) and not alone)
+    def shares(self, gradient: Float[np.ndarray, " coordinate"]) -> Shares | None:
+        """Who made the error as small as it is; None where nothing did.
+
+        With I = I_data + I_prior the variance is a'I^-1 a = a'I^-1 (I_data + I_prior) I^-1 a, a sum
+        of what each contributes. What the variance would be without the bounds tells their part.
+        """
+        error = self.standard_error(gradient)
+        if error == 0.0:
+            return HELD
+        if not np.isfinite(error):
+            return None
+        free = spread(self.unbounded, np.eye(gradient.size), gradient)
+        bound = max(0.0, 1 - (error / free) ** 2)
+        pull = inverse_times(self.posterior, self.free.T @ gradient)
+        data, prior = (pull @ (self.free.T @ part @ self.free) @ pull for part in self.parts)
+        rest = (1 - bound) / (data + prior)
+        return Shares(float(data * rest), float(prior * rest), float(bound))
 
 
 def spread(decomposed, free, gradient) -> float:
@@ -64,44 +98,8 @@ def null_space(rows, size: int):
     return vectors[rank:].T
 
 
-def source(
-    information: Information, gradient, prior_deviation: float, at_bound: bool
-) -> Source | None:
-    """Who determined a value; None where nothing did."""
-    error = information.standard_error(gradient)
-    if at_bound or error == 0.0:
-        return "bound"
-    if not np.isfinite(error):
-        return None
-    if information.needs_bound(gradient):
-        return "bound"
-    alone = information.data_only(gradient)
-    if np.isfinite(alone) and error**2 >= FROM_DATA * alone**2:
-        return "data"
-    return "prior" if error >= FROM_PRIOR * prior_deviation else "both"
-
-
-def noise_scale(residuals: list[np.ndarray], unknowns: int) -> float:
-    """How much larger than the noise the residual is, as it counts for standard errors.
-
-    1 where the model explains the data. Where it does not, chi per degree of freedom times the
-    square root of the residual's correlation time: neighbouring errors are not new evidence.
-    """
-    total = sum(float(each @ each) for each in residuals)
-    count = sum(each.size for each in residuals)
-    ratio = total / max(count - unknowns, 1)
-    if ratio < 1.2:  # white noise of a few hundred samples stays below this
-        return max(1.0, float(np.sqrt(ratio)))
-    times = [correlation_time(each) for each in residuals if each.size > 20]
-    return float(np.sqrt(ratio * max(1.0, np.mean(times)))) if times else float(np.sqrt(ratio))
-
-
-def correlation_time(residual: Float[np.ndarray, " sample"]) -> float:
-    """1 + 2 sum of the autocorrelation up to its first value below 0.05 [samples]."""
-    centred = residual - residual.mean()
-    spectrum = np.abs(np.fft.rfft(centred, 2 * centred.size)) ** 2
-    correlation = np.fft.irfft(spectrum)[: centred.size]
-    correlation = correlation / correlation[0]
-    below = np.flatnonzero(correlation < 0.05)
-    end = below[0] if below.size else correlation.size
-    return float(1 + 2 * correlation[1:end].sum())
+def inverse_times(decomposed, vector):
+    """I^-1 a, within the directions that I determines."""
+    values, vectors = decomposed
+    known = values > UNDETERMINED
+    return vectors[:, known] @ ((vectors.T @ vector)[known] / values[known])

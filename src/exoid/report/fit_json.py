@@ -11,10 +11,8 @@ from typing import Any
 import numpy as np
 
 from exoid.fit.result import Estimate, FitResult, MultistartReport, SegmentFit
-from exoid.fit.uncertainty import Source
 
 NO_TORQUE = "no segment has a voluntary torque"
-WEAKEST: list[Source] = ["bound", "prior", "both", "data"]  # a mean is as good as its weakest part
 
 
 def fit_document(
@@ -35,7 +33,7 @@ def fit_document(
             "settings": settings,
             "parameters": {
                 **{name: entry(each) for name, each in result.parameters.items()},
-                "torque_amplitude": entry(mean_torque(result) or no_torque()),
+                "torque_amplitude": entry(result.torque_amplitude or no_torque()),
             },
             "ratios": {name: entry(each) for name, each in result.ratios.items()},
             "fit": quality(result),
@@ -111,34 +109,6 @@ def segment(each: SegmentFit) -> dict[str, Any]:
         "velocity_noise_rad_s": each.velocity_noise,
         "samples": each.time.size,
     }
-
-
-def mean_torque(result: FitResult) -> Estimate | None:
-    """The mean torque amplitude over the voluntary segments; None where there is none.
-
-    Its standard error is the mean of the segments' errors, which it cannot exceed, and which it
-    reaches where all share the error of one scale, as they do.
-    """
-    each = [one.torque_amplitude for one in result.segments if one.torque_amplitude is not None]
-    if not each:
-        return None
-    values = [one.value for one in each if one.value is not None]
-    errors = [one.standard_error for one in each if one.standard_error is not None]
-    known = {one.determined_by for one in each}
-    sources: list[Source] = [source for source in WEAKEST if source in known]
-    complete = len(values) == len(each)
-    reasons = [one.reason for one in each if one.reason is not None]
-    return Estimate(
-        symbol=each[0].symbol,
-        title="mean torque amplitude of the voluntary segments",
-        unit=each[0].unit,
-        value=float(np.mean(values)) if complete else None,
-        standard_error=float(np.mean(errors)) if complete and len(errors) == len(each) else None,
-        lower=each[0].lower,
-        upper=each[0].upper,
-        determined_by=sources[0] if complete and sources else None,
-        reason=reasons[0] if reasons else None,
-    )
 
 
 def no_torque() -> Estimate:

@@ -9,7 +9,6 @@ from rich.table import Table
 from rich.text import Text
 
 from exoid.fit.result import Estimate, FitResult, SegmentFit
-from exoid.report.fit_json import mean_torque
 
 NOT_DETERMINED = "not determined"
 MOST_DECIMALS = 6  # beyond them a power of ten is read more easily
@@ -75,7 +74,7 @@ def print_segments(result: FitResult, console: Console) -> None:
     names = {"segment": [shortened(one.name, room) for one in each]}
     heading(console, "Segments")
     console.print(table(names | columns))
-    mean = mean_torque(result)
+    mean = result.torque_amplitude
     if mean is not None and mean.value is not None and len(each) > 1:
         say(console, f"Mean torque amplitude tau = {written(mean)} {mean.unit}.")
 

@@ -1,0 +1,271 @@
+"""What a recording tells of a leg, what only the prior or a bound does, and what nothing can.
+
+From the Fisher information of a fit (exact sensitivities, widened for what the residual holds
+besides noise): directions in which the parameters may move without any trace in the motion, those
+in which they leave hardly any, and the combinations that are well determined.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from jaxtyping import Float
+
+from exoid.diagnose.reversal import Reversal, reversals
+from exoid.fit.describe import RATIOS
+from exoid.fit.local import columns
+from exoid.fit.problem import take
+from exoid.fit.profile import named, weights_of
+from exoid.fit.result import Basis, Estimate, FitResult
+from exoid.fit.uncertainty import Information, inverse_times
+
+SHIFT = 0.10  # relative change by which an exact direction is put into words
+TRACE = 1e-3  # of the largest change along a direction; smaller ones are rounding
+VISIBLE = 0.05  # of the largest change; smaller ones are left out of the words
+WEAK = 0.05  # relative standard error from which on a combination counts as hardly told
+NOTHING = 1e-9  # relative information that is rounding
+RESTING = 0.5  # share of a value from which on it rests on the voluntary segments
+
+Changes = dict[str, float]  # parameter or ratio: relative change
+
+
+@dataclass(frozen=True)
+class Direction:
+    """Parameters that may move together, and how far: by `error` times `changes` for one sd."""
+
+    changes: Changes
+    error: float  # inf where no motion of this kind tells
+    words: str
+
+
+@dataclass(frozen=True, eq=False)
+class Identifiability:
+    """What was told by whom."""
+
+    null_directions: list[Direction]  # exact: a longer recording of the same kind would not help
+    weak_directions: list[Direction]  # practical: this recording hardly tells
+    combinations: dict[str, Estimate]  # what the data alone determine, with the data's own errors
+    names: list[str]  # of the rows of `correlation`
+    correlation: Float[np.ndarray, "name name"]  # of the errors; data, prior and bounds together
+    segment_shares: dict[str, Float[np.ndarray, " segment"]]  # which segments told a combination
+    reversals: list[Reversal]  # every segment against its mirror image in time
+    sentences: list[str]
+
+
+def identify(result: FitResult) -> Identifiability:
+    """Ask a fit what it knows, and from whom.
+
+    **Raises** `ValueError` for a result that has no one fit to ask (`fit_each`).
+    """
+    basis = result.basis
+    if basis is None:
+        raise ValueError("every segment was fitted alone: there is no one fit to ask.")
+    data = basis.ended.local.data
+    alone = Information(data, np.zeros_like(data), np.zeros((0, data.shape[0])))
+    gradients = relative_gradients(result, basis)
+    told = combinations(result, basis, alone)
+    exact = null_directions(result, gradients, alone)
+    weak = weak_directions(result, gradients, told, alone)
+    shares = segment_shares(basis, told, alone)
+    mirrored = reversals(basis.problem.movements)
+    names, correlation = correlations(told | dict(named(result)), gradients, basis)
+    return Identifiability(
+        exact,
+        weak,
+        told,
+        names,
+        correlation,
+        shares,
+        mirrored,
+        [
+            *(each.words for each in exact),
+            *(each.words for each in weak),
+            *scale_remark(basis, "inertia" in told),
+            *torque_remarks(basis, shares, mirrored),
+        ],
+    )
+
+
+def relative_gradients(result: FitResult, basis: Basis) -> dict[str, np.ndarray]:
+    """d log of every parameter and ratio that is not zero, in the fit's coordinates."""
+    each = {}
+    for name, _ in named(result):
+        weights = weights_of(name, basis)
+        value = float(weights @ basis.ended.best.quantities[0])
+        if value != 0:
+            each[name] = weights @ basis.ended.local.quantities / value
+    return each
+
+
+def combinations(result: FitResult, basis: Basis, alone: Information) -> dict[str, Estimate]:
+    """The ratios, and J, where the data alone determine them."""
+    values = {**result.ratios, "inertia": result.parameters["inertia"]}
+    told = {}
+    for name, each in values.items():
+        weights = weights_of(name, basis)
+        error = alone.standard_error(weights @ basis.ended.local.quantities)
+        if each.value is not None and np.isfinite(error):
+            told[name] = replace(each, standard_error=error or None)
+    return told
+
+
+def null_directions(
+    result: FitResult, gradients: dict[str, np.ndarray], alone: Information
+) -> list[Direction]:
+    """The directions in which the parameters move and no sample does.
+
+    The two that hold for every leg come first, as far as this recording leaves them open; what
+    else is open is given as it is found.
+    """
+    values, vectors = alone.unbounded
+    free = vectors[:, values <= NOTHING * values.max()]
+    names = [name for name in gradients if name not in RATIOS]
+    moved = np.stack([gradients[name] for name in names]) @ free
+    exchange = np.array([{"mass": 1.0, "com_distance": -1.0}.get(name, 0.0) for name in names])
+    scaling = np.array([float(name != "com_distance") for name in names])
+    found = [pattern for pattern in (exchange, scaling) if within(moved, pattern)]
+    rest = moved
+    if found:
+        known = np.stack(found, axis=1)
+        rest = moved - known @ np.linalg.lstsq(known, moved, rcond=None)[0]
+    left, sizes, _ = np.linalg.svd(rest, full_matrices=False)
+    found += list(left[:, sizes > TRACE].T)
+    symbols = {name: each.symbol for name, each in named(result)}
+    return [exact(dict(zip(names, map(float, p), strict=True)), symbols) for p in found]
+
+
+def within(moved: np.ndarray, pattern: np.ndarray) -> bool:
+    """Does the null space move the parameters in this pattern?"""
+    along = np.linalg.lstsq(moved, pattern, rcond=None)[0]
+    return bool(np.abs(moved @ along - pattern).max() < TRACE)
+
+
+def exact(changes: Changes, symbols: dict[str, str]) -> Direction:
+    words = f"{in_words(changes, SHIFT, symbols)}: the motion stays exactly the same"
+    if {name for name, change in changes.items() if change} == {"mass", "com_distance"}:
+        return Direction(changes, np.inf, f"{words}; no motion about a fixed axis tells m from l.")
+    return Direction(changes, np.inf, f"{words}.")
+
+
+def weak_directions(
+    result: FitResult,
+    gradients: dict[str, np.ndarray],
+    told: dict[str, Estimate],
+    alone: Information,
+) -> list[Direction]:
+    """Directions among the combinations along which the data leave more than WEAK, relative."""
+    names = [name for name in told if name in gradients]
+    if not names:
+        return []
+    rows = np.stack([gradients[name] for name in names])
+    covariance = rows @ np.stack([inverse_times(alone.likelihood, row) for row in rows], axis=1)
+    sizes, axes = np.linalg.eigh(covariance)
+    symbols = {name: each.symbol for name, each in named(result)}
+    found = []
+    for size, axis in zip(sizes[::-1], axes.T[::-1], strict=True):
+        error = float(np.sqrt(max(size, 0.0)))
+        if error > WEAK:
+            changes = dict(zip(names, map(float, axis), strict=True))
+            step = error * max(map(abs, changes.values()))
+            words = in_words(changes, step, symbols)
+            found.append(
+                Direction(changes, error, f"{words}: within one standard error of the data.")
+            )
+    return found
+
+
+def in_words(changes: Changes, step: float, symbols: dict[str, str]) -> str:
+    """The changes where the largest is `step`: what goes up and down, by how much."""
+    largest = max(changes.values(), key=abs)
+    steps = {name: step * change / largest for name, change in changes.items()}
+    groups: dict[str, list[str]] = {}
+    for name, each in sorted(steps.items(), key=lambda item: -abs(item[1])):
+        if abs(each) > VISIBLE * step:
+            move = f"{'up' if each > 0 else 'down'} {100 * abs(each):.2g} %"
+            groups.setdefault(move, []).append(symbols[name])
+    return ", ".join(f"{listed(each)} {move}" for move, each in groups.items())
+
+
+def listed(words: list[str]) -> str:
+    """a, b and c."""
+    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"
+
+
+def segment_shares(
+    basis: Basis, told: dict[str, Estimate], alone: Information
+) -> dict[str, np.ndarray]:
+    """What part of the data's information on every combination came from which segment."""
+    best, seen = take(basis.ended.best, 0), basis.problem.observation
+    places = columns(best.coordinates, seen.seat)
+    shares = {}
+    for name in told:
+        gradient = weights_of(name, basis) @ basis.ended.local.quantities
+        pull = inverse_times(alone.likelihood, gradient)
+        each = [np.sum((f @ pull[at]) ** 2) for f, at in zip(best.condensed.factor, places)]  # noqa: B905
+        shares[name] = np.array(each) / np.sum(each)
+    return shares
+
+
+def correlations(
+    quantities: dict[str, Estimate], gradients: dict[str, np.ndarray], basis: Basis
+) -> tuple[list[str], np.ndarray]:
+    """Of the errors of everything that has one."""
+    names = [name for name, each in quantities.items() if each.standard_error and name in gradients]
+    information = basis.information
+    rows = [information.free.T @ gradients[name] for name in names]
+    if not rows:
+        return [], np.zeros((0, 0))
+    table = np.stack(rows)
+    covariance = table @ np.stack([inverse_times(information.posterior, r) for r in rows], axis=1)
+    size = np.sqrt(np.diag(covariance))
+    return names, covariance / np.outer(size, size)
+
+
+def scale_remark(basis: Basis, inertia_told: bool) -> list[str]:
+    """Why the data do not fix the scale, where they do not."""
+    movements = basis.problem.movements
+    if inertia_told or not any(each.scaled for each in movements):
+        return []
+    return [
+        "the known mass was on the leg in every segment, so its inertia and the leg's cannot be "
+        "told apart: add a drop of the bare leg."
+    ]
+
+
+def torque_remarks(
+    basis: Basis, shares: dict[str, np.ndarray], mirrored: list[Reversal]
+) -> list[str]:
+    """Where the assumed form of the torque, and not the leg, made the numbers."""
+    voluntary = np.array([each.voluntary for each in basis.problem.movements])
+    resting = {
+        name: float(each[voluntary].sum())
+        for name, each in shares.items()
+        if each[voluntary].sum() > RESTING and name != "torque_over_inertia"
+    }
+    said = []
+    symmetric = [each for each in mirrored if each.mirrored]
+    cycles = [each for each in symmetric if each.voluntary]
+    if cycles and "damping_over_inertia" in resting:
+        said.append(
+            f"{segments(cycles)} moved the same forwards and backwards in time, and so does the "
+            "torque of Eq. 10: d / J then comes out near zero and m l g / J measures the duration, "
+            "whatever the leg is. Do not use J, d or the ratios of this recording; record a drop."
+        )
+    elif resting:
+        least = min(resting.values())
+        said.append(
+            f"{listed([RATIOS[name][0] if name in RATIOS else 'J' for name in resting])} rest by "
+            f"{100 * least:.0f} % or more on voluntary segments, where the form of the muscle's "
+            "torque (Eq. 10) is assumed: another form gives other values. A drop does not need it."
+        )
+    still = [each for each in symmetric if not each.voluntary]
+    if still:
+        said.append(
+            f"{segments(still)} moved the same forwards and backwards in time, as a leg that loses "
+            "no energy or that is moved by its muscles: was it really passive?"
+        )
+    return said
+
+
+def segments(each: list[Reversal]) -> str:
+    names = listed([one.segment for one in each])
+    return f"segment {names}" if len(each) == 1 else f"segments {names}"

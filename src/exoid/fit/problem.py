@@ -1,0 +1,155 @@
+"""The problem of a fit, and how the compiled programs are asked about it."""
+
+from dataclasses import dataclass, replace
+
+import jax
+import numpy as np
+
+from exoid.fit.belief import Belief
+from exoid.fit.chain import Chain
+from exoid.fit.constraint import constraint_names
+from exoid.fit.coordinates import QUANTITIES, Coordinates, flattened
+from exoid.fit.disturbance import Disturbance, explain, pushes
+from exoid.fit.local import Local, columns, neighbourhood
+from exoid.fit.observation import Movement, Observation, observe, places, remounts
+from exoid.fit.program import run, run_sense
+from exoid.fit.residual import Stage
+from exoid.fit.task import Aim, Solved, Task
+
+ROUNDS = 10  # of multipliers; two digits a round
+BATCH = 16  # lanes of start and segment at once: more leave the fast path of the compiled loop
+
+
+@dataclass(frozen=True, eq=False)
+class Problem:
+    """Everything about a fit that does not depend on the start."""
+
+    movements: list[Movement]
+    observation: Observation
+    known: np.ndarray
+    belief: Belief
+    chain: Chain
+
+    @property
+    def steps(self) -> int:
+        """Of the longest segment's simulation."""
+        weights = self.observation.angle_weight + self.observation.velocity_weight
+        return int(np.flatnonzero((np.asarray(weights) > 0).any(axis=0))[-1])
+
+    @property
+    def longest_step(self) -> float:
+        return float(np.diff(np.asarray(self.observation.time)).max())
+
+    @property
+    def unknowns(self) -> int:
+        shared = int((self.known[:, :4] == 0).any(axis=0).sum())
+        mounting = len(places(self.movements)) + 3 * len(remounts(self.movements))
+        return shared + mounting + int((self.known[:, -3:] == 0).sum())
+
+
+def pose(movements: list[Movement], belief: Belief, reading: str, chain: Chain) -> Problem:
+    """The problem of fitting one leg to these movements."""
+    observation = observe(movements, reading)
+    own = 4 + bool(places(movements)) + 3 * bool(remounts(movements))
+    known = np.zeros((len(movements), own + 3))
+    known[:, 0] = [not each.scaled for each in movements]
+    if places(movements):
+        known[:, 4] = observation.seat.place < 0
+    if remounts(movements):
+        known[:, own - 3 : own] = (observation.seat.remount < 0)[:, None]
+    known[:, own] = [not each.voluntary for each in movements]
+    return Problem(movements, observation, known, belief, chain)
+
+
+def task(
+    problem: Problem,
+    tether: float,
+    steps: int,
+    tolerance: float,
+    penalty: np.ndarray | None = None,
+) -> Task:
+    """What to ask of the solver; with a `penalty` per constraint, prior and limits take part."""
+    bounded = penalty is not None
+    constraints = len(constraint_names(len(problem.movements)))
+    return Task(
+        stage=Stage(np.asarray(float(tether)), np.asarray(steps)),
+        bounded=np.asarray(float(bounded)),
+        tolerance=np.asarray(tolerance),
+        rounds=np.asarray(ROUNDS if bounded else 1),
+        penalty=np.ones(constraints) if penalty is None else penalty,
+    )
+
+
+def advance(
+    problem: Problem, starts: Coordinates, task: Task, scale: float = 1.0, aim: Aim | None = None
+) -> Solved:
+    """Solve from all starts, a batch at a time: a batch ends when its slowest start has.
+
+    The residual counts 1 / `scale`; an `aim` says so for every start by itself.
+    """
+    count = starts.log_mass.shape[0]
+    aim = aimless(problem, np.full(count, scale)) if aim is None else aim
+    lanes = max(2, BATCH // len(problem.movements))
+    parts = []
+    for first in range(0, count, lanes):
+        rows = np.minimum(np.arange(first, first + lanes), count - 1)
+        belief = problem.belief
+        parts.append(
+            run(
+                take(starts, rows),
+                take(aim, rows),
+                problem.observation,
+                problem.known,
+                belief.prior,
+                belief.limits,
+                task,
+                problem.chain,
+            )
+        )
+    return jax.tree.map(lambda *each: np.concatenate(each)[:count], *parts)
+
+
+def aimless(problem: Problem, scale: np.ndarray) -> Aim:
+    """Starts that are pulled nowhere."""
+    nothing = np.zeros_like(scale)
+    quantities = QUANTITIES + 2 * len(problem.movements)
+    return Aim(scale, np.zeros((scale.size, quantities)), nothing, nothing)
+
+
+def explained(problem: Problem, at: Solved, row: int = 0) -> Disturbance:
+    """What is in the residual at one end point, and what it leaves of the data's information."""
+    point, seen = take(at.coordinates, row), problem.observation
+    durations = [float(each.segment.time[-1]) for each in problem.movements]
+    free = Stage(np.asarray(0.0), np.asarray(problem.steps))
+    sensed = run_sense(
+        point, seen, problem.known, pushes(seen.time, durations), free, problem.chain
+    )
+    return explain(
+        sensed,
+        seen.angle_weight,
+        seen.velocity_weight,
+        seen.time,
+        durations,
+        columns(point, seen.seat),
+        flattened(point).size,
+    )
+
+
+def around(
+    problem: Problem, at: Solved, disturbance: Disturbance | None = None, row: int = 0
+) -> Local:
+    """Derivatives and information at one end point; of the data what a `disturbance` leaves."""
+    one = take(at, row)
+    belief, seat = problem.belief, problem.observation.seat
+    local = neighbourhood(one.coordinates, one.condensed, seat, belief.prior, belief.limits)
+    return local if disturbance is None else replace(local, data=disturbance.information)
+
+
+def take(tree, rows):
+    """These rows of every leaf."""
+    return jax.tree.map(lambda leaf: leaf[np.asarray(rows)], tree)
+
+
+def finite(loss: np.ndarray) -> np.ndarray:
+    """A start whose loss is not a number ended nowhere: it can never be the best."""
+    return np.where(np.isfinite(loss), loss, np.inf)
