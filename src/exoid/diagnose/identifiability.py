@@ -10,13 +10,14 @@ from dataclasses import dataclass, replace
 import numpy as np
 from jaxtyping import Float
 
+from exoid.diagnose.legs import strangers
 from exoid.diagnose.reversal import Reversal, reversals
 from exoid.fit.describe import RATIOS
 from exoid.fit.local import columns
 from exoid.fit.problem import take
 from exoid.fit.profile import named, weights_of
 from exoid.fit.result import Basis, Estimate, FitResult
-from exoid.fit.uncertainty import Information, inverse_times
+from exoid.fit.uncertainty import HELD, Information, inverse_times
 
 SHIFT = 0.10  # relative change by which an exact direction is put into words
 TRACE = 1e-3  # of the largest change along a direction; smaller ones are rounding
@@ -77,6 +78,7 @@ def identify(result: FitResult) -> Identifiability:
         shares,
         mirrored,
         [
+            *strangers(result),
             *(each.words for each in exact),
             *(each.words for each in weak),
             *scale_remark(basis, "inertia" in told),
@@ -153,7 +155,7 @@ def weak_directions(
     alone: Information,
 ) -> list[Direction]:
     """Directions among the combinations along which the data leave more than WEAK, relative."""
-    names = [name for name in told if name in gradients]
+    names = [name for name in told if name in gradients and told[name].shares != HELD]
     if not names:
         return []
     rows = np.stack([gradients[name] for name in names])
@@ -166,10 +168,8 @@ def weak_directions(
         if error > WEAK:
             changes = dict(zip(names, map(float, axis), strict=True))
             step = error * max(map(abs, changes.values()))
-            words = in_words(changes, step, symbols)
-            found.append(
-                Direction(changes, error, f"{words}: within one standard error of the data.")
-            )
+            words = f"the data hardly tell: {in_words(changes, step, symbols)} is one sd of them."
+            found.append(Direction(changes, error, words))
     return found
 
 
@@ -225,9 +225,11 @@ def scale_remark(basis: Basis, inertia_told: bool) -> list[str]:
     movements = basis.problem.movements
     if inertia_told or not any(each.scaled for each in movements):
         return []
+    if any(each.kind == "measured" for each in movements):
+        return ["the measured torque varied too little to fix the scale: J stays open."]
     return [
         "the known mass was on the leg in every segment, so its inertia and the leg's cannot be "
-        "told apart: add a drop of the bare leg."
+        "told apart (singular): add a drop of the bare leg."
     ]
 
 

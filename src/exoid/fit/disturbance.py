@@ -121,7 +121,8 @@ def explain(
             values = likelihoods(grams[cause], correlated, SIZES, samples, size)
             top = int(np.argmax(values))
             if values[top] > best:
-                best, found = values[top], (cause, correlated, SIZES[top])
+                best = values[top]
+                found = (cause, correlated, float(SIZES[top]))
     return described(*found, grams[found[0] or "torque"], samples, size)
 
 

@@ -19,6 +19,7 @@ from exoid.recording.recording import Recording
 MIDDLING = (4.0, 0.4)  # kg, kg m^2: where nothing is expected
 PLAIN_SCALE = 1e3  # 1/rad: the solver's tolerances are in units of noise, here 1 mrad
 READINGS = ("1/T", "2/T")  # of Eq. 4
+APART = (("body_mass", "kg", 6.0), ("height", "m", 0.03))  # by which one person's sidecars differ
 
 
 def fit(
@@ -45,6 +46,7 @@ def fit(
     succeeded.
     """
     named = [("recording", recordings)] if isinstance(recordings, Recording) else recordings
+    check_one_leg(named)
     movements = [
         movement(recording, number, f"{name} {number}" if len(named) > 1 else str(number), belongs)
         for belongs, (name, recording) in enumerate(named)
@@ -72,6 +74,27 @@ def fit(
     ]
     voluntary = any(each.voluntary for each in movements)
     return describe(problem, ended, best if voluntary else None, others[0] if others else None)
+
+
+def check_one_leg(named: list[tuple[str, Recording]]) -> None:
+    """Refuse recordings whose sidecars speak of different bodies."""
+    for key, unit, most in APART:
+        known = {
+            name: value
+            for name, recording in named
+            if (value := getattr(recording.subject, key)) is not None
+        }
+        if not known:
+            continue
+        low, high = min(known, key=known.__getitem__), max(known, key=known.__getitem__)
+        if known[high] - known[low] > most:
+            raise ValueError(
+                f"{low} says {key} {known[low]:g} {unit}, {high} says {known[high]:g} {unit}: "
+                "recordings that are fitted together are of one leg. Fit them apart, or mend "
+                "the sidecars."
+            )
+    if len({recording.subject.kind == "rig" for _, recording in named}) > 1:
+        raise ValueError("some recordings are of a rig, others of a leg: fit them apart.")
 
 
 def begin(
