@@ -6,6 +6,7 @@ from typing import Annotated
 import typer
 
 from exoid.cli.fit import fit
+from exoid.cli.plan import plan
 from exoid.cli.simulate import simulate
 
 app = typer.Typer(
@@ -18,6 +19,7 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 app.command()(fit)
+app.command()(plan)
 app.command()(simulate)
 
 

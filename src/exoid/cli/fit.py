@@ -110,14 +110,32 @@ def fit(
         lambda: compute(named, each, options),
         "fitting; the first run of a new shape compiles for some seconds",
     )
-    show(result)
+    told = None if each else ask(result)
+    show(result, told)
+    wanted = (plot is not None or json is not None) and not each
+    profiles = patiently(lambda: profiled(result), "profiling") if wanted else None
     if plot is not None:
-        patiently(lambda: draw(result, plot), "drawing")
+        patiently(lambda: draw(result, profiles, plot), "drawing")
         typer.echo(f"wrote {plot}", err=True)
     if json is not None:
         settings = {"lambda": options.pop("weight"), **options, "each": each}
-        write_document(result, zip(paths, named, strict=True), settings, json)
+        sources = zip(paths, named, strict=True)
+        write_document(result, told, profiles, sources, settings, json)
         typer.echo(f"wrote {json}", err=True)
+
+
+def ask(result):
+    """What the recording told."""
+    from exoid.diagnose.identifiability import identify
+
+    return identify(result)
+
+
+def profiled(result):
+    """The profile of every quantity."""
+    from exoid.fit.profile import profiles
+
+    return profiles(result)
 
 
 def read(path: Path, dbc: Path | None, signal: list[str] | None, strict: bool):
@@ -147,14 +165,21 @@ def signal_map(signal: list[str] | None) -> dict[str, str] | None:
     return {name: target for name, _, target in pairs}
 
 
-def compute(named, each: bool, options: dict):
-    """The fit, with programs kept in the user's cache folder."""
+def prepare() -> None:
+    """Compute in float64, with programs kept in the user's cache folder."""
     import jax
 
-    from exoid.fit.program import keep_programs_in, with_sound_programs
+    from exoid.fit.program import keep_programs_in
 
     jax.config.update("jax_enable_x64", True)
     keep_programs_in()
+
+
+def compute(named, each: bool, options: dict):
+    """The fit."""
+    from exoid.fit.program import with_sound_programs
+
+    prepare()
     if each:
         from exoid.fit.each import fit_each as fit
     else:

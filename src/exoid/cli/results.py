@@ -5,34 +5,39 @@ from contextlib import suppress
 from pathlib import Path
 
 
-def show(result) -> None:
-    """The tables, on stdout."""
+def show(result, told=None) -> None:
+    """The tables, on stdout; with what the recording told, where that was asked."""
     from rich.console import Console
 
     from exoid.report.fit_table import print_fit
 
     with suppress(SystemExit):  # rich's answer to a closed pipe; files are still to be written
-        print_fit(result, Console())
+        print_fit(result, Console(), told)
 
 
-def draw(result, path: Path) -> None:
+def draw(result, profiles, path: Path) -> None:
     """The figure."""
     from exoid.report.plots import plot_fit, save_figure
 
-    save_figure(plot_fit(result), path)
+    save_figure(plot_fit(result, profiles), path)
 
 
-def write_document(result, recordings, settings: dict, path: Path) -> None:
+def write_document(result, told, profiles, recordings, settings: dict, path: Path) -> None:
     """The document for machines."""
     from importlib.metadata import version
 
     from exoid.report.fit_json import fit_document, write_json
 
     described = [describe(source, recording) for source, (_, recording) in recordings]
-    write_json(
-        fit_document(result, version=version("exoid"), recordings=described, settings=settings),
-        path,
+    document = fit_document(
+        result,
+        version=version("exoid"),
+        recordings=described,
+        settings=settings,
+        told=told,
+        profiles=profiles,
     )
+    write_json(document, path)
 
 
 def describe(path: Path, recording) -> dict:

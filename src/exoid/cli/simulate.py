@@ -36,6 +36,9 @@ def simulate(
     period: Annotated[float, typer.Option(min=0.2, max=LONGEST, help="T of the cycles [s]")] = 1.8,
     duration: Annotated[float, typer.Option(min=0.5, max=LONGEST, help="Of each drop [s]")] = 6.0,
     added_mass: Annotated[float, typer.Option(min=0.0, max=50.0, help="At the ankle [kg]")] = 0.0,
+    thigh_angle: Annotated[
+        float, typer.Option(min=-60.0, max=60.0, help="Knee above the hip [deg], by the seat.")
+    ] = 0.0,
     body_mass: Annotated[float | None, typer.Option(help="For the sidecar [kg]")] = None,
     height: Annotated[float | None, typer.Option(help="For the sidecar [m]")] = None,
     noise: Annotated[
@@ -83,7 +86,7 @@ def simulate(
     parameters = LegParameters(**{name: jnp.asarray(value) for name, value in leg.items()})
     recording = patiently(
         lambda: record(
-            LegModel(parameters, NoTorque()),
+            LegModel(parameters, NoTorque(), jnp.asarray(np.radians(thigh_angle))),
             [*drops, *cycles],
             jax.random.key(seed),
             exact=not noise,

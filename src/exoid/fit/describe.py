@@ -20,13 +20,14 @@ from exoid.fit.result import (
     MultistartReport,
     SegmentFit,
 )
-from exoid.fit.uncertainty import HELD, Information
+from exoid.fit.uncertainty import HELD, Information, Shares
 from exoid.physics.leg import LegParameters
 from exoid.physics.parameter import declarations
 from exoid.physics.torque import CycleTorque
 
 NO_RATIO = 1e-3  # a ratio below it, at a bound of zero, is the rounding of the bound
 ON_BOUND = "at a bound: no error is quoted"
+NARROWED = "± holds only on the bound that made it known; inwards it is wider, as --plot shows"
 RATIOS = {  # name: symbol, title, unit
     "gravity_over_inertia": ("m l g / J", "gravity over inertia", "1/s^2"),
     "stiffness_over_inertia": ("c / J", "stiffness over inertia", "1/s^2"),
@@ -124,8 +125,13 @@ def parameter_estimate(
         lower=lower if np.isfinite(lower) else None,
         upper=upper if np.isfinite(upper) else None,
         shares=shares,
-        reason=ON_BOUND if shares == HELD else None,
+        reason=ON_BOUND if shares == HELD else NARROWED if narrowed(shares) else None,
     )
+
+
+def narrowed(shares: Shares | None) -> bool:
+    """Is the error small only because a bound holds another quantity?"""
+    return shares is not None and shares.source == "bound"
 
 
 def with_reasons(parameters: dict[str, Estimate], rig: bool) -> dict[str, Estimate]:

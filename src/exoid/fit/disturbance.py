@@ -19,6 +19,7 @@ import numpy as np
 from jaxtyping import Float
 
 from exoid.fit.condense import Sensed
+from exoid.fit.observation import Observation
 from exoid.physics.simulate import Drive
 
 Cause = Literal["torque", "encoder"]
@@ -89,30 +90,20 @@ def pushes(time: np.ndarray, durations: list[float]) -> Drive:
 
 
 def explain(
-    sensed: Sensed,
-    angle_weight: Float[np.ndarray, "segment time"],
-    velocity_weight: Float[np.ndarray, "segment time"],
-    time: Float[np.ndarray, "segment time"],
-    durations: list[float],
-    columns: np.ndarray,
-    size: int,
+    sensed: Sensed, seen: Observation, durations: list[float], columns: np.ndarray, size: int
 ) -> Disturbance:
     """The noise and the process of greatest restricted likelihood, and the information left.
 
     `columns` places every segment's unknowns among the `size` coordinates of the fit.
     """
-    grams: dict[Cause, list[Gram]] = {"torque": [], "encoder": []}
-    for number, duration in enumerate(durations):
-        used = (angle_weight[number] > 0) | (velocity_weight[number] > 0)
-        fitted = np.concatenate([sensed.columns[number], sensed.residual[number][None]])[:, used]
-        torque = sensed.responses[number][:, used]
-        shape = hats(time[number][used], duration, torque.shape[0])
-        error = np.zeros_like(torque)
-        error[..., 0] = ANGLE_UNIT * shape * angle_weight[number][used]
-        nodes = node_times(duration, torque.shape[0])
-        grams["torque"].append(gram(columns[number], fitted, torque, nodes))
-        grams["encoder"].append(gram(columns[number], fitted, error, nodes))
-    samples = int((angle_weight > 0).sum() + (velocity_weight > 0).sum())
+    grams = {
+        cause: [
+            gram(sensed, seen, number, duration, cause, columns[number])
+            for number, duration in enumerate(durations)
+        ]
+        for cause in CAUSES
+    }
+    samples = int((seen.angle_weight > 0).sum() + (seen.velocity_weight > 0).sum())
     alone = likelihoods(grams["torque"], CORRELATED[0], np.zeros(1), samples, size)[0]
     best = alone + CLEAR
     found: tuple[Cause | None, float, float] = (None, CORRELATED[0], 0.0)
@@ -126,8 +117,38 @@ def explain(
     return described(*found, grams[found[0] or "torque"], samples, size)
 
 
-def gram(place: np.ndarray, fitted: np.ndarray, effect: np.ndarray, nodes: np.ndarray) -> Gram:
-    rows, process = fitted.reshape(len(fitted), -1), effect.reshape(len(effect), -1)
+def left_to(
+    segment: int, sensed: Sensed, seen: Observation, duration: float, found: Disturbance
+) -> np.ndarray:
+    """The information on its own unknowns that one segment keeps where `found` acts on it too."""
+    size = sensed.columns.shape[1]
+    cause = found.cause or "torque"
+    one = gram(sensed, seen, segment, duration, cause, np.arange(size))
+    unit = ANGLE_UNIT if cause == "encoder" else 1.0
+    ratio = (found.deviation / unit / found.noise) ** 2
+    samples = int((seen.angle_weight[segment] > 0).sum())
+    spoiled = described(cause, found.correlation_time, ratio, [one], samples, size)
+    return spoiled.information / found.noise**2
+
+
+def gram(
+    sensed: Sensed,
+    seen: Observation,
+    number: int,
+    duration: float,
+    cause: Cause,
+    place: np.ndarray,
+) -> Gram:
+    """The inner products of one segment, for one cause."""
+    used = (seen.angle_weight[number] > 0) | (seen.velocity_weight[number] > 0)
+    fitted = np.concatenate([sensed.columns[number], sensed.residual[number][None]])[:, used]
+    effect = sensed.responses[number][:, used]
+    count = effect.shape[0]
+    if cause == "encoder":
+        shape = hats(seen.time[number][used], duration, count) * seen.angle_weight[number][used]
+        effect = np.stack([ANGLE_UNIT * shape, np.zeros_like(shape)], axis=-1)
+    rows, process = fitted.reshape(len(fitted), -1), effect.reshape(count, -1)
+    nodes = node_times(duration, count)
     return Gram(place, rows @ rows.T, process @ rows.T, process @ process.T, nodes)
 
 

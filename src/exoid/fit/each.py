@@ -107,7 +107,7 @@ def averaged(each: list[Estimate]) -> Estimate:
     """The mean of the values, with the standard error that their scatter gives it."""
     values = np.array([one.value for one in each], dtype=float)
     error = float(values.std(ddof=1) / np.sqrt(values.size)) if values.size > 1 else None
-    return replace(each[0], value=float(values.mean()), standard_error=error)
+    return replace(each[0], value=float(values.mean()), standard_error=error, shares=None)
 
 
 def mean_torque(each: list[Estimate | None]) -> Estimate | None:

@@ -41,28 +41,40 @@ def neighbourhood(
     point: Coordinates, condensed: Condensed, seat: Seat, prior: Prior, limits: Limits
 ) -> Local:
     """The derivatives at `point` (no leading axis), where the misfit condenses to `condensed`."""
-    flat = flattened(scaled(point))
 
-    def free(values) -> Coordinates:
-        return unscaled(unflattened(values, point))
+    def constraint(at: Coordinates):
+        return violations(limits, leg_parameters(at, np), torque_amplitudes(at, np), np)
 
-    def belief(values):
-        at = free(values)
+    with np.errstate(invalid="ignore"):  # infinite limits are no limits
+        by_constraint = gradients(constraint, point)
+    return Local(
+        data=information(condensed, columns(point, seat), flattened(point).size),
+        prior=prior_information(point, prior),
+        quantities=quantity_gradients(point),
+        constraints=by_constraint,
+    )
+
+
+def prior_information(point: Coordinates, prior: Prior) -> np.ndarray:
+    """What is believed of leg and mountings, around `point`."""
+
+    def belief(at: Coordinates):
         leg = prior_residual(prior, leg_parameters(at, np), np)
         return np.concatenate([leg, mounting_residual(at.mounting, np)])
 
-    def constraint(values):
-        at = free(values)
-        return violations(limits, leg_parameters(at, np), torque_amplitudes(at, np), np)
+    by_prior = gradients(belief, point)
+    return by_prior.T @ by_prior
 
-    by_prior = derivative(belief, flat)
-    with np.errstate(invalid="ignore"):  # infinite limits are no limits
-        by_constraint = derivative(constraint, flat)
-    return Local(
-        data=information(condensed, columns(point, seat), flat.size),
-        prior=by_prior.T @ by_prior,
-        quantities=derivative(lambda values: quantities(free(values), np), flat),
-        constraints=by_constraint,
+
+def quantity_gradients(point: Coordinates) -> np.ndarray:
+    """d of `coordinates.quantities`: (quantity, coordinate)."""
+    return gradients(lambda at: quantities(at, np), point)
+
+
+def gradients(function: Callable[[Coordinates], np.ndarray], point: Coordinates) -> np.ndarray:
+    """The Jacobian of a function of the coordinates, in the units that the solver sees."""
+    return derivative(
+        lambda values: function(unscaled(unflattened(values, point))), flattened(scaled(point))
     )
 
 

@@ -7,6 +7,7 @@ import numpy as np
 
 from exoid.fit.belief import Belief
 from exoid.fit.chain import Chain
+from exoid.fit.condense import Sensed
 from exoid.fit.constraint import constraint_names
 from exoid.fit.coordinates import QUANTITIES, Coordinates, flattened
 from exoid.fit.disturbance import Disturbance, explain, pushes
@@ -15,6 +16,7 @@ from exoid.fit.observation import Movement, Observation, observe, places, remoun
 from exoid.fit.program import run, run_sense
 from exoid.fit.residual import Stage
 from exoid.fit.task import Aim, Solved, Task
+from exoid.physics.simulate import Drive
 
 ROUNDS = 10  # of multipliers; two digits a round
 BATCH = 16  # lanes of start and segment at once: more leave the fast path of the compiled loop
@@ -35,6 +37,11 @@ class Problem:
         """Of the longest segment's simulation."""
         weights = self.observation.angle_weight + self.observation.velocity_weight
         return int(np.flatnonzero((np.asarray(weights) > 0).any(axis=0))[-1])
+
+    @property
+    def durations(self) -> list[float]:
+        """Of every segment [s]."""
+        return [float(each.segment.time[-1]) for each in self.movements]
 
     @property
     def longest_step(self) -> float:
@@ -119,20 +126,19 @@ def aimless(problem: Problem, scale: np.ndarray) -> Aim:
 def explained(problem: Problem, at: Solved, row: int = 0) -> Disturbance:
     """What is in the residual at one end point, and what it leaves of the data's information."""
     point, seen = take(at.coordinates, row), problem.observation
-    durations = [float(each.segment.time[-1]) for each in problem.movements]
+    durations = problem.durations
+    found = sensed(problem, point, pushes(seen.time, durations))
+    return explain(found, seen, durations, columns(point, seen.seat), flattened(point).size)
+
+
+def sensed(problem: Problem, point: Coordinates, missing: Drive | None = None) -> Sensed:
+    """Residual and sensitivities of every sample at a point; also to `missing` torques."""
+    seen = problem.observation
+    if missing is None:
+        none = np.zeros((len(problem.movements), 0, seen.time.shape[1] - 1))
+        missing = Drive(none, none, none)
     free = Stage(np.asarray(0.0), np.asarray(problem.steps))
-    sensed = run_sense(
-        point, seen, problem.known, pushes(seen.time, durations), free, problem.chain
-    )
-    return explain(
-        sensed,
-        seen.angle_weight,
-        seen.velocity_weight,
-        seen.time,
-        durations,
-        columns(point, seen.seat),
-        flattened(point).size,
-    )
+    return run_sense(point, seen, problem.known, missing, free, problem.chain)
 
 
 def around(

@@ -117,9 +117,12 @@ def posed(basis: Basis, name: str, estimate: Estimate) -> Quest | None:
     gradient = weights @ basis.ended.local.quantities
     value = float(weights @ basis.ended.best.quantities[0])
     everywhere = np.eye(gradient.size)
-    step = estimate.standard_error or spread(basis.information.unbounded, everywhere, gradient)
-    if not np.isfinite(step) or step == 0:
-        step = WIDE * abs(value) / REACH
+    # A bound may have narrowed the error on one side only: look as far as it would reach without.
+    free = spread(basis.information.unbounded, everywhere, gradient)
+    most = WIDE * abs(value) / REACH
+    step = max(estimate.standard_error or 0.0, free if np.isfinite(free) else 0.0)
+    if step == 0 or (estimate.standard_error is None and step > most > 0):
+        step = most
     if not step > 0:
         return None
     targets = value + step * np.linspace(-REACH, REACH, POINTS)

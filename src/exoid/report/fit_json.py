@@ -5,12 +5,16 @@ import math
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from exoid.fit.result import Estimate, FitResult, MultistartReport, SegmentFit
+from exoid.diagnose.identifiability import Identifiability
+from exoid.fit.disturbance import Disturbance
+from exoid.fit.profile import Profile
+from exoid.fit.result import Estimate, FitResult, MountingFit, MultistartReport, SegmentFit
 
 NO_TORQUE = "no segment has a voluntary torque"
 
@@ -21,21 +25,32 @@ def fit_document(
     version: str,
     recordings: Sequence[Mapping[str, Any]],
     settings: Mapping[str, Any],
+    told: Identifiability | None = None,
+    profiles: Mapping[str, Profile] | None = None,
 ) -> dict[str, Any]:
     """The fit in SI units and radians; null, with a reason beside it, where nothing is known.
 
     `recordings` has path, sha256 and segments of every file; `settings` what the user asked for.
     """
+    profiles = profiles or {}
     return plain(
         {
             "exoid": version,
             "recordings": list(recordings),
             "settings": settings,
             "parameters": {
-                **{name: entry(each) for name, each in result.parameters.items()},
-                "torque_amplitude": entry(result.torque_amplitude or no_torque()),
+                name: entry(each) | {"profile": profile(profiles.get(name))}
+                for name, each in (
+                    *result.parameters.items(),
+                    ("torque_amplitude", result.torque_amplitude or no_torque()),
+                )
             },
-            "ratios": {name: entry(each) for name, each in result.ratios.items()},
+            "ratios": {
+                name: entry(each) | {"profile": profile(profiles.get(name))}
+                for name, each in result.ratios.items()
+            },
+            "mountings": [mounting(each) for each in result.mountings],
+            "identifiability": None if told is None else identifiability(told),
             "fit": quality(result),
             "multistart": multistart(result.multistart),
             "segments": [segment(each) for each in result.segments],
@@ -57,6 +72,7 @@ def entry(each: Estimate) -> dict[str, Any]:
         "lower": each.lower,
         "upper": each.upper,
         "determined_by": each.determined_by,
+        "shares": None if each.shares is None else asdict(each.shares),
         "reason": each.reason,
     }
 
@@ -70,9 +86,55 @@ def quality(result: FitResult) -> dict[str, Any]:
         "samples": result.samples,
         "loss": result.loss,
         "noise_scale": result.noise_scale,
+        "disturbance": disturbance(result.disturbance),
         "torque_frequency": result.torque_frequency,
         "other_torque_frequency_angle_rmse_rad": result.other_reading_rmse,
         "prior": result.prior,
+    }
+
+
+def disturbance(found: Disturbance) -> dict[str, Any]:
+    """What besides white noise is in the residual; the deviation in rad/s^2 (times J) or rad."""
+    none = found.cause is None
+    return {
+        "cause": found.cause,
+        "correlation_time_s": None if none else found.correlation_time,
+        "deviation": None if none else found.deviation,
+        "noise_over_declared": found.noise,
+        "widening_least": found.widening.min(),
+        "widening_most": found.widening.max(),
+    }
+
+
+def profile(found: Profile | None) -> dict[str, Any] | None:
+    """The least twice-loss over the best, and where it passes the 95 % point; null at no end."""
+    if found is None:
+        return None
+    return {
+        "shape": found.shape,
+        "lower": found.lower,
+        "upper": found.upper,
+        "value": found.value,
+        "rise": found.rise,
+    }
+
+
+def mounting(each: MountingFit) -> dict[str, Any]:
+    """What a recording owned."""
+    known = {name: entry(one) for name, one in each.known.items()}
+    return {"recording": each.recording, **known}
+
+
+def identifiability(told: Identifiability) -> dict[str, Any]:
+    """Directions as relative changes; `error` is null where no motion tells."""
+    return {
+        "null_directions": [asdict(each) for each in told.null_directions],
+        "weak_directions": [asdict(each) for each in told.weak_directions],
+        "combinations": {name: entry(each) for name, each in told.combinations.items()},
+        "correlation": {"names": told.names, "matrix": told.correlation},
+        "segment_shares": told.segment_shares,
+        "mirrored": [asdict(each) for each in told.reversals],
+        "sentences": told.sentences,
     }
 
 

@@ -1,5 +1,6 @@
 """What a person reads after a fit: values with their errors and units, and what they rest on."""
 
+from dataclasses import replace
 from math import degrees, floor, log10
 
 from rich.box import SIMPLE_HEAD
@@ -8,19 +9,25 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
+from exoid.diagnose.identifiability import Identifiability
 from exoid.fit.result import Estimate, FitResult, SegmentFit
 
 NOT_DETERMINED = "not determined"
 MOST_DECIMALS = 6  # beyond them a power of ten is read more easily
 MOST_DIGITS = 7  # of a value, however small its error
 AT_BOUND = 1e-3  # relative distance within which a value is written as its bound
+BAR = 5  # blocks of a bar of shares
+DATA, PRIOR, BOUND = "█", "▒", "░"
 SHORTEST_NAME = 16  # that still tells the segments of two recordings apart
 
 
-def print_fit(result: FitResult, console: Console) -> None:
-    """Print the whole fit; 80 columns are enough."""
+def print_fit(result: FitResult, console: Console, told: Identifiability | None = None) -> None:
+    """Print the whole fit, and what the recording told where that was asked; 80 columns do."""
     print_parameters(result, console)
     print_ratios(result, console)
+    print_mountings(result, console)
+    if told is not None:
+        print_told(told, console)
     print_segments(result, console)
     print_quality(result, console)
     print_multistart(result, console)
@@ -36,14 +43,29 @@ def print_parameters(result: FitResult, console: Console) -> None:
         "unit": [one.unit for one in each],
         "expected": [expectation(one) for one in each],
         "bounds": [bounds(one) for one in each],
-        "set by": [one.determined_by or "" for one in each],
+        "set by": [set_by(one) for one in each],
     }
+    if width(columns) > console.width:
+        del columns["bounds"]
     if width(columns) > console.width:
         columns["parameter"] = list(result.parameters)
     heading(console, "Parameters")
     console.print(table(columns))
-    say(console, "± one standard error; set by data, by the prior, by both, or by a bound.")
+    say(
+        console,
+        f"± one standard error, made by the {DATA} data, the {PRIOR} prior, a {BOUND} bound.",
+    )
     say(console, f"Prior: {result.prior}.")
+
+
+def set_by(each: Estimate) -> str:
+    """A bar of the shares, and the word for them."""
+    if each.shares is None:
+        return ""
+    data = round(BAR * each.shares.data)
+    bound = round(BAR * each.shares.bound)
+    bar = DATA * data + PRIOR * (BAR - data - bound) + BOUND * bound
+    return f"{bar} {each.shares.source}"
 
 
 def print_ratios(result: FitResult, console: Console) -> None:
@@ -57,6 +79,46 @@ def print_ratios(result: FitResult, console: Console) -> None:
         "unit": [one.unit for one in each],
     }
     console.print(table(columns))
+
+
+def print_mountings(result: FitResult, console: Console) -> None:
+    """What every recording owned, where there was something to estimate."""
+    if not result.mountings:
+        return
+    each = result.mountings
+
+    def cells(name: str, unit: float) -> list[str]:
+        found = [one.known.get(name) for one in each]
+        return ["" if one is None else written(in_unit(one, unit)) for one in found]
+
+    heading(console, "Mounting, of each recording")
+    columns = {
+        "recording": [shortened(one.recording, 2 * SHORTEST_NAME) for one in each],
+        "added mass\nat r [m]": cells("added_mass_distance", 1.0),
+        "encoder\nzero [deg]": cells("zero", degrees(1)),
+        "gyro\nscale - 1 [-]": cells("gyro_scale", 1.0),
+        "gyro\nbias [deg/s]": cells("gyro_bias", degrees(1)),
+    }
+    console.print(table(columns))
+    if any(one.zero is not None for one in each):
+        say(console, "Zero, scale and bias are those against the first recording.")
+
+
+def in_unit(each: Estimate, unit: float) -> Estimate:
+    """The same in a unit of which one SI unit holds `unit`."""
+    error = None if each.standard_error is None else unit * each.standard_error
+    return replace(
+        each, value=None if each.value is None else unit * each.value, standard_error=error
+    )
+
+
+def print_told(told: Identifiability, console: Console) -> None:
+    """What no motion tells, what this recording hardly tells, and what rests on an assumption."""
+    heading(console, "What the recording tells")
+    alone = [f"{each.symbol} = {written(each)} {each.unit}" for each in told.combinations.values()]
+    say(console, f"- by itself, without any prior: {'; '.join(alone) or 'nothing'}.", hanging=2)
+    for sentence in told.sentences:
+        say(console, f"- {sentence}", hanging=2)
 
 
 def print_segments(result: FitResult, console: Console) -> None:

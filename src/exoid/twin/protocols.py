@@ -51,7 +51,7 @@ def session(
     return Recording(
         (truth(performed.course, time) if exact else observe(kit, performed.course, time, key),),
         describe_subject(subject, movements),
-        describe_protocol(movements, torque_frequency, starts, ends),
+        describe_protocol(movements, torque_frequency, starts, ends, float(model.thigh_angle)),
         describe_sensors(kit),
     )
 
@@ -96,8 +96,9 @@ def describe_protocol(
     reading: Reading,
     starts: tuple[float, ...],
     ends: tuple[float, ...],
+    thigh_angle: float,
 ) -> Protocol:
-    """What the user noted: kind and marks of every movement, and the periods of the cycles."""
+    """What the user noted: kind and marks of the movements, periods of the cycles, the seat."""
     kinds: tuple[Kind, ...] = tuple(movement.kind for movement in movements)
     voluntary = "active" in kinds
     periods = tuple(m.duration if m.kind == "active" else np.nan for m in movements)
@@ -105,6 +106,7 @@ def describe_protocol(
         kind=kinds,
         cycle_period=periods if voluntary else None,
         torque_frequency=reading if voluntary else None,
+        thigh_angle=thigh_angle or None,
         torque_known=not voluntary,
         segment_start=starts,
         segment_end=ends,

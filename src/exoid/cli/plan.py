@@ -1,0 +1,91 @@
+"""exoid plan: what to record next."""
+
+from dataclasses import replace
+from enum import StrEnum
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from exoid.cli.body import given_body
+from exoid.cli.destination import check_apart, check_destination
+from exoid.cli.fit import compute, prepare, read
+from exoid.cli.waiting import patiently
+
+
+class Goal(StrEnum):
+    """What a plan is to narrow."""
+
+    inertia = "inertia"
+    damping = "damping"
+    stiffness = "stiffness"
+    mass = "mass"
+    com_distance = "com_distance"
+    gravity_over_inertia = "gravity_over_inertia"
+    stiffness_over_inertia = "stiffness_over_inertia"
+    damping_over_inertia = "damping_over_inertia"
+
+
+def plan(
+    recordings: Annotated[
+        list[Path] | None,
+        typer.Argument(
+            help="What was recorded of this leg so far; nothing plans the first session."
+        ),
+    ] = None,
+    goal: Annotated[Goal, typer.Option(help="What to narrow.")] = Goal.inertia,
+    body_mass: Annotated[
+        float | None, typer.Option(help="kg; replaces the sidecar's.", metavar="KG")
+    ] = None,
+    height: Annotated[
+        float | None, typer.Option(help="m; replaces the sidecar's.", metavar="M")
+    ] = None,
+    multistart: Annotated[int, typer.Option(min=1, max=100_000, help="Starts of the fit.")] = 64,
+    seed: Annotated[int, typer.Option(min=0, help="Of the starts.")] = 0,
+    json: Annotated[
+        Path | None, typer.Option(help="Everything for machines.", metavar="FILE")
+    ] = None,
+) -> None:
+    """Say which recording would narrow a quantity most, and how far.
+
+    \b
+    Examples:
+      exoid plan --body-mass 77 --height 1.80     the first session of a person
+      exoid plan drop.csv                         what to add for the inertia
+      exoid plan drop.csv --goal damping          for the damping
+    """
+    check_destination(json)
+    check_apart([json], recordings or [])
+    body = given_body(body_mass=body_mass, height=height)
+    from exoid.recording.recording import Subject
+
+    named = []
+    for path in recordings or []:
+        loaded = read(path, None, None, False)
+        named.append((path.name, replace(loaded, subject=replace(loaded.subject, **body))))
+    subject = named[0][1].subject if named else replace(Subject(kind="leg"), **body)
+    options = {"multistart": multistart, "seed": seed}
+    found = patiently(
+        lambda: planned(named, subject, goal.value, options),
+        "planning; the first run of a new shape compiles for some seconds",
+    )
+    from rich.console import Console
+
+    from exoid.report.plan_table import plan_document, print_plan
+
+    print_plan(found, Console())
+    if json is not None:
+        from exoid.report.fit_json import write_json
+
+        write_json(plan_document(found), json)
+        typer.echo(f"wrote {json}", err=True)
+
+
+def planned(named, subject, goal: str, options: dict):
+    """The plan, after a fit of what there is."""
+    from exoid.diagnose.plan import plan as make
+
+    if not named:
+        prepare()
+        return make(None, subject, goal)
+    return make(compute(named, False, options), subject, goal)

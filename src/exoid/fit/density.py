@@ -1,0 +1,124 @@
+"""The density that a posterior is drawn from, in coordinates of unit scale around the best fit."""
+
+from functools import partial
+from typing import Any
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jax.flatten_util import ravel_pytree
+from jaxtyping import Array, Float
+
+from exoid.fit.chain import Chain
+from exoid.fit.condense import condense, linear_model
+from exoid.fit.constraint import SIZE, Limits, violations
+from exoid.fit.coordinates import (
+    Coordinates,
+    flattened,
+    leg_parameters,
+    scaled,
+    torque_amplitudes,
+    unflattened,
+    unscaled,
+)
+from exoid.fit.disturbance import whitening
+from exoid.fit.local import columns
+from exoid.fit.observation import Observation
+from exoid.fit.prior import Prior, mounting_residual, prior_residual
+from exoid.fit.problem import around, take
+from exoid.fit.residual import Stage
+from exoid.fit.result import Basis
+from exoid.fit.solve import mountings
+from exoid.fit.uncertainty import UNDETERMINED
+
+UNIFORM = 12.0  # squared width over variance of a uniform density
+
+
+class Target(eqx.Module):
+    """The density of y, where best + spread y are the fit's scaled coordinates."""
+
+    best: Coordinates  # scaled
+    spread: Float[Any, "coordinate direction"]
+    stretch: Float[Any, "coordinate coordinate"]  # C of `sample`
+    tilt: Float[Any, " coordinate"]  # keeps the data's slope at the best fit
+    scale: Float[Any, ""]
+    observation: Observation
+    known: Float[Any, "segment unknown"]
+    stage: Stage
+    prior: Prior
+    limits: Limits
+
+
+def posed(basis: Basis) -> tuple[Target, np.ndarray]:
+    """The density, and the directions (coordinate, direction) that nothing determines."""
+    problem, ended = basis.problem, basis.ended
+    local, limits = ended.local, problem.belief.limits
+    total = local.data + local.prior
+    values, vectors = np.linalg.eigh(total)
+    loose = vectors[:, values < UNDETERMINED]
+    bounds = (limits.lower, limits.upper, SIZE)
+    width = jax.tree.leaves(jax.tree.map(lambda low, high, size: (high - low) / size, *bounds))
+    edges = local.constraints[: len(width)] @ loose / np.array(width)[:, None]
+    values, vectors = np.linalg.eigh(total + UNIFORM * loose @ edges.T @ edges @ loose.T)
+    kept = values >= UNDETERMINED
+    stretch, tilt = curved(basis)
+    target = Target(
+        best=scaled(take(ended.best.coordinates, 0)),
+        spread=vectors[:, kept] / np.sqrt(values[kept]),
+        stretch=stretch,
+        tilt=tilt,
+        scale=np.asarray(ended.disturbance.scale),
+        observation=problem.observation,
+        known=problem.known,
+        stage=Stage(np.asarray(0.0), np.asarray(problem.steps)),
+        prior=problem.belief.prior,
+        limits=limits,
+    )
+    return target, vectors[:, ~kept]
+
+
+def curved(basis: Basis) -> tuple[np.ndarray, np.ndarray]:
+    """C with C'HC = W, of the misfit's H and the fit's W, and the slope that C would change."""
+    best, scale = basis.ended.best, basis.ended.disturbance.scale
+    plain = around(basis.problem, best).data
+    white, unit = whitening(plain)
+    inward, outward = white / unit[:, None], np.linalg.pinv(white).T * unit[:, None]
+    values, axes = np.linalg.eigh(inward.T @ basis.ended.local.data @ inward)
+    root = np.sqrt(np.clip(values, 0.0, scale**2))  # a disturbance takes information, adds none
+    change = (axes * root) @ axes.T - np.eye(root.size)
+    stretch = np.eye(len(plain)) + inward @ change @ outward.T
+    one, slope = take(best, 0), np.zeros(len(plain))
+    places_of = columns(one.coordinates, basis.problem.observation.seat)
+    for at, factor, projection in zip(
+        places_of, one.condensed.factor, one.condensed.projection, strict=True
+    ):
+        slope[at] += factor.T @ projection
+    return stretch, slope - stretch.T @ slope
+
+
+def log_density(
+    target: Target, chain: Chain, place: Float[Array, " direction"]
+) -> Float[Array, ""]:
+    """Its derivative is exact: where the misfit is condensed, its linear model has the same."""
+    flat, unravel = ravel_pytree(target.best)
+    change = target.spread @ place
+    point, to = unscaled(unravel(flat + change)), unravel(flat + target.stretch @ change)
+    here = jax.lax.stop_gradient(to)
+    at, seen = unscaled(here), target.observation
+    each = partial(condense, stage=target.stage, chain=chain)
+    condensed = jax.vmap(each, in_axes=(None, 0, 0, 0, 0))(
+        at.shared, mountings(at, seen), at.own, seen, target.known
+    )
+    leg = leg_parameters(point)
+    data = linear_model(condensed, here, to, seen.seat) / target.scale
+    belief = [prior_residual(target.prior, leg), mounting_residual(point.mounting)]
+    loss = sum(jnp.sum(part**2) for part in (data, *belief)) / 2 + target.tilt @ change
+    within = violations(target.limits, leg, torque_amplitudes(point)).max() <= 0
+    return jnp.where(within, -loss, -jnp.inf)
+
+
+def points(target: Target, places: np.ndarray) -> Coordinates:
+    """The coordinates of many places, which become the last axis."""
+    flat = flattened(target.best)[:, None] + target.spread @ places.T
+    return unscaled(unflattened(flat, target.best))

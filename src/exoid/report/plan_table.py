@@ -1,0 +1,94 @@
+"""A plan as a person reads it, and as JSON."""
+
+from itertools import groupby
+from typing import Any
+
+import numpy as np
+from rich.console import Console
+
+from exoid.diagnose.plan import Plan
+from exoid.report.fit_json import plain
+from exoid.report.fit_table import heading, say, table, with_error
+
+SHOWN = 8  # single segments in the table
+
+
+def print_plan(plan: Plan, console: Console) -> None:
+    """Where the goal stands, what to record, what it will be worth, and the rivals."""
+    heading(console, f"What to record next for {plan.goal} {plan.symbol}")
+    say(console, f"Now:   {stated(plan, plan.before)}")
+    if plan.proposed:
+        say(console, f"After: {stated(plan, plan.after)}, expected with what follows")
+        heading(console, "Record, in one session without taking the exoskeleton off")
+        for number, (words, count) in enumerate(steps(plan), start=1):
+            times = f"{count} times: " if count > 1 else ""
+            say(console, f"{number}. {times}{words}.", hanging=3)
+        say(
+            console,
+            "Angles are of the knee, 0 straight, -90 hanging. Each time: hold still for 2 s, let "
+            "go without a push, hands off until the leg hangs still (6 s). The person relaxes.",
+        )
+    print_options(plan, console)
+    heading(console, "Notes")
+    for sentence in plan.sentences:
+        say(console, f"- {sentence}", hanging=2)
+
+
+def print_options(plan: Plan, console: Console) -> None:
+    """Every single segment, best first, and what it would leave alone."""
+    known = [option for option in plan.options if np.isfinite(option.error)][:SHOWN]
+    heading(console, "One segment more, and the error it would leave")
+    if not known:
+        say(console, f"No single segment tells {plan.symbol}: it takes two.")
+        return
+    columns = {
+        "release": [option.candidate.words for option in known],
+        f"error [{plan.unit}]": [f"{option.error:.2g}" for option in known],
+    }
+    console.print(table(columns))
+
+
+def steps(plan: Plan) -> list[tuple[str, int]]:
+    """What to do, bare drops first, equal ones counted."""
+    ordered = sorted(plan.proposed, key=lambda each: (each.effort, each.words))
+    return [(words, len(list(same))) for words, same in groupby(each.words for each in ordered)]
+
+
+def stated(plan: Plan, error: float) -> str:
+    """The value with an error, as far as there is one."""
+    if not np.isfinite(error):
+        return f"{plan.symbol} is not determined"
+    return f"{plan.symbol} = {with_error(plan.value, error)} {plan.unit}"
+
+
+def plan_document(plan: Plan) -> dict[str, Any]:
+    """The plan in SI units and radians; null where nothing is known."""
+
+    def segment(each) -> dict[str, Any]:
+        motion = each.motion
+        return {
+            "words": each.words,
+            "kind": motion.kind,
+            "start_angle_rad": float(motion.start_angle),
+            "duration_s": motion.duration,
+            "added_mass_kg": motion.added_mass,
+            "added_mass_distance_m": motion.added_mass_distance or None,
+            "thigh_angle_rad": float(each.thigh_angle),
+        }
+
+    return plain(
+        {
+            "goal": plan.goal,
+            "symbol": plan.symbol,
+            "unit": plan.unit,
+            "value": plan.value,
+            "standard_error_before": plan.before,
+            "standard_error_after": plan.after,
+            "proposed": [segment(each) for each in plan.proposed],
+            "options": [
+                {**segment(option.candidate), "standard_error": option.error}
+                for option in plan.options
+            ],
+            "sentences": plan.sentences,
+        }
+    )
