@@ -15,6 +15,7 @@ from exoid.cli.waiting import patiently
 EXAMPLE = Path(__file__).parents[1] / "example" / "session.blf"
 FIGURES = ("pdf", "svg", "png")
 HEAVIEST_PRIOR = 1e6  # it decides alone long before
+AGREED, RARE = 1.01, 0.01  # r_hat and share of divergences up to which draws are good
 
 
 def fit(
@@ -70,6 +71,10 @@ def fit(
     json: Annotated[
         Path | None, typer.Option(help="Everything for machines.", metavar="FILE")
     ] = None,
+    posterior: Annotated[
+        Path | None,
+        typer.Option(help="Draws of every quantity for ArviZ (.nc); a minute.", metavar="FILE"),
+    ] = None,
 ) -> None:
     """Find mass, inertia, COM distance, damping, stiffness and torque of a leg.
 
@@ -83,7 +88,10 @@ def fit(
     paths = recordings or [EXAMPLE]
     check_destination(plot, FIGURES)
     check_destination(json)
-    check_apart([plot, json], paths)
+    check_destination(posterior, ("nc",))
+    check_apart([plot, json, posterior], paths)
+    if posterior is not None:
+        check_posterior(each)
     body = given_body(body_mass=body_mass, height=height)
     if not recordings:
         typer.echo(
@@ -122,6 +130,9 @@ def fit(
         sources = zip(paths, named, strict=True)
         write_document(result, told, profiles, sources, settings, json)
         typer.echo(f"wrote {json}", err=True)
+    if posterior is not None:
+        drawn = patiently(lambda: write_posterior(result, seed, posterior), "drawing from the fit")
+        typer.echo(f"wrote {posterior}: {drawn}", err=True)
 
 
 def ask(result):
@@ -136,6 +147,32 @@ def profiled(result):
     from exoid.fit.profile import profiles
 
     return profiles(result)
+
+
+def check_posterior(each: bool) -> None:
+    """Refuse what cannot be drawn from, before anything is computed."""
+    from exoid.fit.posterior import check_packages
+
+    if each:
+        raise ValueError("--posterior draws around one fit of all segments: leave --each out.")
+    check_packages()
+
+
+def write_posterior(result, seed: int, path: Path) -> str:
+    """Draws from the fit in a file, and how far to trust them."""
+    from exoid.fit.posterior import r_hat, sample, to_netcdf
+    from exoid.fit.program import with_sound_programs
+    from exoid.report.fit_json import replacing
+
+    drawn = with_sound_programs(lambda: sample(result, seed=seed))
+    with replacing(path) as part:
+        to_netcdf(drawn, part)
+    (chains, draws), worst = drawn.diverging.shape, max(r_hat(drawn).values())
+    diverging = drawn.diverging.mean()
+    said = f"{draws} draws x {chains} chains, r_hat up to {worst:.3f}, {diverging:.1%} divergences"
+    if worst <= AGREED and diverging <= RARE:
+        return said
+    return f"{said}. The chains have not explored it all: take these draws with caution."
 
 
 def read(path: Path, dbc: Path | None, signal: list[str] | None, strict: bool):
