@@ -7,15 +7,21 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from exoid.fit.disturbance import Disturbance
+from exoid.fit.profile import Profile
 from exoid.fit.result import Estimate, FitResult, MultistartReport, SegmentFit
-from exoid.report.fit_json import fit_document, mean_torque, write_json
+from exoid.fit.uncertainty import HELD, Shares
+from exoid.report.fit_json import fit_document, write_json
 
+BY_DATA, BY_PRIOR = Shares(1.0, 0.0, 0.0), Shares(0.0, 1.0, 0.0)
+BY_BOTH = Shares(0.4, 0.6, 0.0)
+WHITE = Disturbance(None, 0.025, 0.0, 1.0, np.eye(2), np.ones(2))
 RECORDINGS = [{"path": "leg.csv", "sha256": "00ff", "segments": 2}]
 
 
 def torque(value, error):
     return Estimate(
-        "tau", "torque amplitude", "N m", value, error, None, None, -250.0, 250.0, "both"
+        "tau", "torque amplitude", "N m", value, error, None, None, -250.0, 250.0, BY_BOTH
     )
 
 
@@ -45,10 +51,10 @@ def fitted():
     """A fit of a drop and a cycle: mass not determined, stiffness at its bound, one start lost."""
     leg = [
         ("mass", "m", "kg", None, None, 4.543, 0.454, 2.0, 6.0, None, "motion shows only m l"),
-        ("inertia", "J", "kg m^2", 0.45104, 0.0405, 0.446, 0.067, 0.15, 1.0, "prior", None),
-        ("com_distance", "l", "m", 0.2659, 0.0151, 0.2663, 0.016, 0.15, 0.6, "prior", None),
-        ("damping", "d", "N m s/rad", 0.3508, 0.0315, 0.36, 0.216, 0.0, 60.0, "both", None),
-        ("stiffness", "c", "N m/rad", 3.99999, None, 2.9, 1.74, 0.0, 4.0, "bound", "at a bound"),
+        ("inertia", "J", "kg m^2", 0.45104, 0.0405, 0.446, 0.067, 0.15, 1.0, BY_PRIOR, None),
+        ("com_distance", "l", "m", 0.2659, 0.0151, 0.2663, 0.016, 0.15, 0.6, BY_PRIOR, None),
+        ("damping", "d", "N m s/rad", 0.3508, 0.0315, 0.36, 0.216, 0.0, 60.0, BY_BOTH, None),
+        ("stiffness", "c", "N m/rad", 3.99999, None, 2.9, 1.74, 0.0, 4.0, HELD, "at a bound"),
     ]
     ratios = [
         ("gravity_over_inertia", "m l g / J", "1/s^2", 26.188, 0.0023),
@@ -60,6 +66,8 @@ def fitted():
     return FitResult(
         parameters={name: Estimate(symbol, name, *rest) for name, symbol, *rest in leg},
         ratios={name: Estimate(symbol, name, *rest) for name, symbol, *rest in ratios},
+        torque_amplitude=torque(-9.5, 0.86),
+        mountings=[],
         segments=[
             swing("leg 0", "passive"),
             swing("leg 1", "active", 2.0, torque(-9.5, 0.86)),
@@ -75,7 +83,7 @@ def fitted():
             distinct=2,
         ),
         loss=151.0,
-        noise_scale=1.0,
+        disturbance=WHITE,
         torque_frequency="1/T",
         other_reading_rmse=0.075,
         prior="anatomy, table de_leva, 77 kg and 1.8 m",
@@ -139,37 +147,42 @@ def test_settings_with_paths_and_numpy_numbers_are_plain(tmp_path):
 
 def test_without_voluntary_torque_the_amplitude_is_null_with_a_reason():
     result = fitted()
-    found = document(replace(result, segments=result.segments[:1]))
+    found = document(replace(result, torque_amplitude=None))
     amplitude = found["parameters"]["torque_amplitude"]
     assert amplitude["value"] is None
     assert (amplitude["symbol"], amplitude["unit"]) == ("tau", "N m")
     assert "no segment has a voluntary torque" in amplitude["reason"]
 
 
-def test_mean_torque_is_that_of_the_voluntary_segments():
+def test_shares_profile_and_what_is_in_the_residual_are_written():
     result = fitted()
-    other = replace(result.segments[1], torque_amplitude=torque(-7.5, 0.5))
-    mean = mean_torque(replace(result, segments=[*result.segments, other]))
-    assert mean.value == pytest.approx(-8.5)
-    assert mean.standard_error == pytest.approx((0.86 + 0.5) / 2)
-    assert mean.determined_by == "both"
-
-
-def test_mean_torque_quotes_no_error_where_one_segment_is_at_its_bound():
-    result = fitted()
-    held = replace(torque(-250.0, None), determined_by="bound", reason="at a bound")
-    other = replace(result.segments[1], torque_amplitude=held)
-    mean = mean_torque(replace(result, segments=[*result.segments, other]))
-    assert (mean.standard_error, mean.determined_by) == (None, "bound")
-    assert mean.reason == "at a bound"
-
-
-def test_mean_torque_is_unknown_where_one_segment_is():
-    result = fitted()
-    unknown = replace(torque(None, None), determined_by=None, reason="only ratios")
-    other = replace(result.segments[1], torque_amplitude=unknown)
-    mean = mean_torque(replace(result, segments=[*result.segments, other]))
-    assert (mean.value, mean.determined_by, mean.reason) == (None, None, "only ratios")
+    profile = Profile(
+        "inertia",
+        result.parameters["inertia"],
+        np.array([0.37, 0.45, 0.53]),
+        np.array([4.1, 0.0, 3.9]),
+        0.372,
+        None,
+    )
+    missed = Disturbance("torque", 0.1, 0.02, 1.0, np.eye(2), np.array([2.0, 5.0]))
+    result = replace(result, disturbance=missed)
+    found = fit_document(
+        result, version="0", recordings=[], settings={}, profiles={"inertia": profile}
+    )
+    inertia = found["parameters"]["inertia"]
+    assert inertia["shares"] == {"data": 0.0, "prior": 1.0, "bound": 0.0}
+    assert inertia["profile"]["shape"] == "lower limit only"
+    assert (inertia["profile"]["lower"], inertia["profile"]["upper"]) == (0.372, None)
+    assert found["parameters"]["mass"]["shares"] is None
+    assert found["parameters"]["damping"]["profile"] is None
+    assert found["fit"]["disturbance"] == {
+        "cause": "torque",
+        "correlation_time_s": 0.1,
+        "deviation": 0.02,
+        "noise_over_declared": 1.0,
+        "widening_least": 2.0,
+        "widening_most": 5.0,
+    }
 
 
 def test_written_file_reads_back_as_the_document(tmp_path):

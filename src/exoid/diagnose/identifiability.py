@@ -168,7 +168,8 @@ def weak_directions(
         if error > WEAK:
             changes = dict(zip(names, map(float, axis), strict=True))
             step = error * max(map(abs, changes.values()))
-            words = f"the data hardly tell: {in_words(changes, step, symbols)} is one sd of them."
+            room = in_words(changes, step, symbols)
+            words = f"one standard error of the data leaves room for {room}."
             found.append(Direction(changes, error, words))
     return found
 

@@ -1,6 +1,7 @@
 """What is known of a leg before the next recording: from a fit, or from anatomy alone."""
 
 from dataclasses import dataclass
+from typing import Any
 
 import jax
 import jax.numpy as jnp
@@ -29,7 +30,7 @@ class Known:
     """A leg and the information on it, every recording's own unknowns eliminated."""
 
     shared: Shared
-    log_mass: Float[np.ndarray, ""]
+    log_mass: Float[Any, ""]
     information: Float[np.ndarray, "5 5"]  # of the data, on `shared` and `log_mass`
     belief: Belief
     recorded: list[Movement]  # with the first of which a new recording's sensors are compared

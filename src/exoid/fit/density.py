@@ -40,7 +40,7 @@ class Target(eqx.Module):
 
     best: Coordinates  # scaled
     spread: Float[Any, "coordinate direction"]
-    stretch: Float[Any, "coordinate coordinate"]  # C of `sample`
+    shrink: Float[Any, "coordinate coordinate"]  # C of `posterior.sample`
     tilt: Float[Any, " coordinate"]  # keeps the data's slope at the best fit
     scale: Float[Any, ""]
     observation: Observation
@@ -62,13 +62,13 @@ def posed(basis: Basis) -> tuple[Target, np.ndarray]:
     edges = local.constraints[: len(width)] @ loose / np.array(width)[:, None]
     values, vectors = np.linalg.eigh(total + UNIFORM * loose @ edges.T @ edges @ loose.T)
     kept = values >= UNDETERMINED
-    stretch, tilt = curved(basis)
+    shrink, tilt = curved(basis)
     target = Target(
         best=scaled(take(ended.best.coordinates, 0)),
         spread=vectors[:, kept] / np.sqrt(values[kept]),
-        stretch=stretch,
+        shrink=shrink,
         tilt=tilt,
-        scale=np.asarray(ended.disturbance.scale),
+        scale=np.asarray(ended.disturbance.widening.min()),
         observation=problem.observation,
         known=problem.known,
         stage=Stage(np.asarray(0.0), np.asarray(problem.steps)),
@@ -80,21 +80,23 @@ def posed(basis: Basis) -> tuple[Target, np.ndarray]:
 
 def curved(basis: Basis) -> tuple[np.ndarray, np.ndarray]:
     """C with C'HC = W, of the misfit's H and the fit's W, and the slope that C would change."""
-    best, scale = basis.ended.best, basis.ended.disturbance.scale
-    plain = around(basis.problem, best).data
+    best, found = basis.ended.best, basis.ended.disturbance
+    gain = (found.scale / found.widening.min()) ** 2  # the fit takes the mean widening for all
+    plain = gain * around(basis.problem, best).data
     white, unit = whitening(plain)
     inward, outward = white / unit[:, None], np.linalg.pinv(white).T * unit[:, None]
     values, axes = np.linalg.eigh(inward.T @ basis.ended.local.data @ inward)
-    root = np.sqrt(np.clip(values, 0.0, scale**2))  # a disturbance takes information, adds none
+    # Beyond 1 only where the free fit, at which W was found, lies elsewhere.
+    root = np.sqrt(np.clip(values, 0.0, 1.0))
     change = (axes * root) @ axes.T - np.eye(root.size)
-    stretch = np.eye(len(plain)) + inward @ change @ outward.T
+    shrink = np.eye(len(plain)) + inward @ change @ outward.T
     one, slope = take(best, 0), np.zeros(len(plain))
     places_of = columns(one.coordinates, basis.problem.observation.seat)
     for at, factor, projection in zip(
         places_of, one.condensed.factor, one.condensed.projection, strict=True
     ):
         slope[at] += factor.T @ projection
-    return stretch, slope - stretch.T @ slope
+    return shrink, slope - gain * shrink.T @ slope
 
 
 def log_density(
@@ -103,7 +105,7 @@ def log_density(
     """Its derivative is exact: where the misfit is condensed, its linear model has the same."""
     flat, unravel = ravel_pytree(target.best)
     change = target.spread @ place
-    point, to = unscaled(unravel(flat + change)), unravel(flat + target.stretch @ change)
+    point, to = unscaled(unravel(flat + change)), unravel(flat + target.shrink @ change)
     here = jax.lax.stop_gradient(to)
     at, seen = unscaled(here), target.observation
     each = partial(condense, stage=target.stage, chain=chain)

@@ -56,11 +56,11 @@ def sample(
 ) -> Posterior:
     """Draw from exp(-(data + prior) / 2) within the limits, a density in the fit's coordinates.
 
-    The misfit over the mean widening squared would curve too little or too much where a disturbance
-    hides from some directions: `data` is taken at best + C (z - best) instead of z, with the C that
-    gives it the curvature of the fit's information, and keeps its slope at the best fit (Ribatet,
-    Cooley & Davison, Statistica Sinica 22, 2012). C is 1 where only noise is in the residual. What
-    nothing determines, as m of a rig, is left out. `warmup` adapts the step alone.
+    `data` is the misfit over the least widening squared, taken at best + C (z - best) instead of z:
+    C shrinks the directions that a disturbance widened more, so that `data` curves as the fit's
+    information does, and its slope at the best fit is kept (Ribatet, Cooley & Davison, Statistica
+    Sinica 22, 2012). C is 1 where only noise is in the residual. What nothing determines, as m of a
+    rig, is left out. `warmup` adapts the step alone.
 
     **Raises** `ValueError` for a result without one fit (`fit_each`), where packages are missing,
     or where the limits leave no room.

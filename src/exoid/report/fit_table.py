@@ -115,8 +115,8 @@ def in_unit(each: Estimate, unit: float) -> Estimate:
 def print_told(told: Identifiability, console: Console) -> None:
     """What no motion tells, what this recording hardly tells, and what rests on an assumption."""
     heading(console, "What the recording tells")
-    alone = [f"{each.symbol} = {written(each)} {each.unit}" for each in told.combinations.values()]
-    say(console, f"- by itself, without any prior: {'; '.join(alone) or 'nothing'}.", hanging=2)
+    alone = ", ".join(each.symbol for each in told.combinations.values())
+    say(console, f"- by itself, without prior and bounds: {alone or 'nothing'}.", hanging=2)
     for sentence in told.sentences:
         say(console, f"- {sentence}", hanging=2)
 
