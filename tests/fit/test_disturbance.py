@@ -5,7 +5,8 @@ import pytest
 
 from exoid.fit.condense import Sensed
 from exoid.fit.coordinates import Seat
-from exoid.fit.disturbance import explain, hats, left_to, matern, node_count, pushes
+from exoid.fit.disturbance import explain, spoiled
+from exoid.fit.gram import gram, hats, matern, node_count, pushes
 from exoid.fit.observation import Observation
 from exoid.physics.simulate import Drive
 
@@ -63,9 +64,9 @@ def process(rng, correlated, count=NODES):
 
 
 def explained(residual, a=None):
-    return explain(
-        linear(residual, columns() if a is None else a), SEEN, [DURATION], PLACE[None], 3
-    )
+    sensed = linear(residual, columns() if a is None else a)
+    each = {cause: grams(sensed, SEEN, [DURATION], PLACE[None], cause) for cause in CAUSES}
+    return explain(each, SAMPLES, 3)
 
 
 def test_white_noise_is_called_white_and_widens_nothing():
@@ -133,8 +134,9 @@ def test_what_is_left_to_another_segment_is_the_sandwich_under_the_same_process(
     shapes = hats(TIME, DURATION, NODES)
     found = explained(rng.normal(size=SAMPLES) + swung(0.3 * process(rng, 0.2) @ shapes))
     other = linear(np.zeros(SAMPLES), 2 * columns())
-    left = left_to(0, other, SEEN, DURATION, found)
-    np.testing.assert_allclose(left, 4 * found.information, rtol=1e-6)
+    left = spoiled(found, [gram(other, SEEN, 0, DURATION, "torque", PLACE)], 3)
+    np.testing.assert_allclose(left.information, 4 * found.information, rtol=1e-6)
+    np.testing.assert_allclose(left.widening, found.widening, rtol=1e-6)
 
 
 def test_a_direction_without_information_stays_without():

@@ -164,7 +164,7 @@ def test_shares_profile_and_what_is_in_the_residual_are_written():
         0.372,
         None,
     )
-    missed = Disturbance("torque", 0.1, 0.02, 1.0, np.eye(2), np.array([2.0, 5.0]))
+    missed = Disturbance("torque", 0.1, 0.0004, 1.0, np.eye(2), np.array([2.0, 5.0]))
     result = replace(result, disturbance=missed)
     found = fit_document(
         result, version="0", recordings=[], settings={}, profiles={"inertia": profile}

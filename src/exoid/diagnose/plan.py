@@ -19,9 +19,10 @@ from exoid.fit.belief import NAMES
 from exoid.fit.chain import Raw
 from exoid.fit.coordinates import TYPICAL, Coordinates, Mounting, Own
 from exoid.fit.describe import MASS_AND_DISTANCE, RATIOS
-from exoid.fit.disturbance import left_to, pushes
+from exoid.fit.disturbance import spoiled
+from exoid.fit.gram import gram, pushes
 from exoid.fit.prior import SEAT_DEVIATION
-from exoid.fit.problem import pose, sensed
+from exoid.fit.problem import Problem, pose, sensed
 from exoid.fit.result import FitResult
 from exoid.fit.starts import first_state, usual_mounting
 from exoid.fit.uncertainty import Information
@@ -102,18 +103,25 @@ def informations(known: Known, options: list[Candidate]) -> list[np.ndarray]:
     )
     mounting = usual_mounting(movements)
     point = Coordinates(known.shared, known.log_mass, placed(mounting, options), own)
+    return [without_own(each) for each in segments_told(known, problem, point)[number:]]
+
+
+def segments_told(known: Known, problem: Problem, point: Coordinates) -> list[np.ndarray]:
+    """Every segment's information on its own unknowns, where what disturbed the fit acts again."""
     found, seen = known.disturbance, problem.observation
     if found is None or found.cause is None:
         every = [each.reshape(each.shape[0], -1) for each in sensed(problem, point).columns]
-        plain = [rows @ rows.T for rows in every]
-    else:
-        missing = pushes(seen.time, problem.durations)
-        response = sensed(problem, point, missing)
-        plain = [
-            left_to(segment, response, seen, duration, found)
-            for segment, duration in enumerate(problem.durations)
-        ]
-    return [without_own(each) for each in plain[number:]]
+        noise = 1.0 if found is None else found.noise
+        return [rows @ rows.T / noise**2 for rows in every]
+    response = sensed(problem, point, pushes(seen.time, problem.durations))
+    size = response.columns.shape[1]
+    place = np.arange(size)
+    return [
+        spoiled(
+            found, [gram(response, seen, segment, duration, found.cause, place)], size
+        ).information
+        for segment, duration in enumerate(problem.durations)
+    ]
 
 
 def placed(mounting: Mounting, options: list[Candidate]) -> Mounting:

@@ -1,5 +1,6 @@
 """The problem of a fit, and how the compiled programs are asked about it."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import jax
@@ -10,7 +11,8 @@ from exoid.fit.chain import Chain
 from exoid.fit.condense import Sensed
 from exoid.fit.constraint import constraint_names
 from exoid.fit.coordinates import QUANTITIES, Coordinates, flattened
-from exoid.fit.disturbance import Disturbance, explain, pushes
+from exoid.fit.disturbance import Disturbance, explain, spoiled
+from exoid.fit.gram import CAUSES, Cause, Gram, grams, pushes
 from exoid.fit.local import Local, columns, neighbourhood
 from exoid.fit.observation import Movement, Observation, observe, places, remounts
 from exoid.fit.program import run, run_sense
@@ -125,10 +127,19 @@ def aimless(problem: Problem, scale: np.ndarray) -> Aim:
 
 def explained(problem: Problem, at: Solved, row: int = 0) -> Disturbance:
     """What is in the residual at one end point, and what it leaves of the data's information."""
-    point, seen = take(at.coordinates, row), problem.observation
-    durations = problem.durations
-    found = sensed(problem, point, pushes(seen.time, durations))
-    return explain(found, seen, durations, columns(point, seen.seat), flattened(point).size)
+    seen = problem.observation
+    samples = int((seen.angle_weight > 0).sum() + (seen.velocity_weight > 0).sum())
+    each = grams_at(problem, at, row, CAUSES)
+    return explain(each, samples, flattened(take(at.coordinates, row)).size)
+
+
+def grams_at(
+    problem: Problem, at: Solved, row: int, causes: Sequence[Cause]
+) -> dict[Cause, list[Gram]]:
+    """The inner products of every segment at one end point, for these causes."""
+    point, seen, durations = take(at.coordinates, row), problem.observation, problem.durations
+    found, places = sensed(problem, point, pushes(seen.time, durations)), columns(point, seen.seat)
+    return {cause: grams(found, seen, durations, places, cause) for cause in causes}
 
 
 def sensed(problem: Problem, point: Coordinates, missing: Drive | None = None) -> Sensed:
@@ -148,7 +159,11 @@ def around(
     one = take(at, row)
     belief, seat = problem.belief, problem.observation.seat
     local = neighbourhood(one.coordinates, one.condensed, seat, belief.prior, belief.limits)
-    return local if disturbance is None else replace(local, data=disturbance.information)
+    if disturbance is None:
+        return local
+    cause = disturbance.cause or "torque"
+    each = grams_at(problem, at, row, [cause])[cause]
+    return replace(local, data=spoiled(disturbance, each, local.data.shape[0]).information)
 
 
 def take(tree, rows):
