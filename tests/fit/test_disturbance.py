@@ -6,7 +6,7 @@ import pytest
 from exoid.fit.condense import Sensed
 from exoid.fit.coordinates import Seat
 from exoid.fit.disturbance import explain, spoiled
-from exoid.fit.gram import gram, hats, matern, node_count, pushes
+from exoid.fit.gram import CAUSES, gram, grams, hats, matern, node_count, pushes
 from exoid.fit.observation import Observation
 from exoid.physics.simulate import Drive
 

@@ -20,7 +20,8 @@ from jaxtyping import Float
 from exoid.fit.gram import ANGLE_UNIT, CAUSES, Cause, Gram, modes
 
 CORRELATED = (0.025, 0.05, 0.1, 0.2, 0.4, 0.8)  # s
-SIZES = np.logspace(-7, 4, 67)  # of u's variance over that of the noise; a fifth of a decade apart
+SIZES = np.logspace(-7, 4, 12)  # of u's variance over that of the noise, in units of the gram
+FINER = np.logspace(-0.8, 0.8, 9)  # a fifth of a decade apart
 CLEAR = 4.0  # gain of log likelihood below which the noise alone explains the residual
 ROUNDING = 1e-11  # relative eigenvalue that is none
 
@@ -52,35 +53,50 @@ def explain(grams: dict[Cause, list[Gram]], samples: int, size: int) -> Disturba
 
     `grams` of every cause are of the same segments, whose unknowns are among `size` coordinates.
     """
-    none: tuple[Cause | None, float, float] = (None, CORRELATED[0], 0.0)
-    best = likelihoods(grams["torque"], CORRELATED[0], np.zeros(1), samples, size)[0] + CLEAR
-    found = none
+    found: tuple[Cause | None, float, float] = (None, CORRELATED[0], 0.0)
+    best = Likelihood(grams["torque"], CORRELATED[0], samples, size)(np.zeros(1))[0] + CLEAR
     for cause in CAUSES:
         for correlated in CORRELATED:
-            values = likelihoods(grams[cause], correlated, SIZES, samples, size)
-            top = int(np.argmax(values))
-            if values[top] > best:
-                best = values[top]
-                found = (cause, correlated, float(SIZES[top]))
+            ratio, value = Likelihood(grams[cause], correlated, samples, size).greatest()
+            if value > best:
+                best = value
+                found = (cause, correlated, ratio)
     each = grams[found[0] or "torque"]
     noise = noise_beside(*found[1:], each, samples, size)
     empty = Disturbance(*found, noise, np.zeros((size, size)), np.ones(1))
     return spoiled(empty, each, size)
 
 
-def likelihoods(
-    grams: list[Gram], correlated: float, ratios: np.ndarray, samples: int, size: int
-) -> np.ndarray:
-    """The restricted log likelihood for every variance ratio, the noise at its best."""
-    decomposed = [modes(each, correlated) for each in grams]
-    total = np.zeros((ratios.size, size + 1, size + 1))
-    spread = np.zeros(ratios.size)
-    for each, (sizes, cross) in zip(grams, decomposed, strict=True):
-        grown = 1 + ratios[:, None] * sizes
-        taken = np.einsum("mi,rm,mj->rij", cross, ratios[:, None] / grown, cross, optimize=True)
-        place = np.append(each.place, size)
-        total[:, place[:, None], place] += each.fitted - taken
-        spread += np.log(grown).sum(axis=1)
+class Likelihood:
+    """The restricted log likelihood of a process' size, with the noise at its best."""
+
+    def __init__(self, grams: list[Gram], correlated: float, samples: int, size: int):
+        self.parts = [(each, *modes(each, correlated)) for each in grams]
+        self.samples, self.size = samples, size
+
+    def greatest(self) -> tuple[float, float]:
+        """The variance ratio where it is greatest, and its value there."""
+        near = SIZES[int(np.argmax(self(SIZES)))] * FINER
+        values = self(near)
+        top = int(np.argmax(values))
+        return float(near[top]), float(values[top])
+
+    def __call__(self, ratios: np.ndarray) -> np.ndarray:
+        size = self.size
+        total = np.zeros((ratios.size, size + 1, size + 1))
+        spread = np.zeros(ratios.size)
+        for each, sizes, cross in self.parts:
+            grown = 1 + ratios[:, None] * sizes
+            taken = np.einsum("mi,rm,mj->rij", cross, ratios[:, None] / grown, cross, optimize=True)
+            place = np.append(each.place, size)
+            total[:, place[:, None], place] += each.fitted - taken
+            spread += np.log(grown).sum(axis=1)
+        return restricted(total, spread, self.samples)
+
+
+def restricted(total: np.ndarray, spread: np.ndarray, samples: int) -> np.ndarray:
+    """From the weighted (A, r)'(A, r) and the log determinant of the covariance, for each row."""
+    size = total.shape[1] - 1
     unit = np.sqrt(np.diagonal(total[:, :size, :size], axis1=1, axis2=2))
     used = (unit > 0).all(axis=0)
     unit = unit[:, used]

@@ -119,10 +119,8 @@ def posed(basis: Basis, name: str, estimate: Estimate) -> Quest | None:
     everywhere = np.eye(gradient.size)
     # A bound may have narrowed the error on one side only: look as far as it would reach without.
     free = spread(basis.information.unbounded, everywhere, gradient)
-    most = WIDE * abs(value) / REACH
     step = max(estimate.standard_error or 0.0, free if np.isfinite(free) else 0.0)
-    if step == 0 or (estimate.standard_error is None and step > most > 0):
-        step = most
+    step = step or WIDE * abs(value) / REACH
     if not step > 0:
         return None
     targets = value + step * np.linspace(-REACH, REACH, POINTS)
