@@ -8,8 +8,12 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from exoid.diagnose.identifiability import Identifiability, identify
+    from exoid.diagnose.plan import Plan, plan
     from exoid.fit.each import fit_each
     from exoid.fit.estimate import fit as fit_leg
+    from exoid.fit.posterior import Posterior, sample
+    from exoid.fit.profile import Profile, profiles
     from exoid.fit.program import keep_programs_in
     from exoid.fit.result import FitResult
     from exoid.physics.anatomy import expected_leg
@@ -23,9 +27,17 @@ if TYPE_CHECKING:
     from exoid.report.plots import plot_fit
 
 _HOMES = {
+    "Identifiability": ("exoid.diagnose.identifiability", "Identifiability"),
+    "identify": ("exoid.diagnose.identifiability", "identify"),
+    "Plan": ("exoid.diagnose.plan", "Plan"),
+    "plan": ("exoid.diagnose.plan", "plan"),
     "fit_each": ("exoid.fit.each", "fit_each"),
     "fit_leg": ("exoid.fit.estimate", "fit"),
     "FitResult": ("exoid.fit.result", "FitResult"),
+    "Posterior": ("exoid.fit.posterior", "Posterior"),
+    "sample": ("exoid.fit.posterior", "sample"),
+    "Profile": ("exoid.fit.profile", "Profile"),
+    "profiles": ("exoid.fit.profile", "profiles"),
     "keep_programs_in": ("exoid.fit.program", "keep_programs_in"),
     "expected_leg": ("exoid.physics.anatomy", "expected_leg"),
     "LegModel": ("exoid.physics.leg", "LegModel"),
@@ -49,11 +61,15 @@ _HOMES = {
 __all__ = [
     "CycleTorque",
     "FitResult",
+    "Identifiability",
     "LegModel",
     "LegParameters",
     "LegState",
     "MeasuredTorque",
     "NoTorque",
+    "Plan",
+    "Posterior",
+    "Profile",
     "Protocol",
     "Recording",
     "Segment",
@@ -63,9 +79,13 @@ __all__ = [
     "expected_leg",
     "fit_each",
     "fit_leg",
+    "identify",
     "keep_programs_in",
     "load",
+    "plan",
     "plot_fit",
+    "profiles",
+    "sample",
     "simulate",
     "write_table",
 ]

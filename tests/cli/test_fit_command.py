@@ -57,6 +57,8 @@ def test_document_names_everything_it_rests_on(example):
         "settings",
         "parameters",
         "ratios",
+        "mountings",
+        "identifiability",
         "fit",
         "multistart",
         "segments",

@@ -4,12 +4,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from exoid.fit.coordinates import Coordinates, Shared, scaled
+from exoid.fit.coordinates import TYPICAL, Coordinates, Shared, scaled
 from exoid.fit.disturbance import Disturbance
 from exoid.fit.local import Local, penalties, weighed
 from exoid.fit.problem import BATCH, Problem, advance, around, explained, finite, take, task
 from exoid.fit.starts import coordinates
 from exoid.fit.task import Solved
+from exoid.fit.uncertainty import spread
 
 BASIN = 0.2  # typical steps within which tied starts have come together
 SAME_LOSS = 1e-3  # relative; other minima lie orders of magnitude higher
@@ -18,6 +19,7 @@ TETHERS = (60.0, 15.0)  # rad/s, of the first stage and the second; then free
 STIFF = 0.6  # greatest tether times step: Runge-Kutta carries it with room for the leg
 COARSE, FINE = 10.0, 1e-2  # tolerances, in units of noise
 LIMITED = 1e-3  # the same with limits: a multiplier of ten makes it 1e-3 of half a sum of squares
+TOLD = 0.5  # relative error of an inertia from which on the data do not tell it
 FEASIBLE = 1e-4  # relative violation that is rounding of the multiplier method
 
 
@@ -115,18 +117,25 @@ def settle(problem: Problem, free: Solved, begin: Coordinates, scale: float) -> 
     best = int(np.argmin(finite(free.loss)))
     lanes = max(2, BATCH // len(problem.movements))
     one = take(free.coordinates, [best] * lanes)
-    prior = problem.belief.prior
-    own_scale = (problem.known[:, 0] == 0).any()
+    local = weighed(around(problem, free, row=best), scale)
     others = np.resize(np.arange(begin.log_mass.size), lanes)
-    inertia = one.shared.log_inertia.copy() if own_scale else begin.shared.log_inertia[others]
-    mass = begin.log_mass[others].copy()
+    inertia, mass = (leaf[others].copy() for leaf in (begin.shared.log_inertia, begin.log_mass))
     if problem.belief.expected is not None:
-        inertia[0] = inertia[0] if own_scale else np.log(prior.expected.inertia)
-        mass[0] = np.log(prior.expected.mass)
+        expected = problem.belief.prior.expected
+        inertia[0], mass[0] = np.log(expected.inertia), np.log(expected.mass)
+    if scale_told(local.data):
+        inertia = one.shared.log_inertia
     shared = Shared(inertia, one.shared.gravity, one.shared.stiffness, one.shared.damping)
     starts = Coordinates(shared, mass, one.mounting, one.own)
-    penalty = penalties(weighed(around(problem, free, row=best), scale))
-    ended = advance(problem, starts, task(problem, 0.0, problem.steps, LIMITED, penalty), scale)
+    asked = task(problem, 0.0, problem.steps, LIMITED, penalties(local))
+    ended = advance(problem, starts, asked, scale)
     feasible = np.where(ended.violation < FEASIBLE, finite(ended.loss), np.inf)
     chosen = feasible if np.isfinite(feasible).any() else finite(ended.loss)
     return take(ended, [int(np.argmin(chosen))])
+
+
+def scale_told(data: np.ndarray) -> bool:
+    """Do the data by themselves fix the inertia, so that a search may begin at theirs?"""
+    inertia = np.eye(data.shape[0])[0]  # the first coordinate
+    error = spread(np.linalg.eigh(data), np.eye(data.shape[0]), inertia)
+    return bool(error * TYPICAL.shared.log_inertia < TOLD)
