@@ -66,7 +66,7 @@ def process(rng, correlated, count=NODES):
 def explained(residual, a=None):
     sensed = linear(residual, columns() if a is None else a)
     each = {cause: grams(sensed, SEEN, [DURATION], PLACE[None], cause) for cause in CAUSES}
-    return explain(each, SAMPLES, 3)
+    return explain(each, {"torque": 10.0, "encoder": 1.0}, SAMPLES, 3)
 
 
 def test_white_noise_is_called_white_and_widens_nothing():

@@ -17,13 +17,14 @@ from exoid.fit.local import columns
 from exoid.fit.problem import take
 from exoid.fit.profile import named, weights_of
 from exoid.fit.result import Basis, Estimate, FitResult
-from exoid.fit.uncertainty import HELD, Information, inverse_times
+from exoid.fit.uncertainty import HELD, Information, determined, inverse_times
 
 SHIFT = 0.10  # relative change by which an exact direction is put into words
 TRACE = 1e-3  # of the largest change along a direction; smaller ones are rounding
 VISIBLE = 0.05  # of the largest change; smaller ones are left out of the words
 WEAK = 0.05  # relative standard error from which on a combination counts as hardly told
-NOTHING = 1e-9  # relative information that is rounding
+UNDAMPED = 0.1  # 1/s, d / J below which no relaxed leg lies (0.5 to 1.2 do)
+WHOLLY = 0.995  # share that is all
 RESTING = 0.5  # share of a value from which on it rests on the voluntary segments
 
 Changes = dict[str, float]  # parameter or ratio: relative change
@@ -119,7 +120,7 @@ def null_directions(
     else is open is given as it is found.
     """
     values, vectors = alone.unbounded
-    free = vectors[:, values <= NOTHING * values.max()]
+    free = vectors[:, ~determined(values)]
     names = [name for name in gradients if name not in RATIOS]
     moved = np.stack([gradients[name] for name in names]) @ free
     exchange = np.array([{"mass": 1.0, "com_distance": -1.0}.get(name, 0.0) for name in names])
@@ -238,6 +239,7 @@ def torque_remarks(
     basis: Basis, shares: dict[str, np.ndarray], mirrored: list[Reversal]
 ) -> list[str]:
     """Where the assumed form of the torque, and not the leg, made the numbers."""
+    damping = float(basis.ended.best.coordinates.shared.damping[0])
     voluntary = np.array([each.voluntary for each in basis.problem.movements])
     resting = {
         name: float(each[voluntary].sum())
@@ -247,17 +249,17 @@ def torque_remarks(
     said = []
     symmetric = [each for each in mirrored if each.mirrored]
     cycles = [each for each in symmetric if each.voluntary]
-    if cycles and "damping_over_inertia" in resting:
+    if cycles and "damping_over_inertia" in resting and damping < UNDAMPED:
         said.append(
             f"{segments(cycles)} moved the same forwards and backwards in time, and so does the "
-            "torque of Eq. 10: d / J then comes out near zero and m l g / J measures the duration, "
-            "whatever the leg is. Do not use J, d or the ratios of this recording; record a drop."
+            "torque of Eq. 10: that is why d / J is near zero, and m l g / J then measures the "
+            "duration, whatever the leg is. Do not use these numbers; record a drop."
         )
     elif resting:
-        least = min(resting.values())
+        how = "entirely" if min(resting.values()) > WHOLLY else "mostly"
+        names = [RATIOS[name][0] if name in RATIOS else "J" for name in resting]
         said.append(
-            f"{listed([RATIOS[name][0] if name in RATIOS else 'J' for name in resting])} rest by "
-            f"{100 * least:.0f} % or more on voluntary segments, where the form of the muscle's "
+            f"{listed(names)} rest {how} on voluntary segments, where the form of the muscle's "
             "torque (Eq. 10) is assumed: another form gives other values. A drop does not need it."
         )
     still = [each for each in symmetric if not each.voluntary]

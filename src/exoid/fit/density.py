@@ -30,8 +30,8 @@ from exoid.fit.problem import around, take
 from exoid.fit.residual import Stage
 from exoid.fit.result import Basis
 from exoid.fit.solve import mountings
-from exoid.fit.uncertainty import UNDETERMINED
 
+UNDETERMINED = 1e-3  # information per typical step squared, too little to sample along
 UNIFORM = 12.0  # squared width over variance of a uniform density
 
 
@@ -68,7 +68,7 @@ def posed(basis: Basis) -> tuple[Target, np.ndarray]:
         spread=vectors[:, kept] / np.sqrt(values[kept]),
         shrink=shrink,
         tilt=tilt,
-        scale=np.asarray(ended.disturbance.widening.min()),
+        scale=np.asarray(ended.disturbance.scale),
         observation=problem.observation,
         known=problem.known,
         stage=Stage(np.asarray(0.0), np.asarray(problem.steps)),
@@ -80,13 +80,12 @@ def posed(basis: Basis) -> tuple[Target, np.ndarray]:
 
 def curved(basis: Basis) -> tuple[np.ndarray, np.ndarray]:
     """C with C'HC = W, of the misfit's H and the fit's W, and the slope that C would change."""
-    best, found = basis.ended.best, basis.ended.disturbance
-    gain = (found.scale / found.widening.min()) ** 2  # the fit takes the mean widening for all
-    plain = gain * around(basis.problem, best).data
+    best = basis.ended.best
+    plain = around(basis.problem, best).data
     white, unit = whitening(plain)
     inward, outward = white / unit[:, None], np.linalg.pinv(white).T * unit[:, None]
     values, axes = np.linalg.eigh(inward.T @ basis.ended.local.data @ inward)
-    # Beyond 1 only where the free fit, at which W was found, lies elsewhere.
+    # Beyond 1 by rounding, where all directions are widened alike.
     root = np.sqrt(np.clip(values, 0.0, 1.0))
     change = (axes * root) @ axes.T - np.eye(root.size)
     shrink = np.eye(len(plain)) + inward @ change @ outward.T
@@ -96,7 +95,7 @@ def curved(basis: Basis) -> tuple[np.ndarray, np.ndarray]:
         places_of, one.condensed.factor, one.condensed.projection, strict=True
     ):
         slope[at] += factor.T @ projection
-    return shrink, slope - gain * shrink.T @ slope
+    return shrink, slope - shrink.T @ slope
 
 
 def log_density(

@@ -17,7 +17,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from jaxtyping import Float
 
-from exoid.fit.gram import ANGLE_UNIT, CAUSES, Cause, Gram, modes
+from exoid.fit.gram import CAUSES, UNIT, Cause, Gram, modes
 
 CORRELATED = (0.025, 0.05, 0.1, 0.2, 0.4, 0.8)  # s
 SIZES = np.logspace(-7, 4, 12)  # of u's variance over that of the noise, in units of the gram
@@ -40,24 +40,34 @@ class Disturbance:
     @property
     def deviation(self) -> float:
         """Of u: rad/s^2, which is a torque over J, or rad."""
-        return self.noise * self.ratio**0.5 * (ANGLE_UNIT if self.cause == "encoder" else 1.0)
+        return self.noise * self.ratio**0.5 * (1.0 if self.cause is None else UNIT[self.cause])
 
     @property
     def scale(self) -> float:
-        """By how much errors are wider in the mean than the declared noise makes them."""
-        return float(np.exp(np.log(self.widening).mean()))
+        """By how much all errors at least are wider than the declared noise makes them.
+
+        The weight of the data against the prior goes by it: where the two disagree, the fit stays
+        with the data.
+        """
+        return float(self.widening.min())
 
 
-def explain(grams: dict[Cause, list[Gram]], samples: int, size: int) -> Disturbance:
+def explain(
+    grams: dict[Cause, list[Gram]], most: dict[Cause, float], samples: int, size: int
+) -> Disturbance:
     """The noise and the process of greatest restricted likelihood, and the information left.
 
     `grams` of every cause are of the same segments, whose unknowns are among `size` coordinates.
+    `most` bounds the deviation: what nearly hides in the parameters may else grow without limit.
     """
     found: tuple[Cause | None, float, float] = (None, CORRELATED[0], 0.0)
     best = Likelihood(grams["torque"], CORRELATED[0], samples, size)(np.zeros(1))[0] + CLEAR
+    largest = {cause: (most[cause] / UNIT[cause]) ** 2 for cause in CAUSES}
     for cause in CAUSES:
         for correlated in CORRELATED:
-            ratio, value = Likelihood(grams[cause], correlated, samples, size).greatest()
+            ratio, value = Likelihood(grams[cause], correlated, samples, size).greatest(
+                largest[cause]
+            )
             if value > best:
                 best = value
                 found = (cause, correlated, ratio)
@@ -74,9 +84,10 @@ class Likelihood:
         self.parts = [(each, *modes(each, correlated)) for each in grams]
         self.samples, self.size = samples, size
 
-    def greatest(self) -> tuple[float, float]:
-        """The variance ratio where it is greatest, and its value there."""
-        near = SIZES[int(np.argmax(self(SIZES)))] * FINER
+    def greatest(self, most: float) -> tuple[float, float]:
+        """The variance ratio up to `most` where it is greatest, and its value there."""
+        coarse = np.append(SIZES[most > SIZES], most)
+        near = np.minimum(coarse[int(np.argmax(self(coarse)))] * FINER, most)
         values = self(near)
         top = int(np.argmax(values))
         return float(near[top]), float(values[top])

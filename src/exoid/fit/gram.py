@@ -18,7 +18,7 @@ CAUSES: tuple[Cause, ...] = ("torque", "encoder")
 
 SPACING = 0.125  # s between the nodes
 NODES = (16, 128)  # at least and at most
-ANGLE_UNIT = 1e-2  # of a weight, so that sizes of both causes lie in one range
+UNIT: dict[Cause, float] = {"torque": 1.0, "encoder": 1e-2}  # rad/s^2, rad: of u in its gram
 JITTER = 1e-8  # of a unit variance, keeps a smooth covariance positive definite
 
 
@@ -88,7 +88,7 @@ def gram(
     count = effect.shape[0]
     if cause == "encoder":
         shape = hats(seen.time[number][used], duration, count) * seen.angle_weight[number][used]
-        effect = np.stack([ANGLE_UNIT * shape, np.zeros_like(shape)], axis=-1)
+        effect = np.stack([UNIT[cause] * shape, np.zeros_like(shape)], axis=-1)
     rows, process = fitted.reshape(len(fitted), -1), effect.reshape(count, -1)
     nodes = node_times(duration, count)
     return Gram(place, rows @ rows.T, process @ rows.T, process @ process.T, nodes)

@@ -21,6 +21,7 @@ from exoid.fit.task import Aim, Solved, Task
 from exoid.physics.simulate import Drive
 
 ROUNDS = 10  # of multipliers; two digits a round
+PLAUSIBLE = 0.3  # of what moves the leg: a model that misses more is none
 BATCH = 16  # lanes of start and segment at once: more leave the fast path of the compiled loop
 
 
@@ -130,7 +131,18 @@ def explained(problem: Problem, at: Solved, row: int = 0) -> Disturbance:
     seen = problem.observation
     samples = int((seen.angle_weight > 0).sum() + (seen.velocity_weight > 0).sum())
     each = grams_at(problem, at, row, CAUSES)
-    return explain(each, samples, flattened(take(at.coordinates, row)).size)
+    return explain(each, plausible(seen), samples, flattened(take(at.coordinates, row)).size)
+
+
+def plausible(seen: Observation) -> dict[Cause, float]:
+    """The largest deviation of what is missed: a part of the leg's acceleration, or its angle."""
+    used = np.asarray(seen.angle_weight)[:, 1:] > 0
+    time, angle, velocity = map(np.asarray, (seen.time, seen.guide_angle, seen.guide_velocity))
+    acceleration = (np.diff(velocity, axis=1) / np.diff(time, axis=1))[used]
+    return {
+        "torque": PLAUSIBLE * float(np.std(acceleration)),
+        "encoder": PLAUSIBLE * float(np.std(angle[:, 1:][used])),
+    }
 
 
 def grams_at(

@@ -102,7 +102,7 @@ class FitResult:
 
     @property
     def noise_scale(self) -> float:
-        """By which standard errors were widened beyond the sensors' noise, in the mean."""
+        """By which standard errors at least were widened beyond the sensors' noise."""
         return self.disturbance.scale
 
     @property

@@ -8,7 +8,8 @@ from jaxtyping import Float
 
 Source = Literal["data", "prior", "both", "bound"]
 
-UNDETERMINED = 1e-3  # information per typical step squared: an error of thirty typical steps
+NOTHING = 1e-13  # of the largest information: rounding of none
+HOPELESS = 30.0  # typical steps: a value with a larger error is not determined
 ON_BOUND = 1e-4  # relative size of what is left of a gradient where an end point lies on a limit
 DECIDED = 0.9  # share of the precision from which on one source alone determined a value
 
@@ -83,10 +84,16 @@ def spread(decomposed, free, gradient) -> float:
         return 0.0
     values, vectors = decomposed
     parts = vectors.T @ along
-    known = values > UNDETERMINED
+    known = determined(values)
     if np.linalg.norm(parts[~known]) > ON_BOUND * size:
         return np.inf
-    return float(np.sqrt(np.sum(parts[known] ** 2 / values[known])))
+    error = float(np.sqrt(np.sum(parts[known] ** 2 / values[known])))
+    return error if error < HOPELESS * size else np.inf
+
+
+def determined(values: np.ndarray) -> np.ndarray:
+    """Which of the eigenvalues of an information are more than rounding."""
+    return values > NOTHING * max(values.max(initial=0.0), 1.0)
 
 
 def null_space(rows, size: int):
@@ -101,5 +108,5 @@ def null_space(rows, size: int):
 def inverse_times(decomposed, vector):
     """I^-1 a, within the directions that I determines."""
     values, vectors = decomposed
-    known = values > UNDETERMINED
+    known = determined(values)
     return vectors[:, known] @ ((vectors.T @ vector)[known] / values[known])
