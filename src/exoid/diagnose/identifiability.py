@@ -119,7 +119,7 @@ def null_directions(
     The two that hold for every leg come first, as far as this recording leaves them open; what
     else is open is given as it is found.
     """
-    values, vectors = alone.unbounded
+    values, vectors = np.linalg.eigh(alone.parts[0])
     free = vectors[:, ~determined(values)]
     names = [name for name in gradients if name not in RATIOS]
     moved = np.stack([gradients[name] for name in names]) @ free

@@ -10,7 +10,7 @@ from exoid.fit.local import Local, penalties, weighed
 from exoid.fit.problem import BATCH, Problem, advance, around, explained, finite, take, task
 from exoid.fit.starts import coordinates
 from exoid.fit.task import Solved
-from exoid.fit.uncertainty import spread
+from exoid.fit.uncertainty import decomposed, spread
 
 BASIN = 0.2  # typical steps within which tied starts have come together
 SAME_LOSS = 1e-3  # relative; other minima lie orders of magnitude higher
@@ -137,5 +137,5 @@ def settle(problem: Problem, free: Solved, begin: Coordinates, scale: float) -> 
 def scale_told(data: np.ndarray) -> bool:
     """Do the data by themselves fix the inertia, so that a search may begin at theirs?"""
     inertia = np.eye(data.shape[0])[0]  # the first coordinate
-    error = spread(np.linalg.eigh(data), np.eye(data.shape[0]), inertia)
+    error = spread(decomposed(data), np.eye(data.shape[0]), inertia)
     return bool(error * TYPICAL.shared.log_inertia < TOLD)

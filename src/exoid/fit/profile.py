@@ -21,7 +21,7 @@ from exoid.fit.multistart import FEASIBLE, LIMITED
 from exoid.fit.problem import advance, around, take, task
 from exoid.fit.result import Basis, Estimate, FitResult
 from exoid.fit.task import Aim
-from exoid.fit.uncertainty import spread
+from exoid.fit.uncertainty import decomposed, spread
 
 Shape = Literal["two-sided", "lower limit only", "upper limit only", "flat"]
 
@@ -132,8 +132,8 @@ def widened(basis: Basis, gradient: np.ndarray) -> float:
     """How much wider the data's error of this quantity is than the declared noise makes it."""
     everywhere, ended = np.eye(gradient.size), basis.ended
     plain = weighed(around(basis.problem, ended.best), 1 / ended.disturbance.scale).data
-    after = spread(np.linalg.eigh(ended.local.data), everywhere, gradient)
-    before = spread(np.linalg.eigh(plain), everywhere, gradient)
+    after = spread(decomposed(ended.local.data), everywhere, gradient)
+    before = spread(decomposed(plain), everywhere, gradient)
     return float(after / before) if np.isfinite(after) else ended.disturbance.scale
 
 

@@ -9,7 +9,7 @@ from jaxtyping import Float
 Source = Literal["data", "prior", "both", "bound"]
 
 NOTHING = 1e-13  # of the largest information: rounding of none
-HOPELESS = 30.0  # typical steps: a value with a larger error is not determined
+VAGUE = 1e-2  # per typical step squared, known of everything: no leg is tens of them away
 ON_BOUND = 1e-4  # relative size of what is left of a gradient where an end point lies on a limit
 DECIDED = 0.9  # share of the precision from which on one source alone determined a value
 
@@ -44,9 +44,9 @@ class Information:
 
     def __init__(self, data: np.ndarray, prior: np.ndarray, active: np.ndarray):
         self.free = null_space(active, data.shape[0])
-        self.posterior = np.linalg.eigh(self.free.T @ (data + prior) @ self.free)
-        self.likelihood = np.linalg.eigh(self.free.T @ data @ self.free)
-        self.unbounded = np.linalg.eigh(data + prior)
+        self.posterior = decomposed(self.free.T @ (data + prior) @ self.free)
+        self.likelihood = decomposed(self.free.T @ data @ self.free)
+        self.unbounded = decomposed(data + prior)
         self.parts = (data, prior)
 
     def standard_error(self, gradient: Float[np.ndarray, " coordinate"]) -> float:
@@ -76,6 +76,15 @@ class Information:
         return Shares(float(data * rest), float(prior * rest), float(bound))
 
 
+def decomposed(information: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Its eigenvalues and vectors, with the vague belief that keeps errors within reason.
+
+    Where hardly anything is told, an error is larger than the range in which the motion answers
+    linearly: what leans on it a little must not inherit all of it.
+    """
+    return np.linalg.eigh(information + VAGUE * np.eye(information.shape[0]))
+
+
 def spread(decomposed, free, gradient) -> float:
     """sqrt(a' I^-1 a) within the `free` directions, from the eigenvalues and vectors of I there."""
     along = free.T @ gradient
@@ -83,12 +92,10 @@ def spread(decomposed, free, gradient) -> float:
     if size <= ON_BOUND * np.linalg.norm(gradient):
         return 0.0
     values, vectors = decomposed
-    parts = vectors.T @ along
-    known = determined(values)
-    if np.linalg.norm(parts[~known]) > ON_BOUND * size:
-        return np.inf
-    error = float(np.sqrt(np.sum(parts[known] ** 2 / values[known])))
-    return error if error < HOPELESS * size else np.inf
+    variances = (vectors.T @ along) ** 2 / values
+    if VAGUE * np.sum(variances / values) > DECIDED * np.sum(variances):
+        return np.inf  # nothing but the vague belief keeps it within reason
+    return float(np.sqrt(np.sum(variances)))
 
 
 def determined(values: np.ndarray) -> np.ndarray:
@@ -106,7 +113,6 @@ def null_space(rows, size: int):
 
 
 def inverse_times(decomposed, vector):
-    """I^-1 a, within the directions that I determines."""
+    """I^-1 a."""
     values, vectors = decomposed
-    known = determined(values)
-    return vectors[:, known] @ ((vectors.T @ vector)[known] / values[known])
+    return vectors @ ((vectors.T @ vector) / values)
