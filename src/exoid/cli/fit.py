@@ -6,16 +6,17 @@ from typing import Annotated
 
 import typer
 
+from exoid.cli.analysis import ask, check_posterior, compute, profiled, write_posterior
 from exoid.cli.body import given_body
 from exoid.cli.choices import Method, Misfit, Prior, Reading
 from exoid.cli.destination import check_apart, check_destination
+from exoid.cli.reading import read
 from exoid.cli.results import draw, show, write_document
 from exoid.cli.waiting import patiently
 
 EXAMPLE = Path(__file__).parents[1] / "example" / "session.blf"
 FIGURES = ("pdf", "svg", "png")
 HEAVIEST_PRIOR = 1e6  # it decides alone long before
-AGREED, RARE = 1.01, 0.01  # r_hat and share of divergences up to which draws are good
 
 
 def fit(
@@ -133,95 +134,3 @@ def fit(
     if posterior is not None:
         drawn = patiently(lambda: write_posterior(result, seed, posterior), "drawing from the fit")
         typer.echo(f"wrote {posterior}: {drawn}", err=True)
-
-
-def ask(result):
-    """What the recording told."""
-    from exoid.diagnose.identifiability import identify
-
-    return identify(result)
-
-
-def profiled(result):
-    """The profile of every quantity."""
-    from exoid.fit.profile import profiles
-
-    return profiles(result)
-
-
-def check_posterior(each: bool) -> None:
-    """Refuse what cannot be drawn from, before anything is computed."""
-    from exoid.fit.posterior import check_packages
-
-    if each:
-        raise ValueError("--posterior draws around one fit of all segments: leave --each out.")
-    check_packages()
-
-
-def write_posterior(result, seed: int, path: Path) -> str:
-    """Draws from the fit in a file, and how far to trust them."""
-    from exoid.fit.posterior import r_hat, sample, to_netcdf
-    from exoid.fit.program import with_sound_programs
-    from exoid.report.fit_json import replacing
-
-    drawn = with_sound_programs(lambda: sample(result, seed=seed))
-    with replacing(path) as part:
-        to_netcdf(drawn, part)
-    (chains, draws), worst = drawn.diverging.shape, max(r_hat(drawn).values())
-    diverging = drawn.diverging.mean()
-    said = f"{draws} draws x {chains} chains, r_hat up to {worst:.3f}, {diverging:.1%} divergences"
-    if worst <= AGREED and diverging <= RARE:
-        return said
-    return f"{said}. The chains have not explored it all: take these draws with caution."
-
-
-def read(path: Path, dbc: Path | None, signal: list[str] | None, strict: bool):
-    """Load one recording and say what its reader noticed, on stderr."""
-    from exoid.recording.load import load
-
-    signals = signal_map(signal)
-    loaded = patiently(
-        lambda: load(path, dbc=dbc, signals=signals, strict=strict), f"reading {path.name}"
-    )
-    for note in loaded.notes:
-        typer.echo(f"exoid: {note}", err=True)
-    if loaded.quality is not None:
-        for line in loaded.quality.lines():
-            typer.echo(line, err=True)
-    return loaded.recording
-
-
-def signal_map(signal: list[str] | None) -> dict[str, str] | None:
-    """CHANNEL=MESSAGE.SIGNAL pairs as a map."""
-    if not signal:
-        return None
-    pairs = [entry.partition("=") for entry in signal]
-    for (name, equals, target), entry in zip(pairs, signal, strict=True):
-        if not (name and equals and target):
-            raise ValueError(f"--signal {entry}: write it as CHANNEL=MESSAGE.SIGNAL")
-    return {name: target for name, _, target in pairs}
-
-
-def prepare() -> None:
-    """Compute in float64, with programs kept in the user's cache folder."""
-    import jax
-
-    from exoid.fit.program import keep_programs_in
-
-    jax.config.update("jax_enable_x64", True)
-    keep_programs_in()
-
-
-def compute(named, each: bool, options: dict):
-    """The fit."""
-    from exoid.fit.program import with_sound_programs
-
-    prepare()
-    if each:
-        from exoid.fit.each import fit_each as fit
-    else:
-        from exoid.fit.estimate import fit
-    try:
-        return with_sound_programs(lambda: fit(named, **options))
-    except ValueError as fault:
-        raise ValueError(f"{', '.join(name for name, _ in named)}: {fault}") from fault

@@ -7,9 +7,10 @@ from typing import Annotated
 
 import typer
 
+from exoid.cli.analysis import compute, prepare
 from exoid.cli.body import given_body
 from exoid.cli.destination import check_apart, check_destination
-from exoid.cli.fit import compute, prepare, read
+from exoid.cli.reading import read
 from exoid.cli.waiting import patiently
 
 

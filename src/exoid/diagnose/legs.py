@@ -7,7 +7,7 @@ import numpy as np
 
 from exoid.fit.belief import NAMES
 from exoid.fit.coordinates import QUANTITIES
-from exoid.fit.describe import RATIOS
+from exoid.fit.estimates import RATIOS
 from exoid.fit.local import penalties, weighed
 from exoid.fit.multistart import LIMITED
 from exoid.fit.problem import Problem, advance, around, explained, take, task

@@ -7,8 +7,8 @@ import numpy as np
 
 from exoid.fit.belief import NAMES, Belief, believe
 from exoid.fit.constraint import constraint_names, violations
-from exoid.fit.describe import parameter_estimate, with_reasons
 from exoid.fit.estimate import PLAIN_SCALE, fit
+from exoid.fit.estimates import parameter_estimate, with_reasons
 from exoid.fit.local import derivative
 from exoid.fit.prior import prior_residual
 from exoid.fit.result import Estimate, FitResult

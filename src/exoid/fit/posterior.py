@@ -24,7 +24,8 @@ from exoid.fit.coordinates import (
     torque_amplitudes,
 )
 from exoid.fit.density import Target, points, posed
-from exoid.fit.describe import MOUNTING, RATIOS
+from exoid.fit.estimates import RATIOS
+from exoid.fit.mountings import MOUNTING
 from exoid.fit.nuts import move_chains
 from exoid.fit.observation import places, remounts
 from exoid.fit.result import Basis, FitResult

@@ -15,7 +15,7 @@ from jaxtyping import Float
 
 from exoid.fit.belief import NAMES
 from exoid.fit.coordinates import QUANTITIES, Coordinates, flattened, scaled, unflattened, unscaled
-from exoid.fit.describe import RATIOS
+from exoid.fit.estimates import RATIOS
 from exoid.fit.local import penalties, weighed
 from exoid.fit.multistart import FEASIBLE, LIMITED
 from exoid.fit.problem import advance, around, take, task

@@ -8,7 +8,7 @@ from rich.console import Console
 
 from exoid.diagnose.plan import Plan
 from exoid.report.fit_json import plain
-from exoid.report.fit_table import heading, say, table, with_error
+from exoid.report.text import heading, say, table, with_error
 
 SHOWN = 8  # single segments in the table
 

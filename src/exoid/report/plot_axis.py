@@ -7,7 +7,7 @@ from jaxtyping import Float
 from matplotlib.axis import Axis
 from matplotlib.ticker import MaxNLocator, ScalarFormatter
 
-from exoid.report.fit_table import exponent
+from exoid.report.text import exponent
 
 GROWN = 3.0  # times what must be seen, at most
 MARGIN = 0.06  # of the view, at either end

@@ -9,8 +9,8 @@ from matplotlib.figure import SubFigure
 from matplotlib.ticker import MaxNLocator
 
 from exoid.fit.result import FitResult, SegmentFit
-from exoid.report.fit_table import in_degrees
 from exoid.report.plot_style import MEASURED, NOISE, RESIDUAL, SIMULATED, name_all
+from exoid.report.text import in_degrees
 
 SHOWN = 15  # segments; of more, those that fit worst
 LABELS = ("angle\n[deg]", "residual\n[deg]", "angular velocity\n[deg/s]", "residual\n[deg/s]")

@@ -4,9 +4,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import SubFigure
 
-from exoid.fit.describe import RATIOS
+from exoid.fit.estimates import RATIOS
 from exoid.fit.profile import RISE, Profile
-from exoid.report.fit_table import MOST_DECIMALS, NOT_DETERMINED, exponent, written
 from exoid.report.plot_axis import Range, Scale, readable, tick, view
 from exoid.report.plot_style import (
     EXPECTED,
@@ -18,6 +17,7 @@ from exoid.report.plot_style import (
     in_words,
     name_all,
 )
+from exoid.report.text import MOST_DECIMALS, NOT_DETERMINED, exponent, written
 
 MOST = 6  # panels side by side
 TOP = 9.5  # of the rise: three standard errors, and a little

@@ -13,9 +13,9 @@ from matplotlib.ticker import MaxNLocator
 from exoid.fit.multistart import SAME_LOSS
 from exoid.fit.profile import named
 from exoid.fit.result import Estimate, FitResult, MultistartReport
-from exoid.report.fit_table import NOT_DETERMINED, counted, on_bound
 from exoid.report.plot_axis import tick, view
 from exoid.report.plot_style import CHOSEN, EXPECTED, MEMBER, SHARE, head, in_words, name_all
+from exoid.report.text import NOT_DETERMINED, counted, on_bound
 
 PAIRS = (("mass", "com_distance"), ("inertia", "stiffness"), ("inertia", "damping"))
 NO_REASON = "the recording does not tell"

@@ -1,0 +1,34 @@
+"""Recordings as the commands read them, with what their readers noticed."""
+
+from pathlib import Path
+
+import typer
+
+from exoid.cli.waiting import patiently
+
+
+def read(path: Path, dbc: Path | None, signal: list[str] | None, strict: bool):
+    """Load one recording and say what its reader noticed, on stderr."""
+    from exoid.recording.load import load
+
+    signals = signal_map(signal)
+    loaded = patiently(
+        lambda: load(path, dbc=dbc, signals=signals, strict=strict), f"reading {path.name}"
+    )
+    for note in loaded.notes:
+        typer.echo(f"exoid: {note}", err=True)
+    if loaded.quality is not None:
+        for line in loaded.quality.lines():
+            typer.echo(line, err=True)
+    return loaded.recording
+
+
+def signal_map(signal: list[str] | None) -> dict[str, str] | None:
+    """CHANNEL=MESSAGE.SIGNAL pairs as a map."""
+    if not signal:
+        return None
+    pairs = [entry.partition("=") for entry in signal]
+    for (name, equals, target), entry in zip(pairs, signal, strict=True):
+        if not (name and equals and target):
+            raise ValueError(f"--signal {entry}: write it as CHANNEL=MESSAGE.SIGNAL")
+    return {name: target for name, _, target in pairs}
