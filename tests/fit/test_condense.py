@@ -5,18 +5,19 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
-from fit_cases import UNMOVED, coordinates_of, cycle_torque, exact, leg, one, state
 
 from exoid.fit.chain import Raw
 from exoid.fit.condense import condense, linear_model
 from exoid.fit.coordinates import TYPICAL, scaled
-from exoid.fit.observation import movement, observe
+from exoid.fit.movement import movement
+from exoid.fit.observation import observe
 from exoid.fit.residual import Stage
 from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.simulate import simulate
 from exoid.physics.state import LegState
 from exoid.physics.torque import NoTorque
 from exoid.recording.recording import Subject
+from fit_cases import UNMOVED, coordinates_of, cycle_torque, exact, leg, one, state
 
 TIME = np.arange(120) * 0.01
 LOAD = Subject(kind="leg", added_mass=1.2, added_mass_distance=0.35)

@@ -2,14 +2,14 @@
 
 import numpy as np
 import pytest
-from fit_cases import exact, leg, one, state
 
 from exoid.fit.chain import MovingAverage, Raw, SettledKalman
 from exoid.fit.conditioning import SETTLING_SAMPLES, conditioned
-from exoid.fit.observation import movement
+from exoid.fit.movement import movement
 from exoid.physics.leg import LegModel
 from exoid.physics.torque import NoTorque
 from exoid.recording.recording import Segment
+from fit_cases import exact, leg, one, state
 
 STEP = 0.01
 TIME = np.arange(200) * STEP

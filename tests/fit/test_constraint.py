@@ -5,12 +5,12 @@ from dataclasses import fields, replace
 import jax
 import numpy as np
 import pytest
-from fit_cases import leg
 
 from exoid.fit.belief import leg_limits, rig_limits
 from exoid.fit.constraint import NEVER, constraint_names, violations
 from exoid.physics.leg import LegParameters
 from exoid.physics.parameter import declarations
+from fit_cases import leg
 
 NAMES = [entry.name for entry in fields(LegParameters)]
 LIMITS = leg_limits(1.80)

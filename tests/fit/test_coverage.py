@@ -6,7 +6,6 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
-from fit_cases import BODY, NOISE
 
 from exoid.fit.estimate import fit
 from exoid.physics.leg import GRAVITY, LegModel, LegParameters
@@ -14,6 +13,7 @@ from exoid.physics.simulate import simulate
 from exoid.physics.state import LegState
 from exoid.physics.torque import CycleTorque, MeasuredTorque, TorqueSum
 from exoid.recording.recording import Protocol, Recording, Segment
+from fit_cases import BODY, NOISE
 
 pytestmark = pytest.mark.slow
 

@@ -4,13 +4,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from fit_cases import CYCLE, DROP, LOADED, leg, recorded
 
 from exoid.fit.each import averaged, fit_each, only
 from exoid.fit.estimate import fit
 from exoid.fit.result import Estimate
 from exoid.physics.leg import GRAVITY
 from exoid.twin.motion import Movement
+from fit_cases import CYCLE, DROP, LOADED, leg, recorded
 
 FEW = {"multistart": 4}
 OTHER_DROP = Movement(float(np.radians(-30)), DROP.duration)

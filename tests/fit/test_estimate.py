@@ -6,7 +6,6 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
-from fit_cases import BODY, CYCLE, DROP, LOADED, NOISE, exact, leg, one, recorded, state
 from scipy.stats import binom
 
 from exoid.fit.estimate import fit
@@ -19,6 +18,7 @@ from exoid.recording.recording import Recording, Segment, Subject
 from exoid.recording.table import read_table
 from exoid.twin.motion import Movement
 from exoid.twin.protocols import record
+from fit_cases import BODY, CYCLE, DROP, LOADED, NOISE, exact, leg, one, recorded, state
 
 RIG = Subject(kind="rig")
 NOBODY = Subject(kind="leg")

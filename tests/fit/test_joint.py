@@ -4,12 +4,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from fit_cases import BODY, DROP, leg, recorded
 
 from exoid.fit.estimate import fit
 from exoid.fit.starts import draw
 from exoid.recording.recording import Recording
 from exoid.twin.motion import Movement
+from fit_cases import BODY, DROP, leg, recorded
 
 DISTANCE = 0.4  # m
 ZERO = np.radians(2.0)

@@ -4,12 +4,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from fit_cases import BODY, NOISE, cycle_torque, exact, leg, one, state
 
-from exoid.fit.observation import LONGEST_STEP, bucket, movement, observe, scatter
+from exoid.fit.movement import movement, scatter
+from exoid.fit.observation import LONGEST_STEP, bucket, observe
 from exoid.physics.leg import LegModel
 from exoid.physics.torque import NoTorque
 from exoid.recording.recording import Protocol, Recording, Segment, Sensors
+from fit_cases import BODY, NOISE, cycle_torque, exact, leg, one, state
 
 TIME = np.arange(120) * 0.01
 FAST = np.radians(20.0)

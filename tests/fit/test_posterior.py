@@ -9,7 +9,6 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
-from fit_cases import CYCLE, DROP, LOADED, recorded
 
 from exoid.fit import posterior as module
 from exoid.fit.density import log_density, posed
@@ -18,6 +17,7 @@ from exoid.fit.estimate import fit
 from exoid.fit.posterior import Posterior, ess, r_hat, sample, to_netcdf
 from exoid.physics.leg import GRAVITY
 from exoid.recording.recording import Subject
+from fit_cases import CYCLE, DROP, LOADED, recorded
 
 pytest.importorskip("blackjax")
 pytest.importorskip("h5netcdf")

@@ -4,10 +4,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from fit_cases import BODY, DROP, LOADED, recorded
 
 from exoid.fit.estimate import fit
 from exoid.fit.profile import RISE, crossing, profiles
+from fit_cases import BODY, DROP, LOADED, recorded
 
 
 @pytest.fixture(scope="module")

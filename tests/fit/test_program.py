@@ -6,11 +6,11 @@ from pathlib import Path
 import jax
 import numpy as np
 import pytest
-from fit_cases import DROP, recorded
 
 from exoid.fit import program
 from exoid.fit.chain import MovingAverage, Raw
 from exoid.fit.estimate import fit
+from fit_cases import DROP, recorded
 
 KEPT = "*.stablehlo"
 SETTINGS = (

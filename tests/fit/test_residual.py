@@ -4,10 +4,10 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
-from fit_cases import UNMOVED, coordinates_of, cycle_torque, exact, leg, one, state
 
 from exoid.fit.chain import MovingAverage, Raw, SettledKalman
-from exoid.fit.observation import movement, observe
+from exoid.fit.movement import movement
+from exoid.fit.observation import observe
 from exoid.fit.residual import Stage, predict, residual
 from exoid.physics.leg import LegModel
 from exoid.physics.simulate import simulate
@@ -16,6 +16,7 @@ from exoid.physics.torque import MeasuredTorque, NoTorque
 from exoid.recording import kalman
 from exoid.recording.condition import moving_average
 from exoid.recording.recording import Recording, Subject
+from fit_cases import UNMOVED, coordinates_of, cycle_torque, exact, leg, one, state
 
 ROUNDING = 1e-11  # rad and rad/s: the same steps, but per inertia or in N m
 TIME = np.arange(120) * 0.01

@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
-from fit_cases import CYCLE, DROP, LOADED, recorded
 
 from exoid.fit.estimate import fit
+from fit_cases import CYCLE, DROP, LOADED, recorded
 
 # Half a chi square, where one standard error costs 1/2. SLSQP's finite differences stop it within
 # 1e-7 of its minimum and the multipliers stop within 1e-3 of the noise; both are below this.

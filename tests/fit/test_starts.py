@@ -3,14 +3,14 @@
 import jax
 import numpy as np
 import pytest
-from fit_cases import cycle_torque, exact, leg, one, state
 
 from exoid.fit.coordinates import leg_parameters, torque_amplitudes
-from exoid.fit.observation import movement
+from exoid.fit.movement import movement
 from exoid.fit.starts import coordinates, draw, first_state
 from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.parameter import declarations
 from exoid.physics.torque import NoTorque
+from fit_cases import cycle_torque, exact, leg, one, state
 
 TIME = np.arange(120) * 0.01
 

@@ -5,8 +5,8 @@ from dataclasses import dataclass, replace
 import jax
 import numpy as np
 
-from exoid.fit.observation import Movement as Observed
-from exoid.fit.observation import movement
+from exoid.fit.movement import Movement as Observed
+from exoid.fit.movement import movement
 from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.torque import NoTorque
 from exoid.recording.recording import Recording, Sensors

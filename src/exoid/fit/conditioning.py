@@ -5,7 +5,8 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.fit.chain import Chain, MovingAverage, Raw, SettledKalman
-from exoid.fit.observation import LONGEST_STEP, Movement
+from exoid.fit.movement import Movement
+from exoid.fit.observation import LONGEST_STEP
 from exoid.recording.condition import moving_average
 from exoid.recording.recording import Samples
 

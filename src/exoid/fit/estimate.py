@@ -9,8 +9,8 @@ import numpy as np
 from exoid.fit.belief import NAMES, Belief, PriorName, believe
 from exoid.fit.conditioning import conditioned
 from exoid.fit.describe import describe
+from exoid.fit.movement import Movement, movement
 from exoid.fit.multistart import Ended, search
-from exoid.fit.observation import Movement, movement
 from exoid.fit.problem import Problem, pose
 from exoid.fit.result import FitResult
 from exoid.fit.starts import draw, informed

@@ -3,8 +3,8 @@
 import numpy as np
 
 from exoid.fit.coordinates import TYPICAL, flattened, unflattened
+from exoid.fit.movement import places, remounts
 from exoid.fit.multistart import Ended
-from exoid.fit.observation import places, remounts
 from exoid.fit.problem import Problem, take
 from exoid.fit.result import Estimate, MountingFit
 from exoid.fit.uncertainty import Information

@@ -26,8 +26,8 @@ from exoid.fit.coordinates import (
 from exoid.fit.density import Target, points, posed
 from exoid.fit.estimates import RATIOS
 from exoid.fit.mountings import MOUNTING
+from exoid.fit.movement import places, remounts
 from exoid.fit.nuts import move_chains
-from exoid.fit.observation import places, remounts
 from exoid.fit.result import Basis, FitResult
 from exoid.fit.uncertainty import ON_BOUND
 from exoid.physics.leg import LegParameters

@@ -14,7 +14,8 @@ from exoid.fit.coordinates import QUANTITIES, Coordinates, flattened
 from exoid.fit.disturbance import Disturbance, explain, spoiled
 from exoid.fit.gram import CAUSES, Cause, Gram, grams, pushes
 from exoid.fit.local import Local, columns, neighbourhood
-from exoid.fit.observation import Movement, Observation, observe, places, remounts
+from exoid.fit.movement import Movement, places, remounts
+from exoid.fit.observation import Observation, observe
 from exoid.fit.program import run, run_sense
 from exoid.fit.residual import Stage
 from exoid.fit.task import Aim, Solved, Task

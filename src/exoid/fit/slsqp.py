@@ -9,9 +9,9 @@ from scipy.optimize import OptimizeResult, approx_fprime, minimize
 
 from exoid.fit.coordinates import Coordinates
 from exoid.fit.local import weighed
+from exoid.fit.movement import places, remounts
 from exoid.fit.multistart import FEASIBLE, Ended
 from exoid.fit.objective import Objective
-from exoid.fit.observation import places, remounts
 from exoid.fit.problem import Problem, advance, around, explained, finite, task
 from exoid.fit.task import Solved
 

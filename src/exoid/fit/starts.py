@@ -4,7 +4,8 @@ import jax
 import numpy as np
 
 from exoid.fit.coordinates import Coordinates, Mounting, Own, Shared
-from exoid.fit.observation import Movement, cycle_torque, places, remounts, smoothed_motion
+from exoid.fit.movement import Movement, places, remounts, smoothed_motion
+from exoid.fit.observation import cycle_torque
 from exoid.fit.prior import SEAT
 from exoid.physics.leg import GRAVITY, LegParameters
 from exoid.physics.parameter import declarations

@@ -1,0 +1,173 @@
+"""A segment as it enters the fit: its channels, its extent, its clock, its noise."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from exoid.recording.condition import (
+    best_velocity,
+    classify,
+    clip,
+    cut,
+    local_line,
+    measure_period,
+    movements,
+)
+from exoid.recording.recording import Recording, Samples, Segment, Sensors
+
+FEWEST = 10  # samples that a movement must have to be fitted
+SETTLING = 0.15  # s of rest before a cycle below which its clock starts with the segment
+
+
+@dataclass(frozen=True, eq=False)
+class Movement:
+    """A segment as it enters the fit: clipped, on its own clock, with its noise and its drive."""
+
+    name: str  # of the recording, and the segment's number in it
+    kind: str  # passive, active or measured
+    kind_said: bool  # by the sidecar; otherwise it was taken from the shape of the motion
+    segment: Segment
+    angle: Samples  # rad, the channel that is fitted
+    angular_velocity: Samples | None
+    filtered: bool  # that channel went through the firmware's filter
+    angle_noise: float  # rad
+    velocity_noise: float  # rad/s
+    onset: float  # s, where the clock of Eq. 10 starts
+    period: float  # s, of the cycle; nan where there is none
+    added_mass: float  # kg
+    added_mass_distance: float  # m, nan where it is to be estimated
+    thigh_angle: float  # rad
+    recording: int = 0  # of those that are fitted together
+
+    @property
+    def source(self) -> str:
+        """The recording, by its name where there are several."""
+        return self.name.rpartition(" ")[0] or "recording"
+
+    @property
+    def voluntary(self) -> bool:
+        return self.kind == "active"
+
+    @property
+    def scaled(self) -> bool:
+        """Does a known mass or torque act, so that this segment can tell the inertia?"""
+        return self.kind == "measured" or self.added_mass > 0
+
+    @property
+    def unplaced(self) -> bool:
+        """Is it unknown where the added mass sat?"""
+        return self.added_mass > 0 and bool(np.isnan(self.added_mass_distance))
+
+
+def movement(recording: Recording, number: int, name: str, belongs: int = 0) -> Movement:
+    """Condition one segment: choose its channels, clip its ends, find its clock and its noise.
+
+    `belongs` counts the recordings that are fitted together.
+
+    **Raises** `ValueError` where nothing moves, or a torque is missing.
+    """
+    segment, said = recording.segments[number], recording.kind(number)
+    kind = said or classify(segment) or "passive"
+    if kind == "measured" and segment.applied_torque is None:
+        raise ValueError(f"segment {name} is said to be measured, but has no torque_nm column.")
+    part, onset, period = extent(segment, kind, recording.cycle_period(number), name)
+    clipped = cut(segment, part)
+    raw = clipped.raw_angle is not None
+    angle = clipped.raw_angle if raw else clipped.angle
+    velocity = clipped.raw_angular_velocity if raw else clipped.angular_velocity
+    mass, distance = recording.added_mass(number), recording.added_mass_distance(number)
+    assert angle is not None  # a Segment has one or the other
+    return Movement(
+        name=name,
+        kind=kind,
+        kind_said=said is not None,
+        segment=clipped,
+        angle=angle,
+        angular_velocity=velocity,
+        filtered=not raw,
+        angle_noise=angle_noise(recording.sensors, angle),
+        velocity_noise=velocity_noise(recording.sensors, velocity),
+        onset=onset - float(segment.time[part.start]),
+        period=period,
+        added_mass=mass,
+        added_mass_distance=np.nan if mass > 0 and distance is None else distance or 0.0,
+        thigh_angle=recording.protocol.thigh_angle or 0.0,
+        recording=belongs,
+    )
+
+
+def extent(
+    segment: Segment, kind: str, period: float | None, name: str
+) -> tuple[slice, float, float]:
+    """The samples to fit, and of a cycle when its clock starts [s] and how long it runs [s].
+
+    Ends slower than 20 deg/s are cut off; a cycle also ends after its period, when it is caught.
+    What a measured torque moves is kept whole: its rest tells about the torque.
+    """
+    if kind == "measured":
+        return slice(0, segment.time.size), 0.0, np.nan
+    try:
+        part = clip(best_velocity(segment))
+    except ValueError as fault:
+        raise ValueError(f"segment {name}: {fault}") from fault
+    onset = float(segment.time[0])
+    if kind == "active":
+        onset = find_onset(segment)
+        period = measure_period(segment) if period is None else period
+        stop = int(np.searchsorted(segment.time, onset + period, side="right"))
+        part = slice(part.start, min(part.stop, stop))
+    if part.stop - part.start < FEWEST:
+        raise ValueError(
+            f"segment {name} moves faster than 20 deg/s in {max(part.stop - part.start, 0)} "
+            f"samples; {FEWEST} are the least. Check its marks, its period and its units."
+        )
+    return part, onset, np.nan if period is None else period
+
+
+def find_onset(segment: Segment) -> float:
+    """When the movement begins [s]: after the rest in front of it, or with the segment."""
+    found = movements(segment)
+    begin = float(segment.time[0])
+    first = float(segment.time[found[0].start]) if found else begin
+    return first if first > begin + SETTLING else begin
+
+
+def angle_noise(sensors: Sensors, angle: Samples) -> float:
+    """Standard deviation [rad] of an angle sample: declared, else from the data; and its steps."""
+    step = 0.0 if sensors.encoder_counts is None else 2 * np.pi / sensors.encoder_counts
+    white = scatter(angle) if sensors.angle_noise is None else sensors.angle_noise
+    return float(np.hypot(white, step / np.sqrt(12)))
+
+
+def velocity_noise(sensors: Sensors, velocity: Samples | None) -> float:
+    """Standard deviation [rad/s] of a gyro sample: declared, else from the data."""
+    if velocity is None:
+        return np.inf
+    return scatter(velocity) if sensors.velocity_noise is None else sensors.velocity_noise
+
+
+def scatter(samples: Samples) -> float:
+    """White noise of a smooth signal, from its third differences (whose variance is 20 times)."""
+    third = np.diff(samples[~np.isnan(samples)], 3)
+    spread = float(np.median(np.abs(third)) / 0.6745 / np.sqrt(20))
+    return spread if spread > 0 else float(np.std(third) / np.sqrt(20)) or 1e-6
+
+
+def places(movements: list[Movement]) -> list[int]:
+    """The recordings in which an added mass sat at an unknown distance."""
+    return sorted({each.recording for each in movements if each.unplaced})
+
+
+def remounts(movements: list[Movement]) -> list[int]:
+    """The recordings but the first, whose sensors are compared with those of the first."""
+    return sorted({each.recording for each in movements})[1:]
+
+
+def smoothed_motion(each: Movement, width: float) -> tuple[Samples, Samples]:
+    """Angle and angular velocity as the leg had them, before any chain, smoothed over `width` s."""
+    part = each.segment
+    angle = part.angle if part.raw_angle is None else part.raw_angle
+    gyro = part.angular_velocity if part.raw_angle is None else part.raw_angular_velocity
+    assert angle is not None  # a Segment has one or the other
+    smooth, slope = local_line(part.time, angle, width)
+    return smooth, slope if gyro is None else local_line(part.time, gyro, width)[0]
