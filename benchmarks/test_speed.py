@@ -2,12 +2,17 @@
 
 import subprocess
 import sys
+from pathlib import Path
+from tempfile import mkdtemp
 
 import jax
 import numpy as np
 import pytest
 
+from exoid.diagnose.identifiability import identify
 from exoid.fit.estimate import fit
+from exoid.fit.problem import around, explained
+from exoid.fit.profile import profiles
 from exoid.recording.dbc import exoid_messages
 from exoid.recording.kalman import filter
 from exoid.recording.load import load
@@ -17,15 +22,45 @@ FRAMES = 1_000_000
 SAMPLES = 60_000  # ten minutes
 
 
+def written(problem):
+    """The recording of a problem, as a file."""
+    path = Path(mkdtemp()) / "recording.csv"
+    write(problem(), path)
+    return path
+
+
 @pytest.mark.parametrize("problem", [cycle, ten_segments])
-def test_warm_fit_from_64_starts(benchmark, tmp_path, problem):
-    write(problem(), tmp_path / "recording.csv")
-    recording = load(tmp_path / "recording.csv").recording
+def test_warm_fit_from_64_starts(benchmark, problem):
+    recording = load(written(problem)).recording
     begin = starts(64, 0)
     result = benchmark.pedantic(
         fit, (recording,), {"starts": begin}, rounds=5, iterations=1, warmup_rounds=1
     )
     assert result.multistart.at_best > 57  # nine starts in ten
+
+
+@pytest.fixture(scope="module")
+def ten_fitted():
+    return fit(load(written(ten_segments)).recording, multistart=8)
+
+
+def test_asking_what_ten_segments_tell(benchmark, ten_fitted):
+    """Errors that allow for what the model misses, and what they say of identifiability."""
+    problem, ended = ten_fitted.basis.problem, ten_fitted.basis.ended
+
+    def ask():
+        around(problem, ended.best, explained(problem, ended.best))
+        return identify(ten_fitted)
+
+    told = benchmark.pedantic(ask, rounds=7, warmup_rounds=1)
+    assert benchmark.stats["median"] < 0.3  # s
+    assert told.null_directions
+
+
+def test_profiling_ten_segments(benchmark, ten_fitted):
+    found = benchmark.pedantic(profiles, (ten_fitted,), rounds=5, warmup_rounds=1)
+    assert benchmark.stats["median"] < 5.0  # s
+    assert found["gravity_over_inertia"].shape == "two-sided"
 
 
 def test_decoding_can_frames(benchmark):

@@ -2,13 +2,17 @@
 
 from dataclasses import replace
 
+import jax
 import numpy as np
 import pytest
 
 from exoid.fit.estimate import fit
 from exoid.fit.starts import draw
+from exoid.physics.leg import GRAVITY, LegModel
+from exoid.physics.torque import NoTorque
 from exoid.recording.recording import Recording
 from exoid.twin.motion import Movement
+from exoid.twin.protocols import record
 from fit_cases import BODY, DROP, leg, recorded
 
 DISTANCE = 0.4  # m
@@ -16,6 +20,7 @@ ZERO = np.radians(2.0)
 LONG = Movement(np.radians(-12), 4.5)
 LOW = Movement(np.radians(-35), 4.5)
 TRUTH = leg()
+NO_MARKS = {"segment_start": None, "segment_end": None}
 
 
 def loaded(movement):
@@ -125,3 +130,23 @@ def test_slsqp_refuses_what_only_the_joint_fit_can_do(bare, heavy):
 
 def test_one_recording_has_no_mounting_to_estimate():
     assert fit(recorded(DROP), multistart=1).mountings == []
+
+
+def test_the_seats_angle_is_taken_from_the_sidecar():
+    """Two drops on a seat that was tilted between them: gravity turns, the leg stays."""
+    model = LegModel(TRUTH, NoTorque(), np.asarray(0.35))
+    tilted = record(model, [LONG], jax.random.key(5), subject=BODY)
+    level = recorded(LONG)
+    assert tilted.thigh_angle(0) == 0.35
+    both = replace(
+        level,
+        segments=level.segments + tilted.segments,
+        protocol=replace(level.protocol, kind="passive", thigh_angle=(0.0, 0.35), **NO_MARKS),
+    )
+    result = fit(both, multistart=4)
+    assert result.angle_rmse < 1.1 * result.angle_noise
+    gravity = float(TRUTH.mass * TRUTH.com_distance * GRAVITY / TRUTH.inertia)
+    each = result.ratios["gravity_over_inertia"]
+    assert abs(each.value - gravity) < 4 * each.standard_error
+    untold = replace(both, protocol=replace(both.protocol, thigh_angle=None))
+    assert fit(untold, multistart=4).angle_rmse > 10 * result.angle_rmse

@@ -98,7 +98,10 @@ def only(recording: Recording, number: int) -> Recording:
             added_mass_distance=None if mass is None else own(subject.added_mass_distance),
         ),
         protocol=replace(
-            protocol, kind=own(protocol.kind), cycle_period=own(protocol.cycle_period)
+            protocol,
+            kind=own(protocol.kind),
+            cycle_period=own(protocol.cycle_period),
+            thigh_angle=own(protocol.thigh_angle),
         ),
     )
 

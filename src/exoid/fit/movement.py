@@ -91,7 +91,7 @@ def movement(recording: Recording, number: int, name: str, belongs: int = 0) -> 
         period=period,
         added_mass=mass,
         added_mass_distance=np.nan if mass > 0 and distance is None else distance or 0.0,
-        thigh_angle=recording.protocol.thigh_angle or 0.0,
+        thigh_angle=recording.thigh_angle(number),
         recording=belongs,
     )
 

@@ -62,7 +62,7 @@ class Protocol:
     kind: Kind | tuple[Kind, ...] | None = text("kind", KINDS)
     cycle_period: float | tuple[float, ...] | None = ranged("cycle_period_s", "s", 0.05, 120.0)
     torque_frequency: str | None = text("torque_frequency", TORQUE_FREQUENCIES)
-    thigh_angle: float | None = ranged("thigh_angle_rad", "rad", -1.2, 1.2)
+    thigh_angle: float | tuple[float, ...] | None = ranged("thigh_angle_rad", "rad", -1.2, 1.2)
     torque_known: bool | None = field(default=None, metadata={"key": "torque_known"})
     segment_start: tuple[float, ...] | None = ranged("segment_start_s", "s", 0.0, 1e6)
     segment_end: tuple[float, ...] | None = ranged("segment_end_s", "s", 0.0, 1e6)
@@ -155,6 +155,10 @@ class Recording:
     def added_mass(self, segment: int) -> float:
         """The mass fixed to the shank in this segment [kg]."""
         return per_segment(self.subject.added_mass, segment) or 0.0
+
+    def thigh_angle(self, segment: int) -> float:
+        """The knee above the hip [rad], on a seat that is not level."""
+        return per_segment(self.protocol.thigh_angle, segment) or 0.0
 
     def added_mass_distance(self, segment: int) -> float | None:
         """The distance of that mass from the knee axis [m], None where unknown."""
