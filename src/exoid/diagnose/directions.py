@@ -85,7 +85,7 @@ def weak_directions(
             changes = dict(zip(names, map(float, axis), strict=True))
             step = error * max(map(abs, changes.values()))
             room = in_words(changes, step, symbols)
-            words = f"one standard error of the data leaves room for {room}."
+            words = f"this recording hardly tells: {room} fits nearly as well."
             found.append(Direction(changes, error, words))
     return found
 

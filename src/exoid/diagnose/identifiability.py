@@ -18,7 +18,7 @@ from exoid.fit.local import columns
 from exoid.fit.problem import take
 from exoid.fit.profile import named, weights_of
 from exoid.fit.result import Basis, Estimate, FitResult
-from exoid.fit.uncertainty import Information, inverse_times
+from exoid.fit.uncertainty import HELD, Information, inverse_times
 
 UNDAMPED = 0.1  # 1/s, d / J below which no relaxed leg lies (0.5 to 1.2 do)
 WHOLLY = 0.995  # share that is all
@@ -92,7 +92,7 @@ def combinations(result: FitResult, basis: Basis, alone: Information) -> dict[st
     for name, each in values.items():
         weights = weights_of(name, basis)
         error = alone.standard_error(weights @ basis.ended.local.quantities)
-        if each.value is not None and np.isfinite(error):
+        if each.value is not None and each.shares != HELD and np.isfinite(error):
             told[name] = replace(each, standard_error=error or None)
     return told
 

@@ -8,62 +8,75 @@ import numpy as np
 from exoid.fit.belief import NAMES
 from exoid.fit.coordinates import QUANTITIES
 from exoid.fit.estimates import RATIOS
-from exoid.fit.local import penalties, weighed
-from exoid.fit.multistart import LIMITED
+from exoid.fit.multistart import FINE
 from exoid.fit.problem import Problem, advance, around, explained, take, task
 from exoid.fit.result import FitResult
+from exoid.fit.starts import usual_mounting
 from exoid.fit.uncertainty import Information
 
 SURPRISE = 30.0  # of chi-square with three degrees of freedom: once in a million
-LARGE = 0.1  # relative difference of a ratio, below which legs are not told apart by it
+LARGE = 0.1  # relative difference of a ratio, below which legs are not told apart by it alone
+EXPLAINED = 1.5  # chi-square per sample, up to which a recording by itself is explained
+TORN = 4.0  # times as much chi-square together as apart: no one leg, however it was mounted
 COMMON = list(RATIOS)[:3]  # that every recording of a leg shares
 
 
 @dataclass(frozen=True, eq=False)
 class Alone:
-    """The ratios that one recording gives by itself."""
+    """What one recording gives by itself."""
 
     recording: str
     ratios: np.ndarray
     covariance: np.ndarray
+    misfit: float  # chi-square per sample
 
 
 def strangers(result: FitResult) -> list[str]:
-    """Sentences on recordings whose ratios disagree far beyond their errors.
+    """Sentences on recordings that one leg cannot have made.
 
-    Only where the joint fit leaves more than noise: what one leg explains is of one leg.
+    Only where the joint fit, in which each has a mounting of its own, leaves more than noise.
     """
     basis = result.basis
     if basis is None or basis.ended.disturbance.cause is None:
         return []
     numbers = sorted({each.recording for each in basis.problem.movements})
-    each = [alone(result, number) for number in numbers] if len(numbers) > 1 else []
+    if len(numbers) < 2:
+        return []
+    each = [alone(result, number) for number in numbers]
+    together = float(basis.ended.best.misfit[0]) / samples(basis.problem)
+    torn = all(one.misfit < EXPLAINED and TORN * one.misfit < together for one in each)
     return [
         sentence
         for at, one in enumerate(each)
         for other in each[at + 1 :]
-        if (sentence := disagreement(one, other))
+        if (sentence := disagreement(one, other, torn and len(each) == 2))
     ]
 
 
+def samples(problem: Problem) -> int:
+    seen = problem.observation
+    return int((seen.angle_weight > 0).sum() + (seen.velocity_weight > 0).sum())
+
+
 def alone(result: FitResult, recording: int) -> Alone:
-    """The joint fit's program, blind to all other recordings, from where the joint fit ended."""
+    """The same problem, blind to all other recordings, the scale and the mounting as expected."""
     basis = result.basis
     assert basis is not None
-    problem, ended = blinded(basis.problem, recording), basis.ended
-    start = take(ended.best.coordinates, [0])
-    penalty = penalties(weighed(around(problem, ended.best), 1.0))
-    solved = advance(problem, start, task(problem, 0.0, problem.steps, LIMITED, penalty))
+    problem = blinded(basis.problem, recording)
+    best = take(basis.ended.best.coordinates, [0])
+    usual = usual_mounting(problem.movements, (1,))
+    start = replace(best, mounting=replace(usual, log_distance=best.mounting.log_distance))
+    solved = advance(problem, start, task(problem, 0.0, problem.steps, FINE))
     local = around(problem, solved, explained(problem, solved))
     rows = slice(len(NAMES), QUANTITIES)
-    gradients = local.quantities[rows]
     none = np.zeros((0, local.data.shape[0]))
-    values, vectors = Information(local.data, local.prior, none).posterior
-    along = gradients @ vectors
+    values, vectors = Information(local.data, 0 * local.prior, none).posterior
+    along = local.quantities[rows] @ vectors
     return Alone(
         recording=next(m.source for m in problem.movements if m.recording == recording),
         ratios=solved.quantities[0, rows],
-        covariance=(along / np.maximum(values, 1e-12)) @ along.T,
+        covariance=(along / values) @ along.T,
+        misfit=float(solved.misfit[0]) / samples(problem),
     )
 
 
@@ -73,26 +86,30 @@ def blinded(problem: Problem, recording: int) -> Problem:
     seen = problem.observation
     weights = tuple(np.where(own, w, 0.0) for w in (seen.angle_weight, seen.velocity_weight))
     masked = eqx.tree_at(lambda each: (each.angle_weight, each.velocity_weight), seen, weights)
-    return replace(problem, observation=masked)
+    known = problem.known.copy()
+    known[:, 0] = 1.0
+    known[:, 4:-3] = 1.0  # of the mounting
+    return replace(problem, observation=masked, known=known)
 
 
-def disagreement(one: Alone, other: Alone) -> str | None:
+def disagreement(one: Alone, other: Alone, torn: bool) -> str | None:
     """What to say of two recordings, where they cannot be of one leg."""
     apart = one.ratios - other.ratios
     covariance = one.covariance + other.covariance
-    mean = np.maximum((np.abs(one.ratios) + np.abs(other.ratios)) / 2, 1e-9)
-    surprise = apart @ np.linalg.solve(covariance, apart)
-    if surprise < SURPRISE or (np.abs(apart) / mean).max() < LARGE:
-        return None
+    relative = np.abs(apart) / np.maximum((np.abs(one.ratios) + np.abs(other.ratios)) / 2, 1e-9)
     errors = np.abs(apart) / np.sqrt(np.diag(covariance))
-    worst = int(np.argmax(np.where(np.abs(apart) / mean > LARGE, errors, 0.0)))
+    surprise = apart @ np.linalg.solve(covariance, apart)
+    if not torn and (surprise < SURPRISE or relative.max() < LARGE):
+        return None
+    worst = int(np.argmax(relative))
     symbol, _, unit = RATIOS[COMMON[worst]]
-    values = [
-        f"{each.ratios[worst]:.3g} ± {np.sqrt(each.covariance[worst, worst]):.1g} {unit}"
-        for each in (one, other)
-    ]
-    return (
-        f"{one.recording} and {other.recording} do not look like one leg: by itself the first has "
-        f"{symbol} = {values[0]}, the second {values[1]}, {errors[worst]:.0f} standard errors "
-        "apart. If they are of different legs, fit them apart."
+    values = " and ".join(f"{each.ratios[worst]:.3g}" for each in (one, other))
+    said = (
+        f"{one.recording} and {other.recording} do not look like one leg, or it changed: by themselves they give "
+        f"{symbol} = {values} {unit}"
     )
+    if torn:
+        said += ", and each alone is explained, but not both together, however they were mounted"
+    else:
+        said += f", {errors[worst]:.0f} standard errors apart"
+    return f"{said}. If they are of different legs, fit them apart."

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from exoid.diagnose.candidate import Candidate, candidates
 from exoid.diagnose.design import ENOUGH, GOALS, Design, informations
 from exoid.diagnose.known import Known, from_anatomy, from_result
+from exoid.diagnose.legs import strangers
 from exoid.fit.estimates import MASS_AND_DISTANCE, RATIOS
 from exoid.fit.result import FitResult
 from exoid.physics.leg import LegParameters
@@ -61,7 +62,10 @@ def plan(result: FitResult | None, subject: Subject, goal: str = "inertia") -> P
         after=after,
         proposed=proposed,
         options=sorted(single, key=lambda option: option.error),
-        sentences=advice(goal, known, proposed, enough=before < ENOUGH * abs(design.value)),
+        sentences=[
+            *([] if result is None else strangers(result)),
+            *advice(goal, known, proposed, enough=before < ENOUGH * abs(design.value)),
+        ],
     )
 
 
@@ -85,8 +89,8 @@ def advice(goal: str, known: Known, proposed: list[Candidate], *, enough: bool) 
     if enough:
         said.append(f"it is known to better than {ENOUGH:.1%} already: nothing more is needed.")
     elif goal in ("mass", "com_distance"):
-        said.append(f"{MASS_AND_DISTANCE}; a drop with a known mass helps only through the prior.")
-    elif not proposed:
+        said.append(f"{MASS_AND_DISTANCE}: a drop narrows {goal} only as far as the prior goes.")
+    if not proposed and not enough:
         said.append("no recording of this kind would narrow it noticeably.")
     if any(each.motion.added_mass for each in proposed):
         said.append(

@@ -93,8 +93,20 @@ def check_one_leg(named: list[tuple[str, Recording]]) -> None:
                 "recordings that are fitted together are of one leg. Fit them apart, or mend "
                 "the sidecars."
             )
+    for at, (name, recording) in enumerate(named):
+        for other, again in named[at + 1 :]:
+            if same_samples(recording, again):
+                raise ValueError(f"{name} and {other} hold the same samples: give each only once.")
     if len({recording.subject.kind == "rig" for _, recording in named}) > 1:
         raise ValueError("some recordings are of a rig, others of a leg: fit them apart.")
+
+
+def same_samples(one: Recording, other: Recording) -> bool:
+    """Is it the same recording twice?"""
+    first, again = one.segments[0].channels(), other.segments[0].channels()
+    return first.keys() == again.keys() and all(
+        np.array_equal(samples, again[name], equal_nan=True) for name, samples in first.items()
+    )
 
 
 def begin(

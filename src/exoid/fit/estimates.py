@@ -16,7 +16,7 @@ from exoid.physics.torque import CycleTorque
 
 NO_RATIO = 1e-3  # a ratio below it, at a bound of zero, is the rounding of the bound
 ON_BOUND = "at a bound: no error is quoted"
-NARROWED = "± holds only on the bound that made it known; inwards it is wider, as --plot shows"
+NARROWED = "follows from a bound, not from the recording: ± holds only there, see --plot for more"
 RATIOS = {  # name: symbol, title, unit
     "gravity_over_inertia": ("m l g / J", "gravity over inertia", "1/s^2"),
     "stiffness_over_inertia": ("c / J", "stiffness over inertia", "1/s^2"),
@@ -31,7 +31,7 @@ SCALE_FREE_RIG = (
     "motion alone fixes only the ratios to J: record it with a known mass, or with a measured "
     "torque that varies"
 )
-MASS_AND_DISTANCE = "motion shows only the product m l: weigh the part or measure l"
+MASS_AND_DISTANCE = "motion shows only the product m l; one of them must come from elsewhere"
 
 
 def parameter_estimate(

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from exoid.fit.multistart import Ended
+from exoid.fit.multistart import Ended, scale_told
 from exoid.fit.problem import Problem
 from exoid.physics.leg import GRAVITY
 
@@ -17,6 +17,8 @@ def equally_good(problem: Problem, ended: Ended, rows: np.ndarray):
     moment = float(shared.gravity[0]) / GRAVITY  # m l / J
     if not np.isfinite(limits.reach) or moment <= 0:
         return {}, {}
+    if (problem.known[:, 0] == 0).any() and not scale_told(ended.local.data):
+        return {}, {}  # J moves the ratios, too: the mass was on the leg in every segment
     low, high = limits.lower, limits.upper
     longest = min(float(high.com_distance), 1 / moment)  # Eq. 12
     inertia = inertia_range(problem, ended, moment, longest)

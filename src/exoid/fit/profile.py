@@ -29,6 +29,7 @@ RISE = 3.841  # of twice the loss: the 95 % point of chi-square with one degree 
 REACH = 3.0  # standard errors to either side that are looked at
 POINTS = 13  # of a profile, odd: one is the best fit
 PULL = 10.0  # strength over one standard error: a point falls 1 % short of its target, and says so
+HALVINGS = 25  # of an interval of noise scales
 WIDE = 0.5  # of a value, to either side, where nothing tells how far to look
 
 
@@ -124,17 +125,27 @@ def posed(basis: Basis, name: str, estimate: Estimate) -> Quest | None:
     if not step > 0:
         return None
     targets = value + step * np.linspace(-REACH, REACH, POINTS)
-    scale = widened(basis, gradient)
+    scale = matching(basis, gradient, estimate.standard_error)
     return Quest(name, estimate, weights, targets, float(step), scale)
 
 
-def widened(basis: Basis, gradient: np.ndarray) -> float:
-    """How much wider the data's error of this quantity is than the declared noise makes it."""
-    everywhere, ended = np.eye(gradient.size), basis.ended
-    plain = weighed(around(basis.problem, ended.best), 1 / ended.disturbance.scale).data
-    after = spread(decomposed(ended.local.data), everywhere, gradient)
-    before = spread(decomposed(plain), everywhere, gradient)
-    return float(after / before) if np.isfinite(after) else ended.disturbance.scale
+def matching(basis: Basis, gradient: np.ndarray, error: float | None) -> float:
+    """The noise scale with which data and prior leave this quantity its standard error.
+
+    A disturbance widens every direction by its own factor; a profile has one, which must be right
+    for its quantity.
+    """
+    found, local = basis.ended.disturbance, basis.ended.local
+    if error is None:
+        return found.scale
+    plain = weighed(around(basis.problem, basis.ended.best), 1 / found.scale).data
+    free, low, high = basis.information.free, 0.0, float(np.log(found.widening.max())) + 1e-6
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        total = free.T @ (plain / np.exp(2 * middle) + local.prior) @ free
+        wide = spread(decomposed(total), free, gradient) > error
+        low, high = (low, middle) if wide else (middle, high)
+    return float(np.exp(high))
 
 
 def begin(basis: Basis, quest: Quest) -> Coordinates:

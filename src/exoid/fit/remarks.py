@@ -2,9 +2,11 @@
 
 import numpy as np
 
-from exoid.fit.disturbance import Disturbance
-from exoid.fit.multistart import FEASIBLE, Ended
+from exoid.fit.disturbance import CORRELATED, Disturbance
+from exoid.fit.multistart import FEASIBLE, Ended, scale_told
 from exoid.fit.problem import Problem
+from exoid.physics.leg import LegParameters
+from exoid.physics.parameter import declarations
 
 NOISY = 1.1  # over the declared noise, from where on it is worth a word
 INCOMPLETE = "no error bar of a model that misses something is complete"
@@ -18,7 +20,10 @@ def remarks(problem: Problem, ended: Ended, at_bound: set[str]) -> list[str]:
     if guessed:
         each = ", ".join(f"{one.name} {one.kind}" for one in guessed)
         said.append(f"the sidecar does not say how the leg was moved; by its motion: {each}.")
-    said += of_residual(ended.disturbance)
+    gravity = float(ended.best.coordinates.shared.gravity[0])
+    told = scale_told(ended.local.data + ended.local.prior)
+    inertia = float(ended.best.leg.inertia[0]) if told else None
+    said += of_residual(ended.disturbance, gravity, inertia)
     if ended.disturbance.cause is not None and not rig:
         said.append(
             "m l g / J and c / J hold for a spring that is slack at full extension (Eq. 9). "
@@ -32,33 +37,57 @@ def remarks(problem: Problem, ended: Ended, at_bound: set[str]) -> list[str]:
         )
     if float(ended.best.violation[0]) > FEASIBLE:
         said.append("the limits could not all be met: see the bounds in the table.")
-    for rule in ("m l^2 <= J", "J <= reach m l"):
-        if rule in at_bound:
-            said.append(f"the fit lies on the limit {rule} of a rigid leg.")
+    said += of_bounds(problem, at_bound)
+    if any(each.added_mass > 0 for each in problem.movements):
+        said.append(
+            "± leaves out the error of weighing: 1 % of the added mass is 1 % of J, c, d and tau."
+        )
     return said
 
 
-def of_residual(found: Disturbance) -> list[str]:
-    """What besides the declared noise is in the residual, and what that does to the errors."""
+def of_residual(found: Disturbance, gravity: float, inertia: float | None) -> list[str]:
+    """What besides the declared noise is in the residual, and what that does to the errors.
+
+    `gravity` is m l g / J [1/s^2]; `inertia` None where J is not known.
+    """
     said = []
-    least, most = found.widening.min(), found.widening.max()
+    over = f"varying within about {found.correlation_time:g} s"
+    if found.correlation_time == CORRELATED[0]:
+        over = "varying from moment to moment"
+    widened = f"Errors are widened for it; {INCOMPLETE}, and --plot shows where it misses."
     if found.cause == "torque":
+        share = f"{100 * found.deviation / abs(gravity):.2g} % of m l g"
+        torque = "" if inertia is None else f", {found.deviation * inertia:.2g} N m"
         said.append(
             "the residual is more than the sensors' noise: the model misses something. It is what "
-            f"a random torque of J times {found.deviation:.2g} rad/s^2 (one sd), correlated over "
-            f"about {found.correlation_time:g} s, would leave. Standard errors are widened for it, "
-            f"{least:.2g} to {most:.2g} times; {INCOMPLETE}, and --plot shows where it misses."
+            f"an unknown torque of about {share}{torque}, {over}, would leave. {widened}"
         )
     if found.cause == "encoder":
         said.append(
             "the residual is more than the sensors' noise: it is what an encoder that errs by "
-            f"{np.degrees(found.deviation):.2g} deg (one sd), varying over about "
-            f"{found.correlation_time:g} s, would leave. Standard errors are widened for it, "
-            f"{least:.2g} to {most:.2g} times; {INCOMPLETE}, and --plot shows where."
+            f"about {np.degrees(found.deviation):.2g} deg, {over}, would leave. {widened}"
         )
     if found.cause is None and found.noise > NOISY:
         said.append(
             f"the residual is white but {found.noise:.3g} times the declared noise, and standard "
             "errors are widened by that: check the noise levels in the sidecar."
         )
+    return said
+
+
+def of_bounds(problem: Problem, at_bound: set[str]) -> list[str]:
+    """Which limits decided."""
+    said = []
+    limits = problem.belief.limits
+    for name, declared in declarations(LegParameters):
+        if name in at_bound and np.isfinite(limits.reach):
+            low, high = (float(getattr(each, name)) for each in (limits.lower, limits.upper))
+            said.append(
+                f"{declared.symbol} ran into its limits of {low:g} to {high:g} {declared.unit} "
+                "(Eq. 13). Absolute values that go with it follow from that limit, not from the "
+                "recording: use the ratios."
+            )
+    for rule in ("m l^2 <= J", "J <= reach m l"):
+        if rule in at_bound:
+            said.append(f"the fit lies on the limit {rule} of a rigid leg.")
     return said

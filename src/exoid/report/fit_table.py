@@ -22,8 +22,15 @@ from exoid.report.text import (
 )
 from exoid.report.told_table import print_told
 
+ALIKE = 0.2  # relative spread of amplitudes
 BAR = 5  # blocks of a bar of shares
 DATA, PRIOR, BOUND = "█", "▒", "░"
+MOUNTED = {
+    "added_mass_distance": "added mass at r",
+    "zero": "encoder zero",
+    "gyro_scale": "gyro scale - 1",
+    "gyro_bias": "gyro bias",
+}
 SHORTEST_NAME = 16  # that still tells the segments of two recordings apart
 
 
@@ -76,37 +83,37 @@ def set_by(each: Estimate) -> str:
 
 def print_ratios(result: FitResult, console: Console) -> None:
     """What the motion alone determines."""
-    heading(console, "Ratios, from the motion alone")
+    heading(console, "Ratios to the inertia, what motion can tell")
     each = list(result.ratios.values())
     columns = {
         "ratio": list(result.ratios),
         "": [one.symbol for one in each],
         "value": [written(one) for one in each],
         "unit": [one.unit for one in each],
+        "set by": [set_by(one) for one in each],
     }
     console.print(table(columns))
 
 
 def print_mountings(result: FitResult, console: Console) -> None:
     """What every recording owned, where there was something to estimate."""
-    if not result.mountings:
+    rows = [
+        (shortened(mounting.recording, 2 * SHORTEST_NAME), name, each)
+        for mounting in result.mountings
+        for name, each in mounting.known.items()
+    ]
+    if not rows:
         return
-    each = result.mountings
-
-    def cells(name: str, unit: float) -> list[str]:
-        found = [one.known.get(name) for one in each]
-        return ["" if one is None else written(in_unit(one, unit)) for one in found]
-
+    shown = [in_unit(each, degrees(1)) if "rad" in each.unit else each for *_, each in rows]
     heading(console, "Mounting, of each recording")
     columns = {
-        "recording": [shortened(one.recording, 2 * SHORTEST_NAME) for one in each],
-        "added mass\nat r [m]": cells("added_mass_distance", 1.0),
-        "encoder\nzero [deg]": cells("zero", degrees(1)),
-        "gyro\nscale - 1 [-]": cells("gyro_scale", 1.0),
-        "gyro\nbias [deg/s]": cells("gyro_bias", degrees(1)),
+        "recording": [recording for recording, *_ in rows],
+        "": [MOUNTED[name] for _, name, _ in rows],
+        "value": [written(each) for each in shown],
+        "unit": [each.unit.replace("rad", "deg") for each in shown],
     }
     console.print(table(columns))
-    if any(one.zero is not None for one in each):
+    if any(mounting.zero is not None for mounting in result.mountings):
         say(console, "Zero, scale and bias are those against the first recording.")
 
 
@@ -126,8 +133,15 @@ def print_segments(result: FitResult, console: Console) -> None:
     heading(console, "Segments")
     console.print(table(names | columns))
     mean = result.torque_amplitude
-    if mean is not None and mean.value is not None and len(each) > 1:
+    if mean is not None and mean.value is not None and alike(each):
         say(console, f"Mean torque amplitude tau = {written(mean)} {mean.unit}.")
+
+
+def alike(segments: list[SegmentFit]) -> bool:
+    """Do several cycles have so nearly one amplitude that a mean describes them?"""
+    found = [one.torque_amplitude for one in segments if one.torque_amplitude is not None]
+    values = [one.value for one in found if one.value is not None]
+    return len(values) > 1 and max(values) - min(values) < ALIKE * abs(sum(values) / len(values))
 
 
 def print_quality(result: FitResult, console: Console) -> None:
@@ -174,8 +188,8 @@ def print_multistart(result: FitResult, console: Console) -> None:
     if report.family:
         say(
             console,
-            "Any set within the bounds that keeps the ratios above fits the motion equally "
-            "well; only the prior chooses among them:",
+            "The family: any set within these ranges that keeps the ratios above fits the motion "
+            "equally well.",
         )
         aligned(console, {name: span(result, name) for name in report.family})
 

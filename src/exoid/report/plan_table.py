@@ -19,17 +19,20 @@ def print_plan(plan: Plan, console: Console) -> None:
     say(console, f"Now:   {stated(plan, plan.before)}")
     if plan.proposed:
         say(console, f"After: {stated(plan, plan.after)}, expected with what follows")
-        heading(console, "Record, in one session without taking the exoskeleton off")
+        heading(console, "Record, as segments of one file")
         for number, (words, count) in enumerate(steps(plan), start=1):
             times = f"{count} times: " if count > 1 else ""
             say(console, f"{number}. {times}{words}.", hanging=3)
         say(
             console,
             "Angles are of the knee, 0 straight, -90 hanging. Each time: hold still for 2 s, let "
-            "go without a push, hands off until the leg hangs still (6 s). The person relaxes.",
+            "go without a push, hands off until the leg hangs still (6 s). The person relaxes. "
+            "Stop where knee or seat do not allow the swing. Then fit it together with what there "
+            "is: exoid fit OLD NEW.",
         )
-    print_options(plan, console)
-    heading(console, "Notes")
+        print_options(plan, console)
+    if plan.sentences:
+        heading(console, "Notes")
     for sentence in plan.sentences:
         say(console, f"- {sentence}", hanging=2)
 
