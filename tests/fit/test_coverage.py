@@ -63,7 +63,10 @@ def person(rng, missed):
         unknown = jnp.asarray(missed * smooth_noise(rng))
         motion = swing(loaded, start, unknown, jnp.asarray(torque * voluntary))
         sizes = (NOISE.angle_noise, NOISE.velocity_noise)
-        seen = [m + s * rng.normal(size=TIME.size) for m, s in zip(motion, sizes, strict=True)]
+        seen = [
+            np.asarray(m) + s * rng.normal(size=TIME.size)
+            for m, s in zip(motion, sizes, strict=True)
+        ]
         last = int(100 * PERIOD) if voluntary else TIME.size
         angle, velocity = (samples[:last] for samples in seen)
         segments.append(Segment(TIME[:last], raw_angle=angle, raw_angular_velocity=velocity))

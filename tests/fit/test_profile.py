@@ -76,3 +76,19 @@ def test_a_crossing_lies_where_the_root_passes_the_limit():
 def test_a_fit_of_every_segment_alone_has_no_profile(scaled_fit):
     with pytest.raises(ValueError, match="fitted alone"):
         profiles(replace(scaled_fit, basis=None))
+
+
+def test_a_profile_agrees_with_its_error_where_the_model_misses_something():
+    """d of a bare drop, whose ratio the data tell and whose scale the prior does."""
+    dry = recorded(DROP)
+    angle = dry.segments[0].raw_angle
+    time = dry.segments[0].time
+    shaken = replace(dry.segments[0], raw_angle=angle + 0.004 * np.sin(9 * time + 3 * time**2))
+    result = fit(replace(dry, segments=(shaken,)), multistart=2)
+    assert result.disturbance.cause is not None
+    for name in ("damping", "damping_over_inertia"):
+        each = {**result.parameters, **result.ratios}[name]
+        profile = profiles(result)[name]
+        half = (profile.upper - profile.lower) / 2
+        # An interval of a skewed profile is not symmetric, but as wide within a fifth.
+        assert half == pytest.approx(np.sqrt(RISE) * each.standard_error, rel=0.2)

@@ -118,7 +118,7 @@ def recordings(draw):
     return (
         [draw(channels(columns)) for _ in range(count)],
         {**subject, "kind": "rig", "added_mass_distance": None},
-        draw(metadata(Protocol, count, ("kind", "cycle_period"))),
+        draw(metadata(Protocol, count, ("kind", "cycle_period", "thigh_angle"))),
         draw(metadata(Sensors, count)),
         draw(st.dictionaries(st.just("lab"), st.just({"room": 3, "tags": ["x", 1.5]}))),
     )

@@ -105,8 +105,8 @@ def disagreement(one: Alone, other: Alone, torn: bool) -> str | None:
     symbol, _, unit = RATIOS[COMMON[worst]]
     values = " and ".join(f"{each.ratios[worst]:.3g}" for each in (one, other))
     said = (
-        f"{one.recording} and {other.recording} do not look like one leg, or it changed: by themselves they give "
-        f"{symbol} = {values} {unit}"
+        f"{one.recording} and {other.recording} do not look like one leg, or it changed: by "
+        f"themselves they give {symbol} = {values} {unit}"
     )
     if torn:
         said += ", and each alone is explained, but not both together, however they were mounted"

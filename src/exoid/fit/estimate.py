@@ -93,12 +93,12 @@ def check_one_leg(named: list[tuple[str, Recording]]) -> None:
                 "recordings that are fitted together are of one leg. Fit them apart, or mend "
                 "the sidecars."
             )
+    if len({recording.subject.kind == "rig" for _, recording in named}) > 1:
+        raise ValueError("some recordings are of a rig, others of a leg: fit them apart.")
     for at, (name, recording) in enumerate(named):
         for other, again in named[at + 1 :]:
             if same_samples(recording, again):
                 raise ValueError(f"{name} and {other} hold the same samples: give each only once.")
-    if len({recording.subject.kind == "rig" for _, recording in named}) > 1:
-        raise ValueError("some recordings are of a rig, others of a leg: fit them apart.")
 
 
 def same_samples(one: Recording, other: Recording) -> bool:

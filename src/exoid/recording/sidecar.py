@@ -117,5 +117,10 @@ def sidecar_text(subject, protocol, sensors, extra_tables: Mapping[str, Any]) ->
 def written(table) -> dict[str, Any]:
     """A table's known keys in plain Python types, then the unknown ones as they were."""
     values = {entry.metadata["key"]: getattr(table, entry.name) for entry in known(table)}
-    plain = {key: np.asarray(v).tolist() for key, v in values.items() if v is not None}
+    # NumPy would drop a zero byte at the end of a text.
+    plain = {
+        key: v if isinstance(v, str) else np.asarray(v).tolist()
+        for key, v in values.items()
+        if v is not None
+    }
     return plain | {**table.extra_keys}
