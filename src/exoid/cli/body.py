@@ -1,5 +1,12 @@
 """Body mass and height, as both commands take them."""
 
+from typing import Annotated
+
+import typer
+
+BodyMass = Annotated[float | None, typer.Option(help="kg; replaces the sidecar's.", metavar="KG")]
+Height = Annotated[float | None, typer.Option(help="m; replaces the sidecar's.", metavar="M")]
+
 
 def given_body(**options: float | None) -> dict[str, float]:
     """The options that were given, refused where no body is like that."""

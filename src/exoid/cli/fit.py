@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from exoid.cli.analysis import ask, check_posterior, compute, profiled, write_posterior
-from exoid.cli.body import given_body
+from exoid.cli.body import BodyMass, Height, given_body
 from exoid.cli.choices import Method, Misfit, Prior, Reading
 from exoid.cli.destination import check_apart, check_destination
 from exoid.cli.reading import read
@@ -34,12 +34,8 @@ def fit(
         float,
         typer.Option("--lambda", min=0.0, max=HEAVIEST_PRIOR, help="Weight of the prior, Eq. 11."),
     ] = 1.0,
-    body_mass: Annotated[
-        float | None, typer.Option(help="kg; replaces the sidecar's.", metavar="KG")
-    ] = None,
-    height: Annotated[
-        float | None, typer.Option(help="m; replaces the sidecar's.", metavar="M")
-    ] = None,
+    body_mass: BodyMass = None,
+    height: Height = None,
     each: Annotated[
         bool, typer.Option("--each", help="Fit every segment alone, then average the ratios.")
     ] = False,

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from exoid.cli.analysis import compute, prepare
-from exoid.cli.body import given_body
+from exoid.cli.body import BodyMass, Height, given_body
 from exoid.cli.destination import check_apart, check_destination
 from exoid.cli.reading import read
 from exoid.cli.waiting import patiently
@@ -35,12 +35,8 @@ def plan(
         ),
     ] = None,
     goal: Annotated[Goal, typer.Option(help="What to narrow.")] = Goal.inertia,
-    body_mass: Annotated[
-        float | None, typer.Option(help="kg; replaces the sidecar's.", metavar="KG")
-    ] = None,
-    height: Annotated[
-        float | None, typer.Option(help="m; replaces the sidecar's.", metavar="M")
-    ] = None,
+    body_mass: BodyMass = None,
+    height: Height = None,
     multistart: Annotated[int, typer.Option(min=1, max=100_000, help="Starts of the fit.")] = 64,
     seed: Annotated[int, typer.Option(min=0, help="Of the starts.")] = 0,
     json: Annotated[

@@ -117,7 +117,7 @@ def one_observation(
         cycle=staged(time, lambda at: cycle_torque(at - each.onset, each, reading)),
         torque=staged(time, lambda at: measured_torque(at, each)),
         added_mass=np.asarray(each.added_mass),
-        added_mass_distance=np.nan_to_num(np.asarray(each.added_mass_distance)),
+        added_mass_distance=np.asarray(0.0 if each.unplaced else each.added_mass_distance),
         thigh_angle=np.asarray(each.thigh_angle),
         seat=seat,
     )
