@@ -8,7 +8,7 @@ from exoid.fit.coordinates import Seat
 from exoid.fit.disturbance import explain, spoiled
 from exoid.fit.gram import CAUSES, gram, grams, hats, matern, node_count, pushes
 from exoid.fit.observation import Observation
-from exoid.physics.simulate import Drive
+from exoid.physics.step import Drive
 
 SAMPLES, DURATION, NODES = 600, 6.0, 48
 TIME = np.linspace(0.0, DURATION, SAMPLES)

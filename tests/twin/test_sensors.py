@@ -19,14 +19,14 @@ MANY = 20_000  # samples: a standard deviation is known to 0.5 %
 def swing():
     """phi = -1.2 + 0.8 sin(5 t), with exact derivatives."""
     time = jnp.arange(0, 4, 0.001)
-    return Trajectory(
-        time, -1.2 + 0.8 * jnp.sin(5 * time), 4.0 * jnp.cos(5 * time), -20 * jnp.sin(5 * time)
-    )
+    angle, velocity = -1.2 + 0.8 * jnp.sin(5 * time), 4.0 * jnp.cos(5 * time)
+    return Trajectory(time, angle, velocity, -20 * jnp.sin(5 * time), angle, velocity)
 
 
 def still(angle, samples=1000):
     nothing = jnp.zeros(samples)
-    return Trajectory(jnp.arange(samples) * 0.01, nothing + angle, nothing, nothing)
+    held = nothing + angle
+    return Trajectory(jnp.arange(samples) * 0.01, held, nothing, nothing, held, nothing)
 
 
 @pytest.mark.parametrize("noise", [0.030 * DEGREE, 0.043 * DEGREE])

@@ -17,8 +17,8 @@ from exoid.fit.chain import Chain
 from exoid.fit.coordinates import TYPICAL, Coordinates, Mounting, Own, Seat, Shared, by_segment
 from exoid.fit.observation import Observation
 from exoid.fit.residual import NOTHING, Stage, advance, equation, residual, sensor_map
-from exoid.physics.simulate import Drive, march
 from exoid.physics.state import LegState
+from exoid.physics.step import Drive, march
 
 ROUNDING = 1e-13  # relative, keeps the Cholesky factor real where two columns are nearly parallel
 

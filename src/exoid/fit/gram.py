@@ -11,7 +11,7 @@ import numpy as np
 
 from exoid.fit.condense import Sensed
 from exoid.fit.observation import Observation
-from exoid.physics.simulate import Drive
+from exoid.physics.step import Drive
 
 Cause = Literal["torque", "encoder"]
 CAUSES: tuple[Cause, ...] = ("torque", "encoder")

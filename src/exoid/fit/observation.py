@@ -9,7 +9,7 @@ from jaxtyping import Float
 
 from exoid.fit.coordinates import Seat
 from exoid.fit.movement import Movement, places, remounts, smoothed_motion
-from exoid.physics.simulate import Drive
+from exoid.physics.step import Drive
 from exoid.physics.torque import cycle_shape
 from exoid.recording.condition import (
     interpolated,

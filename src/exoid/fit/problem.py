@@ -19,7 +19,7 @@ from exoid.fit.observation import Observation, observe
 from exoid.fit.program import run, run_sense
 from exoid.fit.residual import Stage
 from exoid.fit.task import Aim, Solved, Task
-from exoid.physics.simulate import Drive
+from exoid.physics.step import Drive
 
 ROUNDS = 10  # of multipliers; two digits a round
 PLAUSIBLE = 0.3  # of what moves the leg: a model that misses more is none

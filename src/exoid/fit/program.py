@@ -12,6 +12,7 @@ import platform
 import warnings
 from collections.abc import Callable
 from functools import cache
+from importlib import import_module
 from importlib.metadata import version
 from pathlib import Path
 from typing import TypeVar
@@ -25,7 +26,7 @@ from exoid.fit.chain import Chain
 from exoid.fit.condense import Sensed
 from exoid.fit.task import SENSED, SOLVED, Solved
 
-SOURCES = ("fit/*.py", "physics/**/*.py", "recording/kalman.py")  # whose code is in the program
+SOURCES = ("fit/*.py", "physics/**/*.py", "recording/kalman.py", "diagnose/pinned.py")  # whose code is in the program
 LIBRARIES = ("jax", "jaxlib", "equinox", "lineax", "optimistix")  # likewise
 DIGEST = 32  # bytes of the checksum before a kept program
 UNREADABLE = "Error reading persistent compilation cache"  # what XLA's Python side says of it
@@ -71,55 +72,57 @@ def with_sound_programs(task: Callable[[], Result]) -> Result:
 
 def run(starts, aim, observation, known, prior, limits, task, chain: Chain) -> Solved:
     """`solve`, with NumPy arrays in and out."""
-    return called("solve", (starts, aim, observation, known, prior, limits, task), chain, SOLVED)
+    return called("exoid.fit.solve:solve", (starts, aim, observation, known, prior, limits, task), chain, SOLVED)
 
 
 def run_sense(point, observation, known, pushes, stage, chain: Chain) -> Sensed:
     """`sense_all`, with NumPy arrays in and out."""
-    return called("sense_all", (point, observation, known, pushes, stage), chain, SENSED)
+    return called("exoid.fit.solve:sense_all", (point, observation, known, pushes, stage), chain, SENSED)
 
 
-def called(name: str, arguments: tuple, chain: Chain, structure):
-    """A function of `exoid.fit.solve`, in float64 whatever JAX's default."""
+def called(name: str, arguments: tuple, static, structure):
+    """The function `module:name`, in float64 whatever JAX's default.
+
+    `static` is its last argument, hashable and part of the program.
+    """
     leaves, given = jax.tree.flatten(arguments)
     shapes = tuple(jax.ShapeDtypeStruct(np.shape(leaf), np.result_type(leaf)) for leaf in leaves)
     with jax.enable_x64(True):  # a fit in float32 would stop short of its optimum
-        results = program(name, given, shapes, chain)(*leaves)
+        results = program(name, given, shapes, static)(*leaves)
     return jax.tree.unflatten(structure, [np.asarray(result) for result in results])
 
 
 @cache
-def program(name: str, structure, shapes, chain: Chain):
+def program(name: str, structure, shapes, static):
     """The compiled program for these shapes: loaded, or traced and kept."""
     if not _folder:
-        return jax.jit(traceable(name, structure, chain))
-    path = _folder[0] / f"{fingerprint(name, structure, shapes, chain)}.stablehlo"
+        return jax.jit(traceable(name, structure, static))
+    path = _folder[0] / f"{fingerprint(name, structure, shapes, static)}.stablehlo"
     exported = load(path)
     if exported is None:
-        exported = jax.export.export(jax.jit(traceable(name, structure, chain)))(*shapes)
+        exported = jax.export.export(jax.jit(traceable(name, structure, static)))(*shapes)
         store(path, exported.serialize())
     return jax.jit(exported.call)
 
 
-def traceable(name: str, structure, chain: Chain):
-    """The function on bare arrays. The solver is imported here, only where it must be traced."""
-    from exoid.fit import solve
-
-    function = getattr(solve, name)
+def traceable(name: str, structure, static):
+    """The function on bare arrays. Its module is imported here, only where it must be traced."""
+    module, _, attribute = name.partition(":")
+    function = getattr(import_module(module), attribute)
 
     def flat(*leaves):
-        return jax.tree.leaves(function(*jax.tree.unflatten(structure, leaves), chain))
+        return jax.tree.leaves(function(*jax.tree.unflatten(structure, leaves), static))
 
     return flat
 
 
-def fingerprint(name: str, structure, shapes, chain: Chain) -> str:
+def fingerprint(name: str, structure, shapes, static) -> str:
     """What a kept program depends on: its code, its shapes, its libraries and its platform."""
     digest = hashlib.sha256()
     for pattern in SOURCES:
         for path in sorted(Path(__file__).parents[1].glob(pattern)):
             digest.update(path.read_bytes())
-    words = (name, platform.machine(), jax.default_backend(), str(structure), shapes, chain)
+    words = (name, platform.machine(), jax.default_backend(), str(structure), shapes, static)
     digest.update(repr((*map(version, LIBRARIES), *words)).encode())
     return digest.hexdigest()[:32]
 

@@ -12,8 +12,8 @@ from exoid.fit.chain import Chain
 from exoid.fit.coordinates import Mounting, Own, Shared
 from exoid.fit.observation import Observation
 from exoid.physics.leg import GRAVITY, Ratios
-from exoid.physics.simulate import Drive, march, rk4_step
 from exoid.physics.state import LegState
+from exoid.physics.step import Drive, march, rk4_step
 
 NOTHING = Drive(*[np.zeros(())] * 3)  # is missing
 

@@ -25,7 +25,7 @@ from exoid.fit.observation import Observation
 from exoid.fit.prior import Prior, mounting_residual, prior_residual
 from exoid.fit.residual import Stage, predict
 from exoid.fit.task import Aim, Solved, Task
-from exoid.physics.simulate import Drive
+from exoid.physics.step import Drive
 
 
 @partial(jax.jit, static_argnames="chain")

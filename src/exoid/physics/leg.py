@@ -61,7 +61,8 @@ class Ratios(eqx.Module):
 class LegModel(eqx.Module):
     """The leg and what drives it: J phi'' = tau_h(t) - m l g cos(phi) - c phi - d phi' (Eq. 9).
 
-    On a seat that holds the thigh at an angle, gravity acts with cos(phi + thigh_angle).
+    On a seat that holds the thigh at an angle, gravity acts with cos(phi + thigh_angle). `terms`
+    are what Eq. 9 leaves out: `exoid.physics.term`.
     """
 
     leg: LegParameters
@@ -69,6 +70,7 @@ class LegModel(eqx.Module):
     thigh_angle: Float[Any, "*batch"] = field(
         default_factory=horizontal
     )  # rad, the knee above the hip
+    terms: tuple[eqx.Module, ...] = ()
 
     def ratios(self) -> Ratios:
         """The coefficients of Eq. 9 per inertia."""

@@ -1,26 +1,35 @@
 """A parameter declares its unit, its range and its symbol where it is born."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, fields
 
 import equinox as eqx
 
+Starts = tuple[float, ...] | Callable[[float, float], tuple[float, ...]]
+
 
 @dataclass(frozen=True)
 class Declaration:
-    """What a parameter says of itself. `lower` and `upper` are the bounds of a fit."""
+    """What a parameter says of itself. `lower` and `upper` are the bounds of a fit.
+
+    A search begins at every one of `starts`; where the right place hangs on the motion, they are a
+    function of its lowest and highest angle [rad].
+    """
 
     symbol: str
     unit: str
     lower: float
     upper: float
     title: str
+    starts: Starts = ()
 
 
-def parameter(symbol: str, unit: str, lower: float, upper: float, title: str = ""):
+def parameter(
+    symbol: str, unit: str, lower: float, upper: float, title: str = "", starts: Starts = ()
+):
     """Declare a parameter field: its symbol, unit, bounds and the words that tables print."""
     return eqx.field(
-        metadata={"parameter": Declaration(symbol, unit, lower, upper, title)},
+        metadata={"parameter": Declaration(symbol, unit, lower, upper, title, starts)},
     )
 
 

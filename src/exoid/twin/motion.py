@@ -42,7 +42,7 @@ class Movement:
 
 
 class Course(eqx.Module):
-    """A stretch of motion on a grid of equal steps."""
+    """A stretch of motion on a grid of equal steps, as encoder and gyro are shown it."""
 
     angle: Samples  # rad
     angular_velocity: Samples  # rad/s
@@ -83,7 +83,7 @@ def release(
         torque = CycleTorque(amplitude, period, CYCLES[reading] / period, jnp.zeros(()))
         driven = replace(model, leg=model.leg.with_added_mass(mass, distance), torque=torque)
         moved = simulate(driven, LegState(start, jnp.zeros_like(start)), time)
-        return Course(moved.angle, moved.angular_velocity, moved.angular_acceleration)
+        return Course(moved.shown_angle, moved.shown_velocity, moved.angular_acceleration)
 
     rows = [
         (m.start_angle, m.duration, m.amplitude or 0.0, m.added_mass, m.added_mass_distance)

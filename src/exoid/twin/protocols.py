@@ -64,9 +64,8 @@ def truth(course: Course, time: np.ndarray) -> Segment:
 
 def observe(kit: SensorKit, course: Course, time: kalman.Samples, key: PRNGKeyArray) -> Segment:
     """What the node logs of a motion: raw readings, and its own filter's float32 estimate."""
-    motion = Trajectory(
-        jnp.asarray(time), course.angle, course.angular_velocity, course.angular_acceleration
-    )
+    shown = (course.angle, course.angular_velocity)
+    motion = Trajectory(jnp.asarray(time), *shown, course.angular_acceleration, *shown)
     seen = measure(kit, motion, key)
     ticks = np.full(time.size - 1, TICK, dtype=np.float32)
     angle, rate = (jnp.asarray(raw, jnp.float32) for raw in (seen.angle, seen.angular_velocity))

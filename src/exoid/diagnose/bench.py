@@ -1,0 +1,233 @@
+"""Where candidates are tried: many at once on the same recording, by the compiled program."""
+
+from collections import Counter
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from itertools import product
+
+import jax
+import numpy as np
+from jaxtyping import Float
+
+from exoid.diagnose.consistency import Consistency
+from exoid.diagnose.pinned import MOST, Clock, Course, Pinned
+from exoid.fit.coordinates import TYPICAL, Coordinates, flattened, scaled, unflattened, unscaled
+from exoid.fit.local import columns
+from exoid.fit.observation import Observation
+from exoid.fit.problem import Problem
+from exoid.fit.program import called
+from exoid.physics.parameter import Declaration, declarations
+from exoid.physics.term import Term
+
+SLOTS = 2  # terms of a lane
+PINNED = jax.tree.structure(Pinned(np.zeros(()), np.zeros(())))
+
+
+@dataclass(frozen=True, eq=False)
+class Candidate:
+    """Terms with their values, and the leg that goes with them."""
+
+    terms: tuple[type[Term], ...]
+    values: tuple[Float[np.ndarray, " parameter"], ...]
+    point: Float[np.ndarray, " coordinate"]  # `flattened` and in units of TYPICAL
+    bias: float = 0.0  # rad/s, of the gyro
+
+    @property
+    def unknowns(self) -> np.ndarray:
+        """Everything a fit may change, in one row."""
+        return np.concatenate([self.point, [self.bias], *self.values])
+
+    def at(self, unknowns: np.ndarray) -> "Candidate":
+        """The same terms elsewhere."""
+        size = self.point.size
+        cuts = np.cumsum([value.size for value in self.values])[:-1]
+        values = np.split(unknowns[size + 1 :], cuts) if self.values else []
+        return replace(
+            self, point=unknowns[:size], bias=float(unknowns[size]), values=tuple(values)
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Products:
+    """(J, r)'(J, r) of a candidate: over all its unknowns, of every segment."""
+
+    each: Float[np.ndarray, "segment column column"]
+
+    @cached_property
+    def total(self) -> np.ndarray:
+        return self.each.sum(axis=0)
+
+    @property
+    def square(self) -> float:
+        """The sum of squares of the residual over its noise."""
+        return float(self.total[-1, -1])
+
+
+@dataclass(frozen=True, eq=False)
+class Bench:
+    """A recording ready for candidates."""
+
+    problem: Problem
+    sensors: Consistency
+    library: tuple[type[Term], ...]
+    clock: Clock
+    requests: dict[type[Term], int] = field(default_factory=dict)
+
+    @property
+    def seen(self) -> Observation:
+        return self.problem.observation
+
+    @cached_property
+    def course(self) -> Course:
+        """What the sensors show, in the shape of the observation."""
+        size = self.seen.time.shape[1]
+
+        def padded(name: str) -> np.ndarray:
+            rows = [getattr(each, name) for each in self.sensors.references]
+            return np.stack([np.pad(row, (0, size - row.size), mode="edge") for row in rows])
+
+        return Course(*map(padded, ("angle", "angular_velocity", "angular_acceleration")))
+
+    @cached_property
+    def places(self) -> np.ndarray:
+        """Which coordinate every baseline unknown of a segment is."""
+        like = self.like
+        return columns(like, self.seen.seat)
+
+    @cached_property
+    def like(self) -> Coordinates:
+        from exoid.fit.starts import usual_mounting
+
+        count = len(self.problem.movements)
+        rows = [np.zeros(count)] * 3
+        shared = jax.tree.map(lambda _: np.zeros(()), TYPICAL.shared)
+        own = jax.tree.unflatten(jax.tree.structure(TYPICAL.own), rows)
+        return Coordinates(shared, np.zeros(()), usual_mounting(self.problem.movements), own)
+
+    def coordinates(self, candidate: Candidate) -> Coordinates:
+        return unscaled(unflattened(candidate.point, self.like))
+
+    def point(self, coordinates: Coordinates) -> np.ndarray:
+        return flattened(scaled(coordinates))
+
+    def starts(self, term: type[Term]) -> list[np.ndarray]:
+        """Where the search for a term begins."""
+        low, high = self.range
+        each = [
+            declared.starts(low, high) if callable(declared.starts) else declared.starts
+            for _, declared in declarations(term)
+        ]
+        return [np.array(row) for row in product(*each)]
+
+    @cached_property
+    def range(self) -> tuple[float, float]:
+        """Lowest and highest angle [rad]."""
+        angles = np.concatenate([each.angle for each in self.sensors.references])
+        return float(angles.min()), float(angles.max())
+
+    @cached_property
+    def room(self) -> dict[type[Term], int]:
+        """How many requests of every term the compiled program takes at once."""
+        return {term: max(2, len(self.starts(term))) for term in self.library}
+
+    def evaluate(
+        self, candidates: list[Candidate], courses: list[Course], observation: Observation
+    ) -> list[tuple[Products, np.ndarray]]:
+        """The products of every candidate along its course, and what its terms show."""
+        results: list[tuple[Products, np.ndarray] | None] = [None] * len(candidates)
+        waiting = list(range(len(candidates)))
+        while waiting:
+            batch, waiting = self.packed(waiting, candidates)
+            gram, shown = self.run(batch, candidates, courses, observation)
+            for lane, number in enumerate(batch):
+                each = self.placed(candidates[number], gram[lane])
+                results[number] = (Products(each), shown[lane])
+        return results  # type: ignore[return-value]
+
+    @property
+    def lanes(self) -> int:
+        return sum(self.room.values())
+
+    def packed(self, waiting: list[int], candidates: list[Candidate]):
+        """As many of the waiting as fit into one run, and the rest."""
+        used: Counter[type[Term]] = Counter()
+        batch, rest = [], []
+        for number in waiting:
+            wanted = Counter(candidates[number].terms)
+            fits = all(used[term] + n <= self.room[term] for term, n in wanted.items())
+            if fits and len(batch) < self.lanes:
+                used += wanted
+                batch.append(number)
+            else:
+                rest.append(number)
+        return batch, rest
+
+    def run(self, batch, candidates, courses, observation):
+        lanes = self.lanes + 1  # the last one takes the requests that nobody made
+        values, owners, slots = [], [], []
+        for term in self.library:
+            size = len(list(declarations(term)))
+            value = np.tile(self.starts(term)[0], (self.room[term], 1)).reshape(-1, size)
+            owner = np.full(self.room[term], lanes - 1)
+            slot = np.zeros(self.room[term], dtype=int)
+            made = 0
+            for lane, number in enumerate(batch):
+                one = candidates[number]
+                for at, (own, numbers) in enumerate(zip(one.terms, one.values, strict=True)):
+                    if own is term:
+                        value[made], owner[made], slot[made] = numbers, lane, at
+                        made += 1
+            values.append(value)
+            owners.append(owner)
+            slots.append(slot)
+        chosen = [*batch, *[batch[0]] * (lanes - len(batch))]
+        points = [self.coordinates(candidates[number]) for number in chosen]
+        stacked = jax.tree.map(lambda *leaves: np.stack(leaves), *points)
+        course = jax.tree.map(lambda *leaves: np.stack(leaves), *[courses[n] for n in chosen])
+        arguments = (
+            tuple(values),
+            tuple(owners),
+            tuple(slots),
+            stacked,
+            np.array([candidates[number].bias for number in chosen]),
+            course,
+            observation,
+            self.problem.known,
+            self.clock,
+            np.asarray(self.problem.steps),
+        )
+        static = (self.library, self.problem.chain)
+        found = called("exoid.diagnose.pinned:evaluate", arguments, static, PINNED)
+        return found.gram, found.shown
+
+    def placed(self, candidate: Candidate, gram: np.ndarray) -> np.ndarray:
+        """The products over all unknowns of a candidate."""
+        base = self.places.shape[1]
+        total = candidate.unknowns.size + 1
+        first = candidate.point.size
+        each = np.zeros((len(gram), total, total))
+        inner = [base]
+        outer = [first]
+        for slot, value in enumerate(candidate.values):
+            inner += list(base + 1 + slot * MOST + np.arange(value.size))
+            outer += list(len(outer) + first + np.arange(value.size))
+        inner.append(gram.shape[-1] - 1)
+        outer.append(total - 1)
+        for segment, place in enumerate(self.places):
+            rows = np.array([*range(base), *inner])
+            at = np.array([*place, *outer])
+            each[segment][np.ix_(at, at)] = gram[segment][np.ix_(rows, rows)]
+        return each
+
+    def bounds(self, candidate: Candidate) -> tuple[np.ndarray, np.ndarray]:
+        """Of every unknown: the leg neither pulls apart nor makes energy, a term keeps its own."""
+        size = candidate.unknowns.size
+        lower, upper = np.full(size, -np.inf), np.full(size, np.inf)
+        lower[1:4] = 0.0  # gravity, stiffness, damping
+        each: list[Declaration] = [
+            declared for term in candidate.terms for _, declared in declarations(term)
+        ]
+        first = candidate.point.size + 1
+        lower[first:] = [declared.lower for declared in each]
+        upper[first:] = [declared.upper for declared in each]
+        return lower, upper

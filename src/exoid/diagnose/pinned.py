@@ -1,0 +1,349 @@
+"""The compiled program: the whole library at once, each term along the motion that was measured.
+
+A free-running simulation is linear in what is wrong with it only as long as little is. Here the
+simulation is pinned to the measured motion x of every sample (multiple shooting with a node at each)
+and what it does otherwise is carried along linearly:
+
+    d(i+1) = F_x d(i) + F_z dz + F_u u(i) + F(x(i)) - x(i+1)
+
+so that the misfit is exact to second order in the noise wherever the model is right, however far the
+baseline is from it, and a term costs its torque along x and no simulation.
+"""
+
+from functools import partial
+from typing import Any
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+from jax.flatten_util import ravel_pytree
+from jaxtyping import Array, Float, Int
+
+from exoid.fit.chain import Chain
+from exoid.fit.condense import along, outer
+from exoid.fit.coordinates import TYPICAL, Coordinates, seated
+from exoid.fit.observation import Observation
+from exoid.fit.residual import Equation, Stage, advance, equation, residual, sensor_map
+from exoid.physics.extended import delayed, moment
+from exoid.physics.moment import Cycle, Place
+from exoid.physics.parameter import declarations
+from exoid.physics.state import LegState
+from exoid.physics.step import Drive, march, rk4
+from exoid.physics.term import Term
+
+MOST = 5  # parameters of a term
+FREE = Stage(jnp.zeros(()), jnp.zeros((), int))
+
+
+class Course(eqx.Module):
+    """The leg's motion that a candidate reads from the sensors."""
+
+    angle: Float[Any, "*lane segment time"]  # rad
+    angular_velocity: Float[Any, "*lane segment time"]  # rad/s
+    angular_acceleration: Float[Any, "*lane segment time"]  # rad/s^2
+
+
+class Clock(eqx.Module):
+    """The cycle of every segment; of frequency 0 where nothing is voluntary."""
+
+    period: Float[Any, " segment"]  # s
+    frequency: Float[Any, " segment"]  # Hz
+    onset: Float[Any, " segment"]  # s
+    number: Float[Any, " segment"]
+
+
+class Effect(eqx.Module):
+    """What a term does along a course: torques per inertia, and what the sensors show."""
+
+    push: Drive  # rad/s^2, at the stage times
+    shown: Float[Any, "*batch segment time channel"]  # rad, rad/s
+
+
+class Pinned(eqx.Module):
+    """(J, r)'(J, r) of every lane and segment: baseline unknowns, gyro bias, terms, residual."""
+
+    gram: Float[Any, "lane segment column column"]
+    shown: Float[Any, "lane segment time channel"]  # of the lane's terms
+
+
+def evaluate(
+    values: tuple[Float[Array, "request parameter"], ...],
+    lanes: tuple[Int[Array, " request"], ...],
+    slots: tuple[Int[Array, " request"], ...],
+    points: Coordinates,
+    bias: Float[Array, " lane"],
+    courses: Course,
+    observation: Observation,
+    known: Float[Array, "segment unknown"],
+    clock: Clock,
+    steps: Int[Array, ""],
+    static: tuple[tuple[type[Term], ...], Chain],
+) -> Pinned:
+    """Every lane's misfit and its derivatives.
+
+    Of each term in `static` there are requests: its parameters' `values`, the lane that they belong
+    to and which of the lane's terms they are (`slots`).
+    """
+    terms, chain = static
+    count = bias.shape[0]
+    pushes, shown = nothing(observation, count, 2)
+    for term, value, lane, slot in zip(terms, values, lanes, slots, strict=True):
+        own = jax.tree.map(lambda leaf, lane=lane: leaf[lane], (points, courses))
+        one = partial(columns, term, observation=observation, clock=clock)
+        push, error = jax.vmap(one)(value, *own)
+        pushes = jax.tree.map(lambda all, new: all.at[lane, slot].add(new), pushes, push)
+        shown = shown.at[lane, slot].add(error)
+    each = partial(segment_gram, steps=steps, chain=chain)
+    by_segment = jax.vmap(each, in_axes=(None, 0, 0, 0, 0, 0, 0, 0, None))
+    mounting = jax.vmap(jax.vmap(seated, in_axes=(None, 0)), in_axes=(0, None))
+    gram = jax.vmap(by_segment, in_axes=(0, 0, 0, 0, None, None, 0, 0, 0))(
+        points.shared,
+        mounting(points.mounting, observation.seat),
+        points.own,
+        courses,
+        observation,
+        known,
+        jax.tree.map(lambda leaf: jnp.moveaxis(together(leaf), 2, 1), pushes),
+        jnp.moveaxis(together(shown), 2, 1),
+        bias,
+    )
+    return Pinned(gram, shown[:, :, 0].sum(axis=1))
+
+
+def nothing(observation: Observation, lanes: int, slots: int):
+    """Room for what the terms of every lane do: (lane, slot, 1 + parameter, segment, time)."""
+    segments, size = observation.time.shape
+    room = (lanes, slots, 1 + MOST, segments)
+    push = jnp.zeros((*room, size - 1))
+    return Drive(push, push, push), jnp.zeros((*room, size, 2))
+
+
+def together(leaf: Array) -> Array:
+    """(lane, slot, 1 + parameter, ...) as (lane, column, ...): all derivatives, then the sum."""
+    parts = [leaf[:, slot, 1:] for slot in range(leaf.shape[1])]
+    return jnp.concatenate([*parts, leaf[:, :, :1].sum(axis=1)], axis=1)
+
+
+def columns(
+    term: type[Term],
+    value: Float[Array, " parameter"],
+    point: Coordinates,
+    course: Course,
+    observation: Observation,
+    clock: Clock,
+) -> tuple[Drive, Float[Array, "column segment time channel"]]:
+    """A term's effect and its derivatives, in the order (effect, derivatives, nothing)."""
+
+    def effect(value):
+        one = partial(effect_of, named(term, value), point.shared)
+        return jax.vmap(one)(
+            jax.vmap(seated, in_axes=(None, 0))(point.mounting, observation.seat),
+            point.own, course, observation, clock,
+        )  # fmt: skip
+
+    now = effect(value)
+    slopes = jax.jacfwd(effect)(value)
+    missing = MOST - value.size
+
+    def stacked(one, slope):
+        slope = jnp.moveaxis(slope, -1, 0)
+        room = jnp.zeros((missing, *one.shape))
+        return jnp.concatenate([one[None], slope, room])
+
+    stack = jax.tree.map(stacked, now, slopes)
+    return stack.push, stack.shown
+
+
+def named(term: type[Term], value: Float[Array, " parameter"]) -> Term:
+    """The term with these values of its parameters."""
+    names = [name for name, _ in declarations(term)]
+    return term(**dict(zip(names, value, strict=True)))
+
+
+def place_of(eq: Equation, own, clock) -> Place:
+    """What a term may know of its segment."""
+    inertia = 1 / eq.torque
+    cycle = Cycle(eq.cycle * inertia, clock.period, clock.frequency, clock.onset)
+    return Place(eq.ratios, inertia, cycle, clock.number)
+
+
+def effect_of(term: Term, shared, mounting, own, course, observation, clock) -> Effect:
+    """One term along one segment."""
+    eq = equation(shared, mounting, own, observation, FREE)
+    place = place_of(eq, own, clock)
+    time, step = observation.time, jnp.diff(observation.time)
+    drives = jax.tree.map(
+        lambda cycle, torque: eq.cycle * cycle + eq.torque * torque,
+        observation.cycle,
+        observation.torque,
+    )
+    begin, middle, end = stages(course, step)
+
+    def moments(leg, time, push):
+        return jax.vmap(partial(moment, place))(leg, time, push)
+
+    at = (
+        moments(begin, time[:-1], drives.begin),
+        moments(middle, time[:-1] + step / 2, drives.middle),
+        moments(end, time[1:], drives.end),
+    )
+    memory = remembered(term, at, step)
+    middles = (memory[:-1] + memory[1:]) / 2
+    torque = jax.vmap(term.torque)
+    pulled = Drive(
+        begin=torque(at[0], memory[:-1]),
+        middle=torque(at[1], middles),
+        end=torque(at[2], memory[1:]),
+    )
+    rubbed = rubbing(term, at, begin, end)
+    push = jax.tree.map(lambda one, two: (one + two) / place.inertia, pulled, rubbed)
+    ends = moments(
+        LegState(course.angle, course.angular_velocity),
+        time,
+        jnp.append(drives.begin, drives.end[-1]),
+    )
+    error = jax.vmap(term.shown)(ends, memory)
+    late = delayed(time, course.angular_velocity, course.angular_acceleration, error.delay)
+    velocity = error.angular_velocity + late - course.angular_velocity
+    return Effect(push, jnp.stack([error.angle, velocity], axis=-1))
+
+
+def stages(course: Course, step) -> tuple[LegState, LegState, LegState]:
+    """The leg at the begin, middle and end of every step; Hermite's rule in between."""
+    angle, velocity, acceleration = course.angle, course.angular_velocity, course.angular_acceleration
+    begin, end = LegState(angle[:-1], velocity[:-1]), LegState(angle[1:], velocity[1:])
+    middle = LegState(
+        (angle[:-1] + angle[1:]) / 2 + step / 8 * (velocity[:-1] - velocity[1:]),
+        (velocity[:-1] + velocity[1:]) / 2 + step / 8 * (acceleration[:-1] - acceleration[1:]),
+    )
+    return begin, middle, end
+
+
+def remembered(term: Term, at, step) -> Float[Array, "time memory"]:
+    """The term's own state at every sample, driven by the course."""
+    first = jax.tree.map(lambda leaf: leaf[0], at[0])
+    start = term.memory_at_rest(first)
+    table = jnp.zeros((step.size + 1, term.memory_size))
+    if not term.memory_size:
+        return table
+
+    def forward(index, memory):
+        now = {
+            part: jax.tree.map(lambda leaf: leaf[index], stage)
+            for part, stage in zip((0.0, 0.5, 1.0), at, strict=True)
+        }
+
+        def part_of(number, memory):
+            first = number / term.substeps
+
+            def rate(memory, part):
+                return term.memory_rate(blended(now, first + part / term.substeps), memory)
+
+            return rk4(rate, memory, step[index] / term.substeps)
+
+        memory = jax.lax.fori_loop(0, term.substeps, part_of, memory)
+        return term.memory_within(now[1.0], memory)
+
+    def store(index, memory, table):
+        return table.at[index].set(memory)
+
+    return march(forward, store, start, table, step.size)
+
+
+def blended(now, part):
+    """The moment at a fraction of a step, by the parabola through its three."""
+    first, last = (1 - part) * (1 - 2 * part), part * (2 * part - 1)
+    middle = 4 * part * (1 - part)
+    return jax.tree.map(
+        lambda a, b, c: first * a + middle * b + last * c, now[0.0], now[0.5], now[1.0]
+    )
+
+
+def rubbing(term: Term, at, begin: LegState, end: LegState) -> Drive:
+    """Dry friction of a moving leg; a step across a reversal feels the mean of both directions."""
+    if type(term).dry_friction is Term.dry_friction:
+        none = jnp.zeros_like(begin.angle)
+        return Drive(none, none, none)
+    before, after = begin.angular_velocity, end.angular_velocity
+    crossing = before * after < 0
+    change = jnp.where(crossing, after - before, 1.0)
+    mixed = (jnp.abs(after) - jnp.abs(before)) / change
+    direction = jnp.where(crossing, mixed, jnp.sign(before + after))
+    return Drive(*(-jax.vmap(term.dry_friction)(stage) * direction for stage in at))
+
+
+def segment_gram(
+    shared, mounting, own, course, observation, known, pushes, shown, bias, *, steps, chain
+) -> Float[Array, "column column"]:
+    """The products of one segment: baseline unknowns, gyro bias, terms' parameters, residual."""
+    unknowns = (shared, mounting, own)
+    point, unravel = ravel_pytree(unknowns)
+    sizes = (TYPICAL.shared, TYPICAL.mounting, TYPICAL.own)
+    unit, _ = ravel_pytree(jax.tree.map(jnp.full_like, unknowns, sizes))
+    terms = pushes.begin.shape[0]  # derivatives, then their sum
+    base = known.size
+    count = base + 1 + terms
+
+    def setup(scaled):
+        shared, mounting, own = unravel(scaled * unit)
+        eq = equation(shared, mounting, own, observation, FREE)
+        return eq, sensor_map(mounting, observation), LegState(own.angle, own.angular_velocity)
+
+    directions = jnp.concatenate([jnp.diag(1 - known), jnp.zeros((1 + terms, base))])
+    (eq, sensors, start), (by_eq, by_sensors, by_start) = along(
+        setup, (point / unit,), (directions,)
+    )
+    # The last column is no derivative but where the simulation stands beside the course.
+    course_at = LegState(course.angle, course.angular_velocity)
+    offset = jax.tree.map(lambda a, b: a - b[0], start, course_at)
+    carried = jax.tree.map(lambda by, off: by.at[-1].set(off), by_start, offset)
+
+    def at(index):
+        return jax.tree.map(lambda leaf: leaf[index], course_at)
+
+    def forward(index, carried):
+        def step(eq, state, missing):
+            return advance(eq, state, index, observation, FREE, missing)
+
+        def pushed(leaf):
+            return jnp.concatenate([jnp.zeros(base + 1), leaf[:, index] / eq.share])
+
+        zero = jnp.zeros(())
+        following, changes = along(
+            step,
+            (eq, at(index), Drive(zero, zero, zero)),
+            (by_eq, carried, jax.tree.map(pushed, pushes)),
+        )
+        defect = jax.tree.map(lambda a, b: a - b, following, at(index + 1))
+        return jax.tree.map(lambda by, off: by.at[-1].add(off), changes, defect)
+
+    def gather(index, carried, gathered):
+        memory, total = gathered
+        now, error = at(index), shown[:, index]
+
+        def show(state, error_angle, error_velocity, sensors):
+            seen = LegState(state.angle + error_angle, state.angular_velocity + error_velocity)
+            return residual(seen, sensors, index, observation)
+
+        memory, filtered = jax.vmap(chain.push)(memory, with_course(now, carried))
+        tangents = without_course(filtered)
+        none = jnp.zeros(base)
+        errors = [jnp.concatenate([none, jnp.array([float(k)]), error[:, k]]) for k in (0, 1)]
+        zero = jnp.zeros(())
+        reference = jax.tree.map(lambda leaf: leaf[-1] * 0.0 + leaf[base], filtered)
+        value, rows = along(
+            show, (reference, zero, zero, sensors), (tangents, *errors, by_sensors)
+        )
+        rows = rows.at[-1].add(value + bias * rows[base])
+        return memory, total + outer(rows)
+
+    def with_course(now, carried):
+        return jax.tree.map(lambda a, by: a + by, now, carried)
+
+    def without_course(filtered):
+        return jax.tree.map(lambda leaf: leaf - leaf[base], filtered)
+
+    first = with_course(at(0), carried)
+    memory = jax.vmap(chain.begin)(first)
+    total = jnp.zeros((count, count))
+    return march(forward, gather, carried, (memory, total), steps)[1]

@@ -1,0 +1,122 @@
+"""The motion that the sensors show, smoothed without any leg model.
+
+Angle, rate and acceleration of every sample are unknowns tied by a jerk that is white noise; encoder
+and gyro are met within their noise. How much the jerk scatters is where the data are most likely.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Float
+from scipy.linalg import cho_solve_banded, cholesky_banded
+from scipy.sparse import coo_array, csr_array
+
+JERKS = np.logspace(1, 5, 9)  # rad/s^3, deviations to choose from
+UNKNOWN = 3  # a sample: angle, rate, acceleration
+BAND = 2 * UNKNOWN - 1  # beside the diagonal
+SLACK = 0.05  # of a step's change by the jerk, that no quadrature need meet
+
+Samples = Float[np.ndarray, " sample"]
+Pairs = Float[np.ndarray, "sample 2"]  # of encoder [rad] and gyro [rad/s]
+
+
+@dataclass(frozen=True, eq=False)
+class Reference:
+    """One segment's motion at its samples, and what is left of the data."""
+
+    angle: Samples  # rad
+    angular_velocity: Samples  # rad/s
+    angular_acceleration: Samples  # rad/s^2
+    acceleration_error: Samples  # rad/s^2
+    misfit: float  # sum of squares over the noise, data and jerk
+    likelihood: float  # log, but for a constant
+    smoother: "Smoother"
+
+
+class Smoother:
+    """The least squares problem of one segment for one scatter of the jerk."""
+
+    def __init__(self, time: Samples, weights: Pairs, jerk: float):
+        step = np.diff(time)
+        size, steps = time.size, step.size
+        rows, columns, values = [], [], []
+        at = UNKNOWN * np.arange(steps)
+
+        def relation(row: int, offsets: list[int], factors: list[np.ndarray | float], spread):
+            for offset, factor in zip(offsets, factors, strict=True):
+                rows.append(row + np.arange(steps))
+                columns.append(at + offset)
+                values.append(np.broadcast_to(factor, steps) / spread)
+
+        change = jerk * step
+        # Hermite's and the trapezoidal rule: exact for a constant jerk within the step.
+        relation(
+            0,
+            [0, 3, 1, 4, 2, 5],
+            [-1.0, 1.0, -step / 2, -step / 2, -(step**2) / 12, step**2 / 12],
+            SLACK * change * step**2 / 12,
+        )
+        relation(steps, [1, 4, 2, 5], [-1.0, 1.0, -step / 2, -step / 2], SLACK * change * step / 2)
+        relation(2 * steps, [2, 5], [-1.0, 1.0], change * np.sqrt(step[0] / step))
+        self.size, self.weights = size, weights
+        self.prior = csr_array(
+            coo_array(
+                (np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))),
+                shape=(3 * steps, UNKNOWN * size),
+            )
+        )
+        self.log_scale = float(np.sum(np.log(change)))
+        normal = self.banded((self.prior.T @ self.prior).tocsr())
+        normal[-1, 0::UNKNOWN] += weights[:, 0] ** 2
+        normal[-1, 1::UNKNOWN] += weights[:, 1] ** 2
+        self.factor = cholesky_banded(normal)
+
+    def banded(self, matrix) -> np.ndarray:
+        """The upper diagonals, as SciPy's banded solvers take them."""
+        total = UNKNOWN * self.size
+        upper = np.zeros((BAND + 1, total))
+        for offset in range(BAND + 1):
+            upper[BAND - offset, offset:] = matrix.diagonal(offset)
+        return upper
+
+    def solve(self, data: Float[np.ndarray, "sample 2 *column"]) -> np.ndarray:
+        """The smoothed unknowns (sample, 3, column) of data and of columns alike."""
+        weighted = self.weights.reshape(*self.weights.shape, *[1] * (data.ndim - 2)) ** 2 * data
+        right = np.zeros((self.size, UNKNOWN, *data.shape[2:]))
+        right[:, :2] = weighted
+        flat = right.reshape(UNKNOWN * self.size, -1)
+        return cho_solve_banded((self.factor, False), flat).reshape(right.shape)
+
+    def left(self, data: Float[np.ndarray, "sample 2 *column"]) -> np.ndarray:
+        """What of the data the motion cannot follow, over the noise; jerk included: one row."""
+        smooth = self.solve(data)
+        weights = self.weights.reshape(*self.weights.shape, *[1] * (data.ndim - 2))
+        misfit = weights * (data - smooth[:, :2])
+        jerks = self.prior @ smooth.reshape(UNKNOWN * self.size, -1)
+        return np.concatenate([misfit.reshape(2 * self.size, -1), jerks])
+
+    def spread(self) -> Samples:
+        """Standard deviation of the acceleration [rad/s^2], from a few columns of the inverse."""
+        pick = np.zeros((UNKNOWN * self.size, 1))
+        middle = UNKNOWN * (self.size // 2) + 2
+        pick[middle] = 1.0
+        inside = cho_solve_banded((self.factor, False), pick)[middle, 0]
+        return np.full(self.size, np.sqrt(inside))
+
+
+def smooth(time: Samples, data: Pairs, weights: Pairs) -> Reference:
+    """The motion of greatest likelihood; rows of weight 0 were not measured."""
+    return max((smoothed(time, data, weights, jerk) for jerk in JERKS), key=lambda r: r.likelihood)
+
+
+def smoothed(time: Samples, data: Pairs, weights: Pairs, jerk: float) -> Reference:
+    """The motion for one scatter of the jerk [rad/s^3]."""
+    smoother = Smoother(time, weights, jerk)
+    motion = smoother.solve(data)
+    misfit = float(np.sum(smoother.left(data) ** 2))
+    spread = float(np.sum(np.log(smoother.factor[-1])))
+    likelihood = -misfit / 2 - spread - 3 * smoother.log_scale
+    angle, velocity, acceleration = motion.T
+    return Reference(
+        angle, velocity, acceleration, smoother.spread(), misfit, likelihood, smoother
+    )

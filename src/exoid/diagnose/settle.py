@@ -1,0 +1,127 @@
+"""Bring candidates to their best: Levenberg-Marquardt within bounds, all of them together."""
+
+from dataclasses import dataclass, replace
+
+import jax
+import numpy as np
+
+from exoid.diagnose.bench import Bench, Candidate, Products
+from exoid.diagnose.pinned import Course
+from exoid.fit.observation import Observation
+
+ROUNDS = 12
+DAMPING = 1e-3  # of the first step, relative to the curvature
+EASIER, HARDER = 0.2, 5.0
+STEADY = 1e-2  # expected gain of a sum of squares below which a candidate rests
+WEAK = 1e-9  # relative curvature of what nothing tells
+PASSES = 4  # in which bounds that a step runs into are found
+
+
+@dataclass(frozen=True, eq=False)
+class Settled:
+    """A candidate at its best, and the derivatives there."""
+
+    candidate: Candidate
+    products: Products
+    course: Course
+    damping: float = DAMPING
+    resting: bool = False
+
+    @property
+    def square(self) -> float:
+        return self.products.square
+
+
+def settle(
+    bench: Bench,
+    candidates: list[Candidate],
+    observation: Observation | None = None,
+    *,
+    rounds: int = ROUNDS,
+    courses: list[Course] | None = None,
+) -> list[Settled]:
+    """Fit every candidate to the observation, along the motion that it reads from the sensors."""
+    seen = bench.seen if observation is None else observation
+    first = [bench.course] * len(candidates) if courses is None else courses
+    found = bench.evaluate(candidates, first, seen)
+    # What its terms show changes how a candidate reads the sensors, so the first look is repeated.
+    first = [read(bench, shown) for _, shown in found]
+    found = bench.evaluate(candidates, first, seen)
+    at = [
+        Settled(candidate, products, course)
+        for candidate, (products, _), course in zip(candidates, found, first, strict=True)
+    ]
+    for _ in range(rounds):
+        moving = [number for number, each in enumerate(at) if not each.resting]
+        if not moving:
+            break
+        steps = [step(bench, at[number]) for number in moving]
+        moved = [candidate for candidate, _ in steps]
+        found = bench.evaluate(moved, [at[number].course for number in moving], seen)
+        for number, (candidate, gain), (products, shown) in zip(moving, steps, found, strict=True):
+            at[number] = judged(bench, at[number], candidate, gain, products, shown)
+    return at
+
+
+def judged(
+    bench: Bench,
+    before: Settled,
+    candidate: Candidate,
+    gain: float,
+    products: Products,
+    shown: np.ndarray,
+) -> Settled:
+    """Where a candidate stands after a step: there, or where it was and more careful."""
+    if not products.square < before.square + STEADY:
+        return replace(before, damping=before.damping * HARDER, resting=before.damping > 1e6)
+    course = read(bench, shown)
+    return Settled(
+        candidate, products, course, before.damping * EASIER, resting=gain < STEADY
+    )
+
+
+def read(bench: Bench, shown: np.ndarray) -> Course:
+    """The leg's motion, where its terms show the sensors something else."""
+    measured = bench.course
+    if not shown.any():
+        return measured
+    time = np.asarray(bench.seen.time)
+    error = shown[..., 0]
+    slope = np.stack([np.gradient(row, t) for row, t in zip(error, time, strict=True)])
+    curve = np.stack([np.gradient(row, t) for row, t in zip(slope, time, strict=True)])
+    return jax.tree.map(np.subtract, measured, Course(error, slope, curve))
+
+
+def step(bench: Bench, at: Settled) -> tuple[Candidate, float]:
+    """The next place to try, and the gain to expect there."""
+    unknowns = at.candidate.unknowns
+    normal, gradient = at.products.total[:-1, :-1], at.products.total[:-1, -1]
+    lower, upper = bench.bounds(at.candidate)
+    change = bounded(normal, gradient, at.damping, lower - unknowns, upper - unknowns)
+    gain = -(2 * gradient @ change + change @ normal @ change)
+    return at.candidate.at(unknowns + change), float(gain)
+
+
+def bounded(
+    normal: np.ndarray, gradient: np.ndarray, damping: float, lower: np.ndarray, upper: np.ndarray
+) -> np.ndarray:
+    """The damped Gauss-Newton step that stays within bounds: what runs into one stays on it."""
+    size = np.sqrt(np.diag(normal))
+    unit = np.where(size > 0, size, 1.0)
+    scaled = normal / np.outer(unit, unit)
+    scaled[np.diag_indices_from(scaled)] += damping + WEAK
+    slope = gradient / unit
+    fixed = size == 0
+    change = np.zeros_like(slope)
+    for _ in range(PASSES):
+        free = ~fixed
+        known = np.where(fixed, change, 0.0)
+        right = -(slope + scaled @ known)[free]
+        change[free] = np.linalg.solve(scaled[np.ix_(free, free)], right)
+        inside = np.clip(change / unit, lower, upper) * unit
+        beyond = (inside != change) & free
+        change = inside
+        if not beyond.any():
+            break
+        fixed = fixed | beyond
+    return change / unit

@@ -1,0 +1,75 @@
+"""The leg at one instant, as a term of the missing physics sees it."""
+
+from typing import Any
+
+import equinox as eqx
+import jax.numpy as jnp
+from jaxtyping import Array, Float
+
+from exoid.physics.leg import Ratios
+from exoid.physics.torque import cycle_shape
+
+
+class Cycle(eqx.Module):
+    """The voluntary cycle of Eq. 10; of amplitude 0 where nothing is voluntary."""
+
+    amplitude: Float[Any, "*batch"]  # N m
+    period: Float[Any, "*batch"]  # s
+    frequency: Float[Any, "*batch"]  # Hz
+    onset: Float[Any, "*batch"]  # s, on the segment's clock
+
+    def torque(self, time: Float[Any, "*batch"]) -> Float[Array, "*batch"]:
+        """Eq. 10 [N m]."""
+        return self.amplitude * cycle_shape(time - self.onset, self.period, self.frequency)
+
+    def phase(self, time: Float[Any, "*batch"]) -> Float[Array, "*batch"]:
+        """2 pi f t since the onset [rad]."""
+        return 2 * jnp.pi * self.frequency * (time - self.onset)
+
+    def running(self, time: Float[Any, "*batch"]) -> Float[Array, "*batch"]:
+        """1 from the onset on, 0 before it."""
+        return jnp.where(time < self.onset, 0.0, 1.0)
+
+
+class Place(eqx.Module):
+    """What stays the same throughout a segment: leg, cycle, and the segment's number."""
+
+    ratios: Ratios
+    inertia: Float[Any, "*batch"]  # kg m^2, of all that moves
+    cycle: Cycle
+    number: Float[Any, "*batch"]  # of the segment, from 0
+
+
+class Moment(eqx.Module):
+    """An instant of a motion."""
+
+    time: Float[Any, "*batch"]  # s, on the segment's clock
+    angle: Float[Any, "*batch"]  # rad
+    angular_velocity: Float[Any, "*batch"]  # rad/s
+    angular_acceleration: Float[Any, "*batch"]  # rad/s^2, by Eq. 9 without any term
+    place: Place
+
+    @property
+    def inertia(self):
+        """J [kg m^2]."""
+        return self.place.inertia
+
+    @property
+    def gravity(self):
+        """m l g [N m]."""
+        return self.place.ratios.gravity * self.place.inertia
+
+    @property
+    def stiffness(self):
+        """c [N m/rad]."""
+        return self.place.ratios.stiffness * self.place.inertia
+
+    @property
+    def damping(self):
+        """d [N m s/rad]."""
+        return self.place.ratios.damping * self.place.inertia
+
+    @property
+    def tilted(self):
+        """The angle against the horizontal [rad]."""
+        return self.angle + self.place.ratios.thigh_angle

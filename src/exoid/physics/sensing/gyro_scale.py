@@ -1,0 +1,26 @@
+"""A gyro whose rates are too high or too low in proportion."""
+
+from typing import Any, ClassVar
+
+from jaxtyping import Float
+
+from exoid.physics.moment import Moment
+from exoid.physics.parameter import parameter
+from exoid.physics.term import Memory, Reading, SensorTerm, reading
+
+
+class GyroScale(SensorTerm):
+    """The gyro shows (1 + s) phi'."""
+
+    title: ClassVar[str] = "scale of the gyro"
+    reference: ClassVar[str] = "Arduino_LSM6DS3 issue 64: 61.04 for 70 mdps per count, 12.8 % low"
+    explanation: ClassVar[str] = (
+        "Counts are converted to deg/s by a wrong factor, or the gyro's axis is not that of the "
+        "knee."
+    )
+    isolate: ClassVar[str] = "the exoskeleton turned by a known right angle, at any speed"
+
+    scale: Float[Any, ""] = parameter("s", "1", -0.3, 0.3, "scale error", (0.01,))
+
+    def shown(self, now: Moment, memory: Memory) -> Reading:
+        return reading(angular_velocity=self.scale * now.angular_velocity)

@@ -1,0 +1,74 @@
+"""One step, and the only time loop: classical Runge-Kutta of order four."""
+
+from collections.abc import Callable
+from typing import Any
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+from jaxtyping import Array, Float, Int, PyTree
+
+from exoid.physics.leg import Ratios, angular_acceleration
+from exoid.physics.state import LegState
+
+
+class Drive(eqx.Module):
+    """The torque per inertia [rad/s^2] at the three stage times of every step."""
+
+    begin: Float[Any, "*steps"]
+    middle: Float[Any, "*steps"]
+    end: Float[Any, "*steps"]
+
+
+def march(
+    advance: Callable[[Int[Array, ""], PyTree], PyTree],
+    fold: Callable[[Int[Array, ""], PyTree, PyTree], PyTree],
+    state: PyTree,
+    folded: PyTree,
+    steps: int | Int[Array, ""],
+) -> PyTree:
+    """The only time loop: `advance(index, state)` step by step, every state folded into a result.
+
+    `fold(index, state, folded)` sees the states 0 to `steps`. A number of steps that is known only
+    at run time lets one compiled program serve any length, but not reverse-mode derivatives.
+    """
+
+    def step(index, carry):
+        now, gathered = carry
+        following = advance(index, now)
+        return following, fold(index + 1, following, gathered)
+
+    return jax.lax.fori_loop(0, steps, step, (state, fold(jnp.array(0), state, folded)))[1]
+
+
+def rk4(
+    rate: Callable[[PyTree, float], PyTree], state: PyTree, step: Float[Array, "*batch"]
+) -> PyTree:
+    """One classical Runge-Kutta step of length `step` [s].
+
+    `rate(state, at)` is the time derivative, `at` 0, 1/2 or 1 of the step.
+    """
+
+    def moved(slope: PyTree, by: Float[Array, "*batch"]) -> PyTree:
+        return jax.tree.map(lambda x, s: x + by * s, state, slope)
+
+    first = rate(state, 0.0)
+    second = rate(moved(first, step / 2), 0.5)
+    third = rate(moved(second, step / 2), 0.5)
+    fourth = rate(moved(third, step), 1.0)
+    mean = jax.tree.map(
+        lambda a, b, c, d: (a + 2 * b + 2 * c + d) / 6, first, second, third, fourth
+    )
+    return moved(mean, step)
+
+
+def rk4_step(
+    ratios: Ratios, state: LegState, step: Float[Array, "*batch"], drive: Drive
+) -> LegState:
+    """One step of Eq. 9 alone."""
+    pushes = {0.0: drive.begin, 0.5: drive.middle, 1.0: drive.end}
+
+    def rate(at: LegState, part: float) -> LegState:
+        return LegState(at.angular_velocity, angular_acceleration(ratios, at, pushes[part]))
+
+    return rk4(rate, state, step)

@@ -1,0 +1,82 @@
+"""What a piece of missing physics, or an error of a sensor, is: one class, in a file of its own."""
+
+from abc import abstractmethod
+from typing import Any, ClassVar
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+from jaxtyping import Array, Float
+
+from exoid.physics.moment import Moment
+
+Memory = Float[Array, " memory"]
+
+
+class Reading(eqx.Module):
+    """By how much the sensors show another motion than the leg's, and how late the gyro does."""
+
+    angle: Float[Any, "*batch"]  # rad
+    angular_velocity: Float[Any, "*batch"]  # rad/s
+    delay: Float[Any, "*batch"]  # s, of the gyro
+
+    def __add__(self, other: "Reading") -> "Reading":
+        return jax.tree.map(jnp.add, self, other)
+
+
+def reading(angle=0.0, angular_velocity=0.0, delay=0.0) -> Reading:
+    """A `Reading`; what is not said is right."""
+    return Reading(jnp.asarray(angle), jnp.asarray(angular_velocity), jnp.asarray(delay))
+
+
+class Term(eqx.Module):
+    """Something that Eq. 9 leaves out. Its first parameter is its size: without it, it is absent.
+
+    Parameters are fields declared by `parameter`, with the places where a search begins. What a
+    term does not say for itself is nothing.
+    """
+
+    title: eqx.AbstractClassVar[str]
+    reference: eqx.AbstractClassVar[str]
+    explanation: eqx.AbstractClassVar[str]  # one sentence for the user
+    isolate: eqx.AbstractClassVar[str]  # the recording that would show it apart from others
+
+    memory_size: ClassVar[int] = 0  # of a state of its own
+    substeps: ClassVar[int] = 1  # of a time step, where the term is faster than the leg
+    voluntary: ClassVar[bool] = False  # does it change the torque of Eq. 10, and nothing else
+
+    def torque(self, now: Moment, memory: Memory) -> Float[Array, ""]:
+        """The missing torque [N m], extension positive."""
+        return jnp.zeros(())
+
+    def dry_friction(self, now: Moment) -> Float[Array, ""]:
+        """The torque [N m] that holds a leg at rest, and opposes one that moves."""
+        return jnp.zeros(())
+
+    def memory_at_rest(self, now: Moment) -> Memory:
+        """The term's own state while the leg was held still at `now`."""
+        return jnp.zeros(self.memory_size)
+
+    def memory_rate(self, now: Moment, memory: Memory) -> Memory:
+        """Its time derivative."""
+        return jnp.zeros(self.memory_size)
+
+    def memory_within(self, now: Moment, memory: Memory) -> Memory:
+        """The term's own state brought back to where it can be, after every step."""
+        return memory
+
+    def shown(self, now: Moment, memory: Memory) -> Reading:
+        """What the sensors show minus how the leg moves."""
+        return reading(0.0 * now.angle)
+
+
+class PhysicsTerm(Term):
+    """A torque on the leg that Eq. 9 does not have: `torque`, or `dry_friction` that sticks."""
+
+
+class SensorTerm(Term):
+    """An error of a sensor: the leg moves as Eq. 9 says, but is shown otherwise."""
+
+    @abstractmethod
+    def shown(self, now: Moment, memory: Memory) -> Reading:
+        """What the sensors show minus how the leg moves."""
