@@ -200,22 +200,43 @@ class Bench:
         found = called("exoid.diagnose.pinned:evaluate", arguments, static, PINNED)
         return found.gram, found.shown
 
+    def release(
+        self, candidates: list[Candidate], observation: Observation
+    ) -> list[tuple[Products, np.ndarray]]:
+        """The products of candidates of the same terms running free, and what they show."""
+        terms = candidates[0].terms
+        points = [self.coordinates(each) for each in candidates]
+        arguments = (
+            tuple(np.stack([each.values[at] for each in candidates]) for at in range(len(terms))),
+            jax.tree.map(lambda *leaves: np.stack(leaves), *points),
+            np.array([each.bias for each in candidates]),
+            observation,
+            self.problem.known,
+            self.clock,
+            np.asarray(self.problem.steps),
+        )
+        static = (terms, self.problem.chain)
+        found = called("exoid.diagnose.free:release", arguments, static, PINNED)
+        return [
+            (Products(self.spread(candidate, gram, range(gram.shape[-1]))), shown)
+            for candidate, gram, shown in zip(candidates, found.gram, found.shown, strict=True)
+        ]
+
     def placed(self, candidate: Candidate, gram: np.ndarray) -> np.ndarray:
         """The products over all unknowns of a candidate."""
         base = self.places.shape[1]
-        total = candidate.unknowns.size + 1
-        first = candidate.point.size
-        each = np.zeros((len(gram), total, total))
-        inner = [base]
-        outer = [first]
+        rows = [*range(base + 1)]
         for slot, value in enumerate(candidate.values):
-            inner += list(base + 1 + slot * MOST + np.arange(value.size))
-            outer += list(len(outer) + first + np.arange(value.size))
-        inner.append(gram.shape[-1] - 1)
-        outer.append(total - 1)
+            rows += list(base + 1 + slot * MOST + np.arange(value.size))
+        return self.spread(candidate, gram, [*rows, gram.shape[-1] - 1])
+
+    def spread(self, candidate: Candidate, gram: np.ndarray, rows) -> np.ndarray:
+        """The rows of a segment's products at their places among all unknowns."""
+        total = candidate.unknowns.size + 1
+        others = range(candidate.point.size, total)
+        each = np.zeros((len(gram), total, total))
         for segment, place in enumerate(self.places):
-            rows = np.array([*range(base), *inner])
-            at = np.array([*place, *outer])
+            at = np.array([*place, *others])
             each[segment][np.ix_(at, at)] = gram[segment][np.ix_(rows, rows)]
         return each
 

@@ -31,7 +31,7 @@ from exoid.physics.state import LegState
 from exoid.physics.step import Drive, march, rk4
 from exoid.physics.term import Term
 
-MOST = 5  # parameters of a term
+MOST = 6  # parameters of a term
 FREE = Stage(jnp.zeros(()), jnp.zeros((), int))
 
 

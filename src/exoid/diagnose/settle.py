@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass, replace
 
+from typing import Any
+
 import jax
 import numpy as np
 
@@ -11,7 +13,8 @@ from exoid.fit.observation import Observation
 
 ROUNDS = 12
 DAMPING = 1e-3  # of the first step, relative to the curvature
-EASIER, HARDER = 0.2, 5.0
+EASIER, HARDER = 0.1, 8.0
+CAREFUL = 1e-2  # damping beyond which a small step says little
 STEADY = 1e-2  # expected gain of a sum of squares below which a candidate rests
 WEAK = 1e-9  # relative curvature of what nothing tells
 PASSES = 4  # in which bounds that a step runs into are found
@@ -23,7 +26,7 @@ class Settled:
 
     candidate: Candidate
     products: Products
-    course: Course
+    course: Any  # pinned: the Course along which; free: what the sensors would show
     damping: float = DAMPING
     resting: bool = False
 
@@ -38,18 +41,39 @@ def settle(
     observation: Observation | None = None,
     *,
     rounds: int = ROUNDS,
-    courses: list[Course] | None = None,
 ) -> list[Settled]:
     """Fit every candidate to the observation, along the motion that it reads from the sensors."""
     seen = bench.seen if observation is None else observation
-    first = [bench.course] * len(candidates) if courses is None else courses
-    found = bench.evaluate(candidates, first, seen)
-    # What its terms show changes how a candidate reads the sensors, so the first look is repeated.
-    first = [read(bench, shown) for _, shown in found]
-    found = bench.evaluate(candidates, first, seen)
+
+    def evaluate(candidates, courses):
+        found = bench.evaluate(candidates, courses, seen)
+        return [(products, read(bench, shown)) for products, shown in found]
+
+    return descend(bench, candidates, [bench.course] * len(candidates), evaluate, rounds)
+
+
+def settle_free(
+    bench: Bench,
+    candidates: list[Candidate],
+    observation: Observation | None = None,
+    *,
+    rounds: int = ROUNDS,
+) -> list[Settled]:
+    """Fit candidates of the same terms to the observation, running free."""
+    seen = bench.seen if observation is None else observation
+
+    def evaluate(candidates, _):
+        return bench.release(candidates, seen)
+
+    return descend(bench, candidates, [None] * len(candidates), evaluate, rounds)
+
+
+def descend(bench, candidates, courses, evaluate, rounds) -> list[Settled]:
+    """Steps of all candidates together, until each rests."""
+    found = evaluate(candidates, courses)
     at = [
         Settled(candidate, products, course)
-        for candidate, (products, _), course in zip(candidates, found, first, strict=True)
+        for candidate, (products, course) in zip(candidates, found, strict=True)
     ]
     for _ in range(rounds):
         moving = [number for number, each in enumerate(at) if not each.resting]
@@ -57,27 +81,19 @@ def settle(
             break
         steps = [step(bench, at[number]) for number in moving]
         moved = [candidate for candidate, _ in steps]
-        found = bench.evaluate(moved, [at[number].course for number in moving], seen)
-        for number, (candidate, gain), (products, shown) in zip(moving, steps, found, strict=True):
-            at[number] = judged(bench, at[number], candidate, gain, products, shown)
+        found = evaluate(moved, [at[number].course for number in moving])
+        for number, (candidate, gain), (products, course) in zip(moving, steps, found, strict=True):
+            at[number] = judged(at[number], candidate, gain, products, course)
     return at
 
 
-def judged(
-    bench: Bench,
-    before: Settled,
-    candidate: Candidate,
-    gain: float,
-    products: Products,
-    shown: np.ndarray,
-) -> Settled:
+def judged(before: Settled, candidate: Candidate, gain: float, products, course) -> Settled:
     """Where a candidate stands after a step: there, or where it was and more careful."""
+    careful = before.damping > CAREFUL
     if not products.square < before.square + STEADY:
-        return replace(before, damping=before.damping * HARDER, resting=before.damping > 1e6)
-    course = read(bench, shown)
-    return Settled(
-        candidate, products, course, before.damping * EASIER, resting=gain < STEADY
-    )
+        return replace(before, damping=before.damping * HARDER, resting=gain < STEADY)
+    easier = before.damping * EASIER
+    return Settled(candidate, products, course, easier, resting=gain < STEADY and not careful)
 
 
 def read(bench: Bench, shown: np.ndarray) -> Course:

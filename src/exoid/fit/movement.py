@@ -16,6 +16,8 @@ from exoid.recording.condition import (
 from exoid.recording.recording import Recording, Samples, Segment, Sensors
 
 FEWEST = 10  # samples that a movement must have to be fitted
+RELEASE = 0.2  # s before 20 deg/s are reached, within which a leg was let go
+STILL = np.radians(2.0)  # rad/s, reached within 2 ms of a release
 SETTLING = 0.15  # s of rest before a cycle below which its clock starts with the segment
 
 
@@ -59,10 +61,13 @@ class Movement:
         return self.added_mass > 0 and bool(np.isnan(self.added_mass_distance))
 
 
-def movement(recording: Recording, number: int, name: str, belongs: int = 0) -> Movement:
+def movement(
+    recording: Recording, number: int, name: str, belongs: int = 0, *, whole: bool = False
+) -> Movement:
     """Condition one segment: choose its channels, clip its ends, find its clock and its noise.
 
-    `belongs` counts the recordings that are fitted together.
+    `belongs` counts the recordings that are fitted together. `whole` keeps the release and, of a
+    drop, the coming to rest, which a fit leaves out: what Eq. 9 lacks may show in them.
 
     **Raises** `ValueError` where nothing moves, or a torque is missing.
     """
@@ -71,6 +76,8 @@ def movement(recording: Recording, number: int, name: str, belongs: int = 0) -> 
     if kind == "measured" and segment.applied_torque is None:
         raise ValueError(f"segment {name} is said to be measured, but has no torque_nm column.")
     part, onset, period = extent(segment, kind, recording.cycle_period(number), name)
+    if whole:
+        part = slice(release(segment, part), segment.time.size if kind == "passive" else part.stop)
     clipped = cut(segment, part)
     raw = clipped.raw_angle is not None
     angle = clipped.raw_angle if raw else clipped.angle
@@ -122,6 +129,16 @@ def extent(
             f"samples; {FEWEST} are the least. Check its marks, its period and its units."
         )
     return part, onset, np.nan if period is None else period
+
+
+def release(segment: Segment, part: slice) -> int:
+    """The last sample at rest before a movement; else the segment's first, where that is near."""
+    first = int(np.searchsorted(segment.time, segment.time[part.start] - RELEASE))
+    speed = np.abs(best_velocity(segment)[first : part.start + 1])
+    still = np.flatnonzero(speed < STILL)
+    if still.size:
+        return first + int(still[-1])
+    return first if first == 0 else part.start
 
 
 def find_onset(segment: Segment) -> float:

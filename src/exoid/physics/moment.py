@@ -26,9 +26,10 @@ class Cycle(eqx.Module):
         """2 pi f t since the onset [rad]."""
         return 2 * jnp.pi * self.frequency * (time - self.onset)
 
-    def running(self, time: Float[Any, "*batch"]) -> Float[Array, "*batch"]:
-        """1 from the onset on, 0 before it."""
-        return jnp.where(time < self.onset, 0.0, 1.0)
+    def side(self, time: Float[Any, "*batch"]) -> Float[Array, "*batch"]:
+        """The sign before the sine of Eq. 10: -1 up to half the period, +1 after it; 0 before."""
+        clock = time - self.onset
+        return jnp.where(clock < 0, 0.0, jnp.where(clock <= self.period / 2, -1.0, 1.0))
 
 
 class Place(eqx.Module):

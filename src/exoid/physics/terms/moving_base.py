@@ -5,6 +5,7 @@ from typing import Any, ClassVar
 import jax.numpy as jnp
 from jaxtyping import Array, Float
 
+from exoid.physics.leg import GRAVITY
 from exoid.physics.moment import Moment
 from exoid.physics.parameter import parameter
 from exoid.physics.term import Memory, PhysicsTerm, Reading, reading
@@ -13,10 +14,16 @@ from exoid.physics.term import Memory, PhysicsTerm, Reading, reading
 class MovingBase(PhysicsTerm):
     """The thigh pitches by theta about the hip, pushed by what the leg does to the knee.
 
-    theta'' = (2 pi f)^2 (C M - theta) - 2 zeta 2 pi f theta',
-    M = c phi + d phi' - tau_h - L m l (phi'' cos(phi) - phi'^2 sin(phi)).
-    phi is the leg's angle in space: spring and damper feel phi - theta, the knee moves by L theta,
-    the encoder shows phi - theta - theta_0, a gyro on the leg phi'. Its memory is (theta, theta').
+    With mu = m l L and w = 2 pi f, phi the leg's angle in space,
+
+        J phi'' + mu cos(phi) theta'' = (Eq. 9) + c (theta + theta_0) + d theta',
+        (1 / w^2 + C mu^2 / J) theta'' + 2 zeta theta' / w + theta
+            = C (c phi + d phi' - tau_h - mu (cos(phi) phi'' - sin(phi) phi'^2)):
+
+    f is the thigh's frequency where the leg swings freely from it,
+    spring and damper feel phi - theta, the encoder shows phi - theta - theta_0, a gyro on the leg
+    phi'. Before the release a locked knee carried a share h of the leg's weight, the hand the
+    rest. Its memory is (theta, theta').
     """
 
     title: ClassVar[str] = "the thigh moves under the leg"
@@ -35,29 +42,39 @@ class MovingBase(PhysicsTerm):
     thigh_length: Float[Any, ""] = parameter("L", "m", 0.2, 0.6, "hip to knee", (0.42,))
     frequency: Float[Any, ""] = parameter("f", "Hz", 1.0, 20.0, "of the thigh", (4.0, 10.0))
     damping_ratio: Float[Any, ""] = parameter("zeta", "1", 0.02, 2.0, "of the thigh", (0.4,))
+    carried: Float[Any, ""] = parameter(
+        "h", "1", 0.0, 1.0, "weight carried by the knee before the release", (1.0,)
+    )
     sag: Float[Any, ""] = parameter("theta_0", "rad", -0.2, 0.2, "how far it gave way", (0.0,))
 
-    def knee_moment(self, now: Moment) -> Float[Array, ""]:
-        """M [N m] at the hip."""
-        heave = now.angular_acceleration * jnp.cos(now.tilted)
-        heave = heave - now.angular_velocity**2 * jnp.sin(now.tilted)
-        passive = now.stiffness * now.angle + now.damping * now.angular_velocity
-        drive = now.place.cycle.torque(now.time)
-        return passive - drive - self.thigh_length * now.gravity / 9.81 * heave
+    def coupling(self, now: Moment) -> Float[Array, ""]:
+        """mu [kg m^2]."""
+        return self.thigh_length * now.gravity / GRAVITY
+
+    def held(self, now: Moment, memory: Memory) -> Float[Array, ""]:
+        """What spring and damper add, because they feel phi - theta [N m]."""
+        return now.stiffness * (memory[0] + self.sag) + now.damping * memory[1]
 
     def pitching(self, now: Moment, memory: Memory) -> Float[Array, ""]:
-        """theta''."""
-        rate = 2 * jnp.pi * self.frequency
-        settled = self.compliance * self.knee_moment(now)
-        return rate**2 * (settled - memory[0]) - 2 * self.damping_ratio * rate * memory[1]
+        """theta'', with phi'' eliminated."""
+        rate, level = 2 * jnp.pi * self.frequency, jnp.cos(now.tilted)
+        mu = self.coupling(now)
+        turned = now.angular_acceleration + self.held(now, memory) / now.inertia
+        heaved = mu * (level * turned - jnp.sin(now.tilted) * now.angular_velocity**2)
+        passive = now.stiffness * now.angle + now.damping * now.angular_velocity
+        moment = passive - self.held(now, memory) - now.place.cycle.torque(now.time) - heaved
+        pulled = self.compliance * moment - memory[0] - 2 * self.damping_ratio / rate * memory[1]
+        carried = self.compliance * (mu * jnp.sin(now.tilted)) ** 2 / now.inertia
+        return pulled / (1 / rate**2 + carried)
 
     def torque(self, now: Moment, memory: Memory) -> Float[Array, ""]:
-        passive = now.stiffness * (memory[0] + self.sag) + now.damping * memory[1]
-        lift = self.thigh_length * self.pitching(now, memory)
-        return passive - now.gravity / 9.81 * lift * jnp.cos(now.tilted)
+        lift = self.coupling(now) * jnp.cos(now.tilted) * self.pitching(now, memory)
+        return self.held(now, memory) - lift
 
     def memory_at_rest(self, now: Moment) -> Memory:
-        return jnp.stack([self.compliance * self.knee_moment(now), jnp.zeros(())])
+        weight = self.carried * now.gravity * jnp.cos(now.tilted)
+        spring = (1 - self.carried) * now.stiffness * now.angle
+        return jnp.stack([self.compliance * (spring - weight), jnp.zeros(())])
 
     def memory_rate(self, now: Moment, memory: Memory) -> Memory:
         return jnp.stack([memory[1], self.pitching(now, memory)])

@@ -11,7 +11,10 @@ from exoid.physics.term import Memory, PhysicsTerm
 
 
 class TorqueHarmonic(PhysicsTerm):
-    """tau = tau_0 (s_2 sin 2a + c_2 (cos 2a - 1) + s_3 sin 3a + c_3 (cos 3a - 1)), a = 2 pi f t."""
+    """tau = -+tau_0 (s_2 sin 2a + c_2 (cos 2a - 1) + s_3 sin 3a + c_3 (cos 3a - 1)), a = 2 pi f t.
+
+    The sign is that before the sine of Eq. 10.
+    """
 
     title: ClassVar[str] = "harmonics in the voluntary torque"
     reference: ClassVar[str] = "Eq. 10 of the paper assumes a pure sine"
@@ -32,4 +35,4 @@ class TorqueHarmonic(PhysicsTerm):
         at = cycle.phase(now.time)
         second = self.sine_2 * jnp.sin(2 * at) + self.cosine_2 * (jnp.cos(2 * at) - 1)
         third = self.sine_3 * jnp.sin(3 * at) + self.cosine_3 * (jnp.cos(3 * at) - 1)
-        return cycle.amplitude * cycle.running(now.time) * (second + third)
+        return cycle.amplitude * cycle.side(now.time) * (second + third)

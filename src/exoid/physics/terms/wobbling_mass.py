@@ -5,16 +5,23 @@ from typing import Any, ClassVar
 import jax.numpy as jnp
 from jaxtyping import Array, Float
 
+from exoid.physics.leg import GRAVITY
 from exoid.physics.moment import Moment
 from exoid.physics.parameter import parameter
 from exoid.physics.term import Memory, PhysicsTerm
 
 
 class WobblingMass(PhysicsTerm):
-    """A share beta of the leg's inertia and weight hangs on the bone by a spring and a damper.
+    """A mass mu at the distance r from the knee, tied to the bone by springs along and across it.
 
-    chi'' = (2 pi f)^2 (phi - chi) + 2 zeta 2 pi f (phi' - chi') - m l g cos(chi) / J.
-    Its memory is (chi - phi, chi').
+    It stands x across the shank and y along it away from its place; with w = 2 pi f, p = r + y,
+
+        x'' + p phi'' = x phi'^2 - 2 y' phi' - g cos(phi) - w^2 x - 2 zeta w x' = X,
+        y'' - x phi'' = p phi'^2 + 2 x' phi' - g sin(phi) - w^2 y - 2 zeta w y' = Y,
+        (J - mu r^2) phi'' = (Eq. 9) - mu (g (y cos(phi) - x sin(phi)) + p X - x Y)
+                             - 2 mu (p y' + x x') phi'.
+
+    The share beta = mu r / (m l) says how large mu is. Its memory is (x, y, x', y').
     """
 
     title: ClassVar[str] = "soft tissue that wobbles on the bone"
@@ -24,28 +31,36 @@ class WobblingMass(PhysicsTerm):
         "cannot."
     )
     isolate: ClassVar[str] = "a movement that is stopped abruptly, with a gyro above 100 Hz"
-    memory_size: ClassVar[int] = 2
+    memory_size: ClassVar[int] = 4
     substeps: ClassVar[int] = 2
 
-    share: Float[Any, ""] = parameter("beta", "1", 0.0, 0.6, "share of the leg", (0.15,))
-    frequency: Float[Any, ""] = parameter("f", "Hz", 1.2, 20.0, "wobbling frequency", (3.0, 8.0))
+    share: Float[Any, ""] = parameter("beta", "1", 0.0, 0.6, "share of the weight", (0.15,))
+    radius: Float[Any, ""] = parameter("r", "m", 0.08, 0.45, "its distance from the knee", (0.22,))
+    frequency: Float[Any, ""] = parameter("f", "Hz", 1.2, 15.0, "wobbling frequency", (3.0, 6.0))
     damping_ratio: Float[Any, ""] = parameter("zeta", "1", 0.02, 2.0, "its damping ratio", (0.2,))
 
-    def held(self, now: Moment, memory: Memory) -> Float[Array, ""]:
-        """By how much the bone accelerates the soft tissue [rad/s^2]."""
-        rate = 2 * jnp.pi * self.frequency
-        slip = now.angular_velocity - memory[1]
-        return -(rate**2) * memory[0] + 2 * self.damping_ratio * rate * slip
+    def accelerations(self, now: Moment, memory: Memory) -> Float[Array, "3"]:
+        """phi'', x'' and y''."""
+        x, y, x_rate, y_rate = memory
+        rate, turn = 2 * jnp.pi * self.frequency, now.angular_velocity
+        damping, away = 2 * self.damping_ratio * rate, self.radius + y
+        level, upright = GRAVITY * jnp.cos(now.tilted), GRAVITY * jnp.sin(now.tilted)
+        across = x * turn**2 - 2 * y_rate * turn - level - rate**2 * x - damping * x_rate
+        along = away * turn**2 + 2 * x_rate * turn - upright - rate**2 * y - damping * y_rate
+        mass = self.share * now.gravity / (GRAVITY * self.radius)
+        held = y * level - x * upright + away * across - x * along
+        held = held + 2 * (away * y_rate + x * x_rate) * turn
+        turned = now.inertia * now.angular_acceleration - mass * held
+        turned = turned / (now.inertia - mass * self.radius**2)
+        return jnp.stack([turned, across - away * turned, along + x * turned])
 
     def torque(self, now: Moment, memory: Memory) -> Float[Array, ""]:
-        weight = now.gravity * jnp.cos(now.tilted)
-        freed = now.inertia * (now.angular_acceleration - self.held(now, memory)) + weight
-        return self.share / (1 - self.share) * freed
+        return now.inertia * (self.accelerations(now, memory)[0] - now.angular_acceleration)
 
     def memory_at_rest(self, now: Moment) -> Memory:
-        sag = now.gravity * jnp.cos(now.tilted) / now.inertia
-        return jnp.stack([-sag / (2 * jnp.pi * self.frequency) ** 2, now.angular_velocity])
+        sag = GRAVITY / (2 * jnp.pi * self.frequency) ** 2
+        still = jnp.zeros(())
+        return jnp.stack([-sag * jnp.cos(now.tilted), -sag * jnp.sin(now.tilted), still, still])
 
     def memory_rate(self, now: Moment, memory: Memory) -> Memory:
-        weight = now.gravity * jnp.cos(now.tilted + memory[0]) / now.inertia
-        return jnp.stack([memory[1] - now.angular_velocity, self.held(now, memory) - weight])
+        return jnp.concatenate([memory[2:], self.accelerations(now, memory)[1:]])

@@ -1,0 +1,107 @@
+"""A candidate running free: its own simulation of every segment, with exact derivatives."""
+
+from functools import partial
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jax.flatten_util import ravel_pytree
+from jaxtyping import Array, Float, Int
+
+from exoid.diagnose.pinned import FREE, Clock, Pinned, named, place_of
+from exoid.fit.chain import Chain
+from exoid.fit.coordinates import TYPICAL, Coordinates, seated
+from exoid.fit.observation import Observation
+from exoid.fit.residual import equation, sensor_map
+from exoid.physics.extended import at_rest, delayed, extended_step, observed
+from exoid.physics.state import LegState
+from exoid.physics.step import Drive, march
+from exoid.physics.term import Term
+
+
+def release(
+    values: tuple[Float[Array, "lane parameter"], ...],
+    points: Coordinates,
+    bias: Float[Array, " lane"],
+    observation: Observation,
+    known: Float[Array, "segment unknown"],
+    clock: Clock,
+    steps: Int[Array, ""],
+    static: tuple[tuple[type[Term], ...], Chain],
+) -> Pinned:
+    """Every lane's misfit and derivatives, and the motion that its sensors would show.
+
+    Columns as in `pinned`: baseline unknowns, gyro bias, all terms' parameters, residual.
+    """
+    terms, chain = static
+
+    def lane(values, point, bias):
+        mounting = jax.vmap(seated, in_axes=(None, 0))(point.mounting, observation.seat)
+        each = partial(segment, terms, chain, steps)
+        return jax.vmap(each, in_axes=(None, None, None, 0, 0, 0, 0, 0))(
+            values, bias, point.shared, mounting, point.own, observation, known, clock
+        )
+
+    gram, shown = jax.vmap(lane)(values, points, bias)
+    return Pinned(gram, shown)
+
+
+def segment(terms, chain, steps, values, bias, shared, mounting, own, observation, known, clock):
+    """One segment's products and what its sensors would show."""
+    base, unravel = ravel_pytree((shared, mounting, own))
+    sizes = (TYPICAL.shared, TYPICAL.mounting, TYPICAL.own)
+    unit, _ = ravel_pytree(jax.tree.map(jnp.full_like, (shared, mounting, own), sizes))
+    sizes = [value.size for value in values]
+    weights = jnp.stack([observation.angle_weight, observation.velocity_weight], axis=1)
+    data = jnp.stack([observation.angle, observation.angular_velocity], axis=1)
+
+    def shown(unknowns):
+        shared, mounting, own = unravel(unknowns[: base.size] * unit)
+        bias, *numbers = jnp.split(unknowns[base.size :], np.cumsum([1, *sizes])[:-1])
+        each = tuple(named(term, value) for term, value in zip(terms, numbers, strict=True))
+        return simulate(each, shared, mounting, own, bias[0], observation, clock, chain, steps)
+
+    unknowns = jnp.concatenate([base / unit, bias[None], *values])
+    motion = shown(unknowns)
+    slopes = jax.jacfwd(shown)(unknowns)
+    moving = jnp.concatenate([1 - known, jnp.ones(unknowns.size - base.size)])
+    used = weights > 0
+    rows = jnp.where(used[..., None], weights[..., None] * slopes * moving, 0.0)
+    misfit = jnp.where(used, weights * (motion - data), 0.0)
+    table = jnp.concatenate([rows, misfit[..., None]], axis=-1).reshape(-1, unknowns.size + 1)
+    return table.T @ table, motion
+
+
+def simulate(terms, shared, mounting, own, bias, observation, clock, chain, steps):
+    """What encoder and gyro would show of one segment: (time, channel)."""
+    eq = equation(shared, mounting, own, observation, FREE)
+    place = place_of(eq, own, clock)
+    time = observation.time
+    drive = jax.tree.map(
+        lambda cycle, torque: eq.cycle * cycle + eq.torque * torque,
+        observation.cycle,
+        observation.torque,
+    )
+    pushed = jnp.append(drive.begin, drive.end[-1])
+
+    def forward(index, motion):
+        push = Drive(drive.begin[index], drive.middle[index], drive.end[index])
+        step = time[index + 1] - time[index]
+        return extended_step(place, terms, motion, time[index], step, push)
+
+    def store(index, motion, folded):
+        memory, table = folded
+        seen = observed(place, terms, motion, time[index], pushed[index])
+        memory, now = chain.push(memory, LegState(seen.shown_angle, seen.shown_velocity))
+        row = jnp.stack([now.angle, now.angular_velocity, seen.shown_acceleration, seen.delay])
+        return memory, table.at[index].set(row)
+
+    leg = LegState(own.angle, own.angular_velocity)
+    begin = at_rest(place, terms, leg, time[0], pushed[0])
+    first = observed(place, terms, begin, time[0], pushed[0])
+    memory = chain.begin(LegState(first.shown_angle, first.shown_velocity))
+    empty = (memory, jnp.zeros((time.size, 4)))
+    angle, velocity, acceleration, delay = march(forward, store, begin, empty, steps)[1].T
+    zero, scale, offset = sensor_map(mounting, observation)
+    velocity = delayed(time, velocity, acceleration, delay)
+    return jnp.stack([angle + zero, (1 + scale) * velocity + offset + bias], axis=1)

@@ -1,0 +1,889 @@
+"""Every term of the library against the laws of mechanics, and the time loop that carries them."""
+
+from functools import cache
+from itertools import product
+
+import diffrax
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from scipy.optimize import brentq
+
+from exoid.physics.extended import at_rest, delayed, extended_step
+from exoid.physics.leg import GRAVITY, LegModel, LegParameters
+from exoid.physics.library import library, name_of
+from exoid.physics.moment import Cycle, Moment, Place
+from exoid.physics.parameter import declarations
+from exoid.physics.simulate import simulate
+from exoid.physics.state import LegState
+from exoid.physics.step import Drive
+from exoid.physics.term import SensorTerm, Term
+from exoid.physics.torque import CycleTorque, NoTorque
+
+LEG = {"mass": 4.4, "inertia": 0.45, "com_distance": 0.27, "damping": 0.35, "stiffness": 2.9}
+WEIGHT = LEG["mass"] * LEG["com_distance"] * GRAVITY  # N m
+PERIOD = 0.8  # s, so that the cycle's kink at 0.4 s meets a sample at any rate used here
+AMPLITUDE = -5.39  # N m
+THIGH = 0.1  # rad
+COARSE, FINE = 100, 3200  # Hz
+PER = FINE // COARSE
+STEPS = FINE  # 1 s of the fine grid, 32 s of the coarse one
+ROWS = 12  # of parameter values, in one program
+LOWEST, HIGHEST = -1.55, -0.26  # rad, of a drop from -15 deg
+
+QUICK = {"xla_backend_optimization_level": 0}  # nobody waits for the machine code to be fast
+
+TERMS = {name_of(term): term for term in library()}
+every_term = pytest.mark.parametrize("name", TERMS)
+
+
+def names(chosen, faults):
+    """These terms; of some of them it is known why they fail."""
+    return pytest.mark.parametrize(
+        "name",
+        [
+            pytest.param(name, marks=pytest.mark.xfail(reason=faults[name], raises=AssertionError))
+            if name in faults
+            else name
+            for name in chosen
+        ],
+    )
+
+
+SINGULAR = {"moving_base": "1 / w^2 < C mu^2 / J from 7.6 Hz on: the mass matrix is singular"}
+UNSTABLE = {
+    "activation_lag": "steps of 10 ms are unstable below t_a = 3.6 ms",
+    "cubic_stiffness": "with k_3 = -20 the leg runs away to infinity",
+    "cuff_compliance": "four parts of a step are too few for zeta = 2 on a light, stiff frame",
+    "end_range_stiffening": "a step of 10 ms is too long for 100 N m within 0.04 rad",
+    "hysteresis": "steps of 10 ms are unstable where phi' passes phi_y three times in a step",
+    "moving_base": "1 / w^2 < C mu^2 / J: the mass matrix is singular",
+    "wobbling_mass": "two parts of a step are too few for zeta = 2 at 20 Hz",
+}
+DRY = ("coulomb_friction", "stribeck_friction")
+CREEPS = dict.fromkeys(DRY, "a leg that sticks moves by pull / J h^2 / 2 in every step")
+PULLED = dict.fromkeys(DRY, "a leg that sticks is said to accelerate")
+
+
+def leg(**changes):
+    return LegParameters(**{name: jnp.array(float(x)) for name, x in (LEG | changes).items()})
+
+
+def state(angle=-0.26, velocity=0.5):
+    return LegState(jnp.array(angle), jnp.array(float(velocity)))
+
+
+@cache
+def program(name):
+    """The motion and its derivative along a change of the parameters, for many values at once.
+
+    Compiling takes nearly all the time of this file: one program per term serves every test.
+    """
+
+    def one(values, leg, thigh, start, amplitude, time):
+        drive = CycleTorque(amplitude, jnp.array(PERIOD), jnp.array(1 / PERIOD), jnp.array(0.0))
+        terms = (TERMS[name](*values),) if name else ()
+        return simulate(LegModel(leg, drive, thigh, terms), start, time)
+
+    def changed(values, change, *rest):
+        return jax.jvp(lambda at: one(at, *rest), (values,), (change,))
+
+    many = jax.vmap(changed, in_axes=(0, 0, None, None, None, None, None))
+    return jax.jit(many, compiler_options=QUICK)
+
+
+def run(name, rows, changes=None, rate=COARSE, start=None, amplitude=AMPLITUDE, **body):
+    """The trajectories at these rows of parameter values, and how they change with `changes`."""
+    rows = np.asarray(rows, float)
+    changes = np.zeros_like(rows) if changes is None else np.asarray(changes, float)
+    if len(rows) > ROWS:
+        parts = [slice(at, at + ROWS) for at in range(0, len(rows), ROWS)]
+        found = [run(name, rows[x], changes[x], rate, start, amplitude, **body) for x in parts]
+        return jax.tree.map(lambda *each: np.concatenate(each), *found)
+
+    def filled(values):
+        return jnp.array(np.concatenate([values, np.repeat(values[-1:], ROWS - len(rows), axis=0)]))
+
+    both = program(name)(
+        filled(rows),
+        filled(changes),
+        leg(**body),
+        jnp.array(THIGH),
+        start or state(),
+        jnp.array(float(amplitude)),
+        jnp.arange(STEPS + 1) / rate,
+    )
+    return jax.tree.map(lambda x: np.asarray(x)[: len(rows)], both)
+
+
+def motion(name, rows, **how):
+    return run(name, rows, **how)[0]
+
+
+def plain(**how):
+    """The leg without any term."""
+    return jax.tree.map(lambda x: x[0], motion(None, np.zeros((1, 0)), **how))
+
+
+def starts(name):
+    """Where searches begin: the first place of every parameter, the second of every one, ..."""
+    places = [
+        said.starts(LOWEST, HIGHEST) if callable(said.starts) else said.starts
+        for _, said in declarations(TERMS[name])
+    ]
+    most = max(len(each) for each in places)
+    return np.array([[each[min(row, len(each) - 1)] for each in places] for row in range(most)])
+
+
+def with_values(name, **values):
+    """The starts with some parameters at other values."""
+    rows = starts(name)
+    for number, (field, _) in enumerate(declarations(TERMS[name])):
+        if field in values:
+            rows[:, number] = values[field]
+    return rows
+
+
+def overridden(name, method):
+    return getattr(TERMS[name], method) is not getattr(Term, method)
+
+
+# ---------------------------------------------------------------------------- what a term declares
+
+
+@every_term
+@pytest.mark.parametrize("words", ["title", "reference", "explanation", "isolate"])
+def test_a_term_says_what_it_is_who_described_it_and_what_would_show_it(name, words):
+    said = getattr(TERMS[name], words)
+    assert said == said.strip() != ""
+
+
+@every_term
+def test_an_explanation_is_a_sentence(name):
+    said = TERMS[name].explanation
+    assert said[0].isupper()
+    assert said.endswith(".")
+
+
+@every_term
+def test_every_parameter_has_a_unit_a_title_and_a_finite_range(name):
+    for _, said in declarations(TERMS[name]):
+        assert said.symbol.strip()
+        assert said.unit.strip()
+        assert said.title.strip()
+        assert np.isfinite([said.lower, said.upper]).all()
+        assert said.lower < said.upper
+
+
+# Released from rest, a leg falls: the lowest angle is below, the highest at or above it.
+RANGES = [(-1.55, -0.26), (-2.3, -0.8), (-2.9, 0.4), (-1.2, -1.1)]
+
+
+@every_term
+@pytest.mark.parametrize("ends", RANGES)
+def test_every_search_begins_somewhere_inside_the_range(name, ends):
+    for _, said in declarations(TERMS[name]):
+        places = said.starts(*ends) if callable(said.starts) else said.starts
+        assert len(places) > 0
+        assert all(said.lower <= place <= said.upper for place in places)
+
+
+# Where absence is not the first parameter at zero.
+ABSENT = {
+    "encoder_eccentricity": {"sine": 0.0, "cosine": 0.0},
+    "end_range_stiffening": {"extension": 0.0, "flexion": 0.0},
+    "fatigue": {"damping_drift": 0.0, "fade": 0.0},
+    "hard_stop": {"contact_time": np.inf},  # the longer a bounce, the softer the stop
+    "stribeck_friction": {"excess": 0.0, "level": 0.0},
+}
+LIMITS = {"activation_lag", "cuff_compliance"}  # absent at no value: their limits are tested
+
+
+def absent(name):
+    first, _ = next(declarations(TERMS[name]))
+    return with_values(name, **ABSENT.get(name, {first: 0.0}))
+
+
+@pytest.mark.parametrize("name", sorted(TERMS.keys() - LIMITS))
+def test_a_term_of_size_zero_changes_nothing(name):
+    found, bare = motion(name, absent(name), rate=FINE), plain(rate=FINE)
+    for each in ("angle", "angular_velocity", "angular_acceleration"):
+        # a term may cut the steps in parts: 2e-7 rad of 100 Hz fall to (1/32)^4 of that
+        same(getattr(found, each), getattr(bare, each), 1e-11)
+    same(found.shown_angle, found.angle, 0)
+    same(found.shown_velocity, found.angular_velocity, 1e-13)  # rounding of an interpolation
+
+
+def same(found, expected, within):
+    np.testing.assert_allclose(found, np.broadcast_to(expected, found.shape), rtol=0, atol=within)
+
+
+def test_what_a_lag_changes_shrinks_in_proportion_to_it():
+    found = motion("activation_lag", [[0.002], [0.001]], rate=FINE)
+    change = np.abs(found.angle - plain(rate=FINE).angle).max(axis=1)
+    assert change[0] < 0.02  # of 1.5 rad
+    # the rest is the square of the lag, 0.002 s of 0.4 s
+    assert change[0] / change[1] == pytest.approx(2, rel=0.02)
+
+
+def test_the_stiffer_the_cuffs_the_more_leg_and_frame_are_one_body():
+    frame = {"frame_inertia": 0.02, "frame_gravity": 0.8, "hinge_damping": 0.1}
+    rows = [
+        with_values("cuff_compliance", compliance=x, damping_ratio=0.3, **frame)[0]
+        for x in (0.002, 0.001)
+    ]
+    found = motion("cuff_compliance", rows, rate=FINE)
+    one_body = plain(
+        rate=FINE,
+        inertia=LEG["inertia"] + frame["frame_inertia"],
+        mass=LEG["mass"] + frame["frame_gravity"] / (LEG["com_distance"] * GRAVITY),
+        damping=LEG["damping"] + frame["hinge_damping"],
+    )
+    for each in (found.angle, found.shown_angle):
+        change = np.abs(each - one_body.angle).max(axis=1)
+        assert change[0] < 0.002  # the frame sags by 0.8 N m times the compliance
+        assert change[0] / change[1] == pytest.approx(2, rel=0.02)
+
+
+VOLUNTARY = [name for name, term in TERMS.items() if term.voluntary]
+
+
+@pytest.mark.parametrize("name", VOLUNTARY)
+def test_a_voluntary_term_changes_nothing_where_nothing_is_voluntary(name):
+    found = motion(name, starts(name), rate=FINE, amplitude=0)
+    same(found.angle, plain(rate=FINE, amplitude=0).angle, 1e-12)
+
+
+# ------------------------------------------------------------------------------ finite everywhere
+
+
+def instant(time, angle, velocity, amplitude=AMPLITUDE, number=0.0, **body):
+    """A moment of the leg and the cycle of `program`, with Eq. 9 written out once more."""
+    moving = leg(**body)
+    cycle = Cycle(*(jnp.asarray(x) for x in (amplitude, PERIOD, 1 / PERIOD, 0.0)))
+    sine = jnp.sin(2 * jnp.pi * time / PERIOD)
+    torque = jnp.where(time <= PERIOD / 2, -amplitude, amplitude) * sine
+    weight = moving.mass * moving.com_distance * GRAVITY * jnp.cos(angle + THIGH)
+    passive = moving.stiffness * angle + moving.damping * velocity
+    ratios = LegModel(moving, NoTorque(), jnp.array(THIGH)).ratios()
+    return Moment(
+        time,
+        angle,
+        velocity,
+        (torque - weight - passive) / moving.inertia,
+        Place(ratios, moving.inertia, cycle, jnp.asarray(number)),
+    )
+
+
+@every_term
+def test_all_that_a_term_says_is_finite_wherever_a_leg_may_be(name):
+    def everything(values, angle, velocity):
+        term, now = TERMS[name](*values), instant(jnp.array(0.5), angle, velocity, number=2.0)
+        memory = term.memory_at_rest(now)
+        said = (
+            term.torque(now, memory),
+            term.dry_friction(now),
+            term.memory_rate(now, memory),
+            term.memory_within(now, memory),
+            term.shown(now, memory),
+        )
+        return sum(jnp.sum(leaf) for leaf in jax.tree.leaves(said))
+
+    each = jax.vmap(jax.value_and_grad(everything, argnums=(0, 1, 2)), in_axes=(None, 0, 0))
+    places = jnp.meshgrid(jnp.linspace(-2.5, 0.5, 13), jnp.linspace(-10, 10, 9))
+    found = jax.jit(jax.vmap(each, in_axes=(0, None, None)), compiler_options=QUICK)(
+        jnp.array(starts(name)), *(x.ravel() for x in places)
+    )
+    assert all(np.isfinite(leaf).all() for leaf in jax.tree.leaves(found))
+
+
+@names(TERMS, SINGULAR)
+def test_the_motion_is_finite_wherever_a_search_begins(name):
+    found = motion(name, starts(name))
+    assert all(np.isfinite(leaf).all() for leaf in jax.tree.leaves(found))
+
+
+@names(TERMS, SINGULAR)
+def test_the_gradient_of_what_is_shown_is_finite_where_a_search_begins(name):
+    rows, changes = along_every_parameter(starts(name))
+    _, slope = run(name, rows, changes)
+    assert np.isfinite(slope.shown_angle).all()
+    assert np.isfinite(slope.shown_velocity).all()
+
+
+@pytest.mark.parametrize("name", sorted(TERMS.keys() - LIMITS))
+def test_the_gradient_is_finite_where_a_term_is_absent(name):
+    rows, changes = along_every_parameter(absent(name))
+    _, slope = run(name, rows, changes)
+    assert np.isfinite(slope.shown_angle).all()
+    assert np.isfinite(slope.shown_velocity).all()
+
+
+@every_term
+def test_the_gradient_is_that_of_central_differences(name):
+    rows, changes = along_every_parameter(starts(name)[:1])
+    steps = changes * [1e-6 * (said.upper - said.lower) for _, said in declarations(TERMS[name])]
+    above, below = (motion(name, rows + move) for move in (steps, -steps))
+    _, slope = run(name, rows, changes)
+    for each in ("shown_angle", "shown_velocity"):
+        change = getattr(above, each) - getattr(below, each)
+        expected = change / (2 * steps.sum(axis=1, keepdims=True))
+        found = getattr(slope, each)
+        second = slice(0, COARSE + 1)
+        # 1e-15 of rounding by steps of 1e-6 and less, and the third derivative
+        same(found[:, second], expected[:, second], 1e-7 * (1 + np.abs(found[:, second]).max()))
+
+
+def along_every_parameter(rows):
+    """Every row as often as it has parameters, and the change of one parameter each."""
+    count = rows.shape[1]
+    return np.repeat(rows, count, axis=0), np.tile(np.eye(count), (len(rows), 1))
+
+
+def corners(name):
+    """The ends of all ranges, and these with the first parameter where a search begins."""
+    ends = [(said.lower, said.upper) for _, said in declarations(TERMS[name])]
+    return np.array(list(product((*ends[0], starts(name)[0, 0]), *ends[1:])))
+
+
+@names(TERMS, UNSTABLE)
+def test_at_100_hz_three_seconds_are_finite_at_the_ends_of_all_ranges(name):
+    found = motion(name, corners(name), start=state(velocity=3))
+    assert np.isfinite(found.shown_angle[:, : 3 * COARSE]).all()
+    assert np.isfinite(found.shown_velocity[:, : 3 * COARSE]).all()
+
+
+# --------------------------------------------------------------- the time loop against other loops
+
+# Terms with a jump, or with a memory that is brought back after every step.
+KINKED = sorted(
+    name
+    for name in TERMS
+    if overridden(name, "dry_friction") or overridden(name, "memory_within") or name == "hard_stop"
+)
+SMOOTH = sorted(TERMS.keys() - set(KINKED))
+
+
+@pytest.fixture(scope="module")
+def exact():
+    """The first second of every smooth term, all in one adaptive integration of order eight."""
+    rows = {name: jnp.array(calm(name)) for name in SMOOTH}
+    ticks = jnp.arange(COARSE + 1) / COARSE
+
+    def begin(name, values):
+        now = instant(jnp.array(0.0), state().angle, state().angular_velocity)
+        leg_now = jnp.stack([now.angle, now.angular_velocity])
+        return jnp.concatenate([leg_now, TERMS[name](*values).memory_at_rest(now)])
+
+    def rate(name, values, time, phase):
+        term, now, memory = TERMS[name](*values), instant(time, phase[0], phase[1]), phase[2:]
+        acceleration = now.angular_acceleration + term.torque(now, memory) / now.inertia
+        changes = jnp.stack([now.angular_velocity, acceleration])
+        return jnp.concatenate([changes, term.memory_rate(now, memory)])
+
+    def shown(name, values, time, phase):
+        error = TERMS[name](*values).shown(instant(time, phase[0], phase[1]), phase[2:])
+        return jnp.stack([*phase[:2], phase[0] + error.angle])
+
+    def each(what, phases, time=None):
+        return {
+            name: jax.vmap(lambda values, phase, name=name: what(name, values, time, phase))(
+                rows[name], phases[name]
+            )
+            for name in SMOOTH
+        }
+
+    def solve():
+        steps = diffrax.PIDController(rtol=1e-10, atol=1e-10)
+        solution = diffrax.diffeqsolve(
+            diffrax.ODETerm(lambda time, phases, _: each(rate, phases, time)),
+            diffrax.Dopri8(),
+            0.0,
+            1.0,
+            1e-3,
+            {name: jax.vmap(lambda x, name=name: begin(name, x))(rows[name]) for name in SMOOTH},
+            saveat=diffrax.SaveAt(ts=ticks),
+            stepsize_controller=diffrax.ClipStepSizeController(
+                steps, jump_ts=jnp.array([PERIOD / 2])
+            ),
+            max_steps=10_000,
+        )
+        return jax.vmap(lambda time, phases: each(shown, phases, time))(ticks, solution.ys)
+
+    found = jax.jit(solve, compiler_options=QUICK)()
+    return {name: np.moveaxis(np.asarray(seen), 0, -1) for name, seen in found.items()}
+
+
+def calm(name):
+    """The starts from which the motion stays finite: elsewhere no method would agree with it."""
+    found = motion(name, starts(name), rate=FINE)
+    return starts(name)[np.isfinite(found.angle).all(axis=1)]
+
+
+@pytest.mark.parametrize("name", SMOOTH)
+def test_the_steps_agree_with_an_adaptive_method_of_order_eight(name, exact):
+    coarse = motion(name, calm(name))
+    fine = motion(name, calm(name), rate=FINE)
+    angle, velocity, shown = np.moveaxis(exact[name], 1, 0)
+    # 100 Hz: 2e-7 rad of the leg alone; a lag of half a step 5e-6, a reflex's threshold 2e-6
+    same(coarse.angle[:, : COARSE + 1], angle, 1e-5)
+    same(coarse.shown_angle[:, : COARSE + 1], shown, 1e-5)
+    # 3200 Hz: where a rate has a kink (|phi'|, a threshold), it costs about 1e-9
+    same(fine.angle[:, ::PER], angle, 1e-8)
+    same(fine.angular_velocity[:, ::PER], velocity, 1e-7)
+    same(fine.shown_angle[:, ::PER], shown, 1e-8)
+
+
+# In the step in which a jump falls, what jumps acts up to a whole step too long or too short.
+JUMPS = {
+    "backlash": 5e-4,  # the frame stops at a sample, not at the turn: phi'' h^2 / 8
+    "coulomb_friction": 1e-3,  # F h / J = 0.05 * 0.01 / 0.45 rad/s, for 1 s
+    "hard_stop": 1e-3,  # (h / 8) of the contact's 0.02 s, on the way of a bounce
+    "hysteresis": 1e-5,  # a kink, no jump
+    "stribeck_friction": 1e-3,  # as Coulomb's, with 0.08 N m
+}
+
+
+@pytest.mark.parametrize("name", KINKED)
+def test_steps_of_100_hz_agree_with_32_times_finer_ones(name):
+    coarse, fine = (motion(name, starts(name), rate=rate) for rate in (COARSE, FINE))
+    for each in ("angle", "shown_angle"):
+        found = getattr(coarse, each)[:, : COARSE + 1]
+        same(found, getattr(fine, each)[:, ::PER], JUMPS[name])
+
+
+# ------------------------------------------------------------------------------------------ energy
+
+
+def free(name, rows, rate=FINE):
+    """A leg without damping and torque, for 1 s of the fine grid."""
+    return motion(name, rows, rate=rate, amplitude=0, damping=0, start=state(velocity=3))
+
+
+def leg_energy(angle, velocity):
+    """Kinetic, gravity and spring [J]."""
+    kinetic = LEG["inertia"] * velocity**2 / 2
+    return kinetic + WEIGHT * np.sin(angle + THIGH) + LEG["stiffness"] * angle**2 / 2
+
+
+def end_range_energy(term, angle, velocity):
+    extension = term.extension * term.extension_width * np.exp(angle / term.extension_width)
+    bent = np.exp(-(angle + np.radians(120)) / term.flexion_width)
+    return extension + term.flexion * term.flexion_width * bent
+
+
+def stop_energy(term, angle, velocity):
+    side = 1 if term.angle > -np.pi / 2 else -1
+    depth = np.maximum(side * (angle - term.angle), 0)
+    return LEG["inertia"] * (np.pi / term.contact_time * depth) ** 2 / 2
+
+
+def axis_energy(term, angle, velocity):
+    """(J(phi) - J) phi'^2 / 2, and the integral of (m l(phi) - m l) g cos(phi + thigh) dphi."""
+    slope = -term.change / (np.pi / 2)
+    tilted = angle + THIGH
+    lifted = WEIGHT * slope * (angle * np.sin(tilted) + np.cos(tilted))
+    return LEG["inertia"] * 1.6 * slope * angle * velocity**2 / 2 + lifted
+
+
+# What a term adds to the energy of the leg.
+STORED = {
+    "torque_bias": lambda term, angle, velocity: -term.bias * angle,
+    "stiffness_rest_angle": lambda term, angle, velocity: (
+        -LEG["stiffness"] * term.rest_angle * angle
+    ),
+    "cubic_stiffness": lambda term, angle, velocity: term.coefficient * angle**4 / 4,
+    "end_range_stiffening": end_range_energy,
+    "hard_stop": stop_energy,
+    "polycentric_axis": axis_energy,
+}
+
+
+def with_term(name, rows, found):
+    """The energy of leg and term, a row for each row of parameters."""
+    return np.array(
+        [
+            leg_energy(angle, velocity) + STORED[name](TERMS[name](*row), angle, velocity)
+            for row, angle, velocity in zip(rows, found.angle, found.angular_velocity, strict=True)
+        ]
+    )
+
+
+def constant(energy, within):
+    return np.abs(energy - energy[:, :1]).max() < within
+
+
+def falling(energy, rounding=1e-13):
+    return np.diff(energy, axis=1).max() < rounding
+
+
+@pytest.mark.parametrize("name", STORED)
+def test_a_conservative_term_keeps_the_energy_of_leg_and_term(name):
+    rows = with_values(name, damping_ratio=0)
+    energy = with_term(name, rows, free(name, rows))
+    # Runge-Kutta loses (5 / 3200)^4 / 144 and less; where a stop's spring begins it has a kink
+    assert constant(energy, 1e-4 if name == "hard_stop" else 1e-11)
+
+
+DISSIPATIVE = {
+    "coulomb_friction": {"level": 2.0},
+    "stribeck_friction": {"excess": 2.0},
+    "quadratic_drag": {"coefficient": 1.0},
+}
+
+
+@pytest.mark.parametrize("name", DISSIPATIVE)
+@pytest.mark.parametrize("size", ["where a search begins", "large"])
+@pytest.mark.parametrize("rate", [COARSE, FINE])
+def test_a_term_that_brakes_never_raises_the_energy_of_a_free_leg(name, size, rate):
+    rows = starts(name) if size != "large" else with_values(name, **DISSIPATIVE[name])
+    found = free(name, rows, rate)
+    energy = leg_energy(found.angle, found.angular_velocity)[:, : rate + 1]
+    assert falling(energy)
+    assert (energy[:, -1] < energy[:, 0] - 0.01).all()
+
+
+def test_a_stop_gives_back_no_more_than_it_took():
+    rows = starts("hard_stop")
+    assert falling(with_term("hard_stop", rows, free("hard_stop", rows)), 1e-11)
+
+
+def remembered(name, rows):
+    """The free leg and the term's own state: (row, time) and (row, time, memory)."""
+    none = jnp.zeros(())
+
+    def one(values):
+        body = leg(damping=0)
+        still = Cycle(none, jnp.ones(()), none, none)
+        place = Place(
+            LegModel(body, NoTorque(), jnp.array(THIGH)).ratios(), body.inertia, still, none
+        )
+        terms, drive = (TERMS[name](*values),), Drive(none, none, none)
+
+        def advance(at, number):
+            after = extended_step(place, terms, at, number / FINE, jnp.array(1 / FINE), drive)
+            return after, at
+
+        begin = at_rest(place, terms, state(velocity=3), none, none)
+        return jax.lax.scan(advance, begin, jnp.arange(FINE))[1]
+
+    found = jax.jit(jax.vmap(one), compiler_options=QUICK)(jnp.array(rows))
+    return jax.tree.map(np.asarray, (found.leg, found.memory[0]))
+
+
+def relaxing_energy(term, angle, velocity, stretch):
+    return term.stiffness * stretch**2 / 2
+
+
+def yielding_energy(term, angle, velocity, yielded):
+    return term.level * term.yield_angle * yielded**2 / 2
+
+
+def frame_energy(term, angle, velocity, slip, speed):
+    lifted = term.frame_gravity * np.sin(angle + slip + THIGH)
+    return slip**2 / term.compliance / 2 + term.frame_inertia * speed**2 / 2 + lifted
+
+
+def soft_energy(term, angle, velocity, slip, speed):
+    """A share of weight and inertia is not on the bone but on a spring."""
+    inertia = term.share * term.spread * LEG["inertia"]
+    tied = (speed**2 - velocity**2 + (2 * np.pi * term.frequency * slip) ** 2) / 2
+    lifted = np.sin(angle + slip + THIGH) - np.sin(angle + THIGH)
+    return inertia * tied + term.share * WEIGHT * lifted
+
+
+def thigh_energy(term, angle, velocity, pitch, speed):
+    """The thigh's own, the leg's on a knee that moves, and the spring that feels the difference."""
+    rate = 2 * np.pi * term.frequency
+    coupling = term.thigh_length * LEG["mass"] * LEG["com_distance"]
+    inertia = 1 / (term.compliance * rate**2) + coupling**2 / LEG["inertia"]
+    own = (inertia * speed**2 + pitch**2 / term.compliance) / 2
+    carried = coupling * speed * velocity * np.cos(angle + THIGH)
+    felt = angle - pitch - term.sag
+    return own + carried + LEG["stiffness"] * (felt**2 - angle**2) / 2
+
+
+# What it adds to the energy, what makes it conservative, and whether its starts dissipate.
+REMEMBERED = {
+    "maxwell_element": (relaxing_energy, {"relaxation_time": np.inf}),
+    "hysteresis": (yielding_energy, {"level": 0.0}),
+    "cuff_compliance": (frame_energy, {"hinge_damping": 0.0, "damping_ratio": 0.0}),
+    "wobbling_mass": (soft_energy, {"damping_ratio": 0.0}),
+    "moving_base": (thigh_energy, {"damping_ratio": 0.0, "frequency": 4.0, "sag": 0.05}),
+}
+
+
+@pytest.mark.parametrize("name", REMEMBERED)
+def test_what_a_term_remembers_accounts_for_its_energy(name):
+    stored, conservative = REMEMBERED[name]
+    kinds = (with_values(name, **conservative), calm(name))
+    legs, memory = remembered(name, np.concatenate(kinds))
+    energy = leg_energy(legs.angle, legs.angular_velocity) + np.array(
+        [
+            stored(TERMS[name](*row), angle, velocity, *own.T)
+            for row, angle, velocity, own in zip(
+                np.concatenate(kinds), legs.angle, legs.angular_velocity, memory, strict=True
+            )
+        ]
+    )
+    kept, lost = energy[: len(kinds[0])], energy[len(kinds[0]) :]
+    assert constant(kept, 1e-9)  # of 10 J: ten times what 20 Hz lose in steps of 3200 Hz
+    assert falling(lost)
+    assert (lost[:, -1] < lost[:, 0] - 1e-3).all()
+
+
+# ------------------------------------------------------------------------------------ dry friction
+
+dry = pytest.mark.parametrize("name", DRY)
+
+
+def pull(angle):
+    """The torque of gravity and spring [N m]."""
+    return -WEIGHT * np.cos(angle + THIGH) - LEG["stiffness"] * angle
+
+
+def pulled_by(torque):
+    """The angle near rest at which gravity and spring pull with a torque."""
+    return brentq(lambda angle: pull(angle) - torque, -2.0, -0.5, xtol=1e-15)
+
+
+def friction_of(name, row):
+    """What it takes to start the leg [N m]."""
+    return row.sum() if name == "coulomb_friction" else row[0] + row[1]
+
+
+def large(name):
+    return starts(name) if name == "coulomb_friction" else with_values(name, excess=0.5, level=0.5)
+
+
+@names(DRY, CREEPS)
+@pytest.mark.parametrize("share", [-0.95, -0.3, 0.45, 0.95])
+def test_a_leg_at_rest_stays_where_friction_holds_it(name, share):
+    row = large(name)[0]
+    angle = pulled_by(share * friction_of(name, row))
+    found = motion(name, [row], start=state(angle, 0), amplitude=0)
+    assert (found.angular_velocity == 0).all()
+    same(found.angle, angle, 1e-14)
+
+
+@names(DRY, PULLED)
+def test_a_leg_that_sticks_does_not_accelerate(name):
+    row = large(name)[0]
+    angle = pulled_by(0.3 * friction_of(name, row))
+    found = motion(name, [row], start=state(angle, 0), amplitude=0)
+    assert found.angular_acceleration[0, 0] == 0
+
+
+@dry
+@pytest.mark.parametrize("share", [-1.2, 1.2])
+def test_a_leg_that_is_pulled_harder_than_friction_holds_starts_to_move(name, share):
+    row = large(name)[0]
+    angle = pulled_by(share * friction_of(name, row))
+    found = motion(name, [row], start=state(angle, 0), amplitude=0)
+    assert np.sign(found.angular_velocity[0, 1]) == np.sign(share)
+
+
+@dry
+def test_a_leg_comes_to_rest_where_friction_can_hold_it(name):
+    rows = large(name)
+    found = motion(name, rows, amplitude=0)
+    held = [friction_of(name, row) for row in rows]
+    assert (np.abs(pull(found.angle[:, -1])) <= held).all()
+    assert (found.angular_velocity[:, -COARSE:] == 0).all()
+
+
+@names(DRY, CREEPS)
+def test_a_leg_that_came_to_rest_stays_there_for_good(name):
+    rows = large(name)
+    found = motion(name, rows, amplitude=0)
+    for row, angle, velocity in zip(rows, found.angle, found.angular_velocity, strict=True):
+        held = np.abs(pull(angle)) <= friction_of(name, row)
+        stopped = np.flatnonzero(held & (velocity == 0))[0]
+        assert (velocity[stopped:] == 0).all()
+        assert (angle[stopped:] == angle[stopped]).all()
+
+
+def test_friction_without_excess_is_coulombs():
+    rows = with_values("stribeck_friction", excess=0.0, level=0.3)[:1]
+    found, expected = motion("stribeck_friction", rows), motion("coulomb_friction", [[0.3]])
+    same(found.angle, expected.angle, 1e-12)
+
+
+# -------------------------------------------------------------------- what single terms stand for
+
+
+def test_tissue_that_never_relaxes_is_a_spring_that_was_slack_at_the_start():
+    stiffness = 1.5
+    found = motion("maxwell_element", [[stiffness, np.inf]])
+    spring = motion(
+        "torque_bias",
+        [[stiffness * float(state().angle)]],
+        stiffness=LEG["stiffness"] + stiffness,
+    )
+    same(found.angle, spring.angle, 1e-6)  # RK4 sees the same motion in other coordinates
+
+
+def test_a_rest_angle_of_the_spring_is_a_constant_torque():
+    found = motion("stiffness_rest_angle", starts("stiffness_rest_angle"))
+    expected = motion("torque_bias", LEG["stiffness"] * starts("stiffness_rest_angle"))
+    same(found.angle, expected.angle, 1e-12)
+
+
+@pytest.mark.parametrize("angle", [0.5, -2.9])
+def test_a_stop_that_the_leg_does_not_reach_changes_nothing(angle):
+    found = motion("hard_stop", with_values("hard_stop", angle=angle), rate=FINE)
+    same(found.angle, plain(rate=FINE).angle, 1e-12)
+
+
+@pytest.mark.parametrize("contact", [0.02, 0.1])
+@pytest.mark.parametrize(("angle", "way"), [(-1.0, 1), (-2.2, -1)])
+def test_a_bounce_lasts_the_contact_time_and_gives_the_speed_back(contact, angle, way):
+    row = [contact, angle, 0.0]
+    begin = state(angle - way * 0.01, way * 9)
+    # no weight to speak of: it would pull the leg out of, or into, the stop
+    light = {"mass": 1e-6, "stiffness": 0.0, "damping": 0.0}
+    found = motion("hard_stop", [row], rate=FINE, start=begin, amplitude=0, **light)
+    inside = way * (found.angle[0] - angle) > 0
+    assert inside.sum() / FINE == pytest.approx(contact, abs=2 / FINE)
+    # (h / 8) of the contact's time may act too long: twice the speed times that share
+    assert found.angular_velocity[0, -1] == pytest.approx(-way * 9, rel=1e-2)
+
+
+def test_the_frame_follows_a_leg_with_play_and_rests_while_it_turns():
+    (row,) = with_values("backlash", half_play=0.05)[:1]
+    found = motion("backlash", [row], rate=FINE)
+    error = found.shown_angle[0] - found.angle[0]
+    inside = np.abs(error) < row[0] * (1 - 1e-5)
+    assert np.abs(error).max() <= row[0] + 1e-12
+    rests = inside[1:] & inside[:-1]
+    assert 0.05 < rests.mean() < 0.95
+    assert np.abs(np.diff(found.shown_angle[0])[rests]).max() < 1e-12
+    assert np.abs(found.shown_velocity[0, inside]).max() < 1e-12
+    same(found.shown_velocity[0, ~inside], found.angular_velocity[0, ~inside], 1e-12)
+
+
+@pytest.mark.parametrize("name", ["cuff_compliance"])
+def test_the_gyro_on_the_frame_shows_the_rate_of_the_angle_that_the_encoder_shows(name):
+    found = motion(name, starts(name), rate=FINE)
+    slope = np.gradient(found.shown_angle, 1 / FINE, axis=1, edge_order=2)
+    # h^2 / 6 of the third derivative of the angle: 30 rad/s^3, and a frame ringing at 10 Hz
+    same(found.shown_velocity[:, 1:-1], slope[:, 1:-1], 1e-3)
+
+
+def test_a_leg_that_flexes_slower_than_the_threshold_has_no_reflex():
+    row = with_values("stretch_reflex", threshold=4.0, gain=10.0)[:1]
+    found, bare = motion("stretch_reflex", row), plain()
+    assert np.abs(bare.angular_velocity).max() < 4
+    same(found.angle, bare.angle, 1e-12)
+
+
+def test_a_reflex_only_extends():
+    found = motion("stretch_reflex", with_values("stretch_reflex", threshold=0.5, gain=1.0)[:1])
+    missing = LEG["inertia"] * (found.angular_acceleration - eq_9(found))
+    assert missing.min() > -1e-12
+    assert missing.max() > 0.1
+
+
+def eq_9(found):
+    """phi'' without any term."""
+
+    def one(time, angle, velocity):
+        return instant(time, angle, velocity).angular_acceleration
+
+    each = (found.time[0], found.angle[0], found.angular_velocity[0])
+    return np.asarray(jax.vmap(one)(*(jnp.array(x) for x in each)))
+
+
+@pytest.mark.parametrize("number", [0.0, 3.0])
+def test_damping_drifts_with_the_number_of_the_segment(number):
+    now = instant(jnp.array(0.0), jnp.array(-0.5), jnp.array(2.0), number=number)
+    term = TERMS["fatigue"](jnp.array(0.1), jnp.array(0.0))
+    assert term.torque(now, jnp.zeros(0)) == pytest.approx(-0.1 * number * LEG["damping"] * 2)
+
+
+@pytest.mark.parametrize("share", [0.1, 0.4, 0.6, 0.9])
+def test_an_asymmetry_multiplies_the_second_half_of_the_cycle_alone(share):
+    now = instant(jnp.array(share * PERIOD), jnp.array(-0.5), jnp.array(2.0))
+    voluntary = (now.angular_acceleration - plain_acceleration(now)) * LEG["inertia"]
+    term = TERMS["torque_asymmetry"](jnp.array(0.5))
+    expected = 0.5 * float(voluntary) if share > 0.5 else 0.0
+    assert term.torque(now, jnp.zeros(0)) == pytest.approx(expected, abs=1e-12)
+
+
+def plain_acceleration(now):
+    return instant(now.time, now.angle, now.angular_velocity, amplitude=0.0).angular_acceleration
+
+
+# ----------------------------------------------------------------------------------------- sensors
+
+SENSORS = [name for name, term in TERMS.items() if issubclass(term, SensorTerm)]
+
+
+@pytest.mark.parametrize("name", SENSORS)
+def test_an_error_of_a_sensor_leaves_the_motion_alone(name):
+    found, bare = motion(name, starts(name)), plain()
+    for each in ("angle", "angular_velocity", "angular_acceleration"):
+        same(getattr(found, each), getattr(bare, each), 1e-13)  # another program: rounding
+
+
+@pytest.mark.parametrize("name", SENSORS)
+def test_an_error_of_a_sensor_is_shown(name):
+    found = motion(name, starts(name))
+    error = np.abs(found.shown_angle - found.angle) + np.abs(
+        found.shown_velocity - found.angular_velocity
+    )
+    assert (error.max(axis=1) > 1e-3).all()
+
+
+@pytest.mark.parametrize("samples", [-3, 2])
+def test_a_gyro_read_late_by_whole_samples_shows_earlier_samples(samples):
+    found = motion("sensor_skew", [[samples / COARSE]])
+    moved = np.roll(found.angular_velocity[0], samples)
+    inner = slice(5, -5)
+    same(found.shown_velocity[0, inner], moved[inner], 1e-12)
+
+
+def sine(time):
+    """A signal of 2 Hz and its slope."""
+    return jnp.sin(4 * jnp.pi * time), 4 * jnp.pi * jnp.cos(4 * jnp.pi * time)
+
+
+TICKS = jnp.arange(201) / COARSE
+
+
+@given(st.floats(-0.06, 0.06))
+def test_a_delayed_sine_is_the_sine_of_an_earlier_time(delay):
+    found = delayed(TICKS, *sine(TICKS), jnp.full(TICKS.shape, delay))
+    inner = slice(7, -7)
+    # cubic Hermite: h^4 / 384 of the fourth derivative
+    within = 1e-8 / 384 * (4 * np.pi) ** 4 * 1.001 + 1e-14
+    same(found[inner], sine(TICKS - delay)[0][inner], within)
+
+
+def test_the_delay_may_differ_from_sample_to_sample_and_the_samples_lie_unevenly():
+    steps = np.random.default_rng(0).uniform(0.002, 0.01, 300)
+    time = jnp.array(np.cumsum(steps))
+    delay = 0.03 * jnp.sin(7 * time)
+    found = delayed(time, *sine(time), delay)
+    inner = slice(20, -20)
+    same(found[inner], sine(time - delay)[0][inner], 1e-8 / 384 * (4 * np.pi) ** 4 * 1.001)
+
+
+@pytest.mark.parametrize("delay", [-0.5, 0.0, 0.013, 0.5])
+def test_a_straight_line_goes_on_beyond_its_ends(delay):
+    found = delayed(TICKS, 3 * TICKS - 1, jnp.full(TICKS.shape, 3.0), jnp.full(TICKS.shape, delay))
+    same(found, 3 * (TICKS - delay) - 1, 1e-13)
+
+
+@pytest.mark.parametrize("delay", [0.0, 0.01, 0.0137, -0.02])
+def test_the_derivative_with_respect_to_the_delay_is_the_slope_a_moment_before(delay):
+    def shown(delay):
+        return delayed(TICKS, *sine(TICKS), jnp.full(TICKS.shape, delay))
+
+    slope = jax.jacfwd(shown)(jnp.array(delay))
+    inner = slice(3, -3)
+    # the slope of cubic Hermite: sqrt(3) / 216 h^3 of the fourth derivative
+    same(slope[inner], -sine(TICKS - delay)[1][inner], 1e-6 * np.sqrt(3) / 216 * (4 * np.pi) ** 4)
