@@ -1,6 +1,6 @@
 """Every term of the library against the laws of mechanics, and the time loop that carries them."""
 
-from functools import cache
+from functools import cache, partial
 from itertools import product
 
 import diffrax
@@ -10,9 +10,11 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from jaxtyping import TypeCheckError
+from scipy.integrate import trapezoid
 from scipy.optimize import brentq
 
-from exoid.physics.extended import at_rest, delayed, extended_step
+from exoid.physics.extended import at_rest, delayed, extended_step, missing
 from exoid.physics.leg import GRAVITY, LegModel, LegParameters
 from exoid.physics.library import library, name_of
 from exoid.physics.moment import Cycle, Moment, Place
@@ -28,13 +30,14 @@ WEIGHT = LEG["mass"] * LEG["com_distance"] * GRAVITY  # N m
 PERIOD = 0.8  # s, so that the cycle's kink at 0.4 s meets a sample at any rate used here
 AMPLITUDE = -5.39  # N m
 THIGH = 0.1  # rad
-COARSE, FINE = 100, 3200  # Hz
+COARSE, FINE = 100, 1600  # Hz
 PER = FINE // COARSE
-STEPS = FINE  # 1 s of the fine grid, 32 s of the coarse one
+STEPS = FINE  # 1 s of the fine grid, 16 s of the coarse one
 ROWS = 12  # of parameter values, in one program
 LOWEST, HIGHEST = -1.55, -0.26  # rad, of a drop from -15 deg
 
-QUICK = {"xla_backend_optimization_level": 0}  # nobody waits for the machine code to be fast
+# Compiling takes nearly all the time of this file; its machine code need not be fast.
+QUICK = {"xla_backend_optimization_level": 0, "xla_cpu_use_fusion_emitters": False}
 
 TERMS = {name_of(term): term for term in library()}
 every_term = pytest.mark.parametrize("name", TERMS)
@@ -45,7 +48,12 @@ def names(chosen, faults):
     return pytest.mark.parametrize(
         "name",
         [
-            pytest.param(name, marks=pytest.mark.xfail(reason=faults[name], raises=AssertionError))
+            pytest.param(
+                name,
+                marks=pytest.mark.xfail(
+                    reason=faults[name], raises=(AssertionError, TypeCheckError)
+                ),
+            )
             if name in faults
             else name
             for name in chosen
@@ -53,19 +61,22 @@ def names(chosen, faults):
     )
 
 
-SINGULAR = {"moving_base": "1 / w^2 < C mu^2 / J from 7.6 Hz on: the mass matrix is singular"}
 UNSTABLE = {
     "activation_lag": "steps of 10 ms are unstable below t_a = 3.6 ms",
     "cubic_stiffness": "with k_3 = -20 the leg runs away to infinity",
     "cuff_compliance": "four parts of a step are too few for zeta = 2 on a light, stiff frame",
     "end_range_stiffening": "a step of 10 ms is too long for 100 N m within 0.04 rad",
     "hysteresis": "steps of 10 ms are unstable where phi' passes phi_y three times in a step",
-    "moving_base": "1 / w^2 < C mu^2 / J: the mass matrix is singular",
-    "wobbling_mass": "two parts of a step are too few for zeta = 2 at 20 Hz",
+    "wobbling_mass": "two parts of a step are too few for zeta = 2 at 15 Hz and beta = 0.6",
 }
 DRY = ("coulomb_friction", "stribeck_friction")
 CREEPS = dict.fromkeys(DRY, "a leg that sticks moves by pull / J h^2 / 2 in every step")
-PULLED = dict.fromkeys(DRY, "a leg that sticks is said to accelerate")
+ABOVE = "a stop above the hanging angle is taken for one of extension, also at the lower end"
+ALONE = dict.fromkeys(
+    ("polycentric_axis", "wobbling_mass"),
+    "its torque is made of the acceleration by Eq. 9 without any other term",
+)
+ACCELERATES = dict.fromkeys(DRY, "a leg that sticks is said to accelerate")
 
 
 def leg(**changes):
@@ -80,7 +91,7 @@ def state(angle=-0.26, velocity=0.5):
 def program(name):
     """The motion and its derivative along a change of the parameters, for many values at once.
 
-    Compiling takes nearly all the time of this file: one program per term serves every test.
+    One program per term serves every test.
     """
 
     def one(values, leg, thigh, start, amplitude, time):
@@ -191,6 +202,22 @@ def test_every_search_begins_somewhere_inside_the_range(name, ends):
         assert all(said.lower <= place <= said.upper for place in places)
 
 
+@pytest.mark.parametrize(
+    "ends",
+    [
+        pytest.param(ends, marks=pytest.mark.xfail(reason=ABOVE, raises=AssertionError))
+        if ends[0] + 0.03 > -np.pi / 2
+        else ends
+        for ends in RANGES
+    ],
+)
+def test_a_stop_is_sought_where_a_leg_in_the_middle_of_its_range_does_not_touch_it(ends):
+    for angle in dict(declarations(TERMS["hard_stop"]))["angle"].starts(*ends):
+        term = TERMS["hard_stop"](jnp.array(0.1), jnp.array(angle), jnp.array(0.3))
+        now = instant(jnp.array(0.0), jnp.array(np.mean(ends)), jnp.array(0.0))
+        assert term.torque(now, jnp.zeros(0)) == 0
+
+
 # Where absence is not the first parameter at zero.
 ABSENT = {
     "encoder_eccentricity": {"sine": 0.0, "cosine": 0.0},
@@ -211,8 +238,9 @@ def absent(name):
 def test_a_term_of_size_zero_changes_nothing(name):
     found, bare = motion(name, absent(name), rate=FINE), plain(rate=FINE)
     for each in ("angle", "angular_velocity", "angular_acceleration"):
-        # a term may cut the steps in parts: 2e-7 rad of 100 Hz fall to (1/32)^4 of that
-        same(getattr(found, each), getattr(bare, each), 1e-11)
+        # a term may cut steps in parts: of 2e-7 rad at 100 Hz (1/16)^4 are left, 3e-12, times 5 / s
+        # for each derivative
+        same(getattr(found, each), getattr(bare, each), 1e-10)
     same(found.shown_angle, found.angle, 0)
     same(found.shown_velocity, found.angular_velocity, 1e-13)  # rounding of an interpolation
 
@@ -300,13 +328,13 @@ def test_all_that_a_term_says_is_finite_wherever_a_leg_may_be(name):
     assert all(np.isfinite(leaf).all() for leaf in jax.tree.leaves(found))
 
 
-@names(TERMS, SINGULAR)
+@every_term
 def test_the_motion_is_finite_wherever_a_search_begins(name):
     found = motion(name, starts(name))
     assert all(np.isfinite(leaf).all() for leaf in jax.tree.leaves(found))
 
 
-@names(TERMS, SINGULAR)
+@every_term
 def test_the_gradient_of_what_is_shown_is_finite_where_a_search_begins(name):
     rows, changes = along_every_parameter(starts(name))
     _, slope = run(name, rows, changes)
@@ -370,7 +398,7 @@ SMOOTH = sorted(TERMS.keys() - set(KINKED))
 @pytest.fixture(scope="module")
 def exact():
     """The first second of every smooth term, all in one adaptive integration of order eight."""
-    rows = {name: jnp.array(calm(name)) for name in SMOOTH}
+    rows = {name: jnp.array(starts(name)) for name in SMOOTH}
     ticks = jnp.arange(COARSE + 1) / COARSE
 
     def begin(name, values):
@@ -417,21 +445,15 @@ def exact():
     return {name: np.moveaxis(np.asarray(seen), 0, -1) for name, seen in found.items()}
 
 
-def calm(name):
-    """The starts from which the motion stays finite: elsewhere no method would agree with it."""
-    found = motion(name, starts(name), rate=FINE)
-    return starts(name)[np.isfinite(found.angle).all(axis=1)]
-
-
 @pytest.mark.parametrize("name", SMOOTH)
 def test_the_steps_agree_with_an_adaptive_method_of_order_eight(name, exact):
-    coarse = motion(name, calm(name))
-    fine = motion(name, calm(name), rate=FINE)
+    coarse = motion(name, starts(name))
+    fine = motion(name, starts(name), rate=FINE)
     angle, velocity, shown = np.moveaxis(exact[name], 1, 0)
     # 100 Hz: 2e-7 rad of the leg alone; a lag of half a step 5e-6, a reflex's threshold 2e-6
     same(coarse.angle[:, : COARSE + 1], angle, 1e-5)
     same(coarse.shown_angle[:, : COARSE + 1], shown, 1e-5)
-    # 3200 Hz: where a rate has a kink (|phi'|, a threshold), it costs about 1e-9
+    # 1600 Hz: where a rate has a kink (|phi'|, a threshold), it costs about 5e-9
     same(fine.angle[:, ::PER], angle, 1e-8)
     same(fine.angular_velocity[:, ::PER], velocity, 1e-7)
     same(fine.shown_angle[:, ::PER], shown, 1e-8)
@@ -448,7 +470,7 @@ JUMPS = {
 
 
 @pytest.mark.parametrize("name", KINKED)
-def test_steps_of_100_hz_agree_with_32_times_finer_ones(name):
+def test_steps_of_100_hz_agree_with_16_times_finer_ones(name):
     coarse, fine = (motion(name, starts(name), rate=rate) for rate in (COARSE, FINE))
     for each in ("angle", "shown_angle"):
         found = getattr(coarse, each)[:, : COARSE + 1]
@@ -471,7 +493,7 @@ def leg_energy(angle, velocity):
 
 def end_range_energy(term, angle, velocity):
     extension = term.extension * term.extension_width * np.exp(angle / term.extension_width)
-    bent = np.exp(-(angle + np.radians(120)) / term.flexion_width)
+    bent = np.exp(-(angle + 2.1) / term.flexion_width)
     return extension + term.flexion * term.flexion_width * bent
 
 
@@ -524,26 +546,48 @@ def falling(energy, rounding=1e-13):
 def test_a_conservative_term_keeps_the_energy_of_leg_and_term(name):
     rows = with_values(name, damping_ratio=0)
     energy = with_term(name, rows, free(name, rows))
-    # Runge-Kutta loses (5 / 3200)^4 / 144 and less; where a stop's spring begins it has a kink
+    # Runge-Kutta loses (5 / 1600)^4 / 144 and less; where a stop's spring begins it has a kink
     assert constant(energy, 1e-4 if name == "hard_stop" else 1e-11)
 
 
-DISSIPATIVE = {
-    "coulomb_friction": {"level": 2.0},
-    "stribeck_friction": {"excess": 2.0},
-    "quadratic_drag": {"coefficient": 1.0},
+def stribeck_level(term, speed):
+    return term.level + term.excess * np.exp(-((speed / term.speed) ** 2))
+
+
+# The torque that brakes [N m], and a size that is large.
+BRAKES = {
+    "coulomb_friction": (lambda term, speed: term.level, {"level": 2.0}),
+    "stribeck_friction": (stribeck_level, {"excess": 2.0}),
+    "quadratic_drag": (lambda term, speed: term.coefficient * speed**2, {"coefficient": 1.0}),
 }
+brakes = pytest.mark.parametrize("name", BRAKES)
+sizes = pytest.mark.parametrize("size", ["where a search begins", "large"])
 
 
-@pytest.mark.parametrize("name", DISSIPATIVE)
-@pytest.mark.parametrize("size", ["where a search begins", "large"])
+def braked(name, size):
+    return with_values(name, **BRAKES[name][1]) if size == "large" else starts(name)
+
+
+@brakes
+@sizes
 @pytest.mark.parametrize("rate", [COARSE, FINE])
 def test_a_term_that_brakes_never_raises_the_energy_of_a_free_leg(name, size, rate):
-    rows = starts(name) if size != "large" else with_values(name, **DISSIPATIVE[name])
-    found = free(name, rows, rate)
+    found = free(name, braked(name, size), rate)
     energy = leg_energy(found.angle, found.angular_velocity)[:, : rate + 1]
     assert falling(energy)
-    assert (energy[:, -1] < energy[:, 0] - 0.01).all()
+
+
+@brakes
+@sizes
+def test_a_term_that_brakes_takes_its_torque_times_the_way_from_the_energy(name, size):
+    rows = braked(name, size)
+    found = free(name, rows)
+    energy = leg_energy(found.angle, found.angular_velocity)
+    for row, speed, left in zip(rows, np.abs(found.angular_velocity), energy, strict=True):
+        power = speed * BRAKES[name][0](TERMS[name](*row), speed)
+        lost = trapezoid(power, dx=1 / FINE)
+        # trapezoids and half steps: h^2; in the step of a turn or a stop, F v h
+        assert left[0] - left[-1] == pytest.approx(lost, rel=2e-3)
 
 
 def test_a_stop_gives_back_no_more_than_it_took():
@@ -587,12 +631,14 @@ def frame_energy(term, angle, velocity, slip, speed):
     return slip**2 / term.compliance / 2 + term.frame_inertia * speed**2 / 2 + lifted
 
 
-def soft_energy(term, angle, velocity, slip, speed):
-    """A share of weight and inertia is not on the bone but on a spring."""
-    inertia = term.share * term.spread * LEG["inertia"]
-    tied = (speed**2 - velocity**2 + (2 * np.pi * term.frequency * slip) ** 2) / 2
-    lifted = np.sin(angle + slip + THIGH) - np.sin(angle + THIGH)
-    return inertia * tied + term.share * WEIGHT * lifted
+def soft_energy(term, angle, velocity, across, along, across_rate, along_rate):
+    """A part of the leg's mass is not fixed at its radius, but x across and y along from there."""
+    mass = term.share * LEG["mass"] * LEG["com_distance"] / term.radius
+    away, tilted = term.radius + along, angle + THIGH
+    speed = (along_rate - across * velocity) ** 2 + (across_rate + away * velocity) ** 2
+    spring = (2 * np.pi * term.frequency) ** 2 * (across**2 + along**2)
+    lifted = along * np.sin(tilted) + across * np.cos(tilted)
+    return mass * ((speed - (term.radius * velocity) ** 2 + spring) / 2 + GRAVITY * lifted)
 
 
 def thigh_energy(term, angle, velocity, pitch, speed):
@@ -606,20 +652,20 @@ def thigh_energy(term, angle, velocity, pitch, speed):
     return own + carried + LEG["stiffness"] * (felt**2 - angle**2) / 2
 
 
-# What it adds to the energy, what makes it conservative, and whether its starts dissipate.
+# What it adds to the energy, and what makes it conservative (hysteresis always dissipates).
 REMEMBERED = {
     "maxwell_element": (relaxing_energy, {"relaxation_time": np.inf}),
     "hysteresis": (yielding_energy, {"level": 0.0}),
     "cuff_compliance": (frame_energy, {"hinge_damping": 0.0, "damping_ratio": 0.0}),
     "wobbling_mass": (soft_energy, {"damping_ratio": 0.0}),
-    "moving_base": (thigh_energy, {"damping_ratio": 0.0, "frequency": 4.0, "sag": 0.05}),
+    "moving_base": (thigh_energy, {"damping_ratio": 0.0, "sag": 0.05}),
 }
 
 
 @pytest.mark.parametrize("name", REMEMBERED)
 def test_what_a_term_remembers_accounts_for_its_energy(name):
     stored, conservative = REMEMBERED[name]
-    kinds = (with_values(name, **conservative), calm(name))
+    kinds = (with_values(name, **conservative), starts(name))
     legs, memory = remembered(name, np.concatenate(kinds))
     energy = leg_energy(legs.angle, legs.angular_velocity) + np.array(
         [
@@ -630,7 +676,7 @@ def test_what_a_term_remembers_accounts_for_its_energy(name):
         ]
     )
     kept, lost = energy[: len(kinds[0])], energy[len(kinds[0]) :]
-    assert constant(kept, 1e-9)  # of 10 J: ten times what 20 Hz lose in steps of 3200 Hz
+    assert constant(kept, 1e-9)  # of 10 J: ten times what 10 Hz lose in steps of 1600 Hz
     assert falling(lost)
     assert (lost[:, -1] < lost[:, 0] - 1e-3).all()
 
@@ -669,7 +715,7 @@ def test_a_leg_at_rest_stays_where_friction_holds_it(name, share):
     same(found.angle, angle, 1e-14)
 
 
-@names(DRY, PULLED)
+@names(DRY, ACCELERATES)
 def test_a_leg_that_sticks_does_not_accelerate(name):
     row = large(name)[0]
     angle = pulled_by(0.3 * friction_of(name, row))
@@ -735,7 +781,7 @@ def test_a_rest_angle_of_the_spring_is_a_constant_torque():
 @pytest.mark.parametrize("angle", [0.5, -2.9])
 def test_a_stop_that_the_leg_does_not_reach_changes_nothing(angle):
     found = motion("hard_stop", with_values("hard_stop", angle=angle), rate=FINE)
-    same(found.angle, plain(rate=FINE).angle, 1e-12)
+    same(found.angle, plain(rate=FINE).angle, 1e-11)  # steps in parts, as above
 
 
 @pytest.mark.parametrize("contact", [0.02, 0.1])
@@ -765,9 +811,8 @@ def test_the_frame_follows_a_leg_with_play_and_rests_while_it_turns():
     same(found.shown_velocity[0, ~inside], found.angular_velocity[0, ~inside], 1e-12)
 
 
-@pytest.mark.parametrize("name", ["cuff_compliance"])
-def test_the_gyro_on_the_frame_shows_the_rate_of_the_angle_that_the_encoder_shows(name):
-    found = motion(name, starts(name), rate=FINE)
+def test_the_gyro_on_the_frame_shows_the_rate_of_the_angle_that_the_encoder_shows():
+    found = motion("cuff_compliance", starts("cuff_compliance"), rate=FINE)
     slope = np.gradient(found.shown_angle, 1 / FINE, axis=1, edge_order=2)
     # h^2 / 6 of the third derivative of the angle: 30 rad/s^3, and a frame ringing at 10 Hz
     same(found.shown_velocity[:, 1:-1], slope[:, 1:-1], 1e-3)
@@ -780,11 +825,20 @@ def test_a_leg_that_flexes_slower_than_the_threshold_has_no_reflex():
     same(found.angle, bare.angle, 1e-12)
 
 
+def test_a_reflex_waits_until_the_leg_flexes_faster_than_the_threshold():
+    begin, row = state(-1.9, 5), with_values("stretch_reflex", threshold=2.0, gain=1.0)[:1]
+    found, bare = motion("stretch_reflex", row, start=begin), plain(start=begin)
+    assert bare.angular_velocity[0] > 2  # extending counts for nothing
+    first = np.flatnonzero(bare.angular_velocity < -2)[0]
+    same(found.angle[0, : first + 1], bare.angle[: first + 1], 1e-12)
+    assert np.abs(found.angle[0, first : first + 30] - bare.angle[first : first + 30]).max() > 1e-3
+
+
 def test_a_reflex_only_extends():
     found = motion("stretch_reflex", with_values("stretch_reflex", threshold=0.5, gain=1.0)[:1])
-    missing = LEG["inertia"] * (found.angular_acceleration - eq_9(found))
-    assert missing.min() > -1e-12
-    assert missing.max() > 0.1
+    torque = LEG["inertia"] * (found.angular_acceleration - eq_9(found))
+    assert torque.min() > -1e-12
+    assert torque.max() > 0.1
 
 
 def eq_9(found):
@@ -829,13 +883,34 @@ def test_an_error_of_a_sensor_leaves_the_motion_alone(name):
         same(getattr(found, each), getattr(bare, each), 1e-13)  # another program: rounding
 
 
-@pytest.mark.parametrize("name", SENSORS)
-def test_an_error_of_a_sensor_is_shown(name):
-    found = motion(name, starts(name))
-    error = np.abs(found.shown_angle - found.angle) + np.abs(
-        found.shown_velocity - found.angular_velocity
-    )
-    assert (error.max(axis=1) > 1e-3).all()
+def eccentric(term, angle, velocity):
+    return angle + term.sine * np.sin(angle) + term.cosine * np.cos(angle), velocity
+
+
+# What encoder and gyro show.
+SHOWN = {
+    "angle_offset": lambda term, angle, velocity: (angle + term.offset, velocity),
+    "encoder_eccentricity": eccentric,
+    "encoder_gain": lambda term, angle, velocity: ((1 + term.gain) * angle, velocity),
+    "gyro_bias": lambda term, angle, velocity: (angle, velocity + term.bias),
+    "gyro_scale": lambda term, angle, velocity: (angle, (1 + term.scale) * velocity),
+}
+
+
+@pytest.mark.parametrize("name", SHOWN)
+def test_a_sensor_shows_what_its_formula_says(name):
+    rows = starts(name)
+    found = motion(name, rows)
+    for number, row in enumerate(rows):
+        expected = SHOWN[name](
+            TERMS[name](*row), found.angle[number], found.angular_velocity[number]
+        )
+        same(found.shown_angle[number], expected[0], 1e-14)
+        same(found.shown_velocity[number], expected[1], 1e-13)  # rounding of an interpolation
+
+
+def test_a_gyro_read_late_is_the_only_error_without_a_formula():
+    assert set(SENSORS) - SHOWN.keys() == {"sensor_skew"}
 
 
 @pytest.mark.parametrize("samples", [-3, 2])
@@ -852,11 +927,12 @@ def sine(time):
 
 
 TICKS = jnp.arange(201) / COARSE
+late = jax.jit(delayed)
 
 
 @given(st.floats(-0.06, 0.06))
 def test_a_delayed_sine_is_the_sine_of_an_earlier_time(delay):
-    found = delayed(TICKS, *sine(TICKS), jnp.full(TICKS.shape, delay))
+    found = late(TICKS, *sine(TICKS), jnp.full(TICKS.shape, delay))
     inner = slice(7, -7)
     # cubic Hermite: h^4 / 384 of the fourth derivative
     within = 1e-8 / 384 * (4 * np.pi) ** 4 * 1.001 + 1e-14
@@ -867,23 +943,56 @@ def test_the_delay_may_differ_from_sample_to_sample_and_the_samples_lie_unevenly
     steps = np.random.default_rng(0).uniform(0.002, 0.01, 300)
     time = jnp.array(np.cumsum(steps))
     delay = 0.03 * jnp.sin(7 * time)
-    found = delayed(time, *sine(time), delay)
+    found = late(time, *sine(time), delay)
     inner = slice(20, -20)
     same(found[inner], sine(time - delay)[0][inner], 1e-8 / 384 * (4 * np.pi) ** 4 * 1.001)
 
 
 @pytest.mark.parametrize("delay", [-0.5, 0.0, 0.013, 0.5])
 def test_a_straight_line_goes_on_beyond_its_ends(delay):
-    found = delayed(TICKS, 3 * TICKS - 1, jnp.full(TICKS.shape, 3.0), jnp.full(TICKS.shape, delay))
+    found = late(TICKS, 3 * TICKS - 1, jnp.full(TICKS.shape, 3.0), jnp.full(TICKS.shape, delay))
     same(found, 3 * (TICKS - delay) - 1, 1e-13)
 
 
 @pytest.mark.parametrize("delay", [0.0, 0.01, 0.0137, -0.02])
 def test_the_derivative_with_respect_to_the_delay_is_the_slope_a_moment_before(delay):
     def shown(delay):
-        return delayed(TICKS, *sine(TICKS), jnp.full(TICKS.shape, delay))
+        return late(TICKS, *sine(TICKS), jnp.full(TICKS.shape, delay))
 
-    slope = jax.jacfwd(shown)(jnp.array(delay))
+    slope = jax.jit(jax.jacfwd(shown))(jnp.array(delay))
     inner = slice(3, -3)
     # the slope of cubic Hermite: sqrt(3) / 216 h^3 of the fourth derivative
     same(slope[inner], -sine(TICKS - delay)[1][inner], 1e-6 * np.sqrt(3) / 216 * (4 * np.pi) ** 4)
+
+
+# ----------------------------------------------------------------------------------- several terms
+
+
+@names(("polycentric_axis", "wobbling_mass"), ALONE)
+def test_a_torque_turns_the_inertia_that_another_term_leaves(name):
+    angle, push = -1.2, 5.0
+    term = TERMS[name](*jnp.array(starts(name)[0]))
+    now = instant(jnp.array(0.1), jnp.array(angle), jnp.array(1.0))
+    own, none = term.memory_at_rest(now), jnp.zeros(0)
+    added = missing((term, TERMS["torque_bias"](jnp.array(push))), now, (own, none))
+    if name == "polycentric_axis":
+        inertia = LEG["inertia"] * (1 - 1.6 * float(term.change) * angle / (np.pi / 2))
+    else:
+        mass = float(term.share) * LEG["mass"] * LEG["com_distance"] / float(term.radius)
+        inertia = LEG["inertia"] - mass * float(term.radius) ** 2
+    assert added - missing((term,), now, (own,)) == pytest.approx(push / inertia)
+
+
+@pytest.mark.xfail(
+    reason="Motion's annotation asks for memories of one size", raises=TypeCheckError
+)
+def test_terms_with_memories_of_different_sizes_act_together_in_any_order():
+    tissue = TERMS["maxwell_element"](jnp.array(0.5), jnp.array(0.4))
+    tone = TERMS["torque_bias"](jnp.array(0.3))
+
+    @partial(jax.jit, compiler_options=QUICK)
+    def angle(terms):
+        time = jnp.arange(COARSE + 1) / COARSE
+        return simulate(LegModel(leg(), NoTorque(), jnp.array(THIGH), terms), state(), time).angle
+
+    same(angle((tissue, tone)), angle((tone, tissue)), 1e-13)

@@ -16,11 +16,14 @@ from exoid.fit.local import columns
 from exoid.fit.observation import Observation
 from exoid.fit.problem import Problem
 from exoid.fit.program import called
+from exoid.physics.library import name_of
 from exoid.physics.parameter import Declaration, declarations
 from exoid.physics.term import Term
 
 SLOTS = 2  # terms of a lane
-PINNED = jax.tree.structure(Pinned(np.zeros(()), np.zeros(())))
+NUMBER = np.zeros(())
+PINNED = jax.tree.structure(Pinned(NUMBER, Course(NUMBER, NUMBER, NUMBER)))
+RELEASED = jax.tree.structure((NUMBER, NUMBER))
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,7 +114,12 @@ class Bench:
         return flattened(scaled(coordinates))
 
     def starts(self, term: type[Term]) -> list[np.ndarray]:
-        """Where the search for a term begins."""
+        """Where the search for a term begins: what the sensors said among themselves, else as
+        declared.
+        """
+        for error in self.sensors.errors:
+            if error.name == name_of(term):
+                return [np.array([error.value])]
         low, high = self.range
         each = [
             declared.starts(low, high) if callable(declared.starts) else declared.starts
@@ -132,16 +140,17 @@ class Bench:
 
     def evaluate(
         self, candidates: list[Candidate], courses: list[Course], observation: Observation
-    ) -> list[tuple[Products, np.ndarray]]:
-        """The products of every candidate along its course, and what its terms show."""
-        results: list[tuple[Products, np.ndarray] | None] = [None] * len(candidates)
+    ) -> list[tuple[Products, Course]]:
+        """The products of every candidate, and the course along which they are."""
+        results: list[tuple[Products, Course] | None] = [None] * len(candidates)
         waiting = list(range(len(candidates)))
         while waiting:
             batch, waiting = self.packed(waiting, candidates)
-            gram, shown = self.run(batch, candidates, courses, observation)
+            found = self.run(batch, candidates, courses, observation)
             for lane, number in enumerate(batch):
-                each = self.placed(candidates[number], gram[lane])
-                results[number] = (Products(each), shown[lane])
+                each = self.placed(candidates[number], found.gram[lane])
+                own = jax.tree.map(lambda leaf, lane=lane: leaf[lane], found.course)
+                results[number] = (Products(each), own)
         return results  # type: ignore[return-value]
 
     @property
@@ -162,7 +171,7 @@ class Bench:
                 rest.append(number)
         return batch, rest
 
-    def run(self, batch, candidates, courses, observation):
+    def run(self, batch, candidates, courses, observation) -> Pinned:
         lanes = self.lanes + 1  # the last one takes the requests that nobody made
         values, owners, slots = [], [], []
         for term in self.library:
@@ -191,14 +200,14 @@ class Bench:
             stacked,
             np.array([candidates[number].bias for number in chosen]),
             course,
+            self.course,
             observation,
             self.problem.known,
             self.clock,
             np.asarray(self.problem.steps),
         )
         static = (self.library, self.problem.chain)
-        found = called("exoid.diagnose.pinned:evaluate", arguments, static, PINNED)
-        return found.gram, found.shown
+        return called("exoid.diagnose.pinned:evaluate", arguments, static, PINNED)
 
     def release(
         self, candidates: list[Candidate], observation: Observation
@@ -216,10 +225,10 @@ class Bench:
             np.asarray(self.problem.steps),
         )
         static = (terms, self.problem.chain)
-        found = called("exoid.diagnose.free:release", arguments, static, PINNED)
+        gram, shown = called("exoid.diagnose.free:release", arguments, static, RELEASED)
         return [
-            (Products(self.spread(candidate, gram, range(gram.shape[-1]))), shown)
-            for candidate, gram, shown in zip(candidates, found.gram, found.shown, strict=True)
+            (Products(self.spread(candidate, own, range(own.shape[-1]))), seen)
+            for candidate, own, seen in zip(candidates, gram, shown, strict=True)
         ]
 
     def placed(self, candidate: Candidate, gram: np.ndarray) -> np.ndarray:

@@ -1,14 +1,16 @@
 """A candidate running free: its own simulation of every segment, with exact derivatives."""
 
 from functools import partial
+from typing import Any
 
+import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
 from jax.flatten_util import ravel_pytree
 from jaxtyping import Array, Float, Int
 
-from exoid.diagnose.pinned import FREE, Clock, Pinned, named, place_of
+from exoid.diagnose.pinned import FREE, Clock, named, place_of
 from exoid.fit.chain import Chain
 from exoid.fit.coordinates import TYPICAL, Coordinates, seated
 from exoid.fit.observation import Observation
@@ -17,6 +19,13 @@ from exoid.physics.extended import at_rest, delayed, extended_step, observed
 from exoid.physics.state import LegState
 from exoid.physics.step import Drive, march
 from exoid.physics.term import Term
+
+
+class Released(eqx.Module):
+    """(J, r)'(J, r) of every lane and segment, and what the sensors would show."""
+
+    gram: Float[Any, "lane segment column column"]
+    shown: Float[Any, "lane segment time channel"]  # rad, rad/s
 
 
 def release(
@@ -28,7 +37,7 @@ def release(
     clock: Clock,
     steps: Int[Array, ""],
     static: tuple[tuple[type[Term], ...], Chain],
-) -> Pinned:
+) -> Released:
     """Every lane's misfit and derivatives, and the motion that its sensors would show.
 
     Columns as in `pinned`: baseline unknowns, gyro bias, all terms' parameters, residual.
@@ -43,7 +52,7 @@ def release(
         )
 
     gram, shown = jax.vmap(lane)(values, points, bias)
-    return Pinned(gram, shown)
+    return Released(gram, shown)
 
 
 def segment(terms, chain, steps, values, bias, shared, mounting, own, observation, known, clock):

@@ -31,6 +31,7 @@ from exoid.physics.state import LegState
 from exoid.physics.step import Drive, march, rk4
 from exoid.physics.term import Term
 
+BATCH = 64  # lanes and segments at once
 MOST = 6  # parameters of a term
 FREE = Stage(jnp.zeros(()), jnp.zeros((), int))
 
@@ -63,7 +64,7 @@ class Pinned(eqx.Module):
     """(J, r)'(J, r) of every lane and segment: baseline unknowns, gyro bias, terms, residual."""
 
     gram: Float[Any, "lane segment column column"]
-    shown: Float[Any, "lane segment time channel"]  # of the lane's terms
+    course: Course  # along which
 
 
 def evaluate(
@@ -73,6 +74,7 @@ def evaluate(
     points: Coordinates,
     bias: Float[Array, " lane"],
     courses: Course,
+    measured: Course,
     observation: Observation,
     known: Float[Array, "segment unknown"],
     clock: Clock,
@@ -81,11 +83,14 @@ def evaluate(
 ) -> Pinned:
     """Every lane's misfit and its derivatives.
 
+    `courses` are where the lanes were last, `measured` is what the sensors show.
+
     Of each term in `static` there are requests: its parameters' `values`, the lane that they belong
     to and which of the lane's terms they are (`slots`).
     """
     terms, chain = static
     count = bias.shape[0]
+    courses = read(values, lanes, points, courses, measured, observation, clock, terms)
     pushes, shown = nothing(observation, count, 2)
     for term, value, lane, slot in zip(terms, values, lanes, slots, strict=True):
         own = jax.tree.map(lambda leaf, lane=lane: leaf[lane], (points, courses))
@@ -95,19 +100,49 @@ def evaluate(
         shown = shown.at[lane, slot].add(error)
     each = partial(segment_gram, steps=steps, chain=chain)
     by_segment = jax.vmap(each, in_axes=(None, 0, 0, 0, 0, 0, 0, 0, None))
+    lanes_at_once = max(1, BATCH // observation.time.shape[0])
     mounting = jax.vmap(jax.vmap(seated, in_axes=(None, 0)), in_axes=(0, None))
-    gram = jax.vmap(by_segment, in_axes=(0, 0, 0, 0, None, None, 0, 0, 0))(
+    own = (
         points.shared,
         mounting(points.mounting, observation.seat),
         points.own,
         courses,
-        observation,
-        known,
         jax.tree.map(lambda leaf: jnp.moveaxis(together(leaf), 2, 1), pushes),
         jnp.moveaxis(together(shown), 2, 1),
         bias,
     )
-    return Pinned(gram, shown[:, :, 0].sum(axis=1))
+
+    def lane(own):
+        return by_segment(*own[:4], observation, known, *own[4:])
+
+    gram = jax.lax.map(lane, own, batch_size=lanes_at_once)
+    return Pinned(gram, courses)
+
+
+def read(values, lanes, points, courses, measured, observation, clock, terms) -> Course:
+    """The leg's motion behind what the sensors show, if the lanes' terms are right."""
+    angle = jnp.zeros_like(courses.angle)
+    for term, value, lane in zip(terms, values, lanes, strict=True):
+        if term.shown is Term.shown:
+            continue
+        own = jax.tree.map(lambda leaf, lane=lane: leaf[lane], (points, courses))
+
+        def error(value, point, course, term=term):
+            return everywhere(named(term, value), point, course, observation, clock).shown[..., 0]
+
+        angle = angle.at[lane].add(jax.vmap(error)(value, *own))
+    slope = jax.vmap(jax.vmap(rate), in_axes=(0, None))
+    velocity = slope(angle, observation.time)
+    errors = Course(angle, velocity, slope(velocity, observation.time))
+    return jax.tree.map(jnp.subtract, measured, errors)
+
+
+def rate(value, time):
+    """The time derivative, by the parabola through three samples."""
+    steps, rises = jnp.diff(time), jnp.diff(value)
+    slopes = rises / steps
+    inner = (slopes[:-1] * steps[1:] + slopes[1:] * steps[:-1]) / (steps[1:] + steps[:-1])
+    return jnp.concatenate([slopes[:1], inner, slopes[-1:]])
 
 
 def nothing(observation: Observation, lanes: int, slots: int):
@@ -135,11 +170,7 @@ def columns(
     """A term's effect and its derivatives, in the order (effect, derivatives, nothing)."""
 
     def effect(value):
-        one = partial(effect_of, named(term, value), point.shared)
-        return jax.vmap(one)(
-            jax.vmap(seated, in_axes=(None, 0))(point.mounting, observation.seat),
-            point.own, course, observation, clock,
-        )  # fmt: skip
+        return everywhere(named(term, value), point, course, observation, clock)
 
     now = effect(value)
     slopes = jax.jacfwd(effect)(value)
@@ -152,6 +183,13 @@ def columns(
 
     stack = jax.tree.map(stacked, now, slopes)
     return stack.push, stack.shown
+
+
+def everywhere(term: Term, point: Coordinates, course: Course, observation, clock) -> Effect:
+    """One term along all segments."""
+    mounting = jax.vmap(seated, in_axes=(None, 0))(point.mounting, observation.seat)
+    one = partial(effect_of, term, point.shared)
+    return jax.vmap(one)(mounting, point.own, course, observation, clock)
 
 
 def named(term: type[Term], value: Float[Array, " parameter"]) -> Term:
@@ -275,75 +313,90 @@ def rubbing(term: Term, at, begin: LegState, end: LegState) -> Drive:
 def segment_gram(
     shared, mounting, own, course, observation, known, pushes, shown, bias, *, steps, chain
 ) -> Float[Array, "column column"]:
-    """The products of one segment: baseline unknowns, gyro bias, terms' parameters, residual."""
+    """The products of one segment: baseline unknowns, gyro bias, terms' parameters, residual.
+
+    The last column is no derivative but where the simulation stands beside the course.
+    """
     unknowns = (shared, mounting, own)
     point, unravel = ravel_pytree(unknowns)
     sizes = (TYPICAL.shared, TYPICAL.mounting, TYPICAL.own)
     unit, _ = ravel_pytree(jax.tree.map(jnp.full_like, unknowns, sizes))
-    terms = pushes.begin.shape[0]  # derivatives, then their sum
-    base = known.size
-    count = base + 1 + terms
+    base, terms = known.size, shown.shape[0]
 
     def setup(scaled):
         shared, mounting, own = unravel(scaled * unit)
         eq = equation(shared, mounting, own, observation, FREE)
         return eq, sensor_map(mounting, observation), LegState(own.angle, own.angular_velocity)
 
-    directions = jnp.concatenate([jnp.diag(1 - known), jnp.zeros((1 + terms, base))])
     (eq, sensors, start), (by_eq, by_sensors, by_start) = along(
-        setup, (point / unit,), (directions,)
+        setup, (point / unit,), (jnp.diag(1 - known),)
     )
-    # The last column is no derivative but where the simulation stands beside the course.
-    course_at = LegState(course.angle, course.angular_velocity)
-    offset = jax.tree.map(lambda a, b: a - b[0], start, course_at)
-    carried = jax.tree.map(lambda by, off: by.at[-1].set(off), by_start, offset)
+    pinned = LegState(course.angle, course.angular_velocity)
+    steppers = jax.vmap(partial(linear_step, eq, by_eq, pinned, observation))
+    carry, by_base, by_push, defect = steppers(jnp.arange(course.angle.size - 1))
+    pushed = moved_by(by_push, pushes, eq).at[:, -1].add(defect)
+    added = jnp.concatenate([by_base, jnp.zeros_like(by_base[:, :1]), pushed], axis=1)
 
-    def at(index):
-        return jax.tree.map(lambda leaf: leaf[index], course_at)
+    begin = jnp.stack(jax.tree.leaves(by_start), axis=1)
+    offset = jnp.stack([start.angle - course.angle[0], start.angular_velocity - pinned.angular_velocity[0]])
+    begin = jnp.concatenate([begin, jnp.zeros((1 + terms, 2)).at[-1].set(offset)])
 
-    def forward(index, carried):
-        def step(eq, state, missing):
-            return advance(eq, state, index, observation, FREE, missing)
+    def forward(index, state):
+        return state @ carry[index].T + added[index]
 
-        def pushed(leaf):
-            return jnp.concatenate([jnp.zeros(base + 1), leaf[:, index] / eq.share])
+    def store(index, state, folded):
+        memory, table = folded
+        memory, seen = jax.vmap(chain.push)(memory, LegState(state[:, 0], state[:, 1]))
+        return memory, table.at[index].set(jnp.stack([seen.angle, seen.angular_velocity], axis=1))
 
-        zero = jnp.zeros(())
-        following, changes = along(
-            step,
-            (eq, at(index), Drive(zero, zero, zero)),
-            (by_eq, carried, jax.tree.map(pushed, pushes)),
-        )
-        defect = jax.tree.map(lambda a, b: a - b, following, at(index + 1))
-        return jax.tree.map(lambda by, off: by.at[-1].add(off), changes, defect)
+    memory = jax.vmap(chain.begin)(LegState(begin[:, 0], begin[:, 1]))
+    table = jnp.zeros((course.angle.size, *begin.shape))
+    moved = march(forward, store, begin, (memory, table), steps)[1]
 
-    def gather(index, carried, gathered):
-        memory, total = gathered
-        now, error = at(index), shown[:, index]
+    nothing = jnp.zeros((base, *shown.shape[1:]))
+    drifting = jnp.zeros((1, *shown.shape[1:])).at[..., 1].set(1.0)
+    errors = jnp.moveaxis(jnp.concatenate([nothing, drifting, shown]), 0, 1)
+    by_sensors = jnp.concatenate([by_sensors, jnp.zeros((1 + terms, 3))])
 
-        def show(state, error_angle, error_velocity, sensors):
-            seen = LegState(state.angle + error_angle, state.angular_velocity + error_velocity)
-            return residual(seen, sensors, index, observation)
+    def show(index):
+        tangents = jnp.moveaxis(moved[index] + errors[index], 1, 0)
 
-        memory, filtered = jax.vmap(chain.push)(memory, with_course(now, carried))
-        tangents = without_course(filtered)
-        none = jnp.zeros(base)
-        errors = [jnp.concatenate([none, jnp.array([float(k)]), error[:, k]]) for k in (0, 1)]
-        zero = jnp.zeros(())
-        reference = jax.tree.map(lambda leaf: leaf[-1] * 0.0 + leaf[base], filtered)
-        value, rows = along(
-            show, (reference, zero, zero, sensors), (tangents, *errors, by_sensors)
-        )
-        rows = rows.at[-1].add(value + bias * rows[base])
-        return memory, total + outer(rows)
+        def misfit(angle, velocity, sensors):
+            return residual(LegState(angle, velocity), sensors, index, observation)
 
-    def with_course(now, carried):
-        return jax.tree.map(lambda a, by: a + by, now, carried)
+        here = (course.angle[index], course.angular_velocity[index], sensors)
+        value, rows = along(misfit, here, (*tangents, by_sensors))
+        return rows.at[-1].add(value + bias * rows[base])
 
-    def without_course(filtered):
-        return jax.tree.map(lambda leaf: leaf - leaf[base], filtered)
+    rows = jax.vmap(show)(jnp.arange(course.angle.size))
+    rows = jnp.where(jnp.arange(course.angle.size)[:, None, None] <= steps, rows, 0.0)
+    flat = jnp.moveaxis(rows, 1, 0).reshape(rows.shape[1], -1)
+    return flat @ flat.T
 
-    first = with_course(at(0), carried)
-    memory = jax.vmap(chain.begin)(first)
-    total = jnp.zeros((count, count))
-    return march(forward, gather, carried, (memory, total), steps)[1]
+
+def moved_by(by_push, pushes: Drive, eq: Equation) -> Float[Array, "step column state"]:
+    """What torques at the stage times of every step do to its end."""
+    return jnp.einsum("tsp,pct->tcs", by_push, jnp.stack(jax.tree.leaves(pushes)) / eq.share)
+
+
+def linear_step(eq, by_eq, pinned, observation, index):
+    """One step from the course: its derivatives by state, by every baseline unknown and by the
+    torques at its begin, middle and end, and how far it ends from the course.
+    """
+
+    def step(eq, state, missing):
+        return advance(eq, state, index, observation, FREE, missing)
+
+    zero = jnp.zeros(())
+    here, after = (jax.tree.map(lambda leaf, i=i: leaf[i], pinned) for i in (index, index + 1))
+    following, by_base = along(
+        lambda eq: step(eq, here, Drive(zero, zero, zero)), (eq,), (by_eq,)
+    )
+    carry = jax.jacfwd(lambda state: vector(step(eq, LegState(*state), Drive(zero, zero, zero))))
+    push = jax.jacfwd(lambda missing: vector(step(eq, here, Drive(*missing))))
+    defect = vector(following) - vector(after)
+    return carry(vector(here)), jnp.stack(jax.tree.leaves(by_base), 1), push(jnp.zeros(3)), defect
+
+
+def vector(state: LegState):
+    return jnp.stack([state.angle, state.angular_velocity])

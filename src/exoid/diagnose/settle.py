@@ -46,8 +46,7 @@ def settle(
     seen = bench.seen if observation is None else observation
 
     def evaluate(candidates, courses):
-        found = bench.evaluate(candidates, courses, seen)
-        return [(products, read(bench, shown)) for products, shown in found]
+        return bench.evaluate(candidates, courses, seen)
 
     return descend(bench, candidates, [bench.course] * len(candidates), evaluate, rounds)
 
@@ -94,18 +93,6 @@ def judged(before: Settled, candidate: Candidate, gain: float, products, course)
         return replace(before, damping=before.damping * HARDER, resting=gain < STEADY)
     easier = before.damping * EASIER
     return Settled(candidate, products, course, easier, resting=gain < STEADY and not careful)
-
-
-def read(bench: Bench, shown: np.ndarray) -> Course:
-    """The leg's motion, where its terms show the sensors something else."""
-    measured = bench.course
-    if not shown.any():
-        return measured
-    time = np.asarray(bench.seen.time)
-    error = shown[..., 0]
-    slope = np.stack([np.gradient(row, t) for row, t in zip(error, time, strict=True)])
-    curve = np.stack([np.gradient(row, t) for row, t in zip(slope, time, strict=True)])
-    return jax.tree.map(np.subtract, measured, Course(error, slope, curve))
 
 
 def step(bench: Bench, at: Settled) -> tuple[Candidate, float]:

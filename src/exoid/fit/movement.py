@@ -17,6 +17,7 @@ from exoid.recording.recording import Recording, Samples, Segment, Sensors
 
 FEWEST = 10  # samples that a movement must have to be fitted
 RELEASE = 0.2  # s before 20 deg/s are reached, within which a leg was let go
+MARKED = 0.06  # s of rest in front of a movement that was marked at its release
 STILL = np.radians(2.0)  # rad/s, reached within 2 ms of a release
 SETTLING = 0.15  # s of rest before a cycle below which its clock starts with the segment
 
@@ -132,13 +133,16 @@ def extent(
 
 
 def release(segment: Segment, part: slice) -> int:
-    """The last sample at rest before a movement; else the segment's first, where that is near."""
+    """The first sample of a segment that was marked at its release, else the last one at rest.
+
+    Play and compliance may keep the sensors at rest for a moment after the leg was let go.
+    """
     first = int(np.searchsorted(segment.time, segment.time[part.start] - RELEASE))
     speed = np.abs(best_velocity(segment)[first : part.start + 1])
     still = np.flatnonzero(speed < STILL)
-    if still.size:
-        return first + int(still[-1])
-    return first if first == 0 else part.start
+    if first == 0 and (not still.size or segment.time[still[-1]] - segment.time[0] < MARKED):
+        return 0
+    return first + int(still[-1]) if still.size else part.start
 
 
 def find_onset(segment: Segment) -> float:

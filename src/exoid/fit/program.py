@@ -26,7 +26,7 @@ from exoid.fit.chain import Chain
 from exoid.fit.condense import Sensed
 from exoid.fit.task import SENSED, SOLVED, Solved
 
-SOURCES = ("fit/*.py", "physics/**/*.py", "recording/kalman.py", "diagnose/pinned.py")  # whose code is in the program
+SOURCES = ("fit/*.py", "physics/**/*.py", "recording/kalman.py", "diagnose/pinned.py", "diagnose/free.py")  # whose code is in the program
 LIBRARIES = ("jax", "jaxlib", "equinox", "lineax", "optimistix")  # likewise
 DIGEST = 32  # bytes of the checksum before a kept program
 UNREADABLE = "Error reading persistent compilation cache"  # what XLA's Python side says of it
