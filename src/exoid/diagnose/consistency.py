@@ -39,6 +39,12 @@ class Consistency:
     excess: float  # rms of what remains between the sensors, over their noise
     references: list[Reference]
 
+    @property
+    def delay(self) -> float:
+        """By which the gyro clearly is late [s], else 0."""
+        known = [each.value for each in self.errors if each.name == "sensor_skew" and each.clear]
+        return known[0] if known else 0.0
+
 
 def consistency(seen: Observation) -> Consistency:
     """Compare encoder and gyro over all segments; samples of weight 0 were not measured."""
@@ -64,7 +70,9 @@ def consistency(seen: Observation) -> Consistency:
             ERRORS, total, np.diag(covariance), UNITS, strict=True
         )
     ]
-    found = np.array([value if each.clear else 0.0 for each, value in zip(errors, total)])
+    found = np.array(
+        [value if each.clear else 0.0 for each, value in zip(errors, total, strict=True)]
+    )
     excess = float(np.sqrt(max(1.0, misfit)))
     references = [
         smooth(time, corrected(time, data, motion, found), weights / [1.0, excess])
@@ -82,9 +90,7 @@ def segment(seen: Observation, number: int) -> tuple[Samples, np.ndarray, np.nda
     return np.asarray(seen.time[number])[:count], data[:count], weights[:count]
 
 
-def corrected(
-    time: Samples, data: np.ndarray, motion: Reference, errors: np.ndarray
-) -> np.ndarray:
+def corrected(time: Samples, data: np.ndarray, motion: Reference, errors: np.ndarray) -> np.ndarray:
     """The data as a right gyro would have shown them."""
     scale, bias, delay = errors
     velocity = motion.angular_velocity

@@ -1,13 +1,13 @@
 """The compiled program: the whole library at once, each term along the motion that was measured.
 
 A free-running simulation is linear in what is wrong with it only as long as little is. Here the
-simulation is pinned to the measured motion x of every sample (multiple shooting with a node at each)
+simulation is pinned to the measured motion x at every sample (multiple shooting, a node at each),
 and what it does otherwise is carried along linearly:
 
     d(i+1) = F_x d(i) + F_z dz + F_u u(i) + F(x(i)) - x(i+1)
 
-so that the misfit is exact to second order in the noise wherever the model is right, however far the
-baseline is from it, and a term costs its torque along x and no simulation.
+so that the misfit is exact to second order in the noise wherever the model is right, however far
+the baseline is from it, and a term costs its torque along x and no simulation.
 """
 
 from functools import partial
@@ -20,7 +20,7 @@ from jax.flatten_util import ravel_pytree
 from jaxtyping import Array, Float, Int
 
 from exoid.fit.chain import Chain
-from exoid.fit.condense import along, outer
+from exoid.fit.condense import along
 from exoid.fit.coordinates import TYPICAL, Coordinates, seated
 from exoid.fit.observation import Observation
 from exoid.fit.residual import Equation, Stage, advance, equation, residual, sensor_map
@@ -96,8 +96,9 @@ def evaluate(
         own = jax.tree.map(lambda leaf, lane=lane: leaf[lane], (points, courses))
         one = partial(columns, term, observation=observation, clock=clock)
         push, error = jax.vmap(one)(value, *own)
-        pushes = jax.tree.map(lambda all, new: all.at[lane, slot].add(new), pushes, push)
-        shown = shown.at[lane, slot].add(error)
+        at = (lane, slot)
+        pushes = jax.tree.map(lambda all, new, at=at: all.at[at].add(new), pushes, push)
+        shown = shown.at[at].add(error)
     each = partial(segment_gram, steps=steps, chain=chain)
     by_segment = jax.vmap(each, in_axes=(None, 0, 0, 0, 0, 0, 0, 0, None))
     lanes_at_once = max(1, BATCH // observation.time.shape[0])
@@ -248,7 +249,11 @@ def effect_of(term: Term, shared, mounting, own, course, observation, clock) -> 
 
 def stages(course: Course, step) -> tuple[LegState, LegState, LegState]:
     """The leg at the begin, middle and end of every step; Hermite's rule in between."""
-    angle, velocity, acceleration = course.angle, course.angular_velocity, course.angular_acceleration
+    angle, velocity, acceleration = (
+        course.angle,
+        course.angular_velocity,
+        course.angular_acceleration,
+    )
     begin, end = LegState(angle[:-1], velocity[:-1]), LegState(angle[1:], velocity[1:])
     middle = LegState(
         (angle[:-1] + angle[1:]) / 2 + step / 8 * (velocity[:-1] - velocity[1:]),
@@ -338,7 +343,9 @@ def segment_gram(
     added = jnp.concatenate([by_base, jnp.zeros_like(by_base[:, :1]), pushed], axis=1)
 
     begin = jnp.stack(jax.tree.leaves(by_start), axis=1)
-    offset = jnp.stack([start.angle - course.angle[0], start.angular_velocity - pinned.angular_velocity[0]])
+    offset = jnp.stack(
+        [start.angle - course.angle[0], start.angular_velocity - pinned.angular_velocity[0]]
+    )
     begin = jnp.concatenate([begin, jnp.zeros((1 + terms, 2)).at[-1].set(offset)])
 
     def forward(index, state):
@@ -389,9 +396,7 @@ def linear_step(eq, by_eq, pinned, observation, index):
 
     zero = jnp.zeros(())
     here, after = (jax.tree.map(lambda leaf, i=i: leaf[i], pinned) for i in (index, index + 1))
-    following, by_base = along(
-        lambda eq: step(eq, here, Drive(zero, zero, zero)), (eq,), (by_eq,)
-    )
+    following, by_base = along(lambda eq: step(eq, here, Drive(zero, zero, zero)), (eq,), (by_eq,))
     carry = jax.jacfwd(lambda state: vector(step(eq, LegState(*state), Drive(zero, zero, zero))))
     push = jax.jacfwd(lambda missing: vector(step(eq, here, Drive(*missing))))
     defect = vector(following) - vector(after)

@@ -1,7 +1,7 @@
 """The motion that the sensors show, smoothed without any leg model.
 
-Angle, rate and acceleration of every sample are unknowns tied by a jerk that is white noise; encoder
-and gyro are met within their noise. How much the jerk scatters is where the data are most likely.
+Angle, rate and acceleration of every sample are unknowns tied by a jerk that is white noise;
+encoder and gyro are met within their noise. The jerk scatters as makes the data most likely.
 """
 
 from dataclasses import dataclass
@@ -117,6 +117,4 @@ def smoothed(time: Samples, data: Pairs, weights: Pairs, jerk: float) -> Referen
     spread = float(np.sum(np.log(smoother.factor[-1])))
     likelihood = -misfit / 2 - spread - 3 * smoother.log_scale
     angle, velocity, acceleration = motion.T
-    return Reference(
-        angle, velocity, acceleration, smoother.spread(), misfit, likelihood, smoother
-    )
+    return Reference(angle, velocity, acceleration, smoother.spread(), misfit, likelihood, smoother)

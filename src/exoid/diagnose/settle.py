@@ -1,14 +1,11 @@
 """Bring candidates to their best: Levenberg-Marquardt within bounds, all of them together."""
 
 from dataclasses import dataclass, replace
-
 from typing import Any
 
-import jax
 import numpy as np
 
 from exoid.diagnose.bench import Bench, Candidate, Products
-from exoid.diagnose.pinned import Course
 from exoid.fit.observation import Observation
 
 ROUNDS = 12

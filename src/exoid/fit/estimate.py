@@ -47,11 +47,7 @@ def fit(
     """
     named = [("recording", recordings)] if isinstance(recordings, Recording) else recordings
     check_one_leg(named)
-    movements = [
-        movement(recording, number, f"{name} {number}" if len(named) > 1 else str(number), belongs)
-        for belongs, (name, recording) in enumerate(named)
-        for number in range(len(recording.segments))
-    ]
+    movements = movements_of(named)
     plain = misfit == "paper"
     belief = believe(
         named[0][1].subject, prior, weight * PLAIN_SCALE**2 if plain else weight, plain
@@ -74,6 +70,18 @@ def fit(
     ]
     voluntary = any(each.voluntary for each in movements)
     return describe(problem, ended, best if voluntary else None, others[0] if others else None)
+
+
+def movements_of(named: list[tuple[str, Recording]], *, whole: bool = False) -> list[Movement]:
+    """Every segment of every recording as it enters a fit, or `whole`."""
+    several = len(named) > 1
+    return [
+        movement(
+            recording, number, f"{name} {number}" if several else str(number), belongs, whole=whole
+        )
+        for belongs, (name, recording) in enumerate(named)
+        for number in range(len(recording.segments))
+    ]
 
 
 def check_one_leg(named: list[tuple[str, Recording]]) -> None:

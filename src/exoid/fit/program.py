@@ -26,7 +26,13 @@ from exoid.fit.chain import Chain
 from exoid.fit.condense import Sensed
 from exoid.fit.task import SENSED, SOLVED, Solved
 
-SOURCES = ("fit/*.py", "physics/**/*.py", "recording/kalman.py", "diagnose/pinned.py", "diagnose/free.py")  # whose code is in the program
+SOURCES = (
+    "fit/*.py",
+    "physics/**/*.py",
+    "recording/kalman.py",
+    "diagnose/pinned.py",
+    "diagnose/free.py",
+)  # whose code is in the program
 LIBRARIES = ("jax", "jaxlib", "equinox", "lineax", "optimistix")  # likewise
 DIGEST = 32  # bytes of the checksum before a kept program
 UNREADABLE = "Error reading persistent compilation cache"  # what XLA's Python side says of it
@@ -72,12 +78,19 @@ def with_sound_programs(task: Callable[[], Result]) -> Result:
 
 def run(starts, aim, observation, known, prior, limits, task, chain: Chain) -> Solved:
     """`solve`, with NumPy arrays in and out."""
-    return called("exoid.fit.solve:solve", (starts, aim, observation, known, prior, limits, task), chain, SOLVED)
+    return called(
+        "exoid.fit.solve:solve",
+        (starts, aim, observation, known, prior, limits, task),
+        chain,
+        SOLVED,
+    )
 
 
 def run_sense(point, observation, known, pushes, stage, chain: Chain) -> Sensed:
     """`sense_all`, with NumPy arrays in and out."""
-    return called("exoid.fit.solve:sense_all", (point, observation, known, pushes, stage), chain, SENSED)
+    return called(
+        "exoid.fit.solve:sense_all", (point, observation, known, pushes, stage), chain, SENSED
+    )
 
 
 def called(name: str, arguments: tuple, static, structure):

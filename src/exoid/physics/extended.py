@@ -11,7 +11,7 @@ from exoid.physics.leg import angular_acceleration
 from exoid.physics.moment import Moment, Place
 from exoid.physics.state import LegState
 from exoid.physics.step import Drive, rk4
-from exoid.physics.term import Memory, Reading, Term, reading
+from exoid.physics.term import Reading, Term, reading
 
 Terms = tuple[Term, ...]
 
@@ -20,7 +20,7 @@ class Motion(eqx.Module):
     """The leg's state and that of every term."""
 
     leg: LegState
-    memory: tuple[Memory, ...]
+    memory: tuple[Array, ...]
 
 
 class Seen(eqx.Module):
@@ -47,10 +47,21 @@ def at_rest(place: Place, terms: Terms, leg: LegState, time: Any, push: Any) -> 
     return Motion(leg, tuple(term.memory_at_rest(now) for term in terms))
 
 
-def missing(terms: Terms, now: Moment, memory: tuple[Memory, ...]) -> Float[Array, "*batch"]:
-    """The terms' torque per inertia [rad/s^2], but for dry friction."""
-    torques = [term.torque(now, own) for term, own in zip(terms, memory, strict=True)]
-    return sum(torques, jnp.zeros(())) / now.inertia
+def missing(terms: Terms, now: Moment, memory: tuple[Array, ...]) -> Float[Array, "*batch"]:
+    """The terms' torque per inertia [rad/s^2], but for dry friction.
+
+    What changes the leg's inertia acts on all that moves it, the other terms' torques included.
+    """
+    pushed = now.angular_acceleration
+    for inertial in (False, True):
+        at = eqx.tree_at(lambda now: now.angular_acceleration, now, pushed)
+        torques = [
+            term.torque(at, own)
+            for term, own in zip(terms, memory, strict=True)
+            if term.inertial is inertial
+        ]
+        pushed = pushed + sum(torques, jnp.zeros(())) / now.inertia
+    return pushed - now.angular_acceleration
 
 
 def extended_step(
@@ -90,15 +101,26 @@ def whole_step(
         changes = tuple(
             term.memory_rate(now, own) for term, own in zip(terms, at.memory, strict=True)
         )
-        return Motion(LegState(at.leg.angular_velocity, acceleration), changes)
+        return Motion(LegState(free * at.leg.angular_velocity, free * acceleration), changes)
 
-    motion = rk4(rate, slowed(place, terms, motion, time, step / 2, drive.begin), step)
+    motion = slowed(place, terms, motion, time, step / 2, drive.begin)
+    free = jnp.where(sticks(place, terms, motion, time, drive.begin), 0.0, 1.0)
+    motion = rk4(rate, motion, step)
     motion = slowed(place, terms, motion, time + step, step / 2, drive.end)
     now = moment(place, motion.leg, time + step, drive.end)
     kept = tuple(
         term.memory_within(now, own) for term, own in zip(terms, motion.memory, strict=True)
     )
     return Motion(motion.leg, kept)
+
+
+def sticks(place: Place, terms: Terms, motion: Motion, time: Any, push: Any):
+    """Does the leg stand still, with more friction than what pulls at it?"""
+    now = moment(place, motion.leg, time, push)
+    pulled = now.angular_acceleration + missing(terms, now, motion.memory)
+    level = friction(terms, now)
+    held = jnp.abs(pulled) * now.inertia <= level
+    return (motion.leg.angular_velocity == 0) & held & (level > 0)
 
 
 def slowed(place: Place, terms: Terms, motion: Motion, time: Any, step: Any, push: Any) -> Motion:
@@ -123,6 +145,7 @@ def observed(place: Place, terms: Terms, motion: Motion, time: Any, push: Any) -
     error = errors(terms, now, motion.memory)
     opposed = jnp.sign(leg.angular_velocity) * friction(terms, now) / place.inertia
     acceleration = now.angular_acceleration + missing(terms, now, motion.memory) - opposed
+    acceleration = jnp.where(sticks(place, terms, motion, time, push), 0.0, acceleration)
     return Seen(
         angle=leg.angle,
         angular_velocity=leg.angular_velocity,
@@ -134,7 +157,7 @@ def observed(place: Place, terms: Terms, motion: Motion, time: Any, push: Any) -
     )
 
 
-def errors(terms: Terms, now: Moment, memory: tuple[Memory, ...]) -> Reading:
+def errors(terms: Terms, now: Moment, memory: tuple[Array, ...]) -> Reading:
     """What the sensors show minus how the leg moves."""
     each = [term.shown(now, own) for term, own in zip(terms, memory, strict=True)]
     return sum(each, reading(0.0 * now.angle))

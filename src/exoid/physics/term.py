@@ -30,7 +30,7 @@ def reading(angle=0.0, angular_velocity=0.0, delay=0.0) -> Reading:
 
 
 class Term(eqx.Module):
-    """Something that Eq. 9 leaves out. Its first parameter is its size: without it, it is absent.
+    """Something that Eq. 9 leaves out. Its first parameter is its size.
 
     Parameters are fields declared by `parameter`, with the places where a search begins. What a
     term does not say for itself is nothing.
@@ -44,6 +44,7 @@ class Term(eqx.Module):
     memory_size: ClassVar[int] = 0  # of a state of its own
     substeps: ClassVar[int] = 1  # of a time step, where the term is faster than the leg
     voluntary: ClassVar[bool] = False  # does it change the torque of Eq. 10, and nothing else
+    inertial: ClassVar[bool] = False  # does its torque hang on the acceleration
 
     def torque(self, now: Moment, memory: Memory) -> Float[Array, ""]:
         """The missing torque [N m], extension positive."""

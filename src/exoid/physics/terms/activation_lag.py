@@ -20,6 +20,7 @@ class ActivationLag(PhysicsTerm):
     )
     isolate: ClassVar[str] = "EMG, or a metronome on the recording's own clock"
     memory_size: ClassVar[int] = 1
+    substeps: ClassVar[int] = 4
     voluntary: ClassVar[bool] = True
 
     lag: Float[Any, ""] = parameter("t_a", "s", 0.001, 0.4, "activation time", (0.005, 0.05))

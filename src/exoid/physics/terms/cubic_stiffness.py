@@ -21,7 +21,7 @@ class CubicStiffness(PhysicsTerm):
     isolate: ClassVar[str] = "drops from several angles, with an encoder checked at a known angle"
 
     coefficient: Float[Any, ""] = parameter(
-        "k_3", "N m/rad^3", -20.0, 20.0, "cubic stiffness", (0.2,)
+        "k_3", "N m/rad^3", -3.0, 10.0, "cubic stiffness", (0.2,)
     )
 
     def torque(self, now: Moment, memory: Memory) -> Float[Array, ""]:

@@ -29,10 +29,10 @@ class CuffCompliance(PhysicsTerm):
     substeps: ClassVar[int] = 4
 
     compliance: Float[Any, ""] = parameter(
-        "C", "rad/(N m)", 1e-3, 0.3, "compliance of the cuffs", (0.02, 0.08)
+        "C", "rad/(N m)", 2e-3, 0.3, "compliance of the cuffs", (0.02, 0.08)
     )
     frame_inertia: Float[Any, ""] = parameter(
-        "J_e", "kg m^2", 0.003, 0.2, "inertia of the frame", (0.02,)
+        "J_e", "kg m^2", 0.005, 0.2, "inertia of the frame", (0.02,)
     )
     frame_gravity: Float[Any, ""] = parameter(
         "G_e", "N m", 0.0, 6.0, "gravity moment of the frame", (0.8,)
@@ -40,7 +40,7 @@ class CuffCompliance(PhysicsTerm):
     hinge_damping: Float[Any, ""] = parameter(
         "d_h", "N m s/rad", 0.0, 3.0, "damping of the frame's hinge", (0.1,)
     )
-    damping_ratio: Float[Any, ""] = parameter("zeta", "1", 0.02, 2.0, "of the cuffs", (0.3,))
+    damping_ratio: Float[Any, ""] = parameter("zeta", "1", 0.02, 1.2, "of the cuffs", (0.3,))
 
     def carried(self, now: Moment, memory: Memory) -> Float[Array, ""]:
         """The torque of the leg on the frame."""

@@ -30,13 +30,13 @@ class EndRangeStiffening(PhysicsTerm):
     )
 
     extension: Float[Any, ""] = parameter(
-        "M_e", "N m", 0.0, 100.0, "moment at full extension", (0.5,)
+        "M_e", "N m", 0.0, 30.0, "moment at full extension", (0.5,)
     )
     extension_width: Float[Any, ""] = parameter(
         "w_e", "rad", 0.04, 1.0, "e-fold angle of extension", (0.12, 0.3)
     )
     flexion: Float[Any, ""] = parameter(
-        "M_f", "N m", 0.0, 100.0, "moment at 120 deg of flexion", (0.3,)
+        "M_f", "N m", 0.0, 30.0, "moment at 120 deg of flexion", (0.3,)
     )
     flexion_width: Float[Any, ""] = parameter(
         "w_f", "rad", 0.04, 1.0, "e-fold angle of flexion", (0.2,)

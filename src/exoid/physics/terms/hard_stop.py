@@ -9,12 +9,12 @@ from exoid.physics.moment import Moment
 from exoid.physics.parameter import parameter
 from exoid.physics.term import Memory, PhysicsTerm
 
-HANGING = -jnp.pi / 2  # a stop above is one of extension, below it one of flexion
-INSIDE = 0.03  # rad, of the range, where a search begins
+INSIDE = 0.03  # rad, of the range of motion, where a search begins
+FAR = (1.2, -3.2)  # rad, where no leg comes
 
 
 class HardStop(PhysicsTerm):
-    """tau = -max(0, k x + b x') where x = phi - phi_s > 0 (of flexion: the mirror image).
+    """tau = -max(0, k x + b x') where x = phi - phi_e > 0, and its mirror image below phi_f.
 
     k = J (pi / t_c)^2 and b = 2 zeta J pi / t_c, so that a bounce lasts about t_c.
     """
@@ -29,21 +29,23 @@ class HardStop(PhysicsTerm):
     substeps: ClassVar[int] = 8
 
     contact_time: Float[Any, ""] = parameter(
-        "t_c", "s", 0.008, 0.4, "how long a bounce lasts", (0.02, 0.1)
+        "t_c", "s", 0.008, 0.4, "how long a bounce lasts", (0.03,)
     )
-    angle: Float[Any, ""] = parameter(
-        "phi_s",
-        "rad",
-        -3.0,
-        1.0,
-        "angle of the stop",
-        lambda low, high: (high - INSIDE, low + INSIDE),
+    extension_angle: Float[Any, ""] = parameter(
+        "phi_e", "rad", -2.5, 1.2, "stop of extension", lambda low, high: (high - INSIDE, FAR[0])
+    )
+    flexion_angle: Float[Any, ""] = parameter(
+        "phi_f", "rad", -3.2, 0.5, "stop of flexion", lambda low, high: (FAR[1], low + INSIDE)
     )
     damping_ratio: Float[Any, ""] = parameter("zeta", "1", 0.0, 2.0, "its damping ratio", (0.3,))
 
     def torque(self, now: Moment, memory: Memory) -> Float[Array, ""]:
-        side = jnp.where(self.angle > HANGING, 1.0, -1.0)
-        depth = side * (now.angle - self.angle)
+        extension = self.push(now.angle - self.extension_angle, now.angular_velocity)
+        flexion = self.push(self.flexion_angle - now.angle, -now.angular_velocity)
+        return now.inertia * (flexion - extension)
+
+    def push(self, depth: Float[Array, ""], speed: Float[Array, ""]) -> Float[Array, ""]:
+        """Of one stop [rad/s^2]: it never pulls."""
         rate = jnp.pi / self.contact_time
-        push = rate**2 * depth + 2 * self.damping_ratio * rate * side * now.angular_velocity
-        return -side * now.inertia * jnp.where(depth > 0, jnp.maximum(push, 0.0), 0.0)
+        push = rate**2 * depth + 2 * self.damping_ratio * rate * speed
+        return jnp.where(depth > 0, jnp.maximum(push, 0.0), 0.0)

@@ -21,6 +21,7 @@ class Hysteresis(PhysicsTerm):
     )
     isolate: ClassVar[str] = "small reversals, and a drop right after the leg was shaken"
     memory_size: ClassVar[int] = 1
+    substeps: ClassVar[int] = 4
 
     level: Float[Any, ""] = parameter("F", "N m", 0.0, 10.0, "torque after yielding", (0.1,))
     yield_angle: Float[Any, ""] = parameter("phi_y", "rad", 0.004, 0.6, "yield angle", (0.03, 0.15))

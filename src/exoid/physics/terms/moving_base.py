@@ -18,7 +18,8 @@ class MovingBase(PhysicsTerm):
 
         J phi'' + mu cos(phi) theta'' = (Eq. 9) + c (theta + theta_0) + d theta',
         (1 / w^2 + C mu^2 / J) theta'' + 2 zeta theta' / w + theta
-            = C (c phi + d phi' - tau_h - mu (cos(phi) phi'' - sin(phi) phi'^2)):
+            = C (c (phi - theta - theta_0) + d (phi' - theta') - tau_h
+                 - mu (cos(phi) phi'' - sin(phi) phi'^2)):
 
     f is the thigh's frequency where the leg swings freely from it,
     spring and damper feel phi - theta, the encoder shows phi - theta - theta_0, a gyro on the leg
@@ -33,6 +34,7 @@ class MovingBase(PhysicsTerm):
         "gyro sees it, the encoder does not."
     )
     isolate: ClassVar[str] = "the same drops with the thigh strapped down, or an IMU on the thigh"
+    inertial: ClassVar[bool] = True
     memory_size: ClassVar[int] = 2
     substeps: ClassVar[int] = 2
 
@@ -57,18 +59,18 @@ class MovingBase(PhysicsTerm):
 
     def pitching(self, now: Moment, memory: Memory) -> Float[Array, ""]:
         """theta'', with phi'' eliminated."""
-        rate, level = 2 * jnp.pi * self.frequency, jnp.cos(now.tilted)
+        rate, level = 2 * jnp.pi * self.frequency, jnp.cos(now.angle)
         mu = self.coupling(now)
         turned = now.angular_acceleration + self.held(now, memory) / now.inertia
-        heaved = mu * (level * turned - jnp.sin(now.tilted) * now.angular_velocity**2)
+        heaved = mu * (level * turned - jnp.sin(now.angle) * now.angular_velocity**2)
         passive = now.stiffness * now.angle + now.damping * now.angular_velocity
         moment = passive - self.held(now, memory) - now.place.cycle.torque(now.time) - heaved
         pulled = self.compliance * moment - memory[0] - 2 * self.damping_ratio / rate * memory[1]
-        carried = self.compliance * (mu * jnp.sin(now.tilted)) ** 2 / now.inertia
+        carried = self.compliance * (mu * jnp.sin(now.angle)) ** 2 / now.inertia
         return pulled / (1 / rate**2 + carried)
 
     def torque(self, now: Moment, memory: Memory) -> Float[Array, ""]:
-        lift = self.coupling(now) * jnp.cos(now.tilted) * self.pitching(now, memory)
+        lift = self.coupling(now) * jnp.cos(now.angle) * self.pitching(now, memory)
         return self.held(now, memory) - lift
 
     def memory_at_rest(self, now: Moment) -> Memory:

@@ -23,6 +23,8 @@ class PolycentricAxis(PhysicsTerm):
     )
     isolate: ClassVar[str] = "drops with a known added mass, whose distance is known"
 
+    inertial: ClassVar[bool] = True
+
     change: Float[Any, ""] = parameter("e", "1", -0.35, 0.35, "change over 90 deg", (0.05, -0.05))
 
     def torque(self, now: Moment, memory: Memory) -> Float[Array, ""]:

@@ -31,13 +31,14 @@ class WobblingMass(PhysicsTerm):
         "cannot."
     )
     isolate: ClassVar[str] = "a movement that is stopped abruptly, with a gyro above 100 Hz"
+    inertial: ClassVar[bool] = True
     memory_size: ClassVar[int] = 4
     substeps: ClassVar[int] = 2
 
-    share: Float[Any, ""] = parameter("beta", "1", 0.0, 0.6, "share of the weight", (0.15,))
+    share: Float[Any, ""] = parameter("beta", "1", 0.0, 0.5, "share of the weight", (0.15,))
     radius: Float[Any, ""] = parameter("r", "m", 0.08, 0.45, "its distance from the knee", (0.22,))
-    frequency: Float[Any, ""] = parameter("f", "Hz", 1.2, 15.0, "wobbling frequency", (3.0, 6.0))
-    damping_ratio: Float[Any, ""] = parameter("zeta", "1", 0.02, 2.0, "its damping ratio", (0.2,))
+    frequency: Float[Any, ""] = parameter("f", "Hz", 1.2, 10.0, "wobbling frequency", (3.0, 6.0))
+    damping_ratio: Float[Any, ""] = parameter("zeta", "1", 0.02, 1.0, "its damping ratio", (0.2,))
 
     def accelerations(self, now: Moment, memory: Memory) -> Float[Array, "3"]:
         """phi'', x'' and y''."""

@@ -1,0 +1,1 @@
+"""Blind cases: recordings whose concealed physics `diagnose` must name, and its score."""

@@ -1,0 +1,77 @@
+"""Which kinds of cases there are, and how often each comes."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from exoid.physics.library import library, name_of
+from exoid.physics.term import SensorTerm
+
+from .effects import SUFFIX
+from .novel import NOVEL
+
+Category = Literal["single", "combo", "novel", "null", "unobservable"]
+
+PAIRS, NULLS, UNOBSERVABLE = 8, 8, 2  # beside every term and every novelty once
+PASSIVE = 0.6  # share of what both protocols can show
+# Their torques are made of the acceleration by Eq. 9 without any other term.
+ALONE = {"moving_base", "polycentric_axis", "wobbling_mass"}
+# Of these, two together are one of them, or nearly.
+ALIKE = (
+    {"coulomb_friction", "stribeck_friction", "hysteresis", "cuff_compliance", "backlash"},
+    {"torque_bias", "stiffness_rest_angle", "angle_offset", "end_range_stiffening"},
+    {"quadratic_drag", "stretch_reflex"},
+    {"activation_lag", "torque_asymmetry", "torque_harmonic"},
+)
+
+
+@dataclass(frozen=True)
+class Card:
+    """What a case is to hold, before its scenario is drawn."""
+
+    category: Category
+    active: bool
+    effects: tuple[str, ...] = ()
+
+
+def deal(count: int, seed: int) -> Iterator[Card]:
+    """The first cards of a seed: decks one after another, each shuffled."""
+    rng = np.random.default_rng([seed])
+    dealt = 0
+    while dealt < count:
+        cards = deck(rng)
+        for at in rng.permutation(len(cards))[: count - dealt]:
+            yield cards[at]
+        dealt += len(cards)
+
+
+def deck(rng: np.random.Generator) -> list[Card]:
+    """Every term of the library once, every novelty, pairs, and recordings that lack nothing."""
+    names = [name_of(term) for term in library()]
+    novel = [name_of(term) + SUFFIX for term in NOVEL]
+    return [
+        *(Card("single", is_active(rng, [name]), (name,)) for name in names),
+        *(Card("novel", is_active(rng, [name]), (name,)) for name in novel),
+        *(pair(rng) for _ in range(PAIRS)),
+        *(Card("null", is_active(rng, [])) for _ in range(NULLS)),
+        *(Card("unobservable", is_active(rng, [])) for _ in range(UNOBSERVABLE)),
+    ]
+
+
+def pair(rng: np.random.Generator) -> Card:
+    """Two effects that can be told apart, of which at most one is a sensor's."""
+    sensing = {name_of(term) for term in library() if issubclass(term, SensorTerm)}
+    names = [name_of(term) for term in library() if name_of(term) not in ALONE]
+    while True:
+        two = tuple(sorted(str(each) for each in rng.choice(names, 2, replace=False)))
+        if not any(set(two) <= group for group in (*ALIKE, sensing)):
+            return Card("combo", is_active(rng, list(two)), two)
+
+
+def is_active(rng: np.random.Generator, names: list[str]) -> bool:
+    """Is the protocol voluntary? Where an effect is the muscle's, it must be."""
+    voluntary = {name_of(term) for term in library() if term.voluntary}
+    drawn = bool(rng.random() > PASSIVE)
+    return drawn or any(name in voluntary for name in names)

@@ -1,0 +1,158 @@
+"""Where simulation and recording part: the torque that the baseline lacks, in time and in words."""
+
+from dataclasses import dataclass
+from math import degrees
+
+import jax
+import numpy as np
+from jaxtyping import Float
+
+from exoid.diagnose.bench import Bench, Candidate
+from exoid.diagnose.pinned import FREE
+from exoid.fit.coordinates import seated
+from exoid.fit.residual import equation
+from exoid.physics.leg import angular_acceleration
+from exoid.physics.state import LegState
+
+WIDTH = 0.05  # s, over which the missing torque is averaged
+CLEAR = 4.0  # standard deviations beyond which it is not noise
+STRONG = 0.5  # of its largest: what is named
+SHORTEST = 0.03  # s
+MOST = 6  # places that are named
+TURNING = np.radians(30.0)  # rad/s, below which a leg is at a reversal
+FEW = 12  # bins of angle or speed
+
+Samples = Float[np.ndarray, " sample"]
+
+
+@dataclass(frozen=True, eq=False)
+class Missing:
+    """The torque that a segment's baseline lacks."""
+
+    segment: str
+    time: Samples  # s
+    angle: Samples  # rad
+    angular_velocity: Samples  # rad/s
+    torque: Samples  # N m
+    band: float  # N m, standard deviation
+
+
+@dataclass(frozen=True)
+class Region:
+    """A stretch of time in which a torque is missing."""
+
+    segment: str
+    begin: float  # s
+    end: float  # s
+    region: str
+    description: str
+    torque: float  # N m, mean
+
+
+@dataclass(frozen=True, eq=False)
+class Location:
+    """The missing torque of every segment, where it is strongest, and what it goes with."""
+
+    missing: list[Missing]
+    regions: list[Region]
+    by_angle: float  # share of its variance that the angle alone explains
+    by_speed: float  # that speed and direction alone explain
+
+    @property
+    def pattern(self) -> str:
+        """In one sentence."""
+        angle, speed = f"{self.by_angle:.0%}", f"{self.by_speed:.0%}"
+        if max(self.by_angle, self.by_speed) < 0.3:
+            return (
+                f"it follows neither angle ({angle}) nor speed ({speed}) alone: time, memory or "
+                "both together"
+            )
+        if self.by_speed > self.by_angle + 0.1:
+            return f"it goes with speed and direction ({speed} of its variance, angle {angle})"
+        if self.by_angle > self.by_speed + 0.1:
+            return f"it goes with the angle ({angle} of its variance, speed {speed})"
+        return f"angle ({angle} of its variance) and speed ({speed}) explain it about alike"
+
+
+def locate(bench: Bench, base: Candidate) -> Location:
+    """The torque that would make the baseline move as the sensors show."""
+    missing = [lacking(bench, base, number) for number in range(len(bench.problem.movements))]
+    regions = [region for each in missing for region in regions_of(each)]
+    regions.sort(key=lambda each: abs(each.torque) * (each.end - each.begin), reverse=True)
+    angle = np.concatenate([each.angle for each in missing])
+    speed = np.concatenate([each.angular_velocity for each in missing])
+    torque = np.concatenate([each.torque for each in missing])
+    return Location(missing, regions[:MOST], explained(angle, torque), explained(speed, torque))
+
+
+def lacking(bench: Bench, base: Candidate, number: int) -> Missing:
+    """J (phi'' - Eq. 9) along the measured motion, averaged over a few samples."""
+    coordinates, seen = bench.coordinates(base), bench.seen
+    reference = bench.sensors.references[number]
+    size = reference.angle.size
+
+    def own(tree):
+        return jax.tree.map(lambda leaf: np.asarray(leaf)[number], tree)
+
+    observation = own(seen)
+    mounting = seated(coordinates.mounting, observation.seat)
+    eq = equation(coordinates.shared, mounting, own(coordinates.own), observation, FREE)
+    drive = eq.cycle * observation.cycle.begin + eq.torque * observation.torque.begin
+    drive = np.append(drive, drive[-1])[:size]
+    state = LegState(np.asarray(reference.angle), np.asarray(reference.angular_velocity))
+    expected = np.asarray(angular_acceleration(eq.ratios, state, drive))
+    time = np.asarray(seen.time[number])[:size]
+    width = max(1, round(WIDTH / float(np.median(np.diff(time)))))
+    excess = (reference.angular_acceleration - expected) / float(eq.torque)
+    torque = np.convolve(np.pad(excess, width // 2, mode="edge"), np.ones(width) / width, "same")
+    torque = torque[width // 2 : width // 2 + size]
+    band = float(reference.acceleration_error[0] / float(eq.torque) / np.sqrt(width))
+    name = bench.problem.movements[number].name
+    return Missing(name, time, reference.angle, reference.angular_velocity, torque, band)
+
+
+def explained(cause: Samples, torque: Samples) -> float:
+    """The share of the torque's variance between bins of a cause."""
+    edges = np.quantile(cause, np.linspace(0, 1, FEW + 1)[1:-1])
+    bins = np.searchsorted(edges, cause)
+    whole = float(np.var(torque)) or 1.0
+    means = np.array([torque[bins == k].mean() if (bins == k).any() else 0.0 for k in range(FEW)])
+    return float(np.var(means[bins]) / whole)
+
+
+def regions_of(each: Missing) -> list[Region]:
+    """The stretches where the torque is clear and strong."""
+    least = max(CLEAR * each.band, STRONG * float(np.max(np.abs(each.torque))))
+    sign = np.where(np.abs(each.torque) > least, np.sign(each.torque), 0.0)
+    edges = np.flatnonzero(np.diff(sign)) + 1
+    found = []
+    for part in np.split(np.arange(sign.size), edges):
+        if sign[part[0]] and each.time[part[-1]] - each.time[part[0]] >= SHORTEST:
+            found.append(described(each, part))
+    return found
+
+
+def described(each: Missing, part: np.ndarray) -> Region:
+    angle, speed = each.angle[part], each.angular_velocity[part]
+    low, high = degrees(angle.min()), degrees(angle.max())
+    fastest = float(np.max(np.abs(speed)))
+    if fastest < TURNING:
+        manner = "at rest or turning"
+    elif (speed > 0).all():
+        manner = f"extending at up to {degrees(fastest):.0f} deg/s"
+    elif (speed < 0).all():
+        manner = f"flexing at up to {degrees(fastest):.0f} deg/s"
+    else:
+        manner = "through a reversal"
+    torque = float(each.torque[part].mean())
+    towards = "extension" if torque > 0 else "flexion"
+    region = f"{low:.0f} to {high:.0f} deg, {manner}"
+    begin, end = float(each.time[part[0]]), float(each.time[part[-1]])
+    return Region(
+        segment=each.segment,
+        begin=begin,
+        end=end,
+        region=region,
+        description=f"{abs(torque):.2g} N m towards {towards} are missing at {region}",
+        torque=torque,
+    )

@@ -1,0 +1,74 @@
+"""From recordings to a bench: the baseline fit, the sensors against each other, whole movements."""
+
+from dataclasses import replace
+
+import equinox as eqx
+import jax
+import numpy as np
+
+from exoid.diagnose.bench import Bench, Candidate
+from exoid.diagnose.consistency import Consistency, consistency
+from exoid.diagnose.pinned import Clock
+from exoid.diagnose.settle import Settled, settle_free
+from exoid.fit.conditioning import conditioned
+from exoid.fit.coordinates import Coordinates
+from exoid.fit.estimate import movements_of
+from exoid.fit.movement import Movement
+from exoid.fit.observation import Observation
+from exoid.fit.problem import pose, take
+from exoid.fit.result import FitResult
+from exoid.fit.starts import first_state
+from exoid.physics.library import library
+from exoid.physics.term import Term
+from exoid.recording.condition import torque_frequencies
+from exoid.recording.recording import Recording
+
+
+def prepare(
+    result: FitResult,
+    recordings: list[tuple[str, Recording]],
+    terms: tuple[type[Term], ...] = (),
+) -> tuple[Bench, Settled]:
+    """A bench with the library and the user's `terms`, and the baseline at its best on it."""
+    basis = result.basis
+    assert basis is not None  # a joint fit has one
+    reading = result.torque_frequency or "1/T"
+    chain, movements = conditioned(movements_of(recordings, whole=True), 1)
+    problem = pose(movements, basis.problem.belief, reading, chain)
+    sensors = consistency(problem.observation)
+    observation = without_edges(problem.observation, sensors)
+    problem = replace(problem, observation=observation)
+    bench = Bench(problem, sensors, (*library(), *terms), clock(movements, reading))
+    point = bench.point(released(take(basis.ended.best, 0).coordinates, movements))
+    return bench, settle_free(bench, [Candidate((), (), point)])[0]
+
+
+def without_edges(seen: Observation, sensors: Consistency) -> Observation:
+    """Leave out the gyro's samples that show what was before or after an encoder's segment."""
+    delay = sensors.delay
+    if delay == 0.0:
+        return seen
+    time, weight = np.asarray(seen.time), np.asarray(seen.velocity_weight)
+    last = np.where(weight > 0, time, -np.inf).max(axis=1, keepdims=True)
+    shown = time - delay
+    inside = (shown >= time[:, :1]) & (shown <= last)
+    return eqx.tree_at(lambda seen: seen.velocity_weight, seen, np.where(inside, weight, 0.0))
+
+
+def clock(movements: list[Movement], reading: str) -> Clock:
+    """The cycle of every movement; of frequency 0 where nothing is voluntary."""
+    voluntary = [each.voluntary for each in movements]
+    periods = np.array([each.period if each.voluntary else 1.0 for each in movements])
+    frequencies = np.array([torque_frequencies(period)[reading] for period in periods])
+    onsets = np.array([each.onset if each.voluntary else 0.0 for each in movements])
+    numbers = np.arange(len(movements), dtype=float)
+    return Clock(periods, frequencies * voluntary, onsets, numbers)
+
+
+def released(at: Coordinates, movements: list[Movement]) -> Coordinates:
+    """The fit's leg, every segment from where its whole movement begins."""
+    first = np.array([first_state(each) for each in movements])
+    own = eqx.tree_at(
+        lambda own: (own.angle, own.angular_velocity), at.own, (first[:, 0], first[:, 1])
+    )
+    return eqx.tree_at(lambda at: at.own, jax.tree.map(np.asarray, at), own)

@@ -1,0 +1,193 @@
+"""Which terms explain the mismatch: all of them pinned, the best of them free, then in pairs."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from exoid.diagnose.bench import Bench, Candidate
+from exoid.diagnose.evidence import APART, Yardstick, yardstick
+from exoid.diagnose.settle import Settled, settle, settle_free
+from exoid.physics.library import name_of
+from exoid.physics.parameter import declarations
+from exoid.physics.term import Term
+
+SHORT = 4  # candidates that run free, by what they explain pinned
+PAIRED = 3  # first terms of a pair
+ROUNDS = 8  # of pinned steps; what is close by then is brought to its end running free
+FREE_ROUNDS = 25
+FLOOR = 1.15  # mean square over the noise at which nothing more is looked for
+
+Told = Callable[[str], None]
+
+
+@dataclass(frozen=True, eq=False)
+class Found:
+    """What a search found, best first; `pinned` are the sums of squares of the first look."""
+
+    base: Settled
+    singles: list[Settled]  # running free
+    pairs: list[Settled]
+    pinned: dict[type[Term], float]
+    failed: list[type[Term]]  # whose derivatives are not finite
+    yardstick: Yardstick
+
+    @property
+    def best(self) -> Settled:
+        """The candidate of greatest evidence, or the baseline where none is clear."""
+        single = self.singles[0] if self.singles else None
+        if single is None or not self.clear(self.base, single):
+            pair = self.pairs[0] if self.pairs else None
+            return pair if pair is not None and self.clear(self.base, pair) else self.base
+        if self.pairs and self.clear(single, self.pairs[0]):
+            return self.pairs[0]
+        return single
+
+    def clear(self, worse: Settled, better: Settled) -> bool:
+        parameters = size(better) - size(worse)
+        return self.yardstick.clear(worse.square, better.square, max(parameters, 1))
+
+    def evidence(self, one: Settled) -> float:
+        return self.yardstick.evidence(self.base.square, one.square, size(one))
+
+
+def size(one: Settled) -> int:
+    """How many parameters its terms have."""
+    return sum(value.size for value in one.candidate.values)
+
+
+def names(one: Settled) -> list[str]:
+    return [name_of(term) for term in one.candidate.terms]
+
+
+def look(bench: Bench, base: Settled, told: Told) -> Found:
+    """Every term by itself; pairs where no single one is enough."""
+    point, bias = base.candidate.point, base.candidate.bias
+    usable = [term for term in bench.library if applies(bench, term)]
+    told(f"testing {len(usable)} candidates")
+    starts = [
+        Candidate((term,), (value,), point, bias) for term in usable for value in bench.starts(term)
+    ]
+    first = best_of(settle(bench, starts, rounds=ROUNDS))
+    failed = [term for (term,), one in first.items() if not np.isfinite(one.square)]
+    ranked = ordered([one for one in first.values() if np.isfinite(one.square)])
+    told("simulating the best of them")
+    singles = [polished(bench, one) for one in ranked[:SHORT]]
+    singles += twins(bench, singles)
+    measure = yardstick(bench, min([base, *singles], key=lambda one: one.square))
+    singles = by_evidence(singles, base, measure)
+    pinned = {one.candidate.terms[0]: one.square for one in ranked}
+    found = Found(base, singles, [], pinned, failed, measure)
+    if found.best.square < FLOOR * measure.samples:
+        return found
+    told("testing pairs")
+    seconds = pairs(bench, ranked, singles)
+    pairs_at_best = best_of(settle(bench, seconds, rounds=ROUNDS))
+    both = ordered([one for one in pairs_at_best.values() if np.isfinite(one.square)])
+    told("simulating the best pairs")
+    joint = [polished(bench, one) for one in both[:SHORT]]
+    singles = [*singles, *reduced(bench, ordered(joint)[:1])]
+    measure = yardstick(bench, min([base, *singles, *joint], key=lambda one: one.square))
+    joint = by_evidence(joint, base, measure)
+    return Found(base, by_evidence(singles, base, measure), joint, pinned, failed, measure)
+
+
+def applies(bench: Bench, term: type[Term]) -> bool:
+    """Can it act here: a voluntary torque, or a gyro?"""
+    if term.voluntary:
+        return any(each.voluntary for each in bench.problem.movements)
+    name = name_of(term)
+    if name == "gyro_bias":
+        return False  # it is free in every fit
+    if name in ("gyro_scale", "sensor_skew"):
+        return bool((bench.seen.velocity_weight > 0).any())
+    return True
+
+
+def best_of(settled: list[Settled]) -> dict[tuple[type[Term], ...], Settled]:
+    """Of all starts of the same terms the best."""
+    best: dict[tuple[type[Term], ...], Settled] = {}
+    for one in settled:
+        terms = tuple(sorted(one.candidate.terms, key=name_of))
+        if terms not in best or not one.square >= best[terms].square:
+            best[terms] = one
+    return best
+
+
+def ordered(settled: list[Settled]) -> list[Settled]:
+    return sorted(settled, key=lambda one: one.square)
+
+
+def by_evidence(settled: list[Settled], base: Settled, measure: Yardstick) -> list[Settled]:
+    known = list(best_of([one for one in settled if np.isfinite(one.square)]).values())
+    return sorted(
+        known,
+        key=lambda one: measure.evidence(base.square, one.square, size(one)),
+        reverse=True,
+    )
+
+
+def polished(bench: Bench, one: Settled) -> Settled:
+    """Running free from where it came pinned."""
+    return settle_free(bench, [one.candidate], rounds=FREE_ROUNDS)[0]
+
+
+def reduced(bench: Bench, joint: list[Settled]) -> list[Settled]:
+    """Each term of a pair alone again, from where the pair is: is the other one needed?"""
+    return [
+        polished(
+            bench, replace(one, candidate=replace(one.candidate, terms=(term,), values=(value,)))
+        )
+        for one in joint
+        for term, value in zip(one.candidate.terms, one.candidate.values, strict=True)
+    ]
+
+
+def twins(bench: Bench, singles: list[Settled]) -> list[Settled]:
+    """What is exactly the same torque under another name: a rest angle, and a constant torque."""
+    known = {name_of(one.candidate.terms[0]): one for one in singles}
+    terms = {name_of(term): term for term in bench.library}
+    pair = ("torque_bias", "stiffness_rest_angle")
+    missing = [name for name in pair if name not in known]
+    if len(missing) != 1:
+        return []
+    one = known[next(name for name in pair if name in known)]
+    coordinates = bench.coordinates(one.candidate)
+    stiffness = float(coordinates.shared.stiffness * np.exp(coordinates.shared.log_inertia))
+    value = one.candidate.values[0]
+    other = value / max(stiffness, 1e-3) if missing[0] == pair[1] else value * stiffness
+    declared = next(each for _, each in declarations(terms[missing[0]]))
+    start = np.clip(other, declared.lower, declared.upper)
+    moved = Candidate((terms[missing[0]],), (start,), one.candidate.point, one.candidate.bias)
+    return [settle_free(bench, [moved], rounds=FREE_ROUNDS)[0]]
+
+
+def pairs(bench: Bench, ranked: list[Settled], singles: list[Settled]) -> list[Candidate]:
+    """The best single terms, each with every other."""
+    refined = {one.candidate.terms[0]: one for one in singles}
+    firsts = [refined.get(one.candidate.terms[0], one) for one in ranked[:PAIRED]]
+    made = []
+    for number, first in enumerate(firsts):
+        done = {one.candidate.terms[0] for one in firsts[: number + 1]}
+        for second in ranked:
+            term = second.candidate.terms[0]
+            if term in done:
+                continue
+            made += [
+                Candidate(
+                    (*first.candidate.terms, term),
+                    (*first.candidate.values, value),
+                    first.candidate.point,
+                    first.candidate.bias,
+                )
+                for value in bench.starts(term)[:2]
+            ]
+    return made
+
+
+def equivalents(found: Found) -> list[Settled]:
+    """The candidates that this recording cannot tell from the best, itself included."""
+    best = found.best
+    rivals = found.pairs if len(best.candidate.terms) > 1 else found.singles
+    top = found.evidence(best)
+    return [one for one in rivals if top - found.evidence(one) < APART]
