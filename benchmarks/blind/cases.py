@@ -113,7 +113,9 @@ def sized(
     return 0.0 if excess(low) > 0 else float(np.exp(brentq(excess, low, high, xtol=CLOSE)))
 
 
-def at_sizes(effects: tuple[Effect, ...], sizes: tuple[float, ...], scenario: Scenario) -> Concealed:
+def at_sizes(
+    effects: tuple[Effect, ...], sizes: tuple[float, ...], scenario: Scenario
+) -> Concealed:
     """What these effects make of the scenario."""
     terms = tuple(each.at(size) for each, size in zip(effects, sizes, strict=True))
     motion = perform(scenario.leg, scenario.movements, scenario.reading, terms)
@@ -140,6 +142,4 @@ def record(scenario: Scenario, motion: Motion, key) -> Recording:
         raw, rate = readings(scenario, angle, velocity, jax.random.fold_in(key, number))
         time = np.round(TICK * np.arange(angle.size), 6)
         segments.append(Segment(time, raw_angle=raw, raw_angular_velocity=rate))
-    return Recording(
-        tuple(segments), scenario.subject, scenario.protocol(), scenario.sensors()
-    )
+    return Recording(tuple(segments), scenario.subject, scenario.protocol(), scenario.sensors())

@@ -16,10 +16,9 @@ Category = Literal["single", "combo", "novel", "null", "unobservable"]
 
 PAIRS, NULLS, UNOBSERVABLE = 8, 8, 2  # beside every term and every novelty once
 PASSIVE = 0.6  # share of what both protocols can show
-# Their torques are made of the acceleration by Eq. 9 without any other term.
-ALONE = {"moving_base", "polycentric_axis", "wobbling_mass"}
-# Of these, two together are one of them, or nearly.
+# Of these, two together are one of them, or nearly; the first change the inertia, both at once.
 ALIKE = (
+    {"moving_base", "polycentric_axis", "wobbling_mass"},
     {"coulomb_friction", "stribeck_friction", "hysteresis", "cuff_compliance", "backlash"},
     {"torque_bias", "stiffness_rest_angle", "angle_offset", "end_range_stiffening"},
     {"quadratic_drag", "stretch_reflex"},
@@ -63,7 +62,7 @@ def deck(rng: np.random.Generator) -> list[Card]:
 def pair(rng: np.random.Generator) -> Card:
     """Two effects that can be told apart, of which at most one is a sensor's."""
     sensing = {name_of(term) for term in library() if issubclass(term, SensorTerm)}
-    names = [name_of(term) for term in library() if name_of(term) not in ALONE]
+    names = [name_of(term) for term in library()]
     while True:
         two = tuple(sorted(str(each) for each in rng.choice(names, 2, replace=False)))
         if not any(set(two) <= group for group in (*ALIKE, sensing)):

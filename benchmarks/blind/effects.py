@@ -18,6 +18,7 @@ EXACTLY = (1.0, 1.0)
 EITHER_SIGN = (-1.0, 1.0)
 MARGIN = 0.02  # rad, between where a movement begins and a stop
 HANGING = -np.pi / 2
+FAR = {"extension_angle": 1.2, "flexion_angle": -3.2}  # rad, of stops that no leg reaches
 SUFFIX = "_novel"
 
 Range = tuple[float, float]
@@ -72,7 +73,8 @@ class Stop(Effect):
     side: float  # 1 of extension, -1 of flexion
 
     def values(self, size: float) -> dict[str, float]:
-        return self.shape | {"angle": self.end - self.side * size}
+        stop = "extension_angle" if self.side > 0 else "flexion_angle"
+        return self.shape | FAR | {stop: self.end - self.side * size}
 
 
 RECIPES = {
@@ -80,7 +82,7 @@ RECIPES = {
     "angle_offset": Recipe(2 * DEGREE, 8 * DEGREE, {"offset": EXACTLY}, signed=True),
     "backlash": Recipe(5e-4, 0.04, {"half_play": EXACTLY}),
     "coulomb_friction": Recipe(0.003, 1.0, {"level": EXACTLY}),
-    "cubic_stiffness": Recipe(0.01, 4.0, {"coefficient": EXACTLY}, signed=True),
+    "cubic_stiffness": Recipe(0.01, 3.0, {"coefficient": EXACTLY}, signed=True),
     "cuff_compliance": Recipe(
         0.002,
         0.25,
@@ -102,18 +104,14 @@ RECIPES = {
         {"extension": EXACTLY, "flexion": (0.3, 1.5)},
         {"extension_width": (0.12, 0.3), "flexion_width": (0.15, 0.3)},
     ),
-    "fatigue": Recipe(
-        0.003, 0.12, {"damping_drift": EXACTLY, "fade": EITHER_SIGN}, signed=True
-    ),
+    "fatigue": Recipe(0.003, 0.12, {"damping_drift": EXACTLY, "fade": EITHER_SIGN}, signed=True),
     "gyro_bias": Recipe(1.5 * DEGREE, 8 * DEGREE, {"bias": EXACTLY}, signed=True),
     "gyro_scale": Recipe(0.015, 0.13, {"scale": EXACTLY}, signed=True),
     "hard_stop": Recipe(
         0.002, 0.5, {}, {"contact_time": (0.02, 0.08), "damping_ratio": (0.1, 0.6)}
     ),
     "hysteresis": Recipe(0.005, 3.0, {"level": EXACTLY}, {"yield_angle": (0.03, 0.2)}),
-    "maxwell_element": Recipe(
-        0.02, 8.0, {"stiffness": EXACTLY}, {"relaxation_time": (0.08, 1.5)}
-    ),
+    "maxwell_element": Recipe(0.02, 8.0, {"stiffness": EXACTLY}, {"relaxation_time": (0.08, 1.5)}),
     "moving_base": Recipe(
         2e-5,
         0.01,
@@ -129,7 +127,7 @@ RECIPES = {
     "polycentric_axis": Recipe(0.003, 0.25, {"change": EXACTLY}, signed=True),
     "quadratic_drag": Recipe(0.001, 0.3, {"coefficient": EXACTLY}),
     "sensor_skew": Recipe(0.0015, 0.02, {"skew": EXACTLY}, signed=True),
-    "stiffness_rest_angle": Recipe(0.03, 1.3, {"rest_angle": EXACTLY}, signed=True),
+    "stiffness_rest_angle": Recipe(0.03, 1.1, {"rest_angle": EXACTLY}, signed=True),
     "stretch_reflex": Recipe(
         0.01, 3.0, {"gain": EXACTLY}, {"threshold": (0.5, 2.5), "delay": (0.03, 0.07)}
     ),
@@ -161,7 +159,7 @@ RECIPES = {
     "magnetic_detent_novel": Recipe(
         0.01, 3.0, {"height": EXACTLY}, {"waves": (7.0, 14.0), "angle": (-0.4, 0.4)}
     ),
-    "angle_damping_novel": Recipe(0.005, 1.0, {"slope": EXACTLY}),
+    "angle_damping_novel": Recipe(0.005, 0.6, {"slope": EXACTLY}),
     "kick_novel": Recipe(
         0.02, 10.0, {"height": EXACTLY}, {"moment": (0.4, 1.3), "width": (0.04, 0.1)}, signed=True
     ),

@@ -47,9 +47,7 @@ def perform(
     rows = padded([row(each, reading, k) for k, each in enumerate(movements)])
     found = jax.device_get(swings(leg, terms, jnp.asarray(rows), time, stride))
     counts = [round(each.duration / TICK) + 1 for each in movements]
-    return Motion(
-        *([each[k, :n] for k, n in enumerate(counts)] for each in found)
-    )
+    return Motion(*([each[k, :n] for k, n in enumerate(counts)] for each in found))
 
 
 def row(movement: Movement, reading: Reading, number: int) -> list[float]:
@@ -84,9 +82,7 @@ def swings(
     return jax.vmap(swing)(rows)
 
 
-def warmed(
-    leg: LegParameters, terms: tuple[Term, ...], number: Float[Array, ""]
-) -> LegParameters:
+def warmed(leg: LegParameters, terms: tuple[Term, ...], number: Float[Array, ""]) -> LegParameters:
     """The leg as it is in segment `number`: `simulate` takes every segment for the first."""
     drifts = [term.damping_drift for term in terms if isinstance(term, Fatigue)]
     factor = 1 + number * sum(drifts, jnp.zeros(()))

@@ -1,4 +1,7 @@
-"""What the best baseline leaves of a motion: how large something concealed is, in noise floors."""
+"""What the best baseline leaves of a motion: how large something concealed is, in noise floors.
+
+The baseline is fitted to the encoder alone, so that an error of the gyro shows in the gyro alone.
+"""
 
 from dataclasses import dataclass
 
@@ -55,7 +58,7 @@ def refit(scenario: Scenario, motion: Motion) -> Left:
     residual, slopes = predicted(scenario, unknowns, data)
     for _ in range(ROUNDS):
         before = cost(residual, weight)
-        change = step(residual * weight, slopes * weight[..., None], scenario.active)
+        change = step(residual, slopes, weight, active=scenario.active)
         for halving in range(HALVINGS):
             at = unknowns + change / 2**halving
             found = predicted(scenario, at, data)
@@ -64,19 +67,18 @@ def refit(scenario: Scenario, motion: Motion) -> Left:
                 break
         if cost(residual, weight) > (1 - ENOUGH) * before:
             break
-    used = weight[..., 0] > 0
+    used = weight > 0
     return Left(*(float(np.sqrt(np.mean(residual[used][:, k] ** 2))) for k in range(2)))
 
 
 def stacked(scenario: Scenario, motion: Motion) -> tuple[np.ndarray, np.ndarray]:
-    """What is shown and its weights, a lane a segment, filled up with weight 0."""
+    """What is shown, a lane a segment, and the weight of its angles, 0 where the lane ended."""
     size = round(LONGEST[scenario.movements[0].kind] / TICK) + 1
-    data, weight = np.zeros((LANES, size, 2)), np.zeros((LANES, size, 2))
-    floors = (scenario.angle_floor, scenario.velocity_floor)
+    data, weight = np.zeros((LANES, size, 2)), np.zeros((LANES, size))
     shown = zip(motion.shown_angle, motion.shown_velocity, strict=True)
     for lane, channels in enumerate(shown):
         data[lane, : channels[0].size] = np.stack(channels, axis=1)
-        weight[lane, : channels[0].size] = 1 / np.array(floors)
+        weight[lane, : channels[0].size] = 1 / scenario.angle_floor
     return data, weight
 
 
@@ -120,23 +122,27 @@ def baseline(
     return jax.vmap(swing)(lanes, clocks), jax.vmap(jax.jacfwd(swing))(lanes, clocks)
 
 
-def step(residual: np.ndarray, slopes: np.ndarray, active: bool) -> np.ndarray:
+def step(
+    residual: np.ndarray, slopes: np.ndarray, weight: np.ndarray, *, active: bool
+) -> np.ndarray:
     """The change of the unknowns that the linearised misfit asks for."""
-    lanes, size, channels, _ = slopes.shape
-    matrix = np.zeros((lanes, size, channels, SHARED + lanes * OWN))
-    matrix[..., :SHARED] = slopes[..., :SHARED]
+    lanes, size = weight.shape
+    weighted = slopes[:, :, 0] * weight[..., None]
+    matrix = np.zeros((lanes, size, SHARED + lanes * OWN))
+    matrix[..., :SHARED] = weighted[..., :SHARED]
     for lane in range(lanes):
         first = SHARED + lane * OWN
-        matrix[lane, ..., first : first + OWN] = slopes[lane, ..., SHARED:]
+        matrix[lane, :, first : first + OWN] = weighted[lane, :, SHARED:]
     if not active:
         matrix[..., SHARED::OWN] = 0.0  # nothing pushes
     flat = matrix.reshape(-1, matrix.shape[-1])
     unit = np.linalg.norm(flat, axis=0)
     unit[unit == 0] = 1.0
-    return np.linalg.lstsq(flat / unit, residual.ravel(), rcond=1e-10)[0] / unit
+    misfit = (residual[..., 0] * weight).ravel()
+    return np.linalg.lstsq(flat / unit, misfit, rcond=1e-10)[0] / unit
 
 
 def cost(residual: np.ndarray, weight: np.ndarray) -> float:
     """Sum of squares over the noise; infinite where the baseline ran away."""
-    total = float(np.sum((residual * weight) ** 2))
+    total = float(np.sum((residual[..., 0] * weight) ** 2))
     return total if np.isfinite(total) else np.inf

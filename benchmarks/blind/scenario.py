@@ -122,10 +122,7 @@ def around(
     """A normal draw, within two standard deviations and the limits."""
     while True:
         value = rng.normal(expected.value, expected.standard_deviation)
-        if (
-            low <= value <= high
-            and abs(value - expected.value) < 2 * expected.standard_deviation
-        ):
+        if low <= value <= high and abs(value - expected.value) < 2 * expected.standard_deviation:
             return value
 
 

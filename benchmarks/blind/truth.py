@@ -24,6 +24,7 @@ def truth_entry(
     name: str, card: Card, scenario: Scenario, concealed: "Concealed", extra: dict[str, Any]
 ) -> dict[str, Any]:
     """All that is known of a case; `residual_ratio` is with noise, 1 where nothing is left."""
+    done = {what: rounded(values) for what, values in extra.items()}
     pairs = list(zip(concealed.effects, concealed.sizes, strict=True))
     physical = bool(pairs) and all(each.of_sensor for each in concealed.effects)
     found = concealed.ratio
@@ -36,7 +37,7 @@ def truth_entry(
         "near_equivalent": [x for each in card.effects for x in NEARLY.get(each, ())],
         "strength": ("physical" if physical else strength(found.angle)) if pairs else None,
         "protocol": "active" if scenario.active else "passive",
-        "params": extra | {each.name: rounded(each.values(size)) for each, size in pairs},
+        "params": done | {each.name: rounded(each.values(size)) for each, size in pairs},
         "baseline": baseline(scenario),
         "segments": segments(scenario),
         "noise": noise(scenario),

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from exoid.diagnose.identifiability import Identifiability, identify
+    from exoid.diagnose.missing_physics import Diagnosis, diagnose
     from exoid.diagnose.plan import Plan, plan
     from exoid.fit.each import fit_each
     from exoid.fit.estimate import fit as fit_leg
@@ -18,15 +19,27 @@ if TYPE_CHECKING:
     from exoid.fit.result import FitResult
     from exoid.physics.anatomy import expected_leg
     from exoid.physics.leg import LegModel, LegParameters
+    from exoid.physics.moment import Moment
+    from exoid.physics.parameter import parameter
     from exoid.physics.simulate import Trajectory, simulate
     from exoid.physics.state import LegState
+    from exoid.physics.term import PhysicsTerm, SensorTerm, reading
     from exoid.physics.torque import CycleTorque, MeasuredTorque, NoTorque
     from exoid.recording.load import load
     from exoid.recording.recording import Protocol, Recording, Segment, Sensors, Subject
     from exoid.recording.table import write_table
+    from exoid.report.plot_diagnosis import plot_diagnosis
     from exoid.report.plots import plot_fit
 
 _HOMES = {
+    "Diagnosis": ("exoid.diagnose.missing_physics", "Diagnosis"),
+    "diagnose": ("exoid.diagnose.missing_physics", "diagnose"),
+    "Moment": ("exoid.physics.moment", "Moment"),
+    "parameter": ("exoid.physics.parameter", "parameter"),
+    "PhysicsTerm": ("exoid.physics.term", "PhysicsTerm"),
+    "SensorTerm": ("exoid.physics.term", "SensorTerm"),
+    "reading": ("exoid.physics.term", "reading"),
+    "plot_diagnosis": ("exoid.report.plot_diagnosis", "plot_diagnosis"),
     "Identifiability": ("exoid.diagnose.identifiability", "Identifiability"),
     "identify": ("exoid.diagnose.identifiability", "identify"),
     "Plan": ("exoid.diagnose.plan", "Plan"),
@@ -60,31 +73,39 @@ _HOMES = {
 
 __all__ = [
     "CycleTorque",
+    "Diagnosis",
     "FitResult",
     "Identifiability",
     "LegModel",
     "LegParameters",
     "LegState",
     "MeasuredTorque",
+    "Moment",
     "NoTorque",
+    "PhysicsTerm",
     "Plan",
     "Posterior",
     "Profile",
     "Protocol",
     "Recording",
     "Segment",
+    "SensorTerm",
     "Sensors",
     "Subject",
     "Trajectory",
+    "diagnose",
     "expected_leg",
     "fit_each",
     "fit_leg",
     "identify",
     "keep_programs_in",
     "load",
+    "parameter",
     "plan",
+    "plot_diagnosis",
     "plot_fit",
     "profiles",
+    "reading",
     "sample",
     "simulate",
     "write_table",

@@ -5,6 +5,7 @@ from typing import Annotated
 
 import typer
 
+from exoid.cli.diagnose import diagnose
 from exoid.cli.fit import fit
 from exoid.cli.plan import plan
 from exoid.cli.simulate import simulate
@@ -19,6 +20,7 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 app.command()(fit)
+app.command()(diagnose)
 app.command()(plan)
 app.command()(simulate)
 

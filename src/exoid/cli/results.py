@@ -28,16 +28,20 @@ def write_document(result, told, profiles, recordings, settings: dict, path: Pat
 
     from exoid.report.fit_json import fit_document, write_json
 
-    described = [describe(source, recording) for source, (_, recording) in recordings]
     document = fit_document(
         result,
         version=version("exoid"),
-        recordings=described,
+        recordings=described(recordings),
         settings=settings,
         told=told,
         profiles=profiles,
     )
     write_json(document, path)
+
+
+def described(recordings) -> list[dict]:
+    """Which files they were: pairs of a path and its (name, recording)."""
+    return [describe(source, recording) for source, (_, recording) in recordings]
 
 
 def describe(path: Path, recording) -> dict:

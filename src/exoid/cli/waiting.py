@@ -3,7 +3,7 @@
 import sys
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor, wait
-from typing import TypeVar
+from typing import Any, TypeVar
 
 SLOW = 2.0  # s, after which a person wants to see that something happens
 
@@ -21,5 +21,27 @@ def patiently(task: Callable[[], Result], what: str) -> Result:
         from rich.console import Console
 
         with Console(stderr=True).status(what):
+            wait([running])
+    return running.result()
+
+
+def in_phases(task: Callable[[Callable[[str], None]], Result]) -> Result:
+    """The result of `task`, which names its phases; a spinner shows them, as in `patiently`."""
+    phase = ["starting"]
+    status: list[Any] = []
+
+    def told(name: str) -> None:
+        phase[:] = [name]
+        if status:
+            status[0].update(name)
+
+    running = ThreadPoolExecutor(1).submit(lambda: task(told))
+    wait([running], SLOW)
+    if not running.done() and sys.stderr.isatty():
+        from rich.console import Console
+
+        with Console(stderr=True).status(phase[0]) as shown:
+            status.append(shown)
+            told(phase[0])
             wait([running])
     return running.result()

@@ -51,7 +51,7 @@ def consistency(seen: Observation) -> Consistency:
     segments = [segment(seen, number) for number in range(seen.time.shape[0])]
     if not any(weights[:, 1].any() for _, _, weights in segments):
         return Consistency([], 1.0, [smooth(*each) for each in segments])
-    total = np.zeros(len(ERRORS))
+    total, covariance, misfit = np.zeros(len(ERRORS)), np.zeros((3, 3)), 1.0
     motions = [smooth(time, data, weights * [1.0, 0.0]) for time, data, weights in segments]
     for _ in range(ROUNDS):
         cleaned = [

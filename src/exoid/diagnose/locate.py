@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from math import degrees
 
 import jax
+import jax.numpy as jnp
 import numpy as np
 from jaxtyping import Float
 
@@ -99,8 +100,8 @@ def lacking(bench: Bench, base: Candidate, number: int) -> Missing:
     eq = equation(coordinates.shared, mounting, own(coordinates.own), observation, FREE)
     drive = eq.cycle * observation.cycle.begin + eq.torque * observation.torque.begin
     drive = np.append(drive, drive[-1])[:size]
-    state = LegState(np.asarray(reference.angle), np.asarray(reference.angular_velocity))
-    expected = np.asarray(angular_acceleration(eq.ratios, state, drive))
+    state = LegState(jnp.asarray(reference.angle), jnp.asarray(reference.angular_velocity))
+    expected = np.asarray(angular_acceleration(eq.ratios, state, jnp.asarray(drive)))
     time = np.asarray(seen.time[number])[:size]
     width = max(1, round(WIDTH / float(np.median(np.diff(time)))))
     excess = (reference.angular_acceleration - expected) / float(eq.torque)

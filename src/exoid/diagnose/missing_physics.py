@@ -74,6 +74,11 @@ class Diagnosis:
     advice: list[str] = field(default_factory=list)
 
     @property
+    def excluded(self) -> list[str]:
+        """Terms whose derivatives are not finite."""
+        return [name_of(term) for term in self.found.failed]
+
+    @property
     def yardstick(self) -> Yardstick:
         return self.found.yardstick
 

@@ -8,6 +8,7 @@ refitted and proved as one.
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
+from types import new_class
 from typing import Any, ClassVar
 
 import jax.numpy as jnp
@@ -205,4 +206,4 @@ def term_of(formula: Formula) -> type[PhysicsTerm]:
     }
     for k, value in enumerate(formula.coefficients):
         body[f"c_{k}"] = parameter(f"c_{k}", "N m", -LARGEST, LARGEST, "", (float(value),))
-    return type(PhysicsTerm)(name, (PhysicsTerm,), body)
+    return new_class(name, (PhysicsTerm,), {}, lambda namespace: namespace.update(body))

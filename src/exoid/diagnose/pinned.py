@@ -92,15 +92,13 @@ def evaluate(
     count = bias.shape[0]
     courses = read(values, lanes, points, courses, measured, observation, clock, terms)
     pushes, shown = nothing(observation, count, 2)
-    for term, value, lane, slot in zip(terms, values, lanes, slots, strict=True):
-        own = jax.tree.map(lambda leaf, lane=lane: leaf[lane], (points, courses))
+    for term, value, owner, slot in zip(terms, values, lanes, slots, strict=True):
+        whose = jax.tree.map(lambda leaf, owner=owner: leaf[owner], (points, courses))
         one = partial(columns, term, observation=observation, clock=clock)
-        push, error = jax.vmap(one)(value, *own)
-        at = (lane, slot)
+        push, error = jax.vmap(one)(value, *whose)
+        at = (owner, slot)
         pushes = jax.tree.map(lambda all, new, at=at: all.at[at].add(new), pushes, push)
         shown = shown.at[at].add(error)
-    each = partial(segment_gram, steps=steps, chain=chain)
-    by_segment = jax.vmap(each, in_axes=(None, 0, 0, 0, 0, 0, 0, 0, None))
     lanes_at_once = max(1, BATCH // observation.time.shape[0])
     mounting = jax.vmap(jax.vmap(seated, in_axes=(None, 0)), in_axes=(0, None))
     own = (
@@ -112,6 +110,9 @@ def evaluate(
         jnp.moveaxis(together(shown), 2, 1),
         bias,
     )
+
+    each = partial(segment_gram, steps=steps, chain=chain)
+    by_segment: Any = jax.vmap(each, in_axes=(None, 0, 0, 0, 0, 0, 0, 0, None))
 
     def lane(own):
         return by_segment(*own[:4], observation, known, *own[4:])

@@ -14,6 +14,7 @@ from exoid.physics.term import Term
 
 SHORT = 4  # candidates that run free, by what they explain pinned
 PAIRED = 3  # first terms of a pair
+REACH = 3.0  # times the best, within which running free may change the order
 ROUNDS = 8  # of pinned steps; what is close by then is brought to its end running free
 FREE_ROUNDS = 25
 FLOOR = 1.15  # mean square over the noise at which nothing more is looked for
@@ -71,8 +72,9 @@ def look(bench: Bench, base: Settled, told: Told) -> Found:
     first = best_of(settle(bench, starts, rounds=ROUNDS))
     failed = [term for (term,), one in first.items() if not np.isfinite(one.square)]
     ranked = ordered([one for one in first.values() if np.isfinite(one.square)])
+    near = [one for one in ranked[:SHORT] if one.square < REACH * ranked[0].square]
     told("simulating the best of them")
-    singles = [polished(bench, one) for one in ranked[:SHORT]]
+    singles = [polished(bench, one) for one in near]
     singles += twins(bench, singles)
     measure = yardstick(bench, min([base, *singles], key=lambda one: one.square))
     singles = by_evidence(singles, base, measure)
@@ -85,7 +87,7 @@ def look(bench: Bench, base: Settled, told: Told) -> Found:
     pairs_at_best = best_of(settle(bench, seconds, rounds=ROUNDS))
     both = ordered([one for one in pairs_at_best.values() if np.isfinite(one.square)])
     told("simulating the best pairs")
-    joint = [polished(bench, one) for one in both[:SHORT]]
+    joint = [polished(bench, one) for one in both[:SHORT] if one.square < REACH * both[0].square]
     singles = [*singles, *reduced(bench, ordered(joint)[:1])]
     measure = yardstick(bench, min([base, *singles, *joint], key=lambda one: one.square))
     joint = by_evidence(joint, base, measure)

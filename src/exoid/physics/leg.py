@@ -70,7 +70,7 @@ class LegModel(eqx.Module):
     thigh_angle: Float[Any, "*batch"] = field(
         default_factory=horizontal
     )  # rad, the knee above the hip
-    terms: tuple[eqx.Module, ...] = ()
+    terms: tuple[Any, ...] = ()  # each a Term
 
     def ratios(self) -> Ratios:
         """The coefficients of Eq. 9 per inertia."""

@@ -24,7 +24,7 @@ class Reading(eqx.Module):
         return jax.tree.map(jnp.add, self, other)
 
 
-def reading(angle=0.0, angular_velocity=0.0, delay=0.0) -> Reading:
+def reading(angle: Any = 0.0, angular_velocity: Any = 0.0, delay: Any = 0.0) -> Reading:
     """A `Reading`; what is not said is right."""
     return Reading(jnp.asarray(angle), jnp.asarray(angular_velocity), jnp.asarray(delay))
 

@@ -1,0 +1,153 @@
+"""exoid diagnose: where simulation and recording part, and which physics was left out."""
+
+import importlib
+import importlib.util
+import sys
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from exoid.cli.analysis import prepare
+from exoid.cli.body import BodyMass, Height, given_body
+from exoid.cli.destination import check_apart, check_destination
+from exoid.cli.fit import EXAMPLE, FIGURES
+from exoid.cli.reading import read
+from exoid.cli.results import described
+from exoid.cli.waiting import in_phases, patiently
+
+
+def diagnose(
+    recordings: Annotated[
+        list[Path] | None,
+        typer.Argument(
+            help="Tables or CAN logs of one leg, analysed together. Without one, the example."
+        ),
+    ] = None,
+    body_mass: BodyMass = None,
+    height: Height = None,
+    terms: Annotated[
+        str | None,
+        typer.Option(
+            help="Your own terms: a module, or a file .py, with classes of exoid's Term.",
+            metavar="MODULE",
+        ),
+    ] = None,
+    seed: Annotated[int, typer.Option(min=0, help="Of the starts; same seed, same result.")] = 0,
+    dbc: Annotated[Path | None, typer.Option(help="Your own DBC, with --signal.")] = None,
+    signal: Annotated[
+        list[str] | None,
+        typer.Option(help="CHANNEL=MESSAGE.SIGNAL; repeat.", metavar="MAP"),
+    ] = None,
+    plot: Annotated[
+        Path | None, typer.Option(help="Figure: where, which, before and after.", metavar="FILE")
+    ] = None,
+    json: Annotated[
+        Path | None, typer.Option(help="Everything for machines.", metavar="FILE")
+    ] = None,
+) -> None:
+    """Say where simulation and recording part, which physics was left out, and prove it.
+
+    \b
+    Examples:
+      exoid diagnose drops.csv                       one recording
+      exoid diagnose bare.blf loaded.blf             two recordings of one leg, together
+      exoid diagnose drops.csv --plot why.pdf        with a figure
+      exoid diagnose drops.csv --terms my_terms.py   with terms of your own
+    """
+    paths = recordings or [EXAMPLE]
+    check_destination(plot, FIGURES)
+    check_destination(json)
+    check_apart([plot, json], paths)
+    body = given_body(body_mass=body_mass, height=height)
+    own = own_terms(terms) if terms is not None else ()
+    if not recordings:
+        typer.echo("No recording given: this is the example that comes with exoid.")
+    named = []
+    for path in paths:
+        loaded = read(path, dbc, signal, False)
+        named.append((path.name, replace(loaded, subject=replace(loaded.subject, **body))))
+    found = in_phases(lambda told: diagnosed(named, own, seed, told))
+    show(found)
+    if plot is not None:
+        patiently(lambda: draw(found, plot), "drawing")
+        typer.echo(f"wrote {plot}", err=True)
+    if json is not None:
+        settings = {"seed": seed, "terms": terms}
+        write(found, described(zip(paths, named, strict=True)), settings, json)
+        typer.echo(f"wrote {json}", err=True)
+
+
+def own_terms(name: str):
+    """The terms of a module, or of a file."""
+    from exoid.physics.library import check_terms, terms_of
+
+    path = Path(name)
+    if path.suffix == ".py":
+        if not path.is_file():
+            raise ValueError(f"--terms {name}: there is no such file. Check the name.")
+        spec = importlib.util.spec_from_file_location(path.stem, path)
+        assert spec is not None  # a .py file has one
+        assert spec.loader is not None
+        module = importlib.util.module_from_spec(spec)
+        sys.modules[path.stem] = module
+        load = partial(spec.loader.exec_module, module)
+    else:
+        module, load = None, partial(importlib.import_module, name)
+    try:
+        module = load() or module
+    except Exception as fault:  # whatever a user's file may raise
+        raise ValueError(f"--terms {name}: {type(fault).__name__}: {fault}") from fault
+    assert module is not None  # loaded, one way or the other
+    found = tuple(terms_of(module))
+    if not found:
+        raise ValueError(f"--terms {name}: no class of exoid.PhysicsTerm or SensorTerm in it.")
+    check_terms(found)
+    return found
+
+
+def diagnosed(named, own, seed: int, told):
+    """The diagnosis, with programs kept between processes."""
+    from exoid.diagnose.missing_physics import diagnose as find
+    from exoid.fit.program import with_sound_programs
+
+    prepare()
+    try:
+        return with_sound_programs(lambda: find(named, terms=own, seed=seed, told=told))
+    except ValueError as fault:
+        raise ValueError(f"{', '.join(name for name, _ in named)}: {fault}") from fault
+
+
+def show(found) -> None:
+    """The answer, on stdout."""
+    from contextlib import suppress
+
+    from rich.console import Console
+
+    from exoid.report.diagnosis_table import print_diagnosis
+
+    with suppress(SystemExit):  # rich's answer to a closed pipe; files are still to be written
+        print_diagnosis(found, Console())
+
+
+def draw(found, path: Path) -> None:
+    """The figure."""
+    from exoid.report.plot_diagnosis import plot_diagnosis
+    from exoid.report.plots import save_figure
+
+    save_figure(plot_diagnosis(found), path)
+
+
+def write(found, recordings, settings: dict, path: Path) -> None:
+    """The document for machines."""
+    from importlib.metadata import version
+
+    from exoid.report.diagnosis_json import diagnosis_document
+    from exoid.report.fit_json import write_json
+
+    document = diagnosis_document(
+        found, version=version("exoid"), recordings=recordings, settings=settings
+    )
+    write_json(document, path)

@@ -1,0 +1,46 @@
+"""A diagnosis as a person reads it in a terminal."""
+
+from rich.console import Console
+
+from exoid.diagnose.missing_physics import Diagnosis
+from exoid.diagnose.search import names
+from exoid.report.diagnosis_words import headline, sentences
+from exoid.report.text import heading, say, table
+
+MOST = 8  # candidates that are listed
+
+
+def print_diagnosis(found: Diagnosis, console: Console) -> None:
+    """The answer, then the candidates with their evidence."""
+    heading(console, headline(found))
+    for title, sentence in sentences(found).items():
+        say(console, f"{title + ':':14s}{sentence}", 14)
+    heading(console, "Candidates")
+    console.print(table(candidates(found)))
+    say(
+        console,
+        "left: mean square of what is left over the noise, 1.00 is the noise itself; evidence: log "
+        "odds times two against the baseline, after the price of the parameters.",
+    )
+    console.print()
+
+
+def candidates(found: Diagnosis) -> dict[str, list[str]]:
+    """The columns of the table: those that ran free, then the rest as they were first seen."""
+    samples = found.yardstick.samples
+    rows = [("baseline, Eq. 9", found.found.base.square / samples, "", "")]
+    ran = [*found.found.pairs, *found.found.singles]
+    ran.sort(key=found.found.evidence, reverse=True)
+    for one in ran[:MOST]:
+        label = " + ".join(names(one)).replace("_", " ")
+        mark = "chosen" if one is found.best else ""
+        rows.append((label, one.square / samples, f"{found.found.evidence(one):.0f}", mark))
+    if found.formula is not None:
+        left = found.best.square / samples
+        rows.append(("formula", left, f"{found.found.evidence(found.best):.0f}", "chosen"))
+    return {
+        "cause": [row[0] for row in rows],
+        "left": [f"{row[1]:.2f}" for row in rows],
+        "evidence": [row[2] for row in rows],
+        " ": [row[3] for row in rows],
+    }

@@ -1,0 +1,153 @@
+"""A diagnosis in sentences: what is missing, where, the proof, and what it had been booked as."""
+
+from exoid.diagnose.missing_physics import Diagnosis, Parameter
+from exoid.physics.library import library, name_of
+from exoid.report.text import in_degrees, with_error
+
+CERTAIN = 0.001  # below this share a chance is written as "below"
+
+
+def headline(found: Diagnosis) -> str:
+    """The verdict in one line."""
+    if found.verdict == "none":
+        return "Nothing is missing: simulation and recording agree within the noise."
+    if found.verdict == "cannot_tell":
+        return "Cannot tell from this recording."
+    if found.formula is not None:
+        return "Something is missing that the library does not know."
+    return "Something is missing."
+
+
+def sentences(found: Diagnosis) -> dict[str, str]:
+    """The answer, line by line, by its heading."""
+    lines = {}
+    if found.verdict == "mismatch":
+        lines["Missing"] = "; ".join(named(found))
+        rivals = others(found)
+        if rivals:
+            lines["Or"] = f"{rivals}: this recording cannot tell them apart"
+        lines["Reason"] = " ".join(explanations(found))
+    elif found.reasons:
+        lines["Why"] = "; ".join(found.reasons) + "."
+        if found.best.candidate.terms:
+            lines["Suspected"] = ", ".join(found.ranking[:2]).replace("_", " ")
+    if found.verdict != "none":
+        lines["Where"] = where(found)
+    if found.verdict == "mismatch":
+        lines["Proof"] = proof(found)
+        lines["Booked before"] = booked(found)
+    lines["Sensors"] = sensors(found)
+    if found.verdict == "none":
+        lines["Trust"] = trust(found)
+    if found.advice:
+        lines["Record next"] = " ".join(found.advice)
+    return {heading: line for heading, line in lines.items() if line}
+
+
+def named(found: Diagnosis) -> list[str]:
+    """Every effect with its parameters."""
+    if found.formula is not None:
+        shares = f"explains {found.formula.explained:.0%} of the missing torque's variance"
+        return [f"{found.formula.words} (x in rad, v in rad/s, t in s), which {shares}"]
+    by_name = {name_of(term): term for term in (*library(), *found.best.candidate.terms)}
+    lines = []
+    for name in found.selected:
+        own = [each for each in found.parameters if each.name.startswith(f"{name}.")]
+        own = own or [sensor for sensor in bias(found) if sensor.name.startswith(name)]
+        lines.append(f"{by_name[name].title}, {', '.join(map(parameter, own))}")
+    return lines
+
+
+def bias(found: Diagnosis) -> list[Parameter]:
+    """What the sensors told of each other, as parameters."""
+    return [
+        Parameter(f"{each.name}.bias", each.value, each.unit, each.standard_error)
+        for each in found.sensors
+    ]
+
+
+def parameter(each: Parameter) -> str:
+    words = each.name.rpartition(".")[2].replace("_", " ")
+    unit = "" if each.unit == "1" else f" {each.unit}"
+    if each.standard_error is None:
+        return f"{words} {each.value:.3g}{unit}"
+    return f"{words} {with_error(each.value, each.standard_error)}{unit}"
+
+
+def explanations(found: Diagnosis) -> list[str]:
+    if found.formula is not None:
+        return []
+    by_name = {name_of(term): term for term in (*library(), *found.best.candidate.terms)}
+    return [by_name[name].explanation for name in found.selected]
+
+
+def others(found: Diagnosis) -> str:
+    """What it may be instead."""
+    mine = " + ".join(found.selected)
+    rest = [name for name in found.equivalent if set(name.split(" + ")) != set(mine.split(" + "))]
+    return ", or ".join(name.replace("_", " ") for name in rest)
+
+
+def where(found: Diagnosis) -> str:
+    regions = [f"{each.description} (segment {each.segment}, {each.begin:.2f}-{each.end:.2f} s)"
+               for each in found.location.regions[:3]]  # fmt: skip
+    if not regions:
+        return "no torque stands out of the noise: the sensors differ, or it is spread thinly."
+    return "; ".join(regions) + f". Over all of it, {found.location.pattern}."
+
+
+def proof(found: Diagnosis) -> str:
+    shown = found.proof
+    before, after = in_degrees(shown.before.total), in_degrees(shown.after.total)
+    count = shown.after.squares.size
+    over = "the end of the recording, from its beginning" if shown.in_time else (
+        f"{shown.better} of {count} segments better, each from the others"
+    )  # fmt: skip
+    floor = shown.after.total / shown.noise_floor
+    return (
+        f"held-out angle RMSE {before} -> {after} deg ({over}), {floor:.1f} times the noise floor; "
+        f"on noise alone {chance(found.false_alarm_rate)} false alarms, an effect of this size is "
+        f"found with a chance of {certain(found.power)}."
+    )
+
+
+def chance(share: float) -> str:
+    return "below 0.1 %" if share < CERTAIN else f"{share:.1%}"
+
+
+def certain(share: float) -> str:
+    return "above 99.9 %" if share > 1 - CERTAIN else f"{share:.1%}"
+
+
+def booked(found: Diagnosis) -> str:
+    """What the baseline had made of it: whatever changes by more than a percent."""
+    changes = [
+        f"{each.name.replace('_', ' ')} {each.before:.3g} -> {each.after:.3g} {each.unit}"
+        for each in found.booked
+        if abs(each.after - each.before) > 0.01 * max(abs(each.before), abs(each.after))
+    ]
+    if not changes:
+        return "nothing: damping, stiffness and gravity stay within 1 %."
+    return ", ".join(changes) + " (for the inertia that the fit took)."
+
+
+def sensors(found: Diagnosis) -> str:
+    """What encoder and gyro say of each other."""
+    if not found.sensors:
+        return "no gyro: encoder and gyro cannot be compared."
+    clear = [each for each in found.sensors if each.clear]
+    if not clear:
+        return "encoder and gyro agree."
+    parts = [
+        f"{each.name.replace('_', ' ')} {with_error(each.value, each.standard_error)}"
+        + ("" if each.unit == "1" else f" {each.unit}")
+        for each in clear
+    ]
+    return "encoder and gyro differ as if by " + ", ".join(parts) + "."
+
+
+def trust(found: Diagnosis) -> str:
+    return (
+        f"{len(found.found.pinned)} causes were tested; noise alone makes one of them stand out in "
+        f"{chance(found.false_alarm_rate)} of recordings."
+    )
