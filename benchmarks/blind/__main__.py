@@ -18,7 +18,7 @@ from .answer import Answer, ask
 from .figure import draw
 from .report import page, terminal
 from .score import score
-from .sets import FOLDERS, TRUTH, Blind, own, stored
+from .sets import FOLDERS, OWN, TRUTH, Blind, own, stored
 
 HERE = Path(__file__).parent
 
@@ -91,7 +91,7 @@ def publish(cases: list[Blind], answers: dict[str, Answer], folder: Path, begin:
     command = " ".join(["python -m benchmarks.blind", *sys.argv[1:]])
     text = page(cases, answers, found, command=command, image=image.name)
     (folder / f"{begin}results.md").write_text(text, encoding="utf-8")
-    if any(case.of == "own" for case in cases):
+    if any(case.of == OWN for case in cases):
         (folder / f"{begin}{TRUTH}").write_text(json.dumps(truths, indent=1) + "\n")
 
 

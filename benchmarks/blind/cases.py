@@ -5,7 +5,6 @@ times the noise floor. Errors of a sensor have realistic sizes instead, because 
 them.
 """
 
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -15,7 +14,7 @@ from scipy.optimize import brentq
 
 from exoid.recording.recording import Recording, Segment
 
-from .deck import Card, deal
+from .deck import Card
 from .effects import Effect, draw_effect
 from .motion import TICK, Motion, perform
 from .refit import Ratio, ratio
@@ -49,10 +48,8 @@ class Concealed:
     ratio: Ratio
 
 
-def own_cases(count: int, seed: int) -> Iterator[Case]:
-    """The first `count` cases of a seed; each is the same however many follow."""
-    for number, card in enumerate(deal(count, seed)):
-        yield draw_case(card, seed, number)
+def name_of_case(seed: int, number: int) -> str:
+    return f"own-{seed}-{number:03d}"
 
 
 def draw_case(card: Card, seed: int, number: int) -> Case:
@@ -64,7 +61,7 @@ def draw_case(card: Card, seed: int, number: int) -> Case:
         if hidden is not None:
             key = jax.random.key(int(rng.integers(2**31)))
             scenario, concealed, extra = hidden
-            name = f"own-{seed}-{number:03d}"
+            name = name_of_case(seed, number)
             entry = truth_entry(name, card, scenario, concealed, extra)
             return Case(name, record(scenario, concealed.motion, key), entry)
     raise ArithmeticError(f"case {number} of seed {seed}: {card} cannot be seen in any scenario.")
@@ -81,16 +78,18 @@ def conceal(
         extra = {"unobservable_mass": {"mass_kg": mass, "radius_m": distance}}
     else:
         extra = {}
-    free = perform(scenario.leg, scenario.movements, scenario.reading)
-    effects = [draw_effect(name, rng, scenario, free) for name in card.effects]
+    effects = [draw_effect(name, rng, scenario) for name in card.effects]
     drawn = tuple(each for each in effects if each is not None)
-    if len(drawn) < len(effects) or not all(map(possible, free.angle)):
+    if len(drawn) < len(effects):
         return None
     bounds = PAIRED if len(drawn) > 1 else (LEAST, MOST)
     sizes = [sized(each, scenario, rng, bounds) for each in drawn]
-    if not all(sizes):
+    alone = zip(drawn, sizes, strict=True) if len(drawn) > 1 else ()
+    if not all(sizes) or not all(
+        shows(at_sizes((each,), (size,), scenario)) for each, size in alone
+    ):
         return None
-    concealed = at_sizes(drawn, tuple(map(float, sizes)), scenario)
+    concealed = at_sizes(drawn, tuple(sizes), scenario)
     return (scenario, concealed, extra) if shows(concealed) else None
 
 

@@ -1,7 +1,6 @@
 """What may be concealed in a case: every term of the library and some beyond it, of random form."""
 
 from dataclasses import dataclass, field
-from functools import partial
 
 import jax.numpy as jnp
 import numpy as np
@@ -9,7 +8,6 @@ import numpy as np
 from exoid.physics.library import library, name_of
 from exoid.physics.term import SensorTerm, Term
 
-from .motion import Motion
 from .novel import NOVEL
 from .scenario import Scenario
 
@@ -173,23 +171,19 @@ TERMS = {name_of(term): term for term in library()} | {
 }
 
 
-def draw_effect(
-    name: str, rng: np.random.Generator, scenario: Scenario, free: Motion
-) -> Effect | None:
-    """This effect in a random form; None where the free motion leaves no room for it."""
+def draw_effect(name: str, rng: np.random.Generator, scenario: Scenario) -> Effect | None:
+    """This effect in a random form; None where the motion leaves no room for it."""
     recipe = RECIPES[name]
     sign = rng.choice([-1.0, 1.0]) if recipe.signed else 1.0
     sized = {each: sign * rng.uniform(*bounds) for each, bounds in recipe.sized.items()}
     shape = {each: rng.uniform(*bounds) for each, bounds in recipe.shape.items()}
-    make = partial(Effect, TERMS[name], recipe.smallest, recipe.largest, sized, shape)
-    return make() if name != "hard_stop" else draw_stop(make(), rng, scenario, free)
+    effect = Effect(TERMS[name], recipe.smallest, recipe.largest, sized, shape)
+    return effect if name != "hard_stop" else draw_stop(effect, rng, scenario)
 
 
-def draw_stop(
-    effect: Effect, rng: np.random.Generator, scenario: Scenario, free: Motion
-) -> Stop | None:
-    """A stop that the free motion passes, above where it begins or below the hanging leg."""
-    low, high = (limit(np.concatenate(free.angle)) for limit in (np.min, np.max))
+def draw_stop(effect: Effect, rng: np.random.Generator, scenario: Scenario) -> Stop | None:
+    """A stop that the free leg passes, above where it begins or below where it hangs."""
+    low, high = scenario.reached
     highest_start = max(each.start_angle for each in scenario.movements)
     rooms = {1.0: high - highest_start - MARGIN, -1.0: HANGING - MARGIN - low}
     sides = [side for side, room in rooms.items() if room > 2 * effect.smallest]

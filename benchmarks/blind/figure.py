@@ -12,6 +12,7 @@ from exoid.report.plot_style import TEXT
 
 from .score import Answers, Score
 from .sets import Blind
+from .truth import AS_RIGHT
 
 SAID = ("none", "cannot tell", "novel", "unnamed", "failed")  # instead of a name, the last columns
 CELL = 0.17  # inch
@@ -72,7 +73,9 @@ def kind_of(truth: str) -> int:
 
 
 def is_right(truth: str, answer: str) -> bool:
-    return answer in truth.split("+") or (truth.endswith("_novel") and answer == "novel")
+    if truth.endswith("_novel") and answer == "novel":
+        return True
+    return any(answer in (each, *AS_RIGHT.get(each, ())) for each in truth.split("+"))
 
 
 def draw_errors(axes: Axes, told: list[Blind], answers: Answers) -> None:
@@ -90,6 +93,7 @@ def draw_errors(axes: Axes, told: list[Blind], answers: Answers) -> None:
         axes.plot(after, at, "D", color=BLUE, markersize=3.5)
         axes.plot(floor, at, "|", color="black", markersize=6)
     axes.set_xscale("log")
+    axes.xaxis.set_major_formatter("{x:g}")
     labels = [f"{told[k].name}  {in_words(told[k].concealed)}" for k in order]
     axes.set_yticks(range(len(labels)), labels)
     axes.yaxis.tick_right()

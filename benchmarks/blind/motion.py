@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import equinox as eqx
 import jax
@@ -63,7 +64,7 @@ def padded(rows: list[list[float]]) -> np.ndarray:
     return np.array(rows + [rows[-1]] * (lanes - len(rows)))
 
 
-@eqx.filter_jit
+@partial(jax.jit, static_argnames="stride")
 def swings(
     leg: LegParameters,
     terms: tuple[Term, ...],

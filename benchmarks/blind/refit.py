@@ -5,7 +5,6 @@ The baseline is fitted to the encoder alone, so that an error of the gyro shows 
 
 from dataclasses import dataclass
 
-import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
@@ -107,7 +106,7 @@ def predicted(
     return data - shown, slopes
 
 
-@eqx.filter_jit
+@jax.jit
 def baseline(
     lanes: Float[Array, "lane 6"], clocks: Float[Array, "lane 2"], time: Float[Array, " time"]
 ):
@@ -144,5 +143,6 @@ def step(
 
 def cost(residual: np.ndarray, weight: np.ndarray) -> float:
     """Sum of squares over the noise; infinite where the baseline ran away."""
-    total = float(np.sum((residual[..., 0] * weight) ** 2))
+    with np.errstate(over="ignore", invalid="ignore"):
+        total = float(np.sum((residual[..., 0] * weight) ** 2))
     return total if np.isfinite(total) else np.inf

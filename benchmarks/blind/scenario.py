@@ -38,6 +38,7 @@ class Scenario:
     movements: tuple[Movement, ...]
     reading: Reading
     kit: SensorKit
+    reached: tuple[float, float]  # rad, lowest and highest angle with nothing concealed
 
     @property
     def active(self) -> bool:
@@ -75,20 +76,23 @@ def draw_scenario(rng: np.random.Generator, *, active: bool) -> Scenario:
         reading: Reading = "1/T" if rng.random() < 0.5 else "2/T"
         tried = [draw_movement(rng, leg, reading, active=active) for _ in range(TRIED)]
         motion = perform(leg, tried, reading, step=0.01)
-        done = [
-            each
-            for each, angle in zip(tried, motion.angle, strict=True)
-            if possible(angle) and np.ptp(angle) > SWUNG
-        ]
+        able = [k for k, angle in enumerate(motion.angle) if possible(angle) and swings(angle)]
         low, high = CYCLES_MADE if active else DROPS
         count = int(rng.integers(low, high + 1))
-        if len(done) >= count:
-            return Scenario(subject, leg, tuple(done[:count]), reading, draw_kit(rng))
+        if len(able) >= count:
+            done = tuple(tried[k] for k in able[:count])
+            angles = np.concatenate([motion.angle[k] for k in able[:count]])
+            reached = (float(angles.min()), float(angles.max()))
+            return Scenario(subject, leg, done, reading, draw_kit(rng), reached)
 
 
 def possible(angle: np.ndarray) -> bool:
     """Can a knee move like this?"""
     return bool(np.all(np.isfinite(angle)) and angle.min() > LOWEST and angle.max() < HIGHEST)
+
+
+def swings(angle: np.ndarray) -> bool:
+    return bool(np.ptp(angle) > SWUNG)
 
 
 def draw_subject(rng: np.random.Generator) -> Subject:

@@ -10,7 +10,7 @@ import numpy as np
 from jaxtyping import Float
 
 from exoid.diagnose.consistency import Consistency
-from exoid.diagnose.pinned import MOST, Clock, Course, Pinned
+from exoid.diagnose.pinned import MOST, Clock, Course, Effect, Given, Pinned
 from exoid.fit.coordinates import TYPICAL, Coordinates, flattened, scaled, unflattened, unscaled
 from exoid.fit.local import columns
 from exoid.fit.observation import Observation
@@ -18,12 +18,23 @@ from exoid.fit.problem import Problem
 from exoid.fit.program import called
 from exoid.physics.library import name_of
 from exoid.physics.parameter import Declaration, declarations
+from exoid.physics.step import Drive
 from exoid.physics.term import Term
 
-SLOTS = 2  # terms of a lane
-NUMBER = np.zeros(())
-PINNED = jax.tree.structure(Pinned(NUMBER, Course(NUMBER, NUMBER, NUMBER)))
-RELEASED = jax.tree.structure((NUMBER, NUMBER))
+GIVEN = 4  # first terms that lanes may have linear, the first of them none
+FARTHEST = 5.0  # typical steps of the inertia from the fit: a factor of four
+ROWS, TABLE = np.zeros((1, 1, 1)), np.zeros((1, 1, 1, 1))
+NONE = Effect(Drive(ROWS, ROWS, ROWS), ROWS)
+PINNED = jax.tree.structure(Pinned(TABLE, Course(ROWS, ROWS, ROWS), NONE))
+RELEASED = jax.tree.structure((TABLE, TABLE))
+
+
+@dataclass(frozen=True, eq=False)
+class Linear:
+    """A first term as it was found: what it does, linear in its parameters around `at`."""
+
+    effect: Effect
+    at: np.ndarray
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,23 +42,22 @@ class Candidate:
     """Terms with their values, and the leg that goes with them."""
 
     terms: tuple[type[Term], ...]
-    values: tuple[Float[np.ndarray, " parameter"], ...]
+    values: tuple[np.ndarray, ...]
     point: Float[np.ndarray, " coordinate"]  # `flattened` and in units of TYPICAL
-    bias: float = 0.0  # rad/s, of the gyro
+    zero: np.ndarray = field(default_factory=lambda: np.zeros(2))  # gyro [rad/s], encoder [rad]
+    linear: Linear | None = None  # in place of its first term, while it is pinned
 
     @property
     def unknowns(self) -> np.ndarray:
         """Everything a fit may change, in one row."""
-        return np.concatenate([self.point, [self.bias], *self.values])
+        return np.concatenate([self.point, self.zero, *self.values])
 
     def at(self, unknowns: np.ndarray) -> "Candidate":
         """The same terms elsewhere."""
         size = self.point.size
-        cuts = np.cumsum([value.size for value in self.values])[:-1]
-        values = np.split(unknowns[size + 1 :], cuts) if self.values else []
-        return replace(
-            self, point=unknowns[:size], bias=float(unknowns[size]), values=tuple(values)
-        )
+        cuts = np.cumsum([2, *(value.size for value in self.values)])[:-1]
+        zero, *values = np.split(unknowns[size:], cuts)
+        return replace(self, point=unknowns[:size], zero=zero, values=tuple(values))
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,7 +84,8 @@ class Bench:
     sensors: Consistency
     library: tuple[type[Term], ...]
     clock: Clock
-    requests: dict[type[Term], int] = field(default_factory=dict)
+    log_inertia: float  # log(J / kg m^2) of the baseline's fit
+    rig: bool  # whose encoder has its zero anywhere
 
     @property
     def seen(self) -> Observation:
@@ -161,12 +172,16 @@ class Bench:
         """As many of the waiting as fit into one run, and the rest."""
         used: Counter[type[Term]] = Counter()
         batch, rest = [], []
+        given: list[Linear] = []
         for number in waiting:
-            wanted = Counter(candidates[number].terms)
+            one = candidates[number]
+            wanted = Counter(one.terms if one.linear is None else one.terms[1:])
+            known = one.linear is None or any(one.linear is other for other in given)
             fits = all(used[term] + n <= self.room[term] for term, n in wanted.items())
-            if fits and len(batch) < self.lanes:
+            if fits and len(batch) < self.lanes and (known or len(given) < GIVEN - 1):
                 used += wanted
                 batch.append(number)
+                given += [] if known or one.linear is None else [one.linear]
             else:
                 rest.append(number)
         return batch, rest
@@ -183,7 +198,7 @@ class Bench:
             for lane, number in enumerate(batch):
                 one = candidates[number]
                 for at, (own, numbers) in enumerate(zip(one.terms, one.values, strict=True)):
-                    if own is term:
+                    if own is term and not (at == 0 and one.linear is not None):
                         value[made], owner[made], slot[made] = numbers, lane, at
                         made += 1
             values.append(value)
@@ -197,8 +212,9 @@ class Bench:
             tuple(values),
             tuple(owners),
             tuple(slots),
+            self.given([candidates[number] for number in chosen]),
             stacked,
-            np.array([candidates[number].bias for number in chosen]),
+            np.array([candidates[number].zero for number in chosen]),
             course,
             self.course,
             observation,
@@ -209,34 +225,63 @@ class Bench:
         static = (self.library, self.problem.chain)
         return called("exoid.diagnose.pinned:evaluate", arguments, static, PINNED)
 
+    def given(self, lanes: list[Candidate]) -> Given:
+        """The first terms that are linear, each once, and whose they are."""
+        segments, size = self.seen.time.shape
+        room = (1 + MOST, segments)
+        push = np.zeros((*room, size - 1))
+        effects = [Effect(Drive(push, push, push), np.zeros((*room, size, 2)))]
+        known: list[Linear] = []
+        whose, change = np.zeros(len(lanes), int), np.zeros((len(lanes), MOST))
+        for lane, one in enumerate(lanes):
+            if one.linear is None:
+                continue
+            if not any(one.linear is other for other in known):
+                known.append(one.linear)
+                effects.append(one.linear.effect)
+            whose[lane] = 1 + next(k for k, other in enumerate(known) if other is one.linear)
+            moved = one.values[0] - one.linear.at
+            change[lane, : moved.size] = moved
+        effects += [effects[0]] * (GIVEN - len(effects))
+        stacked = jax.tree.map(lambda *leaves: np.stack(leaves), *effects)
+        return Given(stacked, whose, change)
+
+    def linear(self, candidates: list[Candidate], courses: list[Course]) -> list[Linear]:
+        """What the terms of a few candidates do along their courses."""
+        found = self.run(list(range(len(candidates))), candidates, courses, self.seen).first
+        return [
+            Linear(jax.tree.map(lambda leaf, lane=lane: leaf[lane], found), one.values[0])
+            for lane, one in enumerate(candidates)
+        ]
+
     def release(
         self, candidates: list[Candidate], observation: Observation
     ) -> list[tuple[Products, np.ndarray]]:
-        """The products of candidates of the same terms running free, and what they show."""
-        terms = candidates[0].terms
-        points = [self.coordinates(each) for each in candidates]
+        """The products of candidates running free, one after the other, and what they show."""
+        return [self.release_one(each, observation) for each in candidates]
+
+    def release_one(
+        self, candidate: Candidate, observation: Observation
+    ) -> tuple[Products, np.ndarray]:
         arguments = (
-            tuple(np.stack([each.values[at] for each in candidates]) for at in range(len(terms))),
-            jax.tree.map(lambda *leaves: np.stack(leaves), *points),
-            np.array([each.bias for each in candidates]),
+            candidate.values,
+            self.coordinates(candidate),
+            candidate.zero,
             observation,
             self.problem.known,
             self.clock,
             np.asarray(self.problem.steps),
         )
-        static = (terms, self.problem.chain)
+        static = (candidate.terms, self.problem.chain)
         gram, shown = called("exoid.diagnose.free:release", arguments, static, RELEASED)
-        return [
-            (Products(self.spread(candidate, own, range(own.shape[-1]))), seen)
-            for candidate, own, seen in zip(candidates, gram, shown, strict=True)
-        ]
+        return Products(self.spread(candidate, gram, range(gram.shape[-1]))), shown
 
     def placed(self, candidate: Candidate, gram: np.ndarray) -> np.ndarray:
         """The products over all unknowns of a candidate."""
         base = self.places.shape[1]
-        rows = [*range(base + 1)]
+        rows = [*range(base + 2)]
         for slot, value in enumerate(candidate.values):
-            rows += list(base + 1 + slot * MOST + np.arange(value.size))
+            rows += list(base + 2 + slot * MOST + np.arange(value.size))
         return self.spread(candidate, gram, [*rows, gram.shape[-1] - 1])
 
     def spread(self, candidate: Candidate, gram: np.ndarray, rows) -> np.ndarray:
@@ -253,11 +298,16 @@ class Bench:
         """Of every unknown: the leg neither pulls apart nor makes energy, a term keeps its own."""
         size = candidate.unknowns.size
         lower, upper = np.full(size, -np.inf), np.full(size, np.inf)
-        lower[1:4] = 0.0  # gravity, stiffness, damping
+        lower[[1, 3]] = 0.0  # gravity, damping
+        lower[2] = -np.inf if self.rig else 0.0  # stiffness
+        inertia = self.log_inertia / float(TYPICAL.shared.log_inertia)
+        lower[0], upper[0] = inertia - FARTHEST, inertia + FARTHEST
         each: list[Declaration] = [
             declared for term in candidate.terms for _, declared in declarations(term)
         ]
-        first = candidate.point.size + 1
+        first = candidate.point.size + 2
+        if not self.rig:
+            lower[first - 1] = upper[first - 1] = 0.0
         lower[first:] = [declared.lower for declared in each]
         upper[first:] = [declared.upper for declared in each]
         return lower, upper

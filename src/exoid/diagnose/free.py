@@ -22,40 +22,39 @@ from exoid.physics.term import Term
 
 
 class Released(eqx.Module):
-    """(J, r)'(J, r) of every lane and segment, and what the sensors would show."""
+    """(J, r)'(J, r) of every segment, and what the sensors would show."""
 
-    gram: Float[Any, "lane segment column column"]
-    shown: Float[Any, "lane segment time channel"]  # rad, rad/s
+    gram: Float[Any, "segment column column"]
+    shown: Float[Any, "segment time channel"]  # rad, rad/s
 
 
 def release(
-    values: tuple[Float[Array, "lane parameter"], ...],
-    points: Coordinates,
-    bias: Float[Array, " lane"],
+    values: tuple[Array, ...],
+    point: Coordinates,
+    zero: Float[Array, "2"],
     observation: Observation,
     known: Float[Array, "segment unknown"],
     clock: Clock,
     steps: Int[Array, ""],
     static: tuple[tuple[type[Term], ...], Chain],
 ) -> Released:
-    """Every lane's misfit and derivatives, and the motion that its sensors would show.
+    """A candidate's misfit and derivatives, and the motion that its sensors would show.
 
-    Columns as in `pinned`: baseline unknowns, gyro bias, all terms' parameters, residual.
+    Columns as in `pinned`: baseline unknowns, zeros of gyro and encoder, terms' parameters,
+    residual.
     """
     terms, chain = static
 
-    def lane(values, point, bias):
-        mounting = jax.vmap(seated, in_axes=(None, 0))(point.mounting, observation.seat)
-        each = partial(segment, terms, chain, steps)
-        return jax.vmap(each, in_axes=(None, None, None, 0, 0, 0, 0, 0))(
-            values, bias, point.shared, mounting, point.own, observation, known, clock
-        )
-
-    gram, shown = jax.vmap(lane)(values, points, bias)
+    mounting = jax.vmap(seated, in_axes=(None, 0))(point.mounting, observation.seat)
+    each: Any = partial(segment, terms, chain, steps)
+    by_segment = jax.vmap(each, in_axes=(None, None, None, 0, 0, 0, 0, 0))
+    gram, shown = by_segment(
+        values, zero, point.shared, mounting, point.own, observation, known, clock
+    )
     return Released(gram, shown)
 
 
-def segment(terms, chain, steps, values, bias, shared, mounting, own, observation, known, clock):
+def segment(terms, chain, steps, values, zero, shared, mounting, own, observation, known, clock):
     """One segment's products and what its sensors would show."""
     base, unravel = ravel_pytree((shared, mounting, own))
     sizes = (TYPICAL.shared, TYPICAL.mounting, TYPICAL.own)
@@ -66,11 +65,11 @@ def segment(terms, chain, steps, values, bias, shared, mounting, own, observatio
 
     def shown(unknowns):
         shared, mounting, own = unravel(unknowns[: base.size] * unit)
-        bias, *numbers = jnp.split(unknowns[base.size :], np.cumsum([1, *sizes])[:-1])
+        zero, *numbers = jnp.split(unknowns[base.size :], np.cumsum([2, *sizes])[:-1])
         each = tuple(named(term, value) for term, value in zip(terms, numbers, strict=True))
-        return simulate(each, shared, mounting, own, bias[0], observation, clock, chain, steps)
+        return simulate(each, shared, mounting, own, zero, observation, clock, chain, steps)
 
-    unknowns = jnp.concatenate([base / unit, bias[None], *values])
+    unknowns = jnp.concatenate([base / unit, zero, *values])
     motion = shown(unknowns)
     slopes = jax.jacfwd(shown)(unknowns)
     moving = jnp.concatenate([1 - known, jnp.ones(unknowns.size - base.size)])
@@ -81,7 +80,7 @@ def segment(terms, chain, steps, values, bias, shared, mounting, own, observatio
     return table.T @ table, motion
 
 
-def simulate(terms, shared, mounting, own, bias, observation, clock, chain, steps):
+def simulate(terms, shared, mounting, own, offset, observation, clock, chain, steps):
     """What encoder and gyro would show of one segment: (time, channel)."""
     eq = equation(shared, mounting, own, observation, FREE)
     place = place_of(eq, own, clock)
@@ -111,6 +110,7 @@ def simulate(terms, shared, mounting, own, bias, observation, clock, chain, step
     memory = chain.begin(LegState(first.shown_angle, first.shown_velocity))
     empty = (memory, jnp.zeros((time.size, 4)))
     angle, velocity, acceleration, delay = march(forward, store, begin, empty, steps)[1].T
-    zero, scale, offset = sensor_map(mounting, observation)
+    zero, scale, bias = sensor_map(mounting, observation)
     velocity = delayed(time, velocity, acceleration, delay)
-    return jnp.stack([angle + zero, (1 + scale) * velocity + offset + bias], axis=1)
+    velocity = (1 + scale) * velocity + bias + offset[0]
+    return jnp.stack([angle + zero + offset[1], velocity], axis=1)

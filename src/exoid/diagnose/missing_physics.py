@@ -13,7 +13,7 @@ from exoid.diagnose.honesty import too_little, unsure
 from exoid.diagnose.locate import Location, locate
 from exoid.diagnose.novel import Formula, describe, term_of
 from exoid.diagnose.prepare import prepare
-from exoid.diagnose.proof import Proof, prove
+from exoid.diagnose.proof import Prediction, Proof, improves, predict, proof
 from exoid.diagnose.search import Found, equivalents, look, names, size
 from exoid.diagnose.settle import Settled, settle_free
 from exoid.fit.estimate import fit
@@ -25,8 +25,11 @@ from exoid.recording.recording import Recording
 
 Verdict = Literal["none", "mismatch", "cannot_tell"]
 NOVEL = 1.6  # mean square over the noise that the library must leave for a formula to be sought
-FOLLOWED = 0.99  # share of the excess that the library may explain for the rest to be new
+LEFT = 0.5  # of what the library leaves, that a formula may leave to take its place
+KNOWN = 0.5  # share of a formula that a term of the library is, up to which it is new
 ROUNDS = 25
+BIAS = "gyro_bias"
+CERTAIN = 5.0  # standard deviations
 BIASED = np.radians(0.1)  # rad/s, from which on a gyro's bias is worth a word
 
 
@@ -105,53 +108,80 @@ def diagnose(
     found = look(bench, base, told)
     told("locating the mismatch")
     location = locate(bench, base.candidate)
-    best, formula = found.best, None
-    if is_novel(found):
-        told("looking for a formula")
-        best, formula = formulated(bench, found)
     told("proving it on held-out data")
-    proof = prove(bench, base, best)
-    return concluded(result, bench, found, best, formula, location, proof)
+    chosen = choose(bench, found)
+    formula = None
+    if is_novel(found, chosen.best):
+        told("looking for a formula")
+        chosen, formula = formulated(bench, found, chosen)
+    return concluded(result, bench, found, chosen, formula, location)
 
 
-def is_novel(found: Found) -> bool:
+@dataclass(frozen=True, eq=False)
+class Chosen:
+    """The best explanation that holds on held-out data, and what it and the baseline predict."""
+
+    best: Settled
+    before: Prediction
+    after: Prediction
+
+
+def choose(bench: Bench, found: Found) -> Chosen:
+    """From the baseline to a term, from there to two: only where it is clear, and where it holds.
+
+    Two terms are only believed where they explain all there is: what bends one way or another can
+    be had from many pairs.
+    """
+    before = predict(bench, found.base)
+    chosen = Chosen(found.base, before, before)
+    whole = [one for one in found.pairs[:1] if one.square < NOVEL * found.yardstick.samples]
+    for better in (*found.singles[:1], *whole):
+        if found.clear(chosen.best, better):
+            after = predict(bench, better)
+            if improves(chosen.after, after) or chosen.best is found.base:
+                chosen = Chosen(better, before, after)
+    return chosen
+
+
+def is_novel(found: Found, best: Settled) -> bool:
     """Does the library leave too much of the mismatch?"""
     samples = found.yardstick.samples
-    left, whole = found.best.square - samples, found.base.square - samples
-    return found.best.square > NOVEL * samples and left > (1 - FOLLOWED) * whole
+    return best.square > NOVEL * samples
 
 
-def formulated(bench: Bench, found: Found) -> tuple[Settled, Formula | None]:
+def formulated(bench: Bench, found: Found, chosen: Chosen) -> tuple[Chosen, Formula | None]:
     """The best formula as a term, where it explains more than the library does."""
     formula = describe(bench, found.base.candidate)
+    if formula.known > KNOWN:
+        return chosen, None
     term = term_of(formula)
     at = found.base.candidate
-    start = Candidate((term,), (formula.coefficients,), at.point, at.bias)
+    start = Candidate((term,), (formula.coefficients,), at.point, at.zero)
     one = settle_free(bench, [start], rounds=ROUNDS)[0]
-    rival = found.evidence(found.best)
-    if found.evidence(one) > rival and found.clear(found.base, one):
-        return one, formula
-    return found.best, None
+    if one.square < LEFT * chosen.best.square and found.clear(found.base, one):
+        after = predict(bench, one)
+        if improves(chosen.after, after):
+            return Chosen(one, chosen.before, after), formula
+    return chosen, None
 
 
 def concluded(
     result: FitResult,
     bench: Bench,
     found: Found,
-    best: Settled,
+    chosen: Chosen,
     formula: Formula | None,
     location: Location,
-    proof: Proof,
 ) -> Diagnosis:
     """The verdict and everything that goes with it."""
+    best, shown = chosen.best, proof(bench, chosen.before, chosen.after)
     selected = named_terms(best, formula)
-    biased = [each for each in bench.sensors.errors if matters(each)]
-    names_of_sensors = [each.name for each in biased if each.name == "gyro_bias"]
-    verdict, reasons = judge(bench, found, best, proof)
-    if names_of_sensors and verdict != "cannot_tell":
+    bias = gyro_bias(best, found.yardstick)
+    verdict, reasons = judge(bench, found, best, shown)
+    if bias is not None and verdict != "cannot_tell":
         verdict = "mismatch"
-        selected = [*selected, *names_of_sensors]
-    equal = [] if formula or not best.candidate.terms else equivalents(found)
+        selected = [*selected, BIAS]
+    equal = [] if formula or not best.candidate.terms else equivalents(found, best)
     parameters = size(best)
     measure = found.yardstick
     tried = [len(list(declarations(term))) for term in found.pinned]
@@ -162,10 +192,10 @@ def concluded(
         ranking=ranked(found, selected, formula),
         equivalent=[name for one in equal for name in one_name(one)] if verdict != "none" else [],
         formula=formula,
-        parameters=parameters_of(best, measure, formula),
+        parameters=[*parameters_of(best, measure, formula), *([bias] if bias else [])],
         booked=booked(bench, found.base, best),
         location=location,
-        proof=proof,
+        proof=shown,
         false_alarm_rate=measure.false_alarm_rate(tried),
         power=measure.power(found.base.square, best.square, max(parameters, 1)),
         sensors=bench.sensors.errors,
@@ -185,11 +215,20 @@ def one_name(one: Settled) -> list[str]:
     return [" + ".join(names(one))]
 
 
-def matters(error: SensorError) -> bool:
-    return error.name == "gyro_bias" and error.clear and abs(error.value) > BIASED
+def gyro_bias(best: Settled, measure: Yardstick) -> Parameter | None:
+    """The bias of the gyro, which is free in every fit, where it is worth a word."""
+    at = best.candidate.point.size
+    precision = float(best.products.total[at, at])
+    if precision <= 0:
+        return None
+    error = (measure.scale / precision) ** 0.5
+    value = float(best.candidate.zero[0])
+    if abs(value) < max(BIASED, CERTAIN * error):
+        return None
+    return Parameter(f"{BIAS}.bias", value, "rad/s", error)
 
 
-def judge(bench: Bench, found: Found, best: Settled, proof: Proof) -> tuple[Verdict, list[str]]:
+def judge(bench: Bench, found: Found, best: Settled, shown: Proof) -> tuple[Verdict, list[str]]:
     """None, mismatch, or an honest doubt."""
     little = too_little(bench, found)
     if best is found.base:
@@ -202,7 +241,7 @@ def judge(bench: Bench, found: Found, best: Settled, proof: Proof) -> tuple[Verd
                 "explains it clearly better than another"
             ]
         return "none", []
-    doubts = [*little, *unsure(bench, best, proof)]
+    doubts = [*little, *unsure(bench, best, shown)]
     return ("cannot_tell", doubts) if doubts else ("mismatch", [])
 
 
@@ -228,7 +267,7 @@ def parameters_of(best: Settled, measure: Yardstick, formula: Formula | None) ->
     unit = np.where(size_of > 0, size_of, 1.0)
     inverse = np.linalg.pinv(normal / np.outer(unit, unit), hermitian=True)
     errors = np.sqrt(np.maximum(np.diag(inverse), 0.0) * measure.scale) / unit
-    found, at = [], candidate.point.size + 1
+    found, at = [], candidate.point.size + 2
     for term, values in zip(candidate.terms, candidate.values, strict=True):
         owner = "formula" if formula else name_of(term)
         for (name, declared), value in zip(declarations(term), values, strict=True):
@@ -261,7 +300,7 @@ def advice(
         return []
     if formula is not None:
         return ["Change one thing at a time (speed, angle, load) and watch which moves the torque."]
-    rivals = equivalents(found) if best.candidate.terms else found.singles[:2]
+    rivals = equivalents(found, best) if best.candidate.terms else found.singles[:2]
     terms = dict.fromkeys(term for one in rivals for term in one.candidate.terms)
     if verdict == "mismatch" and len(rivals) < 2:
         return []

@@ -37,18 +37,19 @@ class Feature:
 
     words: str
     of: Callable[[Any, Any, Any, Any], Any]  # (angle, velocity, time, xp)
+    known: bool = False  # a term of the library is just this
 
 
 @cache
 def dictionary() -> tuple[Feature, ...]:
     """What a formula may be made of; x is the angle [rad], v its rate [rad/s], t the time [s]."""
     plain = [
-        Feature("1", lambda x, v, t, xp: xp.ones_like(x)),
-        Feature("sin(x)", lambda x, v, t, xp: xp.sin(x)),
+        Feature("1", lambda x, v, t, xp: xp.ones_like(x), True),
+        Feature("sin(x)", lambda x, v, t, xp: xp.sin(x), True),
         Feature("x^2", lambda x, v, t, xp: x**2),
-        Feature("x^3", lambda x, v, t, xp: x**3),
-        Feature("sgn(v)", lambda x, v, t, xp: xp.tanh(v / 0.02)),
-        Feature("v|v|", lambda x, v, t, xp: v * xp.abs(v)),
+        Feature("x^3", lambda x, v, t, xp: x**3, True),
+        Feature("sgn(v)", lambda x, v, t, xp: xp.tanh(v / 0.02), True),
+        Feature("v|v|", lambda x, v, t, xp: v * xp.abs(v), True),
         Feature("v^2", lambda x, v, t, xp: v**2),
         Feature("v^3", lambda x, v, t, xp: v**3),
         Feature("v^4", lambda x, v, t, xp: v**4),
@@ -111,6 +112,7 @@ class Formula:
     features: tuple[Feature, ...]
     coefficients: Float[np.ndarray, " feature"]
     explained: float
+    known: float  # share of it that is in the library already
 
     @property
     def words(self) -> str:
@@ -147,7 +149,9 @@ def describe(bench: Bench, base: Candidate) -> Formula:
     picked = chosen[:best]
     coefficients = np.linalg.lstsq(left[:, picked], target, rcond=None)[0]
     features = tuple(dictionary()[at] for at in picked)
-    return Formula(features, coefficients, 1 - sums[best] / sums[0])
+    sizes = np.abs(coefficients) * np.linalg.norm(left[:, picked], axis=0)
+    known = float(sizes @ [feature.known for feature in features] / sizes.sum())
+    return Formula(features, coefficients, 1 - sums[best] / sums[0], known)
 
 
 def leg(each, number: int, count: int) -> np.ndarray:

@@ -61,18 +61,28 @@ class Effect(eqx.Module):
 
 
 class Pinned(eqx.Module):
-    """(J, r)'(J, r) of every lane and segment: baseline unknowns, gyro bias, terms, residual."""
+    """(J, r)'(J, r) of every lane and segment: baseline unknowns, zeros, terms, residual."""
 
     gram: Float[Any, "lane segment column column"]
     course: Course  # along which
+    first: Effect  # of the first lanes: what their first term does, and its derivatives
+
+
+class Given(eqx.Module):
+    """First terms of lanes as they were found: linear in their parameters."""
+
+    effect: Effect  # (given, 1 + parameter, segment, time): with none at 0
+    whose: Int[Any, " lane"]  # which of them a lane has
+    change: Float[Any, "lane parameter"]  # of the parameters since
 
 
 def evaluate(
-    values: tuple[Float[Array, "request parameter"], ...],
-    lanes: tuple[Int[Array, " request"], ...],
-    slots: tuple[Int[Array, " request"], ...],
+    values: tuple[Array, ...],
+    lanes: tuple[Array, ...],
+    slots: tuple[Array, ...],
+    given: Given,
     points: Coordinates,
-    bias: Float[Array, " lane"],
+    zero: Float[Array, "lane 2"],  # rad/s of the gyro, rad of the encoder
     courses: Course,
     measured: Course,
     observation: Observation,
@@ -86,12 +96,16 @@ def evaluate(
     `courses` are where the lanes were last, `measured` is what the sensors show.
 
     Of each term in `static` there are requests: its parameters' `values`, the lane that they belong
-    to and which of the lane's terms they are (`slots`).
+    to and which of the lane's terms they are (`slots`). A lane's first term may be `given`.
     """
     terms, chain = static
-    count = bias.shape[0]
-    courses = read(values, lanes, points, courses, measured, observation, clock, terms)
+    count = zero.shape[0]
+    first = jax.tree.map(partial(recalled, given), given.effect)
+    angle = first.shown[:, 0, :, :, 0] + zero[:, 1, None, None]
+    courses = read(values, lanes, points, courses, measured, observation, clock, terms, angle)
     pushes, shown = nothing(observation, count, 2)
+    pushes = jax.tree.map(lambda all, new: all.at[:, 0].set(new), pushes, first.push)
+    shown = shown.at[:, 0].set(first.shown)
     for term, value, owner, slot in zip(terms, values, lanes, slots, strict=True):
         whose = jax.tree.map(lambda leaf, owner=owner: leaf[owner], (points, courses))
         one = partial(columns, term, observation=observation, clock=clock)
@@ -108,7 +122,7 @@ def evaluate(
         courses,
         jax.tree.map(lambda leaf: jnp.moveaxis(together(leaf), 2, 1), pushes),
         jnp.moveaxis(together(shown), 2, 1),
-        bias,
+        zero,
     )
 
     each = partial(segment_gram, steps=steps, chain=chain)
@@ -118,12 +132,23 @@ def evaluate(
         return by_segment(*own[:4], observation, known, *own[4:])
 
     gram = jax.lax.map(lane, own, batch_size=lanes_at_once)
-    return Pinned(gram, courses)
+    kept = given.effect.shown.shape[0]
+    found = Effect(jax.tree.map(lambda leaf: leaf[:kept, 0], pushes), shown[:kept, 0])
+    return Pinned(gram, courses, found)
 
 
-def read(values, lanes, points, courses, measured, observation, clock, terms) -> Course:
-    """The leg's motion behind what the sensors show, if the lanes' terms are right."""
-    angle = jnp.zeros_like(courses.angle)
+def recalled(given: Given, leaf: Array) -> Array:
+    """What every lane's given term does now."""
+    own = leaf[given.whose]
+    change = jnp.einsum("lp,lp...->l...", given.change, own[:, 1:])
+    return own.at[:, 0].add(change)
+
+
+def read(values, lanes, points, courses, measured, observation, clock, terms, angle) -> Course:
+    """The leg's motion behind what the sensors show, if the lanes' terms are right.
+
+    `angle` is what the given terms show.
+    """
     for term, value, lane in zip(terms, values, lanes, strict=True):
         if term.shown is Term.shown:
             continue
@@ -317,9 +342,10 @@ def rubbing(term: Term, at, begin: LegState, end: LegState) -> Drive:
 
 
 def segment_gram(
-    shared, mounting, own, course, observation, known, pushes, shown, bias, *, steps, chain
+    shared, mounting, own, course, observation, known, pushes, shown, zero, *, steps, chain
 ) -> Float[Array, "column column"]:
-    """The products of one segment: baseline unknowns, gyro bias, terms' parameters, residual.
+    """The products of one segment: baseline unknowns, zeros of gyro and encoder, terms' parameters,
+    residual.
 
     The last column is no derivative but where the simulation stands beside the course.
     """
@@ -341,13 +367,13 @@ def segment_gram(
     steppers = jax.vmap(partial(linear_step, eq, by_eq, pinned, observation))
     carry, by_base, by_push, defect = steppers(jnp.arange(course.angle.size - 1))
     pushed = moved_by(by_push, pushes, eq).at[:, -1].add(defect)
-    added = jnp.concatenate([by_base, jnp.zeros_like(by_base[:, :1]), pushed], axis=1)
+    added = jnp.concatenate([by_base, jnp.zeros_like(by_base[:, :2]), pushed], axis=1)
 
     begin = jnp.stack(jax.tree.leaves(by_start), axis=1)
     offset = jnp.stack(
         [start.angle - course.angle[0], start.angular_velocity - pinned.angular_velocity[0]]
     )
-    begin = jnp.concatenate([begin, jnp.zeros((1 + terms, 2)).at[-1].set(offset)])
+    begin = jnp.concatenate([begin, jnp.zeros((2 + terms, 2)).at[-1].set(offset)])
 
     def forward(index, state):
         return state @ carry[index].T + added[index]
@@ -362,9 +388,9 @@ def segment_gram(
     moved = march(forward, store, begin, (memory, table), steps)[1]
 
     nothing = jnp.zeros((base, *shown.shape[1:]))
-    drifting = jnp.zeros((1, *shown.shape[1:])).at[..., 1].set(1.0)
+    drifting = jnp.zeros((2, *shown.shape[1:])).at[0, :, 1].set(1.0).at[1, :, 0].set(1.0)
     errors = jnp.moveaxis(jnp.concatenate([nothing, drifting, shown]), 0, 1)
-    by_sensors = jnp.concatenate([by_sensors, jnp.zeros((1 + terms, 3))])
+    by_sensors = jnp.concatenate([by_sensors, jnp.zeros((2 + terms, 3))])
 
     def show(index):
         tangents = jnp.moveaxis(moved[index] + errors[index], 1, 0)
@@ -374,7 +400,7 @@ def segment_gram(
 
         here = (course.angle[index], course.angular_velocity[index], sensors)
         value, rows = along(misfit, here, (*tangents, by_sensors))
-        return rows.at[-1].add(value + bias * rows[base])
+        return rows.at[-1].add(value + zero @ rows[base : base + 2])
 
     rows = jax.vmap(show)(jnp.arange(course.angle.size))
     rows = jnp.where(jnp.arange(course.angle.size)[:, None, None] <= steps, rows, 0.0)

@@ -38,8 +38,12 @@ def prepare(
     sensors = consistency(problem.observation)
     observation = without_edges(problem.observation, sensors)
     problem = replace(problem, observation=observation)
-    bench = Bench(problem, sensors, (*library(), *terms), clock(movements, reading))
-    point = bench.point(released(take(basis.ended.best, 0).coordinates, movements))
+    fitted = released(take(basis.ended.best, 0).coordinates, movements)
+    inertia = float(fitted.shared.log_inertia)
+    rig = any(recording.subject.kind == "rig" for _, recording in recordings)
+    tested, cycles = (*library(), *terms), clock(movements, reading)
+    bench = Bench(problem, sensors, tested, cycles, inertia, rig)
+    point = bench.point(fitted)
     return bench, settle_free(bench, [Candidate((), (), point)])[0]
 
 

@@ -13,6 +13,7 @@ from exoid.fit.observation import Observation
 LOOKS = 3  # at a held-out segment, to find where it begins
 EARLY = 0.6  # of a single segment, on which the fit is made where there is no other
 ROUNDS = 12
+TRAINING_ROUNDS = 5  # from where all segments have it
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,23 +48,32 @@ class Proof:
     @property
     def holds(self) -> bool:
         """Is most of it predicted better, and all of it together?"""
-        most = 2 * self.better > self.after.squares.size
-        return most and self.after.squares.sum() < self.before.squares.sum()
+        return improves(self.before, self.after)
 
 
-def prove(bench: Bench, base: Settled, best: Settled) -> Proof:
+def improves(before: Prediction, after: Prediction) -> bool:
+    """Is most of it predicted better, and all of it together?"""
+    better = np.sum(after.squares < before.squares)
+    return bool(2 * better > after.squares.size and after.squares.sum() < before.squares.sum())
+
+
+def predict(bench: Bench, at: Settled) -> Prediction:
     """Hold out every segment in turn; of a single one its end."""
     single = len(bench.problem.movements) == 1
-    predict = predict_end if single else predict_others
+    return predict_end(bench, at) if single else predict_others(bench, at)
+
+
+def proof(bench: Bench, before: Prediction, after: Prediction) -> Proof:
+    """Two predictions of the same data, side by side."""
     noise = bench.seen.angle_weight
     floor = float(np.sqrt(np.mean(1 / noise[noise > 0] ** 2)))
-    return Proof(predict(bench, base), predict(bench, best), floor, single)
+    return Proof(before, after, floor, len(bench.problem.movements) == 1)
 
 
 def predict_others(bench: Bench, at: Settled) -> Prediction:
     """Every segment from the others: leg and terms from them, only its own start from itself."""
     count = len(bench.problem.movements)
-    candidates = [without(bench, at, held_out) for held_out in range(count)]
+    candidates = [without(bench, at, held_out).candidate for held_out in range(count)]
     for _ in range(LOOKS):
         found = bench.release(candidates, bench.seen)
         candidates = [
@@ -75,28 +85,31 @@ def predict_others(bench: Bench, at: Settled) -> Prediction:
     return prediction(bench.seen, shown, np.asarray(bench.seen.angle_weight) > 0)
 
 
-def without(bench: Bench, at: Settled, held_out: int) -> Candidate:
-    """The candidate as the other segments have it: one Gauss-Newton step from where all do."""
-    total = at.products.total - at.products.each[held_out]
-    return moved(bench, at.candidate, total, np.zeros(at.candidate.unknowns.size, bool))
+def without(bench: Bench, at: Settled, held_out: int) -> Settled:
+    """The candidate as the other segments have it."""
+    others = np.arange(len(bench.problem.movements))[:, None] != held_out
+    training = masked(bench.seen, others)
+    return settle_free(bench, [at.candidate], training, rounds=TRAINING_ROUNDS)[0]
+
+
+def masked(seen: Observation, kept: np.ndarray) -> Observation:
+    """The observation with weight only where it is kept."""
+    return eqx.tree_at(
+        lambda seen: (seen.angle_weight, seen.velocity_weight),
+        seen,
+        (seen.angle_weight * kept, seen.velocity_weight * kept),
+    )
 
 
 def started(bench: Bench, candidate: Candidate, products: Products, number: int) -> Candidate:
     """The candidate with what the segment `number` owns brought to its best there."""
     own = bench.places[number][-3:]
-    fixed = np.ones(candidate.unknowns.size, bool)
-    fixed[own] = False
-    return moved(bench, candidate, products.each[number], fixed)
-
-
-def moved(bench: Bench, candidate: Candidate, total: np.ndarray, fixed: np.ndarray) -> Candidate:
-    unknowns = candidate.unknowns
-    lower, upper = bench.bounds(candidate)
-    lower, upper = lower - unknowns, upper - unknowns
-    lower[fixed] = upper[fixed] = 0.0
-    normal, gradient = total[:-1, :-1].copy(), total[:-1, -1].copy()
-    normal[fixed], normal[:, fixed], gradient[fixed] = 0.0, 0.0, 0.0
-    return candidate.at(unknowns + bounded(normal, gradient, 0.0, lower, upper))
+    normal, gradient = products.each[number][:-1, :-1], products.each[number][:-1, -1]
+    limits = np.full(own.size, np.inf)
+    step = bounded(normal[np.ix_(own, own)], gradient[own], 0.0, -limits, limits)
+    unknowns = candidate.unknowns.copy()
+    unknowns[own] += step
+    return candidate.at(unknowns)
 
 
 def predict_end(bench: Bench, at: Settled) -> Prediction:
@@ -105,12 +118,7 @@ def predict_end(bench: Bench, at: Settled) -> Prediction:
     used = np.asarray(seen.angle_weight) > 0
     last = np.flatnonzero(used[0])
     early = np.arange(used.shape[1]) <= last[int(EARLY * last.size)]
-    training = eqx.tree_at(
-        lambda seen: (seen.angle_weight, seen.velocity_weight),
-        seen,
-        (seen.angle_weight * early, seen.velocity_weight * early),
-    )
-    fitted = settle_free(bench, [at.candidate], training, rounds=ROUNDS)[0]
+    fitted = settle_free(bench, [at.candidate], masked(seen, early), rounds=ROUNDS)[0]
     return prediction(seen, np.asarray(fitted.course), used & ~early)
 
 

@@ -16,6 +16,7 @@ SHORT = 4  # candidates that run free, by what they explain pinned
 PAIRED = 3  # first terms of a pair
 REACH = 3.0  # times the best, within which running free may change the order
 ROUNDS = 8  # of pinned steps; what is close by then is brought to its end running free
+PAIR_ROUNDS = 6
 FREE_ROUNDS = 25
 FLOOR = 1.15  # mean square over the noise at which nothing more is looked for
 
@@ -32,17 +33,6 @@ class Found:
     pinned: dict[type[Term], float]
     failed: list[type[Term]]  # whose derivatives are not finite
     yardstick: Yardstick
-
-    @property
-    def best(self) -> Settled:
-        """The candidate of greatest evidence, or the baseline where none is clear."""
-        single = self.singles[0] if self.singles else None
-        if single is None or not self.clear(self.base, single):
-            pair = self.pairs[0] if self.pairs else None
-            return pair if pair is not None and self.clear(self.base, pair) else self.base
-        if self.pairs and self.clear(single, self.pairs[0]):
-            return self.pairs[0]
-        return single
 
     def clear(self, worse: Settled, better: Settled) -> bool:
         parameters = size(better) - size(worse)
@@ -63,11 +53,11 @@ def names(one: Settled) -> list[str]:
 
 def look(bench: Bench, base: Settled, told: Told) -> Found:
     """Every term by itself; pairs where no single one is enough."""
-    point, bias = base.candidate.point, base.candidate.bias
+    point, zero = base.candidate.point, base.candidate.zero
     usable = [term for term in bench.library if applies(bench, term)]
     told(f"testing {len(usable)} candidates")
     starts = [
-        Candidate((term,), (value,), point, bias) for term in usable for value in bench.starts(term)
+        Candidate((term,), (value,), point, zero) for term in usable for value in bench.starts(term)
     ]
     first = best_of(settle(bench, starts, rounds=ROUNDS))
     failed = [term for (term,), one in first.items() if not np.isfinite(one.square)]
@@ -80,11 +70,11 @@ def look(bench: Bench, base: Settled, told: Told) -> Found:
     singles = by_evidence(singles, base, measure)
     pinned = {one.candidate.terms[0]: one.square for one in ranked}
     found = Found(base, singles, [], pinned, failed, measure)
-    if found.best.square < FLOOR * measure.samples:
+    if min(base, *singles, key=lambda one: one.square).square < FLOOR * measure.samples:
         return found
     told("testing pairs")
     seconds = pairs(bench, ranked, singles)
-    pairs_at_best = best_of(settle(bench, seconds, rounds=ROUNDS))
+    pairs_at_best = best_of(settle(bench, seconds, rounds=PAIR_ROUNDS))
     both = ordered([one for one in pairs_at_best.values() if np.isfinite(one.square)])
     told("simulating the best pairs")
     joint = [polished(bench, one) for one in both[:SHORT] if one.square < REACH * both[0].square]
@@ -96,10 +86,12 @@ def look(bench: Bench, base: Settled, told: Told) -> Found:
 
 def applies(bench: Bench, term: type[Term]) -> bool:
     """Can it act here: a voluntary torque, or a gyro?"""
+    if term.living and bench.rig:
+        return False
     if term.voluntary:
         return any(each.voluntary for each in bench.problem.movements)
     name = name_of(term)
-    if name == "gyro_bias":
+    if name == "gyro_bias" or (name == "angle_offset" and bench.rig):
         return False  # it is free in every fit
     if name in ("gyro_scale", "sensor_skew"):
         return bool((bench.seen.velocity_weight > 0).any())
@@ -110,7 +102,7 @@ def best_of(settled: list[Settled]) -> dict[tuple[type[Term], ...], Settled]:
     """Of all starts of the same terms the best."""
     best: dict[tuple[type[Term], ...], Settled] = {}
     for one in settled:
-        terms = tuple(sorted(one.candidate.terms, key=name_of))
+        terms = one.candidate.terms
         if terms not in best or not one.square >= best[terms].square:
             best[terms] = one
     return best
@@ -160,36 +152,35 @@ def twins(bench: Bench, singles: list[Settled]) -> list[Settled]:
     other = value / max(stiffness, 1e-3) if missing[0] == pair[1] else value * stiffness
     declared = next(each for _, each in declarations(terms[missing[0]]))
     start = np.clip(other, declared.lower, declared.upper)
-    moved = Candidate((terms[missing[0]],), (start,), one.candidate.point, one.candidate.bias)
+    moved = Candidate((terms[missing[0]],), (start,), one.candidate.point, one.candidate.zero)
     return [settle_free(bench, [moved], rounds=FREE_ROUNDS)[0]]
 
 
 def pairs(bench: Bench, ranked: list[Settled], singles: list[Settled]) -> list[Candidate]:
     """The best single terms, each with every other."""
     refined = {one.candidate.terms[0]: one for one in singles}
-    firsts = [refined.get(one.candidate.terms[0], one) for one in ranked[:PAIRED]]
+    firsts = [refined.get(one.candidate.terms[0], one).candidate for one in ranked[:PAIRED]]
+    linear = bench.linear(firsts, [one.course for one in ranked[:PAIRED]])
     made = []
-    for number, first in enumerate(firsts):
-        done = {one.candidate.terms[0] for one in firsts[: number + 1]}
-        for second in ranked:
-            term = second.candidate.terms[0]
-            if term in done:
-                continue
-            made += [
-                Candidate(
-                    (*first.candidate.terms, term),
-                    (*first.candidate.values, value),
-                    first.candidate.point,
-                    first.candidate.bias,
-                )
-                for value in bench.starts(term)[:2]
-            ]
+    for number, (first, known) in enumerate(zip(firsts, linear, strict=True)):
+        done = {one.terms[0] for one in firsts[: number + 1]}
+        made += [
+            Candidate(
+                (*first.terms, *second.candidate.terms),
+                (*first.values, value),
+                first.point,
+                first.zero,
+                known,
+            )
+            for second in ranked
+            for value in bench.starts(second.candidate.terms[0])
+            if second.candidate.terms[0] not in done
+        ]
     return made
 
 
-def equivalents(found: Found) -> list[Settled]:
+def equivalents(found: Found, best: Settled) -> list[Settled]:
     """The candidates that this recording cannot tell from the best, itself included."""
-    best = found.best
     rivals = found.pairs if len(best.candidate.terms) > 1 else found.singles
     top = found.evidence(best)
     return [one for one in rivals if top - found.evidence(one) < APART]

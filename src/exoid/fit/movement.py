@@ -17,7 +17,7 @@ from exoid.recording.recording import Recording, Samples, Segment, Sensors
 
 FEWEST = 10  # samples that a movement must have to be fitted
 RELEASE = 0.2  # s before 20 deg/s are reached, within which a leg was let go
-MARKED = 0.06  # s of rest in front of a movement that was marked at its release
+MARKED = 0.025  # s of rest in front of a movement that was marked at its release
 STILL = np.radians(2.0)  # rad/s, reached within 2 ms of a release
 SETTLING = 0.15  # s of rest before a cycle below which its clock starts with the segment
 

@@ -44,6 +44,7 @@ class Term(eqx.Module):
     memory_size: ClassVar[int] = 0  # of a state of its own
     substeps: ClassVar[int] = 1  # of a time step, where the term is faster than the leg
     voluntary: ClassVar[bool] = False  # does it change the torque of Eq. 10, and nothing else
+    living: ClassVar[bool] = False  # does it take a person's leg, so that no rig has it
     inertial: ClassVar[bool] = False  # does its torque hang on the acceleration
 
     def torque(self, now: Moment, memory: Memory) -> Float[Array, ""]:

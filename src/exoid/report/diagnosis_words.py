@@ -53,17 +53,8 @@ def named(found: Diagnosis) -> list[str]:
     lines = []
     for name in found.selected:
         own = [each for each in found.parameters if each.name.startswith(f"{name}.")]
-        own = own or [sensor for sensor in bias(found) if sensor.name.startswith(name)]
         lines.append(f"{by_name[name].title}, {', '.join(map(parameter, own))}")
     return lines
-
-
-def bias(found: Diagnosis) -> list[Parameter]:
-    """What the sensors told of each other, as parameters."""
-    return [
-        Parameter(f"{each.name}.bias", each.value, each.unit, each.standard_error)
-        for each in found.sensors
-    ]
 
 
 def parameter(each: Parameter) -> str:

@@ -21,7 +21,7 @@ class CoulombFriction(PhysicsTerm):
     )
     isolate: ClassVar[str] = "drops from a large and from a small angle, down to complete rest"
 
-    level: Float[Any, ""] = parameter("F_c", "N m", 0.0, 5.0, "friction level", (0.05,))
+    level: Float[Any, ""] = parameter("F_c", "N m", 0.0, 50.0, "friction level", (0.05,))
 
     def dry_friction(self, now: Moment) -> Float[Array, ""]:
         return jnp.asarray(self.level)

@@ -28,6 +28,7 @@ class EndRangeStiffening(PhysicsTerm):
     isolate: ClassVar[str] = (
         "drops that reach both ends of the range, and the same with the back reclined"
     )
+    living: ClassVar[bool] = True
 
     extension: Float[Any, ""] = parameter(
         "M_e", "N m", 0.0, 30.0, "moment at full extension", (0.5,)

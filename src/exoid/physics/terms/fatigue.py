@@ -22,6 +22,7 @@ class Fatigue(PhysicsTerm):
         "tissue warms up and muscles tire."
     )
     isolate: ClassVar[str] = "the same drop at the beginning and at the end of the session"
+    living: ClassVar[bool] = True
 
     damping_drift: Float[Any, ""] = parameter(
         "x_d", "1", -0.3, 1.0, "damping, change per segment", (0.03,)

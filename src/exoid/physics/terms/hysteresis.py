@@ -23,7 +23,7 @@ class Hysteresis(PhysicsTerm):
     memory_size: ClassVar[int] = 1
     substeps: ClassVar[int] = 4
 
-    level: Float[Any, ""] = parameter("F", "N m", 0.0, 10.0, "torque after yielding", (0.1,))
+    level: Float[Any, ""] = parameter("F", "N m", 0.0, 50.0, "torque after yielding", (0.1,))
     yield_angle: Float[Any, ""] = parameter("phi_y", "rad", 0.004, 0.6, "yield angle", (0.03, 0.15))
 
     def torque(self, now: Moment, memory: Memory) -> Float[Array, ""]:

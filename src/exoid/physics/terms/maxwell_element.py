@@ -20,6 +20,7 @@ class MaxwellElement(PhysicsTerm):
         "and damping depend on how fast the leg swings."
     )
     isolate: ClassVar[str] = "holds of 1, 10 and 60 s before the release; swings at two periods"
+    living: ClassVar[bool] = True
     memory_size: ClassVar[int] = 1
 
     stiffness: Float[Any, ""] = parameter("k_1", "N m/rad", 0.0, 30.0, "its stiffness", (0.5,))

@@ -34,6 +34,7 @@ class MovingBase(PhysicsTerm):
         "gyro sees it, the encoder does not."
     )
     isolate: ClassVar[str] = "the same drops with the thigh strapped down, or an IMU on the thigh"
+    living: ClassVar[bool] = True
     inertial: ClassVar[bool] = True
     memory_size: ClassVar[int] = 2
     substeps: ClassVar[int] = 2

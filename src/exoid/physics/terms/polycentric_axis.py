@@ -22,6 +22,7 @@ class PolycentricAxis(PhysicsTerm):
         "from the hinge the more the knee is bent."
     )
     isolate: ClassVar[str] = "drops with a known added mass, whose distance is known"
+    living: ClassVar[bool] = True
 
     inertial: ClassVar[bool] = True
 

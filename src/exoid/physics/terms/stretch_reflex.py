@@ -26,6 +26,7 @@ class StretchReflex(PhysicsTerm):
         "a threshold: only while flexing, only when fast."
     )
     isolate: ClassVar[str] = "drops from several angles, so that only some pass the threshold; EMG"
+    living: ClassVar[bool] = True
     memory_size: ClassVar[int] = STAGES + 1
 
     gain: Float[Any, ""] = parameter("g", "N m s/rad", 0.0, 10.0, "reflex gain", (0.1,))

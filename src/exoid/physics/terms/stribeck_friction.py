@@ -21,8 +21,8 @@ class StribeckFriction(PhysicsTerm):
     )
     isolate: ClassVar[str] = "slow movements and many turning points: drops from small angles"
 
-    excess: Float[Any, ""] = parameter("F_x", "N m", 0.0, 5.0, "friction beyond F_c", (0.05,))
-    level: Float[Any, ""] = parameter("F_c", "N m", 0.0, 5.0, "friction at speed", (0.03,))
+    excess: Float[Any, ""] = parameter("F_x", "N m", 0.0, 50.0, "friction beyond F_c", (0.05,))
+    level: Float[Any, ""] = parameter("F_c", "N m", 0.0, 50.0, "friction at speed", (0.03,))
     speed: Float[Any, ""] = parameter("v_s", "rad/s", 0.02, 3.0, "Stribeck speed", (0.1, 0.4, 1.2))
 
     def dry_friction(self, now: Moment) -> Float[Array, ""]:

@@ -20,7 +20,7 @@ class TorqueBias(PhysicsTerm):
     )
     isolate: ClassVar[str] = "EMG, or drops after the instruction to relax; a known added mass"
 
-    bias: Float[Any, ""] = parameter("tau_b", "N m", -15.0, 15.0, "constant torque", (0.3,))
+    bias: Float[Any, ""] = parameter("tau_b", "N m", -50.0, 50.0, "constant torque", (0.3,))
 
     def torque(self, now: Moment, memory: Memory) -> Float[Array, ""]:
         return jnp.asarray(self.bias)

@@ -31,6 +31,7 @@ class WobblingMass(PhysicsTerm):
         "cannot."
     )
     isolate: ClassVar[str] = "a movement that is stopped abruptly, with a gyro above 100 Hz"
+    living: ClassVar[bool] = True
     inertial: ClassVar[bool] = True
     memory_size: ClassVar[int] = 4
     substeps: ClassVar[int] = 2
