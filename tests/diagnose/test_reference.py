@@ -30,15 +30,16 @@ def test_the_smoothed_motion_lies_nearer_to_the_truth_than_the_samples(gyro):
         assert np.std(found.angular_velocity - truth[:, 1]) < RATE
 
 
-def test_the_error_of_the_acceleration_is_what_it_says():
-    # The inner samples; at the ends fewer neighbours help. Twenty recordings know it to 5 %.
+def test_the_error_of_the_acceleration_is_not_larger_than_it_says():
+    # Inner samples; at the ends fewer neighbours help. One jerk serves all of a decaying swing, so
+    # that it is too large for most of it, and the error smaller than it says.
     left, said = [], []
     for seed in range(20):
         time, data, weights, truth = swing(seed)
         found = smooth(time, data, weights)
         left.append((found.angular_acceleration - truth[:, 2])[20:-20])
         said.append(found.acceleration_error[0])
-    assert 0.6 < np.std(np.concatenate(left)) / np.mean(said) < 1.4
+    assert 0.4 < np.std(np.concatenate(left)) / np.mean(said) < 1.0
 
 
 def test_a_missing_stretch_of_samples_is_bridged():

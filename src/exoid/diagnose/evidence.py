@@ -12,6 +12,8 @@ from exoid.fit.observation import Observation
 SURE = 30.0  # evidence beyond its price that noise does not reach: with thirty terms, 1 in 10 000
 APART = 10.0  # evidence by which one candidate is better than another: odds of 150 to 1
 MATTERS = 0.02  # of the noise's sum of squares: an effect that explains less changes nothing
+UNEXPLAINED = 1.6  # mean square over the noise from which on something remains unexplained
+ALIKE = 1.5  # times what the best leaves: where all leave something, that little is no difference
 LONGEST_LAG = 1.0  # s, over which what is left may be correlated
 
 
@@ -38,6 +40,10 @@ class Yardstick:
         """Is the gain beyond what noise may do, and large enough to matter?"""
         found = self.evidence(worse, better, parameters) > SURE
         return found and self.matters(worse, better)
+
+    def explains(self, square: float) -> bool:
+        """Is what is left hardly more than noise?"""
+        return square < UNEXPLAINED * self.samples
 
     def false_alarm_rate(self, parameters: list[int]) -> float:
         """The chance that noise alone makes any of so many terms clear."""

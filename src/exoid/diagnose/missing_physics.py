@@ -24,7 +24,6 @@ from exoid.physics.term import Term
 from exoid.recording.recording import Recording
 
 Verdict = Literal["none", "mismatch", "cannot_tell"]
-NOVEL = 1.6  # mean square over the noise that the library must leave for a formula to be sought
 LEFT = 0.5  # of what the library leaves, that a formula may leave to take its place
 KNOWN = 0.5  # share of a formula that a term of the library is, up to which it is new
 ROUNDS = 25
@@ -134,7 +133,7 @@ def choose(bench: Bench, found: Found) -> Chosen:
     """
     before = predict(bench, found.base)
     chosen = Chosen(found.base, before, before)
-    whole = [one for one in found.pairs[:1] if one.square < NOVEL * found.yardstick.samples]
+    whole = [one for one in found.pairs[:1] if found.yardstick.explains(one.square)]
     for better in (*found.singles[:1], *whole):
         if found.clear(chosen.best, better):
             after = predict(bench, better)
@@ -145,8 +144,7 @@ def choose(bench: Bench, found: Found) -> Chosen:
 
 def is_novel(found: Found, best: Settled) -> bool:
     """Does the library leave too much of the mismatch?"""
-    samples = found.yardstick.samples
-    return best.square > NOVEL * samples
+    return not found.yardstick.explains(best.square)
 
 
 def formulated(bench: Bench, found: Found, chosen: Chosen) -> tuple[Chosen, Formula | None]:
@@ -235,7 +233,7 @@ def judge(bench: Bench, found: Found, best: Settled, shown: Proof) -> tuple[Verd
         left = found.base.square / found.yardstick.samples
         if little:
             return "cannot_tell", little
-        if left > NOVEL:
+        if not found.yardstick.explains(found.base.square):
             return "cannot_tell", [
                 f"simulation and recording differ by {left**0.5:.2g} times the noise, but no cause "
                 "explains it clearly better than another"

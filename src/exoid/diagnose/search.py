@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from exoid.diagnose.bench import Bench, Candidate
-from exoid.diagnose.evidence import APART, Yardstick, yardstick
+from exoid.diagnose.evidence import ALIKE, APART, Yardstick, yardstick
 from exoid.diagnose.settle import Settled, settle, settle_free
 from exoid.physics.library import name_of
 from exoid.physics.parameter import declarations
@@ -114,11 +114,11 @@ def ordered(settled: list[Settled]) -> list[Settled]:
 
 def by_evidence(settled: list[Settled], base: Settled, measure: Yardstick) -> list[Settled]:
     known = list(best_of([one for one in settled if np.isfinite(one.square)]).values())
-    return sorted(
-        known,
-        key=lambda one: measure.evidence(base.square, one.square, size(one)),
-        reverse=True,
-    )
+    known.sort(key=lambda one: measure.evidence(base.square, one.square, size(one)), reverse=True)
+    if not known or measure.explains(known[0].square):
+        return known
+    alike = [one for one in known if one.square < ALIKE * known[0].square]
+    return sorted(known, key=lambda one: size(one) if one in alike else np.inf)
 
 
 def polished(bench: Bench, one: Settled) -> Settled:
@@ -182,5 +182,8 @@ def pairs(bench: Bench, ranked: list[Settled], singles: list[Settled]) -> list[C
 def equivalents(found: Found, best: Settled) -> list[Settled]:
     """The candidates that this recording cannot tell from the best, itself included."""
     rivals = found.pairs if len(best.candidate.terms) > 1 else found.singles
+    if not found.yardstick.explains(best.square):
+        least = min(one.square for one in rivals)
+        return [one for one in rivals if one is best or one.square < ALIKE * least]
     top = found.evidence(best)
     return [one for one in rivals if top - found.evidence(one) < APART]

@@ -1,0 +1,105 @@
+"""Candidates pinned to the data, and running free."""
+
+import jax
+import numpy as np
+import pytest
+from diagnosis_cases import FRICTION, SMALL, Detent, session
+
+from exoid.diagnose import prepare as preparing
+from exoid.diagnose.bench import Candidate
+from exoid.diagnose.evidence import count
+from exoid.diagnose.prepare import prepare
+from exoid.diagnose.settle import settle, settle_free
+from exoid.fit.estimate import fit
+from exoid.physics.library import name_of
+from exoid.physics.terms.coulomb_friction import CoulombFriction
+from exoid.physics.terms.maxwell_element import MaxwellElement
+
+
+@pytest.fixture(scope="module")
+def ready():
+    """A bench with a small library, on drops with dry friction."""
+    patch = pytest.MonkeyPatch()
+    patch.setattr(preparing, "library", lambda: SMALL)
+    recordings = [("drops", session(FRICTION))]
+    yield prepare(fit(recordings), recordings, (Detent,))
+    patch.undo()
+
+
+def candidates(bench, base):
+    point = base.candidate.point
+    return [
+        Candidate((term,), (value,), point)
+        for term in bench.library
+        for value in bench.starts(term)
+    ]
+
+
+def test_the_true_term_reaches_the_noise_pinned_and_free(ready):
+    bench, base = ready
+    samples = count(bench.seen)
+    start = [each for each in candidates(bench, base) if each.terms == (CoulombFriction,)]
+    for found in (settle(bench, start)[0], settle_free(bench, start)[0]):
+        # The sum of squares of noise is its number within four deviations.
+        assert abs(found.square - samples) < 4 * np.sqrt(2 * samples)
+        # J is the prior's, and the friction goes with it.
+        inertia = np.exp(bench.coordinates(found.candidate).shared.log_inertia)
+        assert found.candidate.values[0][0] / inertia == pytest.approx(0.08 / 0.42, rel=0.02)
+
+
+def test_no_other_term_reaches_the_noise(ready):
+    bench, base = ready
+    for found in settle(bench, candidates(bench, base)):
+        if found.candidate.terms != (CoulombFriction,):
+            assert found.square > 1.5 * count(bench.seen), name_of(found.candidate.terms[0])
+
+
+def test_pinned_and_free_agree_where_the_model_is_right(ready):
+    bench, base = ready
+    start = [each for each in candidates(bench, base) if each.terms == (CoulombFriction,)]
+    free = settle_free(bench, start)[0]
+    pinned = bench.evaluate([free.candidate], [bench.course], bench.seen)[0][0]
+    # Exact to second order in the noise, so within a part of a percent of the sum of squares.
+    assert pinned.square == pytest.approx(free.square, rel=0.03)
+    known = np.diag(free.products.total)[:-1] > 0
+    assert np.diag(pinned.total)[:-1][known] == pytest.approx(
+        np.diag(free.products.total)[:-1][known], rel=0.1
+    )
+
+
+def test_a_first_term_taken_as_linear_counts_like_itself(ready):
+    bench, base = ready
+    by_name = {name_of(each.terms[0]): each for each in candidates(bench, base)}
+    first, second = by_name["coulomb_friction"], by_name["detent"]
+    both = Candidate((*first.terms, *second.terms), (*first.values, *second.values), first.point)
+    linear = bench.linear([first], [bench.course])[0]
+    eased = Candidate(both.terms, both.values, both.point, both.zero, linear)
+    one, other = (
+        bench.evaluate([each], [bench.course], bench.seen)[0][0] for each in (both, eased)
+    )
+    assert other.each == pytest.approx(one.each, rel=1e-9, abs=1e-6)
+
+
+def test_more_requests_than_fit_at_once_are_all_answered(ready):
+    bench, base = ready
+    many = [each for each in candidates(bench, base) if each.terms == (MaxwellElement,)] * 5
+    found = bench.evaluate(many, [bench.course] * len(many), bench.seen)
+    squares = [products.square for products, _ in found]
+    assert squares[:3] * 5 == pytest.approx(squares, rel=1e-12)
+
+
+def test_a_step_into_a_bound_stays_on_it(ready):
+    bench, base = ready
+    point = base.candidate.point
+    found = settle(bench, [Candidate((CoulombFriction,), (np.array([49.0]),), point)])[0]
+    lower, upper = bench.bounds(found.candidate)
+    assert (found.candidate.unknowns >= lower).all()
+    assert (found.candidate.unknowns <= upper).all()
+
+
+def test_the_smoothed_course_is_what_the_sensors_show(ready):
+    bench, _ = ready
+    used = np.asarray(bench.seen.angle_weight) > 0
+    left = (bench.course.angle - bench.seen.angle)[used] * bench.seen.angle_weight[used]
+    assert 0.5 < np.mean(np.square(left)) < 1.2
+    assert jax.tree.leaves(bench.course)[0].shape == bench.seen.time.shape

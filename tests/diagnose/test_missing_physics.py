@@ -1,0 +1,119 @@
+"""The whole diagnosis, on recordings whose truth is known."""
+
+import equinox as eqx
+import jax.numpy as jnp
+import numpy as np
+import pytest
+from diagnosis_cases import DROPS, FRICTION, SMALL, Broken, Detent, session
+
+from exoid.diagnose import missing_physics
+from exoid.diagnose import prepare as preparing
+from exoid.diagnose.missing_physics import diagnose
+from exoid.physics.sensing.gyro_scale import GyroScale
+from exoid.physics.terms.coulomb_friction import CoulombFriction
+from exoid.physics.terms.quadratic_drag import QuadraticDrag
+from exoid.recording.recording import Recording
+from exoid.twin.motion import Movement
+
+
+@pytest.fixture(autouse=True)
+def small_library(monkeypatch):
+    monkeypatch.setattr(preparing, "library", lambda: SMALL)
+
+
+def cut(recording: Recording, until: float) -> Recording:
+    """Every segment up to `until` [s]."""
+    segments = tuple(
+        eqx.tree_at(lambda s: s, each, each) if False else shortened(each, until)
+        for each in recording.segments
+    )
+    return Recording(segments, recording.subject, recording.protocol, recording.sensors)
+
+
+def shortened(segment, until):
+    kept = segment.time <= until
+    channels = {name: samples[kept] for name, samples in segment.channels().items()}
+    return type(segment)(**channels | {"time": segment.time[kept]})
+
+
+def test_friction_is_named_and_proved_and_taken_out_of_the_damping():
+    found = diagnose(session(FRICTION))
+    assert found.verdict == "mismatch"
+    assert found.selected == ["coulomb_friction"]
+    assert found.equivalent == ["coulomb_friction"]
+    assert found.proof.after.total < 1.2 * found.proof.noise_floor < found.proof.before.total
+    damping = next(each for each in found.booked if each.name == "damping")
+    assert damping.after < damping.before
+    assert found.false_alarm_rate < 0.05
+    assert found.power > 0.95
+
+
+def test_what_the_damping_has_swallowed_is_still_found():
+    # So little friction that the baseline looks good: its angle is within twice the noise.
+    found = diagnose(session(CoulombFriction(jnp.asarray(0.012))))
+    assert found.fit.angle_rmse < 2.0 * found.fit.angle_noise
+    assert found.selected == ["coulomb_friction"]
+
+
+def test_nothing_is_found_where_nothing_is():
+    found = diagnose(session())
+    assert found.verdict == "none"
+    assert found.selected == found.equivalent == []
+
+
+def test_a_wrong_gyro_is_a_sensor_and_no_torque():
+    found = diagnose(session(GyroScale(jnp.asarray(-0.02))))
+    assert found.selected == ["gyro_scale"]
+    value = next(each for each in found.parameters if each.name == "gyro_scale.scale")
+    assert value.value == pytest.approx(-0.02, abs=0.001)
+
+
+def test_two_effects_are_both_named():
+    found = diagnose(session(FRICTION, GyroScale(jnp.asarray(0.03))))
+    assert sorted(found.selected) == ["coulomb_friction", "gyro_scale"]
+
+
+def test_a_term_of_the_users_own_is_tested_like_any_other():
+    found = diagnose(session(Detent(jnp.asarray(0.2))), terms=(Detent,))
+    assert found.selected == ["detent"]
+
+
+def test_a_term_that_cannot_be_differentiated_is_left_out_by_name():
+    found = diagnose(session(FRICTION), terms=(Broken,))
+    assert found.excluded == ["broken"]
+    assert found.selected == ["coulomb_friction"]
+
+
+def test_what_no_term_describes_is_called_novel_and_gets_a_formula():
+    found = diagnose(session(Detent(jnp.asarray(0.3))))
+    assert found.verdict == "mismatch"
+    assert found.formula is not None
+    assert found.formula.explained > 0.9
+    assert "8 x" in found.formula.words
+
+
+def test_a_single_segment_is_split_in_time():
+    found = diagnose(session(FRICTION, movements=DROPS[:1]))
+    assert found.proof.in_time
+    assert found.selected == ["coulomb_friction"]
+
+
+def test_what_is_too_short_cannot_tell():
+    found = diagnose(cut(session(FRICTION, movements=DROPS[:1]), 1.6))
+    assert found.verdict == "cannot_tell"
+    assert any("too short" in reason for reason in found.reasons)
+
+
+def test_one_voluntary_cycle_never_claims_physics_of_the_leg():
+    cycle = (Movement(np.radians(-6), 1.19, amplitude=-4.0),)
+    found = diagnose(session(QuadraticDrag(jnp.asarray(0.05)), movements=cycle))
+    assert found.verdict in ("cannot_tell", "none")
+    assert found.selected == []
+
+
+def test_the_phases_are_told():
+    heard = []
+    diagnose(session(FRICTION), told=heard.append)
+    assert heard[0] == "fitting the baseline"
+    assert missing_physics.__doc__
+    assert len(heard) == len(set(heard)) >= 4
