@@ -9,6 +9,7 @@ import json
 import sys
 from collections.abc import Iterable
 from pathlib import Path
+from typing import Any
 
 import jax
 
@@ -27,18 +28,22 @@ def main() -> None:
     options = parse()
     jax.config.update("jax_enable_x64", True)
     keep_programs_in()
-    cases, total = chosen(options)
-    if not total:
+    every = made(options.own, options.seed) if options.own else found_in(options.folder or FOLDERS)
+    cases = [case for case in every if not options.case or case.name in options.case]
+    if not cases:
         sys.exit("no case to run: name a --folder, or make some with --own N")
     options.to.mkdir(parents=True, exist_ok=True)
-    begin = "own-" if options.own else ""
+    begin = f"{OWN}-" if options.own else ""
+    if options.own:
+        write([case.truth for case in cases if case.truth], options.to / f"{begin}{TRUTH}")
     asked, answers = [], {}
     for case in cases:
-        tell(f"[{len(asked) + 1}/{total}] {case.name} ... ")
+        tell(f"[{len(asked) + 1}/{len(cases)}] {case.name} ... ")
         answers[case.name] = ask(case.name, case.load, options.seed)
         asked.append(case)
         tell(f"{answers[case.name].words}  {answers[case.name].seconds:.1f} s\n")
-        write_answers(answers, options.to / f"{begin}answers.json")
+        given = {name: answer.as_json() for name, answer in answers.items()}
+        write(given, options.to / f"{begin}answers.json")  # an interrupted run is not lost
     publish(asked, answers, options.to, begin)
 
 
@@ -61,38 +66,40 @@ def parse() -> argparse.Namespace:
     return parser.parse_args()
 
 
-def chosen(options: argparse.Namespace) -> tuple[Iterable[Blind], int]:
-    """The cases that were asked for, and how many."""
-    if options.own:
-        return own(options.own, options.seed), options.own
+def made(count: int, seed: int) -> list[Blind]:
+    """Own cases, all of them before the first is diagnosed."""
+    cases = []
+    for case in own(count, seed):
+        cases.append(case)
+        tell(f"\rdrawing {len(cases)} of {count} cases")
+    tell("\n")
+    return cases
+
+
+def found_in(folders: Iterable[Path]) -> list[Blind]:
+    """The stored cases of all folders that are there."""
     found: list[Blind] = []
-    for folder in options.folder or FOLDERS:
+    for folder in folders:
         if folder.is_dir():
             found += stored(folder)
         else:
             tell(f"skipped: {folder} is absent\n")
-    wanted = [case for case in found if not options.case or case.name in options.case]
-    return wanted, len(wanted)
+    return found
 
 
-def write_answers(answers: dict[str, Answer], path: Path) -> None:
-    """After every case, so that an interrupted run is not lost."""
-    given = {name: answer.as_json() for name, answer in answers.items()}
-    path.write_text(json.dumps(given, indent=1) + "\n")
+def write(content: Any, path: Path) -> None:
+    path.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
 
 
 def publish(cases: list[Blind], answers: dict[str, Answer], folder: Path, begin: str) -> None:
-    """The table on stdout, the page, the figure, and the truth of own cases."""
-    truths = [case.truth for case in cases if case.truth is not None]
-    found = score(truths, answers)
+    """The table on stdout, the page and the figure."""
+    found = score([case.truth for case in cases if case.truth is not None], answers)
     print(terminal(cases, answers, found))
     image = folder / f"{begin}results.png"
     draw(cases, answers, found, image)
     command = " ".join(["python -m benchmarks.blind", *sys.argv[1:]])
     text = page(cases, answers, found, command=command, image=image.name)
     (folder / f"{begin}results.md").write_text(text, encoding="utf-8")
-    if any(case.of == OWN for case in cases):
-        (folder / f"{begin}{TRUTH}").write_text(json.dumps(truths, indent=1) + "\n")
 
 
 def tell(words: str) -> None:

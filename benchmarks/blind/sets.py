@@ -7,17 +7,19 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+import jax
+
 from exoid.recording.load import load
 from exoid.recording.recording import Recording
 
 from .cases import draw_case, name_of_case
 from .deck import deal
-from .motion import swings
 
 SHARED = Path(__file__).parents[3] / "shared" / "data"
 FOLDERS = (SHARED / "concealed", SHARED / "real")
 TRUTH = "truth.json"
 OWN = "own"
+KEPT = 8  # own cases, whose programs are kept at once
 
 # What careful searches made of the real recordings, whose truth nobody knows.
 SUPPOSED = {
@@ -61,7 +63,10 @@ def recording(path: Path) -> Recording:
 
 
 def own(count: int, seed: int) -> Iterator[Blind]:
-    """Our own cases, each made when its turn comes, and the same however many follow."""
+    """Our own cases, each the same however many follow.
+
+    Make them all before anything else is compiled: what they compiled is thrown away with the rest.
+    """
     for number, card in enumerate(deal(count, seed)):
         name = name_of_case(seed, number)
         try:
@@ -69,7 +74,8 @@ def own(count: int, seed: int) -> Iterator[Blind]:
             yield Blind(name, partial(as_it_is, case.recording), case.truth, OWN)
         except ArithmeticError as fault:  # the other cases must run
             yield Blind(name, partial(refuse, fault), None, OWN)
-        swings.clear_cache()  # a program for every pair of terms would fill the memory
+        if number % KEPT == KEPT - 1:
+            jax.clear_caches()  # a program for every set of terms would fill the memory
 
 
 def as_it_is(recording: Recording) -> Recording:

@@ -1,5 +1,6 @@
 """Recordings with something missing in them, and a library small enough to compile quickly."""
 
+from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import jax
@@ -11,21 +12,16 @@ from exoid.physics.leg import LegModel
 from exoid.physics.moment import Moment
 from exoid.physics.parameter import parameter
 from exoid.physics.sensing.gyro_scale import GyroScale
+from exoid.physics.simulate import simulate
 from exoid.physics.term import Memory, PhysicsTerm
 from exoid.physics.terms.coulomb_friction import CoulombFriction
 from exoid.physics.terms.maxwell_element import MaxwellElement
 from exoid.physics.terms.quadratic_drag import QuadraticDrag
 from exoid.physics.torque import NoTorque
-from exoid.twin.motion import Movement
-from exoid.twin.protocols import record
-from fit_cases import BODY, leg
+from exoid.recording.recording import Protocol, Recording, Segment
+from fit_cases import BODY, NOISE, cycle_torque, leg, state
 
 SMALL = (CoulombFriction, GyroScale, MaxwellElement, QuadraticDrag)
-DROPS = (
-    Movement(np.radians(-10), 2.4),
-    Movement(np.radians(-30), 2.4),
-    Movement(np.radians(-45), 2.4),
-)
 FRICTION = CoulombFriction(jnp.asarray(0.08))
 
 
@@ -57,7 +53,44 @@ class Broken(PhysicsTerm):
         return jnp.sqrt(jnp.abs(self.size)) * now.angle
 
 
-def session(*terms, movements=DROPS, seed=0):
-    """Drops, or whatever movements, of a leg that has these terms, through sensors and filter."""
-    model = LegModel(leg(), NoTorque(), terms=terms)
-    return record(model, movements, jax.random.key(seed), subject=BODY)
+@dataclass(frozen=True)
+class Release:
+    """A leg let go at an angle [deg]; with an amplitude [N m] it is moved through one cycle."""
+
+    angle: float
+    duration: float = 2.4  # s
+    amplitude: float = 0.0
+
+
+DROPS = (Release(-10), Release(-30), Release(-45))
+FINE = 10  # steps of the truth per sample: its own error stays far below the noise
+
+
+def session(*terms, movements=DROPS, seed=0) -> Recording:
+    """A leg with these terms, as its sensors show it."""
+    rng = np.random.default_rng(seed)
+    segments = tuple(measured(each, terms, rng) for each in movements)
+    voluntary = any(each.amplitude for each in movements)
+    protocol = Protocol(
+        kind="active" if voluntary else "passive",
+        cycle_period=tuple(each.duration for each in movements) if voluntary else None,
+        torque_frequency="1/T" if voluntary else None,
+    )
+    return Recording(segments, BODY, protocol, NOISE)
+
+
+def measured(each: Release, terms, rng) -> Segment:
+    time = np.arange(round(each.duration * 100) + 1) / 100
+    fine = jnp.asarray(np.arange(FINE * (time.size - 1) + 1) / (100 * FINE))
+    torque = cycle_torque(each.amplitude, each.duration) if each.amplitude else NoTorque()
+    model = LegModel(leg(), torque, terms=terms)
+    motion = jax.jit(simulate)(model, state(np.radians(each.angle)), fine)
+    noise = rng.normal(size=(2, time.size))
+    assert NOISE.angle_noise is not None
+    assert NOISE.velocity_noise is not None
+    return Segment(
+        time,
+        raw_angle=np.asarray(motion.shown_angle[::FINE]) + NOISE.angle_noise * noise[0],
+        raw_angular_velocity=np.asarray(motion.shown_velocity[::FINE])
+        + NOISE.velocity_noise * noise[1],
+    )

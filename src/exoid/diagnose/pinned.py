@@ -57,7 +57,7 @@ class Effect(eqx.Module):
     """What a term does along a course: torques per inertia, and what the sensors show."""
 
     push: Drive  # rad/s^2, at the stage times
-    shown: Float[Any, "*batch segment time channel"]  # rad, rad/s
+    shown: Float[Any, "*batch time channel"]  # rad, rad/s
 
 
 class Pinned(eqx.Module):

@@ -118,9 +118,9 @@ def bounded(
         known = np.where(fixed, change, 0.0)
         right = -(slope + scaled @ known)[free]
         change[free] = np.linalg.solve(scaled[np.ix_(free, free)], right)
-        inside = np.clip(change / unit, lower, upper) * unit
-        beyond = (inside != change) & free
-        change = inside
+        inside = np.clip(change / unit, lower, upper)
+        beyond = (inside != change / unit) & free
+        change = np.where(beyond, inside * unit, change)
         if not beyond.any():
             break
         fixed = fixed | beyond
