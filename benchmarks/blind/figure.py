@@ -16,6 +16,7 @@ from .truth import AS_RIGHT
 
 SAID = ("none", "cannot tell", "novel", "unnamed", "failed")  # instead of a name, the last columns
 CELL = 0.17  # inch
+NARROWEST = 10  # cells
 MARGINS = (4.6, 2.4)  # inch, for words beside and below both panels
 ERRORS = 2.6  # inch, width of the second panel
 DOTS = 200  # per inch
@@ -28,9 +29,10 @@ def draw(cases: list[Blind], answers: Answers, score: Score, path: Path) -> None
     columns = columns_of(score)
     height = CELL * max(len(score.confusion), len(told), 8) + MARGINS[1]
     with mpl.rc_context(TEXT):
-        figure = Figure(figsize=(CELL * len(columns) + ERRORS + MARGINS[0], height))
+        wide = CELL * max(len(columns), NARROWEST)
+        figure = Figure(figsize=(wide + ERRORS + MARGINS[0], height))
         figure.set_layout_engine("constrained")
-        widths = [max(CELL * len(columns), 1.0), ERRORS]
+        widths = [wide, ERRORS]
         matrix, errors = figure.subplots(1, 2, width_ratios=widths)
         draw_matrix(matrix, score, columns)
         draw_errors(errors, told, answers)
@@ -62,7 +64,7 @@ def draw_matrix(axes: Axes, score: Score, columns: list[str]) -> None:
     axes.set_yticks(range(len(truths)), [in_words(name) for name in truths])
     axes.set_xlabel("first answer")
     axes.set_ylabel("truth")
-    axes.set_title("Truth against first answer (framed: right)", loc="left")
+    axes.set_title("Framed: right", loc="left")
 
 
 def kind_of(truth: str) -> int:

@@ -60,8 +60,8 @@ def look(bench: Bench, base: Settled, told: Told) -> Found:
         Candidate((term,), (value,), point, zero) for term in usable for value in bench.starts(term)
     ]
     first = best_of(settle(bench, starts, rounds=ROUNDS))
-    failed = [term for (term,), one in first.items() if not np.isfinite(one.square)]
-    ranked = ordered([one for one in first.values() if np.isfinite(one.square)])
+    failed = [term for (term,), one in first.items() if not sound(one)]
+    ranked = ordered([one for one in first.values() if sound(one)])
     near = [one for one in ranked[:SHORT] if one.square < REACH * ranked[0].square]
     told("simulating the best of them")
     singles = [polished(bench, one) for one in near]
@@ -75,7 +75,7 @@ def look(bench: Bench, base: Settled, told: Told) -> Found:
     told("testing pairs")
     seconds = pairs(bench, ranked, singles)
     pairs_at_best = best_of(settle(bench, seconds, rounds=PAIR_ROUNDS))
-    both = ordered([one for one in pairs_at_best.values() if np.isfinite(one.square)])
+    both = ordered([one for one in pairs_at_best.values() if sound(one)])
     told("simulating the best pairs")
     joint = [polished(bench, one) for one in both[:SHORT] if one.square < REACH * both[0].square]
     singles = [*singles, *reduced(bench, ordered(joint)[:1])]
@@ -98,6 +98,11 @@ def applies(bench: Bench, term: type[Term]) -> bool:
     return True
 
 
+def sound(one: Settled) -> bool:
+    """Are its sum of squares and all derivatives finite?"""
+    return bool(np.isfinite(one.products.total).all())
+
+
 def best_of(settled: list[Settled]) -> dict[tuple[type[Term], ...], Settled]:
     """Of all starts of the same terms the best."""
     best: dict[tuple[type[Term], ...], Settled] = {}
@@ -113,7 +118,7 @@ def ordered(settled: list[Settled]) -> list[Settled]:
 
 
 def by_evidence(settled: list[Settled], base: Settled, measure: Yardstick) -> list[Settled]:
-    known = list(best_of([one for one in settled if np.isfinite(one.square)]).values())
+    known = list(best_of([one for one in settled if sound(one)]).values())
     known.sort(key=lambda one: measure.evidence(base.square, one.square, size(one)), reverse=True)
     if not known or measure.explains(known[0].square):
         return known

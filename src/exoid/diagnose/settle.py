@@ -96,6 +96,8 @@ def step(bench: Bench, at: Settled) -> tuple[Candidate, float]:
     """The next place to try, and the gain to expect there."""
     unknowns = at.candidate.unknowns
     normal, gradient = at.products.total[:-1, :-1], at.products.total[:-1, -1]
+    if not np.isfinite(at.products.total).all():
+        return at.candidate, 0.0
     lower, upper = bench.bounds(at.candidate)
     change = bounded(normal, gradient, at.damping, lower - unknowns, upper - unknowns)
     gain = -(2 * gradient @ change + change @ normal @ change)
