@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from exoid.diagnose.identifiability import Identifiability, identify
-    from exoid.diagnose.missing_physics import Diagnosis, diagnose
+    from exoid.diagnose.missing_physics import Diagnosis
+    from exoid.diagnose.missing_physics import diagnose as diagnose_leg
     from exoid.diagnose.plan import Plan, plan
     from exoid.fit.each import fit_each
     from exoid.fit.estimate import fit as fit_leg
@@ -33,7 +34,7 @@ if TYPE_CHECKING:
 
 _HOMES = {
     "Diagnosis": ("exoid.diagnose.missing_physics", "Diagnosis"),
-    "diagnose": ("exoid.diagnose.missing_physics", "diagnose"),
+    "diagnose_leg": ("exoid.diagnose.missing_physics", "diagnose"),
     "Moment": ("exoid.physics.moment", "Moment"),
     "parameter": ("exoid.physics.parameter", "parameter"),
     "PhysicsTerm": ("exoid.physics.term", "PhysicsTerm"),
@@ -93,7 +94,7 @@ __all__ = [
     "Sensors",
     "Subject",
     "Trajectory",
-    "diagnose",
+    "diagnose_leg",
     "expected_leg",
     "fit_each",
     "fit_leg",
