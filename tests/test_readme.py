@@ -29,7 +29,7 @@ def folder_with_a_drop(tmp_path, monkeypatch):
 
 @pytest.mark.slow
 def test_the_library_examples_run(folder_with_a_drop):
-    assert len(BLOCKS) == 2
+    assert len(BLOCKS) == 3
     for block in BLOCKS:
         exec(compile(block, "README.md", "exec"), {})
     assert (folder_with_a_drop / "fit.pdf").stat().st_size > 1000
@@ -42,6 +42,8 @@ def test_every_option_it_names_exists():
 
     commands = get_command(app).commands  # type: ignore[attr-defined]
     known = {name for each in commands.values() for entry in each.params for name in entry.opts}
-    for line in re.findall(r"^.*\bexoid (?:fit|simulate).*$", README.read_text(), re.MULTILINE):
+    for line in re.findall(
+        r"^.*\bexoid (?:fit|simulate|plan|diagnose).*$", README.read_text(), re.MULTILINE
+    ):
         for option in re.findall(r"(?<![\w-])--[a-z][a-z-]*", line.split("exoid ", 1)[1]):
             assert option in known | {"--help"}, line

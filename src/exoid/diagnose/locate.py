@@ -15,8 +15,8 @@ from exoid.fit.residual import equation
 from exoid.physics.leg import angular_acceleration
 from exoid.physics.state import LegState
 
-WIDTH = 0.05  # s, over which the missing torque is averaged
-CLEAR = 4.0  # standard deviations beyond which it is not noise
+WIDTH = 0.1  # s, over which the missing torque is averaged
+CLEAR = 3.0  # standard deviations beyond which it is not noise
 STRONG = 0.5  # of its largest: what is named
 SHORTEST = 0.03  # s
 MOST = 6  # places that are named

@@ -1,0 +1,109 @@
+"""`exoid diagnose` as a user runs it: answers, figure, document, own terms, refusals."""
+
+import json
+
+import numpy as np
+import pytest
+from command_line import refusal
+
+from exoid.recording.recording import Protocol, Recording, Segment, Sensors, Subject
+from exoid.recording.table import write_table
+
+TERMS = '''
+from typing import Any, ClassVar
+import exoid
+
+class Sail(exoid.PhysicsTerm):
+    """tau = -b phi'^3."""
+    title: ClassVar[str] = "sail"
+    reference: ClassVar[str] = "a test"
+    explanation: ClassVar[str] = "It flaps."
+    isolate: ClassVar[str] = "wind"
+    size: Any = exoid.parameter("b", "N m s^3/rad^3", -1.0, 1.0, "size", starts=(0.01,))
+    def torque(self, now, memory):
+        return -self.size * now.angular_velocity**3
+'''
+
+
+def rubbing(angle: float, seed: int) -> Segment:
+    """A drop with dry friction, by Euler's method at 20 kHz: no code of exoid is in it."""
+    rng = np.random.default_rng(seed)
+    step, steps = 5e-5, 200
+    phi, rate, rows = np.radians(angle), 0.0, []
+    for _ in range(240):
+        rows.append((phi, rate))
+        for _ in range(steps):
+            pull = -26.0 * np.cos(phi) - 6.0 * phi - 0.8 * rate
+            rate += step * pull
+            slowed = max(abs(rate) - step * 0.2, 0.0)
+            rate = np.sign(rate) * slowed
+            phi += step * rate
+    motion = np.array(rows) + rng.normal(size=(240, 2)) * [8e-4, 3e-3]
+    return Segment(np.arange(240) / 100, raw_angle=motion[:, 0], raw_angular_velocity=motion[:, 1])
+
+
+@pytest.fixture(scope="module")
+def table(tmp_path_factory):
+    segments = tuple(rubbing(angle, seed) for seed, angle in enumerate((-10, -30, -45)))
+    recording = Recording(
+        segments,
+        Subject(kind="leg", body_mass=74.0, height=1.78),
+        Protocol(kind="passive"),
+        Sensors(angle_noise=8e-4, velocity_noise=3e-3),
+    )
+    path = tmp_path_factory.mktemp("diagnose") / "drops.csv"
+    write_table(recording, path)
+    return path
+
+
+@pytest.mark.slow
+def test_dry_friction_is_found_shown_and_written(command, table, tmp_path):
+    figure, document = tmp_path / "why.png", tmp_path / "why.json"
+    terms = tmp_path / "mine.py"
+    terms.write_text(TERMS, encoding="utf-8")
+    done = command("diagnose", table, "--plot", figure, "--json", document, "--terms", terms)
+    assert done.returncode == 0, done.stderr
+    said = " ".join(done.stdout.split())
+    assert "Something is missing" in said
+    assert "dry friction" in said
+    assert "held-out angle RMSE" in said
+    assert figure.stat().st_size > 20_000
+    found = json.loads(document.read_text(encoding="utf-8"))
+    assert found["verdict"] == "mismatch"
+    assert found["selected"] == ["coulomb_friction"]
+    assert found["equivalent"][0] == "coulomb_friction"
+    assert found["novel"] is False
+    assert found["heldout_rmse_after"] < 1.2 * found["noise_floor"]
+    assert found["booked_before"]["damping"]["after"] < found["booked_before"]["damping"]["before"]
+    assert {"segment", "from_s", "to_s", "region", "description"} <= found["where"][0].keys()
+    assert "sail" in found["ranking"]
+
+
+@pytest.mark.parametrize(
+    ("content", "why"),
+    [
+        (None, "there is no such file"),
+        ("x = 1\n", "no class of exoid.PhysicsTerm"),
+        ("import nothing_like_it\n", "ModuleNotFoundError"),
+        (TERMS.replace("starts=(0.01,)", "starts=()"), "at least one start"),
+        (TERMS.replace("class Sail", "class QuadraticDrag"), "has the name of another"),
+    ],
+)
+def test_terms_that_cannot_be_used_are_refused(command, table, tmp_path, content, why):
+    terms = tmp_path / "mine.py"
+    if content is not None:
+        terms.write_text(content, encoding="utf-8")
+    assert why in refusal(command("diagnose", table, "--terms", terms))
+
+
+def test_an_existing_document_survives_a_failing_run(command, tmp_path):
+    kept = tmp_path / "why.json"
+    kept.write_text("kept", encoding="utf-8")
+    empty = tmp_path / "empty.csv"
+    empty.write_text("", encoding="utf-8")
+    refusal(command("diagnose", empty, "--json", kept))
+    assert kept.read_text(encoding="utf-8") == "kept"
+
+
+def test_a_figure_of_another_kind_is_refused(command, table, tmp_path):
+    assert "must end in" in refusal(command("diagnose", table, "--plot", tmp_path / "why.gif"))
