@@ -10,6 +10,7 @@ from jaxtyping import Float
 
 from exoid.diagnose.bench import Bench, Candidate
 from exoid.diagnose.pinned import FREE
+from exoid.diagnose.settle import Settled
 from exoid.fit.coordinates import seated
 from exoid.fit.residual import equation
 from exoid.physics.leg import angular_acceleration
@@ -36,6 +37,7 @@ class Missing:
     angular_velocity: Samples  # rad/s
     torque: Samples  # N m
     band: float  # N m, standard deviation
+    modelled: Samples | None  # N m, by what was found: without noise
 
 
 @dataclass(frozen=True)
@@ -75,9 +77,13 @@ class Location:
         return f"angle ({angle} of its variance) and speed ({speed}) explain it about alike"
 
 
-def locate(bench: Bench, base: Candidate) -> Location:
-    """The torque that would make the baseline move as the sensors show."""
-    missing = [lacking(bench, base, number) for number in range(len(bench.problem.movements))]
+def locate(bench: Bench, base: Candidate, best: Settled) -> Location:
+    """The torque that would make the baseline move as the sensors show, and as `best` does."""
+    shown = np.asarray(best.course) if best.candidate.terms else None
+    missing = [
+        lacking(bench, base, number, None if shown is None else shown[number])
+        for number in range(len(bench.problem.movements))
+    ]
     regions = [region for each in missing for region in regions_of(each)]
     regions.sort(key=lambda each: abs(each.torque) * (each.end - each.begin), reverse=True)
     angle = np.concatenate([each.angle for each in missing])
@@ -86,8 +92,10 @@ def locate(bench: Bench, base: Candidate) -> Location:
     return Location(missing, regions[:MOST], explained(angle, torque), explained(speed, torque))
 
 
-def lacking(bench: Bench, base: Candidate, number: int) -> Missing:
-    """J (phi'' - Eq. 9) along the measured motion, averaged over a few samples."""
+def lacking(bench: Bench, base: Candidate, number: int, shown: np.ndarray | None = None) -> Missing:
+    """J (phi'' - Eq. 9) along the measured motion, averaged over a few samples; and along the
+    simulated motion that is `shown`, (time, channel).
+    """
     coordinates, seen = bench.coordinates(base), bench.seen
     reference = bench.sensors.references[number]
     size = reference.angle.size
@@ -100,16 +108,25 @@ def lacking(bench: Bench, base: Candidate, number: int) -> Missing:
     eq = equation(coordinates.shared, mounting, own(coordinates.own), observation, FREE)
     drive = eq.cycle * observation.cycle.begin + eq.torque * observation.torque.begin
     drive = np.append(drive, drive[-1])[:size]
-    state = LegState(jnp.asarray(reference.angle), jnp.asarray(reference.angular_velocity))
-    expected = np.asarray(angular_acceleration(eq.ratios, state, jnp.asarray(drive)))
     time = np.asarray(seen.time[number])[:size]
+
+    def excess(angle, velocity, acceleration):
+        state = LegState(jnp.asarray(angle), jnp.asarray(velocity))
+        expected = np.asarray(angular_acceleration(eq.ratios, state, jnp.asarray(drive)))
+        return (acceleration - expected) / float(eq.torque)
+
+    modelled = None
+    if shown is not None:
+        angle, velocity = shown[:size].T
+        modelled = excess(angle, velocity, np.gradient(velocity, time))
     width = max(1, round(WIDTH / float(np.median(np.diff(time)))))
-    excess = (reference.angular_acceleration - expected) / float(eq.torque)
-    torque = np.convolve(np.pad(excess, width // 2, mode="edge"), np.ones(width) / width, "same")
+    rough = excess(reference.angle, reference.angular_velocity, reference.angular_acceleration)
+    torque = np.convolve(np.pad(rough, width // 2, mode="edge"), np.ones(width) / width, "same")
     torque = torque[width // 2 : width // 2 + size]
     band = float(reference.acceleration_error[0] / float(eq.torque) / np.sqrt(width))
     name = bench.problem.movements[number].name
-    return Missing(name, time, reference.angle, reference.angular_velocity, torque, band)
+    motion = (time, reference.angle, reference.angular_velocity)
+    return Missing(name, *motion, torque, band, modelled)
 
 
 def explained(cause: Samples, torque: Samples) -> float:
@@ -123,17 +140,20 @@ def explained(cause: Samples, torque: Samples) -> float:
 
 def regions_of(each: Missing) -> list[Region]:
     """The stretches where the torque is clear and strong."""
-    least = max(CLEAR * each.band, STRONG * float(np.max(np.abs(each.torque))))
-    sign = np.where(np.abs(each.torque) > least, np.sign(each.torque), 0.0)
+    torque = each.torque if each.modelled is None else each.modelled
+    least = STRONG * float(np.max(np.abs(torque)))
+    if each.modelled is None:
+        least = max(CLEAR * each.band, least)
+    sign = np.where(np.abs(torque) > least, np.sign(torque), 0.0)
     edges = np.flatnonzero(np.diff(sign)) + 1
     found = []
     for part in np.split(np.arange(sign.size), edges):
         if sign[part[0]] and each.time[part[-1]] - each.time[part[0]] >= SHORTEST:
-            found.append(described(each, part))
+            found.append(described(each, part, float(torque[part].mean())))
     return found
 
 
-def described(each: Missing, part: np.ndarray) -> Region:
+def described(each: Missing, part: np.ndarray, torque: float) -> Region:
     angle, speed = each.angle[part], each.angular_velocity[part]
     low, high = degrees(angle.min()), degrees(angle.max())
     fastest = float(np.max(np.abs(speed)))
@@ -145,7 +165,6 @@ def described(each: Missing, part: np.ndarray) -> Region:
         manner = f"flexing at up to {degrees(fastest):.0f} deg/s"
     else:
         manner = "through a reversal"
-    torque = float(each.torque[part].mean())
     towards = "extension" if torque > 0 else "flexion"
     region = f"{low:.0f} to {high:.0f} deg, {manner}"
     begin, end = float(each.time[part[0]]), float(each.time[part[-1]])

@@ -105,14 +105,14 @@ def diagnose(
     result = fit(named, seed=seed)
     bench, base = prepare(result, named, terms)
     found = look(bench, base, told)
-    told("locating the mismatch")
-    location = locate(bench, base.candidate)
     told("proving it on held-out data")
     chosen = choose(bench, found)
     formula = None
     if is_novel(found, chosen.best):
         told("looking for a formula")
         chosen, formula = formulated(bench, found, chosen)
+    told("locating the mismatch")
+    location = locate(bench, base.candidate, chosen.best)
     return concluded(result, bench, found, chosen, formula, location)
 
 

@@ -18,7 +18,7 @@ REACH = 3.0  # times the best, within which running free may change the order
 ROUNDS = 8  # of pinned steps; what is close by then is brought to its end running free
 PAIR_ROUNDS = 6
 FREE_ROUNDS = 25
-FLOOR = 1.15  # mean square over the noise at which nothing more is looked for
+FLOOR = 1.3  # mean square over the noise at which nothing more is looked for
 
 Told = Callable[[str], None]
 

@@ -19,7 +19,13 @@ SHOWN = 4  # segments
 CAUSES = 7
 BEFORE: dict[str, Any] = {"color": "#D55E00", "linewidth": 0.8, "label": "without it, held out"}
 AFTER: dict[str, Any] = {"color": "#0072B2", "linewidth": 0.8, "label": "with it, held out"}
-TORQUE: dict[str, Any] = {"color": "black", "linewidth": 0.9, "label": "missing torque"}
+TORQUE: dict[str, Any] = {"color": "0.3", "linewidth": 0.8, "label": "missing torque, measured"}
+MODELLED: dict[str, Any] = {
+    "color": "#0072B2",
+    "linewidth": 1.2,
+    "linestyle": (0, (4, 2)),
+    "label": "by what was found",
+}
 BAND: dict[str, Any] = {"color": "0.75", "linewidth": 0, "label": "noise (±2 sd)"}
 MARKED: dict[str, Any] = {"color": "#E69F00", "alpha": 0.35, "linewidth": 0, "label": "strongest"}
 WIDE, TALL = 10.5, 9.4  # inches
@@ -58,6 +64,8 @@ def draw_torque(figure: SubFigure, found: Diagnosis) -> None:
             if region.segment == each.segment:
                 axes.axvspan(region.begin, region.end, **MARKED)
         axes.plot(each.time, each.torque, **TORQUE)
+        if each.modelled is not None:
+            axes.plot(each.time, each.modelled, **MODELLED)
         axes.set_title(f"segment {each.segment}")
         axes.set_xlabel("time [s]")
     panels[0].set_ylabel("missing torque [N m]")
