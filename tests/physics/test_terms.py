@@ -63,21 +63,11 @@ def names(chosen, faults):
 
 
 UNSTABLE = {
-    "activation_lag": "steps of 10 ms are unstable below t_a = 3.6 ms",
     "cubic_stiffness": "with k_3 = -20 the leg runs away to infinity",
     "cuff_compliance": "four parts of a step are too few for zeta = 2 on a light, stiff frame",
-    "end_range_stiffening": "a step of 10 ms is too long for 100 N m within 0.04 rad",
-    "hysteresis": "steps of 10 ms are unstable where phi' passes phi_y three times in a step",
-    "wobbling_mass": "two parts of a step are too few for zeta = 2 at 15 Hz and beta = 0.6",
+    "moving_base": "two parts of a step are too few for zeta = 2 at 20 Hz",
 }
 DRY = ("coulomb_friction", "stribeck_friction")
-CREEPS = dict.fromkeys(DRY, "a leg that sticks moves by pull / J h^2 / 2 in every step")
-ABOVE = "a stop above the hanging angle is taken for one of extension, also at the lower end"
-ALONE = dict.fromkeys(
-    ("polycentric_axis", "wobbling_mass"),
-    "its torque is made of the acceleration by Eq. 9 without any other term",
-)
-ACCELERATES = dict.fromkeys(DRY, "a leg that sticks is said to accelerate")
 
 
 def leg(**changes):
@@ -203,18 +193,12 @@ def test_every_search_begins_somewhere_inside_the_range(name, ends):
         assert all(said.lower <= place <= said.upper for place in places)
 
 
-@pytest.mark.parametrize(
-    "ends",
-    [
-        pytest.param(ends, marks=pytest.mark.xfail(reason=ABOVE, raises=AssertionError))
-        if ends[0] + 0.03 > -np.pi / 2
-        else ends
-        for ends in RANGES
-    ],
-)
+@pytest.mark.parametrize("ends", RANGES)
 def test_a_stop_is_sought_where_a_leg_in_the_middle_of_its_range_does_not_touch_it(ends):
-    for angle in dict(declarations(TERMS["hard_stop"]))["angle"].starts(*ends):
-        term = TERMS["hard_stop"](jnp.array(0.1), jnp.array(angle), jnp.array(0.3))
+    said = dict(declarations(TERMS["hard_stop"]))
+    angles = product(said["extension_angle"].starts(*ends), said["flexion_angle"].starts(*ends))
+    for extension, flexion in angles:
+        term = TERMS["hard_stop"](*map(jnp.array, (0.1, extension, flexion, 0.3)))
         now = instant(jnp.array(0.0), jnp.array(np.mean(ends)), jnp.array(0.0))
         assert term.torque(now, jnp.zeros(0)) == 0
 
@@ -282,7 +266,7 @@ VOLUNTARY = [name for name, term in TERMS.items() if term.voluntary]
 @pytest.mark.parametrize("name", VOLUNTARY)
 def test_a_voluntary_term_changes_nothing_where_nothing_is_voluntary(name):
     found = motion(name, starts(name), rate=FINE, amplitude=0)
-    same(found.angle, plain(rate=FINE, amplitude=0).angle, 1e-12)
+    same(found.angle, plain(rate=FINE, amplitude=0).angle, 1e-11)  # steps in parts
 
 
 # ------------------------------------------------------------------------------ finite everywhere
@@ -498,9 +482,9 @@ def end_range_energy(term, angle, velocity):
 
 
 def stop_energy(term, angle, velocity):
-    side = 1 if term.angle > -np.pi / 2 else -1
-    depth = np.maximum(side * (angle - term.angle), 0)
-    return LEG["inertia"] * (np.pi / term.contact_time * depth) ** 2 / 2
+    above = np.maximum(angle - term.extension_angle, 0)
+    below = np.maximum(term.flexion_angle - angle, 0)
+    return LEG["inertia"] * (np.pi / term.contact_time) ** 2 * (above**2 + below**2) / 2
 
 
 def axis_energy(term, angle, velocity):
@@ -647,7 +631,7 @@ def thigh_energy(term, angle, velocity, pitch, speed):
     coupling = term.thigh_length * LEG["mass"] * LEG["com_distance"]
     inertia = 1 / (term.compliance * rate**2) + coupling**2 / LEG["inertia"]
     own = (inertia * speed**2 + pitch**2 / term.compliance) / 2
-    carried = coupling * speed * velocity * np.cos(angle + THIGH)
+    carried = coupling * speed * velocity * np.cos(angle)
     felt = angle - pitch - term.sag
     return own + carried + LEG["stiffness"] * (felt**2 - angle**2) / 2
 
@@ -705,7 +689,7 @@ def large(name):
     return starts(name) if name == "coulomb_friction" else with_values(name, excess=0.5, level=0.5)
 
 
-@names(DRY, CREEPS)
+@names(DRY, {})
 @pytest.mark.parametrize("share", [-0.95, -0.3, 0.45, 0.95])
 def test_a_leg_at_rest_stays_where_friction_holds_it(name, share):
     row = large(name)[0]
@@ -715,7 +699,7 @@ def test_a_leg_at_rest_stays_where_friction_holds_it(name, share):
     same(found.angle, angle, 1e-14)
 
 
-@names(DRY, ACCELERATES)
+@names(DRY, {})
 def test_a_leg_that_sticks_does_not_accelerate(name):
     row = large(name)[0]
     angle = pulled_by(0.3 * friction_of(name, row))
@@ -741,7 +725,7 @@ def test_a_leg_comes_to_rest_where_friction_can_hold_it(name):
     assert (found.angular_velocity[:, -COARSE:] == 0).all()
 
 
-@names(DRY, CREEPS)
+@names(DRY, {})
 def test_a_leg_that_came_to_rest_stays_there_for_good(name):
     rows = large(name)
     found = motion(name, rows, amplitude=0)
@@ -778,24 +762,29 @@ def test_a_rest_angle_of_the_spring_is_a_constant_torque():
     same(found.angle, expected.angle, 1e-12)
 
 
-@pytest.mark.parametrize("angle", [0.5, -2.9])
-def test_a_stop_that_the_leg_does_not_reach_changes_nothing(angle):
-    found = motion("hard_stop", with_values("hard_stop", angle=angle), rate=FINE)
+@pytest.mark.parametrize("angles", [(0.5, -3.0), (1.0, -2.9)])
+def test_a_stop_that_the_leg_does_not_reach_changes_nothing(angles):
+    values = dict(zip(("extension_angle", "flexion_angle"), angles, strict=True))
+    found = motion("hard_stop", with_values("hard_stop", **values), rate=FINE)
     same(found.angle, plain(rate=FINE).angle, 1e-11)  # steps in parts, as above
 
 
 @pytest.mark.parametrize("contact", [0.02, 0.1])
 @pytest.mark.parametrize(("angle", "way"), [(-1.0, 1), (-2.2, -1)])
 def test_a_bounce_lasts_the_contact_time_and_gives_the_speed_back(contact, angle, way):
-    row = [contact, angle, 0.0]
+    row = [contact, angle if way > 0 else 1.2, angle if way < 0 else -3.2, 0.0]
     begin = state(angle - way * 0.01, way * 9)
     # no weight to speak of: it would pull the leg out of, or into, the stop
     light = {"mass": 1e-6, "stiffness": 0.0, "damping": 0.0}
     found = motion("hard_stop", [row], rate=FINE, start=begin, amplitude=0, **light)
-    inside = way * (found.angle[0] - angle) > 0
-    assert inside.sum() / FINE == pytest.approx(contact, abs=2 / FINE)
+    inside = np.flatnonzero(way * (found.angle[0] - angle) > 0)
+    once = inside[
+        : 1 + np.argmax(np.append(np.diff(inside) > 1, True))
+    ]  # the far stop sends it back
+    assert once.size / FINE == pytest.approx(contact, abs=2 / FINE)
     # (h / 8) of the contact's time may act too long: twice the speed times that share
-    assert found.angular_velocity[0, -1] == pytest.approx(-way * 9, rel=1e-2)
+    back = once[-1] + 2
+    assert found.angular_velocity[0, back] == pytest.approx(-way * 9, rel=1e-2)
 
 
 def test_the_frame_follows_a_leg_with_play_and_rests_while_it_turns():
@@ -990,7 +979,7 @@ def test_the_derivative_with_respect_to_the_delay_is_the_slope_a_moment_before(d
 # ----------------------------------------------------------------------------------- several terms
 
 
-@names(("polycentric_axis", "wobbling_mass"), ALONE)
+@names(("polycentric_axis", "wobbling_mass"), {})
 def test_a_torque_turns_the_inertia_that_another_term_leaves(name):
     angle, push = -1.2, 5.0
     term = TERMS[name](*jnp.array(starts(name)[0]))
@@ -1005,9 +994,6 @@ def test_a_torque_turns_the_inertia_that_another_term_leaves(name):
     assert added - missing((term,), now, (own,)) == pytest.approx(push / inertia)
 
 
-@pytest.mark.xfail(
-    reason="Motion's annotation asks for memories of one size", raises=TypeCheckError
-)
 def test_terms_with_memories_of_different_sizes_act_together_in_any_order():
     tissue = TERMS["maxwell_element"](jnp.array(0.5), jnp.array(0.4))
     tone = TERMS["torque_bias"](jnp.array(0.3))
