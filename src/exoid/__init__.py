@@ -8,8 +8,8 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from exoid.diagnose.diagnosis import Diagnosis
     from exoid.diagnose.identifiability import Identifiability, identify
-    from exoid.diagnose.missing_physics import Diagnosis
     from exoid.diagnose.missing_physics import diagnose as diagnose_leg
     from exoid.diagnose.plan import Plan, plan
     from exoid.fit.each import fit_each
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from exoid.report.plots import plot_fit
 
 _HOMES = {
-    "Diagnosis": ("exoid.diagnose.missing_physics", "Diagnosis"),
+    "Diagnosis": ("exoid.diagnose.diagnosis", "Diagnosis"),
     "diagnose_leg": ("exoid.diagnose.missing_physics", "diagnose"),
     "Moment": ("exoid.physics.moment", "Moment"),
     "parameter": ("exoid.physics.parameter", "parameter"),

@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from exoid.diagnose.missing_physics import Diagnosis
+from exoid.diagnose.diagnosis import Diagnosis
 from exoid.diagnose.search import names
 from exoid.report.diagnosis_words import headline, sentences
 from exoid.report.fit_json import plain
@@ -28,7 +28,7 @@ def diagnosis_document(
             "selected": found.selected,
             "ranking": found.ranking,
             "equivalent": found.equivalent,
-            "novel": found.formula is not None,
+            "novel": found.novel,
             "novel_formula": None if found.formula is None else found.formula.words,
             "novel_explained": None if found.formula is None else found.formula.explained,
             "where": [

@@ -2,7 +2,7 @@
 
 from rich.console import Console
 
-from exoid.diagnose.missing_physics import Diagnosis
+from exoid.diagnose.diagnosis import Diagnosis
 from exoid.diagnose.search import names
 from exoid.report.diagnosis_words import headline, sentences
 from exoid.report.text import heading, say, table

@@ -1,6 +1,6 @@
 """A diagnosis in sentences: what is missing, where, the proof, and what it had been booked as."""
 
-from exoid.diagnose.missing_physics import Diagnosis, Parameter
+from exoid.diagnose.diagnosis import Diagnosis, Parameter
 from exoid.physics.library import library, name_of
 from exoid.report.text import in_degrees, with_error
 
@@ -13,7 +13,7 @@ def headline(found: Diagnosis) -> str:
         return "Nothing is missing: simulation and recording agree within the noise."
     if found.verdict == "cannot_tell":
         return "Cannot tell from this recording."
-    if found.formula is not None:
+    if found.novel:
         return "Something is missing that the library does not know."
     return "Something is missing."
 
@@ -22,7 +22,12 @@ def sentences(found: Diagnosis) -> dict[str, str]:
     """The answer, line by line, by its heading."""
     lines = {}
     if found.verdict == "mismatch":
-        lines["Missing"] = "; ".join(named(found))
+        lines["Missing"] = "; ".join(named(found)) or "nothing that has a name here."
+        if found.novel and found.formula is None:
+            left = (found.best.square / found.yardstick.samples) ** 0.5
+            lines["New"] = (
+                f"what the library leaves is {left:.2g} times the noise; no formula fits it."
+            )
         rivals = others(found)
         if rivals:
             lines["Or"] = f"{rivals}: this recording cannot tell them apart"

@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure, SubFigure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 
-from exoid.diagnose.missing_physics import Diagnosis
+from exoid.diagnose.diagnosis import Diagnosis
 from exoid.diagnose.search import names
 from exoid.report.diagnosis_words import headline
 from exoid.report.plot_style import TEXT, head, name_all
