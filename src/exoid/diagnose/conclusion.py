@@ -144,9 +144,10 @@ def by_share(found: Found, selected: list[str]) -> list[str]:
 
 
 def parameters_of(best: Settled, measure: Yardstick, formula: Formula | None) -> list[Parameter]:
-    """Values and errors of the terms' parameters."""
+    """Values and errors of the terms' parameters, for the inertia that the fit took."""
     candidate = best.candidate
-    normal = best.products.total[:-1, :-1]
+    normal = best.products.total[:-1, :-1].copy()
+    normal[0], normal[:, 0] = 0.0, 0.0
     size_of = np.sqrt(np.diag(normal))
     unit = np.where(size_of > 0, size_of, 1.0)
     inverse = np.linalg.pinv(normal / np.outer(unit, unit), hermitian=True)

@@ -65,7 +65,7 @@ def look(bench: Bench, base: Settled, told: Told) -> Found:
     near = [one for one in ranked[:SHORT] if one.square < REACH * ranked[0].square]
     told("simulating the best of them")
     singles = [polished(bench, one) for one in near]
-    singles += twins(bench, singles)
+    singles += [*twins(bench, singles), *nested(bench, singles)]
     measure = yardstick(bench, min([base, *singles], key=lambda one: one.square))
     singles = by_evidence(singles, base, measure)
     pinned = {one.candidate.terms[0]: one.square for one in ranked}
@@ -78,7 +78,8 @@ def look(bench: Bench, base: Settled, told: Told) -> Found:
     both = ordered([one for one in pairs_at_best.values() if sound(one)])
     told("simulating the best pairs")
     joint = [polished(bench, one) for one in both[:SHORT] if one.square < REACH * both[0].square]
-    singles = [*singles, *reduced(bench, ordered(joint)[:1])]
+    singles = by_evidence([*singles, *reduced(bench, ordered(joint)[:1])], base, measure)
+    singles += nested(bench, singles)
     measure = yardstick(bench, min([base, *singles, *joint], key=lambda one: one.square))
     joint = by_evidence(joint, base, measure)
     return Found(base, by_evidence(singles, base, measure), joint, pinned, failed, measure)
@@ -159,6 +160,22 @@ def twins(bench: Bench, singles: list[Settled]) -> list[Settled]:
     start = np.clip(other, declared.lower, declared.upper)
     moved = Candidate((terms[missing[0]],), (start,), one.candidate.point, one.candidate.zero)
     return [settle_free(bench, [moved], rounds=FREE_ROUNDS)[0]]
+
+
+def nested(bench: Bench, singles: list[Settled]) -> list[Settled]:
+    """A simple term again from where a richer one is that holds all its parameters."""
+    found = []
+    for rich in singles:
+        (term,) = rich.candidate.terms
+        known = dict(zip(dict(declarations(term)), rich.candidate.values[0], strict=True))
+        for simple in singles:
+            (other,) = simple.candidate.terms
+            wanted = list(dict(declarations(other)))
+            if len(wanted) < len(known) and known.keys() >= set(wanted):
+                value = np.array([known[name] for name in wanted])
+                start = replace(rich.candidate, terms=(other,), values=(value,), linear=None)
+                found.append(settle_free(bench, [start], rounds=FREE_ROUNDS)[0])
+    return found
 
 
 def pairs(bench: Bench, ranked: list[Settled], singles: list[Settled]) -> list[Candidate]:

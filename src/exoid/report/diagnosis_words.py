@@ -1,5 +1,7 @@
 """A diagnosis in sentences: what is missing, where, the proof, and what it had been booked as."""
 
+import numpy as np
+
 from exoid.diagnose.diagnosis import Diagnosis, Parameter
 from exoid.physics.library import library, name_of
 from exoid.report.text import in_degrees, with_error
@@ -58,8 +60,20 @@ def named(found: Diagnosis) -> list[str]:
     lines = []
     for name in found.selected:
         own = [each for each in found.parameters if each.name.startswith(f"{name}.")]
-        lines.append(f"{by_name[name].title}, {', '.join(map(parameter, own))}")
+        inertia = f" (for J = {inertia_of(found):.3g} kg m^2)" if scaled(own) else ""
+        lines.append(f"{by_name[name].title}, {', '.join(map(parameter, own))}{inertia}")
     return lines
+
+
+def inertia_of(found: Diagnosis) -> float:
+    """The inertia that torques go with [kg m^2]: drops alone tell only their ratio to it."""
+    shared = found.bench.coordinates(found.best.candidate).shared
+    return float(np.exp(shared.log_inertia))
+
+
+def scaled(parameters: list[Parameter]) -> bool:
+    """Is any of them a torque?"""
+    return any("N m" in each.unit for each in parameters)
 
 
 def parameter(each: Parameter) -> str:
