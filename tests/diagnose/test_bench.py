@@ -61,10 +61,9 @@ def test_pinned_and_free_agree_where_the_model_is_right(ready):
     pinned = bench.evaluate([free.candidate], [bench.course], bench.seen)[0][0]
     # Second order in the noise, but that a reversal is smeared over its step.
     assert pinned.square == pytest.approx(free.square, rel=0.3)
-    known = np.diag(free.products.total)[:-1] > 0
-    assert np.diag(pinned.total)[:-1][known] == pytest.approx(
-        np.diag(free.products.total)[:-1][known], rel=0.1
-    )
+    # Of leg and friction; friction swallows a start's small velocity, whose derivative then is 0.
+    told = [1, 2, 3, -2]
+    assert np.diag(pinned.total)[told] == pytest.approx(np.diag(free.products.total)[told], rel=0.1)
 
 
 def test_a_first_term_taken_as_linear_counts_like_itself(ready):
