@@ -1,5 +1,7 @@
 """Programs kept between processes: found again, bitwise the same, and never a reason to fail."""
 
+import importlib.util
+import sys
 import warnings
 from pathlib import Path
 
@@ -150,3 +152,19 @@ def test_the_fingerprint_tells_everything_apart_that_changes_a_program(tmp_path,
 def test_the_code_of_a_program_is_in_its_fingerprint(name):
     home = Path(program.__file__).parents[1]
     assert any((home / name) in home.glob(pattern) for pattern in program.SOURCES)
+
+
+def test_a_kept_program_depends_on_the_code_of_a_users_own_class(tmp_path):
+    def prints(value):
+        path = tmp_path / "mine.py"
+        path.write_text(f"class Own:\n    value = {value}\n", encoding="utf-8")
+        spec = importlib.util.spec_from_file_location("mine", path)
+        assert spec is not None
+        assert spec.loader is not None
+        module = importlib.util.module_from_spec(spec)
+        sys.modules["mine"] = module
+        spec.loader.exec_module(module)
+        return program.fingerprint("release", None, (), ((module.Own,), Raw()))
+
+    assert prints(1) != prints(2)
+    sys.modules.pop("mine")

@@ -32,18 +32,11 @@ class Settled:
         return self.products.square
 
 
-def settle(
-    bench: Bench,
-    candidates: list[Candidate],
-    observation: Observation | None = None,
-    *,
-    rounds: int = ROUNDS,
-) -> list[Settled]:
-    """Fit every candidate to the observation, along the motion that it reads from the sensors."""
-    seen = bench.seen if observation is None else observation
+def settle(bench: Bench, candidates: list[Candidate], *, rounds: int = ROUNDS) -> list[Settled]:
+    """Fit every candidate to the data, along the motion that it reads from the sensors."""
 
     def evaluate(candidates, courses):
-        return bench.evaluate(candidates, courses, seen)
+        return bench.evaluate(candidates, courses, bench.seen)
 
     return descend(bench, candidates, [bench.course] * len(candidates), evaluate, rounds)
 

@@ -6,6 +6,7 @@ both without importing the solver.
 """
 
 import hashlib
+import inspect
 import logging
 import os
 import platform
@@ -32,6 +33,7 @@ SOURCES = (
     "recording/kalman.py",
     "diagnose/pinned.py",
     "diagnose/free.py",
+    "diagnose/novel.py",
 )  # whose code is in the program
 LIBRARIES = ("jax", "jaxlib", "equinox", "lineax", "optimistix")  # likewise
 DIGEST = 32  # bytes of the checksum before a kept program
@@ -135,9 +137,20 @@ def fingerprint(name: str, structure, shapes, static) -> str:
     for pattern in SOURCES:
         for path in sorted(Path(__file__).parents[1].glob(pattern)):
             digest.update(path.read_bytes())
+    for path in sorted(own_sources(static)):
+        digest.update(path.read_bytes())
     words = (name, platform.machine(), jax.default_backend(), str(structure), shapes, static)
     digest.update(repr((*map(version, LIBRARIES), *words)).encode())
     return digest.hexdigest()[:32]
+
+
+def own_sources(static) -> set[Path]:
+    """Where classes in `static` that do not come with exoid are written: they are in the program."""
+    if isinstance(static, tuple):
+        return {path for part in static for path in own_sources(part)}
+    if not isinstance(static, type) or static.__module__.partition(".")[0] == "exoid":
+        return set()
+    return {Path(inspect.getfile(static))}
 
 
 def load(path: Path) -> jax.export.Exported | None:
