@@ -145,7 +145,7 @@ def fingerprint(name: str, structure, shapes, static) -> str:
 
 
 def own_sources(static) -> set[Path]:
-    """Where classes in `static` that do not come with exoid are written: they are in the program."""
+    """The files of classes in `static` that do not come with exoid: they are in the program."""
     if isinstance(static, tuple):
         return {path for part in static for path in own_sources(part)}
     if not isinstance(static, type) or static.__module__.partition(".")[0] == "exoid":
