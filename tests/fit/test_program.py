@@ -168,3 +168,14 @@ def test_a_kept_program_depends_on_the_code_of_a_users_own_class(tmp_path):
 
     assert prints(1) != prints(2)
     sys.modules.pop("mine")
+
+
+def test_a_program_with_a_class_typed_into_a_notebook_is_not_kept(tmp_path, monkeypatch):
+    monkeypatch.setattr(program, "_folder", [tmp_path])
+    space: dict = {"__name__": "no_module"}
+    exec("class Typed:\n    pass", space)
+    number = jax.ShapeDtypeStruct((), float)
+    leaf = jax.tree.structure((0.0,))
+    kept = program.program("builtins:divmod", leaf, (number,), (space["Typed"],))
+    assert callable(kept)
+    assert not list(tmp_path.iterdir())

@@ -109,8 +109,11 @@ def called(name: str, arguments: tuple, static, structure):
 
 @cache
 def program(name: str, structure, shapes, static):
-    """The compiled program for these shapes: loaded, or traced and kept."""
-    if not _folder:
+    """The compiled program for these shapes: loaded, or traced and kept.
+
+    A class typed into a notebook has no file by which a later program could know it again.
+    """
+    if not _folder or None in own_sources(static):
         return jax.jit(traceable(name, structure, static))
     path = _folder[0] / f"{fingerprint(name, structure, shapes, static)}.stablehlo"
     exported = load(path)
@@ -137,20 +140,26 @@ def fingerprint(name: str, structure, shapes, static) -> str:
     for pattern in SOURCES:
         for path in sorted(Path(__file__).parents[1].glob(pattern)):
             digest.update(path.read_bytes())
-    for path in sorted(own_sources(static)):
+    for path in sorted(path for path in own_sources(static) if path):
         digest.update(path.read_bytes())
     words = (name, platform.machine(), jax.default_backend(), str(structure), shapes, static)
     digest.update(repr((*map(version, LIBRARIES), *words)).encode())
     return digest.hexdigest()[:32]
 
 
-def own_sources(static) -> set[Path]:
-    """The files of classes in `static` that do not come with exoid: they are in the program."""
+def own_sources(static) -> set[Path | None]:
+    """The files of classes in `static` that do not come with exoid: they are in the program.
+
+    None stands for a class that has no file.
+    """
     if isinstance(static, tuple):
         return {path for part in static for path in own_sources(part)}
     if not isinstance(static, type) or static.__module__.partition(".")[0] == "exoid":
         return set()
-    return {Path(inspect.getfile(static))}
+    try:
+        return {Path(inspect.getfile(static))}
+    except (OSError, TypeError):
+        return {None}
 
 
 def load(path: Path) -> jax.export.Exported | None:
