@@ -7,44 +7,38 @@ python -m benchmarks.blind --own 50 --seed 0     # our own, simulated
 import argparse
 import json
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
-import jax
-
-from exoid.fit.program import keep_programs_in
-
 from .answer import Answer, ask
+from .crew import diagnosed_cases, set_up
+from .deck import CATEGORIES, deal
 from .figure import draw
 from .report import page, terminal
 from .score import score
-from .sets import FOLDERS, OWN, TRUTH, Blind, own, stored
+from .sets import FOLDERS, OWN, TRUTH, Blind, stored
 
 HERE = Path(__file__).parent
 
 
 def main() -> None:
     options = parse()
-    jax.config.update("jax_enable_x64", True)
-    keep_programs_in()
-    every = made(options.own, options.seed) if options.own else found_in(options.folder or FOLDERS)
-    cases = [case for case in every if not options.case or case.name in options.case]
-    if not cases:
-        sys.exit("no case to run: name a --folder, or make some with --own N")
+    begin = f"{options.category or OWN}-" if options.own else ""
     options.to.mkdir(parents=True, exist_ok=True)
-    begin = f"{OWN}-" if options.own else ""
-    if options.own:
-        write([case.truth for case in cases if case.truth], options.to / f"{begin}{TRUTH}")
-    asked, answers = [], {}
-    for case in cases:
-        tell(f"[{len(asked) + 1}/{len(cases)}] {case.name} ... ")
-        answers[case.name] = ask(case.name, case.load, options.seed)
-        asked.append(case)
-        tell(f"{answers[case.name].words}  {answers[case.name].seconds:.1f} s\n")
+    cases, answers = [], {}
+    cards = deal(options.own, options.seed, options.category)
+    for case, answer in diagnosed_cases(cards, options.seed) if cards else stored_ones(options):
+        cases.append(case)
+        answers[case.name] = answer
+        tell(f"[{len(cases)}] {case.name}: {answer.words}  {answer.seconds:.1f} s\n")
         given = {name: answer.as_json() for name, answer in answers.items()}
         write(given, options.to / f"{begin}answers.json")  # an interrupted run is not lost
-    publish(asked, answers, options.to, begin)
+    if not cases:
+        sys.exit("no case to run: name a --folder, or make some with --own N")
+    if options.own:
+        write([case.truth for case in cases if case.truth], options.to / f"{begin}{TRUTH}")
+    publish(cases, answers, options.to, begin)
 
 
 def parse() -> argparse.Namespace:
@@ -54,6 +48,7 @@ def parse() -> argparse.Namespace:
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("--own", type=int, default=0, metavar="N", help="run N own cases instead")
+    parser.add_argument("--category", choices=CATEGORIES, help="own cases of this kind only")
     parser.add_argument("--seed", type=int, default=0, help="of own cases, and of the diagnosis")
     parser.add_argument(
         "--folder",
@@ -66,25 +61,20 @@ def parse() -> argparse.Namespace:
     return parser.parse_args()
 
 
-def made(count: int, seed: int) -> list[Blind]:
-    """Own cases, all of them before the first is diagnosed."""
-    cases = []
-    for case in own(count, seed):
-        cases.append(case)
-        tell(f"\rdrawing {len(cases)} of {count} cases")
-    tell("\n")
-    return cases
+def stored_ones(options: argparse.Namespace) -> Iterator[tuple[Blind, Answer]]:
+    """The cases of all folders that are there."""
+    set_up()
+    for case in found_in(options.folder or FOLDERS):
+        if not options.case or case.name in options.case:
+            yield case, ask(case.name, case.load, options.seed)
 
 
-def found_in(folders: Iterable[Path]) -> list[Blind]:
-    """The stored cases of all folders that are there."""
-    found: list[Blind] = []
+def found_in(folders: Iterable[Path]) -> Iterator[Blind]:
     for folder in folders:
         if folder.is_dir():
-            found += stored(folder)
+            yield from stored(folder)
         else:
             tell(f"skipped: {folder} is absent\n")
-    return found
 
 
 def write(content: Any, path: Path) -> None:

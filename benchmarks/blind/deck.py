@@ -2,7 +2,8 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Literal
+from itertools import islice
+from typing import Literal, get_args
 
 import numpy as np
 
@@ -13,6 +14,8 @@ from .effects import SUFFIX
 from .novel import NOVEL
 
 Category = Literal["single", "combo", "novel", "null", "unobservable"]
+
+CATEGORIES: tuple[str, ...] = get_args(Category)
 
 PAIRS, NULLS, UNOBSERVABLE = 8, 8, 2  # beside every term and every novelty once
 PASSIVE = 0.6  # share of what both protocols can show
@@ -35,15 +38,18 @@ class Card:
     effects: tuple[str, ...] = ()
 
 
-def deal(count: int, seed: int) -> Iterator[Card]:
-    """The first cards of a seed: decks one after another, each shuffled."""
+def deal(count: int, seed: int, category: str | None = None) -> list[Card]:
+    """The first cards of a seed, all or those of one category."""
+    cards = (card for card in shuffled(seed) if category in (None, card.category))
+    return list(islice(cards, count))
+
+
+def shuffled(seed: int) -> Iterator[Card]:
+    """Decks one after another, without end."""
     rng = np.random.default_rng([seed])
-    dealt = 0
-    while dealt < count:
+    while True:
         cards = deck(rng)
-        for at in rng.permutation(len(cards))[: count - dealt]:
-            yield cards[at]
-        dealt += len(cards)
+        yield from (cards[at] for at in rng.permutation(len(cards)))
 
 
 def deck(rng: np.random.Generator) -> list[Card]:

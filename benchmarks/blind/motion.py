@@ -20,7 +20,7 @@ from exoid.twin.motion import CYCLES, Movement, Reading
 
 STEP = 0.001  # s, of the simulation
 TICK = 0.01  # s, of the sensors
-LONGEST = {"passive": 7.0, "active": 3.2}  # s: one compiled program serves every duration
+LONGEST = {"passive": 7.0, "active": 2.5}  # s: one compiled program serves every duration
 LANES = 8  # movements of a program, or a multiple
 
 

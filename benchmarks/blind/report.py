@@ -7,12 +7,15 @@ from .score import SOUND, Answers, Score, Tally, verdict_of
 from .sets import Blind
 
 HEAD = ("case", "truth", "answer", "correct", "before/deg", "after/deg", "seconds")
+CORRECT = HEAD.index("correct")
 LONGEST = 60  # letters of an answer
+MOST = 60  # cases, beyond which only those are listed whose answer is wrong
 
 
 def rows(cases: list[Blind], answers: Answers) -> list[tuple[str, ...]]:
-    """One row a case."""
-    return [row(case, answers[case.name]) for case in cases if case.name in answers]
+    """One row a case; of very many cases those that went wrong."""
+    every = [row(case, answers[case.name]) for case in cases if case.name in answers]
+    return every if len(every) <= MOST else [each for each in every if each[CORRECT] != "yes"]
 
 
 def row(case: Blind, answer: Answer) -> tuple[str, ...]:
@@ -79,10 +82,11 @@ def improvement(answers: Answers) -> str:
 
 
 def confusions(score: Score) -> list[tuple[str, str]]:
-    """Every truth with its first answers, most frequent first."""
+    """Every truth but pairs with its first answers, most frequent first."""
     return [
         (truth, ", ".join(f"{name} {count}" for name, count in given.most_common()))
         for truth, given in sorted(score.confusion.items())
+        if "+" not in truth
     ]
 
 
@@ -99,7 +103,7 @@ def page(cases: list[Blind], answers: Answers, score: Score, *, command: str, im
 Made by `{command}`. Every recording holds the baseline model and what is named under *truth*, which
 `diagnose` was not told; *correct* goes by its first name (of two effects: both, among the first
 three). *before* and *after* are rms errors of the angle on data held out, without and with what was
-found.
+found. Of more than {MOST} cases, only those are listed whose answer is wrong.
 
 {markdown(("what", "count"), summary(score, answers))}
 

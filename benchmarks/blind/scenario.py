@@ -19,7 +19,8 @@ LOWEST, HIGHEST = np.radians(-140.0), np.radians(10.0)  # rad, where a knee can 
 SWUNG = np.radians(40.0)  # rad, of every movement at least
 TRIED = 48  # movements, of which the first that a leg can do are taken
 DROPS, CYCLES_MADE = (2, 5), (5, 8)  # fewest and most
-PERIODS = (1.6, 3.2)  # s
+LASTING = (5.2, 7.0)  # s, of a drop: one compiled program serves all
+PERIODS = (1.6, 2.5)  # s, likewise
 PERIOD_STEP = 0.02  # s, so that half of a period meets a sample
 PUSHES = {"1/T": (0.25, 0.95), "2/T": (0.25, 0.75)}  # amplitude over the gravity moment
 BUILD = (19.0, 31.0)  # kg/m^2
@@ -143,7 +144,7 @@ def draw_movement(
 ) -> Movement:
     """A drop down to rest, or one cycle of Eq. 10; no two alike."""
     if not active:
-        return Movement(np.radians(rng.uniform(-55.0, -3.0)), round(rng.uniform(4.0, 7.0), 1))
+        return Movement(np.radians(rng.uniform(-55.0, -3.0)), round(rng.uniform(*LASTING), 1))
     period = round(rng.uniform(*PERIODS) / PERIOD_STEP) * PERIOD_STEP
     gravity = float(leg.mass * leg.com_distance) * GRAVITY
     amplitude = -rng.uniform(*PUSHES[reading]) * gravity

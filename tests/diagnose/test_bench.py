@@ -5,9 +5,11 @@ import numpy as np
 import pytest
 from diagnosis_cases import FRICTION, SMALL, Detent, session
 
+from exoid.diagnose import lanes
 from exoid.diagnose import prepare as preparing
-from exoid.diagnose.bench import Candidate
 from exoid.diagnose.evidence import count
+from exoid.diagnose.hypothesis import Hypothesis
+from exoid.diagnose.lanes import linear
 from exoid.diagnose.prepare import prepare
 from exoid.diagnose.settle import settle, settle_free
 from exoid.fit.estimate import fit
@@ -29,7 +31,7 @@ def ready():
 def candidates(bench, base):
     point = base.candidate.point
     return [
-        Candidate((term,), (value,), point)
+        Hypothesis((term,), (value,), point)
         for term in bench.library
         for value in bench.starts(term)
     ]
@@ -58,7 +60,7 @@ def test_pinned_and_free_agree_where_the_model_is_right(ready):
     bench, base = ready
     start = [each for each in candidates(bench, base) if each.terms == (CoulombFriction,)]
     free = settle_free(bench, start)[0]
-    pinned = bench.evaluate([free.candidate], [bench.course], bench.seen)[0][0]
+    pinned = lanes.evaluate(bench, [free.candidate], [bench.course], bench.seen)[0][0]
     # Second order in the noise, but that a reversal is smeared over its step.
     assert pinned.square == pytest.approx(free.square, rel=0.3)
     # Of leg and friction; friction swallows a start's small velocity, whose derivative then is 0.
@@ -70,11 +72,11 @@ def test_a_first_term_taken_as_linear_counts_like_itself(ready):
     bench, base = ready
     by_name = {name_of(each.terms[0]): each for each in candidates(bench, base)}
     first, second = by_name["coulomb_friction"], by_name["detent"]
-    both = Candidate((*first.terms, *second.terms), (*first.values, *second.values), first.point)
-    linear = bench.linear([first], [bench.course])[0]
-    eased = Candidate(both.terms, both.values, both.point, both.zero, linear)
+    both = Hypothesis((*first.terms, *second.terms), (*first.values, *second.values), first.point)
+    eased = linear(bench, [first], [bench.course])[0]
+    eased = Hypothesis(both.terms, both.values, both.point, both.zero, eased)
     one, other = (
-        bench.evaluate([each], [bench.course], bench.seen)[0][0] for each in (both, eased)
+        lanes.evaluate(bench, [each], [bench.course], bench.seen)[0][0] for each in (both, eased)
     )
     assert other.each == pytest.approx(one.each, rel=1e-9, abs=1e-6)
 
@@ -82,7 +84,7 @@ def test_a_first_term_taken_as_linear_counts_like_itself(ready):
 def test_more_requests_than_fit_at_once_are_all_answered(ready):
     bench, base = ready
     many = [each for each in candidates(bench, base) if each.terms == (MaxwellElement,)] * 5
-    found = bench.evaluate(many, [bench.course] * len(many), bench.seen)
+    found = lanes.evaluate(bench, many, [bench.course] * len(many), bench.seen)
     squares = [products.square for products, _ in found]
     assert squares[:3] * 5 == pytest.approx(squares, rel=1e-12)
 
@@ -90,7 +92,7 @@ def test_more_requests_than_fit_at_once_are_all_answered(ready):
 def test_a_step_into_a_bound_stays_on_it(ready):
     bench, base = ready
     point = base.candidate.point
-    found = settle(bench, [Candidate((CoulombFriction,), (np.array([49.0]),), point)])[0]
+    found = settle(bench, [Hypothesis((CoulombFriction,), (np.array([49.0]),), point)])[0]
     lower, upper = bench.bounds(found.candidate)
     assert (found.candidate.unknowns >= lower).all()
     assert (found.candidate.unknowns <= upper).all()

@@ -7,12 +7,12 @@ import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
-from jax.flatten_util import ravel_pytree
 from jaxtyping import Array, Float, Int
 
-from exoid.diagnose.pinned import FREE, Clock, named, place_of
+from exoid.diagnose.effect import named
+from exoid.diagnose.scene import FREE, Clock, drive_of, place_of
 from exoid.fit.chain import Chain
-from exoid.fit.coordinates import TYPICAL, Coordinates, seated
+from exoid.fit.coordinates import Coordinates, in_a_row, seated
 from exoid.fit.observation import Observation
 from exoid.fit.residual import equation, sensor_map
 from exoid.physics.extended import at_rest, delayed, extended_step, observed
@@ -56,22 +56,20 @@ def release(
 
 def segment(terms, chain, steps, values, zero, shared, mounting, own, observation, known, clock):
     """One segment's products and what its sensors would show."""
-    base, unravel = ravel_pytree((shared, mounting, own))
-    sizes = (TYPICAL.shared, TYPICAL.mounting, TYPICAL.own)
-    unit, _ = ravel_pytree(jax.tree.map(jnp.full_like, (shared, mounting, own), sizes))
+    base, back = in_a_row((shared, mounting, own))
     sizes = [value.size for value in values]
     weights = jnp.stack([observation.angle_weight, observation.velocity_weight], axis=1)
     data = jnp.stack([observation.angle, observation.angular_velocity], axis=1)
 
     def shown(unknowns):
-        shared, mounting, own = unravel(unknowns[: base.size] * unit)
+        shared, mounting, own = back(unknowns[: base.size])
         zero, *numbers = jnp.split(unknowns[base.size :], np.cumsum([2, *sizes])[:-1])
         each = tuple(named(term, value) for term, value in zip(terms, numbers, strict=True))
-        return simulate(each, shared, mounting, own, zero, observation, clock, chain, steps)
+        found = simulate(each, shared, mounting, own, zero, observation, clock, chain, steps)
+        return found, found
 
-    unknowns = jnp.concatenate([base / unit, zero, *values])
-    motion = shown(unknowns)
-    slopes = jax.jacfwd(shown)(unknowns)
+    unknowns = jnp.concatenate([base, zero, *values])
+    slopes, motion = jax.jacfwd(shown, has_aux=True)(unknowns)
     moving = jnp.concatenate([1 - known, jnp.ones(unknowns.size - base.size)])
     used = weights > 0
     rows = jnp.where(used[..., None], weights[..., None] * slopes * moving, 0.0)
@@ -83,13 +81,8 @@ def segment(terms, chain, steps, values, zero, shared, mounting, own, observatio
 def simulate(terms, shared, mounting, own, offset, observation, clock, chain, steps):
     """What encoder and gyro would show of one segment: (time, channel)."""
     eq = equation(shared, mounting, own, observation, FREE)
-    place = place_of(eq, own, clock)
+    place, drive = place_of(eq, clock), drive_of(eq, observation)
     time = observation.time
-    drive = jax.tree.map(
-        lambda cycle, torque: eq.cycle * cycle + eq.torque * torque,
-        observation.cycle,
-        observation.torque,
-    )
     pushed = jnp.append(drive.begin, drive.end[-1])
 
     def forward(index, motion):

@@ -8,8 +8,9 @@ import jax.numpy as jnp
 import numpy as np
 from jaxtyping import Float
 
-from exoid.diagnose.bench import Bench, Candidate
-from exoid.diagnose.pinned import FREE
+from exoid.diagnose.bench import Bench
+from exoid.diagnose.hypothesis import Hypothesis
+from exoid.diagnose.scene import FREE, drive_of
 from exoid.diagnose.settle import Settled
 from exoid.fit.coordinates import seated
 from exoid.fit.residual import equation
@@ -77,12 +78,12 @@ class Location:
         return f"angle ({angle} of its variance) and speed ({speed}) explain it about alike"
 
 
-def locate(bench: Bench, base: Candidate, best: Settled) -> Location:
+def locate(bench: Bench, base: Hypothesis, best: Settled) -> Location:
     """The torque that would make the baseline move as the sensors show, and as `best` does."""
     shown = np.asarray(best.course) if best.candidate.terms else None
     missing = [
         lacking(bench, base, number, None if shown is None else shown[number])
-        for number in range(len(bench.problem.movements))
+        for number in range(bench.segments)
     ]
     regions = [region for each in missing for region in regions_of(each)]
     regions.sort(key=lambda each: abs(each.torque) * (each.end - each.begin), reverse=True)
@@ -92,7 +93,9 @@ def locate(bench: Bench, base: Candidate, best: Settled) -> Location:
     return Location(missing, regions[:MOST], explained(angle, torque), explained(speed, torque))
 
 
-def lacking(bench: Bench, base: Candidate, number: int, shown: np.ndarray | None = None) -> Missing:
+def lacking(
+    bench: Bench, base: Hypothesis, number: int, shown: np.ndarray | None = None
+) -> Missing:
     """J (phi'' - Eq. 9) along the measured motion, averaged over a few samples; and along the
     simulated motion that is `shown`, (time, channel).
     """
@@ -106,8 +109,8 @@ def lacking(bench: Bench, base: Candidate, number: int, shown: np.ndarray | None
     observation = own(seen)
     mounting = seated(coordinates.mounting, observation.seat)
     eq = equation(coordinates.shared, mounting, own(coordinates.own), observation, FREE)
-    drive = eq.cycle * observation.cycle.begin + eq.torque * observation.torque.begin
-    drive = np.append(drive, drive[-1])[:size]
+    known = drive_of(eq, observation)
+    drive = np.append(known.begin, known.end[-1])[:size]
     time = np.asarray(seen.time[number])[:size]
 
     def excess(angle, velocity, acceleration):

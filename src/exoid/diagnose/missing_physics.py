@@ -2,9 +2,10 @@
 
 from collections.abc import Callable
 
-from exoid.diagnose.bench import Bench, Candidate
+from exoid.diagnose.bench import Bench
 from exoid.diagnose.conclusion import Chosen, concluded
 from exoid.diagnose.diagnosis import Diagnosis
+from exoid.diagnose.hypothesis import Hypothesis
 from exoid.diagnose.locate import locate
 from exoid.diagnose.novel import Formula, describe, term_of
 from exoid.diagnose.prepare import prepare
@@ -81,7 +82,7 @@ def formulated(bench: Bench, found: Found, chosen: Chosen) -> tuple[Chosen, Form
         return chosen, None
     term = term_of(formula)
     at = found.base.candidate
-    start = Candidate((term,), (formula.coefficients,), at.point, at.zero)
+    start = Hypothesis((term,), (formula.coefficients,), at.point, at.zero)
     one = settle_free(bench, [start], rounds=ROUNDS)[0]
     if one.square < LEFT * chosen.best.square and found.clear(found.base, one):
         after = predict(bench, one)

@@ -15,7 +15,8 @@ import jax.numpy as jnp
 import numpy as np
 from jaxtyping import Float
 
-from exoid.diagnose.bench import Bench, Candidate
+from exoid.diagnose.bench import Bench
+from exoid.diagnose.hypothesis import Hypothesis
 from exoid.diagnose.locate import lacking
 from exoid.physics.moment import Moment
 from exoid.physics.parameter import parameter
@@ -123,9 +124,9 @@ class Formula:
         return "tau = " + " ".join(parts).removeprefix("+") + " N m"
 
 
-def describe(bench: Bench, base: Candidate) -> Formula:
+def describe(bench: Bench, base: Hypothesis) -> Formula:
     """The sparsest formula for what the baseline lacks."""
-    rows = [lacking(bench, base, number) for number in range(len(bench.problem.movements))]
+    rows = [lacking(bench, base, number) for number in range(bench.segments)]
     baseline = np.concatenate([leg(each, k, len(rows)) for k, each in enumerate(rows)])
     angle, velocity, time, torque = (
         np.concatenate([getattr(each, name) for each in rows])

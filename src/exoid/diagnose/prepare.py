@@ -6,9 +6,10 @@ import equinox as eqx
 import jax
 import numpy as np
 
-from exoid.diagnose.bench import Bench, Candidate
+from exoid.diagnose.bench import Bench
 from exoid.diagnose.consistency import Consistency, consistency
-from exoid.diagnose.pinned import Clock
+from exoid.diagnose.hypothesis import Hypothesis
+from exoid.diagnose.scene import Clock
 from exoid.diagnose.settle import Settled, settle_free
 from exoid.fit.conditioning import conditioned
 from exoid.fit.coordinates import Coordinates
@@ -44,7 +45,7 @@ def prepare(
     tested, cycles = (*library(), *terms), clock(movements, reading)
     bench = Bench(problem, sensors, tested, cycles, inertia, rig)
     point = bench.point(fitted)
-    return bench, settle_free(bench, [Candidate((), (), point)])[0]
+    return bench, settle_free(bench, [Hypothesis((), (), point)])[0]
 
 
 def without_edges(seen: Observation, sensors: Consistency) -> Observation:

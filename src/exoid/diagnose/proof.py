@@ -6,7 +6,9 @@ import equinox as eqx
 import numpy as np
 from jaxtyping import Float
 
-from exoid.diagnose.bench import Bench, Candidate, Products
+from exoid.diagnose.bench import Bench
+from exoid.diagnose.hypothesis import Hypothesis, Products
+from exoid.diagnose.release import release
 from exoid.diagnose.settle import Settled, bounded, settle_free
 from exoid.fit.observation import Observation
 
@@ -59,7 +61,7 @@ def improves(before: Prediction, after: Prediction) -> bool:
 
 def predict(bench: Bench, at: Settled) -> Prediction:
     """Hold out every segment in turn; of a single one its end."""
-    single = len(bench.problem.movements) == 1
+    single = bench.segments == 1
     return predict_end(bench, at) if single else predict_others(bench, at)
 
 
@@ -67,27 +69,27 @@ def proof(bench: Bench, before: Prediction, after: Prediction) -> Proof:
     """Two predictions of the same data, side by side."""
     noise = bench.seen.angle_weight
     floor = float(np.sqrt(np.mean(1 / noise[noise > 0] ** 2)))
-    return Proof(before, after, floor, len(bench.problem.movements) == 1)
+    return Proof(before, after, floor, bench.segments == 1)
 
 
 def predict_others(bench: Bench, at: Settled) -> Prediction:
     """Every segment from the others: leg and terms from them, only its own start from itself."""
-    count = len(bench.problem.movements)
+    count = bench.segments
     candidates = [without(bench, at, held_out).candidate for held_out in range(count)]
     for _ in range(LOOKS):
-        found = bench.release(candidates, bench.seen)
+        found = release(bench, candidates, bench.seen)
         candidates = [
             started(bench, candidate, products, number)
             for number, (candidate, (products, _)) in enumerate(zip(candidates, found, strict=True))
         ]
-    found = bench.release(candidates, bench.seen)
+    found = release(bench, candidates, bench.seen)
     shown = np.stack([seen[number] for number, (_, seen) in enumerate(found)])
     return prediction(bench.seen, shown, np.asarray(bench.seen.angle_weight) > 0)
 
 
 def without(bench: Bench, at: Settled, held_out: int) -> Settled:
     """The candidate as the other segments have it."""
-    others = np.arange(len(bench.problem.movements))[:, None] != held_out
+    others = np.arange(bench.segments)[:, None] != held_out
     training = masked(bench.seen, others)
     return settle_free(bench, [at.candidate], training, rounds=TRAINING_ROUNDS)[0]
 
@@ -101,7 +103,7 @@ def masked(seen: Observation, kept: np.ndarray) -> Observation:
     )
 
 
-def started(bench: Bench, candidate: Candidate, products: Products, number: int) -> Candidate:
+def started(bench: Bench, candidate: Hypothesis, products: Products, number: int) -> Hypothesis:
     """The candidate with what the segment `number` owns brought to its best there."""
     own = bench.places[number][-3:]
     normal, gradient = products.each[number][:-1, :-1], products.each[number][:-1, -1]

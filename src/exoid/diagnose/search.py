@@ -5,8 +5,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from exoid.diagnose.bench import Bench, Candidate
+from exoid.diagnose.bench import Bench
 from exoid.diagnose.evidence import ALIKE, APART, Yardstick, yardstick
+from exoid.diagnose.hypothesis import Hypothesis
+from exoid.diagnose.lanes import linear
 from exoid.diagnose.settle import Settled, settle, settle_free
 from exoid.physics.library import name_of
 from exoid.physics.parameter import declarations
@@ -57,7 +59,9 @@ def look(bench: Bench, base: Settled, told: Told) -> Found:
     usable = [term for term in bench.library if applies(bench, term)]
     told(f"testing {len(usable)} candidates")
     starts = [
-        Candidate((term,), (value,), point, zero) for term in usable for value in bench.starts(term)
+        Hypothesis((term,), (value,), point, zero)
+        for term in usable
+        for value in bench.starts(term)
     ]
     first = best_of(settle(bench, starts, rounds=ROUNDS))
     failed = [term for (term,), one in first.items() if not sound(one)]
@@ -158,7 +162,7 @@ def twins(bench: Bench, singles: list[Settled]) -> list[Settled]:
     other = value / max(stiffness, 1e-3) if missing[0] == pair[1] else value * stiffness
     declared = next(each for _, each in declarations(terms[missing[0]]))
     start = np.clip(other, declared.lower, declared.upper)
-    moved = Candidate((terms[missing[0]],), (start,), one.candidate.point, one.candidate.zero)
+    moved = Hypothesis((terms[missing[0]],), (start,), one.candidate.point, one.candidate.zero)
     return [settle_free(bench, [moved], rounds=FREE_ROUNDS)[0]]
 
 
@@ -178,16 +182,16 @@ def nested(bench: Bench, singles: list[Settled]) -> list[Settled]:
     return found
 
 
-def pairs(bench: Bench, ranked: list[Settled], singles: list[Settled]) -> list[Candidate]:
+def pairs(bench: Bench, ranked: list[Settled], singles: list[Settled]) -> list[Hypothesis]:
     """The best single terms, each with every other."""
     refined = {one.candidate.terms[0]: one for one in singles}
     firsts = [refined.get(one.candidate.terms[0], one).candidate for one in ranked[:PAIRED]]
-    linear = bench.linear(firsts, [one.course for one in ranked[:PAIRED]])
+    found = linear(bench, firsts, [one.course for one in ranked[:PAIRED]])
     made = []
-    for number, (first, known) in enumerate(zip(firsts, linear, strict=True)):
+    for number, (first, known) in enumerate(zip(firsts, found, strict=True)):
         done = {one.terms[0] for one in firsts[: number + 1]}
         made += [
-            Candidate(
+            Hypothesis(
                 (*first.terms, *second.candidate.terms),
                 (*first.values, value),
                 first.point,

@@ -5,7 +5,10 @@ from typing import Any
 
 import numpy as np
 
-from exoid.diagnose.bench import Bench, Candidate, Products
+from exoid.diagnose import lanes
+from exoid.diagnose.bench import Bench
+from exoid.diagnose.hypothesis import Hypothesis, Products
+from exoid.diagnose.release import release
 from exoid.fit.observation import Observation
 
 ROUNDS = 12
@@ -21,7 +24,7 @@ PASSES = 4  # in which bounds that a step runs into are found
 class Settled:
     """A candidate at its best, and the derivatives there."""
 
-    candidate: Candidate
+    candidate: Hypothesis
     products: Products
     course: Any  # pinned: the Course along which; free: what the sensors would show
     damping: float = DAMPING
@@ -32,18 +35,18 @@ class Settled:
         return self.products.square
 
 
-def settle(bench: Bench, candidates: list[Candidate], *, rounds: int = ROUNDS) -> list[Settled]:
+def settle(bench: Bench, candidates: list[Hypothesis], *, rounds: int = ROUNDS) -> list[Settled]:
     """Fit every candidate to the data, along the motion that it reads from the sensors."""
 
     def evaluate(candidates, courses):
-        return bench.evaluate(candidates, courses, bench.seen)
+        return lanes.evaluate(bench, candidates, courses, bench.seen)
 
     return descend(bench, candidates, [bench.course] * len(candidates), evaluate, rounds)
 
 
 def settle_free(
     bench: Bench,
-    candidates: list[Candidate],
+    candidates: list[Hypothesis],
     observation: Observation | None = None,
     *,
     rounds: int = ROUNDS,
@@ -52,7 +55,7 @@ def settle_free(
     seen = bench.seen if observation is None else observation
 
     def evaluate(candidates, _):
-        return bench.release(candidates, seen)
+        return release(bench, candidates, seen)
 
     return descend(bench, candidates, [None] * len(candidates), evaluate, rounds)
 
@@ -76,7 +79,7 @@ def descend(bench, candidates, courses, evaluate, rounds) -> list[Settled]:
     return at
 
 
-def judged(before: Settled, candidate: Candidate, gain: float, products, course) -> Settled:
+def judged(before: Settled, candidate: Hypothesis, gain: float, products, course) -> Settled:
     """Where a candidate stands after a step: there, or where it was and more careful."""
     careful = before.damping > CAREFUL
     if not products.square < before.square + STEADY:
@@ -85,7 +88,7 @@ def judged(before: Settled, candidate: Candidate, gain: float, products, course)
     return Settled(candidate, products, course, easier, resting=gain < STEADY and not careful)
 
 
-def step(bench: Bench, at: Settled) -> tuple[Candidate, float]:
+def step(bench: Bench, at: Settled) -> tuple[Hypothesis, float]:
     """The next place to try, and the gain to expect there."""
     unknowns = at.candidate.unknowns
     normal, gradient = at.products.total[:-1, :-1], at.products.total[:-1, -1]

@@ -10,11 +10,18 @@ from typing import Any
 import equinox as eqx
 import jax
 import jax.numpy as jnp
-from jax.flatten_util import ravel_pytree
 from jaxtyping import Array, Float
 
 from exoid.fit.chain import Chain
-from exoid.fit.coordinates import TYPICAL, Coordinates, Mounting, Own, Seat, Shared, by_segment
+from exoid.fit.coordinates import (
+    Coordinates,
+    Mounting,
+    Own,
+    Seat,
+    Shared,
+    by_segment,
+    in_a_row,
+)
 from exoid.fit.observation import Observation
 from exoid.fit.residual import NOTHING, Stage, advance, equation, residual, sensor_map
 from exoid.physics.state import LegState
@@ -91,12 +98,10 @@ def sense(
 
 def sweep(unknowns, observation, known, pushes, stage, chain, fold, folded):
     """Simulate with sensitivities; `fold` gathers the rows (dr/dz, dr/dpush, r) of every sample."""
-    point, unravel = ravel_pytree(unknowns)
-    sizes = (TYPICAL.shared, TYPICAL.mounting, TYPICAL.own)
-    unit, _ = ravel_pytree(jax.tree.map(jnp.full_like, unknowns, sizes))
+    row, back = in_a_row(unknowns)
 
-    def setup(scaled):
-        shared, mounting, own = unravel(scaled * unit)
+    def setup(row):
+        shared, mounting, own = back(row)
         state = LegState(own.angle, own.angular_velocity)
         eq = equation(shared, mounting, own, observation, stage)
         return (eq, sensor_map(mounting, observation)), state, chain.begin(state)
@@ -104,7 +109,7 @@ def sweep(unknowns, observation, known, pushes, stage, chain, fold, folded):
     count = pushes.begin.shape[0]
     directions = jnp.concatenate([jnp.diag(1 - known), jnp.zeros((count, known.size))])
     ((eq, sensors), state, memory), ((by_eq, by_sensors), by_state, by_memory) = along(
-        setup, (point / unit,), (directions,)
+        setup, (row,), (directions,)
     )
 
     def forward(index, carry):

@@ -10,6 +10,7 @@ import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
+from jax.flatten_util import ravel_pytree
 from jaxtyping import Float, Inexact, Int, Num
 
 from exoid.physics.leg import GRAVITY, LegParameters
@@ -115,6 +116,14 @@ def by_segment(point: Coordinates, seat: Seat, xp=jnp) -> Num[Any, "segment unkn
     leaves = jax.tree.leaves(point.mounting)
     mounting = [leaf[rows] for leaf, rows in zip(leaves, at, strict=True) if leaf.size]
     return xp.stack([*shared, *mounting, *jax.tree.leaves(point.own)], axis=1)
+
+
+def in_a_row(unknowns: tuple[Shared, Mounting, Own]):
+    """The unknowns of one segment in a row, in units of `TYPICAL`, and the way back."""
+    point, unravel = ravel_pytree(unknowns)
+    typical = (TYPICAL.shared, TYPICAL.mounting, TYPICAL.own)
+    unit, _ = ravel_pytree(jax.tree.map(jnp.full_like, unknowns, typical))
+    return point / unit, lambda row: unravel(row * unit)
 
 
 def quantities(coordinates: Coordinates, xp=jnp) -> Inexact[Any, " quantity *column"]:

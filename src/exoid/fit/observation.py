@@ -57,7 +57,7 @@ def observe(movements: list[Movement], reading: str) -> Observation:
 
 def bucket(size: int) -> int:
     """The shape that serves this many samples, so that few lengths need compiling."""
-    coarse = 64 if size <= 512 else 256 if size <= 4096 else 2048
+    coarse = 256 if size <= 4096 else 2048
     return -(-size // coarse) * coarse
 
 

@@ -31,9 +31,7 @@ SOURCES = (
     "fit/*.py",
     "physics/**/*.py",
     "recording/kalman.py",
-    "diagnose/pinned.py",
-    "diagnose/free.py",
-    "diagnose/novel.py",
+    *(f"diagnose/{name}.py" for name in ("scene", "effect", "carry", "pinned", "free", "novel")),
 )  # whose code is in the program
 LIBRARIES = ("jax", "jaxlib", "equinox", "lineax", "optimistix")  # likewise
 DIGEST = 32  # bytes of the checksum before a kept program

@@ -10,7 +10,7 @@ from jaxtyping import Array, Float
 from exoid.physics.leg import angular_acceleration
 from exoid.physics.moment import Moment, Place
 from exoid.physics.state import LegState
-from exoid.physics.step import Drive, rk4
+from exoid.physics.step import Drive, parabola, rk4
 from exoid.physics.term import Reading, Term, reading
 
 Terms = tuple[Term, ...]
@@ -78,16 +78,11 @@ def extended_step(
 
     def part_of(number, motion):
         begin = number / parts
-        pieces = Drive(*(between(drive, begin + at / parts) for at in (0.0, 0.5, 1.0)))
+        stages = (drive.begin, drive.middle, drive.end)
+        pieces = Drive(*(parabola(*stages, begin + at / parts) for at in (0.0, 0.5, 1.0)))
         return whole_step(place, terms, motion, time + begin * step, step / parts, pieces)
 
     return jax.lax.fori_loop(0, parts, part_of, motion)
-
-
-def between(drive: Drive, at: Any) -> Float[Array, "*batch"]:
-    """The drive at a fraction of its step, by the parabola through its three values."""
-    first, last = (1 - at) * (1 - 2 * at), at * (2 * at - 1)
-    return first * drive.begin + 4 * at * (1 - at) * drive.middle + last * drive.end
 
 
 def whole_step(

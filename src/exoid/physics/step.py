@@ -41,6 +41,17 @@ def march(
     return jax.lax.fori_loop(0, steps, step, (state, fold(jnp.array(0), state, folded)))[1]
 
 
+def parabola(first: PyTree, middle: PyTree, last: PyTree, at: Any) -> PyTree:
+    """What lies at a fraction of a step, through its begin, middle and end."""
+    weights = (1 - at) * (1 - 2 * at), 4 * at * (1 - at), at * (2 * at - 1)
+    return jax.tree.map(
+        lambda *each: sum(weight * one for weight, one in zip(weights, each, strict=True)),
+        first,
+        middle,
+        last,
+    )
+
+
 def rk4(
     rate: Callable[[PyTree, float], PyTree], state: PyTree, step: Float[Array, "*batch"]
 ) -> PyTree:
