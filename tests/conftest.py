@@ -1,6 +1,13 @@
 """Every test runs in float64, with the shapes and types annotated in `exoid` checked as it runs."""
 
+import os
 from pathlib import Path
+
+# Tests compile far more than they run: most of their time would go into optimising machine code.
+os.environ["XLA_FLAGS"] = (
+    f"{os.environ.get('XLA_FLAGS', '')} --xla_backend_optimization_level=0 "
+    "--xla_cpu_use_fusion_emitters=false"
+)
 
 import hypothesis
 import jax

@@ -5,22 +5,25 @@ from dataclasses import dataclass
 import numpy as np
 
 from exoid.diagnose.bench import Bench
-from exoid.diagnose.diagnosis import Booked, Diagnosis, Parameter, Verdict
-from exoid.diagnose.evidence import Yardstick
+from exoid.diagnose.diagnosis import Diagnosis, Verdict
 from exoid.diagnose.honesty import too_little, unsure
 from exoid.diagnose.locate import Location
 from exoid.diagnose.novel import Formula
+from exoid.diagnose.numbers import BIAS, booked, gyro_bias, parameters_of
 from exoid.diagnose.proof import Prediction, Proof, proof
+from exoid.diagnose.resample import inclusion
 from exoid.diagnose.search import Found, equivalents, names, size
 from exoid.diagnose.settle import Settled
 from exoid.fit.result import FitResult
 from exoid.physics.library import name_of
 from exoid.physics.parameter import declarations
 
-BIAS = "gyro_bias"
-CERTAIN = 5.0  # standard deviations
-BIASED = np.radians(0.1)  # rad/s, from which on a gyro's bias is worth a word
 FOLLOWED = 0.97  # share of the mismatch that a term must explain to be named beside something new
+SUSPECT = 0.5  # share of the mismatch that a cause must explain to be worth a recording
+REPEAT = (
+    "Repeat the same movement several times: what comes back each time is physics, what does not "
+    "was an event."
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,6 +43,7 @@ def concluded(
     formula: Formula | None,
     location: Location,
     declared: bool,
+    seed: int,
 ) -> Diagnosis:
     """The verdict and everything that goes with it.
 
@@ -76,6 +80,7 @@ def concluded(
         proof=shown,
         false_alarm_rate=measure.false_alarm_rate(tried),
         power=measure.power(found.base.square, best.square, max(parameters, 1)),
+        inclusion=included(bench, found, best, formula, seed),
         sensors=bench.sensors.errors,
         best=best,
         found=found,
@@ -91,25 +96,23 @@ def followed(found: Found, best: Settled) -> float:
     return 1 - (best.square - samples) / max(found.base.square - samples, 1.0)
 
 
+def included(
+    bench: Bench, found: Found, best: Settled, formula: Formula | None, seed: int
+) -> float | None:
+    """How often resampled segments give the same answer."""
+    if best is found.base:
+        return None
+    others = [found.base, *found.singles, *([] if len(best.candidate.terms) < 2 else found.pairs)]
+    rivals = [found.base] if formula else [one for one in others if one is not best]
+    return inclusion(bench, best, rivals, found.yardstick, seed)
+
+
 def named_terms(best: Settled, formula: Formula | None) -> list[str]:
     return [] if formula else names(best)
 
 
 def one_name(one: Settled) -> list[str]:
     return [" + ".join(names(one))]
-
-
-def gyro_bias(best: Settled, measure: Yardstick) -> Parameter | None:
-    """The bias of the gyro, which is free in every fit, where it is worth a word."""
-    at = best.candidate.point.size
-    precision = float(best.products.total[at, at])
-    if precision <= 0:
-        return None
-    error = (measure.scale / precision) ** 0.5
-    value = float(best.candidate.zero[0])
-    if abs(value) < max(BIASED, CERTAIN * error):
-        return None
-    return Parameter(f"{BIAS}.bias", value, "rad/s", error)
 
 
 def judge(bench: Bench, found: Found, best: Settled, shown: Proof) -> tuple[Verdict, list[str]]:
@@ -143,40 +146,6 @@ def by_share(found: Found, selected: list[str]) -> list[str]:
     return sorted(selected, key=lambda name: alone.get(name, np.inf))
 
 
-def parameters_of(best: Settled, measure: Yardstick, formula: Formula | None) -> list[Parameter]:
-    """Values and errors of the terms' parameters, for the inertia that the fit took."""
-    candidate = best.candidate
-    normal = best.products.total[:-1, :-1].copy()
-    normal[0], normal[:, 0] = 0.0, 0.0
-    size_of = np.sqrt(np.diag(normal))
-    unit = np.where(size_of > 0, size_of, 1.0)
-    inverse = np.linalg.pinv(normal / np.outer(unit, unit), hermitian=True)
-    errors = np.sqrt(np.maximum(np.diag(inverse), 0.0) * measure.scale) / unit
-    found, at = [], candidate.point.size + 2
-    for term, values in zip(candidate.terms, candidate.values, strict=True):
-        owner = "formula" if formula else name_of(term)
-        for (name, declared), value in zip(declarations(term), values, strict=True):
-            known = bool(size_of[at] > 0) and declared.lower < value < declared.upper
-            error = float(errors[at]) if known else None
-            found.append(Parameter(f"{owner}.{name}", float(value), declared.unit, error))
-            at += 1
-    return found
-
-
-def booked(bench: Bench, before: Settled, after: Settled) -> list[Booked]:
-    """Damping, stiffness and gravity moment without and with what was found."""
-    pairs = [bench.coordinates(one.candidate).shared for one in (before, after)]
-    rows = [
-        {
-            "damping": (float(leg.damping * np.exp(leg.log_inertia)), "N m s/rad"),
-            "stiffness": (float(leg.stiffness * np.exp(leg.log_inertia)), "N m/rad"),
-            "gravity_moment": (float(leg.gravity * np.exp(leg.log_inertia)), "N m"),
-        }
-        for leg in pairs
-    ]
-    return [Booked(name, rows[0][name][0], rows[1][name][0], rows[0][name][1]) for name in rows[0]]
-
-
 def advice(
     bench: Bench, found: Found, best: Settled, verdict: Verdict, formula: Formula | None
 ) -> list[str]:
@@ -185,8 +154,11 @@ def advice(
         return []
     if formula is not None:
         return ["Change one thing at a time (speed, angle, load) and watch which moves the torque."]
-    rivals = equivalents(found, best) if best.candidate.terms else found.singles[:2]
-    terms = dict.fromkeys(term for one in rivals for term in one.candidate.terms)
+    if best.candidate.terms:
+        rivals = equivalents(found, best)
+    else:
+        rivals = [one for one in found.singles[:2] if followed(found, one) > SUSPECT]
     if verdict == "mismatch" and len(rivals) < 2:
         return []
-    return [f"To tell {term.title} apart: {term.isolate}." for term in terms]
+    terms = dict.fromkeys(term for one in rivals for term in one.candidate.terms)
+    return [f"To tell {term.title} apart: {term.isolate}." for term in terms] or [REPEAT]

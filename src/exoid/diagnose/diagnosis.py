@@ -54,6 +54,7 @@ class Diagnosis:
     proof: Proof
     false_alarm_rate: float
     power: float
+    inclusion: float | None  # share of resampled segments that give the same answer
     sensors: list[SensorError]
     best: Settled
     found: Found

@@ -20,6 +20,7 @@ from exoid.physics.state import LegState
 WIDTH = 0.1  # s, over which the missing torque is averaged
 CLEAR = 3.0  # standard deviations beyond which it is not noise
 STRONG = 0.5  # of its largest: what is named
+LARGEST = 0.98  # quantile: friction that sticks and slips has spikes
 SHORTEST = 0.03  # s
 MOST = 6  # places that are named
 TURNING = np.radians(30.0)  # rad/s, below which a leg is at a reversal
@@ -144,7 +145,7 @@ def explained(cause: Samples, torque: Samples) -> float:
 def regions_of(each: Missing) -> list[Region]:
     """The stretches where the torque is clear and strong."""
     torque = each.torque if each.modelled is None else each.modelled
-    least = STRONG * float(np.max(np.abs(torque)))
+    least = STRONG * float(np.quantile(np.abs(torque), LARGEST))
     if each.modelled is None:
         least = max(CLEAR * each.band, least)
     sign = np.where(np.abs(torque) > least, np.sign(torque), 0.0)

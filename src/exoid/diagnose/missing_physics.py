@@ -50,7 +50,7 @@ def diagnose(
     told("locating the mismatch")
     location = locate(bench, base.candidate, chosen.best)
     declared = all(recording.sensors.angle_noise is not None for _, recording in named)
-    return concluded(result, bench, found, chosen, formula, location, declared)
+    return concluded(result, bench, found, chosen, formula, location, declared, seed)
 
 
 def choose(bench: Bench, found: Found) -> Chosen:

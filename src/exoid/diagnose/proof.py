@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import equinox as eqx
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Bool, Float
 
 from exoid.diagnose.bench import Bench
 from exoid.diagnose.hypothesis import Hypothesis, Products
@@ -23,14 +23,15 @@ class Prediction:
     """Segments as they were predicted by a fit of the others."""
 
     shown: Float[np.ndarray, "segment time channel"]  # rad, rad/s
+    counted: Bool[np.ndarray, "segment time"]  # which samples were held out
     rmse: Float[np.ndarray, " segment"]  # rad
-    counted: Float[np.ndarray, " segment"]  # samples
     squares: Float[np.ndarray, " segment"]  # of both channels over their noise
 
     @property
     def total(self) -> float:
         """rad, over all segments."""
-        return float(np.sqrt(self.counted @ self.rmse**2 / self.counted.sum()))
+        weights = self.counted.sum(axis=1)
+        return float(np.sqrt(weights @ self.rmse**2 / weights.sum()))
 
 
 @dataclass(frozen=True, eq=False)
@@ -131,4 +132,4 @@ def prediction(seen: Observation, shown: np.ndarray, counted: np.ndarray) -> Pre
     squares = (seen.angle_weight * angle) ** 2 + (seen.velocity_weight * velocity) ** 2
     number = counted.sum(axis=1)
     rmse = np.sqrt((angle**2).sum(axis=1) / np.maximum(number, 1))
-    return Prediction(shown, rmse, number.astype(float), squares.sum(axis=1))
+    return Prediction(shown, counted, rmse, squares.sum(axis=1))

@@ -1,25 +1,22 @@
 """Which terms explain the mismatch: all of them pinned, the best of them free, then in pairs."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from exoid.diagnose.bench import Bench
 from exoid.diagnose.evidence import ALIKE, APART, Yardstick, yardstick
 from exoid.diagnose.hypothesis import Hypothesis
-from exoid.diagnose.lanes import linear
-from exoid.diagnose.settle import Settled, settle, settle_free
+from exoid.diagnose.settle import Settled, settle
+from exoid.diagnose.variants import nested, pairs, polished, reduced, twins
 from exoid.physics.library import name_of
-from exoid.physics.parameter import declarations
 from exoid.physics.term import Term
 
 SHORT = 4  # candidates that run free, by what they explain pinned
-PAIRED = 3  # first terms of a pair
 REACH = 3.0  # times the best, within which running free may change the order
 ROUNDS = 8  # of pinned steps; what is close by then is brought to its end running free
 PAIR_ROUNDS = 6
-FREE_ROUNDS = 25
 FLOOR = 1.3  # mean square over the noise at which nothing more is looked for
 
 Told = Callable[[str], None]
@@ -129,80 +126,6 @@ def by_evidence(settled: list[Settled], base: Settled, measure: Yardstick) -> li
         return known
     alike = [one for one in known if one.square < ALIKE * known[0].square]
     return sorted(known, key=lambda one: size(one) if one in alike else np.inf)
-
-
-def polished(bench: Bench, one: Settled) -> Settled:
-    """Running free from where it came pinned."""
-    return settle_free(bench, [one.candidate], rounds=FREE_ROUNDS)[0]
-
-
-def reduced(bench: Bench, joint: list[Settled]) -> list[Settled]:
-    """Each term of a pair alone again, from where the pair is: is the other one needed?"""
-    return [
-        polished(
-            bench, replace(one, candidate=replace(one.candidate, terms=(term,), values=(value,)))
-        )
-        for one in joint
-        for term, value in zip(one.candidate.terms, one.candidate.values, strict=True)
-    ]
-
-
-def twins(bench: Bench, singles: list[Settled]) -> list[Settled]:
-    """What is exactly the same torque under another name: a rest angle, and a constant torque."""
-    known = {name_of(one.candidate.terms[0]): one for one in singles}
-    terms = {name_of(term): term for term in bench.library}
-    pair = ("torque_bias", "stiffness_rest_angle")
-    missing = [name for name in pair if name not in known]
-    if len(missing) != 1:
-        return []
-    one = known[next(name for name in pair if name in known)]
-    coordinates = bench.coordinates(one.candidate)
-    stiffness = float(coordinates.shared.stiffness * np.exp(coordinates.shared.log_inertia))
-    value = one.candidate.values[0]
-    other = value / max(stiffness, 1e-3) if missing[0] == pair[1] else value * stiffness
-    declared = next(each for _, each in declarations(terms[missing[0]]))
-    start = np.clip(other, declared.lower, declared.upper)
-    moved = Hypothesis((terms[missing[0]],), (start,), one.candidate.point, one.candidate.zero)
-    return [settle_free(bench, [moved], rounds=FREE_ROUNDS)[0]]
-
-
-def nested(bench: Bench, singles: list[Settled]) -> list[Settled]:
-    """A simple term again from where a richer one is that holds all its parameters."""
-    found = []
-    for rich in singles:
-        (term,) = rich.candidate.terms
-        known = dict(zip(dict(declarations(term)), rich.candidate.values[0], strict=True))
-        for simple in singles:
-            (other,) = simple.candidate.terms
-            wanted = list(dict(declarations(other)))
-            if len(wanted) < len(known) and known.keys() >= set(wanted):
-                value = np.array([known[name] for name in wanted])
-                start = replace(rich.candidate, terms=(other,), values=(value,), linear=None)
-                found.append(settle_free(bench, [start], rounds=FREE_ROUNDS)[0])
-    return found
-
-
-def pairs(bench: Bench, ranked: list[Settled], singles: list[Settled]) -> list[Hypothesis]:
-    """The best single terms, each with every other."""
-    refined = {one.candidate.terms[0]: one for one in singles}
-    firsts = [refined.get(one.candidate.terms[0], one).candidate for one in ranked[:PAIRED]]
-    found = linear(bench, firsts, [one.course for one in ranked[:PAIRED]])
-    made = []
-    for number, (first, known) in enumerate(zip(firsts, found, strict=True)):
-        done = {one.terms[0] for one in firsts[: number + 1]}
-        made += [
-            Hypothesis(
-                (*first.terms, *second.candidate.terms),
-                (*first.values, value),
-                first.point,
-                first.zero,
-                known,
-            )
-            for second in ranked
-            for value in bench.starts(second.candidate.terms[0])
-            if second.candidate.terms[0] not in done
-        ]
-    return made
 
 
 def equivalents(found: Found, best: Settled) -> list[Settled]:

@@ -31,7 +31,8 @@ SOURCES = (
     "fit/*.py",
     "physics/**/*.py",
     "recording/kalman.py",
-    *(f"diagnose/{name}.py" for name in ("scene", "effect", "carry", "pinned", "free", "novel")),
+    *(f"diagnose/{name}.py" for name in ("scene", "effect", "carry", "pinned", "free")),
+    *(f"diagnose/{name}.py" for name in ("novel", "dictionary")),
 )  # whose code is in the program
 LIBRARIES = ("jax", "jaxlib", "equinox", "lineax", "optimistix")  # likewise
 DIGEST = 32  # bytes of the checksum before a kept program

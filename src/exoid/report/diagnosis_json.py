@@ -59,6 +59,7 @@ def diagnosis_document(
             "noise_floor": found.proof.noise_floor,
             "false_alarm_rate": found.false_alarm_rate,
             "power": found.power,
+            "inclusion": found.inclusion,
             "sensors": [
                 {
                     "name": each.name,

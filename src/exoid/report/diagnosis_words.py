@@ -114,10 +114,12 @@ def proof(found: Diagnosis) -> str:
         f"{shown.better} of {count} segments better, each from the others"
     )  # fmt: skip
     floor = shown.after.total / shown.noise_floor
+    share = found.inclusion
+    again = "" if share is None else f"the same answer in {share:.0%} of resampled segments; "
     return (
         f"held-out angle RMSE {before} -> {after} deg ({over}), {floor:.1f} times the noise floor; "
-        f"on noise alone {chance(found.false_alarm_rate)} false alarms, an effect of this size is "
-        f"found with a chance of {certain(found.power)}."
+        f"{again}on noise alone {chance(found.false_alarm_rate)} false alarms, an effect of this "
+        f"size is found with a chance of {certain(found.power)}."
     )
 
 

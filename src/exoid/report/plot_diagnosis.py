@@ -11,6 +11,7 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 
 from exoid.diagnose.diagnosis import Diagnosis
 from exoid.diagnose.search import names
+from exoid.physics.library import name_of
 from exoid.report.diagnosis_words import headline
 from exoid.report.plot_style import TEXT, head, name_all
 from exoid.report.text import in_degrees
@@ -43,8 +44,15 @@ def plot_diagnosis(found: Diagnosis) -> Figure:
         draw_torque(parts[0], found)
         draw_causes(parts[1], found)
         draw_proof(parts[2], found)
-        figure.suptitle(headline(found), fontweight="bold")
+        figure.suptitle(title(found), fontweight="bold")
     return figure
+
+
+def title(found: Diagnosis) -> str:
+    """The verdict, and what is missing where it has a name."""
+    if found.verdict != "mismatch" or found.novel or not found.selected:
+        return headline(found)
+    return "Missing: " + " and ".join(found.selected).replace("_", " ")
 
 
 def worst(found: Diagnosis) -> list[int]:
@@ -102,9 +110,15 @@ def draw_bars(axes: Axes, found: Diagnosis) -> None:
     ran = [*found.found.pairs[:2], *found.found.singles]
     if found.formula is not None:
         ran = [found.best, *ran]
-    ran = sorted(ran, key=lambda one: one.square)[:CAUSES]
-    rows = [("Eq. 9 alone", found.found.base.square, False)]
-    rows += [(label(one, found), one.square, one is found.best) for one in ran]
+    rows = [(label(one, found), one.square, one is found.best) for one in ran]
+    known = {one.candidate.terms for one in ran}
+    rows += [
+        (name_of(term).replace("_", " "), square, False)
+        for term, square in found.found.pinned.items()
+        if (term,) not in known
+    ]
+    rows = sorted(rows, key=lambda row: row[1])[:CAUSES]
+    rows = [("Eq. 9 alone", found.found.base.square, False), *rows]
     values = [max(square / samples, 0.5) for _, square, _ in rows]
     colours = ["#0072B2" if chosen else "0.7" for *_, chosen in rows]
     hatches = ["" if chosen else "//" for *_, chosen in rows]
@@ -134,13 +148,14 @@ def draw_proof(figure: SubFigure, found: Diagnosis) -> None:
     )
     numbers = worst(found)
     seen = found.bench.seen
+    predictions = [(before, BEFORE), (after, AFTER)] if after is not before else [(before, BEFORE)]
     panels = figure.subplots(1, len(numbers), sharey=True, squeeze=False)[0]
     for axes, number in zip(panels, numbers, strict=True):
-        used = np.asarray(seen.angle_weight[number]) > 0
-        time = np.asarray(seen.time[number])[used]
-        for shown, style in ((before.shown, BEFORE), (after.shown, AFTER)):
-            left = shown[number, :, 0] - seen.angle[number]
-            axes.plot(time, np.degrees(np.asarray(left)[used]), **style)
+        time = np.asarray(seen.time[number])
+        for one, style in predictions:
+            held_out = one.counted[number]
+            left = np.asarray(one.shown[number, :, 0] - seen.angle[number])
+            axes.plot(time[held_out], np.degrees(left[held_out]), **style)
         noise = 2 * degrees(found.proof.noise_floor)
         axes.axhspan(-noise, noise, **BAND)
         axes.set_title(f"segment {found.location.missing[number].segment}")

@@ -1,0 +1,66 @@
+"""The numbers of an answer: parameters with their errors, and where they had been booked."""
+
+import numpy as np
+
+from exoid.diagnose.bench import Bench
+from exoid.diagnose.diagnosis import Booked, Parameter
+from exoid.diagnose.evidence import Yardstick
+from exoid.diagnose.novel import Formula
+from exoid.diagnose.settle import Settled
+from exoid.physics.library import name_of
+from exoid.physics.parameter import declarations
+
+BIAS = "gyro_bias"
+CERTAIN = 5.0  # standard deviations
+BIASED = np.radians(0.1)  # rad/s, from which on a gyro's bias is worth a word
+
+
+def gyro_bias(best: Settled, measure: Yardstick) -> Parameter | None:
+    """The bias of the gyro, which is free in every fit, where it is worth a word."""
+    at = best.candidate.point.size
+    precision = float(best.products.total[at, at])
+    if precision <= 0:
+        return None
+    error = (measure.scale / precision) ** 0.5
+    value = float(best.candidate.zero[0])
+    if abs(value) < max(BIASED, CERTAIN * error):
+        return None
+    return Parameter(f"{BIAS}.bias", value, "rad/s", error)
+
+
+def parameters_of(best: Settled, measure: Yardstick, formula: Formula | None) -> list[Parameter]:
+    """Values and errors of the terms' parameters, for the inertia that the fit took."""
+    candidate = best.candidate
+    normal = best.products.total[:-1, :-1].copy()
+    normal[0], normal[:, 0] = 0.0, 0.0
+    size_of = np.sqrt(np.diag(normal))
+    unit = np.where(size_of > 0, size_of, 1.0)
+    inverse = np.linalg.pinv(normal / np.outer(unit, unit), hermitian=True)
+    errors = np.sqrt(np.maximum(np.diag(inverse), 0.0) * measure.scale) / unit
+    found, at = [], candidate.point.size + 2
+    for term, values in zip(candidate.terms, candidate.values, strict=True):
+        owner = "formula" if formula else name_of(term)
+        for (name, declared), value in zip(declarations(term), values, strict=True):
+            known = bool(size_of[at] > 0) and declared.lower < value < declared.upper
+            error = float(errors[at]) if known else None
+            found.append(Parameter(f"{owner}.{name}", float(value), declared.unit, error))
+            at += 1
+    return found
+
+
+def booked(bench: Bench, before: Settled, after: Settled) -> list[Booked]:
+    """Damping, stiffness and gravity moment without and with what was found.
+
+    A rig's zero is anywhere, so that its gravity and its stiffness are one restoring moment.
+    """
+    pairs = [bench.coordinates(one.candidate).shared for one in (before, after)]
+    rows = [
+        {
+            "damping": (float(leg.damping * np.exp(leg.log_inertia)), "N m s/rad"),
+            "stiffness": (float(leg.stiffness * np.exp(leg.log_inertia)), "N m/rad"),
+            "gravity_moment": (float(leg.gravity * np.exp(leg.log_inertia)), "N m"),
+        }
+        for leg in pairs
+    ]
+    told = ["damping"] if bench.rig else list(rows[0])
+    return [Booked(name, rows[0][name][0], rows[1][name][0], rows[0][name][1]) for name in told]
