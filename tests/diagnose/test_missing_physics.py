@@ -1,6 +1,7 @@
 """The whole diagnosis, on recordings whose truth is known."""
 
 import jax.numpy as jnp
+import numpy as np
 import pytest
 from diagnosis_cases import DROPS, FRICTION, SMALL, Broken, Detent, Release, session
 
@@ -10,7 +11,7 @@ from exoid.diagnose.missing_physics import diagnose
 from exoid.physics.sensing.gyro_scale import GyroScale
 from exoid.physics.terms.coulomb_friction import CoulombFriction
 from exoid.physics.terms.quadratic_drag import QuadraticDrag
-from exoid.recording.recording import Recording
+from exoid.recording.recording import Recording, Segment
 
 
 @pytest.fixture(autouse=True)
@@ -26,8 +27,18 @@ def cut(recording: Recording, until: float) -> Recording:
 
 def shortened(segment, until):
     kept = segment.time <= until
-    channels = {name: samples[kept] for name, samples in segment.channels().items()}
-    return type(segment)(**channels | {"time": segment.time[kept]})
+    return Segment(**{name: samples[kept] for name, samples in timed(segment).items()})
+
+
+def without(segment, lost):
+    """The segment without its `lost` samples, of which the first and the last are none."""
+    kept = ~lost
+    kept[[0, -1]] = True
+    return Segment(**{name: samples[kept] for name, samples in timed(segment).items()})
+
+
+def timed(segment):
+    return segment.channels() | {"time": segment.time}
 
 
 def test_friction_is_named_and_proved_and_taken_out_of_the_damping():
@@ -111,3 +122,40 @@ def test_the_phases_are_told():
     assert heard[0] == "fitting the baseline"
     assert missing_physics.__doc__
     assert len(heard) == len(set(heard)) >= 4
+
+
+def test_a_leg_that_hardly_moves_cannot_tell():
+    quiet = tuple(Release(angle) for angle in (-67, -67.5, -68))
+    found = diagnose(session(FRICTION, movements=quiet))
+    assert found.verdict == "cannot_tell"
+    assert "release it from higher up" in found.reasons[0]
+    assert found.selected == []
+
+
+def test_without_a_gyro_friction_is_found_by_the_encoder_alone():
+    recording = session(FRICTION)
+    segments = tuple(Segment(each.time, raw_angle=each.raw_angle) for each in recording.segments)
+    blind = Recording(segments, recording.subject, recording.protocol, recording.sensors)
+    found = diagnose(blind)
+    assert found.selected == ["coulomb_friction"]
+    assert found.sensors == []
+
+
+def test_samples_that_were_lost_here_and_there_change_nothing():
+    rng = np.random.default_rng(1)
+    recording = session(FRICTION)
+    segments = tuple(without(each, rng.random(each.time.size) < 0.1) for each in recording.segments)
+    patchy = Recording(segments, recording.subject, recording.protocol, recording.sensors)
+    assert diagnose(patchy).selected == ["coulomb_friction"]
+
+
+def test_clear_friction_is_found_in_every_resample_of_the_segments():
+    found = diagnose(session(FRICTION))
+    assert found.inclusion == 1.0
+    assert diagnose(session()).inclusion is None
+
+
+@pytest.mark.slow
+def test_of_twenty_recordings_that_lack_nothing_at_most_one_is_called_wrong():
+    alarms = [diagnose(session(seed=seed)).verdict == "mismatch" for seed in range(100, 120)]
+    assert sum(alarms) <= 1  # 5 %; the rate that is promised is below 0.1 %

@@ -99,7 +99,7 @@ def corrected(time: Samples, data: np.ndarray, motion: Reference, errors: np.nda
 
 
 def compared(
-    cleaned: list[tuple[Samples, np.ndarray, np.ndarray]], motions: list[Reference]
+    cleaned: list[tuple[np.ndarray, ...]], motions: list[Reference]
 ) -> tuple[np.ndarray, np.ndarray, float, float]:
     """The gyro's errors by least squares, their covariance, the misfit left a sample, the jerk."""
     best = None

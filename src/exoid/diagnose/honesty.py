@@ -9,7 +9,7 @@ from exoid.diagnose.settle import Settled
 from exoid.physics.term import SensorTerm
 
 SHORTEST = 1.5  # s of movement in all, about one swing of a leg
-QUIETEST = np.radians(8.0)  # rad, of movement: less is within straps and skin
+QUIETEST = np.radians(12.0)  # rad, of movement: less is within straps and skin
 CYCLES = 3  # that a claim about the leg needs where all are voluntary
 APART = 0.05  # relative, by which the slowest must be slower than the fastest
 

@@ -62,7 +62,7 @@ def clip(angular_velocity: Samples, threshold: float = MOTION_SPEED) -> slice:
     if fast.size == 0:
         raise ValueError(
             f"no sample moves faster than {np.degrees(threshold):g} deg/s: there is no movement "
-            "to keep. Is the velocity in rad/s?"
+            "to keep. Is the velocity in rad/s? If so, release the leg from higher up."
         )
     return slice(int(fast[0]), int(fast[-1]) + 1)
 
