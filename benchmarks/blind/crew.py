@@ -1,8 +1,6 @@
 """Own cases diagnosed on all cores, a process for each."""
 
-import os
 from collections.abc import Iterator
-from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import get_context
 
 import jax
@@ -18,12 +16,13 @@ TASKS = 15  # of a process: its compiled programs would fill the memory
 
 def diagnosed_cases(cards: list[Card], seed: int) -> Iterator[tuple[Blind, Answer]]:
     """Every card's case and the answer to it, in order."""
-    context = get_context("spawn")
-    with ProcessPoolExecutor(os.cpu_count(), context, set_up, max_tasks_per_child=TASKS) as pool:
-        yield from pool.map(diagnosed, cards, [seed] * len(cards), range(len(cards)))
+    asked = [(card, seed, number) for number, card in enumerate(cards)]
+    with get_context("spawn").Pool(initializer=set_up, maxtasksperchild=TASKS) as pool:
+        yield from pool.imap(diagnosed, asked)
 
 
-def diagnosed(card: Card, seed: int, number: int) -> tuple[Blind, Answer]:
+def diagnosed(asked: tuple[Card, int, int]) -> tuple[Blind, Answer]:
+    card, seed, number = asked
     case = own(card, seed, number)
     return case, ask(case.name, case.load, seed)
 
