@@ -97,8 +97,8 @@ def locate(bench: Bench, base: Hypothesis, best: Settled) -> Location:
 def lacking(
     bench: Bench, base: Hypothesis, number: int, shown: np.ndarray | None = None
 ) -> Missing:
-    """J (phi'' - Eq. 9) along the measured motion, averaged over a few samples; and along the
-    simulated motion that is `shown`, (time, channel).
+    """J (phi'' - Eq. 9) along the measured motion and along the simulated one that is `shown`,
+    (time, channel), averaged over a few samples. The sensors' zeros are the baseline's.
     """
     coordinates, seen = bench.coordinates(base), bench.seen
     reference = bench.sensors.references[number]
@@ -114,23 +114,30 @@ def lacking(
     drive = np.append(known.begin, known.end[-1])[:size]
     time = np.asarray(seen.time[number])[:size]
 
+    bias, zero = base.zero
+
     def excess(angle, velocity, acceleration):
-        state = LegState(jnp.asarray(angle), jnp.asarray(velocity))
+        state = LegState(jnp.asarray(angle - zero), jnp.asarray(velocity - bias))
         expected = np.asarray(angular_acceleration(eq.ratios, state, jnp.asarray(drive)))
         return (acceleration - expected) / float(eq.torque)
 
+    width = max(1, round(WIDTH / float(np.median(np.diff(time)))))
     modelled = None
     if shown is not None:
         angle, velocity = shown[:size].T
-        modelled = excess(angle, velocity, np.gradient(velocity, time))
-    width = max(1, round(WIDTH / float(np.median(np.diff(time)))))
+        modelled = averaged(excess(angle, velocity, np.gradient(velocity, time)), width)
     rough = excess(reference.angle, reference.angular_velocity, reference.angular_acceleration)
-    torque = np.convolve(np.pad(rough, width // 2, mode="edge"), np.ones(width) / width, "same")
-    torque = torque[width // 2 : width // 2 + size]
+    torque = averaged(rough, width)
     band = float(reference.acceleration_error[0] / float(eq.torque) / np.sqrt(width))
     name = bench.problem.movements[number].name
     motion = (time, reference.angle, reference.angular_velocity)
     return Missing(name, *motion, torque, band, modelled)
+
+
+def averaged(torque: np.ndarray, width: int) -> np.ndarray:
+    """The mean over `width` samples around each."""
+    around = np.pad(torque, (width // 2, width - 1 - width // 2), mode="edge")
+    return np.convolve(around, np.ones(width) / width, "valid")
 
 
 def explained(cause: Samples, torque: Samples) -> float:
@@ -152,7 +159,8 @@ def regions_of(each: Missing) -> list[Region]:
     edges = np.flatnonzero(np.diff(sign)) + 1
     found = []
     for part in np.split(np.arange(sign.size), edges):
-        if sign[part[0]] and each.time[part[-1]] - each.time[part[0]] >= SHORTEST:
+        lasting = each.time[part[-1]] - each.time[part[0]] >= SHORTEST
+        if lasting and sign[part[0]] * each.torque[part].mean() > 0:
             found.append(described(each, part, float(torque[part].mean())))
     return found
 

@@ -4,8 +4,11 @@ import numpy as np
 
 from exoid.diagnose.diagnosis import Diagnosis, Parameter
 from exoid.physics.library import library, name_of
+from exoid.physics.term import Term
 from exoid.report.text import in_degrees, with_error
 
+SEEN = 0.01  # share of a number, from which on its change is worth a word
+USUAL = {"damping": 0.3, "stiffness": 2.5, "gravity_moment": 12.0}  # of a leg, in their units
 CERTAIN = 0.001  # below this share a chance is written as "below"
 
 
@@ -56,24 +59,24 @@ def named(found: Diagnosis) -> list[str]:
     if found.formula is not None:
         shares = f"explains {found.formula.explained:.0%} of the missing torque's variance"
         return [f"{found.formula.words} (x in rad, v in rad/s, t in s), which {shares}"]
-    by_name = {name_of(term): term for term in (*library(), *found.best.candidate.terms)}
     lines = []
     for name in found.selected:
         own = [each for each in found.parameters if each.name.startswith(f"{name}.")]
-        inertia = f" (for J = {inertia_of(found):.3g} kg m^2)" if scaled(own) else ""
-        lines.append(f"{by_name[name].title}, {', '.join(map(parameter, own))}{inertia}")
+        lines.append(
+            f"{known(found)[name].title}, {', '.join(map(parameter, own))}{scale(found, own)}"
+        )
     return lines
 
 
-def inertia_of(found: Diagnosis) -> float:
-    """The inertia that torques go with [kg m^2]: drops alone tell only their ratio to it."""
+def scale(found: Diagnosis, parameters: list[Parameter]) -> str:
+    """The inertia that torques go with: drops alone tell only their ratio to it."""
+    torques = [each for each in parameters if "N m" in each.unit]
+    if not torques:
+        return ""
     shared = found.bench.coordinates(found.best.candidate).shared
-    return float(np.exp(shared.log_inertia))
-
-
-def scaled(parameters: list[Parameter]) -> bool:
-    """Is any of them a torque?"""
-    return any("N m" in each.unit for each in parameters)
+    inertia, first = float(np.exp(shared.log_inertia)), torques[0]
+    name = first.name.rpartition(".")[2].replace("_", " ")
+    return f" (for J = {inertia:.3g} kg m^2; {name} / J = {first.value / inertia:.3g})"
 
 
 def parameter(each: Parameter) -> str:
@@ -87,8 +90,17 @@ def parameter(each: Parameter) -> str:
 def explanations(found: Diagnosis) -> list[str]:
     if found.formula is not None:
         return []
-    by_name = {name_of(term): term for term in (*library(), *found.best.candidate.terms)}
-    return [by_name[name].explanation for name in found.selected]
+    return [known(found)[name].explanation for name in found.selected]
+
+
+def titles(found: Diagnosis) -> list[str]:
+    """What is missing, in a user's words."""
+    return [known(found)[name].title for name in found.selected]
+
+
+def known(found: Diagnosis) -> dict[str, type[Term]]:
+    """Every term that may be named."""
+    return {name_of(term): term for term in (*library(), *found.best.candidate.terms)}
 
 
 def others(found: Diagnosis) -> str:
@@ -136,10 +148,12 @@ def booked(found: Diagnosis) -> str:
     changes = [
         f"{each.name.replace('_', ' ')} {each.before:.3g} -> {each.after:.3g} {each.unit}"
         for each in found.booked
-        if abs(each.after - each.before) > 0.01 * max(abs(each.before), abs(each.after))
+        if abs(each.after - each.before)
+        > SEEN * max(abs(each.before), abs(each.after), USUAL[each.name])
     ]
     if not changes:
-        return "nothing: damping, stiffness and gravity stay within 1 %."
+        stay = ", ".join(each.name.replace("_", " ") for each in found.booked)
+        return f"nothing: {stay} changed by less than 1 %."
     return ", ".join(changes) + " (for the inertia that the fit took)."
 
 

@@ -12,7 +12,7 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 from exoid.diagnose.diagnosis import Diagnosis
 from exoid.diagnose.search import names
 from exoid.physics.library import name_of
-from exoid.report.diagnosis_words import headline
+from exoid.report.diagnosis_words import headline, titles
 from exoid.report.plot_style import TEXT, head, name_all
 from exoid.report.text import in_degrees
 
@@ -52,7 +52,7 @@ def title(found: Diagnosis) -> str:
     """The verdict, and what is missing where it has a name."""
     if found.verdict != "mismatch" or found.novel or not found.selected:
         return headline(found)
-    return "Missing: " + " and ".join(found.selected).replace("_", " ")
+    return "Missing: " + " and ".join(titles(found))
 
 
 def worst(found: Diagnosis) -> list[int]:
