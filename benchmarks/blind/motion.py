@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
 
-import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
@@ -14,7 +13,6 @@ from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.simulate import simulate
 from exoid.physics.state import LegState
 from exoid.physics.term import Term
-from exoid.physics.terms.fatigue import Fatigue
 from exoid.physics.torque import CycleTorque
 from exoid.twin.motion import CYCLES, Movement, Reading
 
@@ -75,16 +73,9 @@ def swings(
     def swing(values):
         start, amplitude, period, frequency, number = values
         torque = CycleTorque(amplitude, period, frequency, jnp.zeros(()))
-        model = LegModel(warmed(leg, terms, number), torque, terms=terms)
-        moved = simulate(model, LegState(start, jnp.zeros(())), time)
+        model = LegModel(leg, torque, terms=terms)
+        moved = simulate(model, LegState(start, jnp.zeros(())), time, number)
         seen = (moved.angle, moved.shown_angle, moved.shown_velocity)
         return tuple(samples[::stride] for samples in seen)
 
     return jax.vmap(swing)(rows)
-
-
-def warmed(leg: LegParameters, terms: tuple[Term, ...], number: Float[Array, ""]) -> LegParameters:
-    """The leg as it is in segment `number`: `simulate` takes every segment for the first."""
-    drifts = [term.damping_drift for term in terms if isinstance(term, Fatigue)]
-    factor = 1 + number * sum(drifts, jnp.zeros(()))
-    return eqx.tree_at(lambda leg: leg.damping, leg, leg.damping * factor)

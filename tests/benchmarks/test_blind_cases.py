@@ -3,20 +3,16 @@
 import json
 from itertools import chain
 
-import jax.numpy as jnp
 import numpy as np
 import pytest
 from benchmarks.blind.cases import LEAST, MOST, draw_case
 from benchmarks.blind.deck import ALIKE, Card, deal
 from benchmarks.blind.effects import RECIPES, TERMS, Effect
-from benchmarks.blind.motion import warmed
 from scipy.integrate import cumulative_trapezoid, odeint
 from scipy.optimize import least_squares
 
-from exoid.physics.leg import LegParameters
 from exoid.physics.library import library, name_of
 from exoid.physics.parameter import declarations
-from exoid.physics.terms.fatigue import Fatigue
 
 DECK = 50  # cards
 COUNT = 2 * np.pi / 4096  # rad, of the encoder
@@ -160,13 +156,6 @@ def test_a_cycle_lasts_its_own_period(gyro):
     assert gyro.recording.protocol.torque_frequency in ("1/T", "2/T")
     for period, segment in zip(periods, gyro.recording.segments, strict=True):
         assert segment.time[-1] == pytest.approx(period, abs=1e-9)
-
-
-def test_damping_drifts_from_segment_to_segment():
-    leg = LegParameters(*map(jnp.asarray, (4.4, 0.45, 0.27, 0.35, 2.9)))
-    tired = (Fatigue(jnp.asarray(0.1), jnp.asarray(0.0)),)
-    assert float(warmed(leg, tired, jnp.asarray(3.0)).damping) == pytest.approx(1.3 * 0.35)
-    assert float(warmed(leg, (), jnp.asarray(3.0)).damping) == 0.35
 
 
 def test_truth_has_the_form_of_the_concealed_set(friction, shared):

@@ -855,6 +855,19 @@ def eq_9(found):
     return np.asarray(jax.vmap(one)(*(jnp.array(x) for x in each)))
 
 
+def test_fatigue_drifts_from_segment_to_segment_of_a_simulation():
+    tired = LegModel(leg(), NoTorque(), jnp.array(THIGH), (torque_of_fatigue(),))
+    stiff = LegModel(leg(damping=1.3 * LEG["damping"]), NoTorque(), jnp.array(THIGH))
+    time = jnp.arange(COARSE + 1) / COARSE
+    third = simulate(tired, state(), time, jnp.array(3.0))
+    # exactly Eq. 9 with 1.3 d
+    np.testing.assert_allclose(third.angle, simulate(stiff, state(), time).angle, atol=1e-12)
+
+
+def torque_of_fatigue():
+    return TERMS["fatigue"](jnp.array(0.1), jnp.array(0.0))
+
+
 @pytest.mark.parametrize("number", [0.0, 3.0])
 def test_damping_drifts_with_the_number_of_the_segment(number):
     now = instant(jnp.array(0.0), jnp.array(-0.5), jnp.array(2.0), number=number)

@@ -1,8 +1,11 @@
 """Motion from physics: a leg, what drives it, and what Eq. 9 leaves out."""
 
+from typing import Any
+
 import equinox as eqx
 import jax
 import jax.numpy as jnp
+import numpy as np
 from jaxtyping import Array, Float
 
 from exoid.physics.extended import at_rest, delayed, extended_step, observed
@@ -11,6 +14,8 @@ from exoid.physics.moment import Cycle, Place
 from exoid.physics.state import LegState
 from exoid.physics.step import Drive, march
 from exoid.physics.torque import CycleTorque, Torque
+
+FIRST = np.zeros(())  # segment of a session
 
 
 class Trajectory(eqx.Module):
@@ -24,18 +29,21 @@ class Trajectory(eqx.Module):
     shown_velocity: Float[Array, " time"]  # rad/s
 
 
-def simulate(model: LegModel, start: LegState, time: Float[Array, " time"]) -> Trajectory:
+def simulate(
+    model: LegModel, start: LegState, time: Float[Array, " time"], number: Float[Any, ""] = FIRST
+) -> Trajectory:
     """Integrate Eq. 9 and the model's terms from `start` at `time[0]`, a step per sample interval.
 
     The steps may differ in length; the torque is taken at the begin, middle and end of each.
     The error falls with the fourth power of the step: at 100 Hz it is below 1e-6 rad for a leg.
-    Terms begin as they are after a long rest at `start`.
+    Terms begin as they are after a long rest at `start`; some change with the segment's `number`,
+    which counts from 0.
     """
     torque = sample_torque(model.torque, time)
     drive = jax.tree.map(lambda samples: samples / model.leg.inertia, torque)
     pushed = jnp.concatenate([drive.begin, drive.end[-1:]])
     inertia, step = jnp.asarray(model.leg.inertia), jnp.diff(time)
-    place = Place(model.ratios(), inertia, cycle_of(model.torque), jnp.zeros(()))
+    place = Place(model.ratios(), inertia, cycle_of(model.torque), jnp.asarray(number))
 
     def advance(index, motion):
         push = jax.tree.map(lambda at: at[index], drive)

@@ -79,15 +79,15 @@ def release(
     samples = [1 + round(movement.duration / time_step) for movement in movements]
     time = jnp.arange(max(samples)) * time_step
 
-    def motion(start, period, amplitude, mass, distance):
+    def motion(number, start, period, amplitude, mass, distance):
         torque = CycleTorque(amplitude, period, CYCLES[reading] / period, jnp.zeros(()))
         driven = replace(model, leg=model.leg.with_added_mass(mass, distance), torque=torque)
-        moved = simulate(driven, LegState(start, jnp.zeros_like(start)), time)
+        moved = simulate(driven, LegState(start, jnp.zeros_like(start)), time, number)
         return Course(moved.shown_angle, moved.shown_velocity, moved.angular_acceleration)
 
     rows = [
-        (m.start_angle, m.duration, m.amplitude or 0.0, m.added_mass, m.added_mass_distance)
-        for m in movements
+        (k, m.start_angle, m.duration, m.amplitude or 0.0, m.added_mass, m.added_mass_distance)
+        for k, m in enumerate(movements)
     ]
     moved = jax.jit(jax.vmap(motion))(*jnp.array(rows).T)
     return [jax.tree.map(lambda s, i=i, n=n: s[i, :n], moved) for i, n in enumerate(samples)]
