@@ -66,7 +66,7 @@ def stored_ones(options: argparse.Namespace) -> Iterator[tuple[Blind, Answer]]:
     set_up()
     for case in found_in(options.folder or FOLDERS):
         if not options.case or case.name in options.case:
-            yield case, ask(case.name, case.load, options.seed)
+            yield case, ask(case.name, case.load, case.truth, options.seed)
 
 
 def found_in(folders: Iterable[Path]) -> Iterator[Blind]:

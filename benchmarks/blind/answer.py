@@ -2,12 +2,15 @@
 
 import time
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
+from exoid.diagnose.diagnosis import Diagnosis
 from exoid.recording.recording import Recording
+
+from .hidden import explained
 
 
 @dataclass(frozen=True)
@@ -22,6 +25,7 @@ class Answer:
     before: float | None = None  # rad, rms of the angle on data held out, by the baseline
     after: float | None = None  # rad, the same with what was found
     floor: float | None = None  # rad, of the sensor's noise
+    explained: float | None = None  # share of the hidden torque, by the formula
     seconds: float = 0.0
     fault: str | None = None
 
@@ -43,27 +47,41 @@ class Answer:
             "novel": self.novel,
             "heldout_rmse_before": in_degrees(self.before),
             "heldout_rmse_after": in_degrees(self.after),
+            "formula_explains": self.explained,
             "seconds": round(self.seconds, 1),
         }
 
 
-def ask(name: str, load: Callable[[], Recording], seed: int) -> Answer:
-    """Diagnose one recording; whatever goes wrong is the answer."""
+def ask(
+    name: str, load: Callable[[], Recording], truth: Mapping[str, Any] | None, seed: int
+) -> Answer:
+    """Diagnose one recording; whatever goes wrong is the answer.
+
+    The truth only judges a formula.
+    """
     started = time.perf_counter()
     try:
-        return given(diagnosed(name, load(), seed), time.perf_counter() - started)
+        found = diagnosed(name, load(), seed)
+        seconds = time.perf_counter() - started
+        answer = given(document(found, seed), seconds)
+        if found.formula is None or truth is None or truth["category"] != "novel":
+            return answer
+        return replace(answer, explained=explained(found, truth))
     except Exception as fault:  # the other cases must run
         words = " ".join(f"{type(fault).__name__}: {fault}".split())
         return Answer("failed", seconds=time.perf_counter() - started, fault=words[:200])
 
 
-def diagnosed(name: str, recording: Recording, seed: int) -> Mapping[str, Any]:
-    """The document of a diagnosis."""
-    import exoid
+def diagnosed(name: str, recording: Recording, seed: int) -> Diagnosis:
     from exoid.diagnose.missing_physics import diagnose
+
+    return diagnose([(name, recording)], seed=seed)
+
+
+def document(found: Diagnosis, seed: int) -> Mapping[str, Any]:
+    import exoid
     from exoid.report.diagnosis_json import diagnosis_document
 
-    found = diagnose([(name, recording)], seed=seed)
     version = getattr(exoid, "__version__", "unknown")
     return diagnosis_document(found, version=version, recordings=[], settings={"seed": seed})
 

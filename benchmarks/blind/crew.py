@@ -24,7 +24,7 @@ def diagnosed_cases(cards: list[Card], seed: int) -> Iterator[tuple[Blind, Answe
 def diagnosed(asked: tuple[Card, int, int]) -> tuple[Blind, Answer]:
     card, seed, number = asked
     case = own(card, seed, number)
-    return case, ask(case.name, case.load, seed)
+    return case, ask(case.name, case.load, case.truth, seed)
 
 
 def set_up() -> None:

@@ -9,6 +9,7 @@ from .sets import Blind
 HEAD = ("case", "truth", "answer", "correct", "before/deg", "after/deg", "seconds")
 CORRECT = HEAD.index("correct")
 LONGEST = 60  # letters of an answer
+ENOUGH = 0.9  # share of a hidden torque's variance
 MOST = 60  # cases, beyond which only those are listed whose answer is wrong
 
 
@@ -47,6 +48,13 @@ def summary(score: Score, answers: Answers) -> list[tuple[str, str]]:
         lines.append((f"false alarms, {category}", f"{len(found)} of {count} {listed(found)}"))
     novel = score.called_novel
     lines.append(("library effects called novel", f"{len(novel)} {listed(novel)}"))
+    told = sorted(each.explained for each in answers.values() if each.explained is not None)
+    if told:
+        most = f"median {np.median(told):.0%}, least {told[0]:.0%}"
+        ninety = sum(each >= ENOUGH for each in told)
+        lines.append(
+            ("hidden torque explained by a formula", f"{most}; 90 % in {ninety} of {len(told)}")
+        )
     failed = [name for name, answer in answers.items() if answer.verdict == "failed"]
     lines.append(("failed", f"{len(failed)} {listed(failed)}"))
     lines.append(("held-out after / before", improvement(answers)))

@@ -83,7 +83,7 @@ def test_a_case_that_fails_is_an_answer():
     def load():
         raise ValueError("no such\nrecording")
 
-    answer = ask("case", load, 0)
+    answer = ask("case", load, None, 0)
     assert (answer.verdict, answer.fault) == ("failed", "ValueError: no such recording")
     assert first_answer(answer) == "failed"
 

@@ -1,0 +1,65 @@
+"""How much of a hidden torque a formula explains, where it acted."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+
+from exoid.diagnose.diagnosis import Diagnosis
+from exoid.diagnose.effect import named
+from exoid.physics.leg import Ratios
+from exoid.physics.moment import Cycle, Moment, Place
+from exoid.physics.term import Term
+
+from .effects import TERMS
+
+ACTS = 0.02  # of its largest, from which on a torque acts
+
+
+def explained(found: Diagnosis, truth: Mapping[str, Any]) -> float:
+    """1 - var(hidden - formula) / var(hidden), both per inertia and without what the leg's own
+    parameters and the voluntary torque of each segment can take up.
+    """
+    hidden = TERMS[truth["effects"][0]](
+        **{name: jnp.asarray(value) for name, value in truth["params"][truth["effects"][0]].items()}
+    )
+    best = found.best.candidate
+    (formula,) = (named(*each) for each in zip(best.terms, best.values, strict=True))
+    inertia = float(np.exp(found.bench.coordinates(best).shared.log_inertia))
+    rows = [columns(found, number) for number in range(found.bench.segments)]
+    true, told = (
+        np.concatenate([torque(term, each) for each in found.location.missing]) / scale
+        for term, scale in ((hidden, truth["baseline"]["J"]), (formula, inertia))
+    )
+    leg = np.concatenate([each[:, :3] for each in rows])
+    voluntary = np.zeros((len(leg), len(rows)))
+    ends = np.cumsum([0, *map(len, rows)])
+    for number, each in enumerate(rows):
+        voluntary[ends[number] : ends[number + 1], number] = each[:, 3]
+    acts = np.abs(true) > ACTS * np.abs(true).max()
+    basis = np.concatenate([leg, voluntary], axis=1)
+    both = np.stack([true, true - told], axis=1)
+    left = (both - basis @ np.linalg.lstsq(basis, both)[0])[acts]
+    return float(1 - np.sum(left[:, 1] ** 2) / np.sum(left[:, 0] ** 2))
+
+
+def columns(found: Diagnosis, number: int) -> np.ndarray:
+    """Gravity, spring, damper, voluntary torque of a segment."""
+    each = found.location.missing[number]
+    shape = np.asarray(found.bench.seen.cycle.begin[number])
+    shape = np.append(shape, shape[-1])[: each.angle.size]
+    return np.stack([np.cos(each.angle), each.angle, each.angular_velocity, shape], axis=1)
+
+
+def torque(term: Term, each) -> np.ndarray:
+    """The term's torque along a measured motion [N m]."""
+    zero, one = jnp.zeros(()), jnp.ones(())
+    place = Place(Ratios(one, one, one, zero), one, Cycle(zero, one, zero, zero), zero)
+
+    def at(time, angle, velocity):
+        return term.torque(Moment(time, angle, velocity, zero, place), jnp.zeros(0))
+
+    motion = (jnp.asarray(x) for x in (each.time, each.angle, each.angular_velocity))
+    return np.asarray(jax.vmap(at)(*motion))
