@@ -6,9 +6,9 @@ import numpy as np
 
 from exoid.diagnose.bench import Bench
 from exoid.diagnose.diagnosis import Diagnosis, Verdict
+from exoid.diagnose.formula import Formula
 from exoid.diagnose.honesty import too_little, unsure
 from exoid.diagnose.locate import Location
-from exoid.diagnose.novel import Formula
 from exoid.diagnose.numbers import BIAS, booked, gyro_bias, parameters_of
 from exoid.diagnose.proof import Prediction, Proof, proof
 from exoid.diagnose.resample import inclusion
@@ -18,7 +18,7 @@ from exoid.fit.result import FitResult
 from exoid.physics.library import name_of
 from exoid.physics.parameter import declarations
 
-FOLLOWED = 0.97  # share of the mismatch that a term must explain to be named beside something new
+FOLLOWED = 0.97  # share of the mismatch that a term must explain to be named, where noise is known
 SUSPECT = 0.5  # share of the mismatch that a cause must explain to be worth a recording
 REPEAT = (
     "Repeat the same movement several times: what comes back each time is physics, what does not "
@@ -47,8 +47,8 @@ def concluded(
 ) -> Diagnosis:
     """The verdict and everything that goes with it.
 
-    Where the sensors' noise is `declared`, what is left beyond it is something new, and no term is
-    named that explains only part of the mismatch.
+    Where the sensors' noise is `declared` and the best explains only part of the mismatch, the rest
+    is something new, and no term is named.
     """
     best, shown = chosen.best, proof(bench, chosen.before, chosen.after)
     selected = named_terms(best, formula)
@@ -60,10 +60,9 @@ def concluded(
     equal = [] if formula or not best.candidate.terms else equivalents(found, best)
     parameters = size(best)
     measure = found.yardstick
-    novel = formula is not None or (
-        verdict == "mismatch" and declared and not measure.explains(best.square)
-    )
-    if novel and followed(found, best) < FOLLOWED:
+    left = declared and not measure.explains(best.square) and followed(found, best) < FOLLOWED
+    novel = formula is not None or (verdict == "mismatch" and left)
+    if left:
         selected = [name for name in selected if name == BIAS]
     tried = [len(list(declarations(term))) for term in found.pinned]
     return Diagnosis(

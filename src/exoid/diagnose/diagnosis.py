@@ -6,8 +6,8 @@ from typing import Literal
 from exoid.diagnose.bench import Bench
 from exoid.diagnose.consistency import SensorError
 from exoid.diagnose.evidence import Yardstick
+from exoid.diagnose.formula import Formula
 from exoid.diagnose.locate import Location
-from exoid.diagnose.novel import Formula
 from exoid.diagnose.proof import Proof
 from exoid.diagnose.search import Found
 from exoid.diagnose.settle import Settled

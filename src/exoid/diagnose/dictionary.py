@@ -1,89 +1,158 @@
-"""What a formula may be made of; x is the angle [rad], v its rate [rad/s], t the time [s]."""
+"""What a formula may be made of; x is the angle [rad], v its rate [rad/s], t the time [s].
+
+A family has shape parameters: where a bump lies, how wide it is. A search begins at its `shapes`
+and refines them.
+"""
 
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
+from itertools import product
 from typing import Any
 
 import numpy as np
 
-CENTRES = np.radians(np.arange(-130.0, 11.0, 10.0))
-WIDTHS = np.radians((6.0, 12.0))
-WAVES = (2, 3, 4, 5, 6, 8, 10, 12)
+CENTRES = tuple(np.radians(np.arange(-130.0, 11.0, 10.0)))  # rad
+WIDTHS = tuple(np.radians((6.0, 12.0)))  # rad
+WAVES = (2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 14.0)  # in a turn
 TIMES = (0.1, 0.2, 0.3, 0.4, 0.6, 0.8, 1.0, 1.5)  # s after the segment begins
+LASTING = (0.03, 0.08)  # s, of a kick
 FADES = (0.3, 1.0, 3.0)  # s
-KICK = 0.05  # s
+SHARP = 0.02  # rad/s, over which a sign changes
+
+Shape = tuple[Any, ...]
+PLACE = ((-2.8, 0.4), (0.03, 0.8))  # rad
+OF_ANGLE = ("rad", "rad")
+
+
+@dataclass(frozen=True)
+class Family:
+    """Functions of the moment that differ by their shape."""
+
+    words: str
+    of: Callable[[Shape, Any, Any, Any, Any], Any]  # (shape, angle, velocity, time, xp)
+    known: bool = False  # a term of the library is just this
+    shapes: tuple[Shape, ...] = ((),)  # where a search begins
+    bounds: tuple[tuple[float, float], ...] = ()
+    units: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
 class Feature:
     """One function of the moment, and how it is written."""
 
-    words: str
-    of: Callable[[Any, Any, Any, Any], Any]  # (angle, velocity, time, xp)
-    known: bool = False  # a term of the library is just this
+    family: Family
+    shape: Shape
+
+    def of(self, angle: Any, velocity: Any, time: Any, xp: Any) -> Any:
+        return self.family.of(self.shape, angle, velocity, time, xp)
+
+    @property
+    def words(self) -> str:
+        shown = map(in_words, self.shape, self.family.units)
+        return self.family.words.format(*shown)
+
+
+def in_words(value: float, unit: str) -> str:
+    if unit == "rad":
+        return f"{np.degrees(value):.0f} deg"
+    return f"{value:.2g} s" if unit == "s" else f"{value:.3g}"
 
 
 @cache
 def dictionary() -> tuple[Feature, ...]:
-    """What a formula may be made of; x is the angle [rad], v its rate [rad/s], t the time [s]."""
-    plain = [
-        Feature("1", lambda x, v, t, xp: xp.ones_like(x), True),
-        Feature("sin(x)", lambda x, v, t, xp: xp.sin(x), True),
-        Feature("x^2", lambda x, v, t, xp: x**2),
-        Feature("x^3", lambda x, v, t, xp: x**3, True),
-        Feature("sgn(v)", lambda x, v, t, xp: xp.tanh(v / 0.02), True),
-        Feature("v|v|", lambda x, v, t, xp: v * xp.abs(v), True),
-        Feature("v^2", lambda x, v, t, xp: v**2),
-        Feature("v^3", lambda x, v, t, xp: v**3),
-        Feature("v^4", lambda x, v, t, xp: v**4),
-        Feature("x v", lambda x, v, t, xp: x * v),
-        Feature("x^2 v", lambda x, v, t, xp: x**2 * v),
-        Feature("x v|v|", lambda x, v, t, xp: x * v * xp.abs(v)),
-        Feature("x v^2", lambda x, v, t, xp: x * v**2),
-        Feature("max(0, v)", lambda x, v, t, xp: xp.maximum(v, 0.0)),
-        Feature("|v|", lambda x, v, t, xp: xp.abs(v)),
-        Feature("t", lambda x, v, t, xp: t),
-        Feature("t x", lambda x, v, t, xp: t * x),
-        Feature("t v", lambda x, v, t, xp: t * v),
-    ]
-    return (*plain, *waves(), *bumps(), *times())
+    """Every family at every shape where a search begins."""
+    families = (*plain(), *of_angle(), *of_time())
+    return tuple(Feature(family, shape) for family in families for shape in family.shapes)
 
 
-def waves() -> list[Feature]:
+def plain() -> list[Family]:
     return [
-        feature
-        for k in WAVES
-        for feature in (
-            Feature(f"sin({k} x)", lambda x, v, t, xp, k=k: xp.sin(k * x)),
-            Feature(f"cos({k} x)", lambda x, v, t, xp, k=k: xp.cos(k * x)),
-        )
+        Family("1", lambda s, x, v, t, xp: xp.ones_like(x), True),
+        Family("sin(x)", lambda s, x, v, t, xp: xp.sin(x), True),
+        Family("x^2", lambda s, x, v, t, xp: x**2),
+        Family("x^3", lambda s, x, v, t, xp: x**3, True),
+        Family("sgn(v)", lambda s, x, v, t, xp: sign(v, xp), True),
+        Family("v|v|", lambda s, x, v, t, xp: v * xp.abs(v), True),
+        Family("v^2", lambda s, x, v, t, xp: v**2),
+        Family("v^3", lambda s, x, v, t, xp: v**3),
+        Family("v^4", lambda s, x, v, t, xp: v**4),
+        Family("x v", lambda s, x, v, t, xp: x * v),
+        Family("x^2 v", lambda s, x, v, t, xp: x**2 * v),
+        Family("x v|v|", lambda s, x, v, t, xp: x * v * xp.abs(v)),
+        Family("x v^2", lambda s, x, v, t, xp: x * v**2),
+        Family("x sgn(v)", lambda s, x, v, t, xp: x * sign(v, xp)),
+        Family("max(0, v)", lambda s, x, v, t, xp: xp.maximum(v, 0.0)),
+        Family("|v|", lambda s, x, v, t, xp: xp.abs(v)),
+        Family("t", lambda s, x, v, t, xp: t),
+        Family("t x", lambda s, x, v, t, xp: t * x),
+        Family("t v", lambda s, x, v, t, xp: t * v),
     ]
 
 
-def bumps() -> list[Feature]:
-    def bump(x, centre, width, xp):
-        return xp.exp(-(((x - centre) / width) ** 2) / 2)
+def sign(velocity, xp):
+    return xp.tanh(velocity / SHARP)
 
+
+def bell(value, shape, xp):
+    return xp.exp(-(((value - shape[0]) / shape[1]) ** 2) / 2)
+
+
+def of_angle() -> list[Family]:
+    """Waves, bumps and snaps: of the angle alone, with the speed, and with its direction."""
+    places = tuple(product(CENTRES, WIDTHS))
+    turns = tuple(product(WAVES, (0.0, np.pi / 2)))
     found = []
-    for c in CENTRES:
-        for w in WIDTHS:
-            name = f"bump(x, {np.degrees(c):.0f} deg, {np.degrees(w):.0f} deg)"
-            found.append(Feature(name, lambda x, v, t, xp, c=c, w=w: bump(x, c, w, xp)))
-            found.append(Feature(f"v {name}", lambda x, v, t, xp, c=c, w=w: v * bump(x, c, w, xp)))
+    for name, by in (("", one), ("v ", speed), ("sgn(v) ", sign)):
+        found += [
+            Family(
+                name + "sin({0} x + {1})",
+                lambda s, x, v, t, xp, by=by: by(v, xp) * xp.sin(s[0] * x + s[1]),
+                shapes=turns,
+                bounds=((1.5, 25.0), (-20.0, 20.0)),
+                units=("1", "1"),
+            ),
+            Family(
+                name + "bump(x, {0}, {1})",
+                lambda s, x, v, t, xp, by=by: by(v, xp) * bell(x, s, xp),
+                shapes=places,
+                bounds=PLACE,
+                units=OF_ANGLE,
+            ),
+            Family(
+                name + "snap(x, {0}, {1})",
+                lambda s, x, v, t, xp, by=by: by(v, xp) * (x - s[0]) / s[1] * bell(x, s, xp),
+                shapes=places,
+                bounds=PLACE,
+                units=OF_ANGLE,
+            ),
+        ]
     return found
 
 
-def times() -> list[Feature]:
-    fading = [
-        Feature(f"exp(-t/{fade:g} s)", lambda x, v, t, xp, fade=fade: xp.exp(-t / fade))
-        for fade in FADES
+def one(velocity, xp):
+    return xp.ones_like(velocity)
+
+
+def speed(velocity, xp):
+    return velocity
+
+
+def of_time() -> list[Family]:
+    """What fades, and what comes at one time after the segment begins."""
+    return [
+        Family(
+            "exp(-t/{0})",
+            lambda s, x, v, t, xp: xp.exp(-t / s[0]),
+            shapes=tuple((fade,) for fade in FADES),
+            bounds=((0.03, 20.0),),
+            units=("s",),
+        ),
+        Family(
+            "kick(t, {0}, {1})",
+            lambda s, x, v, t, xp: bell(t, s, xp),
+            shapes=tuple(product(TIMES, LASTING)),
+            bounds=((0.0, 20.0), (0.01, 1.0)),
+            units=("s", "s"),
+        ),
     ]
-    kicks = [
-        Feature(
-            f"kick(t, {at:g} s)",
-            lambda x, v, t, xp, at=at: xp.exp(-(((t - at) / KICK) ** 2) / 2),
-        )
-        for at in TIMES
-    ]
-    return [*fading, *kicks]

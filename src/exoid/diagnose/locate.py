@@ -40,6 +40,7 @@ class Missing:
     torque: Samples  # N m
     band: float  # N m, standard deviation
     modelled: Samples | None  # N m, by what was found: without noise
+    width: int  # samples, over which torques are averaged
 
 
 @dataclass(frozen=True)
@@ -131,7 +132,7 @@ def lacking(
     band = float(reference.acceleration_error[0] / float(eq.torque) / np.sqrt(width))
     name = bench.problem.movements[number].name
     motion = (time, reference.angle, reference.angular_velocity)
-    return Missing(name, *motion, torque, band, modelled)
+    return Missing(name, *motion, torque, band, modelled, width)
 
 
 def averaged(torque: np.ndarray, width: int) -> np.ndarray:

@@ -5,9 +5,11 @@ from collections.abc import Callable
 from exoid.diagnose.bench import Bench
 from exoid.diagnose.conclusion import Chosen, concluded
 from exoid.diagnose.diagnosis import Diagnosis
+from exoid.diagnose.evidence import SURE
+from exoid.diagnose.formula import Formula, term_of
 from exoid.diagnose.hypothesis import Hypothesis
 from exoid.diagnose.locate import locate
-from exoid.diagnose.novel import Formula, describe, term_of
+from exoid.diagnose.novel import describe
 from exoid.diagnose.prepare import prepare
 from exoid.diagnose.proof import improves, predict
 from exoid.diagnose.search import Found, look
@@ -16,6 +18,7 @@ from exoid.fit.estimate import fit
 from exoid.physics.term import Term
 from exoid.recording.recording import Recording
 
+REMAINS = 1.1  # mean square over the noise, from which on a formula is looked for
 LEFT = 0.5  # of what the library leaves, that a formula may leave to take its place
 KNOWN = 0.5  # share of a formula that a term of the library is, up to which it is new
 ROUNDS = 25
@@ -44,7 +47,7 @@ def diagnose(
     told("proving it on held-out data")
     chosen = choose(bench, found)
     formula = None
-    if is_novel(found, chosen.best):
+    if chosen.best.square > REMAINS * found.yardstick.samples:
         told("looking for a formula")
         chosen, formula = formulated(bench, found, chosen)
     told("locating the mismatch")
@@ -70,11 +73,6 @@ def choose(bench: Bench, found: Found) -> Chosen:
     return chosen
 
 
-def is_novel(found: Found, best: Settled) -> bool:
-    """Does the library leave too much of the mismatch?"""
-    return not found.yardstick.explains(best.square)
-
-
 def formulated(bench: Bench, found: Found, chosen: Chosen) -> tuple[Chosen, Formula | None]:
     """The best formula as a term, where it explains more than the library does."""
     formula = describe(bench, found.base.candidate)
@@ -82,10 +80,17 @@ def formulated(bench: Bench, found: Found, chosen: Chosen) -> tuple[Chosen, Form
         return chosen, None
     term = term_of(formula)
     at = found.base.candidate
-    start = Hypothesis((term,), (formula.coefficients,), at.point, at.zero)
+    start = Hypothesis((term,), (formula.values,), at.point, at.zero)
     one = settle_free(bench, [start], rounds=ROUNDS)[0]
-    if one.square < LEFT * chosen.best.square and found.clear(found.base, one):
+    if better(found, one, chosen.best) and found.clear(found.base, one):
         after = predict(bench, one)
         if improves(chosen.after, after):
-            return Chosen(one, chosen.before, after), formula
+            return Chosen(one, chosen.before, after), formula.at(one.candidate.values[0])
     return chosen, None
+
+
+def better(found: Found, one: Settled, best: Settled) -> bool:
+    """Does a formula explain so much more than the library that it must be something else?"""
+    if not found.yardstick.explains(best.square):
+        return one.square < LEFT * best.square
+    return found.evidence(one) > found.evidence(best) + SURE

@@ -1,133 +1,116 @@
 """A torque that no term of the library describes: a formula for it, by sparse regression.
 
-The baseline and a few features of a dictionary are regressed on the measured motion's acceleration,
-best feature first; each must earn its place. The formula then becomes a term like any other, and is
-refitted and proved as one.
+A few features of a dictionary are regressed on what the baseline lacks, best feature first, and
+their shapes are refined after each; each must earn its place.
 """
 
-from dataclasses import dataclass
-from types import new_class
-from typing import Any, ClassVar
+from dataclasses import replace
 
-import jax.numpy as jnp
 import numpy as np
-from jaxtyping import Float
+from scipy.optimize import least_squares
 
 from exoid.diagnose.bench import Bench
 from exoid.diagnose.dictionary import Feature, dictionary
+from exoid.diagnose.formula import Formula, split
 from exoid.diagnose.hypothesis import Hypothesis
-from exoid.diagnose.locate import lacking
-from exoid.physics.moment import Moment
-from exoid.physics.parameter import parameter
-from exoid.physics.term import PhysicsTerm
+from exoid.diagnose.locate import Missing, averaged, lacking
 
 MOST = 3  # features of a formula
-LARGEST = 1e3  # of a coefficient, either way
-
-
-@dataclass(frozen=True, eq=False)
-class Formula:
-    """Features with their coefficients [N m], and the share of the missing torque they explain."""
-
-    features: tuple[Feature, ...]
-    coefficients: Float[np.ndarray, " feature"]
-    explained: float
-    known: float  # share of it that is in the library already
-
-    @property
-    def words(self) -> str:
-        parts = [
-            f"{value:+.3g} {feature.words}"
-            for value, feature in zip(self.coefficients, self.features, strict=True)
-        ]
-        return "tau = " + " ".join(parts).removeprefix("+") + " N m"
+WORTH = 0.01  # share that a further feature must explain
+INDEPENDENT = 0.05  # s, after which a missing torque is a new value
+TRIES = 40  # steps of a refinement
 
 
 def describe(bench: Bench, base: Hypothesis) -> Formula:
     """The sparsest formula for what the baseline lacks."""
     rows = [lacking(bench, base, number) for number in range(bench.segments)]
-    baseline = np.concatenate([leg(each, k, len(rows)) for k, each in enumerate(rows)])
-    angle, velocity, time, torque = (
-        np.concatenate([getattr(each, name) for each in rows])
-        for name in ("angle", "angular_velocity", "time", "torque")
-    )
-    table = np.stack([one.of(angle, velocity, time, np) for one in dictionary()], axis=1)
-    kept = np.isfinite(table).all(axis=0)
-    left = np.where(kept, project(baseline, np.where(kept, table, 0.0)), 0.0)
-    target = project(baseline, torque[:, None])[:, 0]
-    chosen: list[int] = []
+    basis = np.linalg.qr(baseline(bench, rows))[0]
+    target = beside(basis, np.concatenate([each.torque for each in rows])[:, None])[:, 0]
+    starts = dictionary()
+    left = beside(basis, table(starts, rows))
+    size = np.linalg.norm(left, axis=0)
+    usable = np.isfinite(size) & (size > 1e-9 * np.nanmax(size))
+    formulas: list[Formula] = []
+    chosen: tuple[Feature, ...] = ()
+    residual = target
     for _ in range(MOST):
-        residual = target - fitted(left[:, chosen], target)
-        size = np.linalg.norm(left, axis=0)
-        gain = np.where(size > 1e-9 * size.max(), (left.T @ residual) / np.maximum(size, 1e-12), 0)
-        gain[chosen] = 0.0
-        chosen.append(int(np.argmax(np.abs(gain))))
-    sums = [sum_left(left[:, chosen[:n]], target) for n in range(MOST + 1)]
-    prices = np.log(len(target)) * np.arange(MOST + 1)
-    best = int(np.argmin(effective(rows) * np.log(sums) + prices))
-    best = max(best, 1)
-    picked = chosen[:best]
-    coefficients = np.linalg.lstsq(left[:, picked], target, rcond=None)[0]
-    features = tuple(dictionary()[at] for at in picked)
-    sizes = np.abs(coefficients) * np.linalg.norm(left[:, picked], axis=0)
-    known = float(sizes @ [feature.known for feature in features] / sizes.sum())
-    return Formula(features, coefficients, 1 - sums[best] / sums[0], known)
+        gain = np.where(usable, np.abs(left.T @ residual) / np.where(usable, size, 1.0), 0.0)
+        chosen = refined((*chosen, starts[int(np.argmax(gain))]), rows, basis, target)
+        columns = beside(basis, table(chosen, rows))
+        coefficients = np.linalg.lstsq(columns, target, rcond=None)[0]
+        residual = target - columns @ coefficients
+        formulas.append(formula(chosen, coefficients, columns, residual, target))
+    best = min(formulas, key=lambda each: cost(each, rows))
+    return next(each for each in formulas if each.explained > best.explained - WORTH)
 
 
-def leg(each, number: int, count: int) -> np.ndarray:
-    """What the leg's own parameters can take up."""
-    rows = [np.cos(each.angle), each.angle, each.angular_velocity]
-    return np.stack(rows, axis=1)
+def formula(chosen, coefficients, columns, residual, target) -> Formula:
+    sizes = np.abs(coefficients) * np.linalg.norm(columns, axis=0)
+    known = float(sizes @ [each.family.known for each in chosen] / sizes.sum())
+    explained = float(1 - residual @ residual / (target @ target))
+    return Formula(chosen, coefficients, explained, known)
 
 
-def effective(rows) -> float:
-    """Independent values of the averaged torque."""
-    return sum(each.time[-1] - each.time[0] for each in rows) / 0.05
+def cost(one: Formula, rows: list[Missing]) -> float:
+    """Schwarz's criterion: what a formula leaves, and what its parameters cost."""
+    count = sum(each.time[-1] - each.time[0] for each in rows) / INDEPENDENT
+    parameters = sum(1 + len(each.shape) for each in one.features)
+    return count * np.log(max(1 - one.explained, 1e-6)) + np.log(count) * parameters
 
 
-def project(basis: np.ndarray, table: np.ndarray) -> np.ndarray:
-    """What the basis cannot take up."""
-    return table - basis @ np.linalg.lstsq(basis, table, rcond=None)[0]
+def refined(features, rows, basis, target) -> tuple[Feature, ...]:
+    """The features with the shapes at which they leave least."""
+    begin = np.concatenate([np.asarray(each.shape, float) for each in features])
+    if not begin.size:
+        return features
+    lower, upper = np.array([pair for each in features for pair in each.family.bounds]).T
+
+    def at(values):
+        shapes = split(values, features)
+        return tuple(
+            replace(each, shape=tuple(shape)) for each, shape in zip(features, shapes, strict=True)
+        )
+
+    def left(values):
+        columns = beside(basis, table(at(values), rows))
+        return target - columns @ np.linalg.lstsq(columns, target, rcond=None)[0]
+
+    found = least_squares(
+        left, np.clip(begin, lower, upper), bounds=(lower, upper), x_scale="jac", max_nfev=TRIES
+    )
+    return at(found.x)
 
 
-def fitted(table: np.ndarray, target: np.ndarray) -> np.ndarray:
-    if not table.shape[1]:
-        return np.zeros_like(target)
-    return table @ np.linalg.lstsq(table, target, rcond=None)[0]
-
-
-def sum_left(table: np.ndarray, target: np.ndarray) -> float:
-    return float(np.sum((target - fitted(table, target)) ** 2)) + 1e-12
-
-
-def term_of(formula: Formula) -> type[PhysicsTerm]:
-    """The formula as a term that can be fitted and simulated."""
-    features = formula.features
-
-    def torque(self, now: Moment, memory):
-        values = [getattr(self, f"c_{k}") for k in range(len(features))]
-        parts = [
-            value * feature.of(now.angle, now.angular_velocity, now.time, jnp)
-            for value, feature in zip(values, features, strict=True)
+def table(features, rows: list[Missing]) -> np.ndarray:
+    """Every feature along all segments, averaged as the missing torque is."""
+    return np.concatenate(
+        [
+            np.stack(
+                [
+                    averaged(one.of(each.angle, each.angular_velocity, each.time, np), each.width)
+                    for one in features
+                ],
+                axis=1,
+            )
+            for each in rows
         ]
-        return sum(parts[1:], parts[0])
+    )
 
-    name = "Formula " + " + ".join(feature.words for feature in features)
-    body: dict[str, Any] = {
-        "__annotations__": {
-            "title": ClassVar[str],
-            "reference": ClassVar[str],
-            "explanation": ClassVar[str],
-            "isolate": ClassVar[str],
-            **{f"c_{k}": Any for k in range(len(features))},
-        },
-        "__module__": __name__,
-        "title": formula.words,
-        "reference": "found by sparse regression on this recording",
-        "explanation": "A torque that no term of the library describes.",
-        "isolate": "the same movement with one thing changed at a time",
-        "torque": torque,
-    }
-    for k, value in enumerate(formula.coefficients):
-        body[f"c_{k}"] = parameter(f"c_{k}", "N m", -LARGEST, LARGEST, "", (float(value),))
-    return new_class(name, (PhysicsTerm,), {}, lambda namespace: namespace.update(body))
+
+def baseline(bench: Bench, rows: list[Missing]) -> np.ndarray:
+    """What the leg's own parameters, and the voluntary torque of each segment, can take up."""
+    legs, pushes = [], []
+    for number, each in enumerate(rows):
+        leg = (np.cos(each.angle), each.angle, each.angular_velocity)
+        legs.append(np.stack([averaged(one, each.width) for one in leg], axis=1))
+        shape = np.asarray(bench.seen.cycle.begin[number])
+        push = np.zeros((each.angle.size, len(rows)))
+        push[:, number] = averaged(np.append(shape, shape[-1])[: each.angle.size], each.width)
+        pushes.append(push)
+    columns = np.concatenate([np.concatenate(legs), np.concatenate(pushes)], axis=1)
+    return columns[:, np.abs(columns).max(axis=0) > 0]
+
+
+def beside(basis: np.ndarray, columns: np.ndarray) -> np.ndarray:
+    """What an orthonormal basis cannot take up."""
+    return columns - basis @ (basis.T @ columns)

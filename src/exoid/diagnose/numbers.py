@@ -5,7 +5,7 @@ import numpy as np
 from exoid.diagnose.bench import Bench
 from exoid.diagnose.diagnosis import Booked, Parameter
 from exoid.diagnose.evidence import Yardstick
-from exoid.diagnose.novel import Formula
+from exoid.diagnose.formula import Formula
 from exoid.diagnose.settle import Settled
 from exoid.physics.library import name_of
 from exoid.physics.parameter import declarations

@@ -32,7 +32,7 @@ SOURCES = (
     "physics/**/*.py",
     "recording/kalman.py",
     *(f"diagnose/{name}.py" for name in ("scene", "effect", "carry", "pinned", "free")),
-    *(f"diagnose/{name}.py" for name in ("novel", "dictionary")),
+    *(f"diagnose/{name}.py" for name in ("formula", "dictionary")),
 )  # whose code is in the program
 LIBRARIES = ("jax", "jaxlib", "equinox", "lineax", "optimistix")  # likewise
 DIGEST = 32  # bytes of the checksum before a kept program

@@ -28,11 +28,11 @@ def sentences(found: Diagnosis) -> dict[str, str]:
     lines = {}
     if found.verdict == "mismatch":
         lines["Missing"] = "; ".join(named(found)) or "nothing that has a name here."
+        left = found.best.square / found.yardstick.samples
         if found.novel and found.formula is None:
-            left = (found.best.square / found.yardstick.samples) ** 0.5
-            lines["New"] = (
-                f"what the library leaves is {left:.2g} times the noise; no formula fits it."
-            )
+            lines["New"] = "no cause of the library explains it, and no formula fits it."
+        if not found.yardstick.explains(found.best.square):
+            lines["Unexplained"] = f"what remains is {left**0.5:.2g} times the noise."
         rivals = others(found)
         if rivals:
             lines["Or"] = f"{rivals}: this recording cannot tell them apart"
