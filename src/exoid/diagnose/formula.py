@@ -15,7 +15,7 @@ from exoid.physics.moment import Moment
 from exoid.physics.parameter import parameter
 from exoid.physics.term import PhysicsTerm
 
-LARGEST = 1e3  # of a coefficient, either way
+LARGEST = 100.0  # of a coefficient, either way
 
 
 @dataclass(frozen=True, eq=False)

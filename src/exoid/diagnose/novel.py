@@ -10,13 +10,13 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from exoid.diagnose.bench import Bench
-from exoid.diagnose.dictionary import Feature, dictionary
+from exoid.diagnose.dictionary import OF_ANGLE, Feature, dictionary
 from exoid.diagnose.formula import Formula, split
 from exoid.diagnose.hypothesis import Hypothesis
 from exoid.diagnose.locate import Missing, averaged, lacking
 
 MOST = 3  # features of a formula
-WORTH = 0.01  # share that a further feature must explain
+WORTH = 0.02  # share that a further feature must explain
 INDEPENDENT = 0.05  # s, after which a missing torque is a new value
 TRIES = 40  # steps of a refinement
 
@@ -26,7 +26,7 @@ def describe(bench: Bench, base: Hypothesis) -> Formula:
     rows = [lacking(bench, base, number) for number in range(bench.segments)]
     basis = np.linalg.qr(baseline(bench, rows))[0]
     target = beside(basis, np.concatenate([each.torque for each in rows])[:, None])[:, 0]
-    starts = dictionary()
+    starts = [each for each in dictionary() if met(each, rows)]
     left = beside(basis, table(starts, rows))
     size = np.linalg.norm(left, axis=0)
     usable = np.isfinite(size) & (size > 1e-9 * np.nanmax(size))
@@ -64,21 +64,37 @@ def refined(features, rows, basis, target) -> tuple[Feature, ...]:
     if not begin.size:
         return features
     lower, upper = np.array([pair for each in features for pair in each.family.bounds]).T
+    placed = np.cumsum([0, *(len(each.shape) for each in features)])[:-1]
+    for at, each in zip(placed, features, strict=True):
+        if each.family.units == OF_ANGLE:
+            lower[at], upper[at] = reached(rows)
 
-    def at(values):
+    def moved(values):
         shapes = split(values, features)
         return tuple(
             replace(each, shape=tuple(shape)) for each, shape in zip(features, shapes, strict=True)
         )
 
     def left(values):
-        columns = beside(basis, table(at(values), rows))
+        columns = beside(basis, table(moved(values), rows))
         return target - columns @ np.linalg.lstsq(columns, target, rcond=None)[0]
 
     found = least_squares(
         left, np.clip(begin, lower, upper), bounds=(lower, upper), x_scale="jac", max_nfev=TRIES
     )
-    return at(found.x)
+    return moved(found.x)
+
+
+def met(feature: Feature, rows: list[Missing]) -> bool:
+    """Does the leg come where the feature acts?"""
+    low, high = reached(rows)
+    return feature.family.units != OF_ANGLE or low <= feature.shape[0] <= high
+
+
+def reached(rows: list[Missing]) -> tuple[float, float]:
+    """Lowest and highest angle [rad]."""
+    angles = np.concatenate([each.angle for each in rows])
+    return float(angles.min()), float(angles.max())
 
 
 def table(features, rows: list[Missing]) -> np.ndarray:
