@@ -23,7 +23,7 @@ from exoid.recording.load import load
 EPOCH = 1_750_000_000.0  # s, of the host's clock
 FRAME = 270e-6  # s of one frame on the bus
 TICKS_PER_TIME = 10
-CYCLE = 8.0  # s from drop to drop: one is held, then the leg swings out
+CYCLE, LIFT = 8.0, 1.0  # s from drop to drop, of which the leg is lifted
 REPETITIONS = 3
 
 
@@ -96,8 +96,10 @@ def write_hours(path: Path, hours: float) -> int:
 
 def ticks(tick: np.ndarray) -> dict[str, dict[str, np.ndarray]]:
     """What the frames of all ticks say."""
-    swing = np.maximum(tick * PERIOD % CYCLE - 1.0, 0.0)
-    angle = -np.pi / 2 + 1.2 * np.exp(-0.9 * swing) * np.cos(5.0 * swing)
+    swing = tick * PERIOD % CYCLE - LIFT
+    lifted = 0.5 * (1 + np.cos(np.pi * swing / LIFT))
+    free = np.exp(-0.9 * swing) * np.cos(5.0 * swing)
+    angle = -np.pi / 2 + 1.2 * np.where(swing < 0, lifted, free)
     rate = np.gradient(angle, PERIOD)
     state = {"Angle": angle, "AngularVelocity": rate, "Counter": tick % 256}
     raw = {"Angle": angle, "GyroY": rate, "Counter": tick % 16}

@@ -43,7 +43,7 @@ def test_every_option_it_names_exists():
     commands = get_command(app).commands  # type: ignore[attr-defined]
     known = {name for each in commands.values() for entry in each.params for name in entry.opts}
     for line in re.findall(
-        r"^.*\bexoid (?:fit|simulate|plan|diagnose).*$", README.read_text(), re.MULTILINE
+        rf"^.*\bexoid (?:{'|'.join(commands)}).*$", README.read_text(), re.MULTILINE
     ):
         for option in re.findall(r"(?<![\w-])--[a-z][a-z-]*", line.split("exoid ", 1)[1]):
             assert option in known | {"--help"}, line

@@ -27,10 +27,15 @@ if TYPE_CHECKING:
     from exoid.physics.term import PhysicsTerm, SensorTerm, reading
     from exoid.physics.torque import CycleTorque, MeasuredTorque, NoTorque
     from exoid.recording.load import load
+    from exoid.recording.pendulum.drops import PendulumTest, measure_drops
     from exoid.recording.recording import Protocol, Recording, Segment, Sensors, Subject
     from exoid.recording.table import write_table
+    from exoid.report.load_result import load_result
     from exoid.report.plot_diagnosis import plot_diagnosis
+    from exoid.report.plot_drops import plot_drops
     from exoid.report.plots import plot_fit
+    from exoid.report.save_result import save_result
+    from exoid.report.saved_result import SavedResult
 
 _HOMES = {
     "Diagnosis": ("exoid.diagnose.diagnosis", "Diagnosis"),
@@ -70,6 +75,12 @@ _HOMES = {
     "Subject": ("exoid.recording.recording", "Subject"),
     "write_table": ("exoid.recording.table", "write_table"),
     "plot_fit": ("exoid.report.plots", "plot_fit"),
+    "PendulumTest": ("exoid.recording.pendulum.drops", "PendulumTest"),
+    "measure_drops": ("exoid.recording.pendulum.drops", "measure_drops"),
+    "plot_drops": ("exoid.report.plot_drops", "plot_drops"),
+    "SavedResult": ("exoid.report.saved_result", "SavedResult"),
+    "save_result": ("exoid.report.save_result", "save_result"),
+    "load_result": ("exoid.report.load_result", "load_result"),
 }
 
 __all__ = [
@@ -83,12 +94,14 @@ __all__ = [
     "MeasuredTorque",
     "Moment",
     "NoTorque",
+    "PendulumTest",
     "PhysicsTerm",
     "Plan",
     "Posterior",
     "Profile",
     "Protocol",
     "Recording",
+    "SavedResult",
     "Segment",
     "SensorTerm",
     "Sensors",
@@ -101,13 +114,17 @@ __all__ = [
     "identify",
     "keep_programs_in",
     "load",
+    "load_result",
+    "measure_drops",
     "parameter",
     "plan",
     "plot_diagnosis",
+    "plot_drops",
     "plot_fit",
     "profiles",
     "reading",
     "sample",
+    "save_result",
     "simulate",
     "write_table",
 ]

@@ -8,7 +8,7 @@ from importlib.metadata import version
 import pytest
 from command_line import SCRIPT
 
-HEAVY = ("jax", "equinox", "optimistix", "scipy", "matplotlib", "can", "cantools")
+HEAVY = ("jax", "equinox", "optimistix", "scipy", "matplotlib", "can", "cantools", "xarray")
 
 
 def best_of_five(arguments: list[str]) -> float:
@@ -55,10 +55,3 @@ def test_help_goes_to_stdout_and_names_what_there_is(command, arguments, word, o
     assert (done.returncode, done.stderr) == (0, "")
     assert word in done.stdout
     assert max(map(len, done.stdout.split("\n"))) <= 100
-
-
-def test_without_a_command_the_help_goes_to_stderr(command):
-    done = command()
-    assert (done.returncode, done.stdout) == (2, "")
-    assert done.stderr.startswith("Usage: exoid")
-    assert "simulate" in done.stderr

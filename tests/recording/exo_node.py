@@ -8,6 +8,7 @@ import can
 import cantools
 import numpy as np
 
+from exoid.recording.config_crc import config_crc
 from exoid.recording.dbc import EXOID_DBC
 
 EPOCH = 1_600_000_000.0  # s; when the host's clock began to log
@@ -36,6 +37,7 @@ class Node:
     device_start: float = 12.34
     first_counter: int = 250
     skew: float = 1.0
+    config_crc: int = field(default_factory=config_crc)
     jitter: float = 0.0015  # s, mean of the exponential delay of the host
     status: dict[int, dict[str, int]] = field(default_factory=dict)
 
@@ -83,7 +85,7 @@ class Node:
             device = round((self.device_start + time) * 1e6) % 2**32
             yield (
                 "EXO_TIME",
-                dict(DeviceTime=device, Counter=counter, MissedTicks=0, ConfigCrc=0xBEEF),
+                dict(DeviceTime=device, Counter=counter, MissedTicks=0, ConfigCrc=self.config_crc),
             )
 
 

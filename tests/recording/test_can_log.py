@@ -14,6 +14,7 @@ from exoid.recording.blf import read_blf
 from exoid.recording.can_frames import CanLogError
 from exoid.recording.can_log import read_can_log
 from exoid.recording.can_readers import frames_of, row_of
+from exoid.recording.config_crc import config_crc
 from exoid.recording.recording import Subject
 
 TICKS = 700
@@ -56,7 +57,7 @@ def test_every_format_gives_the_motion_back_without_the_hosts_jitter(tmp_path, m
     motion_is_right(segment)
     assert quality.clock == "device"
     assert quality.frames.used == quality.frames.read == len(messages)
-    assert quality.config_crc == 0xBEEF
+    assert quality.config_crc == config_crc()
 
 
 def test_blf_is_read_as_python_can_reads_it(tmp_path, messages):
@@ -577,3 +578,8 @@ def test_a_real_log_is_read_through_its_own_dbc():
     # A car: it stands upright in the Earth's field.
     assert np.nanmedian(segment.raw_acceleration_z) == pytest.approx(9.81, abs=0.5)
     assert np.nanmax(np.abs(segment.angle)) < 0.5
+
+
+def test_a_node_of_another_firmware_is_refused(tmp_path):
+    with pytest.raises(CanLogError, match=r"ConfigCrc 0xBEEF, here 0x.*Flash this version"):
+        read(tmp_path, Node(config_crc=0xBEEF).messages(50))

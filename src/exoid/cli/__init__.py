@@ -64,9 +64,6 @@ def explain_usage(fault: BaseException) -> int:
     context = getattr(fault, "ctx", None)
     if context is None:
         return complain(message, 2)
-    if message == " ".join(context.get_help().split()):  # no command was given
-        print(context.get_help(), file=sys.stderr)
-        return 2
     return complain(f"{message.rstrip('.')}. Try '{context.command_path} --help'.", 2)
 
 

@@ -5,24 +5,37 @@ from typing import Annotated
 
 import typer
 
+from exoid.cli.compare import compare
+from exoid.cli.convert import convert
 from exoid.cli.diagnose import diagnose
+from exoid.cli.drops import drops
+from exoid.cli.example import example
 from exoid.cli.fit import fit
 from exoid.cli.plan import plan
+from exoid.cli.record import record
+from exoid.cli.report import report
 from exoid.cli.simulate import simulate
+from exoid.cli.welcome import WELCOME
 
 app = typer.Typer(
     name="exoid",
     help="Mechanical parameters of the lower leg from exoskeleton recordings.",
-    no_args_is_help=True,
+    invoke_without_command=True,
     add_completion=True,
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 app.command()(fit)
+app.command()(example)
+app.command()(drops)
 app.command()(diagnose)
+app.command()(report)
 app.command()(plan)
+app.command()(compare)
+app.command()(record)
 app.command()(simulate)
+app.command()(convert)
 
 
 def show_version(wanted: bool) -> None:
@@ -33,8 +46,11 @@ def show_version(wanted: bool) -> None:
 
 @app.callback()
 def exoid(
+    context: typer.Context,
     version: Annotated[
         bool, typer.Option("--version", callback=show_version, is_eager=True, help="Show it.")
     ] = False,
 ) -> None:
     """Mechanical parameters of the lower leg from exoskeleton recordings."""
+    if context.invoked_subcommand is None:
+        typer.echo(WELCOME)

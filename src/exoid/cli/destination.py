@@ -29,9 +29,17 @@ def check_destination(path: Path | None, kinds: tuple[str, ...] = ()) -> None:
         ) from fault
 
 
+def check_absent(paths: Iterable[Path], force: bool) -> None:
+    """Refuse to replace a result that is there, unless the user said so."""
+    for path in paths:
+        if path.exists() and not force:
+            raise ValueError(f"{path} exists. Name another file, or replace it with --force.")
+
+
 def check_apart(outputs: Iterable[Path | None], inputs: Iterable[Path]) -> None:
     """Refuse to write over a recording or its sidecar, or two outputs to one file."""
-    taken = {name.resolve() for path in inputs for name in (path, path.with_suffix(".toml"))}
+    named = [path for path in inputs if path.name]  # "." has none, and is refused when it is read
+    taken = {name.resolve() for path in named for name in (path, path.with_suffix(".toml"))}
     for path in outputs:
         if path is None or (path.exists() and not path.is_file()):
             continue

@@ -10,11 +10,13 @@ from typing import Annotated
 
 import typer
 
-from exoid.cli.analysis import prepare
+from exoid.cli.analysis import ask, prepare
 from exoid.cli.body import BodyMass, Height, given_body
 from exoid.cli.destination import check_apart, check_destination
 from exoid.cli.fit import EXAMPLE, FIGURES
-from exoid.cli.reading import read
+from exoid.cli.origin import inputs, origin_of
+from exoid.cli.page import PAGES, planned, sources_of, write_report
+from exoid.cli.reading import take
 from exoid.cli.results import described
 from exoid.cli.waiting import in_phases, patiently
 
@@ -47,6 +49,9 @@ def diagnose(
     json: Annotated[
         Path | None, typer.Option(help="Everything for machines.", metavar="FILE")
     ] = None,
+    report: Annotated[
+        Path | None, typer.Option(help="Page (.html) to look at and print.", metavar="FILE")
+    ] = None,
 ) -> None:
     """Say where simulation and recording part, which physics was left out, and prove it.
 
@@ -60,14 +65,15 @@ def diagnose(
     paths = recordings or [EXAMPLE]
     check_destination(plot, FIGURES)
     check_destination(json)
-    check_apart([plot, json], paths)
+    check_destination(report, PAGES)
+    check_apart([plot, json, report], paths)
     body = given_body(body_mass=body_mass, height=height)
     own = own_terms(terms) if terms is not None else ()
     if not recordings:
         typer.echo("No recording given: this is the example that comes with exoid.")
-    named = []
-    for path in paths:
-        loaded = read(path, dbc, signal, False)
+    named, taken = [], [take(path, dbc, signal, False) for path in paths]
+    for path, one in zip(paths, taken, strict=True):
+        loaded = one.recording
         named.append((path.name, replace(loaded, subject=replace(loaded.subject, **body))))
     found = in_phases(lambda told: diagnosed(named, own, seed, told))
     show(found)
@@ -78,6 +84,12 @@ def diagnose(
         settings = {"seed": seed, "terms": terms}
         write(found, described(zip(paths, named, strict=True)), settings, json)
         typer.echo(f"wrote {json}", err=True)
+    if report is not None:
+        asked = {"seed": seed, "terms": terms, **body, "signal": signal}
+        origin = origin_of(inputs(paths, dbc, Path(terms) if terms else None), asked)
+        sources = sources_of(taken, named)
+        patiently(lambda: tell(found, sources, origin, report), "writing the page")
+        typer.echo(f"wrote {report}", err=True)
 
 
 def own_terms(name: str):
@@ -151,3 +163,11 @@ def write(found, recordings, settings: dict, path: Path) -> None:
         found, version=version("exoid"), recordings=recordings, settings=settings
     )
     write_json(document, path)
+
+
+def tell(found, sources, origin, path: Path) -> None:
+    """The page, with what the recording told and what to record next."""
+    result = found.fit
+    next_one = planned(result, sources[0].recording.subject)
+    told = ask(result)
+    write_report(path, sources, result, origin, told=told, diagnosis=found, plan=next_one)

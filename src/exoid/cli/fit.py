@@ -10,8 +10,10 @@ from exoid.cli.analysis import ask, check_posterior, compute, profiled, write_po
 from exoid.cli.body import BodyMass, Height, given_body
 from exoid.cli.choices import Method, Misfit, Prior, Reading
 from exoid.cli.destination import check_apart, check_destination
-from exoid.cli.reading import read
-from exoid.cli.results import draw, show, write_document
+from exoid.cli.origin import inputs, origin_of
+from exoid.cli.page import PAGES, sources_of, write_report
+from exoid.cli.reading import take
+from exoid.cli.results import draw, keep, show, write_document
 from exoid.cli.waiting import patiently
 
 EXAMPLE = Path(__file__).parents[1] / "example" / "session.blf"
@@ -72,6 +74,12 @@ def fit(
         Path | None,
         typer.Option(help="Draws of every quantity for ArviZ (.nc); a minute.", metavar="FILE"),
     ] = None,
+    save: Annotated[
+        Path | None, typer.Option(help="The fit (.nc), for exoid compare.", metavar="FILE")
+    ] = None,
+    report: Annotated[
+        Path | None, typer.Option(help="Page (.html) to look at and print.", metavar="FILE")
+    ] = None,
 ) -> None:
     """Find mass, inertia, COM distance, damping, stiffness and torque of a leg.
 
@@ -80,13 +88,16 @@ def fit(
       exoid fit                                   the example that comes with exoid
       exoid fit drop.csv --multistart 64          one recording
       exoid fit bare.blf loaded.blf --plot a.pdf  two recordings of one leg, with a figure
+      exoid fit drop.csv --save drop.nc           kept in a file, to compare with another
       exoid fit log.asc --dbc my.dbc --signal raw_angle=Knee.Angle --body-mass 77 --height 1.8
     """
     paths = recordings or [EXAMPLE]
     check_destination(plot, FIGURES)
     check_destination(json)
     check_destination(posterior, ("nc",))
-    check_apart([plot, json, posterior], paths)
+    check_destination(save, ("nc",))
+    check_destination(report, PAGES)
+    check_apart([plot, json, posterior, save, report], paths)
     if posterior is not None:
         check_posterior(each)
     body = given_body(body_mass=body_mass, height=height)
@@ -94,9 +105,9 @@ def fit(
         typer.echo(
             "No recording given: this is the example that comes with exoid, a simulated leg."
         )
-    named = []
-    for path in paths:
-        loaded = read(path, dbc, signal, strict)
+    named, taken = [], [take(path, dbc, signal, strict) for path in paths]
+    for path, one in zip(paths, taken, strict=True):
+        loaded = one.recording
         protocol = loaded.protocol
         if torque_frequency is not None:
             protocol = replace(protocol, torque_frequency=torque_frequency.value)
@@ -113,20 +124,31 @@ def fit(
     }
     result = patiently(
         lambda: compute(named, each, options),
-        "fitting; the first run of a new shape compiles for some seconds",
+        f"fitting {multistart} starts; the first run of a new shape compiles for some seconds",
     )
-    told = None if each else ask(result)
+    told = None if each else patiently(lambda: ask(result), "asking what the recording told")
     show(result, told)
+    settings = {"lambda": options.pop("weight"), **options, "each": each}
+    asked = {**settings, "torque_frequency": torque_frequency, **body, "signal": signal}
+    if save is not None:
+        sources = zip(paths, named, strict=True)
+        patiently(lambda: keep(result, told, sources, asked, save), "saving")
+        typer.echo(f"wrote {save}", err=True)
     wanted = (plot is not None or json is not None) and not each
     profiles = patiently(lambda: profiled(result), "profiling") if wanted else None
     if plot is not None:
         patiently(lambda: draw(result, profiles, plot), "drawing")
         typer.echo(f"wrote {plot}", err=True)
     if json is not None:
-        settings = {"lambda": options.pop("weight"), **options, "each": each}
         sources = zip(paths, named, strict=True)
         write_document(result, told, profiles, sources, settings, json)
         typer.echo(f"wrote {json}", err=True)
+    if report is not None:
+        sources, origin = sources_of(taken, named), origin_of(inputs(paths, dbc), asked)
+        patiently(
+            lambda: write_report(report, sources, result, origin, told=told), "writing the page"
+        )
+        typer.echo(f"wrote {report}", err=True)
     if posterior is not None:
         drawn = patiently(lambda: write_posterior(result, seed, posterior), "drawing from the fit")
         typer.echo(f"wrote {posterior}: {drawn}", err=True)

@@ -7,20 +7,40 @@ import typer
 from exoid.cli.waiting import patiently
 
 
-def read(path: Path, dbc: Path | None, signal: list[str] | None, strict: bool):
-    """Load one recording and say what its reader noticed, on stderr."""
+def read(
+    path: Path,
+    dbc: Path | None,
+    signal: list[str] | None,
+    strict: bool,
+    *,
+    whole: bool = False,
+):
+    """One recording; what its reader noticed is said on stderr."""
+    return take(path, dbc, signal, strict, whole=whole).recording
+
+
+def take(
+    path: Path,
+    dbc: Path | None,
+    signal: list[str] | None,
+    strict: bool,
+    *,
+    whole: bool = False,
+):
+    """The same, with what its reader noticed."""
     from exoid.recording.load import load
 
     signals = signal_map(signal)
     loaded = patiently(
-        lambda: load(path, dbc=dbc, signals=signals, strict=strict), f"reading {path.name}"
+        lambda: load(path, dbc=dbc, signals=signals, strict=strict, whole=whole),
+        f"reading {path.name}",
     )
     for note in loaded.notes:
         typer.echo(f"exoid: {note}", err=True)
     if loaded.quality is not None:
         for line in loaded.quality.lines():
             typer.echo(line, err=True)
-    return loaded.recording
+    return loaded
 
 
 def signal_map(signal: list[str] | None) -> dict[str, str] | None:

@@ -1,4 +1,4 @@
-"""A fit as the user gets it: tables, figure and document."""
+"""A fit as the user gets it: tables, figure, document and file."""
 
 import hashlib
 from contextlib import suppress
@@ -37,6 +37,23 @@ def write_document(result, told, profiles, recordings, settings: dict, path: Pat
         profiles=profiles,
     )
     write_json(document, path)
+
+
+def keep(result, told, recordings, settings: dict, path: Path) -> None:
+    """The fit in a file that gives it back."""
+    from exoid.report.save_result import save_result
+
+    sources = [
+        {**describe(source, recording), "sidecar_sha256": sidecar_hash(source)}
+        for source, (_, recording) in recordings
+    ]
+    save_result(result, path, told=told, recordings=sources, settings=settings)
+
+
+def sidecar_hash(recording: Path) -> str | None:
+    """Of what stands beside a recording; a fit rests on it as well."""
+    sidecar = recording.with_suffix(".toml")
+    return hashlib.sha256(sidecar.read_bytes()).hexdigest() if sidecar.exists() else None
 
 
 def described(recordings) -> list[dict]:

@@ -88,7 +88,7 @@ def refined(features, rows, basis, target) -> tuple[Feature, ...]:
 def met(feature: Feature, rows: list[Missing]) -> bool:
     """Does the leg come where the feature acts?"""
     low, high = reached(rows)
-    return feature.family.units != OF_ANGLE or low <= feature.shape[0] <= high
+    return feature.family.units != OF_ANGLE or bool(low <= feature.shape[0] <= high)
 
 
 def reached(rows: list[Missing]) -> tuple[float, float]:

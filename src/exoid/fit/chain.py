@@ -8,7 +8,7 @@ import numpy as np
 from jaxtyping import PyTree
 
 from exoid.physics.state import LegState
-from exoid.recording.kalman import MEASUREMENT_NOISE, PROCESS_NOISE
+from exoid.recording.filter_constants import MEASUREMENT_NOISE, PROCESS_NOISE
 
 RECURSIONS = 500  # of the covariance; it settles within 100
 

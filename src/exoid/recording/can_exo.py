@@ -7,10 +7,12 @@ import numpy as np
 from exoid.recording.can_frames import CanLogError, Log
 from exoid.recording.can_quality import Gap, LogQuality, MessageCount
 from exoid.recording.can_sort import MessageFrames, SortedFrames, sort_frames
+from exoid.recording.config_crc import config_crc
 from exoid.recording.dbc import exoid_messages
 from exoid.recording.device_clock import PERIOD, fitted_line, skew_ppm
 from exoid.recording.exo_rows import MISSING, SAMPLED, TIME, Rows, runs
 from exoid.recording.exo_samples import Samples, samples_of
+from exoid.recording.filter_effect import filter_effect
 from exoid.recording.recording import Segment, Sensors
 
 EXO_SENSORS = Sensors(encoder_counts=4096.0, gyro_range=2000.0, sample_rate=1 / PERIOD)
@@ -31,13 +33,15 @@ def read_exo(log: Log) -> tuple[Segment, LogQuality]:
         raise CanLogError(f"{log.path} holds fewer than {FEWEST_SAMPLES} samples of the node.")
     samples = samples_of(ordered.messages, found)
     quality = quality_of(log, ordered, found, samples)
+    refuse_other_firmware(log, quality.config_crc)
     if "angle" not in samples.channels and "raw_angle" not in samples.channels:
         raise CanLogError(
             f"{log.path} holds no valid angle: {'; '.join(quality.lines())}. "
             "Check the encoder and its magnet."
         )
     time = np.concatenate([rows.time for rows in found])
-    return replace(Segment(time), **samples.channels), quality
+    segment = replace(Segment(time), **samples.channels)
+    return segment, replace(quality, filter=filter_effect(segment))
 
 
 def require_exo_frames(log: Log, ordered: SortedFrames) -> None:
@@ -59,6 +63,17 @@ def require_exo_frames(log: Log, ordered: SortedFrames) -> None:
         f"{counts.read} frames with ids {some}{more}{unfit}. If another device recorded the leg, "
         "give its DBC file and a map of its signals."
     )
+
+
+def refuse_other_firmware(log: Log, told: int | None) -> None:
+    """Where the node says what it was built from, it must be what this exoid reads by."""
+    if told and told != config_crc():
+        raise CanLogError(
+            f"{log.path}: the node was built with another exoid.dbc or other filter constants "
+            f"(ConfigCrc 0x{told:04X}, here 0x{config_crc():04X}), so that its numbers may mean "
+            "something else. Flash this version's firmware, or give the DBC it was built with "
+            "(--dbc and --signal)."
+        )
 
 
 def quality_of(log: Log, ordered: SortedFrames, found: list[Rows], samples: Samples) -> LogQuality:

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from exoid.recording.can_frames import CanLogError
+from exoid.recording.filter_effect import FilterEffect
 
 SHOWN = 5  # gaps and resets that are listed one by one
 
@@ -59,6 +60,7 @@ class LogQuality:
     faults: tuple[tuple[str, int], ...] = ()  # status bit, samples that carry it
     missed_ticks: int = 0  # ticks the node itself reports as missed
     config_crc: int | None = None
+    filter: FilterEffect | None = None
     announced: int | None = None
     found: int | None = None
     stopped: str | None = None  # what of the file could not be read, and why
@@ -93,7 +95,8 @@ class LogQuality:
     @property
     def announced_line(self) -> str:
         if not self.announced:
-            return f"the header was never completed (the logger was killed); {self.found} found"
+            why = "the logger was killed, or its disk was full"
+            return f"the header was never completed ({why}); {self.found} found"
         return f"the header announces {self.announced} object(s), the file holds {self.found}"
 
     def gap_lines(self) -> list[str]:
@@ -127,6 +130,7 @@ class LogQuality:
         lines += [f"{frames.duplicate} duplicate frame(s) left out"] if frames.duplicate else []
         lines += [f"{name}: {count} sample(s)" for name, count in self.faults if count]
         lines += [f"the node missed {self.missed_ticks} tick(s)"] if self.missed_ticks else []
+        lines += self.filter.lines() if self.filter is not None else []
         return lines + [note for note in self.notes if note not in lines]
 
     def require_complete(self) -> None:

@@ -15,6 +15,7 @@ from exoid.recording.can_sort import MessageFrames, SortedFrames, sort_frames
 from exoid.recording.can_units import size_in
 from exoid.recording.dbc import plan_message, read_dbc
 from exoid.recording.device_clock import fitted_line, without_spikes
+from exoid.recording.filter_effect import filter_effect
 from exoid.recording.recording import Segment
 
 CHANNELS = {
@@ -73,7 +74,8 @@ def read_signals(log: Log, dbc: Path, signals: dict[str, str]) -> tuple[Segment,
                 f"while {leading} is sent. Leave it out of the map."
             )
     segment = replace(Segment(time - time[0]), **channels)
-    return segment, quality_of(log, ordered, tracks, leading)
+    quality = quality_of(log, ordered, tracks, leading)
+    return segment, replace(quality, filter=filter_effect(segment))
 
 
 def resolve(signals: dict[str, str], messages: list, dbc: Path):

@@ -11,9 +11,7 @@ import jax.numpy as jnp
 import numpy as np
 from jaxtyping import Array, Float
 
-PROCESS_NOISE = (1e-8, 1e-5, 0.6)  # Q per step of 10 ms: rad^2, (rad/s)^2, (rad/s^2)^2
-MEASUREMENT_NOISE = (8e-7, 1.2e-5)  # R: encoder rad^2, gyro (rad/s)^2
-START_VARIANCE = (10.0, 100.0, 100.0)  # P before anything was measured, units of Q
+from exoid.recording.filter_constants import MEASUREMENT_NOISE, PROCESS_NOISE, START_VARIANCE
 
 Samples = Float[Array | np.ndarray, " time"]
 Steps = Float[Array | np.ndarray, " steps"]  # s, from each sample to the next

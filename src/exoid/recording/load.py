@@ -29,8 +29,11 @@ def load(
     dbc: str | Path | None = None,
     signals: dict[str, str] | None = None,
     strict: bool = False,
+    whole: bool = False,
 ) -> Loaded:
     """Read a recording of either kind; a continuous log is cut into its drops and cycles.
+
+    With `whole` it stays one segment, and what the sidecar marks stays marked.
 
     **Raises** `ValueError` (one line: what, where, what to do) and `OSError`; with `strict` also
     for anything that a CAN log lost.
@@ -40,7 +43,7 @@ def load(
     if path.suffix.lower() == TABLE_SUFFIX and not is_log(path) and dbc is None:
         recording, notes = read_table(path)
         with naming(path):
-            return Loaded(with_movements(recording), notes, None)
+            return Loaded(recording if whole else with_movements(recording), notes, None)
     from exoid.recording.can_log import read_can_log
 
     subject, protocol, sensors, notes = beside(path)
@@ -54,7 +57,7 @@ def load(
         sensors=sensors,
     )
     with naming(path):
-        return Loaded(split(recording), notes, quality)
+        return Loaded(recording if whole else split(recording), notes, quality)
 
 
 def check_request(path: Path, dbc: str | Path | None, signals: dict[str, str] | None) -> None:

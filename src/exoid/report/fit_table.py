@@ -204,6 +204,15 @@ def span(result: FitResult, name: str) -> str:
 
 
 def print_remarks(result: FitResult, console: Console) -> None:
+    """Why values or errors are missing, and the notes."""
+    said = remarks(result)
+    if said:
+        heading(console, "Notes")
+    for remark in said:
+        say(console, f"- {remark}", hanging=2)
+
+
+def remarks(result: FitResult) -> list[str]:
     """Why values or errors are missing, each reason once, and the notes."""
     reasons: dict[str, list[str]] = {}
     for name, each in {**result.parameters, **result.ratios}.items():
@@ -214,12 +223,8 @@ def print_remarks(result: FitResult, console: Console) -> None:
             reasons.setdefault(each.torque_amplitude.reason, []).append(
                 f"tau of segment {each.name}"
             )
-    remarks = [f"{', '.join(names)}: {reason}." for reason, names in reasons.items()]
-    if not remarks and not result.notes:
-        return
-    heading(console, "Notes")
-    for remark in [*remarks, *result.notes]:
-        say(console, f"- {remark}", hanging=2)
+    missing = [f"{', '.join(names)}: {reason}." for reason, names in reasons.items()]
+    return [*missing, *result.notes]
 
 
 def expectation(each: Estimate) -> str:

@@ -10,14 +10,12 @@ from matplotlib.figure import Figure, SubFigure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 
 from exoid.diagnose.diagnosis import Diagnosis
-from exoid.diagnose.search import names
-from exoid.physics.library import name_of
+from exoid.report.causes import LEAST, causes
 from exoid.report.diagnosis_words import headline, titles
 from exoid.report.plot_style import TEXT, head, name_all
 from exoid.report.text import in_degrees
 
 SHOWN = 4  # segments
-CAUSES = 7
 BEFORE: dict[str, Any] = {"color": "#D55E00", "linewidth": 0.8, "label": "without it, held out"}
 AFTER: dict[str, Any] = {"color": "#0072B2", "linewidth": 0.8, "label": "with it, held out"}
 TORQUE: dict[str, Any] = {"color": "0.3", "linewidth": 0.8, "label": "missing torque, measured"}
@@ -81,11 +79,11 @@ def draw_torque(figure: SubFigure, found: Diagnosis) -> None:
 
 
 def draw_causes(figure: SubFigure, found: Diagnosis) -> None:
-    plane, causes = figure.subplots(1, 2, width_ratios=[1.0, 1.2])
+    plane, bars = figure.subplots(1, 2, width_ratios=[1.0, 1.2])
     plane.set_title("over the phase plane", loc="left", fontweight="bold")
     draw_plane(plane, found, figure)
-    causes.set_title("what explains it", loc="left", fontweight="bold")
-    draw_bars(causes, found)
+    bars.set_title("what explains it", loc="left", fontweight="bold")
+    draw_bars(bars, found)
 
 
 def draw_plane(axes: Axes, found: Diagnosis, figure: SubFigure) -> None:
@@ -106,36 +104,17 @@ def draw_plane(axes: Axes, found: Diagnosis, figure: SubFigure) -> None:
 
 def draw_bars(axes: Axes, found: Diagnosis) -> None:
     """What every cause leaves, over the noise, on a logarithmic axis."""
-    samples = found.yardstick.samples
-    ran = [*found.found.pairs[:2], *found.found.singles]
-    if found.formula is not None:
-        ran = [found.best, *ran]
-    rows = [(label(one, found), one.square, one is found.best) for one in ran]
-    known = {one.candidate.terms for one in ran}
-    rows += [
-        (name_of(term).replace("_", " "), square, False)
-        for term, square in found.found.pinned.items()
-        if (term,) not in known
-    ]
-    rows = sorted(rows, key=lambda row: row[1])[:CAUSES]
-    rows = [("Eq. 9 alone", found.found.base.square, False), *rows]
-    values = [max(square / samples, 0.5) for _, square, _ in rows]
-    colours = ["#0072B2" if chosen else "0.7" for *_, chosen in rows]
-    hatches = ["" if chosen else "//" for *_, chosen in rows]
+    rows = causes(found)
+    values = [max(row.left, LEAST) for row in rows]
+    colours = ["#0072B2" if row.chosen else "0.7" for row in rows]
     bars = axes.barh(range(len(rows)), values, color=colours, edgecolor="0.4", linewidth=0.5)
-    for bar, hatch in zip(bars, hatches, strict=True):
-        bar.set_hatch(hatch)
-    axes.set_yticks(range(len(rows)), [name for name, *_ in rows])
+    for bar, row in zip(bars, rows, strict=True):
+        bar.set_hatch("" if row.chosen else "//")
+    axes.set_yticks(range(len(rows)), [row.name for row in rows])
     axes.invert_yaxis()
     axes.set_xscale("log")
     axes.axvline(1.0, color="black", linewidth=0.9, linestyle=(0, (4, 2)))
     axes.set_xlabel("mean square of what is left over the noise [1] (dashed: the noise itself)")
-
-
-def label(one, found: Diagnosis) -> str:
-    if found.formula is not None and one is found.best:
-        return "formula"
-    return " +\n".join(names(one)).replace("_", " ")
 
 
 def draw_proof(figure: SubFigure, found: Diagnosis) -> None:

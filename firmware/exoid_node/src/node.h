@@ -1,0 +1,99 @@
+/// The node's work: one sample per tick of the timer, three frames per sample, and the clock.
+
+#pragma once
+
+#include "estimator.h"
+
+namespace exoid {
+
+/// `Uplink` has `bool send(const Frame&)`, false where a frame was lost. `Clock` has `ticks()`,
+/// the ticks of the sampling timer since its start, and `age_us()`, the time since the last.
+template <class Encoder, class Imu, class Uplink, class Clock>
+class Node {
+ public:
+  Node(Encoder& encoder, Imu& imu, Uplink& uplink, const Clock& clock)
+      : encoder_(encoder), imu_(imu), uplink_(uplink), clock_(clock) {}
+
+  /// Does what is due. Call it as often as possible.
+  void run() {
+    const uint32_t now = clock_.ticks();
+    if (now != tick_) {
+      sample(now);
+    } else if (tick_ > 0 && tick_ - told_ >= TICKS_PER_TIME && clock_.age_us() >= TICK_US / 2) {
+      tell_time();
+    }
+  }
+
+  /// Starts the filter again at the next tick: whoever now begins to listen hears all of it.
+  void restart() { estimator_.restart(); }
+
+ private:
+  void sample(uint32_t now) {
+    const uint32_t missed = now - tick_ - 1;
+    tick_ = now;
+    missed_ += missed;
+    lossy_ = lossy_ || missed > 0;
+
+    Sample sample = {};
+    read_encoder(sample);
+    read_imu(sample);
+    const uint32_t age = clock_.age_us();
+
+    State state = estimator_.update(sample, missed);
+    state.counter = tick_ & 255U;
+    state.overrun = lossy_;
+    lossy_ = !uplink_.send(pack(state));
+    send_readings(sample, age);
+  }
+
+  void read_encoder(Sample& sample) {
+    EncoderReading reading = {};
+    sample.encoder_fault = !encoder_.read(reading);
+    sample.count = sample.encoder_fault ? ZERO_COUNT : mounted(reading.count);
+    sample.magnet_missing = reading.magnet_missing;
+    sample.magnet_strength = reading.magnet_strength;
+  }
+
+  void read_imu(Sample& sample) {
+    ImuReading reading = {};
+    sample.imu_fault = !imu_.read(reading);
+    for (uint8_t axis = 0; axis < 3; ++axis) {
+      sample.gyro[axis] = reading.gyro[axis];
+      sample.accel[axis] = reading.accel[axis];
+    }
+    // With x to the foot and z in extension, a positive rate about the chip's y is flexion.
+    sample.gyro[1] = -sample.gyro[1];
+  }
+
+  void send_readings(const Sample& sample, uint32_t age_us) {
+    const Raw raw = {static_cast<uint32_t>(sample.count), tick_ & 15U, sample.gyro[0],
+                     sample.gyro[1], sample.gyro[2]};
+    const Acc acc = {sample.accel[0], sample.accel[1], sample.accel[2], tick_ & 255U,
+                     age_us / AGE_STEP_US};
+    send(pack(raw));
+    send(pack(acc));
+  }
+
+  void tell_time() {
+    told_ = tick_;
+    const Time time = {tick_ * TICK_US, tick_ & 255U, missed_ & 255U, CONFIG_CRC};
+    send(pack(time));
+  }
+
+  void send(const Frame& frame) {
+    const bool sent = uplink_.send(frame);
+    lossy_ = lossy_ || !sent;
+  }
+
+  Encoder& encoder_;
+  Imu& imu_;
+  Uplink& uplink_;
+  const Clock& clock_;
+  Estimator estimator_;
+  uint32_t tick_ = 0;                     // of the last sample; 0 before the first
+  uint32_t told_ = 0U - TICKS_PER_TIME;  // tick of the last TIME
+  uint32_t missed_ = 0;
+  bool lossy_ = false;  // late, or a frame lost, since the last STATE that was sent
+};
+
+}  // namespace exoid

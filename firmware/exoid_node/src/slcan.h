@@ -1,0 +1,150 @@
+/// CAN frames as lines of text (Lawicel's protocol) for a host on a serial port.
+
+#pragma once
+
+#include <stddef.h>
+
+#include "frame.h"
+
+namespace exoid {
+
+/// Answers the commands C, O, S, V, N and F, is silent until the host opens the channel, and drops
+/// frames while the host does not read. Nothing here waits.
+class Slcan {
+ public:
+  /// Queues a frame. Returns false, and remembers for F, where there is no room for it; a frame
+  /// that nobody listens to is not lost.
+  bool send(const Frame& frame) {
+    if (!open_) return true;
+    if (SIZE - (head_ - tail_) < FRAME_LENGTH + RESERVE) {
+      dropped_ = true;
+      return false;
+    }
+    put('t');
+    put_digit(frame.id >> 8);
+    put_byte(static_cast<uint8_t>(frame.id));
+    put('8');
+    for (uint8_t byte : frame.data) put_byte(byte);
+    put(RETURN);
+    return true;
+  }
+
+  /// Takes one character from the host.
+  void receive(char character) {
+    if (character != RETURN) {
+      if (length_ < LINE) line_[length_] = character;
+      if (length_ <= LINE) ++length_;
+      return;
+    }
+    answer();
+    length_ = 0;
+  }
+
+  /// Whether the host has opened the channel since the last call.
+  bool opened() {
+    const bool opened = just_opened_;
+    just_opened_ = false;
+    return opened;
+  }
+
+  /// The bytes to send next, and how many lie there in one piece.
+  size_t pending(const uint8_t*& bytes) const {
+    const size_t from = tail_ % SIZE, queued = head_ - tail_;
+    bytes = ring_ + from;
+    return queued < SIZE - from ? queued : SIZE - from;
+  }
+
+  /// Takes away the first `count` bytes, which were sent.
+  void sent(size_t count) { tail_ += count; }
+
+ private:
+  static constexpr size_t SIZE = 1024;  // bytes; frames of 150 ms
+  static constexpr size_t FRAME_LENGTH = 22;
+  static constexpr size_t RESERVE = 32;  // for answers while frames have no room
+  static constexpr size_t LINE = 31;     // longest command
+  static constexpr char RETURN = '\r';
+  static constexpr char BELL = '\a';
+
+  void answer() {
+    switch (length_ == 0 ? RETURN : length_ > LINE ? BELL : line_[0]) {
+      case RETURN: return put(RETURN);
+      case 'C': return close();
+      case 'S': return put(open_ ? BELL : RETURN);
+      case 'O': return open();
+      case 'V': return put_text("V0101\r");
+      case 'N': return put_text("NEXO1\r");
+      case 'F': return put_flags();
+      default: return put(BELL);
+    }
+  }
+
+  void open() {
+    if (open_) return put(BELL);
+    just_opened_ = open_ = true;
+    put(RETURN);
+  }
+
+  void close() {
+    if (!open_) return put(BELL);
+    open_ = false;
+    forget_frames();
+    put(RETURN);
+  }
+
+  /// Drops what is queued, but for the rest of a line that is half sent.
+  void forget_frames() {
+    size_t end = tail_;
+    if (end > 0 && !ends_line(ring_[(end - 1) % SIZE])) {
+      while (end < head_ && !ends_line(ring_[end++ % SIZE])) {
+      }
+    }
+    head_ = end;
+  }
+
+  static bool ends_line(uint8_t byte) { return byte == RETURN || byte == BELL; }
+
+  void put_flags() {
+    put_text(dropped_ ? "F02\r" : "F00\r");  // bit 1: transmit queue full
+    dropped_ = false;
+  }
+
+  void put(char character) {
+    if (head_ - tail_ < SIZE) ring_[head_++ % SIZE] = static_cast<uint8_t>(character);
+  }
+
+  void put_text(const char* text) {
+    while (*text != '\0') put(*text++);
+  }
+
+  void put_digit(uint32_t value) {
+    const uint32_t digit = value & 15U;
+    put(static_cast<char>(digit < 10 ? '0' + digit : 'A' + digit - 10));
+  }
+
+  void put_byte(uint8_t byte) {
+    put_digit(byte >> 4U);
+    put_digit(byte);
+  }
+
+  uint8_t ring_[SIZE] = {};
+  size_t head_ = 0, tail_ = 0;  // bytes ever queued, ever sent
+  char line_[LINE] = {};
+  size_t length_ = 0;
+  bool open_ = false;
+  bool just_opened_ = false;
+  bool dropped_ = false;
+};
+
+/// Moves bytes between `slcan` and a port with the four functions of Arduino's serial ports.
+template <class Port>
+void exchange(Slcan& slcan, Port& port) {
+  while (port.available() > 0) slcan.receive(static_cast<char>(port.read()));
+  const int room = port.availableForWrite();
+  const uint8_t* bytes = nullptr;
+  const size_t pending = slcan.pending(bytes);
+  const size_t count = static_cast<int>(pending) < room ? pending : static_cast<size_t>(room);
+  // In one piece: every write is a packet on USB.
+  if (room > 0 && count > 0) slcan.sent(port.write(bytes, count));
+}
+
+}  // namespace exoid

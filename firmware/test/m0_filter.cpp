@@ -1,0 +1,10 @@
+// The filter on a Cortex-M0: from in.bin to out.bin in the folder of the emulator.
+
+#include "filter_run.h"
+#include "semihosting.h"
+
+int main() {
+  semihosting::File input("in.bin", 6, semihosting::READ_BINARY);
+  semihosting::File output("out.bin", 7, semihosting::WRITE_BINARY);
+  return exoid::run_filter(input, output) ? 0 : 1;
+}

@@ -1,0 +1,51 @@
+/// The registers of the SAMD21 that the sampling timer uses, as memory: names as in its headers.
+
+#pragma once
+
+#include <stdint.h>
+
+constexpr uint32_t VARIANT_MCK = 48000000;  // Hz
+
+struct Status {
+  struct {
+    bool SYNCBUSY;
+  } bit;
+};
+
+struct Control {
+  uint32_t reg;
+  struct {
+    bool SWRST;
+  } bit;
+};
+
+struct Register {
+  uint32_t reg;
+};
+
+struct GenericClock {
+  Register CLKCTRL;
+  Status STATUS;
+};
+
+struct TimerCounter {
+  struct {
+    Control CTRLA;
+    Status STATUS;
+    Register INTENSET, INTFLAG, CC[2];
+  } COUNT16;
+};
+
+enum Interrupt { TC3_IRQn = 18 };
+
+constexpr uint32_t GCLK_CLKCTRL_CLKEN = 1U << 14, GCLK_CLKCTRL_GEN_GCLK0 = 0;
+constexpr uint32_t GCLK_CLKCTRL_ID_TCC2_TC3 = 0x1B;
+constexpr uint32_t TC_CTRLA_SWRST = 1, TC_CTRLA_ENABLE = 2, TC_CTRLA_MODE_COUNT16 = 0;
+constexpr uint32_t TC_CTRLA_WAVEGEN_MFRQ = 1U << 5, TC_CTRLA_PRESCALER_DIV64 = 5U << 8;
+constexpr uint32_t TC_INTENSET_MC0 = 1U << 4, TC_INTFLAG_MC0 = 1U << 4;
+
+extern GenericClock* const GCLK;
+extern TimerCounter* const TC3;
+
+void NVIC_EnableIRQ(Interrupt number);
+uint32_t micros();

@@ -1,0 +1,177 @@
+// How the frames leave the node: on CAN, on USB, and when nobody takes them.
+
+#include <cstdlib>
+
+#include "constants.h"
+#include "world.h"
+
+namespace {
+
+using exoid::Frame;
+
+/// The frames of a text of slcan lines, all of which must be whole.
+std::vector<Frame> frames_in(const std::string& text) {
+  std::vector<Frame> found;
+  for (size_t at = 0; at < text.size();) {
+    const size_t end = text.find('\r', at);
+    check(end != std::string::npos, "every line ends");
+    const std::string line = text.substr(at, end - at);
+    at = end + 1;
+    if (line.empty()) continue;
+    check(line.size() == 21 && line[0] == 't' && line[4] == '8', "every line is a frame");
+    Frame frame = {static_cast<uint16_t>(std::strtoul(line.substr(1, 3).c_str(), nullptr, 16)), {}};
+    for (int byte = 0; byte < 8; ++byte) {
+      const std::string digits = line.substr(static_cast<size_t>(5 + 2 * byte), 2);
+      frame.data[byte] = static_cast<uint8_t>(std::strtoul(digits.c_str(), nullptr, 16));
+    }
+    found.push_back(frame);
+  }
+  return found;
+}
+
+/// What the node says to a command.
+std::string answer_to(const std::string& command) {
+  world.to_host.clear();
+  world.from_host = command;
+  run_ms(1);
+  return world.to_host;
+}
+
+/// A bare node whose channel a host has opened.
+void open_usb() {
+  world.has_controller = false;
+  power_on();
+  run_ms(302);
+  check(answer_to("C\rS6\r\rO\r") == "\a\r\r\r", "the channel opens as python-can opens it");
+  world.to_host.clear();
+}
+
+void check_in_order(const std::vector<Frame>& frames, uint32_t ticks) {
+  const std::vector<Frame> states = only(frames, exoid::STATE_ID);
+  check(states.size() >= ticks - 1 && states.size() <= ticks, "every tick has its frames");
+  uint16_t expected = frames.front().id == exoid::TIME_ID ? frames[1].id : frames.front().id;
+  for (const Frame& frame : frames) {
+    if (frame.id == exoid::TIME_ID) continue;
+    check(frame.id == expected, "STATE, RAW and ACC come in this order");
+    expected = expected == exoid::ACC_ID ? exoid::STATE_ID : static_cast<uint16_t>(expected + 1);
+  }
+  for (size_t at = 1; at < states.size(); ++at) {
+    const uint32_t step = field(states[at], 48, 8) - field(states[at - 1], 48, 8);
+    check((step & 255U) == 1, "no counter is left out");
+  }
+}
+
+void can_order() {
+  power_on();
+  run_ms(300);
+  world.on_bus.clear();
+  run_ms(3000);
+  check_in_order(world.on_bus, 300);
+  const std::vector<Frame> times = only(world.on_bus, exoid::TIME_ID);
+  check(times.size() == 30, "the clock comes ten times a second");
+  for (const Frame& time : times) {
+    const uint32_t tick = field(time, 0, 32) / exoid::TICK_US;
+    check((tick & 255U) == field(time, 32, 8), "clock and counter tell of the same tick");
+    check(field(time, 48, 16) == exoid::CONFIG_CRC, "the CRC is this configuration's");
+    check(field(time, 40, 8) == 0, "no tick was missed");
+  }
+  check(world.to_host.empty(), "USB is silent while frames go over CAN");
+}
+
+void time_half_a_period_off() {
+  power_on();
+  for (int pass = 0; pass < 500; ++pass) {
+    const size_t before = only(world.on_bus, exoid::TIME_ID).size();
+    run_ms(1);
+    if (only(world.on_bus, exoid::TIME_ID).size() == before) continue;
+    const uint64_t in_tick_us = world.now_us % exoid::TICK_US;
+    check(in_tick_us > 5000 && in_tick_us < 6500, "the clock is sent between the ticks");
+  }
+}
+
+void can_without_acknowledgement() {
+  power_on();
+  run_ms(300);
+  world.acknowledged = false;
+  run_ms(500);
+  const size_t before = world.on_bus.size();
+  world.acknowledged = true;
+  run_ms(500);
+  const std::vector<Frame> after(world.on_bus.begin() + static_cast<long>(before),
+                                 world.on_bus.end());
+  const std::vector<Frame> states = only(after, exoid::STATE_ID);
+  uint32_t overruns = 0, gaps = 0;
+  for (size_t at = 1; at < states.size(); ++at) {
+    const uint32_t step = field(states[at], 48, 8) - field(states[at - 1], 48, 8);
+    const bool jumps = (step & 255U) != 1;
+    check(!jumps || status(states[at], OVERRUN), "the first STATE after a gap tells of it");
+    overruns += status(states[at], OVERRUN);
+    gaps += jumps;
+  }
+  check(gaps == 1 && overruns >= 1 && overruns <= 3, "one gap, told once, then all is well");
+  check(!status(states.back(), OVERRUN), "the bit goes out again");
+}
+
+void slcan_fallback() {
+  world.has_controller = false;
+  power_on();
+  run_ms(302);
+  check(world.to_host.empty(), "the node is silent until a host opens the channel");
+  check(answer_to("V\r") == "V0101\r" && answer_to("N\r") == "NEXO1\r", "it says what it is");
+  check(answer_to("F\r") == "F00\r" && answer_to("\r") == "\r", "it says how it is");
+  check(answer_to("t1008\r") == "\a" && answer_to("x\r") == "\a", "it refuses what it cannot do");
+  check(answer_to(std::string(100, 'V') + "\r") == "\a", "an endless command does no harm");
+  check(answer_to("C\rS6\r\rO\rO\r") == "\a\r\r\r\a", "a host opens the channel once");
+  world.to_host.clear();
+  run_ms(3000);
+  const std::vector<Frame> frames = frames_in(world.to_host);
+  check_in_order(frames, 300);
+  check(status(frames.front(), FILTER_RESET), "who begins to listen hears the filter's start");
+  check(answer_to("C\r") == "\r", "the channel closes");
+  run_ms(100);
+  check(world.to_host == "\r", "and is silent then");
+}
+
+void host_that_does_not_read() {
+  open_usb();
+  run_ms(500);
+  world.host_reads = false;
+  run_ms(2000);
+  world.host_reads = true;
+  run_ms(500);
+  const std::vector<Frame> states = only(frames_in(world.to_host), exoid::STATE_ID);
+  uint32_t overruns = 0;
+  for (const Frame& state : states) overruns += status(state, OVERRUN);
+  check(overruns >= 2 && !status(states.back(), OVERRUN), "late ticks and lost frames are told");
+  const std::vector<Frame> times = only(frames_in(world.to_host), exoid::TIME_ID);
+  check(field(times.back(), 40, 8) == 6, "the ticks of 70 ms that USB took are counted as missed");
+  check(answer_to("F\r").find("F02\r") != std::string::npos, "the host can ask for the loss");
+}
+
+void host_that_comes_back() {
+  open_usb();
+  run_ms(100);
+  world.plugged = false;
+  run_ms(5000);
+  world.plugged = true;
+  world.to_host.clear();
+  world.from_host = "C\rS6\r\rO\r";
+  run_ms(200);
+  const std::string text = world.to_host.substr(world.to_host.rfind("\r\r\r") + 3);
+  const std::vector<Frame> frames = frames_in(text);
+  check_in_order(frames, 20);
+  check(status(only(frames, exoid::STATE_ID).front(), FILTER_RESET), "a new recording begins anew");
+}
+
+}  // namespace
+
+std::vector<Scenario> uplink_scenarios() {
+  return {
+      {"can_order", can_order},
+      {"time_half_a_period_off", time_half_a_period_off},
+      {"can_without_acknowledgement", can_without_acknowledgement},
+      {"slcan_fallback", slcan_fallback},
+      {"host_that_does_not_read", host_that_does_not_read},
+      {"host_that_comes_back", host_that_comes_back},
+  };
+}

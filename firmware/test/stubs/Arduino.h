@@ -1,0 +1,43 @@
+/// What the sketch uses of Arduino, on a machine that simulates the board: see world.h.
+
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(ARDUINO)
+// The words that the real header takes away. Without effect, so that their use does not compile.
+#define word(...)
+#define bit(...)
+#define min(...)
+#define max(...)
+#define abs(...)
+#define round(...)
+#define radians(...)
+#define degrees(...)
+#define constrain(...)
+#endif
+
+constexpr uint8_t LOW = 0, HIGH = 1;
+constexpr uint8_t INPUT = 0, OUTPUT = 1, INPUT_PULLUP = 2;
+constexpr uint8_t PIN_WIRE_SDA = 18, PIN_WIRE_SCL = 19;
+
+void pinMode(uint8_t pin, uint8_t mode);
+void digitalWrite(uint8_t pin, uint8_t level);
+int digitalRead(uint8_t pin);
+void delayMicroseconds(uint32_t time);
+
+/// The serial port on USB. Like the board's, it always claims room for a packet.
+class UsbSerial {
+ public:
+  void begin(uint32_t) {}
+  int available();
+  int read();
+  int availableForWrite() { return 63; }
+  size_t write(const uint8_t* bytes, size_t count);
+};
+
+extern UsbSerial Serial;
+
+void setup();
+void loop();

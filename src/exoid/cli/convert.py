@@ -1,0 +1,49 @@
+"""exoid convert: from any recording to exoid's table."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from exoid.cli.destination import check_absent, check_apart, check_destination
+from exoid.cli.reading import read
+from exoid.cli.waiting import patiently
+
+
+def convert(
+    recording: Annotated[Path, typer.Argument(help="A CAN log or a table.")],
+    output: Annotated[
+        Path, typer.Option("--output", "-o", help="Table to write (.csv); a sidecar joins it.")
+    ],
+    whole: Annotated[
+        bool, typer.Option("--whole", help="One continuous segment, nothing between left out.")
+    ] = False,
+    dbc: Annotated[Path | None, typer.Option(help="Your own DBC, with --signal.")] = None,
+    signal: Annotated[
+        list[str] | None,
+        typer.Option(help="CHANNEL=MESSAGE.SIGNAL; repeat.", metavar="MAP"),
+    ] = None,
+    strict: Annotated[
+        bool, typer.Option("--strict", help="Any loss in a log is an error.")
+    ] = False,
+    force: Annotated[bool, typer.Option("--force", help="Replace what is there.")] = False,
+) -> None:
+    """Write a recording as exoid's table (.csv) with its sidecar (.toml).
+
+    The segments are those that `exoid fit` would see: drops and cycles, without what lies between.
+
+    \b
+    Examples:
+      exoid convert session.blf -o drops.csv
+      exoid convert session.blf -o all.csv --whole
+      exoid convert log.asc -o knee.csv --dbc my.dbc --signal raw_angle=Knee.Angle
+    """
+    sidecar = output.with_suffix(".toml")
+    check_destination(output, ("csv",))
+    check_apart([output, sidecar], [recording])
+    check_absent((output, sidecar), force)
+    loaded = read(recording, dbc, signal, strict, whole=whole)
+    from exoid.recording.table import write_table
+
+    patiently(lambda: write_table(loaded, output), f"writing {output.name}")
+    typer.echo(f"{output}: {len(loaded.segments)} segments, and {sidecar}")

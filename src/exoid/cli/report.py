@@ -1,0 +1,93 @@
+"""exoid report: everything about a recording on one page."""
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from exoid.cli.analysis import ask, compute
+from exoid.cli.body import BodyMass, Height, given_body
+from exoid.cli.destination import check_apart, check_destination
+from exoid.cli.diagnose import diagnosed, own_terms
+from exoid.cli.fit import EXAMPLE
+from exoid.cli.origin import inputs, origin_of
+from exoid.cli.page import PAGES, planned, sources_of, write_report
+from exoid.cli.reading import take
+from exoid.cli.waiting import in_phases, patiently
+
+
+def report(
+    recordings: Annotated[
+        list[Path] | None,
+        typer.Argument(
+            help="Tables or CAN logs of one leg, analysed together. Without one, the example."
+        ),
+    ] = None,
+    output: Annotated[
+        Path, typer.Option("--output", "-o", help="Page to write (.html).", metavar="FILE")
+    ] = Path("report.html"),
+    body_mass: BodyMass = None,
+    height: Height = None,
+    multistart: Annotated[int, typer.Option(min=1, max=100_000, help="Number of starts.")] = 64,
+    seed: Annotated[int, typer.Option(min=0, help="Of the starts; same seed, same result.")] = 0,
+    terms: Annotated[
+        str | None,
+        typer.Option(help="Your own terms, as in exoid diagnose.", metavar="MODULE"),
+    ] = None,
+    diagnosis: Annotated[
+        bool, typer.Option("--diagnosis/--no-diagnosis", help="Look for missing physics.")
+    ] = True,
+    dbc: Annotated[Path | None, typer.Option(help="Your own DBC, with --signal.")] = None,
+    signal: Annotated[
+        list[str] | None,
+        typer.Option(help="CHANNEL=MESSAGE.SIGNAL; repeat.", metavar="MAP"),
+    ] = None,
+) -> None:
+    """Fit and diagnose a leg and write one page about it, to look at, print and pass on.
+
+    The page holds its figures, and needs no network.
+
+    \b
+    Examples:
+      exoid report                                   the example that comes with exoid
+      exoid report drop.csv -o drop.html             one recording
+      exoid report bare.blf loaded.blf -o leg.html   two recordings of one leg, together
+      exoid report drop.csv --no-diagnosis           the fit alone, in seconds
+    """
+    paths = recordings or [EXAMPLE]
+    check_destination(output, PAGES)
+    check_apart([output], paths)
+    body = given_body(body_mass=body_mass, height=height)
+    if terms is not None and not diagnosis:
+        raise ValueError("--terms are causes for the diagnosis: leave out --no-diagnosis.")
+    own = own_terms(terms) if terms is not None else ()
+    if not recordings:
+        typer.echo("No recording given: this is the example that comes with exoid.")
+    taken = [take(path, dbc, signal, False) for path in paths]
+    named = [
+        (path.name, replace(one.recording, subject=replace(one.recording.subject, **body)))
+        for path, one in zip(paths, taken, strict=True)
+    ]
+    options = {"multistart": multistart, "seed": seed}
+    tested = own if diagnosis else None
+    result, found = in_phases(lambda told: analysed(named, options, tested, told))
+    script = Path(terms) if terms is not None else None
+    settings = {**options, "terms": terms, "diagnosis": diagnosis, **body, "signal": signal}
+    origin = origin_of(inputs(paths, dbc, script), settings)
+    sources = sources_of(taken, named)
+    patiently(lambda: write_report(output, sources, result, origin, **found), "writing the page")
+    typer.echo(f"wrote {output}", err=True)
+
+
+def analysed(named, options: dict, own, told):
+    """The fit, and what else was found; `own` terms are None where no diagnosis is wanted."""
+    told(f"fitting {options['multistart']} starts")
+    result = compute(named, False, options)
+    told("asking what the recording told")
+    found: dict[str, Any] = {"told": ask(result)}
+    if own is not None:
+        found["diagnosis"] = diagnosed(named, own, options["seed"], told)
+        told("planning what to record next")
+        found["plan"] = planned(result, named[0][1].subject)
+    return result, found

@@ -1,0 +1,25 @@
+"""Ctrl-C as a wish: what runs ends by itself, with everything in order."""
+
+import signal
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+SIGNALS = ("SIGINT", "SIGTERM", "SIGHUP")  # Windows lacks the last
+
+
+@contextmanager
+def stoppable() -> Iterator[Callable[[], bool]]:
+    """A function that says whether to stop. A second Ctrl-C interrupts at once."""
+    wished = []
+
+    def wish(number: int, _frame) -> None:
+        wished.append(number)
+        signal.signal(number, before[number])
+
+    numbers = [getattr(signal, name) for name in SIGNALS if hasattr(signal, name)]
+    before = {number: signal.signal(number, wish) for number in numbers}
+    try:
+        yield lambda: bool(wished)
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)

@@ -1,0 +1,108 @@
+"""The pendulum test: every passive drop of one leg with its measures, and their averages."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from exoid.recording.condition import classify
+from exoid.recording.noise import angle_noise
+from exoid.recording.pendulum.catalogue import MEASURES, measures
+from exoid.recording.pendulum.landmarks import find_landmarks
+from exoid.recording.pendulum.measure import Measure, NotAllowed
+from exoid.recording.pendulum.swing import Curve
+from exoid.recording.pendulum.track import track_of
+from exoid.recording.recording import Recording, Segment
+
+REFUSED = {
+    "active": "a voluntary movement: only a relaxed leg that was let go is read",
+    "measured": "driven by a torque: only a leg that was let go is read",
+    None: "no drop: it does not end lower than it begins",
+}
+
+
+@dataclass(frozen=True, eq=False)
+class Drop:
+    """A segment with what could be read off it; without measures where it is refused whole."""
+
+    name: str  # of the recording, where there are several, and the segment's number in it
+    segment: Segment
+    added_mass: float  # kg
+    measures: dict[str, Measure]
+    curve: Curve | None  # None where it is refused whole
+    reason: str | None = None
+
+
+@dataclass(frozen=True)
+class Average:
+    """The mean over drops, and their scatter."""
+
+    name: str
+    title: str
+    symbol: str
+    unit: str
+    mean: float
+    standard_deviation: float | None  # None of a single drop
+    drops: tuple[str, ...]  # that it was read off
+
+
+@dataclass(frozen=True, eq=False)
+class PendulumTest:
+    """The drops of one leg. `average` is over those with the least added mass."""
+
+    drops: list[Drop]
+    average: dict[str, Average]
+    left_out: list[str]  # drops with another added mass
+
+
+def measure_drops(recordings: list[tuple[str, Recording]] | Recording) -> PendulumTest:
+    """Read the pendulum-test measures off every passive segment, and average them.
+
+    `recordings` are (name, recording) pairs, or one recording; all are of one leg. The definitions
+    are in `exoid.recording.pendulum.definitions`. What a recording does not allow has no value, and
+    a reason. Nothing here is a diagnosis.
+    """
+    named = [("", recordings)] if isinstance(recordings, Recording) else recordings
+    drops = [
+        drop(recording, number, f"{name} {number}" if len(named) > 1 else str(number))
+        for name, recording in named
+        for number in range(len(recording.segments))
+    ]
+    seen = [each for each in drops if each.reason is None]
+    least = min((each.added_mass for each in seen), default=0.0)
+    alike = [each for each in seen if each.added_mass == least]
+    left_out = [each.name for each in seen if each.added_mass != least]
+    return PendulumTest(drops, averages(alike), left_out)
+
+
+def drop(recording: Recording, number: int, name: str) -> Drop:
+    """One segment, read as far as it allows."""
+    segment, mass = recording.segments[number], recording.added_mass(number)
+    kind = recording.kind(number) or classify(segment)
+    try:
+        if kind != "passive":
+            raise NotAllowed(REFUSED[kind])
+        angle = segment.angle if segment.raw_angle is None else segment.raw_angle
+        assert angle is not None  # a Segment has one or the other
+        found = find_landmarks(track_of(segment, angle_noise(recording.sensors, angle)))
+    except NotAllowed as why:
+        return Drop(name, segment, mass, {}, None, str(why))
+    return Drop(name, segment, mass, measures(found), found.curve)
+
+
+def averages(drops: list[Drop]) -> dict[str, Average]:
+    """Of every measure that at least one drop allows."""
+    found = {}
+    for name, declared in MEASURES.items():
+        read = [each for each in drops if each.measures[name].value is not None]
+        if read:
+            values = np.array([each.measures[name].value for each in read], dtype=float)
+            found[name] = Average(
+                name,
+                declared.title,
+                declared.symbol,
+                declared.unit,
+                float(values.mean()),
+                float(values.std(ddof=1)) if values.size > 1 else None,
+                tuple(each.name for each in read),
+            )
+    return found

@@ -1,0 +1,136 @@
+"""The places of a drop that its measures are read from, each found or refused with the reason."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TypeVar
+
+import numpy as np
+
+from exoid.recording.pendulum.measure import NotAllowed
+from exoid.recording.pendulum.release import Release, find_release
+from exoid.recording.pendulum.rest import Rest, find_rest
+from exoid.recording.pendulum.swing import Curve, back, curve, turns
+from exoid.recording.pendulum.track import HALF, Peak, Track, local, peak
+
+SHARE = 0.6  # of its greatest acceleration with which a leg that is let go falls at first
+SURE = 3.0  # standard errors
+
+Found = TypeVar("Found")
+
+
+@dataclass(frozen=True, eq=False)
+class Landmarks:
+    """Release, turning points and rest of one drop."""
+
+    track: Track
+    curve: Curve
+    turns: list[Peak]  # flexion and extension in turn
+    released: Release | NotAllowed
+    rested: Rest | NotAllowed
+    held: NotAllowed | None  # why it did not fall freely at first
+
+    @property
+    def release(self) -> Release:
+        """The release; refused where there is none, or a hand was still on the leg."""
+        self.check_fall()
+        return given(self.released)
+
+    def check_fall(self) -> None:
+        """Refuse what the first swing tells, where it was not a free fall."""
+        if self.held is not None:
+            raise self.held
+
+    @property
+    def rest(self) -> Rest:
+        return given(self.rested)
+
+    def flexion(self, number: int) -> Peak:
+        """The peak of the number-th flexion, from 1."""
+        return self.turn(2 * number - 2, f"{ordinal(number)} flexion")
+
+    def extension(self, number: int) -> Peak:
+        """The peak of the number-th extension, from 1; of number 0 the start of the fall."""
+        if number == 0:
+            return self.release.start
+        return self.turn(2 * number - 1, f"{ordinal(number)} extension")
+
+    def turn(self, number: int, what: str) -> Peak:
+        if number >= len(self.turns):
+            raise NotAllowed(
+                f"too few swings: there is no peak of the {what}, with a swing back of "
+                f"{np.degrees(back(self.track)):.2g} deg after it"
+            )
+        return self.turns[number]
+
+    def steepest(self, order: int, sign: int, begin: float, end: float) -> Peak:
+        """Where a derivative is greatest (sign 1) or least (-1) between two times."""
+        values = (self.curve.velocity, self.curve.acceleration)[order - 1]
+        inside = np.flatnonzero((self.curve.time >= begin) & (self.curve.time <= end))
+        if not inside.size:
+            raise NotAllowed("that part of the swing was not recorded")
+        at = int(inside[np.argmax(sign * values[inside])])
+        near = int(np.argmin(np.abs(self.track.time - self.curve.time[at])))
+        return peak(self.track, near, order, float(self.curve.time[0]))
+
+
+def find_landmarks(track: Track) -> Landmarks:
+    """Everything that can be found on a drop."""
+    released = attempt(lambda: find_release(track))
+    free = None if isinstance(released, NotAllowed) else released
+    begin = float(track.time[0]) if free is None else free.start.time
+    found = turns(track, begin)
+    start = float(track.angle[0]) if free is None else free.start.value
+    if found and found[0].value > start:
+        raise NotAllowed(f"no drop: it first swings towards extension, up to {found[0].time:.2f} s")
+    return Landmarks(
+        track,
+        curve(track, free),
+        found,
+        released,
+        attempt(lambda: find_rest(track, found if free is None else [free.start, *found])),
+        None if free is None else held(track, free, found),
+    )
+
+
+def held(track: Track, release: Release, found: list[Peak]) -> NotAllowed | None:
+    """Why a fall is not taken for a free one.
+
+    Gravity pulls most at the release, the leg being nearest to the horizontal there, and damping
+    and stiffness only grow from then on. So a leg that accelerates far more later than just after
+    it began to move was held back by something that then let go.
+    """
+    begin = release.start.time
+    end = (found[0].time if found else float(track.time[-1])) - HALF
+    rows = np.flatnonzero((track.time > begin + HALF) & (track.time < end))
+    if not rows.size:
+        return None
+    early = local(track, begin + HALF, begin).derivative(2)
+    each = [local(track, float(track.time[row]), begin).derivative(2) for row in rows]
+    late = min(each)
+    if early[0] - SURE * early[1] < SHARE * (late[0] + SURE * late[1]):
+        return None
+    after = float(track.time[rows[each.index(late)]]) - begin
+    return NotAllowed(
+        f"no free fall: {after:.2f} s after it began to move the leg accelerates by "
+        f"{np.degrees(-late[0]):.0f} deg/s^2, just after the beginning by "
+        f"{np.degrees(-early[0]):.0f}. A hand was still on it, a muscle held it, or the thigh gave "
+        "way. Let go at once, without a push"
+    )
+
+
+def attempt(find: Callable[[], Found]) -> Found | NotAllowed:
+    """What was found, or why it was not."""
+    try:
+        return find()
+    except NotAllowed as why:
+        return why
+
+
+def given(found: Found | NotAllowed) -> Found:
+    if isinstance(found, NotAllowed):
+        raise found
+    return found
+
+
+def ordinal(number: int) -> str:
+    return {1: "first", 2: "second", 3: "third", 4: "fourth"}.get(number, f"{number}th")

@@ -1,0 +1,117 @@
+"""How a leg was let go: when, from which angle, and whether nothing held it any more.
+
+Held still until t0, it then falls from rest:
+
+    phi = phi_s + a x^2 + b x^3 + c x^4 + e x^5,   x = t - t0.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from exoid.recording.condition import MOTION_SPEED, REST_SPEED, SMOOTHING, local_line
+from exoid.recording.pendulum.measure import NotAllowed
+from exoid.recording.pendulum.track import HALF, Peak, Track, local, nearest
+from exoid.recording.recording import Samples
+
+FALL = 0.35  # s of the fall that are followed: to 1 in 100 of its first acceleration
+LATE = 0.025  # s by which the first sample may come after the release
+STEP = 0.001  # s between the tried times of release
+POWERS = np.array([0, 2, 3, 4, 5])
+FEWEST = 8  # samples of the fall
+
+Table = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Release:
+    """The start of a fall. `fall` holds phi_s, a, b, c and e, with x in units of FALL."""
+
+    start: Peak  # s, rad
+    fall: Samples
+    covariance: Table  # of `fall`, with that of t0 behind it
+
+    def derivative(self, order: int, after: float) -> tuple[float, float]:
+        """d^order phi / dt^order `after` s into the fall, and its standard error."""
+        row = fall_row(after / FALL, order) / FALL**order
+        error = np.sqrt(row @ self.covariance[:-1, :-1] @ row)
+        return float(row @ self.fall), float(error)
+
+    def steepest(self) -> tuple[float, float, float]:
+        """Where its first part accelerates most towards flexion: s after t0, rad/s^2, error."""
+        tried = np.linspace(0.0, HALF, 11).tolist()
+        after = min(tried, key=lambda each: self.derivative(2, each)[0])
+        return after, *self.derivative(2, after)
+
+
+def find_release(track: Track) -> Release:
+    """The release of a drop.
+
+    **Raises** `NotAllowed` where the leg never falls, or the recording begins after its release.
+    """
+    begin, lowest = about(track)
+    tried = begin + np.arange(max(-0.03, lowest - begin), 0.06, STEP)
+    misfits = [misfit(track, each) for each in tried.tolist()]
+    best = float(tried[int(np.argmin(misfits))])
+    step = refined(track, best)[1]
+    return refined(track, best + float(np.clip(step, -STEP, STEP)))[0]
+
+
+def about(track: Track) -> tuple[float, float]:
+    """Near which time it was let go, and before which it was not [s]."""
+    speed = local_line(track.time, track.angle, SMOOTHING)[1]
+    falling = np.flatnonzero(speed < -MOTION_SPEED)
+    if not falling.size:
+        raise NotAllowed(
+            f"no fall: the knee never flexes faster than {np.degrees(MOTION_SPEED):.0f} deg/s"
+        )
+    still = np.flatnonzero(np.abs(speed[: falling[0]]) < REST_SPEED)
+    first = float(track.time[0])
+    if still.size:
+        return float(track.time[still[-1]]), first
+    begun, _ = local(track, first).derivative(1)
+    if abs(begun) > MOTION_SPEED:
+        raise NotAllowed(
+            f"begins in motion, at {abs(np.degrees(begun)):.0f} deg/s: the release was not "
+            "recorded. Hold the leg still for a second before you let go"
+        )
+    return first, first - LATE
+
+
+def fall_row(x: Samples | float, order: int = 0) -> Samples:
+    """A derivative of 1, x^2, x^3, x^4 and x^5."""
+    powers, factors = POWERS, np.ones(POWERS.size)
+    for _ in range(order):
+        factors, powers = factors * powers, np.maximum(powers - 1, 0)
+    return factors * np.asarray(x, dtype=float)[..., None] ** powers
+
+
+def followed(track: Track, begin: float) -> tuple[Samples, Samples]:
+    """x and angle from a little before the release to the end of what is followed."""
+    inside = (track.time > begin - FALL) & (track.time < begin + FALL)
+    if np.count_nonzero(inside & (track.time >= begin)) < FEWEST:
+        raise NotAllowed(f"cut during the fall: fewer than {FEWEST} samples follow the release")
+    return np.maximum(track.time[inside] - begin, 0) / FALL, track.angle[inside]
+
+
+def misfit(track: Track, begin: float) -> float:
+    """The sum of squares for a release at `begin`."""
+    x, angle = followed(track, begin)
+    table = fall_row(x)
+    left = angle - table @ np.linalg.lstsq(table, angle, rcond=None)[0]
+    return float(left @ left)
+
+
+def refined(track: Track, begin: float) -> tuple[Release, float]:
+    """The fall from `begin`, and by how much later [s] a release would fit it best."""
+    x, angle = followed(track, begin)
+    table = fall_row(x)
+    fall = np.asarray(np.linalg.lstsq(table, angle, rcond=None)[0], dtype=float)
+    columns = np.column_stack([table, -(fall_row(x, 1) @ fall) / FALL])  # d phi / d t0
+    inverse = np.linalg.pinv(columns)
+    covariance = track.noise**2 * inverse @ inverse.T
+    errors = np.sqrt(np.diag(covariance))
+    at = nearest(track, begin)
+    start = Peak(at, begin, float(errors[-1]), float(fall[0]), float(errors[0]))
+    return Release(start, fall, covariance), float((inverse @ (angle - table @ fall))[-1])

@@ -1,0 +1,69 @@
+"""The swings of a drop: where the leg turned around, and how fast it moved and accelerated."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from exoid.recording.pendulum.release import Release
+from exoid.recording.pendulum.track import HALF, Peak, Track, local, peak
+from exoid.recording.recording import Samples
+
+SMALLEST = np.radians(1.0)  # rad, of a swing that counts as one
+CLEAR = 6.0  # times the noise that it must be
+
+
+@dataclass(frozen=True, eq=False)
+class Curve:
+    """Angle, angular velocity and acceleration from the release to the end."""
+
+    time: Samples  # s
+    angle: Samples  # rad
+    velocity: Samples  # rad/s
+    acceleration: Samples  # rad/s^2
+
+
+def turns(track: Track, begin: float) -> list[Peak]:
+    """The turning points after `begin` [s], flexion and extension in turn.
+
+    One counts once the leg has swung back from it by a degree. The first may be an extension,
+    where the leg did not fall at first.
+    """
+    first = int(np.searchsorted(track.time, begin))
+    return [peak(track, first + at, 0, begin) for at in reversals(track.angle[first:], back(track))]
+
+
+def back(track: Track) -> float:
+    """By how much a leg must swing back [rad]."""
+    return max(SMALLEST, CLEAR * track.noise)
+
+
+def reversals(angle: Samples, least: float) -> list[int]:
+    """Where a sequence turns around by at least `least`: the extremes between such turns."""
+    found: list[int] = []
+    low = high = 0
+    falling: bool | None = None
+    for at, value in enumerate(angle.tolist()):
+        low, high = (at if value < angle[low] else low), (at if value > angle[high] else high)
+        if falling is not False and value - angle[low] >= least:
+            if falling:
+                found.append(low)
+            falling, high = False, at
+        elif falling is not True and angle[high] - value >= least:
+            if falling is False:
+                found.append(high)
+            falling, low = True, at
+    return found
+
+
+def curve(track: Track, release: Release | None) -> Curve:
+    """The drop and its derivatives; right after a release, those of the fall from rest."""
+    begin = track.time[0] if release is None else release.start.time
+    time = track.time[track.time >= begin]
+    rows = [local(track, each, begin) for each in time.tolist()]
+    orders = [np.array([row.derivative(order)[0] for row in rows]) for order in range(3)]
+    if release is not None:
+        fresh = np.flatnonzero(time < begin + HALF)
+        for order, values in enumerate(orders):
+            after = time[fresh] - begin
+            values[fresh] = [release.derivative(order, each)[0] for each in after.tolist()]
+    return Curve(time, *orders)

@@ -1,0 +1,44 @@
+"""All that a report is made of: what was read, what was found in it, and how to do it again."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from exoid.diagnose.diagnosis import Diagnosis
+from exoid.diagnose.identifiability import Identifiability
+from exoid.diagnose.plan import Plan
+from exoid.fit.result import FitResult
+from exoid.recording.can_quality import LogQuality
+from exoid.recording.recording import Recording
+
+
+@dataclass(frozen=True, eq=False)
+class Source:
+    """A recording as it was analysed, and what its reader noticed."""
+
+    name: str
+    recording: Recording
+    notes: tuple[str, ...] = ()
+    quality: LogQuality | None = None  # of a CAN log
+
+
+@dataclass(frozen=True)
+class Origin:
+    """How a result came about, so that it can be made again."""
+
+    command: str
+    made: str  # date and time with their zone
+    settings: Mapping[str, str]
+    versions: Mapping[str, str]  # of exoid and of what it computed with
+    files: Mapping[str, str]  # path: SHA-256
+
+
+@dataclass(frozen=True, eq=False)
+class Case:
+    """One leg, or rig, as a report tells of it; None where that was not asked."""
+
+    sources: tuple[Source, ...]
+    fit: FitResult
+    origin: Origin
+    told: Identifiability | None = None
+    diagnosis: Diagnosis | None = None
+    plan: Plan | None = None

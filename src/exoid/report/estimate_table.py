@@ -1,0 +1,62 @@
+"""Estimates as a table of one row each, for a file: NaN and an empty text stand for None."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from exoid.fit.result import Estimate
+from exoid.fit.uncertainty import Shares
+
+Table = Any  # an xarray.Dataset; to import xarray here would slow the start of every fit
+Groups = Mapping[str, Table]
+
+TEXTS = ("symbol", "title", "unit", "reason")
+NUMBERS = ("value", "standard_error", "expected", "expected_deviation", "lower", "upper")
+SHARES = ("data", "prior", "bound")
+
+
+def to_table(estimates: Mapping[str, Estimate]) -> Table:
+    """Rows by name."""
+    import xarray
+
+    each = list(estimates.values())
+    columns = {name: texts([getattr(one, name) for one in each]) for name in TEXTS}
+    columns |= {name: numbers([getattr(one, name) for one in each]) for name in NUMBERS}
+    columns |= {
+        f"share_{name}": numbers([one.shares and getattr(one.shares, name) for one in each])
+        for name in SHARES
+    }
+    return xarray.Dataset(
+        {name: ("name", column) for name, column in columns.items()},
+        coords={"name": texts(list(estimates))},
+    )
+
+
+def from_table(table: Table) -> dict[str, Estimate]:
+    """What `to_table` was given."""
+    columns = {str(name): table[name].values.tolist() for name in table.variables}
+    found = {}
+    for row, name in enumerate(columns["name"]):
+        shares = [columns[f"share_{part}"][row] for part in SHARES]
+        values: dict[str, Any] = {key: known(columns[key][row]) for key in NUMBERS}
+        values |= {key: columns[key][row] for key in TEXTS}
+        values["shares"] = None if np.isnan(shares[0]) else Shares(*shares)
+        values["reason"] = values["reason"] or None
+        found[name] = Estimate(**values)
+    return found
+
+
+def numbers(values) -> np.ndarray:
+    """None as NaN."""
+    return np.array([np.nan if value is None else value for value in values], dtype=float)
+
+
+def texts(values) -> np.ndarray:
+    """None as an empty text."""
+    return np.array(["" if value is None else value for value in values], dtype=object)
+
+
+def known(value: float) -> float | None:
+    """NaN as None."""
+    return None if np.isnan(value) else value

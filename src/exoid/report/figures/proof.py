@@ -1,0 +1,59 @@
+"""Held-out segments as they were predicted, without and with what was found."""
+
+from typing import Any
+
+import numpy as np
+
+from exoid.diagnose.diagnosis import Diagnosis
+from exoid.diagnose.proof import Prediction, Proof
+from exoid.report.figures.figure import Figure
+from exoid.report.figures.style import (
+    BAND,
+    RESIDUAL_LINE,
+    blank,
+    curve,
+)
+from exoid.report.plot_diagnosis import AFTER, BEFORE
+from exoid.report.text import in_degrees
+
+HEIGHT = 280  # pixels
+AFTER_LINE = {"color": AFTER["color"], "width": 1.8, "dash": "6px,3px"}
+
+
+def draw_proof(found: Diagnosis, number: int) -> Figure:
+    """Predicted - measured angle [deg] of one segment, of which the fit saw nothing."""
+    seen, time = found.bench.seen, np.asarray(found.bench.seen.time[number])
+    drawing = blank(HEIGHT, hovermode="x unified")
+    noise = 2 * float(np.degrees(found.proof.noise_floor))
+    drawing.add_hrect(-noise, noise, **BAND)
+    both = predictions(found.proof)
+    for name, one, line in both:
+        held_out = one.counted[number]
+        left = np.degrees(np.asarray(one.shown[number, :, 0] - seen.angle[number]))[held_out]
+        look = {"name": name, "line": line, "hovertemplate": "%{y:.3f} deg"}
+        curve(drawing, time[held_out], left, **look)
+    drawing.update_xaxes(title_text="time [s]", hoverformat=".2f")
+    drawing.update_yaxes(title_text="predicted - measured [deg]")
+    segment = found.location.missing[number].segment
+    said = " and ".join(
+        f"{in_degrees(float(one.rmse[number]))} deg {name.partition(',')[0]}"
+        for name, one, _ in both
+    )
+    return Figure(
+        f"proof-{number}",
+        f"Predicted minus measured angle of held-out segment {segment} in deg over time in s: an "
+        f"RMSE of {said}.",
+        f"Segment {segment}: RMSE {said}. Grey band: twice the noise of the sensor.",
+        drawing,
+        "whole",
+    )
+
+
+def predictions(shown: Proof) -> list[tuple[str, Prediction, dict[str, Any]]]:
+    """Names, predictions and lines: one where nothing was added to the model."""
+    if shown.after is shown.before:
+        return [("held out", shown.before, RESIDUAL_LINE)]
+    return [
+        (BEFORE["label"], shown.before, RESIDUAL_LINE),
+        (AFTER["label"], shown.after, AFTER_LINE),
+    ]

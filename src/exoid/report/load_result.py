@@ -1,0 +1,146 @@
+"""A fit back from its file, number for number."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+
+from exoid.diagnose.directions import Direction
+from exoid.diagnose.identifiability import Identifiability
+from exoid.diagnose.reversal import Reversal
+from exoid.fit.disturbance import Disturbance
+from exoid.fit.result import FitResult, MountingFit, MultistartReport, SegmentFit
+from exoid.report.estimate_table import Groups, Table, from_table, known
+from exoid.report.save_result import SAMPLES, SEGMENT
+from exoid.report.saved_result import FORMAT, FORMAT_VERSION, SavedResult
+
+MOUNTED = ("added_mass_distance", "zero", "gyro_scale", "gyro_bias")
+
+
+def load_result(path: str | Path) -> SavedResult:
+    """What `save_result` or `exoid fit --save` wrote.
+
+    **Raises** `ValueError` (one line) where the file is another one, or not whole; `OSError` where
+    there is none.
+    """
+    path = Path(path)
+    if path.is_dir():
+        raise ValueError(f"{path}: this is a directory. Name the file in it.")
+    with path.open("rb"):  # a missing or locked file is not a damaged one
+        pass
+    try:
+        return restored(read(path))
+    except WrongFile as fault:
+        raise ValueError(f"{path}: {fault}") from fault
+    except Exception as fault:  # whatever a file may raise that is cut off or of another kind
+        raise ValueError(
+            f"{path}: this is no result of 'exoid fit --save', or it is not whole. Save it again."
+        ) from fault
+
+
+class WrongFile(ValueError):
+    """A netCDF file that holds something else."""
+
+
+def read(path: Path) -> Groups:
+    """The groups of the file, in memory; nothing is scaled, masked or turned into dates."""
+    import xarray
+
+    with xarray.open_datatree(path, engine="h5netcdf", decode_cf=False) as tree:
+        groups = {node.name or "/": node.to_dataset(inherit=False).load() for node in tree.subtree}
+    about = groups["/"].attrs
+    if about.get("format") != FORMAT:
+        raise WrongFile("this netCDF file is no result of 'exoid fit --save'. Name another.")
+    if about["format_version"] != FORMAT_VERSION:
+        raise WrongFile(
+            f"it was saved by exoid {about['exoid']} in another layout. Read it with that version."
+        )
+    return groups
+
+
+def restored(groups: Groups) -> SavedResult:
+    about = groups["/"].attrs
+    amplitude = from_table(groups["torque"])
+    result = FitResult(
+        parameters=from_table(groups["parameters"]),
+        ratios=from_table(groups["ratios"]),
+        torque_amplitude=amplitude.get("torque_amplitude"),
+        segments=segments(groups),
+        mountings=mountings(groups["mountings"]),
+        multistart=multistart(groups),
+        loss=float(about["loss"]),
+        disturbance=disturbance(groups["disturbance"]),
+        torque_frequency=about["torque_frequency"] or None,
+        other_reading_rmse=known(float(about["other_reading_rmse"])),
+        prior=about["prior"],
+        notes=json.loads(about["notes"]),
+    )
+    return SavedResult(
+        result,
+        identifiability(groups) if "told" in groups else None,
+        about["exoid"],
+        json.loads(about["recordings"]),
+        json.loads(about["settings"]),
+    )
+
+
+def mountings(table: Table) -> list[MountingFit]:
+    rows = from_table(table)
+    return [
+        MountingFit(name, *(rows.get(f"{number}.{each}") for each in MOUNTED))
+        for number, name in enumerate(json.loads(table.attrs["recordings"]))
+    ]
+
+
+def segments(groups: Groups) -> list[SegmentFit]:
+    """Every segment with its part of the samples."""
+    told, torques = groups["segments"], from_table(groups["segment_torques"])
+    ends = np.cumsum(told["samples"].values)
+    found = []
+    for number, end in enumerate(ends.tolist()):
+        part = slice(end - int(told["samples"].values[number]), end)
+        curves = {name: groups["samples"][name].values[part].copy() for name in SAMPLES}
+        numbers = {name: known(float(told[name].values[number])) for name in SEGMENT}
+        if numbers["velocity_rmse"] is None:
+            curves["angular_velocity"] = None
+        names = {name: str(told[name].values[number]) for name in ("name", "kind")}
+        torque = torques.get(str(number))
+        found.append(SegmentFit(**names, **numbers, **curves, torque_amplitude=torque))
+    return found
+
+
+def multistart(groups: Groups) -> MultistartReport:
+    starts, family = groups["starts"], groups["family"]
+    counts = {n: int(starts.attrs[n]) for n in ("starts", "succeeded", "at_best", "distinct")}
+    limits = zip(family["lower"].values.tolist(), family["upper"].values.tolist(), strict=True)
+    return MultistartReport(
+        **counts,
+        loss=starts["loss"].values,
+        failures=json.loads(starts.attrs["failures"]),
+        family=dict(zip(family["name"].values.tolist(), limits, strict=True)),
+        members={str(name): each.values for name, each in groups["members"].items()},
+    )
+
+
+def disturbance(found: Table) -> Disturbance:
+    return Disturbance(
+        found.attrs["cause"] or None,
+        *(float(found.attrs[name]) for name in ("correlation_time", "ratio", "noise")),
+        information=found["information"].values,
+        widening=found["widening"].values,
+    )
+
+
+def identifiability(groups: Groups) -> Identifiability:
+    told = groups["told"]
+    words = {name: json.loads(each) for name, each in told.attrs.items()}
+    return Identifiability(
+        [Direction(**each) for each in words["null_directions"]],
+        [Direction(**each) for each in words["weak_directions"]],
+        from_table(groups["told_combinations"]),
+        told["name"].values.tolist(),
+        told["correlation"].values,
+        {str(name): each.values for name, each in groups["told_shares"].items()},
+        [Reversal(**each) for each in words["reversals"]],
+        words["sentences"],
+    )

@@ -1,0 +1,178 @@
+"""A fit in one netCDF file: groups of tables that any reader of netCDF shows, with units."""
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from exoid.diagnose.identifiability import Identifiability
+from exoid.fit.disturbance import Disturbance
+from exoid.fit.result import FitResult, MountingFit, MultistartReport, SegmentFit
+from exoid.report.estimate_table import Groups, Table, numbers, texts, to_table
+from exoid.report.fit_json import replacing
+from exoid.report.saved_result import FORMAT, FORMAT_VERSION
+
+SAMPLES = {  # of all segments, one after the other
+    "time": "s",
+    "angle": "rad",
+    "angular_velocity": "rad/s",
+    "simulated_angle": "rad",
+    "simulated_velocity": "rad/s",
+}
+SEGMENT = {
+    "period": "s",
+    "added_mass": "kg",
+    "angle_rmse": "rad",
+    "velocity_rmse": "rad/s",
+    "angle_noise": "rad",
+    "velocity_noise": "rad/s",
+}
+
+
+def save_result(
+    result: FitResult,
+    path: str | Path,
+    *,
+    told: Identifiability | None = None,
+    recordings: Sequence[Mapping[str, Any]] = (),
+    settings: Mapping[str, Any] | None = None,
+) -> None:
+    """Write a fit to a netCDF file, in full or not at all; `load_result` gives it back.
+
+    `recordings` has path, sha256 and segments of every file; `settings` what was asked for.
+    """
+    import xarray
+
+    about = {
+        "format": FORMAT,
+        "format_version": FORMAT_VERSION,
+        "exoid": version("exoid"),
+        "recordings": text(list(recordings)),
+        "settings": text(dict(settings or {})),
+        "prior": result.prior,
+        "torque_frequency": result.torque_frequency or "",
+        "notes": text(result.notes),
+        "loss": result.loss,
+        "other_reading_rmse": numbers([result.other_reading_rmse])[0],
+    }
+    amplitude = result.torque_amplitude
+    groups = {
+        "/": xarray.Dataset(attrs=about),
+        "parameters": to_table(result.parameters),
+        "ratios": to_table(result.ratios),
+        "torque": to_table({} if amplitude is None else {"torque_amplitude": amplitude}),
+        "mountings": mountings(result.mountings),
+        **segments(result.segments),
+        **multistart(result.multistart),
+        "disturbance": disturbance(result.disturbance),
+        **({} if told is None else identifiability(told)),
+    }
+    tree = xarray.DataTree.from_dict(groups)
+    with replacing(path) as part:
+        tree.to_netcdf(part, engine="h5netcdf")
+
+
+def text(value: Any) -> str:
+    """Anything that JSON can hold; floats come back as they were."""
+    return json.dumps(value, ensure_ascii=False, default=str)
+
+
+def mountings(each: list[MountingFit]) -> Table:
+    """One row for each quantity of each recording, named NUMBER.QUANTITY."""
+    rows = {
+        f"{number}.{name}": one
+        for number, mounting in enumerate(each)
+        for name, one in mounting.known.items()
+    }
+    return to_table(rows).assign_attrs(recordings=text([one.recording for one in each]))
+
+
+def segments(each: list[SegmentFit]) -> Groups:
+    """What is told of every segment, its torque where there is one, and the samples of all."""
+    import xarray
+
+    told: dict[str, tuple] = {
+        name: ("segment", texts([getattr(one, name) for one in each])) for name in ("name", "kind")
+    }
+    for name, unit in SEGMENT.items():
+        told[name] = ("segment", numbers([getattr(s, name) for s in each]), {"units": unit})
+    told["samples"] = ("segment", np.array([s.time.size for s in each]))
+    curves = {
+        name: ("sample", np.concatenate([samples(s, name) for s in each]), {"units": unit})
+        for name, unit in SAMPLES.items()
+    }
+    torques = {str(n): s.torque_amplitude for n, s in enumerate(each) if s.torque_amplitude}
+    return {
+        "segments": xarray.Dataset(told),
+        "segment_torques": to_table(torques),
+        "samples": xarray.Dataset(curves),
+    }
+
+
+def samples(segment: SegmentFit, name: str) -> np.ndarray:
+    """A curve; NaN throughout where there is none."""
+    found = getattr(segment, name)
+    return np.full(segment.time.size, np.nan) if found is None else np.asarray(found, dtype=float)
+
+
+def multistart(report: MultistartReport) -> Groups:
+    """Where the starts ended, the family's ranges, and its members."""
+    import xarray
+
+    counts = {
+        name: getattr(report, name) for name in ("starts", "succeeded", "at_best", "distinct")
+    }
+    ranges = np.array(list(report.family.values()), dtype=float).reshape(-1, 2)
+    return {
+        "starts": xarray.Dataset(
+            {"loss": ("start", report.loss)}, attrs=counts | {"failures": text(report.failures)}
+        ),
+        "family": xarray.Dataset(
+            {"lower": ("name", ranges[:, 0]), "upper": ("name", ranges[:, 1])},
+            coords={"name": texts(list(report.family))},
+        ),
+        "members": xarray.Dataset({n: ("member", each) for n, each in report.members.items()}),
+    }
+
+
+def disturbance(found: Disturbance) -> Table:
+    import xarray
+
+    return xarray.Dataset(
+        {
+            "information": (("coordinate", "other_coordinate"), found.information),
+            "widening": ("direction", found.widening),
+        },
+        attrs={
+            "cause": found.cause or "",
+            "correlation_time": found.correlation_time,
+            "ratio": found.ratio,
+            "noise": found.noise,
+        },
+    )
+
+
+def identifiability(told: Identifiability) -> Groups:
+    """What the recording told; the directions and sentences as JSON."""
+    import xarray
+
+    words = {
+        "null_directions": text([asdict(each) for each in told.null_directions]),
+        "weak_directions": text([asdict(each) for each in told.weak_directions]),
+        "reversals": text([asdict(each) for each in told.reversals]),
+        "sentences": text(told.sentences),
+    }
+    shares = {n: ("segment", np.asarray(each)) for n, each in told.segment_shares.items()}
+    return {
+        "told": xarray.Dataset(
+            {"correlation": (("name", "other_name"), told.correlation)},
+            coords={"name": texts(told.names)},
+            attrs=words,
+        ),
+        "told_combinations": to_table(told.combinations),
+        "told_shares": xarray.Dataset(shares),
+    }

@@ -1,0 +1,58 @@
+"""Measured against simulated motion, segment by segment."""
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from exoid.fit.result import FitResult
+from exoid.report.case import Case
+from exoid.report.figures.figure import Figure
+from exoid.report.figures.motion import draw_motion
+from exoid.report.fit_table import reading, torque
+from exoid.report.plot_motion import chosen_segments
+from exoid.report.sections.section import Section
+from exoid.report.sections.table import Table
+from exoid.report.text import in_degrees
+
+
+@dataclass(frozen=True, eq=False)
+class Motion(Section):
+    """A figure for every segment, or for those that fit worst; all of them in a table."""
+
+    name: ClassVar[str] = "motion"
+    title: ClassVar[str] = "Measured against simulated"
+
+    figures: tuple[tuple[str, Figure], ...]  # with their titles
+    left_out: int
+    table: Table
+    reading: str  # of Eq. 4; empty without cycles
+
+    @classmethod
+    def of(cls, case: Case) -> "Motion":
+        fit, chosen = case.fit, chosen_segments(case.fit)
+        drawn = tuple(
+            (f"Segment {each.name}, {each.kind}", draw_motion(each, number))
+            for number, each in enumerate(chosen)
+        )
+        return cls(
+            figures=drawn,
+            left_out=len(fit.segments) - len(chosen),
+            table=misfits(fit),
+            reading="" if fit.torque_frequency is None else reading(fit),
+        )
+
+
+def misfits(fit: FitResult) -> Table:
+    """How far simulation and measurement are apart, beside the noise."""
+    each = fit.segments
+    velocity = [one.velocity_rmse for one in each]
+    columns = {
+        "segment": [one.name for one in each],
+        "kind": [one.kind for one in each],
+        "period T [s]": ["" if one.period is None else f"{one.period:.4g}" for one in each],
+        "torque tau [N m]": [torque(one) for one in each],
+        "added mass [kg]": [f"{one.added_mass:.3g}" if one.added_mass else "" for one in each],
+        "angle RMSE [deg]": [in_degrees(one.angle_rmse) for one in each],
+        "times the noise": [f"{one.angle_rmse / one.angle_noise:.3g}" for one in each],
+        "velocity RMSE [deg/s]": ["" if one is None else in_degrees(one) for one in velocity],
+    }
+    return Table("How far measured and simulated are apart", columns)

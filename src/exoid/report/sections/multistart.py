@@ -1,0 +1,58 @@
+"""Where the starts of the search ended, and which other sets of parameters fit as well."""
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from exoid.fit.result import MultistartReport
+from exoid.report.case import Case
+from exoid.report.figures.costs import draw_costs
+from exoid.report.figures.families import draw_families
+from exoid.report.figures.figure import Figure
+from exoid.report.fit_table import span
+from exoid.report.sections.section import Section
+from exoid.report.sections.table import Table
+from exoid.report.text import counted
+
+
+@dataclass(frozen=True, eq=False)
+class Multistart(Section):
+    """The waterfall of costs, and the families."""
+
+    name: ClassVar[str] = "multistart"
+    title: ClassVar[str] = "The search from many starts"
+
+    summary: str
+    failures: tuple[str, ...]
+    costs: Figure | None
+    families: tuple[Figure, ...]
+    ranges: Table
+
+    @classmethod
+    def of(cls, case: Case) -> "Multistart":
+        report = case.fit.multistart
+        ranges = {name: span(case.fit, name) for name in report.family}
+        return cls(
+            summary=summary(report),
+            failures=tuple(
+                f"{counted(count, 'start')} failed: {reason}."
+                for reason, count in report.failures.items()
+            ),
+            costs=draw_costs(report),
+            families=tuple(draw_families(case.fit)),
+            ranges=Table(
+                "Any set within these ranges that keeps the ratios fits equally well",
+                {
+                    "parameter": [name.replace("_", " ") for name in ranges],
+                    "range": list(ranges.values()),
+                },
+            ),
+        )
+
+
+def summary(report: MultistartReport) -> str:
+    """How many starts arrived, and whether they agree."""
+    found = counted(report.distinct, "distinct minimum", "distinct minima")
+    return (
+        f"{counted(report.starts, 'start')}: {report.succeeded} succeeded, {report.at_best} at the "
+        f"best cost; {found}."
+    )

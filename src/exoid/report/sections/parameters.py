@@ -1,0 +1,110 @@
+"""The leg's numbers with their errors, beside what anatomy expects and what was allowed."""
+
+from dataclasses import dataclass, replace
+from math import degrees
+from typing import ClassVar
+
+from exoid.fit.result import Estimate, FitResult
+from exoid.report.case import Case
+from exoid.report.figures.figure import Figure
+from exoid.report.figures.parameters import draw_parameters
+from exoid.report.fit_table import MOUNTED, bounds, expectation, remarks
+from exoid.report.sections.section import Section
+from exoid.report.sections.table import Table, quantity
+from exoid.report.text import in_unit
+
+
+@dataclass(frozen=True, eq=False)
+class Parameters(Section):
+    """Parameters, ratios, and what each recording owned; why values or errors are missing."""
+
+    name: ClassVar[str] = "parameters"
+    title: ClassVar[str] = "The leg's numbers"
+
+    figure: Figure | None
+    table: Table
+    ratios: Table
+    mountings: Table
+    prior: str
+    remarks: tuple[str, ...]
+
+    @classmethod
+    def of(cls, case: Case) -> "Parameters":
+        quantities = parameters_of(case.fit)
+        return cls(
+            figure=draw_parameters(quantities),
+            table=table_of(quantities),
+            ratios=ratios_of(case.fit),
+            mountings=mountings_of(case.fit),
+            prior=case.fit.prior,
+            remarks=tuple(remarks(case.fit)),
+        )
+
+
+def parameters_of(fit: FitResult) -> dict[str, Estimate]:
+    """m, J, l, d, c, and the torque of voluntary segments."""
+    torque = fit.torque_amplitude
+    return {**fit.parameters, **({} if torque is None else {"torque_amplitude": torque})}
+
+
+def table_of(quantities: dict[str, Estimate]) -> Table:
+    each = list(quantities.values())
+    columns = {
+        "parameter": [name.replace("_", " ") for name in quantities],
+        "symbol": [one.symbol for one in each],
+        "value": [quantity(one) for one in each],
+        "expected": [with_unit(expectation(one), one.unit) for one in each],
+        "limits": [with_unit(bounds(one), one.unit) for one in each],
+        "set by": [set_by(one) for one in each],
+    }
+    return Table("Parameters of the leg; ± is one standard error", columns)
+
+
+def ratios_of(fit: FitResult) -> Table:
+    each = list(fit.ratios.values())
+    columns = {
+        "ratio": [one.title for one in each],
+        "symbol": [one.symbol for one in each],
+        "value": [quantity(one) for one in each],
+        "set by": [set_by(one) for one in each],
+    }
+    return Table("Ratios to the inertia: what motion alone can tell", columns)
+
+
+def mountings_of(fit: FitResult) -> Table:
+    """What every recording owned, where there was something to estimate."""
+    rows = [
+        (mounting.recording, MOUNTED[name], in_print(each))
+        for mounting in fit.mountings
+        for name, each in mounting.known.items()
+    ]
+    columns = {
+        "recording": [recording for recording, *_ in rows],
+        "quantity": [name for _, name, _ in rows],
+        "value": [quantity(each) for *_, each in rows],
+    }
+    return Table("How the exoskeleton was put on, against the first recording", columns)
+
+
+def in_print(each: Estimate) -> Estimate:
+    """Angles in degrees."""
+    if "rad" not in each.unit:
+        return each
+    return replace(in_unit(each, degrees(1)), unit=each.unit.replace("rad", "deg"))
+
+
+def with_unit(words: str, unit: str) -> str:
+    return words and f"{words} {unit}"
+
+
+def set_by(each: Estimate) -> str:
+    """The parts of the precision in words, the largest first."""
+    if each.shares is None:
+        return "nothing"
+    parts = {source: getattr(each.shares, source) for source in ("data", "prior", "bound")}
+    said = [
+        f"{source} {part:.0%}"
+        for source, part in sorted(parts.items(), key=lambda item: -item[1])
+        if round(part, 2) > 0
+    ]
+    return ", ".join(said)

@@ -1,0 +1,64 @@
+"""Where simulation and recording part: the torque that the baseline lacks."""
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from exoid.diagnose.locate import Location
+from exoid.report.case import Case
+from exoid.report.diagnosis_words import where
+from exoid.report.figures.figure import Figure
+from exoid.report.figures.plane import draw_plane
+from exoid.report.figures.torque import draw_torque
+from exoid.report.plot_diagnosis import worst
+from exoid.report.sections.section import Section
+from exoid.report.sections.table import Table
+
+NOTHING = (
+    "Nothing stands out: what is drawn here is how noise looks as a torque, and what the ends of "
+    "segments make of it."
+)
+
+
+@dataclass(frozen=True, eq=False)
+class Parting(Section):
+    """The missing torque over time, over the phase plane, and in words."""
+
+    name: ClassVar[str] = "parting"
+    title: ClassVar[str] = "Where they part"
+
+    sentence: str
+    figures: tuple[Figure, ...]
+    left_out: int
+    plane: Figure
+    regions: Table
+
+    @classmethod
+    def of(cls, case: Case) -> "Parting | None":
+        found = case.diagnosis
+        if found is None:
+            return None
+        numbers, location = worst(found), found.location
+        return cls(
+            sentence=NOTHING if found.verdict == "none" else capital(where(found)),
+            figures=tuple(draw_torque(location, number) for number in numbers),
+            left_out=len(location.missing) - len(numbers),
+            plane=draw_plane(location),
+            regions=regions(location),
+        )
+
+
+def capital(words: str) -> str:
+    return words[:1].upper() + words[1:]
+
+
+def regions(location: Location) -> Table:
+    """The stretches where it is strongest."""
+    each = location.regions
+    columns = {
+        "segment": [one.segment for one in each],
+        "from [s]": [f"{one.begin:.2f}" for one in each],
+        "to [s]": [f"{one.end:.2f}" for one in each],
+        "mean torque [N m]": [f"{one.torque:+.2g}" for one in each],
+        "where": [one.region for one in each],
+    }
+    return Table("Where the missing torque is strongest; positive towards extension", columns)

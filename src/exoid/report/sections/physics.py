@@ -1,0 +1,88 @@
+"""Which physics was left out: the verdict, its evidence, and what else it may be."""
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from exoid.diagnose.diagnosis import Diagnosis, Parameter
+from exoid.report.case import Case
+from exoid.report.diagnosis_table import candidates
+from exoid.report.diagnosis_words import known, sentences
+from exoid.report.figures.bars import draw_bars
+from exoid.report.figures.figure import Figure
+from exoid.report.plot_diagnosis import title as verdict
+from exoid.report.sections.section import Section
+from exoid.report.sections.table import Table
+from exoid.report.text import with_error
+
+SAID = ("Missing", "New", "Or", "Why", "Suspected", "Sensors", "Trust")  # others have their place
+
+
+@dataclass(frozen=True)
+class Effect:
+    """What was found, and where to read of it."""
+
+    title: str
+    explanation: str
+    reference: str
+
+
+@dataclass(frozen=True, eq=False)
+class Physics(Section):
+    """The verdict in sentences, what was found with its numbers, and every candidate."""
+
+    name: ClassVar[str] = "physics"
+    title: ClassVar[str] = "Which physics was left out"
+
+    headline: str
+    sentences: dict[str, str]
+    effects: tuple[Effect, ...]
+    parameters: Table
+    figure: Figure
+    candidates: Table
+    excluded: str
+
+    @classmethod
+    def of(cls, case: Case) -> "Physics | None":
+        found = case.diagnosis
+        if found is None:
+            return None
+        lines = sentences(found)
+        return cls(
+            headline=verdict(found),
+            sentences={title: lines[title] for title in SAID if title in lines},
+            effects=effects(found),
+            parameters=parameters(found.parameters if found.verdict == "mismatch" else []),
+            figure=draw_bars(found),
+            candidates=ranked(found),
+            excluded=", ".join(found.excluded).replace("_", " "),
+        )
+
+
+def effects(found: Diagnosis) -> tuple[Effect, ...]:
+    """Those that are named."""
+    terms = [known(found)[name] for name in found.selected if name in known(found)]
+    return tuple(Effect(term.title, term.explanation, term.reference) for term in terms)
+
+
+def parameters(each: list[Parameter]) -> Table:
+    """Their numbers."""
+    columns = {
+        "effect": [one.name.partition(".")[0].replace("_", " ") for one in each],
+        "parameter": [one.name.rpartition(".")[2].replace("_", " ") for one in each],
+        "value": [value(one) for one in each],
+    }
+    return Table("What was found in numbers; ± is one standard error", columns)
+
+
+def value(each: Parameter) -> str:
+    """With its error, where it has one, and its unit."""
+    unit = "" if each.unit == "1" else f" {each.unit}"
+    if each.standard_error is None:
+        return f"{each.value:.3g}{unit}"
+    return f"{with_error(each.value, each.standard_error)}{unit}"
+
+
+def ranked(found: Diagnosis) -> Table:
+    """Every candidate with what it leaves and its evidence."""
+    columns = {head.strip() or "verdict": cells for head, cells in candidates(found).items()}
+    return Table("The candidates that ran free", columns)

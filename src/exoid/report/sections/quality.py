@@ -1,0 +1,104 @@
+"""The recording itself: what there is of it, and what was lost."""
+
+from dataclasses import dataclass, fields
+from typing import ClassVar
+
+from exoid.fit.result import SegmentFit
+from exoid.recording.recording import Subject
+from exoid.report.appraisal import Appraisal, appraise
+from exoid.report.case import Case, Source
+from exoid.report.sections.section import Section
+from exoid.report.sections.table import Table
+from exoid.report.text import in_degrees
+
+HANDLED = ("kind", "added_mass", "added_mass_distance", "notes", "extra_keys")  # told elsewhere
+
+
+@dataclass(frozen=True, eq=False)
+class Log:
+    """What the reader of a file noticed."""
+
+    name: str
+    subject: dict[str, str]
+    notes: str  # of the sidecar
+    noticed: tuple[str, ...]
+    quality: tuple[str, ...]  # lines of the CAN report; empty for a table
+
+
+@dataclass(frozen=True, eq=False)
+class Quality(Section):
+    """Segments with their samples, gaps, saturations and noise; what the readers noticed."""
+
+    name: ClassVar[str] = "quality"
+    title: ClassVar[str] = "Is the recording good?"
+
+    table: Table
+    logs: tuple[Log, ...]
+
+    @classmethod
+    def of(cls, case: Case) -> "Quality":
+        return cls(
+            table=segments_of(appraisals(case), case.fit.segments),
+            logs=tuple(log(source) for source in case.sources),
+        )
+
+
+def appraisals(case: Case) -> list[Appraisal]:
+    """Of every segment, in the order of the fit."""
+    return [
+        appraise(segment, source.recording.sensors)
+        for source in case.sources
+        for segment in source.recording.segments
+    ]
+
+
+def segments_of(each: list[Appraisal], fitted: list[SegmentFit]) -> Table:
+    """One row per segment."""
+    noise = [one.velocity_noise for one in fitted]
+    columns = {
+        "segment": [one.name for one in fitted],
+        "kind": [one.kind for one in fitted],
+        "duration [s]": [f"{one.duration:.2f}" for one in each],
+        "samples": [f"{one.samples}" for one in each],
+        "rate [Hz]": [f"{one.rate:.4g}" for one in each],
+        "gaps": [gaps(one) for one in each],
+        "missing": [f"{one.missing}" for one in each],
+        "gyro at its limit": ["" if one.saturated is None else f"{one.saturated}" for one in each],
+        "noise of the angle [deg]": [in_degrees(one.angle_noise) for one in fitted],
+        "of the gyro [deg/s]": ["" if one is None else in_degrees(one) for one in noise],
+    }
+    return Table("The segments as they were recorded", columns)
+
+
+def gaps(each: Appraisal) -> str:
+    """How many, and how long the longest is."""
+    return f"{each.gaps}, up to {each.longest:.2f} s" if each.gaps else "0"
+
+
+def log(source: Source) -> Log:
+    """What is known of one file."""
+    quality = () if source.quality is None else tuple(source.quality.lines())
+    return Log(
+        name=source.name,
+        subject=described(source.recording.subject),
+        notes=source.recording.subject.notes or "",
+        noticed=source.notes,
+        quality=quality,
+    )
+
+
+def described(subject: Subject) -> dict[str, str]:
+    """What the sidecar or the command line says of the body."""
+    numbers = [each for each in fields(subject) if each.name not in HANDLED]
+    known = {each.name: getattr(subject, each.name) for each in numbers}
+    units = {each.name: each.metadata["unit"] for each in numbers}
+    said = {
+        name.replace("_", " "): f"{value:g} {units[name]}"
+        for name, value in known.items()
+        if value is not None
+    }
+    masses = subject.added_mass
+    if masses is not None:
+        each = masses if isinstance(masses, tuple) else (masses,)
+        said["added mass"] = f"{', '.join(f'{one:g}' for one in each)} kg"
+    return {"kind": subject.kind or "unknown", **said}

@@ -1,0 +1,141 @@
+"""The whole report on half a page, in plain words."""
+
+from dataclasses import dataclass
+from typing import ClassVar, Literal
+
+from exoid.diagnose.diagnosis import Diagnosis
+from exoid.fit.result import FitResult
+from exoid.report.case import Case
+from exoid.report.diagnosis_words import named
+from exoid.report.plot_diagnosis import title as verdict
+from exoid.report.sections.parameters import parameters_of
+from exoid.report.sections.quality import appraisals
+from exoid.report.sections.section import Section
+from exoid.report.sections.table import Table, quantity
+from exoid.report.text import counted, in_degrees
+
+State = Literal["good", "care", "open"]
+
+BELIEF = {
+    "data": "measured: this recording determines it",
+    "prior": "rests on what anatomy expects of this body: use the ratios",
+    "both": "partly measured, partly what anatomy expects",
+    "bound": "held by a limit: do not use it",
+    None: "not determined",
+}
+INCOMPLETE = "measured, but with a model that misses something: ± is not complete"
+
+
+@dataclass(frozen=True)
+class Card:
+    """One question with its answer."""
+
+    question: str
+    state: State
+    answer: str
+    because: str
+
+
+@dataclass(frozen=True, eq=False)
+class Summary(Section):
+    """Is the recording good, does the model follow it, what is missing, and the leg's numbers."""
+
+    name: ClassVar[str] = "summary"
+    title: ClassVar[str] = "Summary"
+
+    cards: tuple[Card, ...]
+    table: Table
+
+    @classmethod
+    def of(cls, case: Case) -> "Summary":
+        asked = () if case.diagnosis is None else (missing(case.diagnosis),)
+        cards = (recording(case), agreement(case.fit), *asked, numbers(case.fit))
+        return cls(cards, believed(case.fit))
+
+
+def recording(case: Case) -> Card:
+    """What there is, and whether it is whole."""
+    each = appraisals(case)
+    lost = [
+        *(line for source in case.sources if source.quality for line in source.quality.losses()),
+        *(
+            counted(count, noun)
+            for noun, count in (
+                ("gap", sum(one.gaps for one in each)),
+                ("missing sample", sum(one.missing for one in each)),
+                ("sample at the gyro's limit", sum(one.saturated or 0 for one in each)),
+            )
+            if count
+        ),
+    ]
+    amount = (
+        f"{counted(len(each), 'segment')}, {sum(one.samples for one in each)} samples in "
+        f"{sum(one.duration for one in each):.1f} s"
+    )
+    answer = "Parts of it are missing." if lost else "Nothing is missing in it."
+    because = f"{amount}: {'; '.join(lost)}." if lost else f"{amount}."
+    return Card("Is the recording good?", "care" if lost else "good", answer, because)
+
+
+def agreement(fit: FitResult) -> Card:
+    """How far the simulated leg is from the measured one."""
+    rmse, noise = fit.angle_rmse, fit.angle_noise
+    because = (
+        f"They differ by {in_degrees(rmse)} deg (RMSE of the angle), {rmse / noise:.3g} times the "
+        f"noise of the sensor, {in_degrees(noise)} deg."
+    )
+    question = "Does the simulated leg move as the measured one?"
+    if fit.disturbance.cause is None:
+        return Card(question, "good", "Yes, within the noise.", because)
+    answer = "Not entirely: something is in the recording that the model does not have."
+    return Card(question, "care", answer, because)
+
+
+def missing(found: Diagnosis) -> Card:
+    """What the diagnosis says."""
+    question, answer = "What was the model missing?", verdict(found).rstrip(".") + "."
+    if found.verdict == "none":
+        return Card(question, "good", answer, f"{len(found.found.pinned)} causes were tested.")
+    if found.verdict == "cannot_tell":
+        return Card(question, "open", answer, sentence("; ".join(found.reasons)))
+    before, after = found.proof.before.total, found.proof.after.total
+    proof = (
+        f"With it, held-out data are predicted to {in_degrees(after)} deg instead of "
+        f"{in_degrees(before)} deg."
+    )
+    return Card(question, "care", answer, f"{sentence('; '.join(named(found)))} {proof}".strip())
+
+
+def numbers(fit: FitResult) -> Card:
+    """Whose numbers they are."""
+    question = "Which numbers come from this recording?"
+    groups: dict[str | None, list[str]] = {}
+    for each in {**parameters_of(fit), **fit.ratios}.values():
+        groups.setdefault(each.determined_by, []).append(each.symbol)
+    measured = groups.get("data", [])
+    others = [each for source, symbols in groups.items() if source != "data" for each in symbols]
+    because = f"Not, or not alone: {', '.join(others)}. " if others else ""
+    told = all(each.determined_by == "data" for each in fit.ratios.values())
+    whole = fit.disturbance.cause is None
+    doubt = "" if whole else "The model misses something, so no error bar is complete."
+    answer = f"{', '.join(measured) or 'None'}."
+    return Card(question, "good" if told and whole else "care", answer, f"{because}{doubt}")
+
+
+def believed(fit: FitResult) -> Table:
+    """Every number, and how far to believe it."""
+    quantities = {**parameters_of(fit), **fit.ratios}
+    each = list(quantities.values())
+    words = BELIEF if fit.disturbance.cause is None else BELIEF | {"data": INCOMPLETE}
+    columns = {
+        "quantity": [name.replace("_", " ") for name in quantities],
+        "symbol": [one.symbol for one in each],
+        "value": [quantity(one) for one in each],
+        "how far to believe it": [words[one.determined_by] for one in each],
+    }
+    return Table("The leg in numbers; ± is one standard error", columns)
+
+
+def sentence(words: str) -> str:
+    """With a capital and a full stop."""
+    return words and f"{words[:1].upper()}{words[1:].rstrip('.')}."

@@ -1,0 +1,33 @@
+"""A table of the report."""
+
+from dataclasses import dataclass
+
+from exoid.fit.result import Estimate
+from exoid.report.text import written
+
+DIMENSIONLESS = ("-", "1")
+
+
+@dataclass(frozen=True)
+class Table:
+    """Columns of equal length by their heads, and what they are in words.
+
+    The first column names the rows. Columns that hold nothing are left out.
+    """
+
+    caption: str
+    columns: dict[str, list[str]]
+
+    @property
+    def heads(self) -> list[str]:
+        return [head for head, cells in self.columns.items() if any(cells)]
+
+    @property
+    def rows(self) -> list[tuple[str, ...]]:
+        return list(zip(*(self.columns[head] for head in self.heads), strict=True))
+
+
+def quantity(each: Estimate) -> str:
+    """Value ± standard error with the unit."""
+    plain = each.value is None or each.unit in DIMENSIONLESS
+    return written(each) if plain else f"{written(each)} {each.unit}"

@@ -1,0 +1,31 @@
+"""Builds the firmware's test programs, each once, and skips what this machine has no tools for."""
+
+import subprocess
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+
+import pytest
+from firmware_tools import QEMU, make, need
+
+
+@pytest.fixture(scope="session")
+def build(tmp_path_factory) -> Callable[[str], Path]:
+    """Path of a test program by its name in the Makefile."""
+    return partial(make, folder=tmp_path_factory.mktemp("firmware"))
+
+
+@pytest.fixture(scope="session")
+def emulate(build) -> Callable[..., bytes]:
+    """Runs an image on the emulated Cortex-M0: in.bin goes in, out.bin comes back."""
+
+    def run(name: str, given: bytes, folder: Path, *options: str) -> bytes:
+        need("qemu-system-arm")
+        image = build(name)
+        (folder / "in.bin").write_bytes(given)
+        command = [*QEMU, "-serial", "none", *options, "-kernel", image]
+        done = subprocess.run(command, cwd=folder, capture_output=True, timeout=60)
+        assert done.returncode == 0, f"{name} ended with {done.returncode}: {done.stderr.decode()}"
+        return (folder / "out.bin").read_bytes()
+
+    return run

@@ -1,0 +1,82 @@
+"""One filter, four machines: NumPy float32, C++ here, C++ on a Cortex-M0, and JAX."""
+
+import subprocess
+
+import float32_node
+import jax.numpy as jnp
+import numpy as np
+import pytest
+from motions import measured, with_losses
+
+from exoid.recording import kalman
+
+SAMPLES = 60_000
+WILD = 2_000  # samples of any magnitude at the end: sums that cancel, subnormal products
+INSTRUCTIONS_PER_COUNT = 62.5  # of SysTick at 16 MHz, with one instruction per nanosecond
+BATCH = 10  # steps that m0_cost times together
+BUDGET = 9_000  # instructions for a step, 2 % of a tick at 48 MHz
+
+
+@pytest.fixture(scope="module")
+def given():
+    """Angle and rate: a motion with losses, then values that no sensor sends."""
+    rng = np.random.default_rng(4)
+    columns = []
+    for seed, values in enumerate(measured(SAMPLES - WILD)):
+        wild = (rng.choice([-1, 1], WILD) * 10 ** rng.uniform(-44, 15, WILD)).astype(np.float32)
+        columns.append(np.concatenate([with_losses(values, 0.03, seed), wild]))
+    return np.stack(columns, axis=1)
+
+
+@pytest.fixture(scope="module")
+def expected(given):
+    return float32_node.run(*given.T)
+
+
+def test_this_machine_computes_the_firmwares_filter_as_numpy_does(build, given, expected, tmp_path):
+    (tmp_path / "in.bin").write_bytes(given.tobytes())
+    subprocess.run(
+        [build("host_filter"), tmp_path / "in.bin", tmp_path / "out.bin"], check=True, timeout=60
+    )
+    assert (tmp_path / "out.bin").read_bytes() == expected.tobytes()
+
+
+def test_the_microcontroller_computes_it_to_the_same_bit(emulate, given, expected, tmp_path):
+    assert emulate("m0_filter.elf", given.tobytes(), tmp_path) == expected.tobytes()
+
+
+def test_a_sample_that_is_not_finite_never_reaches_the_filter(build, tmp_path):
+    angle, rate = measured(500)
+    angle[100], rate[100] = np.inf, -np.inf
+    given = np.stack([angle, rate], axis=1)
+    (tmp_path / "in.bin").write_bytes(given.tobytes())
+    subprocess.run(
+        [build("host_filter"), tmp_path / "in.bin", tmp_path / "out.bin"], check=True, timeout=60
+    )
+    found = np.frombuffer((tmp_path / "out.bin").read_bytes(), np.float32)
+    angle[100] = rate[100] = np.nan
+    np.testing.assert_array_equal(found.reshape(-1, 9), float32_node.run(angle, rate))
+
+
+def test_jax_agrees_within_its_own_rounding():
+    """XLA fuses and reorders, so not to the bit; several times the worst that was ever seen."""
+    angle, rate = measured(SAMPLES)
+    expected = float32_node.run(angle, rate)[:, :3]
+    steps = np.full(SAMPLES - 1, np.float32(0.01))
+    for dtype in (jnp.float32, jnp.float64):
+        given = (jnp.asarray(column, dtype) for column in (angle, rate))
+        state = np.asarray(kalman.filter(steps, *given).state)
+        worst = np.abs(state - expected).max(axis=0)
+        assert np.all(worst < (1e-6, 2e-6, 5e-4)), worst  # rad, rad/s, rad/s^2
+
+
+def test_a_step_stays_within_its_budget_and_costs_the_same_each_time(emulate, tmp_path):
+    given = np.stack(measured(2_000), axis=1).tobytes()
+    options = ("-icount", "shift=0")
+    first = emulate("m0_cost.elf", given, tmp_path, *options)
+    assert first == emulate("m0_cost.elf", given, tmp_path, *options)
+    counts = np.frombuffer(first, np.uint32)
+    assert counts.size == 200
+    cost = counts * INSTRUCTIONS_PER_COUNT / BATCH
+    print(f"{cost.mean():.0f} instructions a step, at most {cost.max():.0f}")
+    assert 5_000 < cost.mean() < cost.max() < BUDGET  # below: it did not filter at all

@@ -1,0 +1,118 @@
+"""The pendulum test shown: a table that fits a terminal, a document, a figure with its marks."""
+
+import json
+from io import StringIO
+
+import numpy as np
+import pytest
+from matplotlib.colors import to_rgb
+from rich.console import Console
+
+from exoid.recording.pendulum.drops import measure_drops
+from exoid.recording.recording import Protocol, Recording, Subject
+from exoid.report.drops_json import drops_document
+from exoid.report.drops_table import print_drops
+from exoid.report.plot_drops import plot_drops
+from exoid.report.plots import save_figure
+from swings import NOISE, Oscillator, drop, recorded
+
+
+@pytest.fixture(scope="module")
+def four():
+    """Two drops, one that is cut before rest and carries 1 kg, one voluntary movement."""
+    parts = [
+        *drop(noise=NOISE).segments,
+        *drop(Oscillator(amplitude=0.8), noise=NOISE, seed=1).segments,
+        *drop(noise=NOISE, lasting=5.0, seed=2).segments,
+        *drop(noise=NOISE, lasting=5.0, seed=3).segments,
+    ]
+    kinds = ("passive", "passive", "passive", "active")
+    subject = Subject(added_mass=(0.0, 0.0, 1.0, 0.0), added_mass_distance=0.4)
+    return measure_drops(Recording(tuple(parts), subject, Protocol(kind=kinds)))
+
+
+def printed(test, width=80):
+    stream = StringIO()
+    print_drops(test, Console(file=stream, width=width))
+    return stream.getvalue()
+
+
+def test_the_table_has_every_drop_the_average_and_the_reasons(four):
+    text = printed(four)
+    joined = " ".join(text.split())
+    assert max(map(len, text.split("\n"))) <= 80
+    assert "…" not in text
+    for title in ("Drop of segment 0", "Drop of segment 2, 1 kg added", "Average over drops"):
+        assert title in text
+    assert "not read: plateau (resting) angle, plateau amplitude, relaxation index" in joined
+    assert "cut before rest" in joined
+    assert "- 3: a voluntary movement" in joined
+    assert "Not in it, with another added mass: segment 2." in joined
+    assert "Nothing here is a diagnosis" in joined
+
+
+def test_every_number_in_the_table_has_its_error_and_unit(four):
+    rows = [line.split() for line in printed(four).splitlines() if " ± " in line]
+    amplitude = next(row for row in rows if row[:3] == ["first", "flexion", "amplitude"])
+    half = np.exp(-Oscillator().decrement / 2)
+    assert float(amplitude[4]) == pytest.approx(np.degrees(1 + half), abs=0.2)
+    assert amplitude[5] == "±"
+    assert amplitude[7] == "deg"
+
+
+def test_one_drop_has_no_average():
+    assert "Average" not in printed(measure_drops(drop(lasting=5.0)))
+
+
+def test_the_document_is_json_in_radians_with_reasons_for_what_is_null(four):
+    found = drops_document(four, version="0.1.0", recordings=[])
+    assert json.loads(json.dumps(found, allow_nan=False)) == found
+    first, _, cut, active = found["drops"]
+    assert first["measures"]["plateau_angle"]["value"] == pytest.approx(-1.2, abs=0.01)
+    assert first["measures"]["plateau_angle"]["unit"] == "rad"
+    assert first["measures"]["period"]["marks"][0].keys() == {"sample", "time", "value"}
+    assert cut["measures"]["relaxation_index"]["value"] is None
+    assert "cut before rest" in cut["measures"]["relaxation_index"]["reason"]
+    assert (active["measures"], active["reason"][:11]) == ({}, "a voluntary")
+    assert found["average"]["period"]["drops"] == ["0", "1"]
+    assert found["left_out_of_average"] == ["2"]
+
+
+def test_the_figure_marks_the_measures_on_labelled_axes(four):
+    figure = plot_drops(four)
+    panels = [axes for axes in figure.axes if axes.get_visible()]
+    assert len(panels) == 9  # three drops; the voluntary movement is left out
+    labels = {axes.get_ylabel() for axes in panels}
+    assert {"angle [deg]", "angular velocity\n[deg/s]"} < labels
+    assert {axes.get_xlabel() for axes in panels[-3:]} <= {"time [s]", ""}
+    texts = {text.get_text() for axes in panels for text in axes.texts}
+    assert {"A1", "A0", "3 T", "time to rest"} <= texts
+    first = panels[0]
+    assert first.get_title(loc="left").startswith("segment 0\nrelaxation index 1.7")
+    flexion = next(line for line in first.lines if line.get_label() == "peak of flexion")
+    leg = Oscillator()
+    peaks = leg.rest - np.exp(-leg.decrement * (np.arange(len(flexion.get_xdata())) + 0.5))
+    assert np.sort(flexion.get_ydata()) == pytest.approx(np.degrees(np.sort(peaks)), abs=0.3)
+
+
+def test_flexion_and_extension_differ_in_shape_and_in_lightness(four):
+    axes = plot_drops(four).axes[0]
+    styles = {line.get_label(): line for line in axes.lines}
+    flexion, extension = styles["peak of flexion"], styles["peak of extension"]
+    assert flexion.get_marker() != extension.get_marker()
+    assert to_rgb(flexion.get_color()) != to_rgb(extension.get_color())
+
+
+def test_the_figure_is_vectors_with_its_fonts(four, tmp_path):
+    save_figure(plot_drops(four), tmp_path / "drops.pdf")
+    content = (tmp_path / "drops.pdf").read_bytes()
+    assert content.startswith(b"%PDF-")
+    assert b"/FontFile2" in content
+    assert b"/Subtype /Image" not in content
+
+
+def test_nothing_to_draw_is_said():
+    time = np.arange(0, 3, 0.01)
+    still = recorded(np.cos(time) - 2.0, time, kind="active")
+    with pytest.raises(ValueError, match="no segment could be read as a drop"):
+        plot_drops(measure_drops(still))

@@ -1,0 +1,216 @@
+"""The report as a person opens it: in a browser, on a desktop and on a phone, and on paper.
+
+Needs Chromium (Debian's package is `chromium`) and the Python package `playwright`, whose own
+browsers are not used. Screenshots are kept, and their paths are printed.
+"""
+
+import os
+import shutil
+import sys
+import tempfile
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+from page_cases import of_example, of_friction
+
+from exoid.report.page import SECTIONS, write_page
+
+pytestmark = pytest.mark.slow
+
+BROWSERS = ("chromium", "chromium-browser", "google-chrome")
+DESKTOP, PHONE = {"width": 1280, "height": 900}, {"width": 360, "height": 740}
+PATIENCE = 60_000  # ms, for a machine that does other things as well
+OPENED = 2.0  # s
+LOADS = 5  # the fastest tells what the page needs, the others what the machine was doing
+PAPER = 680  # pixels between the margins of A4
+RANGE = "document.querySelector('#motion-0 .plot').layout.xaxis.range"
+FIRST_FIGURE = """() => new Promise((resolve) => {
+  const drawn = () => document.querySelector(".plot .main-svg") && resolve(performance.now());
+  new MutationObserver(drawn).observe(document, { childList: true, subtree: true });
+  drawn();
+})"""
+
+
+@pytest.fixture(scope="module")
+def browser():
+    playwright = pytest.importorskip(
+        "playwright.sync_api", reason="playwright is not installed: pip install playwright"
+    )
+    program = next(filter(None, map(shutil.which, BROWSERS)), None)
+    if program is None:
+        pytest.skip("no Chromium is installed: on Debian, apt-get install chromium")
+    with playwright.sync_playwright() as driver:
+        started = driver.chromium.launch(executable_path=program, args=["--no-sandbox"])
+        yield started
+        started.close()
+
+
+@pytest.fixture(scope="module", params=["example", "friction"])
+def report(request, tmp_path_factory):
+    """The page of the bundled example, and that of a leg with dry friction."""
+    case = {"example": of_example, "friction": of_friction}[request.param]()
+    path = tmp_path_factory.mktemp("report") / f"{request.param}.html"
+    write_page(case, path)
+    return path
+
+
+@pytest.fixture(scope="session")
+def screenshots():
+    """A folder that stays: EXOID_SCREENSHOTS, or one of this run."""
+    named = os.environ.get("EXOID_SCREENSHOTS")
+    folder = Path(named) if named else Path(tempfile.mkdtemp(prefix="exoid-screenshots-"))
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder
+
+
+@contextmanager
+def opened(browser, path, size, **options):
+    """The page with all figures drawn, what its console said, and what it asked the network for."""
+    context = browser.new_context(viewport=size, **options)
+    page, said, asked = context.new_page(), [], []
+    page.on("console", lambda message: said.append(f"{message.type}: {message.text}"))
+    page.on("pageerror", lambda fault: said.append(str(fault)))
+    page.on("request", lambda request: asked.append(request.url))
+    page.goto(path.as_uri())
+    page.wait_for_selector("html.drawn", timeout=PATIENCE)
+    yield page, said, asked
+    context.close()
+
+
+@pytest.fixture(scope="module")
+def desktop(browser, report):
+    with opened(browser, report, DESKTOP) as found:
+        yield found
+
+
+def range_of(page, name):
+    return page.evaluate(f"document.querySelector('#{name} .plot').layout.xaxis.range")
+
+
+def middle_of(page, name):
+    """The middle of a figure's uppermost panel, in view."""
+    panel = page.locator(f"#{name} .plot .nsewdrag").first
+    panel.scroll_into_view_if_needed()
+    box = panel.bounding_box()
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2, box["width"]
+
+
+def test_it_opens_without_a_word_on_the_console_and_without_the_network(desktop, report):
+    _, said, asked = desktop
+    assert said == []
+    assert [url for url in asked if not url.startswith(("data:", "blob:"))] == [report.as_uri()]
+
+
+def test_every_section_is_there_and_filled(desktop, report):
+    page, _, _ = desktop
+    names = [each.get_attribute("id") for each in page.locator("main > section").all()]
+    diagnosed = report.stem == "friction"
+    left_out = () if diagnosed else ("parting", "physics", "proof")
+    assert names == [each.name for each in SECTIONS if each.name not in left_out]
+    for name in names:
+        assert len(page.locator(f"#{name}").inner_text()) > 80
+        assert page.locator(f"#{name}").bounding_box()["height"] > 100
+
+
+def test_every_figure_is_drawn_with_marks_or_lines(desktop):
+    page, _, _ = desktop
+    figures = page.locator("figure").all()
+    assert len(figures) >= 7
+    for each in figures:
+        assert each.locator(".main-svg").first.bounding_box()["height"] > 150
+        assert each.locator(".main-svg .trace, .main-svg .bars .point").count() >= 1
+
+
+def test_first_figure_is_seen_within_two_seconds(browser, report):
+    taken = []
+    for _ in range(LOADS):
+        context = browser.new_context(viewport=DESKTOP)
+        page = context.new_page()
+        page.goto(report.as_uri(), wait_until="commit")
+        taken.append(page.evaluate(FIRST_FIGURE) / 1000)
+        context.close()
+    assert min(taken) < OPENED, taken
+
+
+def test_a_zoom_of_one_segment_is_one_of_all(desktop):
+    page, _, _ = desktop
+    before = range_of(page, "motion-0")
+    x, y, width = middle_of(page, "motion-0")
+    page.mouse.move(x - width / 4, y)
+    page.mouse.down()
+    page.mouse.move(x, y, steps=5)
+    page.mouse.up()
+    page.wait_for_function(
+        "document.querySelector('#motion-1 .plot').layout.xaxis.range[1] < "
+        f"{before[0] + 0.8 * (before[1] - before[0])}"
+    )
+    zoomed = range_of(page, "motion-0")
+    assert zoomed[1] - zoomed[0] == pytest.approx((before[1] - before[0]) / 4, rel=0.1)  # pixels
+    assert range_of(page, "motion-1") == pytest.approx(zoomed)
+    page.mouse.dblclick(x, y)
+    page.wait_for_function(f"{RANGE}[1] > {zoomed[1]}")
+    assert range_of(page, "motion-0") == pytest.approx(before)
+
+
+def test_pointing_at_a_curve_tells_its_values(desktop):
+    page, _, _ = desktop
+    x, y, _ = middle_of(page, "motion-0")
+    page.mouse.move(x - 40, y)
+    page.mouse.move(x, y, steps=3)
+    page.wait_for_selector("#motion-0 .hoverlayer text", timeout=PATIENCE)
+    said = page.locator("#motion-0 .hoverlayer").text_content()
+    for word in ("measured", "simulated", "residual", "deg"):
+        assert word in said
+    page.mouse.move(0, 0)
+
+
+def test_keys_reach_the_content_and_zoom(browser, report):
+    with opened(browser, report, DESKTOP) as (page, _, _):
+        page.keyboard.press("Tab")
+        assert page.evaluate("document.activeElement.className") == "skip"
+        page.locator("#motion-0 .plot").focus()
+        before = range_of(page, "motion-0")
+        page.keyboard.press("+")
+        page.wait_for_function(f"{RANGE}[1] < {before[1]}")
+        page.keyboard.press("0")
+        page.wait_for_function(f"{RANGE}[1] >= {before[1]}")
+        page.locator("summary").first.focus()
+        page.keyboard.press("Enter")
+        assert page.locator("details").first.get_attribute("open") is not None
+
+
+def test_on_paper_no_figure_is_wider_than_the_page(browser, report):
+    with opened(browser, report, DESKTOP) as (page, said, _):
+        page.emulate_media(media="print")
+        page.evaluate("dispatchEvent(new Event('beforeprint'))")
+        widths = page.evaluate(
+            "[...document.querySelectorAll('.plot .main-svg')].map("
+            "  (each) => each.getBoundingClientRect().width)"
+        )
+        assert max(widths) <= PAPER + 1  # rounding
+        assert page.locator("details:not([open])").count() == 0
+        page.evaluate("dispatchEvent(new Event('afterprint'))")
+        assert said == []
+
+
+def test_a_phone_never_scrolls_sideways(browser, report, screenshots, capfd):
+    with opened(browser, report, PHONE, is_mobile=True, has_touch=True) as (page, said, _):
+        assert page.evaluate("document.documentElement.scrollWidth") <= PHONE["width"]
+        assert said == []
+        keep(page, screenshots / f"{report.stem}-phone.png", capfd)
+
+
+def test_a_picture_of_it_is_kept(desktop, report, screenshots, capfd):
+    page, _, _ = desktop
+    page.mouse.move(0, 0)
+    page.evaluate("scrollTo(0, 0)")
+    keep(page, screenshots / f"{report.stem}-desktop.png", capfd)
+
+
+def keep(page, path, capfd):
+    """A screenshot of all of it, its path on the log past pytest's capture."""
+    page.screenshot(path=path, full_page=True)
+    with capfd.disabled():
+        print(f"\nscreenshot: {path}", file=sys.stderr)
+    assert path.stat().st_size > 50_000

@@ -1,0 +1,245 @@
+"""A saved fit comes back number for number, and another file is refused in one line."""
+
+import json
+from dataclasses import fields, is_dataclass, replace
+from importlib.metadata import version
+from io import StringIO
+
+import numpy as np
+import pytest
+from rich.console import Console
+from test_fit_json import fitted
+
+from exoid.diagnose.directions import Direction
+from exoid.diagnose.identifiability import Identifiability
+from exoid.diagnose.reversal import Reversal
+from exoid.fit.disturbance import Disturbance
+from exoid.fit.result import Estimate, MountingFit
+from exoid.report.comparison import compare
+from exoid.report.comparison_table import comparison_document, print_comparison
+from exoid.report.fit_json import fit_document
+from exoid.report.fit_table import print_fit
+from exoid.report.load_result import load_result
+from exoid.report.save_result import save_result
+
+SOURCES = [{"path": "é leg.csv", "sha256": "00ff" * 16, "segments": 2, "sidecar_sha256": None}]
+SETTINGS = {"lambda": 1.0, "seed": 7, "each": False, "torque_frequency": None, "signal": ["a=B.c"]}
+ODD = (0.1 + 0.2, 1e-308, np.pi, float(np.nextafter(1.0, 2.0)), -0.0, 5e-324)
+
+
+def zero():
+    return Estimate("z", "zero", "rad", ODD[0], ODD[3], reason=None)
+
+
+def rich():
+    """A fit in which everything that may be there is, and everything that may be missing is not."""
+    plain = fitted()
+    segments = [
+        replace(plain.segments[0], name="ä 0", angular_velocity=None, velocity_rmse=None),
+        replace(plain.segments[1], angle=np.resize(ODD, 201)),
+    ]
+    return replace(
+        plain,
+        segments=segments,
+        mountings=[MountingFit("b.csv", None, zero(), zero(), None)],
+        disturbance=Disturbance("encoder", 0.1, ODD[0], 1.0, np.outer(ODD, ODD), np.array(ODD)),
+        torque_frequency=None,
+        other_reading_rmse=None,
+    )
+
+
+def told():
+    return Identifiability(
+        null_directions=[Direction({"mass": 1.0, "com_distance": -ODD[0]}, np.inf, "m up, l down")],
+        weak_directions=[],
+        combinations={"gravity_over_inertia": zero()},
+        names=["inertia", "damping"],
+        correlation=np.array([[1.0, ODD[0]], [ODD[0], 1.0]]),
+        segment_shares={"gravity_over_inertia": np.array([0.25, 0.75])},
+        reversals=[Reversal("ä 0", True, ODD[3])],
+        sentences=["nothing tells m."],
+    )
+
+
+def check_same(one, other, where="saved"):
+    """Bit for bit, down to the type of every number."""
+    assert type(one) is type(other), where
+    if is_dataclass(one):
+        for each in fields(one):
+            if each.name != "basis":
+                check_same(
+                    getattr(one, each.name), getattr(other, each.name), f"{where}.{each.name}"
+                )
+    elif isinstance(one, np.ndarray):
+        assert (one.dtype, one.shape) == (other.dtype, other.shape), where
+        assert one.tobytes() == other.tobytes(), where
+    elif isinstance(one, dict):
+        assert list(one) == list(other), where
+        for name, each in one.items():
+            check_same(each, other[name], f"{where}.{name}")
+    elif isinstance(one, list | tuple):
+        assert len(one) == len(other), where
+        for number, pair in enumerate(zip(one, other, strict=True)):
+            check_same(*pair, f"{where}[{number}]")
+    else:
+        assert one == other, where
+
+
+def plainly(result):
+    """Without NumPy's own scalar types, which a file does not keep."""
+    return replace(
+        result,
+        segments=[replace(each, angle_rmse=float(each.angle_rmse)) for each in result.segments],
+    )
+
+
+@pytest.mark.parametrize(("make", "asked"), [(fitted, None), (rich, told())])
+def test_a_saved_fit_comes_back_bit_for_bit(tmp_path, make, asked):
+    path = tmp_path / "fit.nc"
+    result = plainly(make())
+    save_result(result, path, told=asked, recordings=SOURCES, settings=SETTINGS)
+    back = load_result(path)
+    check_same(result, back.result)
+    check_same(asked, back.told)
+    assert (back.version, back.recordings, back.settings) == (version("exoid"), SOURCES, SETTINGS)
+    assert [each.name for each in tmp_path.iterdir()] == ["fit.nc"]
+
+
+def test_a_fit_without_voluntary_segments_comes_back(tmp_path):
+    result = replace(plainly(fitted()), torque_amplitude=None, segments=fitted().segments[:1])
+    result = plainly(replace(result, multistart=replace(result.multistart, family={}, members={})))
+    save_result(result, tmp_path / "drop.nc")
+    back = load_result(tmp_path / "drop.nc")
+    check_same(result, back.result)
+    assert (back.recordings, back.settings, back.told) == ([], {}, None)
+
+
+def test_tables_and_document_of_a_saved_fit_are_those_of_the_fit(tmp_path):
+    result, asked = plainly(rich()), told()
+    save_result(result, tmp_path / "fit.nc", told=asked)
+    back = load_result(tmp_path / "fit.nc")
+    printed = []
+    for pair in ((result, asked), (back.result, back.told)):
+        console = Console(width=80, file=StringIO())
+        print_fit(pair[0], console, pair[1])
+        printed.append(console.file.getvalue())
+    assert printed[0] == printed[1]
+    documents = [
+        fit_document(one, version="0", recordings=[], settings={}, told=other)
+        for one, other in ((result, asked), (back.result, back.told))
+    ]
+    assert json.dumps(documents[0]) == json.dumps(documents[1])
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory):
+    """A saved fit."""
+    path = tmp_path_factory.mktemp("saved") / "fit.nc"
+    save_result(fitted(), path)
+    return path
+
+
+def test_any_reader_of_netcdf_finds_values_with_their_units(whole):
+    import xarray
+
+    with xarray.open_dataset(whole, group="parameters", engine="h5netcdf") as table:
+        row = table.sel(name="inertia")
+        assert (float(row["value"]), str(row["unit"].values)) == (0.45104, "kg m^2")
+    with xarray.open_dataset(whole, group="samples", engine="h5netcdf") as samples:
+        assert samples["angle"].attrs["units"] == "rad"
+        assert samples["time"].dtype == float  # s, and not taken for a date
+
+
+def test_what_was_saved_before_survives_a_failing_write(tmp_path, monkeypatch):
+    path = tmp_path / "fit.nc"
+    path.write_text("precious")
+    monkeypatch.setattr("xarray.DataTree.to_netcdf", lambda *_, **__: 1 / 0)
+    with pytest.raises(ZeroDivisionError):
+        save_result(fitted(), path)
+    assert path.read_text() == "precious"
+    assert [each.name for each in tmp_path.iterdir()] == ["fit.nc"]
+
+
+DAMAGE = {
+    "cut": lambda content: content[: len(content) // 2],
+    "empty": lambda _: b"",
+    "text": lambda _: b"time_s,angle_rad\n",
+    "holed": lambda content: content[:2000] + bytes(3000) + content[5000:],
+}
+
+
+@pytest.mark.parametrize("damaged", DAMAGE.values(), ids=DAMAGE)
+def test_a_file_that_is_not_whole_is_refused_in_one_line(tmp_path, whole, damaged):
+    path = tmp_path / "fit.nc"
+    path.write_bytes(damaged(whole.read_bytes()))
+    with pytest.raises(ValueError, match=r"fit\.nc: this is no result of 'exoid fit --save'"):
+        load_result(path)
+
+
+def test_another_netcdf_file_and_another_layout_are_named(tmp_path, monkeypatch):
+    import xarray
+
+    other = tmp_path / "other.nc"
+    xarray.Dataset({"x": ("t", np.arange(3.0))}).to_netcdf(other, engine="h5netcdf")
+    with pytest.raises(ValueError, match=r"other\.nc: this netCDF file is no result"):
+        load_result(other)
+    monkeypatch.setattr("exoid.report.save_result.FORMAT_VERSION", 99)
+    save_result(fitted(), tmp_path / "new.nc")
+    with pytest.raises(ValueError, match=r"in another layout\. Read it with that version"):
+        load_result(tmp_path / "new.nc")
+
+
+def test_a_missing_file_and_a_directory_are_named(tmp_path):
+    with pytest.raises(FileNotFoundError, match=r"none\.nc"):
+        load_result(tmp_path / "none.nc")
+    with pytest.raises(ValueError, match="this is a directory"):
+        load_result(tmp_path)
+
+
+@pytest.fixture(scope="module")
+def sides(tmp_path_factory):
+    """Two fits: the second with another inertia, no torque, of another file, by another seed."""
+    folder, first = tmp_path_factory.mktemp("sides"), plainly(fitted())
+    inertia = replace(first.parameters["inertia"], value=0.55104)
+    other = replace(
+        first, parameters={**first.parameters, "inertia": inertia}, torque_amplitude=None
+    )
+    save_result(first, folder / "a.nc", recordings=SOURCES, settings=SETTINGS)
+    moved = [{**SOURCES[0], "sha256": "aa" * 32}]
+    save_result(other, folder / "b.nc", recordings=moved, settings={**SETTINGS, "seed": 8})
+    return [load_result(folder / name) for name in ("a.nc", "b.nc")]
+
+
+def test_a_comparison_counts_differences_in_standard_errors(sides):
+    found = {each.name: each for each in compare(*sides).quantities}
+    assert found["inertia"].difference == pytest.approx(0.1)
+    assert found["inertia"].standard_errors == pytest.approx(0.1 / (0.0405 * 2**0.5))
+    assert found["damping"].standard_errors == 0.0
+    assert found["mass"].difference is None  # neither tells it
+    assert found["stiffness"].standard_errors is None  # at a bound: no error is quoted
+    assert found["torque_amplitude"].second is None
+    assert found["torque_over_inertia"].symbol == "tau / J"
+
+
+def test_a_comparison_names_the_settings_that_differ_and_no_other(sides):
+    found = compare(*sides)
+    assert found.settings == {"seed": ("7", "8")}
+    assert not found.same_recordings
+    assert compare(sides[0], sides[0]).settings == {}
+    assert compare(sides[0], sides[0]).same_recordings
+
+
+def test_a_comparison_fits_eighty_columns_and_json(sides):
+    console = Console(width=80, file=StringIO())
+    print_comparison(compare(*sides), sides, console)
+    text = console.file.getvalue()
+    assert max(map(len, text.split("\n"))) <= 80
+    assert "…" not in text
+    assert "0.451 ± 0.041" in text
+    assert "+1.7" in text
+    assert "not determined" in text
+    assert "7 -> 8" in text
+    assert "Set by the prior in both, not by a recording: J, l." in text
+    document = comparison_document(compare(*sides), sides)
+    assert json.loads(json.dumps(document, allow_nan=False)) == document
+    assert document["quantities"]["inertia"]["difference"] == pytest.approx(0.1)
