@@ -35,7 +35,7 @@ def table(path, angle, column="raw_angle_rad", known=True):
         ("noise.asc", bytes(range(256)) * 9, "holds no CAN frame"),
         ("noise.trc", bytes(range(256)) * 9, "holds no CAN frame"),
         ("noise.log", bytes(range(256)) * 9, "holds no CAN frame"),
-        ("noise.xyz", bytes(range(256)), "a CAN log ends in .blf"),
+        ("noise.xyz", bytes(range(256)), "a recording is a table (.csv, with the column time_s)"),
         ("header.csv", b"time_s,raw_angle_rad\n", "holds a header but no samples"),
         ("one.csv", b"time_s,raw_angle_rad\n0.0,-0.1\n", "at least 2 are needed"),
         ("nan.csv", b"time_s,raw_angle_rad\n0.0,nan\n0.1,nan\n", "'nan' is not a number"),

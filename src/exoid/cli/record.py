@@ -54,12 +54,14 @@ def record(
       exoid record --interface socketcan --channel can0 --bitrate 500000 -o session.blf
     """
     sidecar = output.with_suffix(".toml")
+    from exoid.recording.log_file import LogFile, check_kind
+
     check_destination(output)
+    check_kind(output)
     check_absent((output, sidecar), force)
     if segment:
         check_keyboard()
     from exoid.recording.can_bus import BusAddress
-    from exoid.recording.log_file import LogFile
     from exoid.recording.recording import Subject
 
     log = LogFile(output, replace=force)

@@ -100,6 +100,8 @@ class Session:
 
 def live_line(now: Status) -> str:
     """A moment in one line, in degrees."""
+    if not now.seconds > 0:
+        return "waiting for the node"
     parts = [
         f"{now.seconds:7.1f} s",
         f"{degrees(now.angle):+7.1f} deg",
