@@ -113,6 +113,8 @@ def draw_bars(axes: Axes, found: Diagnosis) -> None:
     axes.set_yticks(range(len(rows)), [row.name for row in rows])
     axes.invert_yaxis()
     axes.set_xscale("log")
+    axes.set_xlim(LEAST, max(20.0, 1.5 * max(values)))  # at least two ticks
+    axes.xaxis.set_minor_formatter("")
     axes.axvline(1.0, color="black", linewidth=0.9, linestyle=(0, (4, 2)))
     axes.set_xlabel("mean square of what is left over the noise [1] (dashed: the noise itself)")
 
