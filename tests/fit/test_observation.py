@@ -5,10 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from exoid.fit.movement import movement, scatter
+from exoid.fit.movement import movement
 from exoid.fit.observation import LONGEST_STEP, bucket, observe
 from exoid.physics.leg import LegModel
 from exoid.physics.torque import NoTorque
+from exoid.recording.noise import scatter
 from exoid.recording.recording import Protocol, Recording, Segment, Sensors
 from fit_cases import BODY, NOISE, cycle_torque, exact, leg, one, state
 

@@ -85,7 +85,7 @@ def concluded(
         found=found,
         bench=bench,
         fit=result,
-        advice=advice(bench, found, best, verdict, formula),
+        advice=advice(found, equal, verdict, formula),
     )
 
 
@@ -146,17 +146,14 @@ def by_share(found: Found, selected: list[str]) -> list[str]:
 
 
 def advice(
-    bench: Bench, found: Found, best: Settled, verdict: Verdict, formula: Formula | None
+    found: Found, equal: list[Settled], verdict: Verdict, formula: Formula | None
 ) -> list[str]:
-    """What to record next."""
+    """What to record next, to tell apart what is `equal` or what is suspected."""
     if verdict == "none":
         return []
     if formula is not None:
         return ["Change one thing at a time (speed, angle, load) and watch which moves the torque."]
-    if best.candidate.terms:
-        rivals = equivalents(found, best)
-    else:
-        rivals = [one for one in found.singles[:2] if followed(found, one) > SUSPECT]
+    rivals = equal or [one for one in found.singles[:2] if followed(found, one) > SUSPECT]
     if verdict == "mismatch" and len(rivals) < 2:
         return []
     terms = dict.fromkeys(term for one in rivals for term in one.candidate.terms)

@@ -13,7 +13,8 @@ from exoid.recording.condition import (
     measure_period,
     movements,
 )
-from exoid.recording.recording import Recording, Samples, Segment, Sensors
+from exoid.recording.noise import angle_noise, velocity_noise
+from exoid.recording.recording import Recording, Samples, Segment
 
 FEWEST = 10  # samples that a movement must have to be fitted
 RELEASE = 0.2  # s before 20 deg/s are reached, within which a leg was let go
@@ -151,27 +152,6 @@ def find_onset(segment: Segment) -> float:
     begin = float(segment.time[0])
     first = float(segment.time[found[0].start]) if found else begin
     return first if first > begin + SETTLING else begin
-
-
-def angle_noise(sensors: Sensors, angle: Samples) -> float:
-    """Standard deviation [rad] of an angle sample: declared, else from the data; and its steps."""
-    step = 0.0 if sensors.encoder_counts is None else 2 * np.pi / sensors.encoder_counts
-    white = scatter(angle) if sensors.angle_noise is None else sensors.angle_noise
-    return float(np.hypot(white, step / np.sqrt(12)))
-
-
-def velocity_noise(sensors: Sensors, velocity: Samples | None) -> float:
-    """Standard deviation [rad/s] of a gyro sample: declared, else from the data."""
-    if velocity is None:
-        return np.inf
-    return scatter(velocity) if sensors.velocity_noise is None else sensors.velocity_noise
-
-
-def scatter(samples: Samples) -> float:
-    """White noise of a smooth signal, from its third differences (whose variance is 20 times)."""
-    third = np.diff(samples[~np.isnan(samples)], 3)
-    spread = float(np.median(np.abs(third)) / 0.6745 / np.sqrt(20))
-    return spread if spread > 0 else float(np.std(third) / np.sqrt(20)) or 1e-6
 
 
 def places(movements: list[Movement]) -> list[int]:

@@ -1,4 +1,4 @@
-"""The white noise of a sampled angle: declared by its sensor, else from the samples themselves."""
+"""The white noise of a sampled signal: declared by its sensor, else from the samples themselves."""
 
 import numpy as np
 
@@ -10,6 +10,13 @@ def angle_noise(sensors: Sensors, angle: Samples) -> float:
     step = 0.0 if sensors.encoder_counts is None else 2 * np.pi / sensors.encoder_counts
     white = scatter(angle) if sensors.angle_noise is None else sensors.angle_noise
     return float(np.hypot(white, step / np.sqrt(12)))
+
+
+def velocity_noise(sensors: Sensors, velocity: Samples | None) -> float:
+    """Standard deviation [rad/s] of a gyro sample: declared, else from the data."""
+    if velocity is None:
+        return np.inf
+    return scatter(velocity) if sensors.velocity_noise is None else sensors.velocity_noise
 
 
 def scatter(samples: Samples) -> float:

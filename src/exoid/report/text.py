@@ -55,6 +55,11 @@ def exponent(value: float) -> int:
     return int(f"{value:.1e}".partition("e")[2]) if value else 0
 
 
+def capital(words: str) -> str:
+    """With a capital at its begin."""
+    return words[:1].upper() + words[1:]
+
+
 def in_degrees(angle: float) -> str:
     """rad as degrees with three digits, never as a power of ten."""
     value = degrees(angle)

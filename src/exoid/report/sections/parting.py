@@ -12,6 +12,7 @@ from exoid.report.figures.torque import draw_torque
 from exoid.report.plot_diagnosis import worst
 from exoid.report.sections.section import Section
 from exoid.report.sections.table import Table
+from exoid.report.text import capital
 
 NOTHING = (
     "Nothing stands out: what is drawn here is how noise looks as a torque, and what the ends of "
@@ -45,10 +46,6 @@ class Parting(Section):
             plane=draw_plane(location),
             regions=regions(location),
         )
-
-
-def capital(words: str) -> str:
-    return words[:1].upper() + words[1:]
 
 
 def regions(location: Location) -> Table:

@@ -11,7 +11,7 @@ from exoid.report.figures.proof import draw_proof
 from exoid.report.plot_diagnosis import worst
 from exoid.report.sections.section import Section
 from exoid.report.sections.table import Table
-from exoid.report.text import in_degrees
+from exoid.report.text import capital, in_degrees
 
 NOTHING = (
     "Nothing was added to the model. Every segment was predicted from a fit of the others, and "
@@ -53,8 +53,7 @@ def changed(found: Diagnosis) -> bool:
 def sentence(found: Diagnosis) -> str:
     """What the prediction shows."""
     if changed(found):
-        words = proof(found)
-        return words[:1].upper() + words[1:]
+        return capital(proof(found))
     total, floor = found.proof.before.total, found.proof.noise_floor
     return NOTHING.format(in_degrees(total), total / floor, in_degrees(floor))
 

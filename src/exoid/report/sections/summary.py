@@ -12,7 +12,7 @@ from exoid.report.sections.parameters import parameters_of
 from exoid.report.sections.quality import appraisals
 from exoid.report.sections.section import Section
 from exoid.report.sections.table import Table, quantity
-from exoid.report.text import counted, in_degrees
+from exoid.report.text import capital, counted, in_degrees
 
 State = Literal["good", "care", "open"]
 
@@ -138,4 +138,4 @@ def believed(fit: FitResult) -> Table:
 
 def sentence(words: str) -> str:
     """With a capital and a full stop."""
-    return words and f"{words[:1].upper()}{words[1:].rstrip('.')}."
+    return words and f"{capital(words.rstrip('.'))}."
