@@ -34,15 +34,14 @@ from emulated_node import emulated_node, samples_of
 
 SIDECAR = "session.toml"
 SEED = 20
-CLOCK_ERROR = 150e-6  # the node's 10 ms last that much longer
 
 LEG = {"mass": 4.5, "inertia": 0.42, "com_distance": 0.26, "damping": 0.33, "stiffness": 2.6}
 SUBJECT = Subject(
     kind="leg", body_mass=74.0, height=1.78, notes="Simulated; nobody wore the exoskeleton."
 )
 
-DROPS = [(-12.0, 5.6), (-35.0, 5.2), (-22.0, 5.4)]  # start [deg], duration [s]
-LOADED_DROP = (-18.0, 5.8)
+DROPS = [(-12.0, 10.4), (-35.0, 9.6), (-22.0, 10.0)]  # start [deg], duration [s]: to rest
+LOADED_DROP = (-18.0, 12.4)
 LOAD = {"added_mass": 1.0, "added_mass_distance": 0.40}  # kg, m: a cuff at the ankle
 # Start [deg], amplitude [N m], period [s]. With f = 1/T this leg comes back to rest at T only for
 # periods near 1.2 s (a full swing with little help) and 1.35 s (a shallow one, held against
@@ -61,22 +60,20 @@ def movements() -> list[Movement]:
     """The session in order."""
     drops = [Movement(np.radians(start), duration) for start, duration in DROPS]
     loaded = Movement(np.radians(LOADED_DROP[0]), LOADED_DROP[1], **LOAD)
-    lasting = 1 + CLOCK_ERROR  # s for a second of the node's clock, by which periods are noted
-    cycles = [Movement(np.radians(start), lasting * period, tau) for start, tau, period in CYCLES]
+    cycles = [Movement(np.radians(start), period, tau) for start, tau, period in CYCLES]
     return [*drops, loaded, *cycles]
 
 
 def make() -> Recording:
-    """The continuous log, on the host's clock."""
+    """The continuous log."""
     model = LegModel(LegParameters(**{k: jnp.array(v) for k, v in LEG.items()}), NoTorque())
-    step = 0.01 * (1 + CLOCK_ERROR)
-    log = session(model, movements(), jax.random.key(SEED), subject=SUBJECT, time_step=step)
+    log = session(model, movements(), jax.random.key(SEED), subject=SUBJECT)
     return replace(log, protocol=as_noted(log.protocol))
 
 
 def as_noted(protocol: Protocol) -> Protocol:
-    """The marks as a user notes them: full hundredths of a second, each end just before the catch,
-    on whichever of the two clocks."""
+    """The marks as a user notes them: full hundredths of a second, each end just before the
+    catch."""
     starts, ends = protocol.segment_start or (), protocol.segment_end or ()
     periods = [np.nan] * (len(DROPS) + 1) + [period for *_, period in CYCLES]
     return replace(

@@ -35,7 +35,7 @@ def test_without_a_path_it_says_that_it_fits_the_example(example):
     first = done.stdout.splitlines()[0]
     assert "No recording given" in first
     assert "example" in first
-    assert "6808 samples" in done.stderr
+    assert "8846 samples" in done.stderr
 
 
 def test_the_example_gives_back_the_leg_that_made_it(example):

@@ -34,7 +34,7 @@ def simulate(
     ] = None,
     torque_amplitude: Annotated[float, typer.Option(help="tau of the cycles [N m]")] = -9.5,
     period: Annotated[float, typer.Option(min=0.2, max=LONGEST, help="T of the cycles [s]")] = 1.8,
-    duration: Annotated[float, typer.Option(min=0.5, max=LONGEST, help="Of each drop [s]")] = 6.0,
+    duration: Annotated[float, typer.Option(min=0.5, max=LONGEST, help="Of each drop [s]")] = 12.0,
     added_mass: Annotated[float, typer.Option(min=0.0, max=50.0, help="At the ankle [kg]")] = 0.0,
     thigh_angle: Annotated[
         float, typer.Option(min=-60.0, max=60.0, help="Knee above the hip [deg], by the seat.")

@@ -26,9 +26,9 @@ def print_plan(plan: Plan, console: Console) -> None:
         say(
             console,
             "Angles are of the knee, 0 straight, -90 hanging. Each time: hold still for 2 s, let "
-            "go without a push, hands off until the leg hangs still (6 s). The person relaxes. "
-            "Stop where knee or seat do not allow the swing. Then fit it together with what there "
-            "is: exoid fit OLD NEW.",
+            "go without a push, hands off until the leg hangs still (about 10 s). The person "
+            "relaxes. Stop where knee or seat do not allow the swing. Then fit it together with "
+            "what there is: exoid fit OLD NEW.",
         )
         print_options(plan, console)
     if plan.sentences:

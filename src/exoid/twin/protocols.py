@@ -15,7 +15,7 @@ from exoid.recording.recording import Kind, Protocol, Recording, Segment, Sensor
 from exoid.twin.motion import Course, Movement, Reading, perform
 from exoid.twin.sensors import SensorKit, measure
 
-TICK = 0.01  # s, the firmware's sample time, and what its filter takes for it
+TICK = 0.01  # s, the firmware's sample time
 NOBODY = Subject()
 
 
@@ -34,19 +34,17 @@ def session(
     kit: SensorKit | None = None,
     subject: Subject = NOBODY,
     torque_frequency: Reading = "1/T",
-    time_step: float = TICK,
     exact: bool = False,
 ) -> Recording:
     """The continuous log of a session: rest, release, motion, catch, rest, lift, and so on.
 
-    The marks of its protocol run from 1 s before each release to the catch. `time_step` is the
-    true time [s] between samples; the firmware's filter takes it for 10 ms whatever it is.
-    The torque of `model` is replaced by each movement's own. `exact` logs the true motion in place
-    of what sensors and filter make of it.
+    The marks of its protocol run from 1 s before each release to the catch. The torque of `model`
+    is replaced by each movement's own. `exact` logs the true motion in place of what sensors and
+    filter make of it.
     """
     kit = kit or SensorKit()
-    performed = perform(model, movements, torque_frequency, time_step)
-    time = np.arange(performed.course.angle.size) * time_step
+    performed = perform(model, movements, torque_frequency, TICK)
+    time = np.arange(performed.course.angle.size) * TICK
     starts, ends = (tuple(time[list(at)].tolist()) for at in (performed.start, performed.end))
     return Recording(
         (truth(performed.course, time) if exact else observe(kit, performed.course, time, key),),
