@@ -3,9 +3,7 @@
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import product
-from typing import TypeVar
 
-import equinox as eqx
 import jax
 import numpy as np
 
@@ -21,7 +19,6 @@ from exoid.physics.parameter import Declaration, declarations
 from exoid.physics.term import Term
 
 FARTHEST = 5.0  # typical steps of the inertia from the fit: a factor of four
-Tree = TypeVar("Tree")
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,11 +35,6 @@ class Bench:
     @property
     def segments(self) -> int:
         return len(self.problem.movements)
-
-    @property
-    def spare(self) -> int:
-        """Segments that are added, and dropped again, so that few counts need compiling."""
-        return roomy(self.segments) - self.segments
 
     @property
     def seen(self) -> Observation:
@@ -101,15 +93,6 @@ class Bench:
         angles = np.concatenate([each.angle for each in self.sensors.references])
         return float(angles.min()), float(angles.max())
 
-    def surroundings(self, observation: Observation):
-        """What every candidate shares: observation, known unknowns, clock, steps."""
-        shared = (observation, self.problem.known, self.clock)
-        return (*longer(shared, self.spare, axis=0), np.asarray(self.problem.steps))
-
-    def with_spare(self, at: Coordinates, axis: int) -> Coordinates:
-        """The coordinates with those of the spare segments."""
-        return eqx.tree_at(lambda at: at.own, at, longer(at.own, self.spare, axis))
-
     def bounds(self, candidate: Hypothesis) -> tuple[np.ndarray, np.ndarray]:
         """Of every unknown: the leg neither pulls apart nor makes energy, a term keeps its own."""
         size = candidate.unknowns.size
@@ -127,19 +110,3 @@ class Bench:
         lower[first:] = [declared.lower for declared in each]
         upper[first:] = [declared.upper for declared in each]
         return lower, upper
-
-
-def roomy(count: int) -> int:
-    """The next of 1, 2, 3, 4, 6, 8, 12, 16, 24, ..."""
-    power = 1 << max(count - 1, 0).bit_length()
-    return power * 3 // 4 if power >= 4 and count <= power * 3 // 4 else power
-
-
-def longer(tree: Tree, spare: int, axis: int) -> Tree:
-    """Every leaf with its last entries along an axis repeated."""
-
-    def grown(leaf):
-        last = np.take(leaf, [-1], axis=axis)
-        return np.concatenate([leaf, np.repeat(last, spare, axis=axis)], axis=axis)
-
-    return jax.tree.map(grown, tree) if spare else tree

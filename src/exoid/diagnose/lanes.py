@@ -1,12 +1,14 @@
 """Many candidates at once through the compiled program that pins them to the data."""
 
 from collections import Counter
+from dataclasses import replace
 
 import jax
 import numpy as np
 
-from exoid.diagnose.bench import Bench, longer
+from exoid.diagnose.bench import Bench
 from exoid.diagnose.effect import Effect
+from exoid.diagnose.groups import grouped
 from exoid.diagnose.hypothesis import Hypothesis, Linear, Products, spread
 from exoid.diagnose.pinned import Given, Pinned, Requests
 from exoid.diagnose.scene import Course
@@ -17,6 +19,7 @@ from exoid.physics.parameter import declarations
 from exoid.physics.step import Drive
 from exoid.physics.term import Term
 
+GROUP = 2  # segments of a program, so that one serves every recording
 GIVEN = 4  # first terms that lanes may have linear, the first of them none
 ROWS, TABLE = np.zeros((1, 1, 1)), np.zeros((1, 1, 1, 1))
 NONE = Effect(Drive(ROWS, ROWS, ROWS), ROWS)
@@ -79,26 +82,36 @@ def run(bench: Bench, batch, candidates, courses, observation) -> Pinned:
     """The program on a batch; the last lane takes the requests that nobody made."""
     space = room(bench)
     lanes = sum(space.values()) + 1
-    chosen = [candidates[n] for n in [*batch, *[batch[0]] * (lanes - len(batch))]]
-    along = [courses[n] for n in [*batch, *[batch[0]] * (lanes - len(batch))]]
-    points = [bench.coordinates(one) for one in chosen]
-    first = [candidates[n] for n in batch]
-    arguments = (
-        tuple(requests(bench, term, space[term], first, lanes - 1) for term in bench.library),
-        given(bench, chosen),
-        bench.with_spare(stacked(points), axis=1),
-        np.array([one.zero for one in chosen]),
-        longer(stacked(along), bench.spare, axis=1),
-        longer(bench.course, bench.spare, axis=0),
-        *bench.surroundings(observation),
+    lane = [*batch, *[batch[0]] * (lanes - len(batch))]
+    first, chosen = ([candidates[number] for number in numbers] for numbers in (batch, lane))
+    asked = tuple(requests(bench, term, space[term], first, lanes - 1) for term in bench.library)
+    known, points = given(bench, chosen), stacked([bench.coordinates(one) for one in chosen])
+    along, zero = stacked([courses[number] for number in lane]), np.array([c.zero for c in chosen])
+    parts = zip(
+        grouped(known.effect, GROUP, axis=2),
+        grouped((points.own, along), GROUP, axis=1),
+        grouped((bench.course, observation, bench.problem.known, bench.clock), GROUP),
+        strict=True,
     )
-    static = (bench.library, bench.problem.chain)
-    found = called("exoid.diagnose.pinned:evaluate", arguments, static, PINNED)
-    count = bench.segments
+    static, steps = (bench.library, bench.problem.chain), np.asarray(bench.problem.steps)
+    found = []
+    for effect, (own, course), around in parts:
+        of_lanes = (asked, replace(known, effect=effect), replace(points, own=own), zero, course)
+        arguments = (*of_lanes, *around, steps)
+        found.append(called("exoid.diagnose.pinned:evaluate", arguments, static, PINNED))
+    return joined(found, bench.segments)
+
+
+def joined(parts: list[Pinned], count: int) -> Pinned:
+    """What was found of the groups, of so many segments."""
+
+    def all_of(axis: int):
+        return lambda *leaves: np.take(np.concatenate(leaves, axis), np.arange(count), axis)
+
     return Pinned(
-        found.gram[:, :count],
-        jax.tree.map(lambda leaf: leaf[:, :count], found.course),
-        jax.tree.map(lambda leaf: leaf[:, :, :count], found.first),
+        all_of(1)(*(part.gram for part in parts)),
+        jax.tree.map(all_of(1), *(part.course for part in parts)),
+        jax.tree.map(all_of(2), *(part.first for part in parts)),
     )
 
 
@@ -135,7 +148,7 @@ def given(bench: Bench, lanes: list[Hypothesis]) -> Given:
         moved = one.values[0] - one.linear.at
         change[lane, : moved.size] = moved
     effect = stacked(effects + [effects[0]] * (GIVEN - len(effects)))
-    return Given(longer(effect, bench.spare, axis=2), whose, change)
+    return Given(effect, whose, change)
 
 
 def stacked(trees: list):

@@ -1,13 +1,19 @@
 """Candidates running free, through the compiled program of their terms."""
 
+from dataclasses import replace
+
+import equinox as eqx
 import jax
 import numpy as np
 
 from exoid.diagnose.bench import Bench
+from exoid.diagnose.groups import grouped
 from exoid.diagnose.hypothesis import Hypothesis, Products, spread
 from exoid.fit.observation import Observation
 from exoid.fit.program import called
 
+GROUP = 4  # segments of a program, so that one serves every recording
+LEAST = 1024  # samples of it, or twice as many, and so on
 TABLE = np.zeros((1, 1, 1))
 RELEASED = jax.tree.structure((TABLE, TABLE))
 
@@ -24,13 +30,29 @@ def release(
 def release_one(
     bench: Bench, candidate: Hypothesis, observation: Observation
 ) -> tuple[Products, np.ndarray]:
-    arguments = (
-        candidate.values,
-        bench.with_spare(bench.coordinates(candidate), axis=0),
-        candidate.zero,
-        *bench.surroundings(observation),
+    size = observation.time.shape[1]
+    at = bench.coordinates(candidate)
+    every = (at.own, prolonged(observation, size), bench.problem.known, bench.clock)
+    static, steps = (candidate.terms, bench.problem.chain), np.asarray(bench.problem.steps)
+    found = []
+    for own, *surroundings in grouped(every, GROUP):
+        point = replace(at, own=own)
+        arguments = (candidate.values, point, candidate.zero, *surroundings, steps)
+        found.append(called("exoid.diagnose.free:release", arguments, static, RELEASED))
+    gram, shown = (np.concatenate(each)[: bench.segments] for each in zip(*found, strict=True))
+    products = spread(candidate, bench.places, gram, list(range(gram.shape[-1])))
+    return products, shown[:, :size]
+
+
+def prolonged(observation: Observation, size: int) -> Observation:
+    """With samples that weigh nothing up to the size of the program, the clock going on."""
+    room = LEAST
+    while room < size:
+        room *= 2
+    more = room - size
+    longer = jax.tree.map(
+        lambda leaf: np.pad(leaf, ((0, 0), (0, more))) if leaf.ndim == 2 else leaf, observation
     )
-    static = (candidate.terms, bench.problem.chain)
-    gram, shown = called("exoid.diagnose.free:release", arguments, static, RELEASED)
-    found = spread(candidate, bench.places, gram, list(range(gram.shape[-1])))
-    return found, shown[: bench.segments]
+    last, step = observation.time[:, -1:], np.diff(observation.time[:, -2:])
+    time = np.concatenate([observation.time, last + step * np.arange(1, more + 1)], axis=1)
+    return eqx.tree_at(lambda seen: seen.time, longer, time)
