@@ -129,7 +129,7 @@ def lacking(
         modelled = averaged(excess(angle, velocity, np.gradient(velocity, time)), width)
     rough = excess(reference.angle, reference.angular_velocity, reference.angular_acceleration)
     torque = averaged(rough, width)
-    band = float(np.median(reference.acceleration_error) / float(eq.torque) / np.sqrt(width))
+    band = reference.smoother.spread(width) / float(eq.torque)
     name = bench.problem.movements[number].name
     motion = (time, reference.angle, reference.angular_velocity)
     return Missing(name, *motion, torque, band, modelled, width)

@@ -27,7 +27,6 @@ class Reference:
     angle: Samples  # rad
     angular_velocity: Samples  # rad/s
     angular_acceleration: Samples  # rad/s^2
-    acceleration_error: Samples  # rad/s^2
     misfit: float  # sum of squares over the noise, data and jerk
     likelihood: float  # log, but for a constant
     smoother: "Smoother"
@@ -95,13 +94,15 @@ class Smoother:
         jerks = self.prior @ smooth.reshape(UNKNOWN * self.size, -1)
         return np.concatenate([misfit.reshape(2 * self.size, -1), jerks])
 
-    def spread(self) -> Samples:
-        """Standard deviation of the acceleration [rad/s^2], from a few columns of the inverse."""
-        pick = np.zeros((UNKNOWN * self.size, 1))
-        middle = UNKNOWN * (self.size // 2) + 2
-        pick[middle] = 1.0
-        inside = cho_solve_banded((self.factor, False), pick)[middle, 0]
-        return np.full(self.size, np.sqrt(inside))
+    def spread(self, width: int = 1) -> float:
+        """Standard deviation of the acceleration [rad/s^2], averaged over `width` samples in the
+        middle: the errors of neighbours cancel.
+        """
+        first = max(0, (self.size - width) // 2)
+        pick = np.zeros((self.size, UNKNOWN))
+        pick[first : first + width, 2] = 1 / width
+        inside = cho_solve_banded((self.factor, False), pick.reshape(-1, 1))
+        return float(np.sqrt(pick.reshape(-1) @ inside[:, 0]))
 
 
 def smooth(time: Samples, data: Pairs, weights: Pairs) -> Reference:
@@ -117,4 +118,4 @@ def smoothed(time: Samples, data: Pairs, weights: Pairs, jerk: float) -> Referen
     spread = float(np.sum(np.log(smoother.factor[-1])))
     likelihood = -misfit / 2 - spread - 3 * smoother.log_scale
     angle, velocity, acceleration = motion.T
-    return Reference(angle, velocity, acceleration, smoother.spread(), misfit, likelihood, smoother)
+    return Reference(angle, velocity, acceleration, misfit, likelihood, smoother)

@@ -40,6 +40,7 @@ class Belief:
     prior: Prior
     limits: Limits
     note: str
+    raw: bool = False  # are the prior's standard deviations a weighting, and no belief
 
 
 def believe(subject: Subject, name: PriorName, weight: float, raw: bool = False) -> Belief:
@@ -62,7 +63,7 @@ def believe(subject: Subject, name: PriorName, weight: float, raw: bool = False)
         ),
         weight=np.asarray(float(weight)),
     )
-    return Belief(name, expected, prior, limits, note)
+    return Belief(name, expected, prior, limits, note, raw)
 
 
 def expectation(subject: Subject, name: PriorName) -> tuple[ExpectedLeg | None, str]:

@@ -14,7 +14,7 @@ from exoid.fit.family import equally_good
 from exoid.fit.mountings import estimate_mountings
 from exoid.fit.multistart import SAME_LOSS, Ended
 from exoid.fit.problem import Problem, finite
-from exoid.fit.remarks import remarks
+from exoid.fit.remarks import remarks, strayed
 from exoid.fit.result import (
     Basis,
     Estimate,
@@ -44,15 +44,16 @@ def describe(
         estimate_torque([number], ended, information, at_bound) if each.voluntary else None
         for number, each in enumerate(problem.movements)
     ]
+    segments = [
+        segment_fit(problem, ended, number, torque) for number, torque in enumerate(torques)
+    ]
     return FitResult(
         parameters=with_reasons(parameters, not np.isfinite(belief.limits.reach)),
         ratios=estimate_ratios(problem, ended, information, at_bound),
         torque_amplitude=estimate_torque(voluntary, ended, information, at_bound)
         if voluntary
         else None,
-        segments=[
-            segment_fit(problem, ended, number, torque) for number, torque in enumerate(torques)
-        ],
+        segments=segments,
         mountings=estimate_mountings(problem, ended, information),
         multistart=report(problem, ended),
         loss=float(best.loss[0]),
@@ -60,7 +61,7 @@ def describe(
         torque_frequency=reading,
         other_reading_rmse=other_rmse,
         prior=problem.belief.note,
-        notes=remarks(problem, ended, at_bound),
+        notes=[*strayed(segments, belief.raw), *remarks(problem, ended, at_bound)],
         basis=Basis(problem, ended, information),
     )
 

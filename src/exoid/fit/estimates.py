@@ -64,7 +64,7 @@ def parameter_estimate(
         value=None if shares is None else value,
         standard_error=information.standard_error(gradient) if quoted else None,
         expected=None if expected is None else expected.value,
-        expected_deviation=deviation if np.isfinite(deviation) else None,
+        expected_deviation=deviation if np.isfinite(deviation) and not belief.raw else None,
         lower=lower if np.isfinite(lower) else None,
         upper=upper if np.isfinite(upper) else None,
         shares=shares,

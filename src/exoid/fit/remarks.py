@@ -5,10 +5,12 @@ import numpy as np
 from exoid.fit.disturbance import CORRELATED, Disturbance
 from exoid.fit.multistart import FEASIBLE, Ended, scale_told
 from exoid.fit.problem import Problem
+from exoid.fit.result import SegmentFit, pooled
 from exoid.physics.leg import LegParameters
 from exoid.physics.parameter import declarations
 
 NOISY = 1.1  # over the declared noise, from where on it is worth a word
+ASTRAY = 0.1  # of how far a leg moves, from where on a simulation does not follow it
 INCOMPLETE = "no error bar of a model that misses something is complete"
 
 
@@ -43,6 +45,22 @@ def remarks(problem: Problem, ended: Ended, at_bound: set[str]) -> list[str]:
             "± leaves out the error of weighing: 1 % of the added mass is 1 % of J, c, d and tau."
         )
     return said
+
+
+def strayed(segments: list[SegmentFit], raw: bool) -> list[str]:
+    """Does the simulation follow the recording at all?"""
+    sizes = [each.time.size for each in segments]
+    missed = pooled([(each.angle_rmse, n) for each, n in zip(segments, sizes, strict=True)])
+    moved = pooled([(float(np.nanstd(s.angle)), n) for s, n in zip(segments, sizes, strict=True)])
+    if missed < ASTRAY * moved:
+        return []
+    weighed = "; without --misfit paper every sample is weighed by its noise" if raw else ""
+    return [
+        "the simulation does not follow the recording: it misses the angle by "
+        f"{np.degrees(missed):.3g} deg, where the leg moves by {np.degrees(moved):.3g} deg (both "
+        "root mean square). Do not use these numbers: 'exoid diagnose' asks what the model lacks"
+        f"{weighed}."
+    ]
 
 
 def of_residual(found: Disturbance, gravity: float, inertia: float | None) -> list[str]:
