@@ -16,8 +16,8 @@ class CoulombFriction(PhysicsTerm):
     title: ClassVar[str] = "dry friction (Coulomb)"
     reference: ClassVar[str] = "Olsson et al., European Journal of Control 4(3), 1998"
     explanation: ClassVar[str] = (
-        "A constant torque opposes every movement and holds the leg where it stops, as in a "
-        "clamped hinge or under tight straps."
+        "A constant torque opposes every movement and can end it short of rest, as in a clamped "
+        "hinge or under tight straps."
     )
     isolate: ClassVar[str] = "drops from a large and from a small angle, down to complete rest"
 
