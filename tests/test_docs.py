@@ -1,0 +1,148 @@
+"""Every block of the site runs as it stands, page by page, in a folder of its own.
+
+Python is executed, commands are run, sidecars and DBC files are read, and what is shown of an
+answer is looked for in it. A block with a caption is first written to a file of that name. Blocks
+of the class `hardware` need a node, a network or a compiler: there only commands and options are
+checked.
+"""
+
+import os
+import re
+import shlex
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pytest
+from typer.main import get_command
+
+from exoid.cli.app import app
+from exoid.recording.sidecar import read_sidecar
+
+DOCS = Path(__file__).parents[1] / "docs"
+SLOW = ("tutorial.md", "how-to/own-term.md")  # pages that diagnose
+PAGES = [
+    pytest.param(page, marks=pytest.mark.slow) if page in SLOW else page
+    for page in sorted(each.relative_to(DOCS).as_posix() for each in DOCS.rglob("*.md"))
+]
+FENCE = re.compile(r"^```(?:\{code-block\} )?(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+OPTION = re.compile(r"^:(\w+): (.*)\n", re.MULTILINE)
+NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
+LIMIT = 240  # s; a first diagnosis compiles for half a minute, longer on a busy machine
+SHOWN_WITHIN = 0.05  # relative, of numbers in an answer: other machines round otherwise
+
+
+@dataclass(frozen=True)
+class Block:
+    """A fenced block: its language, options, and text."""
+
+    language: str
+    options: dict[str, str]
+    text: str
+
+
+def blocks_of(page: str) -> list[Block]:
+    """The blocks of a page, in order."""
+    found = FENCE.findall((DOCS / page).read_text(encoding="utf-8"))
+    return [
+        Block(language, dict(OPTION.findall(body)), OPTION.sub("", body).lstrip("\n"))
+        for language, body in found
+    ]
+
+
+class Reader:
+    """A person who does what a page says, from top to bottom."""
+
+    def __init__(self, folder: Path, cache: Path):
+        self.folder, self.space, self.answer = folder, {"__name__": "page"}, ""
+        self.environment = {**os.environ, "XDG_CACHE_HOME": str(cache), "COLUMNS": "90"}
+
+    def follow(self, block: Block) -> None:
+        caption = block.options.get("caption")
+        if caption is not None:
+            (self.folder / caption).write_text(block.text, encoding="utf-8")
+        if block.options.get("class") == "hardware":
+            self.look_up(block.text)
+        elif block.language == "sh":
+            self.answer = "".join(map(self.run, commands(block.text)))
+        elif block.language == "python" and caption is None:
+            exec(compile(block.text, "page", "exec"), self.space)
+        elif block.language == "toml":
+            self.read_sidecar(block.text)
+        elif block.language == "text" and caption is None:
+            self.check(block.text)
+
+    def run(self, arguments: list[str]) -> str:
+        script = Path(sys.executable).with_name("exoid")
+        done = subprocess.run(
+            [script, *arguments],
+            env=self.environment,
+            timeout=LIMIT,
+            capture_output=True,
+            text=True,
+            stdin=subprocess.DEVNULL,
+        )
+        assert done.returncode == 0, f"{arguments}: {done.stderr}"
+        return done.stdout
+
+    def look_up(self, text: str) -> None:
+        """Commands of exoid parse, with all their options and values."""
+        for arguments in commands(text):
+            command = get_command(app).commands[arguments[0]]  # type: ignore[attr-defined]
+            command.make_context(arguments[0], arguments[1:])
+
+    def read_sidecar(self, text: str) -> None:
+        path = self.folder / "block.toml"
+        path.write_text(text, encoding="utf-8")
+        assert read_sidecar(path)[3] == ()  # nothing is unknown
+
+    def check(self, excerpt: str) -> None:
+        """Every line that is shown was said, its numbers up to rounding."""
+        said = [taken_apart(line) for line in self.answer.splitlines()]
+        for line in excerpt.splitlines():
+            words, numbers = taken_apart(line)
+            assert not words or any(
+                words == other and np.allclose(numbers, found, rtol=SHOWN_WITHIN)
+                for other, found in said
+            ), f"{line!r} is not in\n{self.answer}"
+
+
+def commands(text: str) -> list[list[str]]:
+    """The arguments of every line that calls exoid."""
+    lines = [shlex.split(line, comments=True) for line in text.splitlines()]
+    return [words[1:] for words in lines if words[:1] == ["exoid"]]
+
+
+def taken_apart(line: str) -> tuple[str, list[float]]:
+    """The words of a line, without its numbers, and those."""
+    words = " ".join(NUMBER.sub("#", line).split())
+    return words, [float(each) for each in NUMBER.findall(line)]
+
+
+@pytest.fixture(scope="module")
+def cache(tmp_path_factory):
+    """Compiled programs, kept from page to page."""
+    return tmp_path_factory.mktemp("cache")
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_what_a_page_shows_runs(page, cache, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    reader = Reader(tmp_path, cache)
+    for block in blocks_of(page):
+        reader.follow(block)
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_a_page_has_blocks_of_known_kinds_only(page):
+    known = {"python", "sh", "toml", "text", "csv", "eval"}
+    assert {each.language for each in blocks_of(page)} <= known
+
+
+def test_every_public_name_is_in_the_reference():
+    import exoid
+
+    named = re.findall(r"^\.\. auto\w+:: (\w+)$", (DOCS / "api.md").read_text(), re.MULTILINE)
+    assert sorted(named) == sorted(exoid.__all__)
