@@ -6,7 +6,6 @@ of the class `hardware` need a node, a network or a compiler: there only command
 checked.
 """
 
-import os
 import re
 import shlex
 import subprocess
@@ -31,7 +30,7 @@ FENCE = re.compile(r"^```(?:\{code-block\} )?(\w+)\n(.*?)^```$", re.MULTILINE | 
 OPTION = re.compile(r"^:(\w+): (.*)\n", re.MULTILINE)
 NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 LIMIT = 240  # s; a first diagnosis compiles for half a minute, longer on a busy machine
-SHOWN_WITHIN = 0.05  # relative, of numbers in an answer: other machines round otherwise
+SHOWN_WITHIN = 0.1  # relative, of numbers in an answer: errors have two digits
 
 
 @dataclass(frozen=True)
@@ -55,9 +54,8 @@ def blocks_of(page: str) -> list[Block]:
 class Reader:
     """A person who does what a page says, from top to bottom."""
 
-    def __init__(self, folder: Path, cache: Path):
+    def __init__(self, folder: Path):
         self.folder, self.space, self.answer = folder, {"__name__": "page"}, ""
-        self.environment = {**os.environ, "XDG_CACHE_HOME": str(cache), "COLUMNS": "90"}
 
     def follow(self, block: Block) -> None:
         caption = block.options.get("caption")
@@ -78,7 +76,6 @@ class Reader:
         script = Path(sys.executable).with_name("exoid")
         done = subprocess.run(
             [script, *arguments],
-            env=self.environment,
             timeout=LIMIT,
             capture_output=True,
             text=True,
@@ -116,8 +113,8 @@ def commands(text: str) -> list[list[str]]:
 
 
 def taken_apart(line: str) -> tuple[str, list[float]]:
-    """The words of a line, without its numbers, and those."""
-    words = " ".join(NUMBER.sub("#", line).split())
+    """The words of a line, without its numbers and spaces, and the numbers."""
+    words = "".join(NUMBER.sub("#", line).split())
     return words, [float(each) for each in NUMBER.findall(line)]
 
 
@@ -130,14 +127,17 @@ def cache(tmp_path_factory):
 @pytest.mark.parametrize("page", PAGES)
 def test_what_a_page_shows_runs(page, cache, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    reader = Reader(tmp_path, cache)
+    monkeypatch.syspath_prepend(tmp_path)
+    monkeypatch.setenv("XDG_CACHE_HOME", str(cache))
+    monkeypatch.setenv("COLUMNS", "90")
+    reader = Reader(tmp_path)
     for block in blocks_of(page):
         reader.follow(block)
 
 
 @pytest.mark.parametrize("page", PAGES)
 def test_a_page_has_blocks_of_known_kinds_only(page):
-    known = {"python", "sh", "toml", "text", "csv", "eval"}
+    known = {"python", "sh", "toml", "text", "csv"}
     assert {each.language for each in blocks_of(page)} <= known
 
 
