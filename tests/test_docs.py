@@ -18,6 +18,7 @@ import pytest
 from typer.main import get_command
 
 from exoid.cli.app import app
+from exoid.recording.recording import Protocol, Segment, Sensors, Subject, known
 from exoid.recording.sidecar import read_sidecar
 
 DOCS = Path(__file__).parents[1] / "docs"
@@ -96,14 +97,15 @@ class Reader:
         assert read_sidecar(path)[3] == ()  # nothing is unknown
 
     def check(self, excerpt: str) -> None:
-        """Every line that is shown was said, its numbers up to rounding."""
-        said = [taken_apart(line) for line in self.answer.splitlines()]
+        """Every line that is shown was said, however it was wrapped, its numbers up to rounding."""
         for line in excerpt.splitlines():
-            words, numbers = taken_apart(line)
-            assert not words or any(
-                words == other and np.allclose(numbers, found, rtol=SHOWN_WITHIN)
-                for other, found in said
-            ), f"{line!r} is not in\n{self.answer}"
+            shown = [float(each) for each in NUMBER.findall(line)]
+            said = [
+                list(map(float, one.groups())) for one in re.finditer(pattern_of(line), self.answer)
+            ]
+            assert any(np.allclose(one, shown, rtol=SHOWN_WITHIN) for one in said), (
+                f"{line!r} is not in\n{self.answer}"
+            )
 
 
 def commands(text: str) -> list[list[str]]:
@@ -112,10 +114,13 @@ def commands(text: str) -> list[list[str]]:
     return [words[1:] for words in lines if words[:1] == ["exoid"]]
 
 
-def taken_apart(line: str) -> tuple[str, list[float]]:
-    """The words of a line, without its numbers and spaces, and the numbers."""
-    words = "".join(NUMBER.sub("#", line).split())
-    return words, [float(each) for each in NUMBER.findall(line)]
+def pattern_of(line: str) -> str:
+    """The line with any numbers and any space; its groups are the numbers."""
+    tokens = re.findall(rf"{NUMBER.pattern}|\S", line)
+    parts = [
+        f"({NUMBER.pattern})" if NUMBER.fullmatch(each) else re.escape(each) for each in tokens
+    ]
+    return r"\s*".join(parts)
 
 
 @pytest.fixture(scope="module")
@@ -137,8 +142,8 @@ def test_what_a_page_shows_runs(page, cache, tmp_path, monkeypatch):
 
 @pytest.mark.parametrize("page", PAGES)
 def test_a_page_has_blocks_of_known_kinds_only(page):
-    known = {"python", "sh", "toml", "text", "csv"}
-    assert {each.language for each in blocks_of(page)} <= known
+    kinds = {"python", "sh", "toml", "text"}
+    assert {each.language for each in blocks_of(page)} <= kinds
 
 
 def test_every_public_name_is_in_the_reference():
@@ -146,3 +151,11 @@ def test_every_public_name_is_in_the_reference():
 
     named = re.findall(r"^\.\. auto\w+:: (\w+)$", (DOCS / "api.md").read_text(), re.MULTILINE)
     assert sorted(named) == sorted(exoid.__all__)
+
+
+def test_every_column_and_key_is_explained():
+    page = (DOCS / "recording-format.md").read_text(encoding="utf-8")
+    tables = (Segment, Subject, Protocol, Sensors)
+    said = [entry.metadata for table in tables for entry in known(table)]
+    for name in (each.get("column") or each["key"] for each in said):
+        assert f"`{name}`" in page, name

@@ -11,7 +11,9 @@ class Commands(SphinxDirective):
     """A section for each command, in the order of `exoid --help`."""
 
     def run(self):
-        text = "\n\n".join(section(name, each) for name, each in get_command(program).commands.items())
+        text = "\n\n".join(
+            section(name, each) for name, each in get_command(program).commands.items()
+        )
         return self.parse_text_to_nodes(text, allow_section_headings=True)
 
 
