@@ -17,6 +17,7 @@ nitpicky = True
 smartquotes = False  # they would join the dashes of options
 
 autodoc_typehints = "none"
+autodoc_preserve_defaults = True
 autodoc_member_order = "bysource"
 autodoc_default_options = {"members": True}
 add_module_names = False

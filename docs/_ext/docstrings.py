@@ -29,7 +29,8 @@ def rewrite(app, what: str, name: str, subject, options, lines: list[str]) -> No
 def as_rest(paragraph: str) -> list[str]:
     """Indented lines become a literal block; what stands around them stays text."""
     result: list[str] = []
-    for indented, lines in groupby(paragraph.splitlines(), lambda line: line.startswith("    ")):
+    for indented, group in groupby(paragraph.splitlines(), lambda line: line.startswith("    ")):
+        lines = list(group)
         result += ["::", "", *lines, ""] if indented else [*map(escaped, lines), ""]
     return result
 
