@@ -13,7 +13,7 @@ from sphinx.application import Sphinx
 
 from exoid.physics.parameter import declarations
 
-SPECIAL = re.compile(r"(?<!\*)\*(?!\*)|[|_\\](?=\W|$)|\|")
+SPECIAL = re.compile(r"(?<!\*)\*(?!\*)|[|\\]|_(?=\W|$)")
 FIELD = re.compile(r"^    (\w+): .*(?:\n     .*|\n    \).*)*", re.MULTILINE)
 
 
