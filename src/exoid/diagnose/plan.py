@@ -37,7 +37,10 @@ class Plan:
 
 
 def plan(result: FitResult | None, subject: Subject, goal: str = "inertia") -> Plan:
-    """The segments to record next for `goal`, one of GOALS, after `result`, or with nothing yet.
+    """The segments to record next for `goal`, after `result`, or with nothing yet.
+
+    The goal is a parameter of the leg, or the ratio to the inertia of its gravity, stiffness or
+    damping, such as "damping_over_inertia".
 
     **Raises** `ValueError` where the goal is no quantity of a leg, or the subject is a rig.
     """

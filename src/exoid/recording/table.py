@@ -63,7 +63,7 @@ def read_table(path: str | Path) -> tuple[Recording, Notes]:
 
 
 def write_table(recording: Recording, path: str | Path) -> None:
-    """Writes NAME.csv and NAME.toml, such that `read_table` gives back every number and key.
+    """Writes NAME.csv and NAME.toml, such that `load` gives back every number and key.
 
     Both are first written in full beside their targets and then moved into place: a failure
     leaves the files that were there as they were.
