@@ -1,5 +1,6 @@
 """Every test runs in float64, with the shapes and types annotated in `exoid` checked as it runs."""
 
+import gc
 import os
 from pathlib import Path
 
@@ -8,6 +9,10 @@ os.environ["XLA_FLAGS"] = (
     f"{os.environ.get('XLA_FLAGS', '')} --xla_backend_optimization_level=0 "
     "--xla_cpu_use_fusion_emitters=false"
 )
+# A worker has one core: a second thread of the linear algebra library would only wait on it.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+# Tracing makes millions of objects that stay: looking for garbage among them takes a tenth of it.
+gc.set_threshold(100_000, 20, 100)
 
 import hypothesis
 import jax
