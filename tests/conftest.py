@@ -9,10 +9,9 @@ os.environ["XLA_FLAGS"] = (
     f"{os.environ.get('XLA_FLAGS', '')} --xla_backend_optimization_level=0 "
     "--xla_cpu_use_fusion_emitters=false"
 )
-# A worker has one core: a second thread of the linear algebra library would only wait on it.
+# Set for the workers of xdist, which inherit it: in this process NumPy is loaded already. Two
+# threads of the linear algebra library take forty times as long over a small matrix as one.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-# Tracing makes millions of objects that stay: looking for garbage among them takes a tenth of it.
-gc.set_threshold(100_000, 20, 100)
 
 import hypothesis
 import jax
@@ -21,6 +20,9 @@ from jaxtyping import install_import_hook
 
 jax.config.update("jax_enable_x64", True)
 install_import_hook("exoid", "beartype.beartype")  # works only before the first import of exoid
+
+# Tracing makes millions of objects that stay: looking for garbage among them takes a tenth of it.
+gc.set_threshold(100_000, 20, 100)
 
 # The same examples in every run; the first one compiles, so no deadline.
 hypothesis.settings.register_profile("exoid", derandomize=True, deadline=None, database=None)
