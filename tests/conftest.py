@@ -2,6 +2,7 @@
 
 import gc
 import os
+from functools import cache
 from pathlib import Path
 
 # Tests compile far more than they run: most of their time would go into optimising machine code.
@@ -37,3 +38,20 @@ def shared():
     if not SHARED.is_dir():
         pytest.skip(f"{SHARED} is absent: it holds recordings that are not in the repository")
     return SHARED
+
+
+@pytest.fixture
+def optimised(monkeypatch):
+    """Machine code worth a second more of compilation, for tests that run it hundreds of times."""
+    from exoid.fit import program
+
+    monkeypatch.setattr(program, "program", optimised_program)
+
+
+@cache
+def optimised_program(name, structure, shapes, static):
+    """What `exoid.fit.program.program` gives, of another optimisation."""
+    from exoid.fit.program import traceable
+
+    function = traceable(name, structure, static)
+    return jax.jit(function, compiler_options={"xla_backend_optimization_level": 1})
