@@ -5,11 +5,10 @@ import os
 from functools import cache
 from pathlib import Path
 
+from machine_code import QUICK
+
 # Tests compile far more than they run: most of their time would go into optimising machine code.
-os.environ["XLA_FLAGS"] = (
-    f"{os.environ.get('XLA_FLAGS', '')} --xla_backend_optimization_level=0 "
-    "--xla_cpu_use_fusion_emitters=false"
-)
+os.environ["XLA_FLAGS"] = f"{os.environ.get('XLA_FLAGS', '')} {QUICK}"
 # Set for the workers of xdist, which inherit it: in this process NumPy is loaded already. Two
 # threads of the linear algebra library take forty times as long over a small matrix as one.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")

@@ -11,6 +11,8 @@ import pytest
 from benchmarks.blind.answer import Answer
 from benchmarks.blind.score import SOUND, mark
 
+from machine_code import OPTIMISED
+
 ROOT = Path(__file__).parents[2]
 # Single effects and nothing, passive (the first row) and active (the second). Each row has one
 # shape, which is compiled once, and of that shape the cases that take the least time.
@@ -18,8 +20,6 @@ CONCEALED = (
     *("p1bd2c", "p751ca", "p769d3", "pcedc0", "pe356c", "pf194b", "pf49e9"),
     *("p4b567", "p5100c", "p5ae79", "p5f26f", "p8384c"),
 )
-# So many runs of one program are worth some optimisation of its machine code.
-FLAGS = "--xla_backend_optimization_level=1 --xla_cpu_use_fusion_emitters=false"
 
 
 @pytest.fixture(scope="module")
@@ -27,7 +27,7 @@ def answers(shared, tmp_path_factory):
     folder = tmp_path_factory.mktemp("blind")
     cases = [word for name in (*CONCEALED, "motor-swing") for word in ("--case", name)]
     command = [sys.executable, "-m", "benchmarks.blind", *cases, "--to", str(folder)]
-    environment = os.environ | {"XDG_CACHE_HOME": str(folder), "XLA_FLAGS": FLAGS}
+    environment = os.environ | {"XDG_CACHE_HOME": str(folder), "XLA_FLAGS": OPTIMISED}
     subprocess.run(command, cwd=ROOT, env=environment, check=True, capture_output=True)
     return json.loads((folder / "answers.json").read_text(encoding="utf-8"))
 
