@@ -1,13 +1,17 @@
 """Every test runs in float64, with the shapes and types annotated in `exoid` checked as it runs."""
 
+import gc
 import os
+from functools import cache
 from pathlib import Path
 
+from machine_code import QUICK
+
 # Tests compile far more than they run: most of their time would go into optimising machine code.
-os.environ["XLA_FLAGS"] = (
-    f"{os.environ.get('XLA_FLAGS', '')} --xla_backend_optimization_level=0 "
-    "--xla_cpu_use_fusion_emitters=false"
-)
+os.environ["XLA_FLAGS"] = f"{os.environ.get('XLA_FLAGS', '')} {QUICK}"
+# Set for the workers of xdist, which inherit it: in this process NumPy is loaded already. Two
+# threads of the linear algebra library take forty times as long over a small matrix as one.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import hypothesis
 import jax
@@ -16,6 +20,9 @@ from jaxtyping import install_import_hook
 
 jax.config.update("jax_enable_x64", True)
 install_import_hook("exoid", "beartype.beartype")  # works only before the first import of exoid
+
+# Tracing makes millions of objects that stay: looking for garbage among them takes a tenth of it.
+gc.set_threshold(100_000, 20, 100)
 
 # The same examples in every run; the first one compiles, so no deadline.
 hypothesis.settings.register_profile("exoid", derandomize=True, deadline=None, database=None)
@@ -30,3 +37,20 @@ def shared():
     if not SHARED.is_dir():
         pytest.skip(f"{SHARED} is absent: it holds recordings that are not in the repository")
     return SHARED
+
+
+@pytest.fixture
+def optimised(monkeypatch):
+    """Machine code worth a second more of compilation, for tests that run it hundreds of times."""
+    from exoid.fit import program
+
+    monkeypatch.setattr(program, "program", optimised_program)
+
+
+@cache
+def optimised_program(name, structure, shapes, static):
+    """What `exoid.fit.program.program` gives, of another optimisation."""
+    from exoid.fit.program import traceable
+
+    function = traceable(name, structure, static)
+    return jax.jit(function, compiler_options={"xla_backend_optimization_level": 1})

@@ -1,5 +1,8 @@
 """Legs, motions and recordings that the tests of the fit share. Few lengths: each compiles anew."""
 
+from functools import cache
+
+import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
@@ -27,15 +30,19 @@ def leg(mass=4.5, inertia=0.42, com_distance=0.26, damping=0.33, stiffness=2.6) 
     )
 
 
+@cache  # a recording is not changed by anyone, and every session traces its motion anew
 def recorded(*movements: Movement, seed: int = 0, subject: Subject = BODY, **parameters):
     """A session on the virtual exoskeleton, as its sensors see it."""
     model = LegModel(leg(**parameters), NoTorque())
     return record(model, movements, jax.random.key(seed), subject=subject)
 
 
+simulated = eqx.filter_jit(simulate)
+
+
 def exact(model: LegModel, start: LegState, time: np.ndarray, **channels) -> Segment:
     """A motion without any noise."""
-    motion = simulate(model, start, jnp.asarray(time))
+    motion = simulated(model, start, jnp.asarray(time))
     return Segment(
         time,
         raw_angle=np.asarray(motion.angle),

@@ -6,6 +6,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+from machine_code import OPTIMISED
+
 SCRIPT = Path(sys.executable).with_name("exoid")
 # A job that a shell runs in the background ignores Ctrl-C, and so would what it starts.
 HEEDING = (
@@ -23,6 +25,7 @@ class Command:
             **{name: value for name, value in os.environ.items() if name != "COLUMNS"},
             "XDG_CACHE_HOME": str(cache),
             "PYTHONWARNINGS": "default",
+            "XLA_FLAGS": OPTIMISED,  # what one command compiles many others run
         }
 
     def __call__(self, *arguments, **options) -> subprocess.CompletedProcess[str]:

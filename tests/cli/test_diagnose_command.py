@@ -1,6 +1,10 @@
-"""`exoid diagnose` as a user runs it: answers, figure, document, own terms, refusals."""
+"""`exoid diagnose` as a user runs it: answers, figure, document, page, own terms, refusals."""
 
 import json
+import re
+from pathlib import Path
+from subprocess import CompletedProcess
+from typing import NamedTuple
 
 import numpy as np
 import pytest
@@ -8,6 +12,7 @@ from command_line import refusal
 
 from exoid.recording.recording import Protocol, Recording, Segment, Sensors, Subject
 from exoid.recording.table import write_table
+from machine_code import QUICK
 
 TERMS = '''
 from typing import Any, ClassVar
@@ -56,19 +61,38 @@ def table(tmp_path_factory):
     return path
 
 
-@pytest.mark.slow
-def test_dry_friction_is_found_shown_and_written(command, table, tmp_path):
-    figure, document = tmp_path / "why.png", tmp_path / "why.json"
-    terms = tmp_path / "mine.py"
+class Diagnosed(NamedTuple):
+    """What a run said, and what it wrote."""
+
+    done: CompletedProcess[str]
+    figure: Path
+    document: dict
+    page: str
+
+
+@pytest.fixture(scope="module")
+def diagnosed(command, table, tmp_path_factory):
+    """One run that writes everything: to compile the whole library takes most of its time."""
+    folder = tmp_path_factory.mktemp("why")
+    figure, document, page = (folder / f"why.{suffix}" for suffix in ("png", "json", "html"))
+    terms = folder / "mine.py"
     terms.write_text(TERMS, encoding="utf-8")
-    done = command("diagnose", table, "--plot", figure, "--json", document, "--terms", terms)
+    written = ("--plot", figure, "--json", document, "--report", page)
+    once = command.environment | {"XLA_FLAGS": QUICK}
+    done = command("diagnose", table, *written, "--terms", terms, timeout=600, env=once)
     assert done.returncode == 0, done.stderr
-    said = " ".join(done.stdout.split())
+    found = json.loads(document.read_text(encoding="utf-8"))
+    return Diagnosed(done, figure, found, page.read_text(encoding="utf-8"))
+
+
+@pytest.mark.slow
+def test_dry_friction_is_found_shown_and_written(diagnosed):
+    said = " ".join(diagnosed.done.stdout.split())
     assert "Something is missing" in said
     assert "dry friction" in said
     assert "held-out angle RMSE" in said
-    assert figure.stat().st_size > 20_000
-    found = json.loads(document.read_text(encoding="utf-8"))
+    assert diagnosed.figure.stat().st_size > 20_000
+    found = diagnosed.document
     assert found["verdict"] == "mismatch"
     assert found["selected"] == ["coulomb_friction"]
     assert found["equivalent"][0] == "coulomb_friction"
@@ -77,6 +101,12 @@ def test_dry_friction_is_found_shown_and_written(command, table, tmp_path):
     assert found["booked_before"]["damping"]["after"] < found["booked_before"]["damping"]["before"]
     assert {"segment", "from_s", "to_s", "region", "description"} <= found["where"][0].keys()
     assert "sail" in found["ranking"]
+
+
+@pytest.mark.slow
+def test_diagnosis_writes_a_page_with_all_of_it(diagnosed):
+    found = re.findall(r'<section id="(\w+)"', diagnosed.page)
+    assert {"summary", "told", "parting", "physics", "proof", "advice"} <= set(found)
 
 
 @pytest.mark.parametrize(

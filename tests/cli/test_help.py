@@ -11,23 +11,28 @@ from command_line import SCRIPT
 HEAVY = ("jax", "equinox", "optimistix", "scipy", "matplotlib", "can", "cantools", "xarray")
 
 
-def best_of_five(arguments: list[str]) -> float:
-    """s; the best tells what the program needs, the others what else the machine was doing."""
+def best_of_five(arguments: list[str], enough: float) -> float:
+    """s; the best tells what the program needs, the others what else the machine was doing.
+
+    One run that takes less than `enough` settles it.
+    """
     taken = []
     for _ in range(5):
         begin = time.perf_counter()
         subprocess.run(arguments, check=True, capture_output=True)
         taken.append(time.perf_counter() - begin)
+        if taken[-1] < enough:
+            break
     return min(taken)
 
 
 @pytest.mark.parametrize("option", ["--help", "--version"])
 def test_help_and_version_answer_within_a_third_of_a_second(option):
-    assert best_of_five([str(SCRIPT), option]) < 0.3
+    assert best_of_five([str(SCRIPT), option], 0.3) < 0.3
 
 
 def test_importing_exoid_takes_less_than_a_second():
-    assert best_of_five([sys.executable, "-c", "import exoid"]) < 1.0
+    assert best_of_five([sys.executable, "-c", "import exoid"], 1.0) < 1.0
 
 
 @pytest.mark.parametrize(

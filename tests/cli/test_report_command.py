@@ -54,15 +54,6 @@ def test_page_of_segments_that_were_fitted_alone_says_so(command, recordings, tm
     assert "Every segment was fitted alone" in path.read_text(encoding="utf-8")
 
 
-@pytest.mark.slow
-def test_diagnosis_writes_a_page_with_all_of_it(command, recordings, tmp_path):
-    path = tmp_path / "why.html"
-    done = command("diagnose", recordings / "two.csv", "--report", path, timeout=600)
-    assert done.returncode == 0, done.stderr
-    found = sections(path.read_text(encoding="utf-8"))
-    assert {"summary", "told", "parting", "physics", "proof", "advice"} <= set(found)
-
-
 @pytest.mark.parametrize(
     ("arguments", "why"),
     [

@@ -14,9 +14,27 @@ from exoid.physics.terms.quadratic_drag import QuadraticDrag
 from exoid.recording.recording import Recording, Segment
 
 
-@pytest.fixture(autouse=True)
-def small_library(monkeypatch):
-    monkeypatch.setattr(preparing, "library", lambda: SMALL)
+@pytest.fixture(autouse=True, scope="module")
+def _small_library():
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setattr(preparing, "library", lambda: SMALL)
+        yield
+
+
+@pytest.fixture(scope="module")
+def heard():
+    """The phases of the diagnosis of the leg with friction, as they were told."""
+    return []
+
+
+@pytest.fixture(scope="module")
+def of_friction(heard):
+    return diagnose(session(FRICTION), told=heard.append)
+
+
+@pytest.fixture(scope="module")
+def of_nothing():
+    return diagnose(session())
 
 
 def cut(recording: Recording, until: float) -> Recording:
@@ -41,8 +59,8 @@ def timed(segment):
     return segment.channels() | {"time": segment.time}
 
 
-def test_friction_is_named_and_proved_and_taken_out_of_the_damping():
-    found = diagnose(session(FRICTION))
+def test_friction_is_named_and_proved_and_taken_out_of_the_damping(of_friction):
+    found = of_friction
     assert found.verdict == "mismatch"
     assert found.selected == ["coulomb_friction"]
     assert found.equivalent == ["coulomb_friction"]
@@ -60,10 +78,9 @@ def test_what_the_damping_has_swallowed_is_still_found():
     assert found.selected == ["coulomb_friction"]
 
 
-def test_nothing_is_found_where_nothing_is():
-    found = diagnose(session())
-    assert found.verdict == "none"
-    assert found.selected == found.equivalent == []
+def test_nothing_is_found_where_nothing_is(of_nothing):
+    assert of_nothing.verdict == "none"
+    assert of_nothing.selected == of_nothing.equivalent == []
 
 
 def test_a_wrong_gyro_is_a_sensor_and_no_torque():
@@ -116,9 +133,7 @@ def test_one_voluntary_cycle_never_claims_physics_of_the_leg():
     assert found.selected == []
 
 
-def test_the_phases_are_told():
-    heard = []
-    diagnose(session(FRICTION), told=heard.append)
+def test_the_phases_are_told(of_friction, heard):
     assert heard[0] == "fitting the baseline"
     assert missing_physics.__doc__
     assert len(heard) == len(set(heard)) >= 4
@@ -149,10 +164,9 @@ def test_samples_that_were_lost_here_and_there_change_nothing():
     assert diagnose(patchy).selected == ["coulomb_friction"]
 
 
-def test_clear_friction_is_found_in_every_resample_of_the_segments():
-    found = diagnose(session(FRICTION))
-    assert found.inclusion == 1.0
-    assert diagnose(session()).inclusion is None
+def test_clear_friction_is_found_in_every_resample_of_the_segments(of_friction, of_nothing):
+    assert of_friction.inclusion == 1.0
+    assert of_nothing.inclusion is None
 
 
 @pytest.mark.slow

@@ -64,12 +64,15 @@ def plain_residual(each, z):
     )
 
 
+condensed = eqx.filter_jit(condense)
+
+
 def condensed_at(point, seen, known, steps=None):
     own = jax.tree.map(lambda leaf: jnp.asarray(leaf[0]), point.own)
     shared = jax.tree.map(jnp.asarray, point.shared)
     count = seen.time.size - 1 if steps is None else steps
     stage = Stage(jnp.asarray(0.0), jnp.asarray(count))
-    return condense(shared, UNMOVED, own, seen, jnp.asarray(known), stage, Raw())
+    return condensed(shared, UNMOVED, own, seen, jnp.asarray(known), stage, Raw())
 
 
 def differences(each, point):

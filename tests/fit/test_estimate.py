@@ -232,8 +232,10 @@ def test_every_member_of_the_family_moves_as_the_best_and_meets_the_limits():
     def moved(values):
         return simulate(LegModel(LegParameters(**values), NoTorque()), start, time).angle
 
-    expected = moved({name: jnp.asarray(value) for name, value in best.items()})
-    found = jax.vmap(moved)({name: jnp.asarray(values) for name, values in members.items()})
+    expected = jax.jit(moved)({name: jnp.asarray(value) for name, value in best.items()})
+    found = jax.jit(jax.vmap(moved))(
+        {name: jnp.asarray(values) for name, values in members.items()}
+    )
     assert np.abs(found - expected).max() < 1e-9
     slack = 1e-9
     moment = members["mass"] * members["com_distance"]

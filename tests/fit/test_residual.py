@@ -1,5 +1,6 @@
 """The simulated side of the misfit against the plain simulation, and the chains beside it."""
 
+import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
@@ -10,13 +11,12 @@ from exoid.fit.movement import movement
 from exoid.fit.observation import observe
 from exoid.fit.residual import Stage, predict, residual
 from exoid.physics.leg import LegModel
-from exoid.physics.simulate import simulate
 from exoid.physics.state import LegState
 from exoid.physics.torque import MeasuredTorque, NoTorque
 from exoid.recording import kalman
 from exoid.recording.condition import moving_average
 from exoid.recording.recording import Recording, Subject
-from fit_cases import UNMOVED, coordinates_of, cycle_torque, exact, leg, one, state
+from fit_cases import UNMOVED, coordinates_of, cycle_torque, exact, leg, one, simulated, state
 
 ROUNDING = 1e-11  # rad and rad/s: the same steps, but per inertia or in N m
 TIME = np.arange(120) * 0.01
@@ -32,12 +32,15 @@ def seen_by_the_fit(recording: Recording, reading="1/T"):
     return each, jax.tree.map(lambda leaf: jnp.asarray(leaf[0]), observe([each], reading))
 
 
+predicting = eqx.filter_jit(predict)
+
+
 def predicted(point, seen, each, *, tether=FREE, chain=None) -> LegState:
     """The samples that the fit compares, of the segment alone."""
     stage = Stage(jnp.asarray(tether), jnp.asarray(seen.time.size - 1))
     own = jax.tree.map(lambda leaf: jnp.asarray(leaf[0]), point.own)
     shared = jax.tree.map(jnp.asarray, point.shared)
-    shown = predict(shared, UNMOVED, own, seen, stage, chain or Raw())
+    shown = predicting(shared, UNMOVED, own, seen, stage, chain or Raw())
     return jax.tree.map(lambda samples: np.asarray(samples)[: each.segment.time.size], shown)
 
 
@@ -45,7 +48,7 @@ def plain(parameters, torque, start, each):
     loaded = parameters.with_added_mass(
         jnp.asarray(each.added_mass), jnp.asarray(each.added_mass_distance)
     )
-    return simulate(LegModel(loaded, torque), start, jnp.asarray(each.segment.time))
+    return simulated(LegModel(loaded, torque), start, jnp.asarray(each.segment.time))
 
 
 def cases():

@@ -298,7 +298,7 @@ def test_a_later_clock_changes_nothing_when_the_cycle_starts_later_too():
 
 def test_one_program_simulates_many_legs_as_it_does_one():
     degrees = np.array([-40.0, -10.0, 15.0])
-    many = jax.vmap(lambda at: simulate(LegModel(leg(), cycle(1)), at, grid(100)))(
+    many = jax.jit(jax.vmap(lambda at: simulate(LegModel(leg(), cycle(1)), at, grid(100))))(
         LegState(jnp.radians(jnp.array(degrees)), jnp.zeros(3))
     )
     for number, each in enumerate(degrees):
@@ -340,7 +340,7 @@ def test_the_gradient_of_the_final_angle_is_that_of_central_differences(mode):
 
 
 def test_every_parameter_moves_the_final_angle_except_the_period_apart_from_its_frequency():
-    gradient = jax.jacfwd(final_angle)((GRADIENT_MODEL, state(-15, 0.5)))
+    gradient = jax.jit(jax.jacfwd(final_angle))((GRADIENT_MODEL, state(-15, 0.5)))
     model, start = gradient
     assert model.torque.period == 0  # the kink's torque is zero, so moving it does no work
     for part in (model.leg, start):
@@ -359,7 +359,7 @@ def test_the_gradient_reaches_every_sample_of_a_measured_torque():
     steps = 1e-5 * jnp.eye(len(knots))
     many = jax.jit(jax.vmap(final))
     expected = (many(torque + steps) - many(torque - steps)) / 2e-5
-    np.testing.assert_allclose(jax.grad(final)(torque), expected, rtol=1e-6, atol=1e-9)
+    np.testing.assert_allclose(jax.jit(jax.grad(final))(torque), expected, rtol=1e-6, atol=1e-9)
 
 
 def test_every_declared_parameter_is_a_leaf_of_the_model():

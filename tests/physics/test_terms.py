@@ -123,8 +123,14 @@ def motion(name, rows, **how):
     return run(name, rows, **how)[0]
 
 
-def plain(**how):
+def plain(start=None, **how):
     """The leg without any term."""
+    return usual(**how) if start is None else usual.__wrapped__(start=start, **how)
+
+
+@cache
+def usual(**how):
+    """The same from the usual start, for which every term asks again."""
     return jax.tree.map(lambda x: x[0], motion(None, np.zeros((1, 0)), **how))
 
 

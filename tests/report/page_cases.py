@@ -58,13 +58,23 @@ def made_up(notes: str | None = None, name: str = "leg.csv") -> Case:
 
 def of_friction() -> Case:
     """A leg with dry friction, diagnosed with a library of three effects."""
-    model = LegModel(leg(), NoTorque(), terms=(CoulombFriction(jnp.asarray(0.08)),))
+    return diagnosed("rubbing.csv", CoulombFriction(jnp.asarray(0.08)))
+
+
+def of_nothing() -> Case:
+    """A leg that lacks nothing, diagnosed with the same library."""
+    return diagnosed("sound.csv")
+
+
+def diagnosed(name: str, *terms) -> Case:
+    """A leg with these terms."""
+    model = LegModel(leg(), NoTorque(), terms=terms)
     recording = record(model, DROPS, jax.random.key(0), subject=BODY)
     with pytest.MonkeyPatch.context() as patched:
         patched.setattr(prepare, "library", lambda: LIBRARY)
-        found = diagnose([("rubbing.csv", recording)])
+        found = diagnose([(name, recording)])
     told, next_one = identify(found.fit), plan(found.fit, recording.subject, "inertia")
-    return Case((Source("rubbing.csv", recording),), found.fit, ORIGIN, told, found, next_one)
+    return Case((Source(name, recording),), found.fit, ORIGIN, told, found, next_one)
 
 
 def of_example() -> Case:

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from html_tree import parse, rows
-from page_cases import made_up, of_friction, of_length
+from page_cases import made_up, of_friction, of_length, of_nothing
 
 from exoid.recording.pendulum.drops import measure_drops
 from exoid.report.diagnosis_json import diagnosis_document
@@ -69,6 +69,14 @@ def test_every_section_is_there_in_order_with_a_heading_and_content(diagnosed):
     for each, of in zip(sections, SECTIONS, strict=True):
         assert each.all("h2")[0].text == of.title
         assert len(each.text) > len(of.title) + 40
+
+
+def test_a_page_of_a_leg_that_lacks_nothing_has_every_section_too():
+    case = of_nothing()
+    assert case.diagnosis is not None
+    assert case.diagnosis.verdict == "none"
+    page = parse(build_page(case))
+    assert [each.attributes["id"] for each in page.all("section")] == [s.name for s in SECTIONS]
 
 
 def test_a_fit_alone_has_no_section_of_a_diagnosis(quick):

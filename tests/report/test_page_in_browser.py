@@ -22,7 +22,7 @@ BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 DESKTOP, PHONE = {"width": 1280, "height": 900}, {"width": 360, "height": 740}
 PATIENCE = 60_000  # ms, for a machine that does other things as well
 OPENED = 2.0  # s
-LOADS = 5  # the fastest tells what the page needs, the others what the machine was doing
+LOADS = 5  # at most: one that is fast enough tells what the page needs
 PAPER = 680  # pixels between the margins of A4
 RANGE = "document.querySelector('#motion-0 .plot').layout.xaxis.range"
 FIRST_FIGURE = """() => new Promise((resolve) => {
@@ -130,7 +130,9 @@ def test_first_figure_is_seen_within_two_seconds(browser, report):
         page.goto(report.as_uri(), wait_until="commit")
         taken.append(page.evaluate(FIRST_FIGURE) / 1000)
         context.close()
-    assert min(taken) < OPENED, taken
+        if taken[-1] < OPENED:
+            return
+    pytest.fail(f"no load took less than {OPENED} s: {taken}")
 
 
 def test_a_zoom_of_one_segment_is_one_of_all(desktop):
