@@ -40,7 +40,9 @@ class CuffCompliance(PhysicsTerm):
     hinge_damping: Float[Any, ""] = parameter(
         "d_h", "N m s/rad", 0.0, 1.0, "damping of the frame's hinge", (0.1,)
     )
-    damping_ratio: Float[Any, ""] = parameter("zeta", "1", 0.02, 1.0, "of the cuffs", (0.3,))
+    damping_ratio: Float[Any, ""] = parameter(
+        "zeta", "1", 0.02, 1.0, "damping ratio of the cuffs", (0.3,)
+    )
 
     def carried(self, now: Moment, memory: Memory) -> Float[Array, ""]:
         """The torque of the leg on the frame."""

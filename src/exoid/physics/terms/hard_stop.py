@@ -37,7 +37,9 @@ class HardStop(PhysicsTerm):
     flexion_angle: Float[Any, ""] = parameter(
         "phi_f", "rad", -3.2, 0.5, "stop of flexion", lambda low, high: (FAR[1], low + INSIDE)
     )
-    damping_ratio: Float[Any, ""] = parameter("zeta", "1", 0.0, 2.0, "its damping ratio", (0.3,))
+    damping_ratio: Float[Any, ""] = parameter(
+        "zeta", "1", 0.0, 2.0, "damping ratio of the stop", (0.3,)
+    )
 
     def torque(self, now: Moment, memory: Memory) -> Float[Array, ""]:
         extension = self.push(now.angle - self.extension_angle, now.angular_velocity)

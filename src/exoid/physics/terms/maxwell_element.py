@@ -23,7 +23,9 @@ class MaxwellElement(PhysicsTerm):
     living: ClassVar[bool] = True
     memory_size: ClassVar[int] = 1
 
-    stiffness: Float[Any, ""] = parameter("k_1", "N m/rad", 0.0, 30.0, "its stiffness", (0.5,))
+    stiffness: Float[Any, ""] = parameter(
+        "k_1", "N m/rad", 0.0, 30.0, "stiffness of the element", (0.5,)
+    )
     relaxation_time: Float[Any, ""] = parameter(
         "t_r", "s", 0.02, 10.0, "relaxation time", (0.08, 0.4, 2.0)
     )

@@ -43,8 +43,12 @@ class MovingBase(PhysicsTerm):
         "C", "rad/(N m)", 0.0, 0.05, "compliance of hip and seat", (0.0008,)
     )
     thigh_length: Float[Any, ""] = parameter("L", "m", 0.2, 0.6, "hip to knee", (0.42,))
-    frequency: Float[Any, ""] = parameter("f", "Hz", 1.0, 15.0, "of the thigh", (4.0, 10.0))
-    damping_ratio: Float[Any, ""] = parameter("zeta", "1", 0.02, 1.5, "of the thigh", (0.4,))
+    frequency: Float[Any, ""] = parameter(
+        "f", "Hz", 1.0, 15.0, "frequency of the thigh", (4.0, 10.0)
+    )
+    damping_ratio: Float[Any, ""] = parameter(
+        "zeta", "1", 0.02, 1.5, "damping ratio of the thigh", (0.4,)
+    )
     carried: Float[Any, ""] = parameter(
         "h", "1", 0.0, 1.0, "weight carried by the knee before the release", (1.0,)
     )

@@ -37,9 +37,13 @@ class WobblingMass(PhysicsTerm):
     substeps: ClassVar[int] = 2
 
     share: Float[Any, ""] = parameter("beta", "1", 0.0, 0.5, "share of the weight", (0.15,))
-    radius: Float[Any, ""] = parameter("r", "m", 0.08, 0.45, "its distance from the knee", (0.22,))
+    radius: Float[Any, ""] = parameter(
+        "r", "m", 0.08, 0.45, "distance of the tissue from the knee", (0.22,)
+    )
     frequency: Float[Any, ""] = parameter("f", "Hz", 1.2, 10.0, "wobbling frequency", (3.0, 6.0))
-    damping_ratio: Float[Any, ""] = parameter("zeta", "1", 0.02, 1.0, "its damping ratio", (0.2,))
+    damping_ratio: Float[Any, ""] = parameter(
+        "zeta", "1", 0.02, 1.0, "damping ratio of the tissue", (0.2,)
+    )
 
     def accelerations(self, now: Moment, memory: Memory) -> Float[Array, "3"]:
         """phi'', x'' and y''."""
