@@ -49,7 +49,8 @@ class Summary(Section):
     @classmethod
     def of(cls, case: Case) -> "Summary":
         asked = () if case.diagnosis is None else (missing(case.diagnosis),)
-        cards = (recording(case), agreement(case.fit), *asked, numbers(case.fit))
+        read = (recording(case),) if case.sources else ()
+        cards = (*read, agreement(case.fit), *asked, numbers(case.fit))
         return cls(cards, believed(case.fit))
 
 
