@@ -1,4 +1,4 @@
-"""Two saved fits side by side: what differs, and by how many standard errors."""
+"""Two saved results side by side: what differs, and by how many standard errors."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -69,6 +69,8 @@ def compare(first: SavedResult, second: SavedResult) -> Comparison:
     differ = changed(asked(first), asked(second))
     if not same:  # then the sidecars are others by nature
         differ.pop("sidecars", None)
+    if (first.diagnosis is None) != (second.diagnosis is None):  # each command has its options
+        differ = {name: pair for name, pair in differ.items() if ABSENT not in pair}
     return Comparison(rows, differ, same)
 
 
