@@ -61,7 +61,11 @@ def test_dry_friction_is_found_shown_and_written(command, table, tmp_path):
     figure, document = tmp_path / "why.png", tmp_path / "why.json"
     terms = tmp_path / "mine.py"
     terms.write_text(TERMS, encoding="utf-8")
-    done = command("diagnose", table, "--plot", figure, "--json", document, "--terms", terms)
+    kept, pages = tmp_path / "why.nc", [tmp_path / "why.html", tmp_path / "again.html"]
+    done = command(
+        *("diagnose", table, "--plot", figure, "--json", document, "--terms", terms),
+        *("--save", kept, "--report", pages[0]),
+    )
     assert done.returncode == 0, done.stderr
     said = " ".join(done.stdout.split())
     assert "Something is missing" in said
@@ -77,6 +81,11 @@ def test_dry_friction_is_found_shown_and_written(command, table, tmp_path):
     assert found["booked_before"]["damping"]["after"] < found["booked_before"]["damping"]["before"]
     assert {"segment", "from_s", "to_s", "region", "description"} <= found["where"][0].keys()
     assert "sail" in found["ranking"]
+    again = command("report", kept, "-o", pages[1])
+    assert again.returncode == 0, again.stderr
+    assert pages[1].read_bytes() == pages[0].read_bytes()
+    compared = command("compare", kept, kept)
+    assert compared.stdout.count("dry friction") == 2
 
 
 @pytest.mark.parametrize(

@@ -13,16 +13,17 @@ VERDICTS = {
     "mismatch": "something is missing",
     "cannot_tell": "cannot tell",
 }
+NOT_ASKED = {"verdict": "not diagnosed"}
 WIDE = 29  # characters of a cell
 
 
 def side_by_side(sides: list[Diagnosis | None]) -> dict[str, list[str]]:
     """The columns of a table; what does not fit into a cell goes on below it."""
-    told = [{} if each is None else answers(each) for each in sides]
+    told = [NOT_ASKED if each is None else answers(each) for each in sides]
     names = dict.fromkeys(name for each in told for name in each)
     columns: dict[str, list[str]] = {"": [], "first": [], "second": []}
     for name in names:
-        cells = [wrap(each.get(name, "not diagnosed" if not each else ""), WIDE) for each in told]
+        cells = [wrap(each.get(name, ""), WIDE) for each in told]
         for row in zip_longest([name], *cells, fillvalue=""):
             for column, cell in zip(columns.values(), row, strict=True):
                 column.append(cell)

@@ -59,7 +59,7 @@ def from_groups(of: Any, groups: Groups, path: str, **given: Any) -> Any:
         elif each.role == "groups":
             found[name] = each.type[0](items(each.type[1], groups, place))
         else:
-            found[name] = word(own.attrs[name], each)
+            found[name] = value_of(own.attrs[name], each)
     return of(**found)
 
 
@@ -96,13 +96,8 @@ def from_rows(of: Any, table: Table, prefix: str = "") -> list[Any]:
         if each.role == "group":
             columns[name] = from_rows(each.type, table, f"{prefix}{name}.")
             continue
-        cells = table[f"{prefix}{name}"].values
-        if each.role == "number":
-            columns[name] = [
-                None if missing(cell, each) else value_of(cell, each) for cell in cells
-            ]
-        else:
-            columns[name] = [None if missing(cell, each) else word(cell, each) for cell in cells]
+        cells = table[f"{prefix}{name}"].values.tolist()
+        columns[name] = [None if missing(cell, each) else value_of(cell, each) for cell in cells]
     return [
         of(**dict(zip(columns, row, strict=True))) for row in zip(*columns.values(), strict=True)
     ]
@@ -123,21 +118,18 @@ def inner(one: Any, name: str) -> Any:
     return one
 
 
-def value_of(cell: np.ndarray, each: Kind) -> Any:
-    """A number as its type, an array as it was; a file has no truth values, only 0 and 1."""
-    if each.role == "number":
-        return each.type(cell)
-    return cell.astype(bool) if "bool" in each.type.dtypes else cell
-
-
-def word(cell: Any, each: Kind) -> Any:
-    if each.role == "word":
-        return str(cell)
-    found = json.loads(cell)
+def value_of(kept: Any, each: Kind) -> Any:
+    """What was kept, as its type; a file has no truth values, only 0 and 1."""
+    if each.role == "array":
+        return kept.astype(bool) if "bool" in each.type.dtypes else kept
+    if each.role in ("number", "word"):
+        return each.type(kept)
+    found = json.loads(kept)
     return tuple(found) if each.type is tuple else found
 
 
 def missing(cell: Any, each: Kind) -> bool:
+    """Does a cell stand for None?"""
     return each.optional and (cell == "" if isinstance(cell, str) else bool(cell != cell))
 
 

@@ -54,7 +54,9 @@ def role(hint: Any) -> tuple[Role, Any]:
         return "array", hint
     if hint in (float, int, bool):
         return "number", hint
-    return ("word" if hint is str or origin is Literal else "json"), origin
+    if hint is str or origin is Literal:
+        return "word", str
+    return "json", origin
 
 
 def plain(of: Any) -> bool:
