@@ -65,7 +65,7 @@ def compare(first: SavedResult, second: SavedResult) -> Comparison:
     for name in names:
         known = one.get(name) or other[name]
         rows.append(Compared(name, known.symbol, known.unit, one.get(name), other.get(name)))
-    same = hashes(first) == hashes(second)
+    same = hashes(first) == hashes(second) != []
     differ = changed(asked(first), asked(second))
     if not same:  # then the sidecars are others by nature
         differ.pop("sidecars", None)

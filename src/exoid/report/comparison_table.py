@@ -18,7 +18,7 @@ SIDES = ("first", "second")
 
 def print_comparison(found: Comparison, sides: list[SavedResult], console: Console) -> None:
     """The quantities, what else the fits say of themselves, and what was asked of them."""
-    heading(console, "Parameters, torque and ratios of two fits")
+    heading(console, "Parameters, torque and ratios of both")
     columns = {
         "quantity": [quantity(each) for each in found.quantities],
         "first": [value(each.first) for each in found.quantities],

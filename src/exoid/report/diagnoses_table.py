@@ -41,7 +41,7 @@ def answers(found: Diagnosis) -> dict[str, str]:
         "held-out RMSE [deg]": in_degrees(before),
         "... with it [deg]": in_degrees(after) if found.changed else "-",
         "noise floor [deg]": in_degrees(found.proof.noise_floor),
-        "left / noise": f"{found.baseline.mean_square:.3g}",
+        "mean square / noise": f"{found.baseline.mean_square:.3g}",
         "... with it": f"{found.best.mean_square:.3g}" if found.changed else "-",
     }
 
