@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+from importlib.metadata import version
 
 import pytest
 
@@ -23,6 +24,10 @@ def test_all_names_are_listed_in_order_and_have_a_home():
 def test_an_unknown_name_is_an_attribute_error():
     with pytest.raises(AttributeError, match="module 'exoid' has no attribute 'guess'"):
         exoid.guess  # noqa: B018
+
+
+def test_the_version_is_that_of_the_package():
+    assert exoid.__version__ == version("exoid")
 
 
 def test_names_show_up_in_dir_and_in_a_star_import():

@@ -7,6 +7,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from exoid.diagnose.bench import Bench
 from exoid.diagnose.diagnosis import Diagnosis
 from exoid.diagnose.effect import named
 from exoid.physics.leg import Ratios
@@ -25,13 +26,14 @@ def explained(found: Diagnosis, truth: Mapping[str, Any]) -> float:
     hidden = TERMS[truth["effects"][0]](
         **{name: jnp.asarray(value) for name, value in truth["params"][truth["effects"][0]].items()}
     )
-    best = found.best.candidate
+    workings = found.workings
+    assert workings is not None  # it was not read from a file
+    best = workings.best.candidate
     (formula,) = (named(*each) for each in zip(best.terms, best.values, strict=True))
-    inertia = float(np.exp(found.bench.coordinates(best).shared.log_inertia))
-    rows = [columns(found, number) for number in range(found.bench.segments)]
+    rows = [columns(found, workings.bench, number) for number in range(workings.bench.segments)]
     true, told = (
         np.concatenate([torque(term, each) for each in found.location.missing]) / scale
-        for term, scale in ((hidden, truth["baseline"]["J"]), (formula, inertia))
+        for term, scale in ((hidden, truth["baseline"]["J"]), (formula, found.inertia))
     )
     leg = np.concatenate([each[:, :3] for each in rows])
     voluntary = np.zeros((len(leg), len(rows)))
@@ -45,10 +47,10 @@ def explained(found: Diagnosis, truth: Mapping[str, Any]) -> float:
     return float(1 - np.sum(left[:, 1] ** 2) / np.sum(left[:, 0] ** 2))
 
 
-def columns(found: Diagnosis, number: int) -> np.ndarray:
+def columns(found: Diagnosis, bench: Bench, number: int) -> np.ndarray:
     """Gravity, spring, damper, voluntary torque of a segment."""
     each = found.location.missing[number]
-    shape = np.asarray(found.bench.seen.cycle.begin[number])
+    shape = np.asarray(bench.seen.cycle.begin[number])
     shape = np.append(shape, shape[-1])[: each.angle.size]
     return np.stack([np.cos(each.angle), each.angle, each.angular_velocity, shape], axis=1)
 

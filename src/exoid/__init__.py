@@ -37,6 +37,8 @@ if TYPE_CHECKING:
     from exoid.report.save_result import save_result
     from exoid.report.saved_result import SavedResult
 
+    __version__: str
+
 _HOMES = {
     "Diagnosis": ("exoid.diagnose.diagnosis", "Diagnosis"),
     "diagnose_leg": ("exoid.diagnose.missing_physics", "diagnose"),
@@ -131,6 +133,8 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
+    if name == "__version__":
+        return import_module("importlib.metadata").version("exoid")
     if name not in _HOMES:
         raise AttributeError(f"module 'exoid' has no attribute {name!r}")
     module, attribute = _HOMES[name]
@@ -138,4 +142,4 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *__all__})
+    return sorted({*globals(), *__all__, "__version__"})

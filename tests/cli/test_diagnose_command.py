@@ -67,22 +67,24 @@ class Diagnosed(NamedTuple):
     done: CompletedProcess[str]
     figure: Path
     document: dict
-    page: str
+    page: Path
+    kept: Path
 
 
 @pytest.fixture(scope="module")
 def diagnosed(command, table, tmp_path_factory):
     """One run that writes everything: to compile the whole library takes most of its time."""
     folder = tmp_path_factory.mktemp("why")
-    figure, document, page = (folder / f"why.{suffix}" for suffix in ("png", "json", "html"))
+    kinds = ("png", "json", "html", "nc")
+    figure, document, page, kept = (folder / f"why.{suffix}" for suffix in kinds)
     terms = folder / "mine.py"
     terms.write_text(TERMS, encoding="utf-8")
-    written = ("--plot", figure, "--json", document, "--report", page)
+    written = ("--plot", figure, "--json", document, "--report", page, "--save", kept)
     once = command.environment | {"XLA_FLAGS": QUICK}
     done = command("diagnose", table, *written, "--terms", terms, timeout=600, env=once)
     assert done.returncode == 0, done.stderr
     found = json.loads(document.read_text(encoding="utf-8"))
-    return Diagnosed(done, figure, found, page.read_text(encoding="utf-8"))
+    return Diagnosed(done, figure, found, page, kept)
 
 
 @pytest.mark.slow
@@ -104,8 +106,18 @@ def test_dry_friction_is_found_shown_and_written(diagnosed):
 
 
 @pytest.mark.slow
+def test_what_is_saved_gives_the_same_page_and_compares(command, diagnosed, tmp_path):
+    page = tmp_path / "again.html"
+    again = command("report", diagnosed.kept, "-o", page)
+    assert again.returncode == 0, again.stderr
+    assert page.read_bytes() == diagnosed.page.read_bytes()
+    compared = command("compare", diagnosed.kept, diagnosed.kept)
+    assert compared.stdout.count("dry friction") == 2
+
+
+@pytest.mark.slow
 def test_diagnosis_writes_a_page_with_all_of_it(diagnosed):
-    found = re.findall(r'<section id="(\w+)"', diagnosed.page)
+    found = re.findall(r'<section id="(\w+)"', diagnosed.page.read_text(encoding="utf-8"))
     assert {"summary", "told", "parting", "physics", "proof", "advice"} <= set(found)
 
 

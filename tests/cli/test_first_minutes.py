@@ -5,6 +5,7 @@ import subprocess
 import sys
 from hashlib import sha256
 from importlib.metadata import version
+from shutil import copy
 
 import pytest
 from command_line import SCRIPT, refusal
@@ -145,6 +146,46 @@ def test_what_is_no_saved_fit_is_refused_in_one_line(command, saved, recordings,
     assert "Check the name" in refusal(command("compare", whole, tmp_path / "none.nc"))
     assert "directory" in refusal(command("compare", ".", whole))
     assert ".nc" in refusal(command("fit", recordings / "drop.csv", "--save", tmp_path / "a.json"))
+
+
+def test_the_page_of_a_saved_fit_is_written_without_computing(command, saved, recordings, tmp_path):
+    path = tmp_path / "a.html"
+    done = command("report", saved / "a.nc", "-o", path)
+    assert done.returncode == 0, done.stderr
+    assert done.stderr.splitlines()[-1] == f"wrote {path}"
+    page = path.read_text(encoding="utf-8")
+    assert f"exoid fit {recordings / 'drop.csv'} --save" in page
+    for section in ("quality", "drops", "parameters", "told"):
+        assert f'<section id="{section}"' in page
+
+
+def test_what_only_the_recordings_show_is_left_out_without_them(command, recordings, tmp_path):
+    drop, path = tmp_path / "drop.csv", tmp_path / "a.html"
+    copy(recordings / "drop.csv", drop)
+    copy(recordings / "drop.toml", drop.with_suffix(".toml"))
+    assert command("fit", drop, "--save", tmp_path / "a.nc").returncode == 0
+    with drop.open("a") as file:
+        file.write("\n")
+    done = command("report", tmp_path / "a.nc", "-o", path)
+    assert done.returncode == 0, done.stderr
+    why, wrote = done.stderr.splitlines()
+    assert why.endswith(f"only the recordings show: {drop} is not there, or has changed.")
+    assert wrote == f"wrote {path}"
+    page = path.read_text(encoding="utf-8")
+    assert "Report on drop.csv" in page
+    assert '<section id="quality"' not in page
+    assert '<section id="parameters"' in page
+
+
+def test_a_saved_result_is_not_computed_again(command, saved, recordings, tmp_path):
+    path, fit = tmp_path / "a.html", saved / "a.nc"
+    asked = refusal(command("report", fit, "--seed", 3, "--no-diagnosis", "-o", path))
+    assert "Leave out --seed, --diagnosis" in asked
+    assert "no other file" in refusal(command("report", fit, recordings / "drop.csv", "-o", path))
+    cut = tmp_path / "cut.nc"
+    cut.write_bytes(fit.read_bytes()[:20_000])
+    assert "cut.nc: this is no result of" in refusal(command("report", cut, "-o", path))
+    assert not path.exists()
 
 
 def test_neither_fit_nor_its_tables_load_what_only_saving_needs():

@@ -11,13 +11,17 @@ import numpy as np
 import pytest
 from html_tree import parse, rows
 from page_cases import made_up, of_friction, of_length, of_nothing
+from test_saved_result import check_same
 
 from exoid.recording.pendulum.drops import measure_drops
+from exoid.report.case import Case
 from exoid.report.diagnosis_json import diagnosis_document
 from exoid.report.drops_table import value
 from exoid.report.figures.style import MOST
 from exoid.report.fit_json import fit_document
+from exoid.report.load_result import load_result
 from exoid.report.page import SECTIONS, build_page, write_page
+from exoid.report.save_result import save_result
 from exoid.report.text import in_degrees, with_error
 from exoid.report.tidy import tidy
 
@@ -255,6 +259,16 @@ def test_prediction_of_held_out_data_is_drawn_without_and_with_the_effect(diagno
     assert list(found) == ["without it, held out", "with it, held out"]
     sizes = [np.std(decoded(each["y"])) for each in found.values()]
     assert sizes[1] < sizes[0]
+
+
+def test_the_page_of_a_saved_result_is_the_page(diagnosed, tmp_path):
+    case, _ = diagnosed
+    found = {"told": case.told, "diagnosis": case.diagnosis, "plan": case.plan}
+    save_result(case.fit, tmp_path / "why.nc", origin=case.origin, **found)
+    back = load_result(tmp_path / "why.nc")
+    again = Case(case.sources, back.result, back.origin, back.told, back.diagnosis, back.plan)
+    assert build_page(again) == build_page(case)
+    check_same(replace(case.diagnosis, workings=None, fit=back.result), back.diagnosis)
 
 
 def test_plan_is_given_as_steps_with_the_error_to_expect(diagnosed):

@@ -243,3 +243,9 @@ def test_a_comparison_fits_eighty_columns_and_json(sides):
     document = comparison_document(compare(*sides), sides)
     assert json.loads(json.dumps(document, allow_nan=False)) == document
     assert document["quantities"]["inertia"]["difference"] == pytest.approx(0.1)
+
+
+def test_fits_that_name_no_recording_are_not_called_of_the_same(tmp_path):
+    save_result(fitted(), tmp_path / "a.nc")
+    back = load_result(tmp_path / "a.nc")
+    assert not compare(back, back).same_recordings

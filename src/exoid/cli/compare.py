@@ -1,4 +1,4 @@
-"""exoid compare: two saved fits side by side."""
+"""exoid compare: two saved results side by side."""
 
 from contextlib import suppress
 from pathlib import Path
@@ -11,19 +11,25 @@ from exoid.cli.waiting import patiently
 
 
 def compare(
-    first: Annotated[Path, typer.Argument(help="What 'exoid fit --save' wrote (.nc).")],
+    first: Annotated[
+        Path, typer.Argument(help="What --save of 'exoid fit' or 'exoid diagnose' wrote (.nc).")
+    ],
     second: Annotated[Path, typer.Argument(help="Another one.")],
     json: Annotated[
         Path | None, typer.Option(help="Everything for machines.", metavar="FILE")
     ] = None,
 ) -> None:
-    """Show two saved fits side by side: two days, two sides, or two settings.
+    """Show two saved results side by side: two days, two sides, or two settings.
+
+    Diagnoses are compared where they were saved.
 
     \b
     Examples:
       exoid fit left.csv --save left.nc
       exoid fit right.csv --save right.nc
       exoid compare left.nc right.nc
+      exoid diagnose right.csv --save why.nc
+      exoid compare left.nc why.nc
     """
     check_destination(json)
     check_apart([json], [first, second])

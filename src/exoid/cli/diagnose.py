@@ -1,10 +1,6 @@
 """exoid diagnose: where simulation and recording part, and which physics was left out."""
 
-import importlib
-import importlib.util
-import sys
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
 from typing import Annotated
 
@@ -15,9 +11,10 @@ from exoid.cli.body import BodyMass, Height, given_body
 from exoid.cli.destination import check_apart, check_destination
 from exoid.cli.fit import EXAMPLE, FIGURES
 from exoid.cli.origin import inputs, origin_of
+from exoid.cli.own_terms import own_terms
 from exoid.cli.page import PAGES, planned, sources_of, write_report
 from exoid.cli.reading import take
-from exoid.cli.results import described
+from exoid.cli.results import described, keep
 from exoid.cli.waiting import in_phases, patiently
 
 
@@ -49,6 +46,10 @@ def diagnose(
     json: Annotated[
         Path | None, typer.Option(help="Everything for machines.", metavar="FILE")
     ] = None,
+    save: Annotated[
+        Path | None,
+        typer.Option(help="All of it (.nc), for exoid compare and exoid report.", metavar="FILE"),
+    ] = None,
     report: Annotated[
         Path | None, typer.Option(help="Page (.html) to look at and print.", metavar="FILE")
     ] = None,
@@ -60,13 +61,15 @@ def diagnose(
       exoid diagnose drops.csv                       one recording
       exoid diagnose bare.blf loaded.blf             two recordings of one leg, together
       exoid diagnose drops.csv --plot why.pdf        with a figure
+      exoid diagnose drops.csv --save why.nc         kept in a file, to show and compare later
       exoid diagnose drops.csv --terms my_terms.py   with terms of your own
     """
     paths = recordings or [EXAMPLE]
     check_destination(plot, FIGURES)
     check_destination(json)
+    check_destination(save, ("nc",))
     check_destination(report, PAGES)
-    check_apart([plot, json, report], paths)
+    check_apart([plot, json, save, report], paths)
     body = given_body(body_mass=body_mass, height=height)
     own = own_terms(terms) if terms is not None else ()
     if not recordings:
@@ -84,40 +87,21 @@ def diagnose(
         settings = {"seed": seed, "terms": terms}
         write(found, described(zip(paths, named, strict=True)), settings, json)
         typer.echo(f"wrote {json}", err=True)
+    if save is None and report is None:
+        return
+    asked = {"seed": seed, "terms": terms, **body, "signal": signal, "dbc": dbc and str(dbc)}
+    origin = origin_of(inputs(paths, dbc, Path(terms) if terms else None), asked)
+    more = patiently(lambda: further(found, named[0][1].subject), "planning what to record next")
+    if save is not None:
+        files = zip(paths, named, strict=True)
+        patiently(lambda: keep(found.fit, files, asked, save, origin=origin, **more), "saving")
+        typer.echo(f"wrote {save}", err=True)
     if report is not None:
-        asked = {"seed": seed, "terms": terms, **body, "signal": signal}
-        origin = origin_of(inputs(paths, dbc, Path(terms) if terms else None), asked)
         sources = sources_of(taken, named)
-        patiently(lambda: tell(found, sources, origin, report), "writing the page")
+        patiently(
+            lambda: write_report(report, sources, found.fit, origin, **more), "writing the page"
+        )
         typer.echo(f"wrote {report}", err=True)
-
-
-def own_terms(name: str):
-    """The terms of a module, or of a file."""
-    from exoid.physics.library import check_terms, terms_of
-
-    path = Path(name)
-    if path.suffix == ".py":
-        if not path.is_file():
-            raise ValueError(f"--terms {name}: there is no such file. Check the name.")
-        spec = importlib.util.spec_from_file_location(path.stem, path)
-        assert spec is not None  # a .py file has one
-        assert spec.loader is not None
-        module = importlib.util.module_from_spec(spec)
-        sys.modules[path.stem] = module
-        load = partial(spec.loader.exec_module, module)
-    else:
-        module, load = None, partial(importlib.import_module, name)
-    try:
-        module = load() or module
-    except Exception as fault:  # whatever a user's file may raise
-        raise ValueError(f"--terms {name}: {type(fault).__name__}: {fault}") from fault
-    assert module is not None  # loaded, one way or the other
-    found = tuple(terms_of(module))
-    if not found:
-        raise ValueError(f"--terms {name}: no class of exoid.PhysicsTerm or SensorTerm in it.")
-    check_terms(found)
-    return found
 
 
 def diagnosed(named, own, seed: int, told):
@@ -165,9 +149,6 @@ def write(found, recordings, settings: dict, path: Path) -> None:
     write_json(document, path)
 
 
-def tell(found, sources, origin, path: Path) -> None:
-    """The page, with what the recording told and what to record next."""
-    result = found.fit
-    next_one = planned(result, sources[0].recording.subject)
-    told = ask(result)
-    write_report(path, sources, result, origin, told=told, diagnosis=found, plan=next_one)
+def further(found, subject) -> dict:
+    """The diagnosis, what the recording told, and what to record next."""
+    return {"diagnosis": found, "told": ask(found.fit), "plan": planned(found.fit, subject)}

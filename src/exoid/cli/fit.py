@@ -75,7 +75,8 @@ def fit(
         typer.Option(help="Draws of every quantity for ArviZ (.nc); a minute.", metavar="FILE"),
     ] = None,
     save: Annotated[
-        Path | None, typer.Option(help="The fit (.nc), for exoid compare.", metavar="FILE")
+        Path | None,
+        typer.Option(help="The fit (.nc), for exoid compare and report.", metavar="FILE"),
     ] = None,
     report: Annotated[
         Path | None, typer.Option(help="Page (.html) to look at and print.", metavar="FILE")
@@ -129,13 +130,20 @@ def fit(
     told = None if each else patiently(lambda: ask(result), "asking what the recording told")
     show(result, told)
     settings = {"lambda": options.pop("weight"), **options, "each": each}
-    asked = {**settings, "torque_frequency": torque_frequency, **body, "signal": signal}
-    if save is not None:
-        sources = zip(paths, named, strict=True)
-        patiently(lambda: keep(result, told, sources, asked, save), "saving")
-        typer.echo(f"wrote {save}", err=True)
+    asked = {
+        **settings,
+        "torque_frequency": torque_frequency,
+        **body,
+        "signal": signal,
+        "dbc": dbc and str(dbc),
+    }
+    origin = origin_of(inputs(paths, dbc), asked) if save or report else None
     wanted = (plot is not None or json is not None) and not each
     profiles = patiently(lambda: profiled(result), "profiling") if wanted else None
+    if save is not None:
+        sources, more = zip(paths, named, strict=True), {"told": told, "profiles": profiles}
+        patiently(lambda: keep(result, sources, asked, save, origin=origin, **more), "saving")
+        typer.echo(f"wrote {save}", err=True)
     if plot is not None:
         patiently(lambda: draw(result, profiles, plot), "drawing")
         typer.echo(f"wrote {plot}", err=True)
@@ -144,7 +152,7 @@ def fit(
         write_document(result, told, profiles, sources, settings, json)
         typer.echo(f"wrote {json}", err=True)
     if report is not None:
-        sources, origin = sources_of(taken, named), origin_of(inputs(paths, dbc), asked)
+        sources = sources_of(taken, named)
         patiently(
             lambda: write_report(report, sources, result, origin, told=told), "writing the page"
         )

@@ -27,8 +27,13 @@ def origin_of(files: Iterable[Path], settings: Mapping[str, Any]):
             if value is not None
         },
         versions={**versions, "Python": platform.python_version()},
-        files={str(path): hashlib.sha256(path.read_bytes()).hexdigest() for path in files},
+        files={str(path): sha256_of(path) for path in files},
     )
+
+
+def sha256_of(path: Path) -> str:
+    """What tells a file from any other."""
+    return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
 def inputs(recordings: Iterable[Path], *others: Path | None) -> list[Path]:

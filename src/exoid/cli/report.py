@@ -9,19 +9,23 @@ import typer
 from exoid.cli.analysis import ask, compute
 from exoid.cli.body import BodyMass, Height, given_body
 from exoid.cli.destination import check_apart, check_destination
-from exoid.cli.diagnose import diagnosed, own_terms
+from exoid.cli.diagnose import diagnosed
 from exoid.cli.fit import EXAMPLE
 from exoid.cli.origin import inputs, origin_of
+from exoid.cli.own_terms import own_terms
 from exoid.cli.page import PAGES, planned, sources_of, write_report
 from exoid.cli.reading import take
+from exoid.cli.retell import SAVED, retell
 from exoid.cli.waiting import in_phases, patiently
 
 
 def report(
+    context: typer.Context,
     recordings: Annotated[
         list[Path] | None,
         typer.Argument(
-            help="Tables or CAN logs of one leg, analysed together. Without one, the example."
+            help="Tables or CAN logs of one leg, analysed together, or one saved result (.nc). "
+            "Without one, the example."
         ),
     ] = None,
     output: Annotated[
@@ -54,10 +58,14 @@ def report(
       exoid report drop.csv -o drop.html             one recording
       exoid report bare.blf loaded.blf -o leg.html   two recordings of one leg, together
       exoid report drop.csv --no-diagnosis           the fit alone, in seconds
+      exoid report why.nc -o why.html                what --save kept, without computing it again
     """
     paths = recordings or [EXAMPLE]
     check_destination(output, PAGES)
     check_apart([output], paths)
+    if any(path.suffix.lower() == SAVED for path in paths):
+        retell(paths, output, context)
+        return
     body = given_body(body_mass=body_mass, height=height)
     if terms is not None and not diagnosis:
         raise ValueError("--terms are causes for the diagnosis: leave out --no-diagnosis.")
@@ -74,6 +82,7 @@ def report(
     result, found = in_phases(lambda told: analysed(named, options, tested, told))
     script = Path(terms) if terms is not None else None
     settings = {**options, "terms": terms, "diagnosis": diagnosis, **body, "signal": signal}
+    settings["dbc"] = dbc and str(dbc)
     origin = origin_of(inputs(paths, dbc, script), settings)
     sources = sources_of(taken, named)
     patiently(lambda: write_report(output, sources, result, origin, **found), "writing the page")

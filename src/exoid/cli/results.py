@@ -1,8 +1,9 @@
 """A fit as the user gets it: tables, figure, document and file."""
 
-import hashlib
 from contextlib import suppress
 from pathlib import Path
+
+from exoid.cli.origin import sha256_of
 
 
 def show(result, told=None) -> None:
@@ -39,21 +40,26 @@ def write_document(result, told, profiles, recordings, settings: dict, path: Pat
     write_json(document, path)
 
 
-def keep(result, told, recordings, settings: dict, path: Path) -> None:
-    """The fit in a file that gives it back."""
+def keep(result, recordings, settings: dict, path: Path, **found) -> None:
+    """The fit, and what else was found, in a file that gives it back."""
     from exoid.report.save_result import save_result
 
     sources = [
-        {**describe(source, recording), "sidecar_sha256": sidecar_hash(source)}
+        {
+            **describe(source, recording),
+            "sidecar_sha256": sidecar_hash(source),
+            "body_mass_kg": recording.subject.body_mass,
+            "height_m": recording.subject.height,
+        }
         for source, (_, recording) in recordings
     ]
-    save_result(result, path, told=told, recordings=sources, settings=settings)
+    save_result(result, path, recordings=sources, settings=settings, **found)
 
 
 def sidecar_hash(recording: Path) -> str | None:
     """Of what stands beside a recording; a fit rests on it as well."""
     sidecar = recording.with_suffix(".toml")
-    return hashlib.sha256(sidecar.read_bytes()).hexdigest() if sidecar.exists() else None
+    return sha256_of(sidecar) if sidecar.exists() else None
 
 
 def described(recordings) -> list[dict]:
@@ -65,6 +71,6 @@ def describe(path: Path, recording) -> dict:
     """Which file it was, so that the result can be traced to it."""
     return {
         "path": str(path),
-        "sha256": hashlib.sha256(path.read_bytes()).hexdigest(),
+        "sha256": sha256_of(path),
         "segments": len(recording.segments),
     }

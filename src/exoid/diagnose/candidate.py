@@ -1,6 +1,8 @@
 """Recordings that could be made next: drops bare and loaded, on a tilted seat, and cycles."""
 
 from dataclasses import dataclass, replace
+from math import radians
+from typing import Annotated
 
 import jax
 import numpy as np
@@ -28,7 +30,7 @@ class Candidate:
 
     words: str
     motion: Movement
-    thigh_angle: float = 0.0  # rad
+    thigh_angle: Annotated[float, "rad"] = 0.0
 
     @property
     def effort(self) -> float:
@@ -47,13 +49,13 @@ def candidates(height: float | None, amplitude: float | None) -> list[Candidate]
     """
     ankle = ANKLE * (height or TALL)
     drops = [
-        Candidate(f"bare leg from {angle:.0f} deg", Movement(np.radians(angle), SWING))
+        Candidate(f"bare leg from {angle:.0f} deg", Movement(radians(angle), SWING))
         for angle in ANGLES
     ]
     loaded = [
         Candidate(
             f"{mass:g} kg at the ankle from {angle:.0f} deg",
-            Movement(np.radians(angle), SWING, None, mass, ankle),
+            Movement(radians(angle), SWING, None, mass, ankle),
         )
         for mass in MASSES
         for angle in ANGLES[:3]
@@ -62,8 +64,8 @@ def candidates(height: float | None, amplitude: float | None) -> list[Candidate]
         Candidate(
             f"bare leg from {angle:.0f} deg, seat tilted, knee {abs(tilt):.0f} deg "
             f"{'above' if tilt > 0 else 'below'} hip",
-            Movement(np.radians(angle), SWING),
-            np.radians(tilt),
+            Movement(radians(angle), SWING),
+            radians(tilt),
         )
         for tilt in TILTS
         for angle in ANGLES[:2]
@@ -71,7 +73,7 @@ def candidates(height: float | None, amplitude: float | None) -> list[Candidate]
     cycles = [
         Candidate(
             f"voluntary cycle of {period:g} s from {ANGLES[0]:.0f} deg",
-            Movement(np.radians(ANGLES[0]), period, amplitude),
+            Movement(radians(ANGLES[0]), period, amplitude),
         )
         for period in (PERIODS if amplitude else ())
     ]

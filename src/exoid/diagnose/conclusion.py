@@ -1,21 +1,31 @@
 """From what was found to what is said: verdict, names, numbers with errors, and advice."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from exoid.diagnose.bench import Bench
-from exoid.diagnose.diagnosis import Diagnosis, Verdict
+from exoid.diagnose.diagnosis import Diagnosis, Finding, NovelTorque, Verdict
 from exoid.diagnose.formula import Formula
 from exoid.diagnose.honesty import too_little, unsure
 from exoid.diagnose.locate import Location
-from exoid.diagnose.numbers import BIAS, booked, gyro_bias, parameters_of
+from exoid.diagnose.numbers import (
+    BIAS,
+    FORMULA,
+    booked,
+    gyro_bias,
+    inertia_of,
+    parameters_of,
+    pinned,
+    weighed,
+)
 from exoid.diagnose.proof import Prediction, Proof, proof
 from exoid.diagnose.resample import inclusion
 from exoid.diagnose.search import Found, equivalents, names, size
 from exoid.diagnose.settle import Settled
+from exoid.diagnose.workings import Workings
 from exoid.fit.result import FitResult
-from exoid.physics.library import name_of
+from exoid.physics.library import library, name_of
 from exoid.physics.parameter import declarations
 
 FOLLOWED = 0.97  # share of the mismatch that a term must explain to be named, where noise is known
@@ -68,25 +78,37 @@ def concluded(
     return Diagnosis(
         verdict=verdict,
         reasons=reasons,
-        selected=selected if verdict == "mismatch" else [],
+        findings=findings(selected, best) if verdict == "mismatch" else [],
         ranking=ranked(found, selected, formula),
         equivalent=[name for one in equal for name in one_name(one)] if verdict != "none" else [],
         novel=novel,
-        formula=formula,
+        formula=formula and NovelTorque(formula.words, formula.explained, formula.known),
         parameters=[*parameters_of(best, measure, formula), *([bias] if bias else [])],
+        inertia=inertia_of(bench, best),
         booked=booked(bench, found.base, best),
         location=location,
         proof=shown,
+        baseline=weighed(found, found.base, best),
+        best=replace(weighed(found, best, best), terms=[FORMULA] if formula else names(best)),
+        singles=[weighed(found, one, best) for one in found.singles],
+        pairs=[weighed(found, one, best) for one in found.pairs],
+        pinned=pinned(found),
+        excluded=[name_of(term) for term in found.failed],
         false_alarm_rate=measure.false_alarm_rate(tried),
         power=measure.power(found.base.square, best.square, max(parameters, 1)),
         inclusion=included(bench, found, best, formula, seed),
         sensors=bench.sensors.errors,
-        best=best,
-        found=found,
-        bench=bench,
         fit=result,
         advice=advice(found, equal, verdict, formula),
+        workings=Workings(bench, found, best),
     )
+
+
+def findings(selected: list[str], best: Settled) -> list[Finding]:
+    """What is missing in words: of the library, or of a user's own terms."""
+    known = {name_of(term): term for term in (*library(), *best.candidate.terms)}
+    terms = [(name, known[name]) for name in selected]
+    return [Finding(name, one.title, one.explanation, one.reference) for name, one in terms]
 
 
 def followed(found: Found, best: Settled) -> float:

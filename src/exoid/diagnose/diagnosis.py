@@ -1,18 +1,14 @@
-"""The answer of a diagnosis."""
+"""The answer of a diagnosis: numbers, names and sentences, and nothing that a file cannot keep."""
 
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import Annotated, Literal
 
-from exoid.diagnose.bench import Bench
 from exoid.diagnose.consistency import SensorError
-from exoid.diagnose.evidence import Yardstick
-from exoid.diagnose.formula import Formula
+from exoid.diagnose.evidence import UNEXPLAINED
 from exoid.diagnose.locate import Location
 from exoid.diagnose.proof import Proof
-from exoid.diagnose.search import Found
-from exoid.diagnose.settle import Settled
+from exoid.diagnose.workings import Workings
 from exoid.fit.result import FitResult
-from exoid.physics.library import name_of
 
 Verdict = Literal["none", "mismatch", "cannot_tell"]
 
@@ -37,36 +33,76 @@ class Booked:
     unit: str
 
 
+@dataclass(frozen=True)
+class Finding:
+    """An effect that is missing, in a user's words."""
+
+    name: str
+    title: str
+    explanation: str
+    reference: str
+
+
+@dataclass(frozen=True)
+class Tested:
+    """A cause, and what it leaves: no terms, one, two, or a formula."""
+
+    terms: list[str]
+    mean_square: Annotated[float, "1"]  # of what is left over the noise: 1 is the noise itself
+    evidence: Annotated[float | None, "1"]  # against the baseline; None where it did not run free
+    chosen: bool = False
+
+
+@dataclass(frozen=True)
+class NovelTorque:
+    """A torque that the library does not know, as a formula."""
+
+    words: str
+    explained: Annotated[float, "1"]  # share of the missing torque's variance
+    known: Annotated[float, "1"]  # share of it that is in the library already
+
+
 @dataclass(frozen=True, eq=False)
 class Diagnosis:
     """The answer, and what it rests on."""
 
     verdict: Verdict
     reasons: list[str]  # why not more could be said
-    selected: list[str]
+    findings: list[Finding]
     ranking: list[str]
     equivalent: list[str]
     novel: bool  # does something act that the library does not know
-    formula: Formula | None  # of it
+    formula: NovelTorque | None  # of it
     parameters: list[Parameter]
+    inertia: Annotated[float, "kg m^2"]  # that torques among them go with
     booked: list[Booked]
     location: Location
     proof: Proof
-    false_alarm_rate: float
-    power: float
-    inclusion: float | None  # share of resampled segments that give the same answer
+    baseline: Tested
+    best: Tested  # explanation that holds on held-out data; the baseline where none does
+    singles: list[Tested]  # running free, best first
+    pairs: list[Tested]
+    pinned: list[Tested]  # every term at first sight
+    excluded: list[str]  # terms whose derivatives are not finite
+    false_alarm_rate: Annotated[float, "1"]
+    power: Annotated[float, "1"]
+    inclusion: Annotated[float | None, "1"]  # share of resamples that give the same answer
     sensors: list[SensorError]
-    best: Settled
-    found: Found
-    bench: Bench
     fit: FitResult
     advice: list[str] = field(default_factory=list)
+    workings: Workings | None = None  # None where it was read from a file
 
     @property
-    def excluded(self) -> list[str]:
-        """Terms whose derivatives are not finite."""
-        return [name_of(term) for term in self.found.failed]
+    def selected(self) -> list[str]:
+        """The names of what is missing."""
+        return [each.name for each in self.findings]
 
     @property
-    def yardstick(self) -> Yardstick:
-        return self.found.yardstick
+    def changed(self) -> bool:
+        """Was anything added to the model?"""
+        return bool(self.best.terms)
+
+    @property
+    def explained(self) -> bool:
+        """Is what the best explanation leaves hardly more than noise?"""
+        return self.best.mean_square < UNEXPLAINED

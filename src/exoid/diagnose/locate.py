@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from math import degrees
+from typing import Annotated
 
 import jax
 import jax.numpy as jnp
@@ -34,12 +35,12 @@ class Missing:
     """The torque that a segment's baseline lacks."""
 
     segment: str
-    time: Samples  # s
-    angle: Samples  # rad
-    angular_velocity: Samples  # rad/s
-    torque: Samples  # N m
-    band: float  # N m, standard deviation
-    modelled: Samples | None  # N m, by what was found: without noise
+    time: Annotated[Samples, "s"]
+    angle: Annotated[Samples, "rad"]
+    angular_velocity: Annotated[Samples, "rad/s"]
+    torque: Annotated[Samples, "N m"]
+    band: Annotated[float, "N m"]  # standard deviation
+    modelled: Annotated[Samples | None, "N m"]  # by what was found: without noise
     width: int  # samples, over which torques are averaged
 
 
@@ -48,11 +49,11 @@ class Region:
     """A stretch of time in which a torque is missing."""
 
     segment: str
-    begin: float  # s
-    end: float  # s
+    begin: Annotated[float, "s"]
+    end: Annotated[float, "s"]
     region: str
     description: str
-    torque: float  # N m, mean
+    torque: Annotated[float, "N m"]  # mean
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,8 +62,8 @@ class Location:
 
     missing: list[Missing]
     regions: list[Region]
-    by_angle: float  # share of its variance that the angle alone explains
-    by_speed: float  # that speed and direction alone explain
+    by_angle: Annotated[float, "1"]  # share of its variance that the angle alone explains
+    by_speed: Annotated[float, "1"]  # that speed and direction alone explain
 
     @property
     def pattern(self) -> str:

@@ -1,18 +1,38 @@
-"""The numbers of an answer: parameters with their errors, and where they had been booked."""
+"""The numbers of an answer: what every cause leaves, parameters, and what they were booked as."""
 
 import numpy as np
 
 from exoid.diagnose.bench import Bench
-from exoid.diagnose.diagnosis import Booked, Parameter
+from exoid.diagnose.diagnosis import Booked, Parameter, Tested
 from exoid.diagnose.evidence import Yardstick
 from exoid.diagnose.formula import Formula
+from exoid.diagnose.search import Found, names
 from exoid.diagnose.settle import Settled
 from exoid.physics.library import name_of
 from exoid.physics.parameter import declarations
 
 BIAS = "gyro_bias"
+FORMULA = "formula"  # the name of a term that has none
 CERTAIN = 5.0  # standard deviations
 BIASED = np.radians(0.1)  # rad/s, from which on a gyro's bias is worth a word
+
+
+def weighed(found: Found, one: Settled, best: Settled) -> Tested:
+    """What a candidate leaves, running free."""
+    left = one.square / found.yardstick.samples
+    chosen = one is best and best is not found.base
+    return Tested(names(one), left, found.evidence(one), chosen)
+
+
+def pinned(found: Found) -> list[Tested]:
+    """What every term leaves at first sight, along the motion that the sensors show."""
+    samples = found.yardstick.samples
+    return [Tested([name_of(t)], square / samples, None) for t, square in found.pinned.items()]
+
+
+def inertia_of(bench: Bench, best: Settled) -> float:
+    """kg m^2, that torques go with: drops alone tell only their ratio to it."""
+    return float(np.exp(bench.coordinates(best.candidate).shared.log_inertia))
 
 
 def gyro_bias(best: Settled, measure: Yardstick) -> Parameter | None:
@@ -39,7 +59,7 @@ def parameters_of(best: Settled, measure: Yardstick, formula: Formula | None) ->
     errors = np.sqrt(np.maximum(np.diag(inverse), 0.0) * measure.scale) / unit
     found, at = [], candidate.point.size + 2
     for term, values in zip(candidate.terms, candidate.values, strict=True):
-        owner = "formula" if formula else name_of(term)
+        owner = FORMULA if formula else name_of(term)
         for (name, declared), value in zip(declarations(term), values, strict=True):
             known = bool(size_of[at] > 0) and declared.lower < value < declared.upper
             error = float(errors[at]) if known else None

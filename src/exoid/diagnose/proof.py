@@ -1,6 +1,7 @@
 """Does it hold on data that the fit has not seen?"""
 
 from dataclasses import dataclass
+from typing import Annotated
 
 import equinox as eqx
 import numpy as np
@@ -17,15 +18,17 @@ EARLY = 0.6  # of a single segment, on which the fit is made where there is no o
 ROUNDS = 12
 TRAINING_ROUNDS = 5  # from where all segments have it
 
+Samples = Float[np.ndarray, "segment sample"]
+
 
 @dataclass(frozen=True, eq=False)
 class Prediction:
     """Segments as they were predicted by a fit of the others."""
 
-    shown: Float[np.ndarray, "segment time channel"]  # rad, rad/s
-    counted: Bool[np.ndarray, "segment time"]  # which samples were held out
-    rmse: Float[np.ndarray, " segment"]  # rad
-    squares: Float[np.ndarray, " segment"]  # of both channels over their noise
+    angle: Annotated[Samples, "rad"]
+    counted: Bool[np.ndarray, "segment sample"]  # which samples were held out
+    rmse: Annotated[Float[np.ndarray, " segment"], "rad"]
+    squares: Annotated[Float[np.ndarray, " segment"], "1"]  # of both channels over their noise
 
     @property
     def total(self) -> float:
@@ -40,7 +43,9 @@ class Proof:
 
     before: Prediction
     after: Prediction
-    noise_floor: float  # rad
+    time: Annotated[Samples, "s"]
+    angle: Annotated[Samples, "rad"]  # measured
+    noise_floor: Annotated[float, "rad"]
     in_time: bool  # a single segment, its end predicted from its beginning
 
     @property
@@ -68,9 +73,11 @@ def predict(bench: Bench, at: Settled) -> Prediction:
 
 def proof(bench: Bench, before: Prediction, after: Prediction) -> Proof:
     """Two predictions of the same data, side by side."""
-    noise = bench.seen.angle_weight
+    seen = bench.seen
+    noise = seen.angle_weight
     floor = float(np.sqrt(np.mean(1 / noise[noise > 0] ** 2)))
-    return Proof(before, after, floor, bench.segments == 1)
+    data = (np.asarray(seen.time), np.asarray(seen.angle))
+    return Proof(before, after, *data, floor, bench.segments == 1)
 
 
 def predict_others(bench: Bench, at: Settled) -> Prediction:
@@ -132,4 +139,4 @@ def prediction(seen: Observation, shown: np.ndarray, counted: np.ndarray) -> Pre
     squares = (seen.angle_weight * angle) ** 2 + (seen.velocity_weight * velocity) ** 2
     number = counted.sum(axis=1)
     rmse = np.sqrt((angle**2).sum(axis=1) / np.maximum(number, 1))
-    return Prediction(shown, counted, rmse, squares.sum(axis=1))
+    return Prediction(shown[..., 0], counted, rmse, squares.sum(axis=1))

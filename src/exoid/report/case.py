@@ -36,9 +36,15 @@ class Origin:
 class Case:
     """One leg, or rig, as a report tells of it; None where that was not asked."""
 
-    sources: tuple[Source, ...]
+    sources: tuple[Source, ...]  # empty where the recordings are not at hand
     fit: FitResult
     origin: Origin
     told: Identifiability | None = None
     diagnosis: Diagnosis | None = None
     plan: Plan | None = None
+    absent: tuple[str, ...] = ()  # recordings that are not at hand
+
+    @property
+    def title(self) -> str:
+        """The names of the recordings."""
+        return ", ".join((*(source.name for source in self.sources), *self.absent))

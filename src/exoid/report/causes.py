@@ -2,10 +2,7 @@
 
 from dataclasses import dataclass
 
-from exoid.diagnose.diagnosis import Diagnosis
-from exoid.diagnose.search import names
-from exoid.diagnose.settle import Settled
-from exoid.physics.library import name_of
+from exoid.diagnose.diagnosis import Diagnosis, Tested
 
 MOST = 7  # beside the baseline
 PAIRS = 2  # of them
@@ -23,23 +20,15 @@ class Cause:
 
 def causes(found: Diagnosis) -> list[Cause]:
     """The baseline first, then those that leave least: run free where they were, else pinned."""
-    ran = [*found.found.pairs[:PAIRS], *found.found.singles]
+    ran = [*found.pairs[:PAIRS], *found.singles]
     if found.formula is not None:
         ran = [found.best, *ran]
-    known = {one.candidate.terms for one in ran}
-    rows = [(label(one, found), one.square, one is found.best) for one in ran]
-    rows += [
-        (name_of(term).replace("_", " "), square, False)
-        for term, square in found.found.pinned.items()
-        if (term,) not in known
-    ]
-    best = sorted(rows, key=lambda row: row[1])[:MOST]
-    alone = ("Eq. 9 alone", found.found.base.square, False)
-    samples = found.yardstick.samples
-    return [Cause(name, square / samples, chosen) for name, square, chosen in (alone, *best)]
+    known = [one.terms for one in ran]
+    rows = [*ran, *(one for one in found.pinned if one.terms not in known)]
+    best = sorted(rows, key=lambda one: one.mean_square)[:MOST]
+    alone = Cause("Eq. 9 alone", found.baseline.mean_square, False)
+    return [alone, *(Cause(label(one), one.mean_square, one.chosen) for one in best)]
 
 
-def label(one: Settled, found: Diagnosis) -> str:
-    if found.formula is not None and one is found.best:
-        return "formula"
-    return " +\n".join(names(one)).replace("_", " ")
+def label(one: Tested) -> str:
+    return " +\n".join(one.terms).replace("_", " ")

@@ -1,4 +1,4 @@
-"""Two saved fits side by side: what differs, and by how many standard errors."""
+"""Two saved results side by side: what differs, and by how many standard errors."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -65,10 +65,12 @@ def compare(first: SavedResult, second: SavedResult) -> Comparison:
     for name in names:
         known = one.get(name) or other[name]
         rows.append(Compared(name, known.symbol, known.unit, one.get(name), other.get(name)))
-    same = hashes(first) == hashes(second)
+    same = hashes(first) == hashes(second) != []
     differ = changed(asked(first), asked(second))
     if not same:  # then the sidecars are others by nature
         differ.pop("sidecars", None)
+    if (first.diagnosis is None) != (second.diagnosis is None):  # each command has its options
+        differ = {name: pair for name, pair in differ.items() if ABSENT not in pair}
     return Comparison(rows, differ, same)
 
 

@@ -1,4 +1,4 @@
-"""Two fits side by side, as a person reads them, and as JSON."""
+"""Two saved results side by side, as a person reads them, and as JSON."""
 
 from pathlib import PurePath
 from typing import Any
@@ -7,8 +7,10 @@ from rich.console import Console
 
 from exoid.fit.result import Estimate
 from exoid.report.comparison import HASHED, Compared, Comparison
+from exoid.report.diagnoses_table import diagnosis_entry, side_by_side
 from exoid.report.fit_json import entry, plain
 from exoid.report.saved_result import SavedResult
+from exoid.report.strangers import strangers
 from exoid.report.text import aligned, counted, heading, in_degrees, say, table, width, written
 
 SIDES = ("first", "second")
@@ -16,7 +18,7 @@ SIDES = ("first", "second")
 
 def print_comparison(found: Comparison, sides: list[SavedResult], console: Console) -> None:
     """The quantities, what else the fits say of themselves, and what was asked of them."""
-    heading(console, "Parameters, torque and ratios of two fits")
+    heading(console, "Parameters, torque and ratios of both")
     columns = {
         "quantity": [quantity(each) for each in found.quantities],
         "first": [value(each.first) for each in found.quantities],
@@ -38,6 +40,11 @@ def print_comparison(found: Comparison, sides: list[SavedResult], console: Conso
     believed = [each.symbol for each in found.quantities if each.by_prior]
     if believed:
         say(console, f"Set by the prior in both, not by a recording: {', '.join(believed)}.")
+    for sentence in strangers(found, sides):
+        say(console, sentence)
+    if any(side.diagnosis for side in sides):
+        heading(console, "What the model was missing")
+        console.print(table(side_by_side([side.diagnosis for side in sides])))
     for number, side in enumerate(sides):
         heading(console, f"The {SIDES[number]} fit")
         aligned(console, about(side))
@@ -87,10 +94,12 @@ def comparison_document(found: Comparison, sides: list[SavedResult]) -> dict[str
                     "recordings": side.recordings,
                     "settings": side.settings,
                     "angle_rmse_rad": side.result.angle_rmse,
+                    "diagnosis": diagnosis_entry(side.diagnosis),
                 }
                 for name, side in zip(SIDES, sides, strict=True)
             },
             "same_recordings": found.same_recordings,
+            "strangers": strangers(found, sides),
             "settings_that_differ": found.settings,
             "quantities": {
                 each.name: {

@@ -4,7 +4,6 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from exoid.diagnose.diagnosis import Diagnosis
-from exoid.diagnose.search import names
 from exoid.report.diagnosis_words import headline, sentences
 from exoid.report.fit_json import plain
 
@@ -17,8 +16,7 @@ def diagnosis_document(
     settings: Mapping[str, Any],
 ) -> dict[str, Any]:
     """The diagnosis in SI units and radians; null where nothing is known."""
-    samples = found.yardstick.samples
-    ran = [found.found.base, *found.found.singles, *found.found.pairs]
+    ran = [found.baseline, *found.singles, *found.pairs]
     return plain(
         {
             "exoid": version,
@@ -72,9 +70,9 @@ def diagnosis_document(
             ],
             "candidates": [
                 {
-                    "terms": names(one),
-                    "mean_square": one.square / samples,
-                    "evidence": found.found.evidence(one),
+                    "terms": one.terms,
+                    "mean_square": one.mean_square,
+                    "evidence": one.evidence,
                 }
                 for one in ran
             ],

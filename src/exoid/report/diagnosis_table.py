@@ -2,8 +2,7 @@
 
 from rich.console import Console
 
-from exoid.diagnose.diagnosis import Diagnosis
-from exoid.diagnose.search import names
+from exoid.diagnose.diagnosis import Diagnosis, Tested
 from exoid.report.diagnosis_words import headline, sentences
 from exoid.report.text import heading, say, table
 
@@ -27,20 +26,20 @@ def print_diagnosis(found: Diagnosis, console: Console) -> None:
 
 def candidates(found: Diagnosis) -> dict[str, list[str]]:
     """The columns of the table: those that ran free, then the rest as they were first seen."""
-    samples = found.yardstick.samples
-    rows = [("baseline, Eq. 9", found.found.base.square / samples, "", "")]
-    ran = [*found.found.pairs, *found.found.singles]
-    ran.sort(key=found.found.evidence, reverse=True)
-    for one in ran[:MOST]:
-        label = " + ".join(names(one)).replace("_", " ")
-        mark = "chosen" if one is found.best else ""
-        rows.append((label, one.square / samples, f"{found.found.evidence(one):.0f}", mark))
-    if found.formula is not None:
-        left = found.best.square / samples
-        rows.append(("formula", left, f"{found.found.evidence(found.best):.0f}", "chosen"))
+    rows = [("baseline, Eq. 9", found.baseline.mean_square, "", "")]
+    ran = sorted([*found.pairs, *found.singles], key=evidence, reverse=True)[:MOST]
+    for one in [*ran, *([found.best] if found.formula is not None else [])]:
+        label = " + ".join(one.terms).replace("_", " ")
+        mark = "chosen" if one.chosen else ""
+        rows.append((label, one.mean_square, f"{one.evidence:.0f}", mark))
     return {
         "cause": [row[0] for row in rows],
         "left": [f"{row[1]:.2f}" for row in rows],
         "evidence": [row[2] for row in rows],
         " ": [row[3] for row in rows],
     }
+
+
+def evidence(one: Tested) -> float:
+    assert one.evidence is not None  # it ran free
+    return one.evidence

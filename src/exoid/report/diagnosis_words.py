@@ -1,10 +1,6 @@
 """A diagnosis in sentences: what is missing, where, the proof, and what it had been booked as."""
 
-import numpy as np
-
 from exoid.diagnose.diagnosis import Diagnosis, Parameter
-from exoid.physics.library import library, name_of
-from exoid.physics.term import Term
 from exoid.report.text import in_degrees, with_error
 
 SEEN = 0.01  # share of a number, from which on its change is worth a word
@@ -28,10 +24,10 @@ def sentences(found: Diagnosis) -> dict[str, str]:
     lines = {}
     if found.verdict == "mismatch":
         lines["Missing"] = "; ".join(named(found)) or "nothing that has a name here."
-        left = found.best.square / found.yardstick.samples
         if found.novel and found.formula is None:
             lines["New"] = "no cause of the library explains it, and no formula fits it."
-        if not found.yardstick.explains(found.best.square):
+        if not found.explained:
+            left = found.best.mean_square
             lines["Unexplained"] = f"what remains is {left**0.5:.2g} times the noise."
         rivals = others(found)
         if rivals:
@@ -39,7 +35,7 @@ def sentences(found: Diagnosis) -> dict[str, str]:
         lines["Reason"] = " ".join(explanations(found))
     elif found.reasons:
         lines["Why"] = "; ".join(found.reasons) + "."
-        if found.best.candidate.terms:
+        if found.changed:
             lines["Suspected"] = ", ".join(found.ranking[:2]).replace("_", " ")
     if found.verdict != "none":
         lines["Where"] = where(found)
@@ -60,11 +56,9 @@ def named(found: Diagnosis) -> list[str]:
         shares = f"explains {found.formula.explained:.0%} of the missing torque's variance"
         return [f"{found.formula.words} (x in rad, v in rad/s, t in s), which {shares}"]
     lines = []
-    for name in found.selected:
-        own = [each for each in found.parameters if each.name.startswith(f"{name}.")]
-        lines.append(
-            f"{known(found)[name].title}, {', '.join(map(parameter, own))}{scale(found, own)}"
-        )
+    for one in found.findings:
+        own = [each for each in found.parameters if each.name.startswith(f"{one.name}.")]
+        lines.append(f"{one.title}, {', '.join(map(parameter, own))}{scale(found, own)}")
     return lines
 
 
@@ -73,8 +67,7 @@ def scale(found: Diagnosis, parameters: list[Parameter]) -> str:
     torques = [each for each in parameters if "N m" in each.unit]
     if not torques:
         return ""
-    shared = found.bench.coordinates(found.best.candidate).shared
-    inertia, first = float(np.exp(shared.log_inertia)), torques[0]
+    inertia, first = found.inertia, torques[0]
     name = first.name.rpartition(".")[2].replace("_", " ")
     return f" (for J = {inertia:.3g} kg m^2; {name} / J = {first.value / inertia:.3g})"
 
@@ -90,17 +83,12 @@ def parameter(each: Parameter) -> str:
 def explanations(found: Diagnosis) -> list[str]:
     if found.formula is not None:
         return []
-    return [known(found)[name].explanation for name in found.selected]
+    return [each.explanation for each in found.findings]
 
 
 def titles(found: Diagnosis) -> list[str]:
     """What is missing, in a user's words."""
-    return [known(found)[name].title for name in found.selected]
-
-
-def known(found: Diagnosis) -> dict[str, type[Term]]:
-    """Every term that may be named."""
-    return {name_of(term): term for term in (*library(), *found.best.candidate.terms)}
+    return [each.title for each in found.findings]
 
 
 def others(found: Diagnosis) -> str:
@@ -174,6 +162,6 @@ def sensors(found: Diagnosis) -> str:
 
 def trust(found: Diagnosis) -> str:
     return (
-        f"{len(found.found.pinned)} causes were tested; noise alone makes one of them stand out in "
+        f"{len(found.pinned)} causes were tested; noise alone makes one of them stand out in "
         f"{chance(found.false_alarm_rate)} of recordings."
     )

@@ -1,24 +1,29 @@
-"""A fit back from its file, number for number."""
+"""A fit, and what else was found, back from its file, number for number."""
 
 import json
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from exoid.diagnose.directions import Direction
-from exoid.diagnose.identifiability import Identifiability
-from exoid.diagnose.reversal import Reversal
+from exoid.diagnose.diagnosis import Diagnosis
+from exoid.diagnose.plan import Plan
 from exoid.fit.disturbance import Disturbance
+from exoid.fit.profile import Profile, named
 from exoid.fit.result import FitResult, MountingFit, MultistartReport, SegmentFit
+from exoid.report.case import Origin
 from exoid.report.estimate_table import Groups, Table, from_table, known
+from exoid.report.groups import from_groups
 from exoid.report.save_result import SAMPLES, SEGMENT
 from exoid.report.saved_result import FORMAT, FORMAT_VERSION, SavedResult
+from exoid.report.told_groups import from_told
 
+WRITERS = "'exoid fit --save' or 'exoid diagnose --save'"
 MOUNTED = ("added_mass_distance", "zero", "gyro_scale", "gyro_bias")
 
 
 def load_result(path: str | Path) -> SavedResult:
-    """What `save_result` or `exoid fit --save` wrote.
+    """What `save_result`, `exoid fit --save` or `exoid diagnose --save` wrote.
 
     **Raises** `ValueError` (one line) where the file is another one, or not whole; `OSError` where
     there is none.
@@ -34,7 +39,7 @@ def load_result(path: str | Path) -> SavedResult:
         raise ValueError(f"{path}: {fault}") from fault
     except Exception as fault:  # whatever a file may raise that is cut off or of another kind
         raise ValueError(
-            f"{path}: this is no result of 'exoid fit --save', or it is not whole. Save it again."
+            f"{path}: this is no result of {WRITERS}, or it is not whole. Save it again."
         ) from fault
 
 
@@ -47,10 +52,11 @@ def read(path: Path) -> Groups:
     import xarray
 
     with xarray.open_datatree(path, engine="h5netcdf", decode_cf=False) as tree:
-        groups = {node.name or "/": node.to_dataset(inherit=False).load() for node in tree.subtree}
+        each = {node.path.strip("/"): node.to_dataset(inherit=False) for node in tree.subtree}
+        groups = {path or "/": table.load() for path, table in each.items()}
     about = groups["/"].attrs
     if about.get("format") != FORMAT:
-        raise WrongFile("this netCDF file is no result of 'exoid fit --save'. Name another.")
+        raise WrongFile(f"this netCDF file is no result of {WRITERS}. Name another.")
     if about["format_version"] != FORMAT_VERSION:
         raise WrongFile(
             f"it was saved by exoid {about['exoid']} in another layout. Read it with that version."
@@ -77,11 +83,29 @@ def restored(groups: Groups) -> SavedResult:
     )
     return SavedResult(
         result,
-        identifiability(groups) if "told" in groups else None,
+        from_told(groups) if "told" in groups else None,
         about["exoid"],
         json.loads(about["recordings"]),
         json.loads(about["settings"]),
+        profiles(groups, result) if "profiles" in groups else None,
+        held(Diagnosis, groups, "diagnosis", fit=result, workings=None),
+        held(Plan, groups, "plan"),
+        held(Origin, groups, "origin"),
     )
+
+
+def held(of: Any, groups: Groups, path: str, **given: Any) -> Any:
+    """The dataclass of a group, if the file has it."""
+    return from_groups(of, groups, path, **given) if path in groups else None
+
+
+def profiles(groups: Groups, result: FitResult) -> dict[str, Profile]:
+    """In the order in which they were saved."""
+    known = dict(named(result))
+    return {
+        name: from_groups(Profile, groups, f"profiles/{name}", estimate=known[name])
+        for name in json.loads(groups["profiles"].attrs["names"])
+    }
 
 
 def mountings(table: Table) -> list[MountingFit]:
@@ -128,19 +152,4 @@ def disturbance(found: Table) -> Disturbance:
         *(float(found.attrs[name]) for name in ("correlation_time", "ratio", "noise")),
         information=found["information"].values,
         widening=found["widening"].values,
-    )
-
-
-def identifiability(groups: Groups) -> Identifiability:
-    told = groups["told"]
-    words = {name: json.loads(each) for name, each in told.attrs.items()}
-    return Identifiability(
-        [Direction(**each) for each in words["null_directions"]],
-        [Direction(**each) for each in words["weak_directions"]],
-        from_table(groups["told_combinations"]),
-        told["name"].values.tolist(),
-        told["correlation"].values,
-        {str(name): each.values for name, each in groups["told_shares"].items()},
-        [Reversal(**each) for each in words["reversals"]],
-        words["sentences"],
     )

@@ -54,11 +54,8 @@ def write_page(case: Case, path: str | Path) -> None:
 def build_page(case: Case) -> str:
     """The page: every section that has something to say of this case, in the order above."""
     found = [section for each in SECTIONS if (section := each.of(case)) is not None]
-    title = ", ".join(source.name for source in case.sources)
     template = templates().get_template("page.html")
-    return template.render(
-        title=title, sections=found, made=case.origin.made, library=packed_library()
-    )
+    return template.render(case=case, sections=found, library=packed_library())
 
 
 @cache

@@ -128,14 +128,14 @@ def draw_proof(figure: SubFigure, found: Diagnosis) -> None:
         f"{in_degrees(after.total)} deg after, noise floor {floor} deg",
     )
     numbers = worst(found)
-    seen = found.bench.seen
-    predictions = [(before, BEFORE), (after, AFTER)] if after is not before else [(before, BEFORE)]
+    shown = found.proof
+    predictions = [(before, BEFORE), (after, AFTER)] if found.changed else [(before, BEFORE)]
     panels = figure.subplots(1, len(numbers), sharey=True, squeeze=False)[0]
     for axes, number in zip(panels, numbers, strict=True):
-        time = np.asarray(seen.time[number])
+        time = shown.time[number]
         for one, style in predictions:
             held_out = one.counted[number]
-            left = np.asarray(one.shown[number, :, 0] - seen.angle[number])
+            left = one.angle[number] - shown.angle[number]
             axes.plot(time[held_out], np.degrees(left[held_out]), **style)
         noise = 2 * degrees(found.proof.noise_floor)
         axes.axhspan(-noise, noise, **BAND)

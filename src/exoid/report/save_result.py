@@ -1,20 +1,24 @@
-"""A fit in one netCDF file: groups of tables that any reader of netCDF shows, with units."""
+"""A fit, and what else was found, in one netCDF file: tables that any reader shows, with units."""
 
-import json
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from exoid.diagnose.diagnosis import Diagnosis
 from exoid.diagnose.identifiability import Identifiability
+from exoid.diagnose.plan import Plan
 from exoid.fit.disturbance import Disturbance
+from exoid.fit.profile import Profile
 from exoid.fit.result import FitResult, MountingFit, MultistartReport, SegmentFit
+from exoid.report.case import Origin
 from exoid.report.estimate_table import Groups, Table, numbers, texts, to_table
 from exoid.report.fit_json import replacing
-from exoid.report.saved_result import FORMAT, FORMAT_VERSION
+from exoid.report.groups import text, to_groups
+from exoid.report.saved_result import APART, FORMAT, FORMAT_VERSION
+from exoid.report.told_groups import to_told
 
 SAMPLES = {  # of all segments, one after the other
     "time": "s",
@@ -38,12 +42,17 @@ def save_result(
     path: str | Path,
     *,
     told: Identifiability | None = None,
+    profiles: Mapping[str, Profile] | None = None,
+    diagnosis: Diagnosis | None = None,
+    plan: Plan | None = None,
     recordings: Sequence[Mapping[str, Any]] = (),
     settings: Mapping[str, Any] | None = None,
+    origin: Origin | None = None,
 ) -> None:
     """Write a fit to a netCDF file, in full or not at all; `load_result` gives it back.
 
-    `recordings` has path, sha256 and segments of every file; `settings` what was asked for.
+    A `diagnosis` is that of this fit. `recordings` has path, sha256 and segments of every file;
+    `settings` what was asked for.
     """
     import xarray
 
@@ -69,16 +78,15 @@ def save_result(
         **segments(result.segments),
         **multistart(result.multistart),
         "disturbance": disturbance(result.disturbance),
-        **({} if told is None else identifiability(told)),
+        **({} if told is None else to_told(told)),
+        **({} if profiles is None else profiled(profiles)),
+        **({} if diagnosis is None else to_groups(diagnosis, "diagnosis", without=APART)),
+        **({} if plan is None else to_groups(plan, "plan")),
+        **({} if origin is None else to_groups(origin, "origin")),
     }
     tree = xarray.DataTree.from_dict(groups)
     with replacing(path) as part:
         tree.to_netcdf(part, engine="h5netcdf")
-
-
-def text(value: Any) -> str:
-    """Anything that JSON can hold; floats come back as they were."""
-    return json.dumps(value, ensure_ascii=False, default=str)
 
 
 def mountings(each: list[MountingFit]) -> Table:
@@ -156,23 +164,15 @@ def disturbance(found: Disturbance) -> Table:
     )
 
 
-def identifiability(told: Identifiability) -> Groups:
-    """What the recording told; the directions and sentences as JSON."""
+def profiled(profiles: Mapping[str, Profile]) -> Groups:
+    """A group for each quantity, whose values are in its unit."""
     import xarray
 
-    words = {
-        "null_directions": text([asdict(each) for each in told.null_directions]),
-        "weak_directions": text([asdict(each) for each in told.weak_directions]),
-        "reversals": text([asdict(each) for each in told.reversals]),
-        "sentences": text(told.sentences),
-    }
-    shares = {n: ("segment", np.asarray(each)) for n, each in told.segment_shares.items()}
-    return {
-        "told": xarray.Dataset(
-            {"correlation": (("name", "other_name"), told.correlation)},
-            coords={"name": texts(told.names)},
-            attrs=words,
-        ),
-        "told_combinations": to_table(told.combinations),
-        "told_shares": xarray.Dataset(shares),
-    }
+    groups: dict[str, Table] = {"profiles": xarray.Dataset(attrs={"names": text(list(profiles))})}
+    for name, each in profiles.items():
+        path = f"profiles/{name}"
+        groups |= to_groups(each, path, without=("estimate",))
+        for curve in ("value", "lower", "upper"):
+            if curve in groups[path]:
+                groups[path][curve].attrs["units"] = each.estimate.unit
+    return groups

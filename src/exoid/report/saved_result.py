@@ -1,24 +1,35 @@
-"""A fit with where it came from, as it is kept in one file."""
+"""A fit with what else was found and where it came from, as it is kept in one file."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from exoid.diagnose.diagnosis import Diagnosis
 from exoid.diagnose.identifiability import Identifiability
+from exoid.diagnose.plan import Plan
+from exoid.fit.profile import Profile
 from exoid.fit.result import FitResult
+from exoid.report.case import Origin
 
 FORMAT = "exoid fit"
 FORMAT_VERSION = 1  # of the layout of the file; another one is not read
+APART = ("fit", "workings")  # of a diagnosis: the fit has its own groups, workings are not kept
 
 
 @dataclass(frozen=True, eq=False)
 class SavedResult:
-    """What `save_result` keeps. `result` has no `basis`: it prints and compares, but to ask further
-    (profiles, posterior, plan) takes the fit itself.
+    """What `save_result` keeps; None where it was not asked, or not saved.
+
+    `result` has no `basis` and `diagnosis` no `workings`: they print, draw and compare, but to ask
+    further (profiles, posterior, plan) takes the fit itself.
     """
 
     result: FitResult
-    told: Identifiability | None  # None where it was not asked
+    told: Identifiability | None
     version: str  # of exoid
     recordings: Sequence[Mapping[str, Any]]  # path, sha256 and segments of every file
     settings: Mapping[str, Any]  # what the user asked for, the seed included
+    profiles: Mapping[str, Profile] | None = None
+    diagnosis: Diagnosis | None = None
+    plan: Plan | None = None
+    origin: Origin | None = None

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Annotated, Literal
 
 import equinox as eqx
 import jax
@@ -30,11 +30,11 @@ CYCLES = {"1/T": 1.0, "2/T": 2.0}  # of the torque's sine in one period
 class Movement:
     """One release from rest: a passive drop, or a voluntary cycle of Eq. 10."""
 
-    start_angle: float  # rad
-    duration: float  # s from the release to the catch; of a cycle its period T
-    amplitude: float | None = None  # N m, tau of Eq. 10; None for a drop
-    added_mass: float = 0.0  # kg
-    added_mass_distance: float = 0.0  # m
+    start_angle: Annotated[float, "rad"]
+    duration: Annotated[float, "s"]  # from the release to the catch; of a cycle its period T
+    amplitude: Annotated[float | None, "N m"] = None  # tau of Eq. 10; None for a drop
+    added_mass: Annotated[float, "kg"] = 0.0
+    added_mass_distance: Annotated[float, "m"] = 0.0
 
     @property
     def kind(self) -> Kind:

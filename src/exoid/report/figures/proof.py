@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from exoid.diagnose.diagnosis import Diagnosis
-from exoid.diagnose.proof import Prediction, Proof
+from exoid.diagnose.proof import Prediction
 from exoid.report.figures.figure import Figure
 from exoid.report.figures.style import (
     BAND,
@@ -22,14 +22,14 @@ AFTER_LINE = {"color": AFTER["color"], "width": 1.8, "dash": "6px,3px"}
 
 def draw_proof(found: Diagnosis, number: int) -> Figure:
     """Predicted - measured angle [deg] of one segment, of which the fit saw nothing."""
-    seen, time = found.bench.seen, np.asarray(found.bench.seen.time[number])
+    shown, time = found.proof, found.proof.time[number]
     drawing = blank(HEIGHT, hovermode="x unified")
     noise = 2 * float(np.degrees(found.proof.noise_floor))
     drawing.add_hrect(-noise, noise, **BAND)
-    both = predictions(found.proof)
+    both = predictions(found)
     for name, one, line in both:
         held_out = one.counted[number]
-        left = np.degrees(np.asarray(one.shown[number, :, 0] - seen.angle[number]))[held_out]
+        left = np.degrees(one.angle[number] - shown.angle[number])[held_out]
         look = {"name": name, "line": line, "hovertemplate": "%{y:.3f} deg"}
         curve(drawing, time[held_out], left, **look)
     drawing.update_xaxes(title_text="time [s]", hoverformat=".2f")
@@ -49,9 +49,10 @@ def draw_proof(found: Diagnosis, number: int) -> Figure:
     )
 
 
-def predictions(shown: Proof) -> list[tuple[str, Prediction, dict[str, Any]]]:
+def predictions(found: Diagnosis) -> list[tuple[str, Prediction, dict[str, Any]]]:
     """Names, predictions and lines: one where nothing was added to the model."""
-    if shown.after is shown.before:
+    shown = found.proof
+    if not found.changed:
         return [("held out", shown.before, RESIDUAL_LINE)]
     return [
         (BEFORE["label"], shown.before, RESIDUAL_LINE),

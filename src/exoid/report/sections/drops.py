@@ -30,7 +30,9 @@ class Drops(Section):
     source: str
 
     @classmethod
-    def of(cls, case: Case) -> "Drops":
+    def of(cls, case: Case) -> "Drops | None":
+        if not case.sources:
+            return None
         test = measure_drops([(source.name, source.recording) for source in case.sources])
         read = [drop for drop in test.drops if drop.reason is None]
         return cls(

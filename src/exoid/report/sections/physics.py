@@ -3,10 +3,10 @@
 from dataclasses import dataclass
 from typing import ClassVar
 
-from exoid.diagnose.diagnosis import Diagnosis, Parameter
+from exoid.diagnose.diagnosis import Diagnosis, Finding, Parameter
 from exoid.report.case import Case
 from exoid.report.diagnosis_table import candidates
-from exoid.report.diagnosis_words import known, sentences
+from exoid.report.diagnosis_words import sentences
 from exoid.report.figures.bars import draw_bars
 from exoid.report.figures.figure import Figure
 from exoid.report.plot_diagnosis import title as verdict
@@ -15,15 +15,6 @@ from exoid.report.sections.table import Table
 from exoid.report.text import with_error
 
 SAID = ("Missing", "New", "Or", "Why", "Suspected", "Sensors", "Trust")  # others have their place
-
-
-@dataclass(frozen=True)
-class Effect:
-    """What was found, and where to read of it."""
-
-    title: str
-    explanation: str
-    reference: str
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,7 +26,7 @@ class Physics(Section):
 
     headline: str
     sentences: dict[str, str]
-    effects: tuple[Effect, ...]
+    effects: tuple[Finding, ...]
     parameters: Table
     figure: Figure
     candidates: Table
@@ -50,18 +41,12 @@ class Physics(Section):
         return cls(
             headline=verdict(found),
             sentences={title: lines[title] for title in SAID if title in lines},
-            effects=effects(found),
+            effects=tuple(found.findings),
             parameters=parameters(found.parameters if found.verdict == "mismatch" else []),
             figure=draw_bars(found),
             candidates=ranked(found),
             excluded=", ".join(found.excluded).replace("_", " "),
         )
-
-
-def effects(found: Diagnosis) -> tuple[Effect, ...]:
-    """Those that are named."""
-    terms = [known(found)[name] for name in found.selected if name in known(found)]
-    return tuple(Effect(term.title, term.explanation, term.reference) for term in terms)
 
 
 def parameters(each: list[Parameter]) -> Table:

@@ -41,18 +41,13 @@ class Proof(Section):
             sentence=sentence(found),
             figures=tuple(draw_proof(found, number) for number in worst(found)),
             table=predicted(found),
-            booked=booked(found.booked if changed(found) else []),
+            booked=booked(found.booked if found.changed else []),
         )
-
-
-def changed(found: Diagnosis) -> bool:
-    """Was anything added to the model?"""
-    return found.proof.after is not found.proof.before
 
 
 def sentence(found: Diagnosis) -> str:
     """What the prediction shows."""
-    if changed(found):
+    if found.changed:
         return capital(proof(found))
     total, floor = found.proof.before.total, found.proof.noise_floor
     return NOTHING.format(in_degrees(total), total / floor, in_degrees(floor))
@@ -65,13 +60,13 @@ def predicted(found: Diagnosis) -> Table:
         "held-out segment": [each.segment for each in found.location.missing],
         head(found, "without it"): [in_degrees(float(each)) for each in before.rmse],
     }
-    if changed(found):
+    if found.changed:
         columns[head(found, "with it")] = [in_degrees(float(each)) for each in after.rmse]
     return Table("How well each segment is predicted by a fit that did not see it", columns)
 
 
 def head(found: Diagnosis, which: str) -> str:
-    return f"RMSE {which} [deg]" if changed(found) else "RMSE [deg]"
+    return f"RMSE {which} [deg]" if found.changed else "RMSE [deg]"
 
 
 def booked(each: list[Booked]) -> Table:

@@ -36,7 +36,9 @@ class Quality(Section):
     logs: tuple[Log, ...]
 
     @classmethod
-    def of(cls, case: Case) -> "Quality":
+    def of(cls, case: Case) -> "Quality | None":
+        if not case.sources:
+            return None
         return cls(
             table=segments_of(appraisals(case), case.fit.segments),
             logs=tuple(log(source) for source in case.sources),

@@ -49,7 +49,8 @@ class Summary(Section):
     @classmethod
     def of(cls, case: Case) -> "Summary":
         asked = () if case.diagnosis is None else (missing(case.diagnosis),)
-        cards = (recording(case), agreement(case.fit), *asked, numbers(case.fit))
+        read = (recording(case),) if case.sources else ()
+        cards = (*read, agreement(case.fit), *asked, numbers(case.fit))
         return cls(cards, believed(case.fit))
 
 
@@ -95,7 +96,7 @@ def missing(found: Diagnosis) -> Card:
     """What the diagnosis says."""
     question, answer = "What was the model missing?", verdict(found).rstrip(".") + "."
     if found.verdict == "none":
-        return Card(question, "good", answer, f"{len(found.found.pinned)} causes were tested.")
+        return Card(question, "good", answer, f"{len(found.pinned)} causes were tested.")
     if found.verdict == "cannot_tell":
         return Card(question, "open", answer, sentence("; ".join(found.reasons)))
     before, after = found.proof.before.total, found.proof.after.total

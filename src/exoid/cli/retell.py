@@ -1,0 +1,99 @@
+"""The page of a saved result, without computing it again."""
+
+from dataclasses import replace
+from pathlib import Path, PurePath
+
+import typer
+
+from exoid.cli.origin import origin_of, sha256_of
+from exoid.cli.page import sources_of
+from exoid.cli.reading import take
+from exoid.cli.results import sidecar_hash
+from exoid.cli.waiting import patiently
+
+SAVED = ".nc"
+
+
+def retell(paths: list[Path], output: Path, context: typer.Context) -> None:
+    """Write what was saved, with its recordings where they are as they were."""
+    check_alone(paths, context)
+    (path,) = paths
+    saved = patiently(lambda: loaded(path), f"reading {path}")
+    sources = at_hand(saved, path)
+    names = [PurePath(str(each["path"])).name for each in saved.recordings] or [path.name]
+    patiently(lambda: write(saved, path, output, sources, names), "writing the page")
+    typer.echo(f"wrote {output}", err=True)
+
+
+def check_alone(paths: list[Path], context: typer.Context) -> None:
+    """Refuse what would need computing: a saved result is told as it is."""
+    if len(paths) > 1:
+        raise ValueError(
+            "a saved result (.nc) has a page of its own: name no other file beside it."
+        )
+    given = [
+        f"--{name.replace('_', '-')}"
+        for name in context.params
+        if name not in ("recordings", "output")
+        and (source := context.get_parameter_source(name)) is not None
+        and source.name == "COMMANDLINE"
+    ]
+    if given:
+        raise ValueError(
+            f"{paths[0]}: this is shown as it was computed. Leave out {', '.join(given)}, or name "
+            "the recordings."
+        )
+
+
+def loaded(path: Path):
+    """What was saved."""
+    from exoid.report.load_result import load_result
+
+    return load_result(path)
+
+
+def at_hand(saved, path: Path) -> tuple:
+    """The recordings as they were analysed; none where one of their files is not as it was."""
+    settings = saved.settings
+    dbc = settings.get("dbc")
+    each = [(Path(str(one["path"])), one) for one in saved.recordings]
+    changed = [str(place) for place, one in each if not unchanged(place, one)]
+    if dbc and not same(Path(dbc), saved.origin and saved.origin.files.get(dbc)):
+        changed.append(dbc)
+    if changed or not each:
+        why = f"{', '.join(changed)} is not there, or has changed" if changed else "it names none"
+        typer.echo(f"exoid: {path}: without what only the recordings show: {why}.", err=True)
+        return ()
+    taken = [take(place, dbc and Path(dbc), settings.get("signal"), False) for place, _ in each]
+    body = {name: settings[name] for name in ("body_mass", "height") if name in settings}
+    named = [
+        (place.name, replace(one.recording, subject=replace(one.recording.subject, **body)))
+        for (place, _), one in zip(each, taken, strict=True)
+    ]
+    return sources_of(taken, named)
+
+
+def unchanged(place: Path, one) -> bool:
+    """Are a recording and its sidecar what they were?"""
+    return same(place, one["sha256"]) and sidecar_hash(place) == one.get("sidecar_sha256")
+
+
+def same(place: Path, sha256: str | None) -> bool:
+    return place.is_file() and sha256_of(place) == sha256
+
+
+def write(saved, path: Path, output: Path, sources, names: list[str]) -> None:
+    """The page, with the origin of the result, or of this page where that was not kept."""
+    from exoid.report.case import Case
+    from exoid.report.page import write_page
+
+    case = Case(
+        sources,
+        saved.result,
+        saved.origin or origin_of([path], saved.settings),
+        saved.told,
+        saved.diagnosis,
+        saved.plan,
+        () if sources else tuple(names),
+    )
+    write_page(case, output)
