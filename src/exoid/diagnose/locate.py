@@ -180,7 +180,8 @@ def described(each: Missing, part: np.ndarray, torque: float) -> Region:
     else:
         manner = "through a reversal"
     towards = "extension" if torque > 0 else "flexion"
-    region = f"{low:.0f} to {high:.0f} deg, {manner}"
+    place = f"{low:.0f} deg" if f"{low:.0f}" == f"{high:.0f}" else f"{low:.0f} to {high:.0f} deg"
+    region = f"{place}, {manner}"
     begin, end = float(each.time[part[0]]), float(each.time[part[-1]])
     return Region(
         segment=each.segment,

@@ -26,8 +26,10 @@ HOLDS = 1e-6  # relative slack below which a constraint holds as an equality
 
 
 def fit_each(recordings: list[tuple[str, Recording]], **options) -> FitResult:
-    """`fit` on every segment by itself. Ratios are the mean over segments, with the standard error
-    of their scatter; the parameters are what prior and limits make of the mean ratios.
+    """`fit_leg` on every segment by itself.
+
+    Ratios are the mean over segments, with the standard error of their scatter; the parameters are
+    what prior and limits make of the mean ratios.
     """
     results = [
         alone(name if len(recordings) > 1 else "", recording, number, options)

@@ -7,13 +7,14 @@ from exoid.report.diagnosis_words import headline, sentences
 from exoid.report.text import heading, say, table
 
 MOST = 8  # candidates that are listed
+MARGIN = 15  # characters, as wide as the longest heading
 
 
 def print_diagnosis(found: Diagnosis, console: Console) -> None:
     """The answer, then the candidates with their evidence."""
     heading(console, headline(found))
     for title, sentence in sentences(found).items():
-        say(console, f"{title + ':':14s}{sentence}", 14)
+        say(console, f"{title + ':':{MARGIN}s}{sentence}", MARGIN)
     heading(console, "Candidates")
     console.print(table(candidates(found)))
     say(

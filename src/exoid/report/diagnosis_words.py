@@ -69,7 +69,8 @@ def scale(found: Diagnosis, parameters: list[Parameter]) -> str:
         return ""
     inertia, first = found.inertia, torques[0]
     name = first.name.rpartition(".")[2].replace("_", " ")
-    return f" (for J = {inertia:.3g} kg m^2; {name} / J = {first.value / inertia:.3g})"
+    ratio = f"{name} / J = {first.value / inertia:.3g} {first.unit}/(kg m^2)"
+    return f" (for J = {inertia:.3g} kg m^2; {ratio})"
 
 
 def parameter(each: Parameter) -> str:
@@ -162,6 +163,6 @@ def sensors(found: Diagnosis) -> str:
 
 def trust(found: Diagnosis) -> str:
     return (
-        f"{len(found.pinned)} causes were tested; noise alone makes one of them stand out in "
-        f"{chance(found.false_alarm_rate)} of recordings."
+        f"the {len(found.pinned)} causes that can act here were tested; noise alone makes one of "
+        f"them stand out in {chance(found.false_alarm_rate)} of recordings."
     )
