@@ -78,7 +78,7 @@ def diagnose(
     for path, one in zip(paths, taken, strict=True):
         loaded = one.recording
         named.append((path.name, replace(loaded, subject=replace(loaded.subject, **body))))
-    found = in_phases(lambda told: diagnosed(named, own, seed, told))
+    found = in_phases(lambda told: diagnosed(named, own, {"seed": seed}, told))
     show(found)
     if plot is not None:
         patiently(lambda: draw(found, plot), "drawing")
@@ -104,14 +104,14 @@ def diagnose(
         typer.echo(f"wrote {report}", err=True)
 
 
-def diagnosed(named, own, seed: int, told):
+def diagnosed(named, own, options: dict, told):
     """The diagnosis, with programs kept between processes."""
     from exoid.diagnose.missing_physics import diagnose as find
     from exoid.fit.program import with_sound_programs
 
     prepare()
     try:
-        return with_sound_programs(lambda: find(named, terms=own, seed=seed, told=told))
+        return with_sound_programs(lambda: find(named, terms=own, told=told, **options))
     except ValueError as fault:
         raise ValueError(f"{', '.join(name for name, _ in named)}: {fault}") from fault
 

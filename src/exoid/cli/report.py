@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 import typer
 
@@ -18,9 +18,10 @@ from exoid.cli.reading import take
 from exoid.cli.retell import SAVED, retell
 from exoid.cli.waiting import in_phases, patiently
 
+STARTS = 64
+
 
 def report(
-    context: typer.Context,
     recordings: Annotated[
         list[Path] | None,
         typer.Argument(
@@ -33,7 +34,7 @@ def report(
     ] = Path("report.html"),
     body_mass: BodyMass = None,
     height: Height = None,
-    multistart: Annotated[int, typer.Option(min=1, max=100_000, help="Number of starts.")] = 64,
+    multistart: Annotated[int, typer.Option(min=1, max=100_000, help="Number of starts.")] = STARTS,
     seed: Annotated[int, typer.Option(min=0, help="Of the starts; same seed, same result.")] = 0,
     terms: Annotated[
         str | None,
@@ -64,7 +65,17 @@ def report(
     check_destination(output, PAGES)
     check_apart([output], paths)
     if any(path.suffix.lower() == SAVED for path in paths):
-        retell(paths, output, context)
+        given = {
+            "--body-mass": body_mass is not None,
+            "--height": height is not None,
+            "--multistart": multistart != STARTS,
+            "--seed": seed != 0,
+            "--terms": terms is not None,
+            "--no-diagnosis": not diagnosis,
+            "--dbc": dbc is not None,
+            "--signal": bool(signal),
+        }
+        retell(paths, output, [option for option, asked in given.items() if asked])
         return
     body = given_body(body_mass=body_mass, height=height)
     if terms is not None and not diagnosis:
@@ -91,12 +102,13 @@ def report(
 
 def analysed(named, options: dict, own, told):
     """The fit, and what else was found; `own` terms are None where no diagnosis is wanted."""
-    told(f"fitting {options['multistart']} starts")
-    result = compute(named, False, options)
+    if own is None:
+        told(f"fitting {options['multistart']} starts")
+        result = compute(named, False, options)
+        told("asking what the recording told")
+        return result, {"told": ask(result)}
+    diagnosis = diagnosed(named, own, options, told)
     told("asking what the recording told")
-    found: dict[str, Any] = {"told": ask(result)}
-    if own is not None:
-        found["diagnosis"] = diagnosed(named, own, options["seed"], told)
-        told("planning what to record next")
-        found["plan"] = planned(result, named[0][1].subject)
-    return result, found
+    found = {"told": ask(diagnosis.fit), "diagnosis": diagnosis}
+    told("planning what to record next")
+    return diagnosis.fit, {**found, "plan": planned(diagnosis.fit, named[0][1].subject)}

@@ -14,9 +14,9 @@ from exoid.cli.waiting import patiently
 SAVED = ".nc"
 
 
-def retell(paths: list[Path], output: Path, context: typer.Context) -> None:
+def retell(paths: list[Path], output: Path, given: list[str]) -> None:
     """Write what was saved, with its recordings where they are as they were."""
-    check_alone(paths, context)
+    check_alone(paths, given)
     (path,) = paths
     saved = patiently(lambda: loaded(path), f"reading {path}")
     sources = at_hand(saved, path)
@@ -25,19 +25,12 @@ def retell(paths: list[Path], output: Path, context: typer.Context) -> None:
     typer.echo(f"wrote {output}", err=True)
 
 
-def check_alone(paths: list[Path], context: typer.Context) -> None:
-    """Refuse what would need computing: a saved result is told as it is."""
+def check_alone(paths: list[Path], given: list[str]) -> None:
+    """Refuse options that would need computing: a saved result is told as it is."""
     if len(paths) > 1:
         raise ValueError(
             "a saved result (.nc) has a page of its own: name no other file beside it."
         )
-    given = [
-        f"--{name.replace('_', '-')}"
-        for name in context.params
-        if name not in ("recordings", "output")
-        and (source := context.get_parameter_source(name)) is not None
-        and source.name == "COMMANDLINE"
-    ]
     if given:
         raise ValueError(
             f"{paths[0]}: this is shown as it was computed. Leave out {', '.join(given)}, or name "

@@ -28,20 +28,22 @@ def diagnose(
     recordings: list[tuple[str, Recording]] | Recording,
     *,
     terms: tuple[type[Term], ...] = (),
+    multistart: int = 64,
     seed: int = 0,
     told: Callable[[str], None] = lambda phase: None,
 ) -> Diagnosis:
     """Find where simulation and recordings part, which physics was left out, and prove it.
 
     `recordings` are (name, recording) pairs of one leg, or one recording. `terms` are tested beside
-    the library. `told` hears the name of every phase.
+    the library. The baseline is fitted from `multistart` starts. `told` hears the name of every
+    phase.
 
     **Raises** `ValueError` where a recording cannot be fitted, `ArithmeticError` where no start of
     the baseline's fit succeeded.
     """
     named = [("recording", recordings)] if isinstance(recordings, Recording) else recordings
     told("fitting the baseline")
-    result = fit(named, seed=seed)
+    result = fit(named, multistart=multistart, seed=seed)
     bench, base = prepare(result, named, terms)
     found = look(bench, base, told)
     told("proving it on held-out data")
