@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from exoid.recording.condition import (
+    SMOOTHING,
     best_velocity,
     classify,
     clip,
@@ -18,7 +19,8 @@ from exoid.recording.recording import Recording, Samples, Segment
 
 FEWEST = 10  # samples that a movement must have to be fitted
 RELEASE = 0.2  # s before 20 deg/s are reached, within which a leg was let go
-MARKED = 0.025  # s of rest in front of a movement that was marked at its release
+MARKED = 0.045  # s of rest in front of a movement that was marked at its release: soft cuffs wait
+FALL = 0.06  # s, in which a leg that was let go speeds up evenly
 STILL = np.radians(2.0)  # rad/s, reached within 2 ms of a release
 SETTLING = 0.15  # s of rest before a cycle below which its clock starts with the segment
 
@@ -79,7 +81,9 @@ def movement(
         raise ValueError(f"segment {name} is said to be measured, but has no torque_nm column.")
     part, onset, period = extent(segment, kind, recording.cycle_period(number), name)
     if whole:
-        part = slice(release(segment, part), segment.time.size if kind == "passive" else part.stop)
+        part = slice(
+            release(segment, part, kind), segment.time.size if kind == "passive" else part.stop
+        )
     clipped = cut(segment, part)
     raw = clipped.raw_angle is not None
     angle = clipped.raw_angle if raw else clipped.angle
@@ -133,17 +137,36 @@ def extent(
     return part, onset, np.nan if period is None else period
 
 
-def release(segment: Segment, part: slice) -> int:
+def release(segment: Segment, part: slice, kind: str) -> int:
     """The first sample of a segment that was marked at its release, else the last one at rest.
 
-    Play and compliance may keep the sensors at rest for a moment after the leg was let go.
+    Play and compliance may keep the sensors at rest for a moment after the leg was let go, or move
+    them the other way. A leg that falls behind its play is as fast as if the sensors had followed
+    from the release on.
     """
-    first = int(np.searchsorted(segment.time, segment.time[part.start] - RELEASE))
-    speed = np.abs(best_velocity(segment)[first : part.start + 1])
+    velocity, time = best_velocity(segment), segment.time
+    first = int(np.searchsorted(time, time[part.start] - RELEASE))
+    speed = np.abs(velocity[first : part.start + 1])
     still = np.flatnonzero(speed < STILL)
-    if first == 0 and (not still.size or segment.time[still[-1]] - segment.time[0] < MARKED):
+    begun = first + int(np.argmax(speed >= STILL))
+    if first == 0 and (not still.size or time[begun] - time[0] < MARKED):
         return 0
-    return first + int(still[-1]) if still.size else part.start
+    if not still.size:
+        return part.start
+    last = first + int(still[-1])
+    if kind != "passive":
+        return last
+    fallen = from_standstill(time, velocity, part.start)
+    hidden = fallen < time[last] - MARKED / 2
+    return max(first, int(np.argmin(np.abs(time - fallen)))) if hidden else last
+
+
+def from_standstill(time: Samples, velocity: Samples, start: int) -> float:
+    """When a leg that speeds up evenly was at rest [s]: its speed after `start`, followed back."""
+    first = int(np.searchsorted(time, time[start] + SMOOTHING / 2))
+    stop = max(int(np.searchsorted(time, time[first] + FALL)), first + 3)
+    slope, level = np.polyfit(time[first:stop] - time[start], velocity[first:stop], 1)
+    return float(time[start] - level / slope)
 
 
 def find_onset(segment: Segment) -> float:
