@@ -1,6 +1,7 @@
 """Candidates pinned to the data, and running free."""
 
 import jax
+import jax.numpy as jnp
 import numpy as np
 import pytest
 from diagnosis_cases import FRICTION, SMALL, Detent, session
@@ -12,10 +13,17 @@ from exoid.diagnose.hypothesis import Hypothesis
 from exoid.diagnose.lanes import linear
 from exoid.diagnose.prepare import prepare
 from exoid.diagnose.settle import settle, settle_free
+from exoid.diagnose.variants import polished
 from exoid.fit.estimate import fit
+from exoid.physics.leg import LegModel
 from exoid.physics.library import name_of
+from exoid.physics.simulate import simulate
+from exoid.physics.terms.backlash import Backlash
 from exoid.physics.terms.coulomb_friction import CoulombFriction
 from exoid.physics.terms.maxwell_element import MaxwellElement
+from exoid.physics.torque import NoTorque
+from exoid.recording.recording import Protocol, Recording, Segment
+from fit_cases import BODY, NOISE, leg, state
 
 
 @pytest.fixture(scope="module")
@@ -104,3 +112,31 @@ def test_the_smoothed_course_is_what_the_sensors_show(ready):
     left = (bench.course.angle - bench.seen.angle)[used] * bench.seen.angle_weight[used]
     assert 0.5 < np.mean(np.square(left)) < 1.2
     assert jax.tree.leaves(bench.course)[0].shape == bench.seen.time.shape
+
+
+def played(angle: float, seed: int) -> Segment:
+    """A drop from its release on, as sensors with a play of 0.01 rad show it."""
+    model = LegModel(leg(), NoTorque(), terms=(Backlash(np.asarray(0.005)),))
+    time = 0.01 * np.arange(600)
+    seen = simulate(model, state(angle), jnp.asarray(time))
+    rng = np.random.default_rng(seed)
+    noise = rng.normal(size=(2, time.size)) * [[NOISE.angle_noise], [NOISE.velocity_noise]]
+    return Segment(
+        time,
+        raw_angle=np.asarray(seen.shown_angle) + noise[0],
+        raw_angular_velocity=np.asarray(seen.shown_velocity) + noise[1],
+    )
+
+
+def test_the_encoder_leads_past_the_jumps_of_the_gyro():
+    # A sample on the wrong side of a jump costs as much as the noise of hundreds.
+    segments = tuple(played(angle, seed) for seed, angle in enumerate((-0.2, -0.5, -0.8)))
+    recordings = [("drops", Recording(segments, BODY, Protocol(kind="passive"), NOISE))]
+    bench, base = prepare(fit(recordings), recordings, ())
+    start = Hypothesis((Backlash,), (np.array([0.008]),), base.candidate.point)
+    (walled,) = settle_free(bench, [start], rounds=25)
+    found = polished(bench, walled)
+    assert found.candidate.values[0][0] == pytest.approx(0.005, rel=0.02)
+    samples = count(bench.seen)
+    assert abs(found.square - samples) < 4 * np.sqrt(2 * samples)
+    assert walled.square > 1.3 * samples

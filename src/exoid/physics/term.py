@@ -42,6 +42,7 @@ class Term(eqx.Module):
     isolate: eqx.AbstractClassVar[str]  # the recording that would show it apart from others
 
     memory_size: ClassVar[int] = 0  # of a state of its own
+    jumps: ClassVar[bool] = False  # does the gyro's reading jump
     substeps: ClassVar[int] = 1  # of a time step, where the term is faster than the leg
     voluntary: ClassVar[bool] = False  # does it change the torque of Eq. 10, and nothing else
     living: ClassVar[bool] = False  # does it take a person's leg, so that no rig has it

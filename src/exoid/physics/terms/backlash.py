@@ -26,6 +26,7 @@ class Backlash(PhysicsTerm):
     )
     isolate: ClassVar[str] = "the leg held, the frame moved by hand through its play"
     memory_size: ClassVar[int] = 1
+    jumps: ClassVar[bool] = True
 
     half_play: Float[Any, ""] = parameter("b", "rad", 0.0, 0.1, "half the play", (0.004, 0.015))
 
