@@ -180,7 +180,7 @@ def test_what_only_the_recordings_show_is_left_out_without_them(command, recordi
 def test_a_saved_result_is_not_computed_again(command, saved, recordings, tmp_path):
     path, fit = tmp_path / "a.html", saved / "a.nc"
     asked = refusal(command("report", fit, "--seed", 3, "--no-diagnosis", "-o", path))
-    assert "Leave out --seed, --diagnosis" in asked
+    assert "Leave out --seed, --no-diagnosis" in asked
     assert "no other file" in refusal(command("report", fit, recordings / "drop.csv", "-o", path))
     cut = tmp_path / "cut.nc"
     cut.write_bytes(fit.read_bytes()[:20_000])
