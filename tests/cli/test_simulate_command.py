@@ -87,3 +87,10 @@ def test_a_failing_run_leaves_the_recording_that_was_there(command, tmp_path):
         (tmp_path / name).write_text("old")
     refusal(command("simulate", tmp_path / "leg.csv", "--height", 180))
     assert {path.read_text() for path in tmp_path.iterdir()} == {"old"}
+
+
+def test_a_recording_that_is_there_is_not_simulated_over(command, tmp_path):
+    kept = tmp_path / "drop.csv"
+    kept.write_text("kept", encoding="utf-8")
+    assert "--force" in refusal(command("simulate", kept))
+    assert kept.read_text(encoding="utf-8") == "kept"

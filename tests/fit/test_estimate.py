@@ -279,3 +279,10 @@ def test_that_the_simulation_does_not_follow_the_recording_is_said_first():
     lost = fit(recorded(DROP), multistart=4, misfit="paper", prior="paper")
     assert "does not follow the recording" in lost.notes[0]
     assert not any("not follow" in note for note in fit(recorded(DROP), multistart=4).notes)
+
+
+def test_an_angle_that_counts_the_other_way_is_named():
+    drop = recorded(DROP).segments[0]
+    turned = Segment(drop.time, raw_angle=-np.asarray(drop.raw_angle))
+    notes = fit(one(turned), multistart=4).notes
+    assert any("gravity comes out upwards" in note for note in notes)

@@ -1,5 +1,7 @@
 """Where a segment begins, as its sensors show it."""
 
+from dataclasses import replace
+
 import jax
 import jax.numpy as jnp
 import numpy as np
@@ -58,3 +60,10 @@ def test_a_rest_in_front_of_a_drop_is_left_away_up_to_its_last_sample(start):
 def test_a_leg_falls_before_its_play_is_used_up(start):
     # The sensors wait for 40 to 60 ms; a speed that grows less and less is followed back too far.
     assert cut_off(let_go(0.5, PLAY, start=start)) == pytest.approx(0.5, abs=2.1 * TICK)
+
+
+def test_a_gyro_that_turns_the_other_way_is_refused():
+    drop = let_go(0.0)
+    turned = replace(drop, raw_angular_velocity=-np.asarray(drop.raw_angular_velocity))
+    with pytest.raises(ValueError, match="segment 0: the angular velocity is the angle's with"):
+        movement(one(turned), 0, "0")

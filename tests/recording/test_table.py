@@ -201,9 +201,9 @@ def test_unknown_columns_and_keys_are_kept_and_named_with_the_nearest_known(writ
     assert recording.extra_tables == {"sensor": {"x": [1]}}
     said = "\n".join(notes)
     assert "column velocity_rads is kept as text. Did you mean velocity_rad_s?" in said
-    assert "hieght_m in [subject] is kept. Did you mean height_m?" in said
-    assert "[sensor] is kept. Did you mean sensors?" in said
-    assert "height_m in [protocol] is kept. It belongs in [subject]." in said
+    assert "hieght_m in [subject] is kept, but not used. Did you mean height_m?" in said
+    assert "[sensor] is kept, but not used. Did you mean sensors?" in said
+    assert "height_m in [protocol] is kept, but not used. It belongs in [subject]." in said
     assert len(notes) == 6
     write_table(recording, tmp_path / "copy.csv")
     assert_same(recording, read_table(tmp_path / "copy.csv")[0])

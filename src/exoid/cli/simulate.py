@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from exoid.cli.body import given_body
-from exoid.cli.destination import check_destination
+from exoid.cli.destination import check_absent, check_destination
 from exoid.cli.waiting import patiently
 
 ANKLE = 0.40  # m
@@ -45,6 +45,7 @@ def simulate(
         bool, typer.Option("--noise/--no-noise", help="Of AS5600 and LSM6DS3.")
     ] = True,
     seed: Annotated[int, typer.Option(min=0, max=2**32 - 1, help="Of the noise.")] = 0,
+    force: Annotated[bool, typer.Option("--force", help="Replace what is there.")] = False,
 ) -> None:
     """Simulate drops and cycles of a leg and write them as a recording.
 
@@ -55,6 +56,7 @@ def simulate(
       exoid simulate cycles.csv --cycle -3 --torque-amplitude -9.5 --period 2
     """
     check_destination(output, ("csv",))
+    check_absent((output, output.with_suffix(".toml")), force)
     leg = {
         "mass": mass,
         "inertia": inertia,

@@ -15,6 +15,7 @@ from exoid.diagnose.proof import improves, predict
 from exoid.diagnose.search import Found, look
 from exoid.diagnose.settle import Settled, settle_free
 from exoid.fit.estimate import fit
+from exoid.fit.remarks import UPWARDS
 from exoid.physics.term import Term
 from exoid.recording.recording import Recording
 
@@ -38,12 +39,15 @@ def diagnose(
     the library. The baseline is fitted from `multistart` starts. `told` hears the name of every
     phase.
 
-    **Raises** `ValueError` where a recording cannot be fitted, `ArithmeticError` where no start of
+    **Raises** `ValueError` where a recording cannot be fitted or gravity comes out upwards, `ArithmeticError` where no start of
     the baseline's fit succeeded.
     """
     named = [("recording", recordings)] if isinstance(recordings, Recording) else recordings
     told("fitting the baseline")
     result = fit(named, multistart=multistart, seed=seed)
+    gravity = result.ratios["gravity_over_inertia"].value
+    if named[0][1].subject.kind != "rig" and gravity is not None and gravity < 0:
+        raise ValueError(UPWARDS)
     bench, base = prepare(result, named, terms)
     found = look(bench, base, told)
     told("proving it on held-out data")

@@ -21,6 +21,7 @@ FEWEST = 10  # samples that a movement must have to be fitted
 RELEASE = 0.2  # s before 20 deg/s are reached, within which a leg was let go
 MARKED = 0.045  # s of rest in front of a movement that was marked at its release: soft cuffs wait
 FALL = 0.06  # s, in which a leg that was let go speeds up evenly
+REVERSED = -0.5  # of the angle's own slope: below it a gyro turns the other way
 STILL = np.radians(2.0)  # rad/s, reached within 2 ms of a release
 SETTLING = 0.15  # s of rest before a cycle below which its clock starts with the segment
 
@@ -90,6 +91,7 @@ def movement(
     velocity = clipped.raw_angular_velocity if raw else clipped.angular_velocity
     mass, distance = recording.added_mass(number), recording.added_mass_distance(number)
     assert angle is not None  # a Segment has one or the other
+    check_sense(clipped, angle, velocity, name)
     return Movement(
         name=name,
         kind=kind,
@@ -107,6 +109,18 @@ def movement(
         thigh_angle=recording.thigh_angle(number),
         recording=belongs,
     )
+
+
+def check_sense(segment: Segment, angle: Samples, velocity: Samples | None, name: str) -> None:
+    """Refuse a gyro that turns the other way than the encoder."""
+    if velocity is None:
+        return
+    slope, seen = local_line(segment.time, angle, SMOOTHING)[1], ~np.isnan(velocity)
+    if np.sum(slope[seen] * velocity[seen]) < REVERSED * np.sum(slope[seen] ** 2):
+        raise ValueError(
+            f"segment {name}: the angular velocity is the angle's with the other sign. Extension "
+            "is positive in both: change the sign of one of them."
+        )
 
 
 def extent(

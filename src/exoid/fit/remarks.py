@@ -11,6 +11,11 @@ from exoid.physics.parameter import declarations
 
 NOISY = 1.1  # over the declared noise, from where on it is worth a word
 ASTRAY = 0.1  # of how far a leg moves, from where on a simulation does not follow it
+UPWARDS = (
+    "gravity comes out upwards (m l g / J is negative): no leg falls like this. The angle must be "
+    "0 with the knee extended and the shank level, -90 deg hanging, extension positive: is flexion "
+    "positive in this file, or its zero elsewhere?"
+)
 INCOMPLETE = "no error bar of a model that misses something is complete"
 
 
@@ -25,6 +30,8 @@ def remarks(problem: Problem, ended: Ended, at_bound: set[str]) -> list[str]:
     gravity = float(ended.best.coordinates.shared.gravity[0])
     told = scale_told(ended.local.data + ended.local.prior)
     inertia = float(ended.best.leg.inertia[0]) if told else None
+    if gravity < 0 and not rig:
+        said.append(UPWARDS)
     said += of_residual(ended.disturbance, gravity, inertia)
     if ended.disturbance.cause is not None and not rig:
         said.append(
@@ -72,7 +79,7 @@ def of_residual(found: Disturbance, gravity: float, inertia: float | None) -> li
     over = f"varying within about {found.correlation_time:g} s"
     if found.correlation_time == CORRELATED[0]:
         over = "varying from moment to moment"
-    widened = f"Errors are widened for it; {INCOMPLETE}, and --plot shows where it misses."
+    widened = f"Errors are widened for it; {INCOMPLETE}, and 'exoid diagnose' asks what it misses."
     if found.cause == "torque":
         share = f"{100 * found.deviation / abs(gravity):.2g} % of m l g"
         torque = "" if inertia is None else f", {found.deviation * inertia:.2g} N m"

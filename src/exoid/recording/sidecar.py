@@ -47,9 +47,12 @@ def read_keys(path: Path) -> tuple[dict[str, Any], dict[str, Any], Notes]:
             raise ValueError(f"is not valid TOML: {error}.") from error
         tables = {name: parse_keys(name, document.get(name, {})) for name in TABLES}
         extra = {name: value for name, value in document.items() if name not in TABLES}
-        notes = [f"unknown [{name}] is kept.{near(name, TABLES)}" for name in extra]
+        notes = [f"unknown [{name}] is kept, but not used.{near(name, TABLES)}" for name in extra]
         for name, table in tables.items():
-            notes += [f"unknown {key} in [{name}] is kept.{place(key)}" for key in table.extra_keys]
+            notes += [
+                f"unknown {key} in [{name}] is kept, but not used.{place(key)}"
+                for key in table.extra_keys
+            ]
     return tables, extra, tuple(f"{path}: {note}" for note in notes)
 
 

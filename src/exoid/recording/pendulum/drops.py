@@ -16,7 +16,9 @@ from exoid.recording.recording import Recording, Segment
 REFUSED = {
     "active": "a voluntary movement: only a relaxed leg that was let go is read",
     "measured": "driven by a torque: only a leg that was let go is read",
-    None: "no drop: it does not end lower than it begins",
+    None: (
+        "no drop: it does not end lower than it begins (extension is positive, hanging is -90 deg)"
+    ),
 }
 
 
