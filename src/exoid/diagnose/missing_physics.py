@@ -39,14 +39,13 @@ def diagnose(
     the library. The baseline is fitted from `multistart` starts. `told` hears the name of every
     phase.
 
-    **Raises** `ValueError` where a recording cannot be fitted or gravity comes out upwards, `ArithmeticError` where no start of
-    the baseline's fit succeeded.
+    **Raises** `ValueError` where a recording cannot be fitted or gravity comes out upwards,
+    `ArithmeticError` where no start of the baseline's fit succeeded.
     """
     named = [("recording", recordings)] if isinstance(recordings, Recording) else recordings
     told("fitting the baseline")
     result = fit(named, multistart=multistart, seed=seed)
-    gravity = result.ratios["gravity_over_inertia"].value
-    if named[0][1].subject.kind != "rig" and gravity is not None and gravity < 0:
+    if UPWARDS in result.notes:
         raise ValueError(UPWARDS)
     bench, base = prepare(result, named, terms)
     found = look(bench, base, told)

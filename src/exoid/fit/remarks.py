@@ -30,7 +30,7 @@ def remarks(problem: Problem, ended: Ended, at_bound: set[str]) -> list[str]:
     gravity = float(ended.best.coordinates.shared.gravity[0])
     told = scale_told(ended.local.data + ended.local.prior)
     inertia = float(ended.best.leg.inertia[0]) if told else None
-    if gravity < 0 and not rig:
+    if gravity < 0 and not rig and all(each.kind == "passive" for each in problem.movements):
         said.append(UPWARDS)
     said += of_residual(ended.disturbance, gravity, inertia)
     if ended.disturbance.cause is not None and not rig:
