@@ -202,7 +202,7 @@ def test_a_leg_that_a_hand_lowers_first_tells_no_first_swing(speed, lasting):
     assert found["period"].value == pytest.approx(leg.period, rel=2e-3)
 
 
-@pytest.mark.parametrize("seconds", [1.2, 3.3])
+@pytest.mark.parametrize("seconds", [0.8, 1.2, 3.3])
 def test_a_leg_that_a_hand_catches_has_no_resting_angle(seconds):
     recording = drop(noise=NOISE)
     (segment,) = recording.segments

@@ -40,7 +40,7 @@ def find_rest(track: Track, turns: list[Peak]) -> Rest:
     error = float(
         np.hypot(track.noise / np.sqrt(track.time.size - first), swing * loss(turns) / FADED)
     )
-    check_free(turns, angle)
+    check_free([float(smooth[0]), *(each.value for each in turns)], angle, turns)
     middle = float(track.time[first:].mean())
     resting = Peak(nearest(track, middle), middle, lasting / 2, angle, error)
     return Rest(resting, entered(track, resting, smooth, slope))
@@ -59,20 +59,25 @@ def last_period(turns: list[Peak]) -> float:
     return turns[-1].time - turns[-3].time if len(turns) > 2 else 0.0
 
 
-def check_free(turns: list[Peak], angle: float) -> None:
+def check_free(ends: list[float], angle: float, turns: list[Peak]) -> None:
     """Refuse a rest that comes while the leg should still swing past it, or far from its middle.
 
-    Swings of a free leg shrink by a factor (viscous damping) or by equal steps (friction). So the
-    next one is at least as long as the last less what the last had lost, and their middle is no
-    farther from rest than that loss. A leg that sinks below its swings is not judged.
+    `ends` are the start and the turns [rad]. Swings of a free leg shrink by a factor (viscous
+    damping) or by equal steps (friction). So the next one is at least as long as the last less what
+    the last had lost, and their middle is no farther from rest than that loss. Of a single swing
+    only its two sides are known: it goes no farther past the rest than it came from. A leg that
+    sinks below its swings is not judged.
     """
-    if len(turns) < 3:
+    if len(ends) < 2:
         return
-    before, last, end = (each.value for each in turns[-3:])
-    swing = abs(end - last)
-    lost = max(abs(last - before) - swing, 0.0)
-    past = swing - lost - abs(end - angle) > 2 * BAND
-    aside = abs(angle - (last + end) / 2) > lost + BAND
+    last, end = ends[-2:]
+    swing, beyond = abs(end - last), abs(end - angle)
+    if len(ends) > 3:
+        lost = max(abs(last - ends[-3]) - swing, 0.0)
+        past = swing - lost - beyond > 2 * BAND
+        aside = abs(angle - (last + end) / 2) > lost + BAND
+    else:
+        past, aside = 2 * beyond - abs(last - angle) > 2 * BAND, False
     if min(last, end) < angle < max(last, end) and (past or aside):
         raise NotAllowed(
             f"caught: the swings end at once after {turns[-1].time:.2f} s, as by a hand. Leave the "
