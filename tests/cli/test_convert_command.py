@@ -26,7 +26,7 @@ def assert_same(one, other) -> None:
 def test_a_log_and_its_table_are_the_same_recording(command, recordings, tmp_path):
     done = command("convert", recordings / "session.blf", "-o", tmp_path / "leg.csv")
     assert done.returncode == 0, done.stderr
-    assert done.stdout == f"{tmp_path / 'leg.csv'}: 1 segments, and {tmp_path / 'leg.toml'}\n"
+    assert done.stdout == f"{tmp_path / 'leg.csv'}: 1 segment, and {tmp_path / 'leg.toml'}\n"
     assert "samples from" in done.stderr
     log = load(recordings / "session.blf").recording
     assert_same(log, load(tmp_path / "leg.csv").recording)

@@ -13,7 +13,7 @@ def test_the_fit_of_a_simulated_drop_gives_back_its_ratios(command, tmp_path):
     options = ("--inertia", 0.5, "--damping", 0.3, "--drop", -20, "--duration", 2)
     done = command("simulate", path, *options, "--body-mass", 74, "--height", 1.78)
     assert (done.returncode, done.stderr) == (0, "")
-    assert done.stdout == f"{path}: 1 segments, and {tmp_path / 'leg.toml'}\n"
+    assert done.stdout == f"{path}: 1 segment, and {tmp_path / 'leg.toml'}\n"
     ratios = command.document(path, folder=tmp_path)["ratios"]
     truth = {
         "gravity_over_inertia": 4.5 * 0.265 * 9.81 / 0.5,

@@ -44,6 +44,7 @@ def convert(
     check_absent((output, sidecar), force)
     loaded = read(recording, dbc, signal, strict, whole=whole)
     from exoid.recording.table import write_table
+    from exoid.report.text import counted
 
     patiently(lambda: write_table(loaded, output), f"writing {output.name}")
-    typer.echo(f"{output}: {len(loaded.segments)} segments, and {sidecar}")
+    typer.echo(f"{output}: {counted(len(loaded.segments), 'segment')}, and {sidecar}")

@@ -49,7 +49,7 @@ def at_hand(saved, path: Path) -> tuple:
     """The recordings as they were analysed; none where one of their files is not as it was."""
     settings = saved.settings
     dbc = settings.get("dbc")
-    each = [(Path(str(one["path"])), one) for one in saved.recordings]
+    each = [(found(Path(str(one["path"])), path), one) for one in saved.recordings]
     changed = [str(place) for place, one in each if not unchanged(place, one)]
     if dbc and not same(Path(dbc), saved.origin and saved.origin.files.get(dbc)):
         changed.append(dbc)
@@ -64,6 +64,12 @@ def at_hand(saved, path: Path) -> tuple:
         for (place, _), one in zip(each, taken, strict=True)
     ]
     return sources_of(taken, named)
+
+
+def found(place: Path, beside: Path) -> Path:
+    """A recording where it was, or beside the saved result."""
+    moved = beside.parent / place.name
+    return place if place.is_file() or not moved.is_file() else moved
 
 
 def unchanged(place: Path, one) -> bool:

@@ -77,6 +77,7 @@ def simulate(
     from exoid.physics.torque import NoTorque
     from exoid.recording.recording import Subject
     from exoid.recording.table import write_table
+    from exoid.report.text import counted
     from exoid.twin.motion import Movement
     from exoid.twin.protocols import record
 
@@ -97,7 +98,8 @@ def simulate(
         "simulating",
     )
     write_table(recording, output)
-    typer.echo(f"{output}: {len(recording.segments)} segments, and {output.with_suffix('.toml')}")
+    segments = counted(len(recording.segments), "segment")
+    typer.echo(f"{output}: {segments}, and {output.with_suffix('.toml')}")
 
 
 def check_leg(leg: dict[str, float]) -> None:

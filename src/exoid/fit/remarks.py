@@ -47,6 +47,10 @@ def remarks(problem: Problem, ended: Ended, at_bound: set[str]) -> list[str]:
     if float(ended.best.violation[0]) > FEASIBLE:
         said.append("the limits could not all be met: see the bounds in the table.")
     said += of_bounds(problem, at_bound)
+    if sum(each.voluntary for each in problem.movements) > 1:
+        said.append(
+            "tau and tau / J are means over the voluntary segments, each with its own effort."
+        )
     if any(each.added_mass > 0 for each in problem.movements):
         said.append(
             "± leaves out the error of weighing: 1 % of the added mass is 1 % of J, c, d and tau."

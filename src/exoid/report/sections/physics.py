@@ -14,7 +14,16 @@ from exoid.report.sections.section import Section
 from exoid.report.sections.table import Table
 from exoid.report.text import with_error
 
-SAID = ("Missing", "New", "Or", "Why", "Suspected", "Sensors", "Trust")  # others have their place
+SAID = (
+    "Missing",
+    "New",
+    "Unexplained",
+    "Or",
+    "Why",
+    "Suspected",
+    "Sensors",
+    "Trust",
+)  # others have their place
 
 
 @dataclass(frozen=True, eq=False)
