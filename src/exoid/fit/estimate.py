@@ -14,6 +14,7 @@ from exoid.fit.multistart import Ended, search
 from exoid.fit.problem import Problem, pose
 from exoid.fit.result import FitResult
 from exoid.fit.starts import draw, informed
+from exoid.recording.noise import Noise
 from exoid.recording.recording import Recording
 
 MIDDLING = (4.0, 0.4)  # kg, kg m^2: where nothing is expected
@@ -135,7 +136,7 @@ def begin(
 
 def plainly(each: Movement) -> Movement:
     """Weigh every angle alike and leave the velocity out, as Eq. 11 does."""
-    return replace(each, angle_noise=1 / PLAIN_SCALE, angular_velocity=None, velocity_noise=np.inf)
+    return replace(each, noise=Noise(1 / PLAIN_SCALE), angular_velocity=None, gyro_noise=None)
 
 
 def readings(named: list[tuple[str, Recording]], movements: list[Movement]) -> tuple[str, ...]:

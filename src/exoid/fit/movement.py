@@ -14,7 +14,8 @@ from exoid.recording.condition import (
     measure_period,
     movements,
 )
-from exoid.recording.noise import angle_noise, velocity_noise
+from exoid.recording.clean import clean
+from exoid.recording.noise import Noise
 from exoid.recording.recording import Recording, Samples, Segment
 
 FEWEST = 10  # samples that a movement must have to be fitted
@@ -37,14 +38,24 @@ class Movement:
     angle: Samples  # rad, the channel that is fitted
     angular_velocity: Samples | None
     filtered: bool  # that channel went through the firmware's filter
-    angle_noise: float  # rad
-    velocity_noise: float  # rad/s
+    noise: Noise  # of the angle [rad]
+    gyro_noise: Noise | None  # rad/s
     onset: float  # s, where the clock of Eq. 10 starts
     period: float  # s, of the cycle; nan where there is none
     added_mass: float  # kg
     added_mass_distance: float  # m, nan where it is to be estimated
     thigh_angle: float  # rad
     recording: int = 0  # of those that are fitted together
+
+    @property
+    def angle_noise(self) -> float:
+        """Standard deviation of an angle sample [rad]."""
+        return self.noise.level
+
+    @property
+    def velocity_noise(self) -> float:
+        """Standard deviation of a gyro sample [rad/s]; infinite without a gyro."""
+        return np.inf if self.gyro_noise is None else self.gyro_noise.level
 
     @property
     def source(self) -> str:
@@ -69,13 +80,15 @@ class Movement:
 def movement(
     recording: Recording, number: int, name: str, belongs: int = 0, *, whole: bool = False
 ) -> Movement:
-    """Condition one segment: choose its channels, clip its ends, find its clock and its noise.
+    """Condition one segment: choose its channels, clean them, clip its ends, find its clock.
 
     `belongs` counts the recordings that are fitted together. `whole` keeps the release and, of a
     drop, the coming to rest, which a fit leaves out: what Eq. 9 lacks may show in them.
 
     **Raises** `ValueError` where nothing moves, or a torque is missing.
     """
+    cleaned = clean(recording)
+    recording = cleaned.recording
     segment, said = recording.segments[number], recording.kind(number)
     kind = said or classify(segment) or "passive"
     if kind == "measured" and segment.applied_torque is None:
@@ -100,8 +113,8 @@ def movement(
         angle=angle,
         angular_velocity=velocity,
         filtered=not raw,
-        angle_noise=angle_noise(recording.sensors, angle),
-        velocity_noise=velocity_noise(recording.sensors, velocity),
+        noise=cleaned.angle,
+        gyro_noise=cleaned.velocity,
         onset=onset - float(segment.time[part.start]),
         period=period,
         added_mass=mass,

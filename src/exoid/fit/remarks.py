@@ -4,6 +4,7 @@ import numpy as np
 
 from exoid.fit.disturbance import CORRELATED, Disturbance
 from exoid.fit.multistart import FEASIBLE, Ended, scale_told
+from exoid.fit.noise_remarks import noise_remarks
 from exoid.fit.problem import Problem
 from exoid.fit.result import SegmentFit, pooled
 from exoid.physics.leg import LegParameters
@@ -27,6 +28,7 @@ def remarks(problem: Problem, ended: Ended, at_bound: set[str]) -> list[str]:
     if guessed:
         each = ", ".join(f"{one.name} {one.kind}" for one in guessed)
         said.append(f"the sidecar does not say how the leg was moved; by its motion: {each}.")
+    said += noise_remarks(problem.movements)
     gravity = float(ended.best.coordinates.shared.gravity[0])
     told = scale_told(ended.local.data + ended.local.prior)
     inertia = float(ended.best.leg.inertia[0]) if told else None
