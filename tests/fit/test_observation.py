@@ -9,7 +9,6 @@ from exoid.fit.movement import movement
 from exoid.fit.observation import LONGEST_STEP, bucket, observe
 from exoid.physics.leg import LegModel
 from exoid.physics.torque import NoTorque
-from exoid.recording.noise import scatter
 from exoid.recording.recording import Protocol, Recording, Segment, Sensors
 from fit_cases import BODY, NOISE, cycle_torque, exact, leg, one, state
 
@@ -122,11 +121,6 @@ def test_noise_that_nobody_declared_is_taken_from_the_data():
         assert found.angle_noise == pytest.approx(noise, rel=0.1)
         assert found.velocity_noise == np.inf
         assert found.angular_velocity is None
-
-
-def test_noise_that_the_steps_of_a_quiet_sensor_hide_is_never_zero():
-    assert scatter(np.zeros(50)) > 0
-    assert scatter(np.r_[np.zeros(40), np.ones(10)]) > 0
 
 
 def test_a_filtered_channel_is_fitted_only_where_no_raw_one_is():

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from exoid.recording.clean import clean
 from exoid.recording.condition import (
     SMOOTHING,
     best_velocity,
@@ -14,7 +15,6 @@ from exoid.recording.condition import (
     measure_period,
     movements,
 )
-from exoid.recording.clean import clean
 from exoid.recording.noise import Noise
 from exoid.recording.recording import Recording, Samples, Segment
 

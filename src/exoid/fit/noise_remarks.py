@@ -25,8 +25,8 @@ def of_channel(noise: Noise, channel: str, unit: str) -> list[str]:
     said = []
     if noise.spikes:
         said.append(
-            f"{noise.spikes} of {noise.samples + noise.spikes} samples of the {channel} stand alone "
-            "and were left out (noise throws one in half a million as far)."
+            f"{noise.spikes} of {noise.samples + noise.spikes} samples of the {channel} stand "
+            "alone and were left out (noise throws one in half a million as far)."
         )
     if noise.tone is not None:
         said.append(
@@ -41,7 +41,7 @@ def of_channel(noise: Noise, channel: str, unit: str) -> list[str]:
     if noise.contradicted and noise.declared is not None and noise.measured is not None:
         taken = "theirs counts" if noise.level == noise.measured else "the sidecar's counts"
         said.append(
-            f"the sidecar says that the {channel} scatters by {degrees(noise.declared):.2g} {unit}, "
-            f"its samples scatter by {degrees(noise.measured):.2g} {unit}: {taken}."
+            f"the sidecar says that the {channel} scatters by {degrees(noise.declared):.2g} "
+            f"{unit}, its samples scatter by {degrees(noise.measured):.2g} {unit}: {taken}."
         )
     return said

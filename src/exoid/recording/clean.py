@@ -26,7 +26,9 @@ def clean(recording: Recording) -> Cleaned:
     What the firmware's filter gave is left as it is: neither can be seen in it.
     """
     angle, velocity = fitted_channels(recording)
-    recording, angle_noise = clean_channel(recording, angle, declared_angle_noise(recording.sensors))
+    recording, angle_noise = clean_channel(
+        recording, angle, declared_angle_noise(recording.sensors)
+    )
     velocity_noise = None
     if velocity is not None:
         declared = recording.sensors.velocity_noise
@@ -38,7 +40,9 @@ def fitted_channels(recording: Recording) -> tuple[str, str | None]:
     """The names of the channels that a fit compares with: raw ones where there are any."""
     first = recording.segments[0]
     raw = first.raw_angle is not None
-    angle, velocity = ("raw_angle", "raw_angular_velocity") if raw else ("angle", "angular_velocity")
+    angle, velocity = (
+        ("raw_angle", "raw_angular_velocity") if raw else ("angle", "angular_velocity")
+    )
     return angle, velocity if getattr(first, velocity) is not None else None
 
 
@@ -55,9 +59,11 @@ def clean_channel(
     if filtered(recording.segments[0]):
         level = noise_of(times, signals, None).level if declared is None else declared
         return recording, Noise(level, declared=declared)
-    spikes = [find_spikes(*each) for each in zip(times, signals, strict=True)]
-    signals = [np.where(spike, np.nan, signal) for spike, signal in zip(spikes, signals, strict=True)]
-    tone = find_tone(times, signals)
+    spikes = [find_spikes(*each, declared or 0.0) for each in zip(times, signals, strict=True)]
+    signals = [
+        np.where(spike, np.nan, signal) for spike, signal in zip(spikes, signals, strict=True)
+    ]
+    tone = find_tone(times, signals, noise_of(times, signals, declared).level)
     if tone is not None:
         signals = [without_tone(*each, tone) for each in zip(times, signals, strict=True)]
     segments = [

@@ -9,7 +9,9 @@ from exoid.recording.recording import Samples, Sensors
 from exoid.recording.tone import Tone
 
 NEIGHBOURS = 3  # on either side: a quintic, from which a leg departs by 1e-5 rad even at 30 Hz
+REACH = 2 * NEIGHBOURS + 1
 FAR = 5.0  # standard deviations of a spike: of clean samples one in 1.7 million
+SMALLEST = 1e-3  # rad or rad/s, of a spike: smaller ones change nothing, and a release has them
 CLUSTER = 5  # samples, among which more than two spikes are no spikes but an event
 ROUNDS = 30  # each takes the worst sample of every neighbourhood
 AGREE = 2.0  # factor between measured and declared noise, from which on it is worth a word
@@ -64,7 +66,9 @@ def noise_of(times: list[Samples], signals: list[Samples], declared: float | Non
     A sample is compared with the quintic through its neighbours, which sees white noise whatever
     the leg does. Errors beyond five robust deviations do not count: see `find_spikes`.
     """
-    errors = np.concatenate([interpolation_errors(*each) for each in zip(times, signals)])
+    errors = np.concatenate(
+        [interpolation_errors(*each) for each in zip(times, signals, strict=True)]
+    )
     errors = errors[~np.isnan(errors)]
     step = quantum(signals) / np.sqrt(12)
     if errors.size < FEWEST:
@@ -100,8 +104,9 @@ def interpolation_errors(time: Samples, samples: Samples) -> Samples:
     return errors
 
 
-def find_spikes(time: Samples, samples: Samples) -> NDArray[np.bool_]:
-    """Which samples stand alone, farther from their neighbours than noise throws one.
+def find_spikes(time: Samples, samples: Samples, least: float = 0.0) -> NDArray[np.bool_]:
+    """Which samples stand alone, farther from their neighbours than noise throws one; `least` is
+    what the noise is at least.
 
     Where the sample is taken away its neighbours agree with each other. A jump that lasts (a stop
     that is hit, play that ends) leaves more than two in a row: that is motion, and stays.
@@ -110,16 +115,35 @@ def find_spikes(time: Samples, samples: Samples) -> NDArray[np.bool_]:
     errors = interpolation_errors(time, samples)
     if np.isnan(errors).all():
         return found
-    limit = FAR * robust_deviation(errors, quantum([samples]) / np.sqrt(12))
+    least = max(least, quantum([samples]) / np.sqrt(12))
+    limit = max(FAR * robust_deviation(errors, least), SMALLEST)
     for _ in range(ROUNDS):
         size = np.nan_to_num(np.abs(errors))
-        padded = np.pad(size, NEIGHBOURS)
-        highest = np.lib.stride_tricks.sliding_window_view(padded, 2 * NEIGHBOURS + 1).max(axis=1)
-        worst = (size > limit) & (size == highest)
+        around = np.lib.stride_tricks.sliding_window_view(np.pad(size, NEIGHBOURS), REACH)
+        worst = (size > limit) & (size == around.max(axis=1))
         if not worst.any():
             break
         found |= worst
         errors = interpolation_errors(time, np.where(found, np.nan, samples))
+    return alone(pardoned(time, samples, found, limit))
+
+
+def pardoned(
+    time: Samples, samples: Samples, found: NDArray[np.bool_], limit: float
+) -> NDArray[np.bool_]:
+    """Without the samples that only stood beside a spike: they agree with what is left."""
+    found = found.copy()
+    for at in np.flatnonzero(found):
+        near = slice(max(at - 3 * REACH, 0), at + 3 * REACH + 1)
+        kept = np.where(found, np.nan, samples)
+        kept[at] = samples[at]
+        error = interpolation_errors(time[near], kept[near])[at - near.start]
+        found[at] = abs(error) > limit  # not where nothing is left to compare with
+    return found
+
+
+def alone(found: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Without crowds."""
     crowd = np.convolve(found, np.ones(CLUSTER), mode="same") > 2
     return found & ~(np.convolve(crowd, np.ones(CLUSTER), mode="same") > 0)
 

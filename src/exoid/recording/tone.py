@@ -16,6 +16,9 @@ SLOWEST = 8.0  # Hz, of a tone that is no motion: tremor and clonus of a leg are
 KNOT = 0.1  # s between the knots of the spline that is the motion
 FALSE = 1e-4  # chance that noise alone shows a tone in a recording
 FINER = 0.05  # of the search's own step, to which a frequency is refined
+SMALLEST = 5e-4  # rad or rad/s, of a tone: smaller ones change nothing
+MATTERS = 0.3  # of the noise
+STEADY = 0.5  # of its mean size, that a tone has in the middle one of all halves of segments
 FEWEST = 64  # samples of a segment that can tell a tone
 
 
@@ -24,10 +27,10 @@ class Tone:
     """A tone that was found."""
 
     frequency: float  # Hz, as sampled
-    amplitude: float  # of the signal, mean over the segments
+    amplitude: float  # of the signal, median over the segments
 
 
-def find_tone(times: list[Samples], signals: list[Samples]) -> Tone | None:
+def find_tone(times: list[Samples], signals: list[Samples], noise: float = 0.0) -> Tone | None:
     """The strongest tone that all segments share, None where noise shows as much.
 
     Sums of squares at every frequency over their median, as Fisher's test has them; every segment
@@ -53,8 +56,19 @@ def find_tone(times: list[Samples], signals: list[Samples]) -> Tone | None:
         return None
     near = grid[grid >= SLOWEST][top] + grid[1] * np.arange(-1, 1, FINER)
     frequency = float(near[np.argmax(sum(powers(*each, near) for each in rest))])
-    sizes = [np.hypot(*coefficients(time, signal, frequency)) for time, signal in parts]
-    return Tone(frequency, float(np.mean(sizes)))
+    size = typical_size(parts, frequency, 1)
+    steady = typical_size(parts, frequency, 2) > STEADY * size
+    return Tone(frequency, size) if steady and size > max(SMALLEST, MATTERS * noise) else None
+
+
+def typical_size(parts: list[tuple[Samples, Samples]], frequency: float, pieces: int) -> float:
+    """The median amplitude over all segments, each cut into so many pieces."""
+    each = [
+        np.hypot(*coefficients(*piece, frequency))
+        for time, signal in parts
+        for piece in zip(np.array_split(time, pieces), np.array_split(signal, pieces), strict=True)
+    ]
+    return float(np.median(each))
 
 
 def without_tone(time: Samples, signal: Samples, tone: Tone) -> Samples:

@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from exoid.recording.condition import classify
 from exoid.recording.clean import clean
+from exoid.recording.condition import classify
 from exoid.recording.pendulum.catalogue import MEASURES, measures
 from exoid.recording.pendulum.landmarks import find_landmarks
 from exoid.recording.pendulum.measure import Measure, NotAllowed
