@@ -33,6 +33,11 @@ def of_channel(noise: Noise, channel: str, unit: str) -> list[str]:
             f"a steady tone of {noise.tone.frequency:.3g} Hz, {degrees(noise.tone.amplitude):.2g} "
             f"{unit}, was taken out of the {channel}: hum of the mains, as it is or aliased?"
         )
+    if noise.drift is not None:
+        said.append(
+            f"the zero of the {channel} wanders by {degrees(noise.drift):.2g} {unit} (root mean "
+            "square); the encoder tells, and it was taken out."
+        )
     if noise.heavy:
         said.append(
             f"the noise of the {channel} has heavy tails: standard errors go by its root mean "

@@ -1,10 +1,11 @@
-"""A recording without what only a sensor can have done: single spikes and steady tones."""
+"""A recording without what only a sensor can have done: single spikes, tones, drift."""
 
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
 
+from exoid.recording.gyro_drift import gyro_drift
 from exoid.recording.noise import Noise, declared_angle_noise, find_spikes, noise_of
 from exoid.recording.recording import Recording, Segment
 from exoid.recording.tone import find_tone, without_tone
@@ -21,7 +22,7 @@ class Cleaned:
 
 @lru_cache(maxsize=8)  # every segment of a recording asks for it
 def clean(recording: Recording) -> Cleaned:
-    """Leave out spikes and take out tones, in the channels that are fitted.
+    """Leave out spikes and take out tones and a gyro's drift, in the channels that are fitted.
 
     What the firmware's filter gave is left as it is: neither can be seen in it.
     """
@@ -33,6 +34,8 @@ def clean(recording: Recording) -> Cleaned:
     if velocity is not None:
         declared = recording.sensors.velocity_noise
         recording, velocity_noise = clean_channel(recording, velocity, declared)
+        if not filtered(recording.segments[0]):
+            recording, velocity_noise = steady_gyro(recording, angle_noise, velocity_noise)
     return Cleaned(recording, angle_noise, velocity_noise)
 
 
@@ -73,3 +76,19 @@ def clean_channel(
     count = int(sum(each.sum() for each in spikes))
     noise = replace(noise_of(times, signals, declared), spikes=count, tone=tone)
     return replace(recording, segments=tuple(segments)), noise
+
+
+def steady_gyro(recording: Recording, angle: Noise, gyro: Noise) -> tuple[Recording, Noise]:
+    """The same with a gyro whose zero stays where it is on average."""
+    times = [each.time for each in recording.segments]
+    angles = [each.raw_angle for each in recording.segments]
+    rates = [each.raw_angular_velocity for each in recording.segments]
+    drifts = gyro_drift(times, angles, rates, (angle.level, gyro.level))
+    if drifts is None:
+        return recording, gyro
+    segments = [
+        replace(each, raw_angular_velocity=rate - drift)
+        for each, rate, drift in zip(recording.segments, rates, drifts, strict=True)
+    ]
+    size = float(np.sqrt(np.mean(np.concatenate(drifts) ** 2)))
+    return replace(recording, segments=tuple(segments)), replace(gyro, drift=size)

@@ -38,6 +38,7 @@ class Noise:
     spikes: int = 0  # samples left out
     samples: int = 0
     tone: Tone | None = None  # taken out
+    drift: float | None = None  # of a gyro's zero, root mean square; taken out
 
     @property
     def contradicted(self) -> bool:

@@ -1,6 +1,6 @@
 """A steady tone in a signal: hum of the mains, as it is or aliased by the sampling.
 
-A leg has no part in what is faster than eight times a second and never fades.
+A leg has no part in what is faster than nine times a second and never fades.
 """
 
 from dataclasses import dataclass
@@ -8,12 +8,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import make_lsq_spline
+from scipy.ndimage import median_filter
 from scipy.stats import chi2
 
 from exoid.recording.recording import Samples
 
-SLOWEST = 8.0  # Hz, of a tone that is no motion: tremor and clonus of a leg are slower
-KNOT = 0.1  # s between the knots of the spline that is the motion
+SLOWEST = 9.0  # Hz, of a tone that is no motion: tremor and clonus of a leg are slower
+KNOT = 0.08  # s between the knots of the spline that is the motion
+AROUND = 101  # frequencies, half the width of a line apart, that a tone stands out from
 FALSE = 1e-4  # chance that noise alone shows a tone in a recording
 FINER = 0.05  # of the search's own step, to which a frequency is refined
 SMALLEST = 5e-4  # rad or rad/s, of a tone: smaller ones change nothing
@@ -33,8 +35,8 @@ class Tone:
 def find_tone(times: list[Samples], signals: list[Samples], noise: float = 0.0) -> Tone | None:
     """The strongest tone that all segments share, None where noise shows as much.
 
-    Sums of squares at every frequency over their median, as Fisher's test has them; every segment
-    has the phase to itself.
+    The power at every frequency over the median of those around it: a line, not a hill. Every
+    segment has the phase to itself.
     """
     parts = [
         (time[known], signal[known])
@@ -47,12 +49,14 @@ def find_tone(times: list[Samples], signals: list[Samples], noise: float = 0.0) 
     step = min(float(np.median(np.diff(time))) for time, _ in rest)
     size = 2 * max(int(time[-1] / step) + 1 for time, _ in rest)
     grid = np.fft.rfftfreq(size, step)
-    power = sum(spectrum(time, left, step, size) for time, left in rest)[grid >= SLOWEST]
+    each = [spectrum(time, left, step, size) for time, left in rest]
+    power = np.sum(each, axis=0)[grid >= SLOWEST]
     freedom = 2 * len(rest)
-    if power.size < FEWEST or not (typical := float(np.median(power)) / chi2.median(freedom)) > 0:
+    if power.size < FEWEST or not power.all():
         return None
-    top = int(np.argmax(power))
-    if power.size * chi2.sf(power[top] / typical, freedom) > FALSE:
+    around = median_filter(power, AROUND, mode="mirror") / chi2.median(freedom)
+    top = int(np.argmax(power / around))
+    if power.size * chi2.sf(power[top] / around[top], freedom) > FALSE:
         return None
     near = grid[grid >= SLOWEST][top] + grid[1] * np.arange(-1, 1, FINER)
     frequency = float(near[np.argmax(sum(powers(*each, near) for each in rest))])
@@ -112,4 +116,4 @@ def motion(time: Samples, signal: NDArray[np.float64]) -> NDArray[np.float64]:
     places = np.linspace(0, time.size - 1, count + 1)[1:-1]  # as dense as the samples, gaps too
     inner = np.interp(places, np.arange(time.size), time)
     knots = np.concatenate([[time[0]] * 4, inner, [time[-1]] * 4])
-    return make_lsq_spline(time, signal, knots)(time)
+    return np.asarray(make_lsq_spline(time, signal, knots)(time), dtype=float)
