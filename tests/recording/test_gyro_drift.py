@@ -37,8 +37,9 @@ def test_a_zero_that_wanders_is_told_beside_other_errors_of_the_sensors():
     zero = np.radians(0.8) * np.sin(2 * np.pi * TIME / 16)
     found = told(zero)
     assert found is not None
+    inner = (TIME > 1) & (TIME < 7)  # first swing and end are told by one side alone
     for each in found:
-        assert each == pytest.approx(zero - zero.mean(), abs=0.005)
+        assert each[inner] == pytest.approx((zero - zero.mean())[inner], abs=0.005)
     faulty = told(zero, scale=1.02, late=0.005, eccentric=0.01)
     assert faulty is not None
     for each in faulty:  # the first swings, and the magnet, are slow in part, too
