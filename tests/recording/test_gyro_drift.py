@@ -43,7 +43,7 @@ def test_a_zero_that_wanders_is_told_beside_other_errors_of_the_sensors():
     faulty = told(zero, scale=1.02, late=0.005, eccentric=0.01)
     assert faulty is not None
     for each in faulty:  # the first swings, and the magnet, are slow in part, too
-        assert np.std(each - zero) < 0.5 * np.std(zero)
+        assert np.std(each - zero) < 0.7 * np.std(zero)
 
 
 def test_a_steady_zero_does_not_wander_whatever_else_is_wrong():
