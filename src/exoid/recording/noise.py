@@ -20,7 +20,8 @@ FEWEST = 30  # samples that tell a noise to 15 %
 HEAVY = 1.15  # root mean square over robust deviation, from which on tails are worth a word
 NORMAL = 0.6745  # median of |x| over the standard deviation
 NONE = 1e-6  # noise of a signal without any: below every sensor's
-EVEN = 1e-3  # relative, of a step: differences this close to multiples of it are multiples
+ROUNDING = 1e-7  # rad or rad/s, of numbers in a file: no step of a sensor
+EVEN = 0.05  # of a step: differences that are as close to multiples of it on average are multiples
 
 
 @dataclass(frozen=True)
@@ -159,9 +160,9 @@ def quantum(signals: list[Samples]) -> float:
     """The step of a signal that only takes multiples of one, 0 where it has none."""
     values = np.unique(np.concatenate([each[~np.isnan(each)] for each in signals]))
     steps = np.diff(values)
-    steps = steps[steps > EVEN * np.median(steps)] if steps.size else steps
+    steps = steps[steps > ROUNDING]
     if steps.size < FEWEST:
         return 0.0
     step = float(steps.min())
     parts = steps / step
-    return step if np.abs(parts - np.round(parts)).max() < EVEN * parts.max() + 0.05 else 0.0
+    return step if np.abs(parts - np.round(parts)).mean() < EVEN else 0.0
