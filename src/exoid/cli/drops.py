@@ -6,6 +6,7 @@ from typing import Annotated
 
 import typer
 
+from exoid.cli.choices import FlipOption, ZeroOption
 from exoid.cli.destination import check_apart, check_destination
 from exoid.cli.fit import EXAMPLE, FIGURES
 from exoid.cli.reading import read
@@ -23,6 +24,8 @@ def drops(
     signal: Annotated[
         list[str] | None, typer.Option(help="CHANNEL=MESSAGE.SIGNAL; repeat.", metavar="MAP")
     ] = None,
+    flip: FlipOption = None,
+    zero: ZeroOption = None,
     plot: Annotated[
         Path | None, typer.Option(help="Figure: every measure on its curve.", metavar="FILE")
     ] = None,
@@ -48,7 +51,7 @@ def drops(
     check_apart([plot, json], paths)
     if not recordings:
         typer.echo("No recording given: this is the example that comes with exoid.")
-    named = [(path.name, read(path, dbc, signal, False)) for path in paths]
+    named = [(path.name, read(path, dbc, signal, False, flip=flip, zero=zero)) for path in paths]
     test = patiently(lambda: measured(named), "reading the drops")
     show(test)
     if json is not None:

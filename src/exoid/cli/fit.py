@@ -8,7 +8,7 @@ import typer
 
 from exoid.cli.analysis import ask, check_posterior, compute, profiled, write_posterior
 from exoid.cli.body import BodyMass, Height, given_body
-from exoid.cli.choices import Method, Misfit, Prior, Reading
+from exoid.cli.choices import FlipOption, Method, Misfit, Prior, Reading, ZeroOption
 from exoid.cli.destination import check_apart, check_destination
 from exoid.cli.origin import inputs, origin_of
 from exoid.cli.page import PAGES, sources_of, write_report
@@ -61,6 +61,8 @@ def fit(
             help="CHANNEL=MESSAGE.SIGNAL, such as raw_angle=Knee.Angle; repeat.", metavar="MAP"
         ),
     ] = None,
+    flip: FlipOption = None,
+    zero: ZeroOption = None,
     strict: Annotated[
         bool, typer.Option("--strict", help="Any loss in a log is an error.")
     ] = False,
@@ -106,7 +108,7 @@ def fit(
         typer.echo(
             "No recording given: this is the example that comes with exoid, a simulated leg."
         )
-    named, taken = [], [take(path, dbc, signal, strict) for path in paths]
+    named, taken = [], [take(path, dbc, signal, strict, flip=flip, zero=zero) for path in paths]
     for path, one in zip(paths, taken, strict=True):
         loaded = one.recording
         protocol = loaded.protocol
@@ -130,6 +132,7 @@ def fit(
     told = None if each else patiently(lambda: ask(result), "asking what the recording told")
     show(result, told)
     settings = {"lambda": options.pop("weight"), **options, "each": each}
+    settings |= {"flip": flip, "zero": zero}
     asked = {
         **settings,
         "torque_frequency": torque_frequency,

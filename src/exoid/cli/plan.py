@@ -9,6 +9,7 @@ import typer
 
 from exoid.cli.analysis import compute, prepare
 from exoid.cli.body import BodyMass, Height, given_body
+from exoid.cli.choices import FlipOption, ZeroOption
 from exoid.cli.destination import check_apart, check_destination
 from exoid.cli.reading import read
 from exoid.cli.waiting import patiently
@@ -39,6 +40,8 @@ def plan(
     height: Height = None,
     multistart: Annotated[int, typer.Option(min=1, max=100_000, help="Starts of the fit.")] = 64,
     seed: Annotated[int, typer.Option(min=0, help="Of the starts.")] = 0,
+    flip: FlipOption = None,
+    zero: ZeroOption = None,
     json: Annotated[
         Path | None, typer.Option(help="Everything for machines.", metavar="FILE")
     ] = None,
@@ -58,7 +61,7 @@ def plan(
 
     named = []
     for path in recordings or []:
-        loaded = read(path, None, None, False)
+        loaded = read(path, None, None, False, flip=flip, zero=zero)
         named.append((path.name, replace(loaded, subject=replace(loaded.subject, **body))))
     subject = named[0][1].subject if named else replace(Subject(kind="leg"), **body)
     options = {"multistart": multistart, "seed": seed}

@@ -8,6 +8,7 @@ import typer
 
 from exoid.cli.analysis import ask, compute
 from exoid.cli.body import BodyMass, Height, given_body
+from exoid.cli.choices import FlipOption, ZeroOption
 from exoid.cli.destination import check_apart, check_destination
 from exoid.cli.diagnose import diagnosed
 from exoid.cli.fit import EXAMPLE
@@ -48,6 +49,8 @@ def report(
         list[str] | None,
         typer.Option(help="CHANNEL=MESSAGE.SIGNAL; repeat.", metavar="MAP"),
     ] = None,
+    flip: FlipOption = None,
+    zero: ZeroOption = None,
 ) -> None:
     """Fit and diagnose a leg and write one page about it, to look at, print and pass on.
 
@@ -74,6 +77,8 @@ def report(
             "--no-diagnosis": not diagnosis,
             "--dbc": dbc is not None,
             "--signal": bool(signal),
+            "--flip": flip is not None,
+            "--zero": zero is not None,
         }
         retell(paths, output, [option for option, asked in given.items() if asked])
         return
@@ -83,7 +88,7 @@ def report(
     own = own_terms(terms) if terms is not None else ()
     if not recordings:
         typer.echo("No recording given: this is the example that comes with exoid.")
-    taken = [take(path, dbc, signal, False) for path in paths]
+    taken = [take(path, dbc, signal, False, flip=flip, zero=zero) for path in paths]
     named = [
         (path.name, replace(one.recording, subject=replace(one.recording.subject, **body)))
         for path, one in zip(paths, taken, strict=True)
@@ -93,7 +98,7 @@ def report(
     result, found = in_phases(lambda told: analysed(named, options, tested, told))
     script = Path(terms) if terms is not None else None
     settings = {**options, "terms": terms, "diagnosis": diagnosis, **body, "signal": signal}
-    settings["dbc"] = dbc and str(dbc)
+    settings |= {"dbc": dbc and str(dbc), "flip": flip, "zero": zero}
     origin = origin_of(inputs(paths, dbc, script), settings)
     sources = sources_of(taken, named)
     patiently(lambda: write_report(output, sources, result, origin, **found), "writing the page")

@@ -5,6 +5,7 @@ from pathlib import Path, PurePath
 
 import typer
 
+from exoid.cli.choices import Flip, Zero
 from exoid.cli.origin import origin_of, sha256_of
 from exoid.cli.page import sources_of
 from exoid.cli.reading import take
@@ -57,13 +58,21 @@ def at_hand(saved, path: Path) -> tuple:
         why = f"{', '.join(changed)} is not there, or has changed" if changed else "it names none"
         typer.echo(f"exoid: {path}: without what only the recordings show: {why}.", err=True)
         return ()
-    taken = [take(place, dbc and Path(dbc), settings.get("signal"), False) for place, _ in each]
+    told = {"flip": of(Flip, settings.get("flip")), "zero": of(Zero, settings.get("zero"))}
+    taken = [
+        take(place, dbc and Path(dbc), settings.get("signal"), False, **told) for place, _ in each
+    ]
     body = {name: settings[name] for name in ("body_mass", "height") if name in settings}
     named = [
         (place.name, replace(one.recording, subject=replace(one.recording.subject, **body)))
         for (place, _), one in zip(each, taken, strict=True)
     ]
     return sources_of(taken, named)
+
+
+def of(words, said: str | None):
+    """An option as it was given, None where it was not."""
+    return None if said is None else words(said)
 
 
 def found(place: Path, beside: Path) -> Path:

@@ -78,6 +78,7 @@ class Protocol:
     torque_known: bool | None = field(default=None, metadata={"key": "torque_known"})
     segment_start: tuple[float, ...] | None = ranged("segment_start_s", "s", 0.0, 1e6)
     segment_end: tuple[float, ...] | None = ranged("segment_end_s", "s", 0.0, 1e6)
+    time_origin: float | None = ranged("time_origin_s", "s", 0.0, 1e19)
     extra_keys: Mapping[str, Any] = extra()
 
 
@@ -125,7 +126,7 @@ def channel(column: str, unit: str, upper: float):
 class Segment:
     """One release, or one movement cycle with its rest before it. NaN marks a missing sample."""
 
-    time: Samples = field(metadata={"column": "time_s", "unit": "s", "upper": 1e7})
+    time: Samples = field(metadata={"column": "time_s", "unit": "s", "upper": 1e19})
     angle: Samples | None = channel("angle_rad", "rad", 14.0)
     angular_velocity: Samples | None = channel("velocity_rad_s", "rad/s", 100.0)
     angular_acceleration: Samples | None = channel("acceleration_rad_s2", "rad/s^2", 1e5)
@@ -248,7 +249,9 @@ def check_channel(number: int, entry, samples: Samples | None, size: int) -> Non
 
 def check_knee(number: int, segment: Segment) -> None:
     for name, angle in (("angle_rad", segment.angle), ("raw_angle_rad", segment.raw_angle)):
-        if angle is not None and np.nanmax(np.abs(angle)) > KNEE_ANGLE_LIMIT:
+        if angle is None or np.nanmax(np.abs(angle)) <= KNEE_ANGLE_LIMIT:
+            continue
+        if np.nanmax(angle) - np.nanmin(angle) > KNEE_ANGLE_LIMIT:  # else its zero is elsewhere
             at = int(np.nanargmax(np.abs(angle)))
             raise bad_sample(
                 number,
