@@ -15,7 +15,7 @@ from exoid.cli.origin import inputs, origin_of
 from exoid.cli.own_terms import own_terms
 from exoid.cli.page import PAGES, planned, sources_of, write_report
 from exoid.cli.reading import take
-from exoid.cli.results import described, keep
+from exoid.cli.results import described, end, introduce, keep
 from exoid.cli.waiting import in_phases, patiently
 
 
@@ -82,6 +82,7 @@ def diagnose(
         loaded = one.recording
         named.append((path.name, replace(loaded, subject=replace(loaded.subject, **body))))
     found = in_phases(lambda told: diagnosed(named, own, {"seed": seed}, told))
+    introduce(named)
     show(found)
     if plot is not None:
         patiently(lambda: draw(found, plot), "drawing")
@@ -91,6 +92,7 @@ def diagnose(
         write(found, described(zip(paths, named, strict=True)), settings, json)
         typer.echo(f"wrote {json}", err=True)
     if save is None and report is None:
+        end(found.follows)
         return
     asked = {"seed": seed, "terms": terms, **body, "signal": signal, "dbc": dbc and str(dbc)}
     asked |= {"flip": flip, "zero": zero}
@@ -106,6 +108,7 @@ def diagnose(
             lambda: write_report(report, sources, found.fit, origin, **more), "writing the page"
         )
         typer.echo(f"wrote {report}", err=True)
+    end(found.follows)
 
 
 def diagnosed(named, own, options: dict, told):

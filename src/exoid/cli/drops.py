@@ -10,6 +10,7 @@ from exoid.cli.choices import FlipOption, ZeroOption
 from exoid.cli.destination import check_apart, check_destination
 from exoid.cli.fit import EXAMPLE, FIGURES
 from exoid.cli.reading import read
+from exoid.cli.results import introduce
 from exoid.cli.waiting import patiently
 
 
@@ -53,6 +54,7 @@ def drops(
         typer.echo("No recording given: this is the example that comes with exoid.")
     named = [(path.name, read(path, dbc, signal, False, flip=flip, zero=zero)) for path in paths]
     test = patiently(lambda: measured(named), "reading the drops")
+    introduce(named)
     show(test)
     if json is not None:
         write(test, zip(paths, named, strict=True), json)

@@ -13,7 +13,7 @@ from exoid.cli.destination import check_apart, check_destination
 from exoid.cli.origin import inputs, origin_of
 from exoid.cli.page import PAGES, sources_of, write_report
 from exoid.cli.reading import take
-from exoid.cli.results import draw, keep, show, write_document
+from exoid.cli.results import draw, end, introduce, keep, show, write_document
 from exoid.cli.waiting import patiently
 
 EXAMPLE = Path(__file__).parents[1] / "example" / "session.blf"
@@ -130,6 +130,7 @@ def fit(
         f"fitting {multistart} starts; the first run of a new shape compiles for some seconds",
     )
     told = None if each else patiently(lambda: ask(result), "asking what the recording told")
+    introduce(named)
     show(result, told)
     settings = {"lambda": options.pop("weight"), **options, "each": each}
     settings |= {"flip": flip, "zero": zero}
@@ -163,3 +164,4 @@ def fit(
     if posterior is not None:
         drawn = patiently(lambda: write_posterior(result, seed, posterior), "drawing from the fit")
         typer.echo(f"wrote {posterior}: {drawn}", err=True)
+    end(result.follows)

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
@@ -16,6 +16,7 @@ from exoid.cli.origin import inputs, origin_of
 from exoid.cli.own_terms import own_terms
 from exoid.cli.page import PAGES, planned, sources_of, write_report
 from exoid.cli.reading import take
+from exoid.cli.results import end
 from exoid.cli.retell import SAVED, retell
 from exoid.cli.waiting import in_phases, patiently
 
@@ -103,9 +104,10 @@ def report(
     sources = sources_of(taken, named)
     patiently(lambda: write_report(output, sources, result, origin, **found), "writing the page")
     typer.echo(f"wrote {output}", err=True)
+    end((found.get("diagnosis") or result).follows)
 
 
-def analysed(named, options: dict, own, told):
+def analysed(named, options: dict, own, told) -> tuple[Any, dict[str, Any]]:
     """The fit, and what else was found; `own` terms are None where no diagnosis is wanted."""
     if own is None:
         told(f"fitting {options['multistart']} starts")

@@ -9,7 +9,7 @@ from exoid.cli.choices import Flip, Zero
 from exoid.cli.origin import origin_of, sha256_of
 from exoid.cli.page import sources_of
 from exoid.cli.reading import take
-from exoid.cli.results import sidecar_hash
+from exoid.cli.results import end, sidecar_hash
 from exoid.cli.waiting import patiently
 
 SAVED = ".nc"
@@ -24,6 +24,7 @@ def retell(paths: list[Path], output: Path, given: list[str]) -> None:
     names = [PurePath(str(each["path"])).name for each in saved.recordings] or [path.name]
     patiently(lambda: write(saved, path, output, sources, names), "writing the page")
     typer.echo(f"wrote {output}", err=True)
+    end((saved.diagnosis or saved.result).follows)
 
 
 def check_alone(paths: list[Path], given: list[str]) -> None:

@@ -12,6 +12,7 @@ from exoid.fit.describe import describe
 from exoid.fit.movement import Movement, movement
 from exoid.fit.multistart import Ended, search
 from exoid.fit.problem import Problem, pose
+from exoid.fit.remarks import UPWARDS, upwards
 from exoid.fit.result import FitResult
 from exoid.fit.starts import draw, informed
 from exoid.recording.recording import Recording
@@ -42,7 +43,8 @@ def fit(
     the prior in the parameters' own units. `starts`, (start, 6) in the order m, J, l, d, c, tau,
     replace the draw from the bounds of Eq. 13 by `seed`.
 
-    **Raises** `ValueError` where the recording cannot be fitted, `ArithmeticError` where no start
+    **Raises** `ValueError` where the recording cannot be fitted or gravity comes out upwards in
+    passive segments, `ArithmeticError` where no start
     succeeded.
     """
     named = [("recording", recordings)] if isinstance(recordings, Recording) else recordings
@@ -65,6 +67,8 @@ def fit(
     }
     best = min(tried, key=lambda reading: float(tried[reading][1].best.misfit[0]))
     problem, ended = tried[best]
+    if upwards(problem, ended):
+        raise ValueError(UPWARDS)
     others = [
         describe(*tried[reading], None, None).angle_rmse for reading in tried if reading != best
     ]
@@ -85,7 +89,7 @@ def movements_of(named: list[tuple[str, Recording]], *, whole: bool = False) -> 
 
 
 def check_one_leg(named: list[tuple[str, Recording]]) -> None:
-    """Refuse recordings whose sidecars speak of different bodies."""
+    """Refuse recordings whose sidecars speak of different people, sides or bodies."""
     for key, unit, most in APART:
         known = {
             name: value
@@ -100,6 +104,18 @@ def check_one_leg(named: list[tuple[str, Recording]]) -> None:
                 f"{low} says {key} {known[low]:g} {unit}, {high} says {known[high]:g} {unit}: "
                 "recordings that are fitted together are of one leg. Fit them apart, or mend "
                 "the sidecars."
+            )
+    for key in ("id", "side"):
+        known = {
+            value: name
+            for name, recording in named
+            if (value := getattr(recording.subject, key)) is not None
+        }
+        if len(known) > 1:
+            (one, first), (other, second) = list(known.items())[:2]
+            raise ValueError(
+                f"{first} is of {key} {one}, {second} of {key} {other}: recordings that are fitted "
+                "together are of one leg. Fit them apart, or mend the sidecars."
             )
     if len({recording.subject.kind == "rig" for _, recording in named}) > 1:
         raise ValueError("some recordings are of a rig, others of a leg: fit them apart.")
