@@ -53,6 +53,13 @@ class Zero(StrEnum):
     unknown = "unknown"
 
 
+class Side(StrEnum):
+    """Which leg."""
+
+    left = "left"
+    right = "right"
+
+
 FlipOption = Annotated[
     Flip | None, typer.Option("--flip", help="What counts flexion as positive in this file.")
 ]

@@ -21,10 +21,19 @@ def retell(paths: list[Path], output: Path, given: list[str]) -> None:
     (path,) = paths
     saved = patiently(lambda: loaded(path), f"reading {path}")
     sources = at_hand(saved, path)
-    names = [PurePath(str(each["path"])).name for each in saved.recordings] or [path.name]
+    names = [name_of(each) for each in saved.recordings] or [path.name]
     patiently(lambda: write(saved, path, output, sources, names), "writing the page")
     typer.echo(f"wrote {output}", err=True)
     end((saved.diagnosis or saved.result).follows)
+
+
+def name_of(recording) -> str:
+    """Of whom a recording is, where that was told, and the name of its file."""
+    from exoid.report.person import person
+
+    who = person(recording.get("subject") or {})
+    name = PurePath(str(recording["path"])).name
+    return f"{who}: {name}" if who else name
 
 
 def check_alone(paths: list[Path], given: list[str]) -> None:

@@ -11,6 +11,8 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from exoid.recording.unit_hint import unit_hint
+
 Samples = NDArray[np.float64]  # one value per sample; jaxtyping here would cost 0.1 s at start
 Kind = Literal["passive", "active", "measured"]
 
@@ -294,4 +296,5 @@ def check_entry(meta, value, segments: int | None) -> None:
             raise ValueError(
                 f"{key} is {each:g} {meta['unit']}; it must lie between "
                 f"{meta['lower']:g} and {meta['upper']:g}."
+                f"{unit_hint(key, meta['unit'], each, (meta['lower'], meta['upper']))}"
             )
