@@ -5,6 +5,7 @@ from typing import Annotated
 
 import typer
 
+from exoid.cli.choices import FlipOption, ZeroOption
 from exoid.cli.destination import check_absent, check_apart, check_destination
 from exoid.cli.reading import read
 from exoid.cli.waiting import patiently
@@ -23,6 +24,8 @@ def convert(
         list[str] | None,
         typer.Option(help="CHANNEL=MESSAGE.SIGNAL; repeat.", metavar="MAP"),
     ] = None,
+    flip: FlipOption = None,
+    zero: ZeroOption = None,
     strict: Annotated[
         bool, typer.Option("--strict", help="Any loss in a log is an error.")
     ] = False,
@@ -30,6 +33,7 @@ def convert(
 ) -> None:
     """Write a recording as exoid's table (.csv) with its sidecar (.toml).
 
+    Signs and zero that --flip and --zero mend are written as exoid counts them.
     The segments are those that `exoid fit` would see: drops and cycles, without what lies between.
 
     \b
@@ -42,7 +46,7 @@ def convert(
     check_destination(output, ("csv",))
     check_apart([output, sidecar], [recording])
     check_absent((output, sidecar), force)
-    loaded = read(recording, dbc, signal, strict, whole=whole)
+    loaded = read(recording, dbc, signal, strict, whole=whole, flip=flip, zero=zero)
     from exoid.recording.table import write_table
     from exoid.report.text import counted
 

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import typer
 
+from exoid.cli.choices import Flip, Zero
 from exoid.cli.waiting import patiently
 
 
@@ -14,9 +15,11 @@ def read(
     strict: bool,
     *,
     whole: bool = False,
+    flip: Flip | None = None,
+    zero: Zero | None = None,
 ):
     """One recording; what its reader noticed is said on stderr."""
-    return take(path, dbc, signal, strict, whole=whole).recording
+    return take(path, dbc, signal, strict, whole=whole, flip=flip, zero=zero).recording
 
 
 def take(
@@ -26,13 +29,16 @@ def take(
     strict: bool,
     *,
     whole: bool = False,
+    flip: Flip | None = None,
+    zero: Zero | None = None,
 ):
     """The same, with what its reader noticed."""
     from exoid.recording.load import load
 
     signals = signal_map(signal)
+    told = {"flip": flip and flip.value, "zero": zero and zero.value}
     loaded = patiently(
-        lambda: load(path, dbc=dbc, signals=signals, strict=strict, whole=whole),
+        lambda: load(path, dbc=dbc, signals=signals, strict=strict, whole=whole, **told),
         f"reading {path.name}",
     )
     for note in loaded.notes:

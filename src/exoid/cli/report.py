@@ -2,12 +2,13 @@
 
 from dataclasses import replace
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
 from exoid.cli.analysis import ask, compute
 from exoid.cli.body import BodyMass, Height, given_body
+from exoid.cli.choices import FlipOption, ZeroOption
 from exoid.cli.destination import check_apart, check_destination
 from exoid.cli.diagnose import diagnosed
 from exoid.cli.fit import EXAMPLE
@@ -15,6 +16,7 @@ from exoid.cli.origin import inputs, origin_of
 from exoid.cli.own_terms import own_terms
 from exoid.cli.page import PAGES, planned, sources_of, write_report
 from exoid.cli.reading import take
+from exoid.cli.results import end
 from exoid.cli.retell import SAVED, retell
 from exoid.cli.waiting import in_phases, patiently
 
@@ -48,6 +50,8 @@ def report(
         list[str] | None,
         typer.Option(help="CHANNEL=MESSAGE.SIGNAL; repeat.", metavar="MAP"),
     ] = None,
+    flip: FlipOption = None,
+    zero: ZeroOption = None,
 ) -> None:
     """Fit and diagnose a leg and write one page about it, to look at, print and pass on.
 
@@ -74,6 +78,8 @@ def report(
             "--no-diagnosis": not diagnosis,
             "--dbc": dbc is not None,
             "--signal": bool(signal),
+            "--flip": flip is not None,
+            "--zero": zero is not None,
         }
         retell(paths, output, [option for option, asked in given.items() if asked])
         return
@@ -83,7 +89,7 @@ def report(
     own = own_terms(terms) if terms is not None else ()
     if not recordings:
         typer.echo("No recording given: this is the example that comes with exoid.")
-    taken = [take(path, dbc, signal, False) for path in paths]
+    taken = [take(path, dbc, signal, False, flip=flip, zero=zero) for path in paths]
     named = [
         (path.name, replace(one.recording, subject=replace(one.recording.subject, **body)))
         for path, one in zip(paths, taken, strict=True)
@@ -93,14 +99,15 @@ def report(
     result, found = in_phases(lambda told: analysed(named, options, tested, told))
     script = Path(terms) if terms is not None else None
     settings = {**options, "terms": terms, "diagnosis": diagnosis, **body, "signal": signal}
-    settings["dbc"] = dbc and str(dbc)
+    settings |= {"dbc": dbc and str(dbc), "flip": flip, "zero": zero}
     origin = origin_of(inputs(paths, dbc, script), settings)
     sources = sources_of(taken, named)
     patiently(lambda: write_report(output, sources, result, origin, **found), "writing the page")
     typer.echo(f"wrote {output}", err=True)
+    end((found.get("diagnosis") or result).follows)
 
 
-def analysed(named, options: dict, own, told):
+def analysed(named, options: dict, own, told) -> tuple[Any, dict[str, Any]]:
     """The fit, and what else was found; `own` terms are None where no diagnosis is wanted."""
     if own is None:
         told(f"fitting {options['multistart']} starts")

@@ -11,10 +11,11 @@ from exoid.fit.estimates import (
     with_reasons,
 )
 from exoid.fit.family import equally_good
+from exoid.fit.following import astray
 from exoid.fit.mountings import estimate_mountings
 from exoid.fit.multistart import SAME_LOSS, Ended
 from exoid.fit.problem import Problem, finite
-from exoid.fit.remarks import remarks, strayed
+from exoid.fit.remarks import limits_met, of_astray, remarks
 from exoid.fit.result import (
     Basis,
     Estimate,
@@ -47,6 +48,7 @@ def describe(
     segments = [
         segment_fit(problem, ended, number, torque) for number, torque in enumerate(torques)
     ]
+    why = astray(segments, limits_met(problem, at_bound))
     return FitResult(
         parameters=with_reasons(parameters, not np.isfinite(belief.limits.reach)),
         ratios=estimate_ratios(problem, ended, information, at_bound),
@@ -61,7 +63,8 @@ def describe(
         torque_frequency=reading,
         other_reading_rmse=other_rmse,
         prior=problem.belief.note,
-        notes=[*strayed(segments, belief.raw), *remarks(problem, ended, at_bound)],
+        notes=[*of_astray(why, belief.raw), *remarks(problem, ended, at_bound)],
+        astray=why,
         basis=Basis(problem, ended, information),
     )
 

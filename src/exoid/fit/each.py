@@ -48,6 +48,7 @@ def fit_each(recordings: list[tuple[str, Recording]], **options) -> FitResult:
     weight = options.get("weight", 1.0) * (PLAIN_SCALE**2 if plain else 1.0)
     belief = believe(recordings[0][1].subject, options.get("prior", "de_leva"), weight, plain)
     said = dict.fromkeys(note for each in results for note in each.notes)
+    lost = [each.notes[0] for each in results if not each.follows][:1]
     readings = {each.torque_frequency for each in results} - {None}
     if len(readings) > 1:
         said[MIXED] = None
@@ -63,14 +64,16 @@ def fit_each(recordings: list[tuple[str, Recording]], **options) -> FitResult:
         disturbance=max((each.disturbance for each in results), key=lambda one: one.scale),
         mountings=[mounting for each in results for mounting in each.mountings],
         basis=None,
+        astray=next((each.astray for each in results if not each.follows), None),
         torque_frequency=readings.pop() if len(readings) == 1 else None,
         other_reading_rmse=None,
         notes=[
+            *lost,
             f"every segment was fitted alone: the ratios are the mean of {len(results)} fits, "
             "their errors come from the scatter between them, and the starts are those of the "
             "first",
             *left_out(recordings, moving),
-            *said,
+            *(note for note in said if note not in lost),
         ],
     )
 

@@ -13,6 +13,7 @@ from exoid.fit.movement import Movement, movement
 from exoid.fit.multistart import Ended, search
 from exoid.fit.portion import Clip
 from exoid.fit.problem import Problem, pose
+from exoid.fit.remarks import UPWARDS, upwards
 from exoid.fit.result import FitResult
 from exoid.fit.starts import draw, informed
 from exoid.recording.motion.extent import Motionless
@@ -47,7 +48,8 @@ def fit(
     replace the draw from the bounds of Eq. 13 by `seed`. `clip` "paper" keeps what lies between the
     first and the last sample faster than 20 deg/s (Eq. 3-4), in place of what moved freely.
 
-    **Raises** `ValueError` where the recording cannot be fitted, `ArithmeticError` where no start
+    **Raises** `ValueError` where the recording cannot be fitted or gravity comes out upwards in
+    passive segments, `ArithmeticError` where no start
     succeeded.
     """
     named = [("recording", recordings)] if isinstance(recordings, Recording) else recordings
@@ -70,6 +72,8 @@ def fit(
     }
     best = min(tried, key=lambda reading: float(tried[reading][1].best.misfit[0]))
     problem, ended = tried[best]
+    if upwards(problem, ended):
+        raise ValueError(UPWARDS)
     others = [
         describe(*tried[reading], None, None).angle_rmse for reading in tried if reading != best
     ]
@@ -117,7 +121,7 @@ def left_out(named: list[tuple[str, Recording]], movements: list[Movement]) -> l
 
 
 def check_one_leg(named: list[tuple[str, Recording]]) -> None:
-    """Refuse recordings whose sidecars speak of different bodies."""
+    """Refuse recordings whose sidecars speak of different people, sides or bodies."""
     for key, unit, most in APART:
         known = {
             name: value
@@ -132,6 +136,18 @@ def check_one_leg(named: list[tuple[str, Recording]]) -> None:
                 f"{low} says {key} {known[low]:g} {unit}, {high} says {known[high]:g} {unit}: "
                 "recordings that are fitted together are of one leg. Fit them apart, or mend "
                 "the sidecars."
+            )
+    for key in ("id", "side"):
+        known = {
+            value: name
+            for name, recording in named
+            if (value := getattr(recording.subject, key)) is not None
+        }
+        if len(known) > 1:
+            (one, first), (other, second) = list(known.items())[:2]
+            raise ValueError(
+                f"{first} is of {key} {one}, {second} of {key} {other}: recordings that are fitted "
+                "together are of one leg. Fit them apart, or mend the sidecars."
             )
     if len({recording.subject.kind == "rig" for _, recording in named}) > 1:
         raise ValueError("some recordings are of a rig, others of a leg: fit them apart.")

@@ -6,17 +6,17 @@ from exoid.fit.disturbance import CORRELATED, Disturbance
 from exoid.fit.multistart import FEASIBLE, Ended, scale_told
 from exoid.fit.noise_remarks import noise_remarks
 from exoid.fit.problem import Problem
-from exoid.fit.result import SegmentFit, pooled
 from exoid.physics.leg import LegParameters
 from exoid.physics.parameter import declarations
 
 NOISY = 1.1  # over the declared noise, from where on it is worth a word
-ASTRAY = 0.1  # of how far a leg moves, from where on a simulation does not follow it
 UPWARDS = (
     "gravity comes out upwards (m l g / J is negative): no leg falls like this. The angle must be "
-    "0 with the knee extended and the shank level, -90 deg hanging, extension positive: is flexion "
-    "positive in this file, or its zero elsewhere?"
+    "0 with the knee extended and the shank level, -90 deg hanging, extension positive. Is flexion "
+    "positive in this file? Then say --flip angle (--flip all with a gyro of the same sign). Is 0 "
+    "the hanging leg? Then say --zero hanging."
 )
+RULES = ("m l^2 <= J", "J <= reach m l")
 INCOMPLETE = "no error bar of a model that misses something is complete"
 
 
@@ -32,8 +32,6 @@ def remarks(problem: Problem, ended: Ended, at_bound: set[str]) -> list[str]:
     gravity = float(ended.best.coordinates.shared.gravity[0])
     told = scale_told(ended.local.data + ended.local.prior)
     inertia = float(ended.best.leg.inertia[0]) if told else None
-    if gravity < 0 and not rig and all(each.kind == "passive" for each in problem.movements):
-        said.append(UPWARDS)
     said += of_residual(ended.disturbance, gravity, inertia)
     if ended.disturbance.cause is not None and not rig:
         said.append(
@@ -60,19 +58,24 @@ def remarks(problem: Problem, ended: Ended, at_bound: set[str]) -> list[str]:
     return said
 
 
-def strayed(segments: list[SegmentFit], raw: bool) -> list[str]:
-    """Does the simulation follow the recording at all?"""
-    sizes = [each.time.size for each in segments]
-    missed = pooled([(each.angle_rmse, n) for each, n in zip(segments, sizes, strict=True)])
-    moved = pooled([(float(np.nanstd(s.angle)), n) for s, n in zip(segments, sizes, strict=True)])
-    if missed < ASTRAY * moved:
+def upwards(problem: Problem, ended: Ended) -> bool:
+    """Does gravity come out upwards, of a leg that nothing but gravity moved?"""
+    return (
+        float(ended.best.coordinates.shared.gravity[0]) < 0
+        and bool(np.isfinite(problem.belief.limits.reach))
+        and all(each.kind == "passive" for each in problem.movements)
+    )
+
+
+def of_astray(why: str | None, raw: bool) -> list[str]:
+    """That the simulation does not follow the recording, and what to do."""
+    if why is None:
         return []
     weighed = "; without --misfit paper every sample is weighed by its noise" if raw else ""
     return [
-        "the simulation does not follow the recording: it misses the angle by "
-        f"{np.degrees(missed):.3g} deg, where the leg moves by {np.degrees(moved):.3g} deg (both "
-        "root mean square). Do not use these numbers: 'exoid diagnose' asks what the model lacks"
-        f"{weighed}."
+        f"the simulation does not follow the recording: {why}. Do not use these numbers: check "
+        "units, signs, zero and marks of the recording; 'exoid diagnose' asks what the model "
+        f"lacks{weighed}."
     ]
 
 
@@ -118,7 +121,19 @@ def of_bounds(problem: Problem, at_bound: set[str]) -> list[str]:
                 "(Eq. 13). Absolute values that go with it follow from that limit, not from the "
                 "recording: use the ratios."
             )
-    for rule in ("m l^2 <= J", "J <= reach m l"):
+    for rule in RULES:
         if rule in at_bound:
             said.append(f"the fit lies on the limit {rule} of a rigid leg.")
     return said
+
+
+def limits_met(problem: Problem, at_bound: set[str]) -> list[str]:
+    """The limits of a leg that decided, by their symbols; that damping is not negative is none."""
+    if not np.isfinite(problem.belief.limits.reach):
+        return []
+    held = [
+        declared.symbol
+        for name, declared in declarations(LegParameters)
+        if name in at_bound and name != "damping"
+    ]
+    return [*held, *(rule for rule in RULES if rule in at_bound)]

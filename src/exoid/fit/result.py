@@ -99,6 +99,15 @@ class FitResult:
     prior: str
     notes: list[str] = field(default_factory=list)
     basis: "Basis | None" = None  # None where every segment was fitted alone
+    astray: str | None = None  # why the simulation does not follow the recording, where it does not
+
+    @property
+    def follows(self) -> bool:
+        """Does the simulation follow the recording? Where it does not, no number is worth a thing.
+
+        `astray` says why, and the first of the `notes` what to do.
+        """
+        return self.astray is None
 
     @property
     def noise_scale(self) -> float:

@@ -4,11 +4,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from exoid.recording.can_quality import LogQuality
-from exoid.recording.motion.split import Split, cut_apart, cut_table
+from exoid.recording.motion.split import cut_apart, cut_table
 from exoid.recording.recording import Protocol, Recording, Sensors, Subject
 from exoid.recording.sidecar import read_sidecar
 from exoid.recording.table import read_table
 from exoid.recording.text_file import naming
+from exoid.recording.understand import understand
 
 TABLE_SUFFIX = ".csv"
 LOG_HEADER = b"timestamp,arbitration_id,"  # of python-can's own .csv
@@ -30,10 +31,14 @@ def load(
     signals: dict[str, str] | None = None,
     strict: bool = False,
     whole: bool = False,
+    flip: str | None = None,
+    zero: str | None = None,
 ) -> Loaded:
     """Read a recording of either kind; a continuous log is cut into its drops and cycles.
 
-    With `whole` it stays one segment, and what the sidecar marks stays marked.
+    With `whole` it stays one segment, and what the sidecar marks stays marked. `flip` ("angle",
+    "gyro", "all") names the channels of the other sign, `zero` ("hanging", "unknown", "extended")
+    what the file calls 0; both replace what the sidecar says.
 
     **Raises** `ValueError` (one line: what, where, what to do) and `OSError`; with `strict` also
     for anything that a CAN log lost.
@@ -43,8 +48,8 @@ def load(
     if path.suffix.lower() == TABLE_SUFFIX and not is_log(path) and dbc is None:
         recording, notes = read_table(path)
         with naming(path):
-            found = Split(recording, ()) if whole else cut_table(recording)
-            return Loaded(found.recording, (*notes, *found.notes), None)
+            recording, more = understand(recording, cut_table, whole=whole, flip=flip, zero=zero)
+        return Loaded(recording, (*notes, *(f"{path}: {note}" for note in more)), None)
     from exoid.recording.can_log import read_can_log
 
     subject, protocol, sensors, notes = beside(path)
@@ -58,8 +63,8 @@ def load(
         sensors=sensors,
     )
     with naming(path):
-        found = Split(recording, ()) if whole else cut_apart(recording)
-        return Loaded(found.recording, (*notes, *found.notes), quality)
+        recording, more = understand(recording, cut_apart, whole=whole, flip=flip, zero=zero)
+    return Loaded(recording, (*notes, *more), quality)
 
 
 def check_request(path: Path, dbc: str | Path | None, signals: dict[str, str] | None) -> None:

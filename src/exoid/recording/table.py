@@ -15,6 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
+from exoid.recording.clock import SINCE
 from exoid.recording.recording import (
     BadSample,
     Recording,
@@ -231,7 +232,7 @@ def build(columns: dict[str, Cells], starts: np.ndarray, subject: Subject) -> Re
 
 def late_starts(recording: Recording) -> Notes:
     """A clock that runs on from segment to segment: read as it is, and said."""
-    late = [n for n, segment in enumerate(recording.segments) if segment.time[0] != 0]
+    late = [n for n, each in enumerate(recording.segments) if 0 != each.time[0] < SINCE]
     if not late:
         return ()
     start = recording.segments[late[0]].time[0]

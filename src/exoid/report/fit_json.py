@@ -80,6 +80,8 @@ def entry(each: Estimate) -> dict[str, Any]:
 def quality(result: FitResult) -> dict[str, Any]:
     """How well the simulation follows the samples."""
     return {
+        "follows_recording": result.follows,
+        "astray": result.astray,
         "angle_rmse_rad": result.angle_rmse,
         "velocity_rmse_rad_s": result.velocity_rmse,
         "angle_noise_rad": result.angle_noise,

@@ -9,6 +9,7 @@ from exoid.fit.result import Estimate, FitResult, SegmentFit
 from exoid.report.text import (
     AT_BOUND,
     aligned,
+    capital,
     counted,
     heading,
     in_degrees,
@@ -36,6 +37,7 @@ SHORTEST_NAME = 16  # that still tells the segments of two recordings apart
 
 def print_fit(result: FitResult, console: Console, told: Identifiability | None = None) -> None:
     """Print the whole fit, and what the recording told where that was asked; 80 columns do."""
+    print_astray(result, console)
     print_parameters(result, console)
     print_ratios(result, console)
     print_mountings(result, console)
@@ -45,6 +47,13 @@ def print_fit(result: FitResult, console: Console, told: Identifiability | None 
     print_quality(result, console)
     print_multistart(result, console)
     print_remarks(result, console)
+
+
+def print_astray(result: FitResult, console: Console) -> None:
+    """That the fit does not follow its recording, before any number."""
+    if not result.follows:
+        heading(console, "This fit does not follow its recording")
+        say(console, f"{capital(result.notes[0])}")
 
 
 def print_parameters(result: FitResult, console: Console) -> None:
@@ -224,7 +233,7 @@ def remarks(result: FitResult) -> list[str]:
                 f"tau of segment {each.name}"
             )
     missing = [f"{', '.join(names)}: {reason}." for reason, names in reasons.items()]
-    return [*missing, *result.notes]
+    return [*missing, *(result.notes if result.follows else result.notes[1:])]
 
 
 def expectation(each: Estimate) -> str:

@@ -80,6 +80,7 @@ def restored(groups: Groups) -> SavedResult:
         other_reading_rmse=known(float(about["other_reading_rmse"])),
         prior=about["prior"],
         notes=json.loads(about["notes"]),
+        astray=about.get("astray") or None,
     )
     return SavedResult(
         result,

@@ -7,7 +7,10 @@ import numpy as np
 from rich.console import Console
 
 from exoid.diagnose.plan import Plan
+from exoid.fit.result import FitResult
+from exoid.recording.recording import Subject
 from exoid.report.fit_json import plain
+from exoid.report.person import identity
 from exoid.report.text import heading, say, table, with_error
 
 SHOWN = 8  # single segments in the table
@@ -64,8 +67,10 @@ def stated(plan: Plan, error: float) -> str:
     return f"{plan.symbol} = {with_error(plan.value, error)} {plan.unit}"
 
 
-def plan_document(plan: Plan) -> dict[str, Any]:
-    """The plan in SI units and radians; null where nothing is known."""
+def plan_document(
+    plan: Plan, result: FitResult | None = None, subject: Subject | None = None
+) -> dict[str, Any]:
+    """The plan in SI units and radians, after the fit `result`; null where nothing is known."""
 
     def segment(each) -> dict[str, Any]:
         motion = each.motion
@@ -81,6 +86,9 @@ def plan_document(plan: Plan) -> dict[str, Any]:
 
     return plain(
         {
+            "subject": identity(subject or Subject()),
+            "follows_recording": None if result is None else result.follows,
+            "astray": None if result is None else result.astray,
             "goal": plan.goal,
             "symbol": plan.symbol,
             "unit": plan.unit,

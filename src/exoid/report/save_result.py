@@ -65,6 +65,7 @@ def save_result(
         "prior": result.prior,
         "torque_frequency": result.torque_frequency or "",
         "notes": text(result.notes),
+        "astray": result.astray or "",
         "loss": result.loss,
         "other_reading_rmse": numbers([result.other_reading_rmse])[0],
     }
