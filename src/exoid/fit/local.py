@@ -4,13 +4,12 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Float, Int
 
 from exoid.fit.condense import Condensed
 from exoid.fit.constraint import Limits, violations
 from exoid.fit.coordinates import (
     Coordinates,
-    Seat,
     by_segment,
     flattened,
     leg_parameters,
@@ -38,7 +37,11 @@ class Local:
 
 
 def neighbourhood(
-    point: Coordinates, condensed: Condensed, seat: Seat, prior: Prior, limits: Limits
+    point: Coordinates,
+    condensed: Condensed,
+    seat: Int[np.ndarray, " segment"],
+    prior: Prior,
+    limits: Limits,
 ) -> Local:
     """The derivatives at `point` (no leading axis), where the misfit condenses to `condensed`."""
 
@@ -60,7 +63,7 @@ def prior_information(point: Coordinates, prior: Prior) -> np.ndarray:
 
     def belief(at: Coordinates):
         leg = prior_residual(prior, leg_parameters(at, np), np)
-        return np.concatenate([leg, mounting_residual(at.mounting, np)])
+        return np.concatenate([leg, mounting_residual(prior, at.mounting, np)])
 
     by_prior = gradients(belief, point)
     return by_prior.T @ by_prior
@@ -92,7 +95,7 @@ def derivative(function: Callable, at: np.ndarray) -> np.ndarray:
     return function(steps).imag / COMPLEX_STEP
 
 
-def columns(point: Coordinates, seat: Seat) -> np.ndarray:
+def columns(point: Coordinates, seat: Int[np.ndarray, " segment"]) -> np.ndarray:
     """Which coordinate every unknown of every segment is: (segment, unknown)."""
     numbers = np.arange(flattened(point).size)
     return by_segment(unflattened(numbers, point), seat, np)
