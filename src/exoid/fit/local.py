@@ -48,7 +48,7 @@ def neighbourhood(
     with np.errstate(invalid="ignore"):  # infinite limits are no limits
         by_constraint = gradients(constraint, point)
     return Local(
-        data=information(condensed, columns(point, seat), flattened(point).size),
+        data=told(condensed, columns(point, seat), flattened(point).size),
         prior=prior_information(point, prior),
         quantities=quantity_gradients(point),
         constraints=by_constraint,
@@ -98,7 +98,7 @@ def columns(point: Coordinates, seat: Seat) -> np.ndarray:
     return by_segment(unflattened(numbers, point), seat, np)
 
 
-def information(condensed: Condensed, columns: np.ndarray, size: int) -> np.ndarray:
+def told(condensed: Condensed, columns: np.ndarray, size: int) -> np.ndarray:
     """The sum over segments of R'R, each placed at the coordinates that the segment has."""
     total = np.zeros((size, size))
     for place, factor in zip(columns, np.asarray(condensed.factor), strict=True):
