@@ -15,7 +15,7 @@ from exoid.fit.coordinates import flattened
 from exoid.fit.disturbance import Missed, explain
 from exoid.fit.gram import CAUSES, Cause, Gram
 from exoid.fit.observation import Observation
-from exoid.fit.problem import Problem, advance, finite, grams_at, left, take, task
+from exoid.fit.problem import Problem, advance, grams_at, left, take, task
 from exoid.fit.sandwich import KINDS, Disturbance, common, spoiled
 from exoid.fit.task import Solved
 
@@ -56,7 +56,7 @@ def explained_apart(problem: Problem, at: Solved, row: int, alike: Disturbance) 
     gain = sum(missed.likelihood for missed in own.values()) - together.likelihood
     if gain < DIFFERENT:
         return alike
-    widened = {kind: most_widened(own[kind], kind, part, size) for kind, part in zip(kinds, parts)}
+    widened = {kind: most_widened(own[kind], kind, part, size) for kind, part in zip(kinds, parts, strict=True)}
     scales = {kind: size / min(widened.values()) for kind, size in widened.items()}
     return replace(alike, kinds=own, scales=scales)
 
