@@ -17,10 +17,10 @@ from exoid.diagnose.known import LEG, Known, eliminated
 from exoid.fit.belief import NAMES
 from exoid.fit.chain import Raw
 from exoid.fit.coordinates import TYPICAL, Coordinates, Mounting, Own
-from exoid.fit.disturbance import spoiled
 from exoid.fit.estimates import RATIOS
-from exoid.fit.gram import gram, pushes
+from exoid.fit.gram import CAUSES, gram, pushes
 from exoid.fit.problem import Problem, pose, sensed
+from exoid.fit.sandwich import common, spoiled
 from exoid.fit.starts import first_state, usual_mounting
 from exoid.fit.systematics import ANYWHERE, OWNED, SOMEWHERE
 from exoid.fit.uncertainty import Information
@@ -53,14 +53,13 @@ def segments_told(known: Known, problem: Problem, point: Coordinates) -> list[np
         noise = 1.0 if found is None else found.noise
         return [rows @ rows.T / noise**2 for rows in every]
     response = sensed(problem, point, pushes(seen.time, problem.durations))
-    size = response.columns.shape[1]
-    place = np.arange(size)
-    return [
-        spoiled(
-            found, [gram(response, seen, segment, duration, found.cause, place)], size
-        ).information
-        for segment, duration in enumerate(problem.durations)
-    ]
+    place = np.arange(response.columns.shape[1])
+    told = []
+    for segment, (duration, kind) in enumerate(zip(problem.durations, problem.kinds, strict=True)):
+        missed = found.like(kind)
+        each = gram(response, seen, segment, duration, missed.cause or CAUSES[0], place)
+        told.append(spoiled(common(missed, [kind]), [each], [kind], place.size).information)
+    return told
 
 
 def placed(mounting: Mounting, options: list[Candidate]) -> Mounting:

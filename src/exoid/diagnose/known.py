@@ -10,10 +10,10 @@ from jaxtyping import Float
 
 from exoid.fit.belief import NAMES, Belief, believe
 from exoid.fit.coordinates import Coordinates, Mounting, Own, Shared, leg_parameters
-from exoid.fit.disturbance import Disturbance
 from exoid.fit.local import prior_information, quantity_gradients
 from exoid.fit.problem import take
 from exoid.fit.result import FitResult
+from exoid.fit.sandwich import Disturbance
 from exoid.fit.systematics import OWNED, Systematics
 from exoid.physics.leg import GRAVITY, LegParameters
 from exoid.recording.recording import Sensors, Subject

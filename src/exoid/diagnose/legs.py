@@ -8,8 +8,8 @@ import numpy as np
 from exoid.fit.belief import NAMES
 from exoid.fit.coordinates import QUANTITIES
 from exoid.fit.estimates import RATIOS
-from exoid.fit.multistart import FINE
-from exoid.fit.problem import Problem, advance, around, explained, take, task
+from exoid.fit.kinds import FINE, explained
+from exoid.fit.problem import Problem, advance, around, take, task
 from exoid.fit.result import FitResult
 from exoid.fit.starts import usual_mounting
 from exoid.fit.uncertainty import Information

@@ -201,3 +201,17 @@ def linear_model(
     change = by_segment(jax.tree.map(jnp.subtract, to, at), seat)
     predicted = condensed.projection + jnp.einsum("kij,kj->ki", condensed.factor, change)
     return jnp.concatenate([predicted.ravel(), condensed.remainder])
+
+
+def weighed(condensed: Condensed, scale: Float[Array, " segment"]) -> Condensed:
+    """Of every segment, where its residual counts 1 / `scale`."""
+
+    def divided(leaf):
+        return leaf / scale.reshape(-1, *[1] * (leaf.ndim - 1))
+
+    return jax.tree.map(divided, condensed)
+
+
+def misfit(condensed: Condensed) -> Float[Array, ""]:
+    """The sum of squares of the residual of all segments."""
+    return jnp.sum(condensed.projection**2) + jnp.sum(condensed.remainder**2)

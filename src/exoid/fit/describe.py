@@ -4,6 +4,7 @@ import numpy as np
 
 from exoid.fit.belief import NAMES
 from exoid.fit.constraint import constraint_names
+from exoid.fit.coordinates import flattened
 from exoid.fit.estimates import (
     estimate_ratios,
     estimate_torque,
@@ -11,9 +12,10 @@ from exoid.fit.estimates import (
     with_reasons,
 )
 from exoid.fit.family import equally_good
+from exoid.fit.local import columns, told
 from exoid.fit.mountings import estimate_mountings
 from exoid.fit.multistart import SAME_LOSS, Ended
-from exoid.fit.problem import Problem, finite
+from exoid.fit.problem import Problem, finite, take
 from exoid.fit.remarks import remarks, strayed
 from exoid.fit.result import (
     Basis,
@@ -32,7 +34,8 @@ def describe(
     best, local = ended.best, ended.local
     names = constraint_names(len(problem.movements))
     active = best.multiplier[0] > 0
-    information = Information(data=local.data, prior=local.prior, active=local.constraints[active])
+    data, prior = local.data + local.declared, local.prior - local.declared
+    information = Information(data, prior, local.constraints[active], told_by_kind(problem, ended))
     at_bound = {name for name, hold in zip(names, active, strict=True) if hold}
     belief = problem.belief
     parameters = {
@@ -64,6 +67,18 @@ def describe(
         notes=[*strayed(segments, belief.raw), *remarks(problem, ended, at_bound)],
         basis=Basis(problem, ended, information),
     )
+
+
+def told_by_kind(problem: Problem, ended: Ended) -> dict[str, np.ndarray]:
+    """The weighed information of every kind of segment, where there are several."""
+    point = take(ended.best.coordinates, 0)
+    place, size = columns(point, problem.observation.seat), flattened(point).size
+    found = {}
+    for kind in dict.fromkeys(problem.kinds):
+        own = np.array([each == kind for each in problem.kinds])
+        condensed = take(take(ended.best.condensed, 0), own)
+        found[kind] = told(condensed, place[own], size)
+    return found if len(found) > 1 else {}
 
 
 def segment_fit(problem: Problem, ended: Ended, number: int, torque: Estimate | None) -> SegmentFit:

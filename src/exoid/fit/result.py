@@ -5,9 +5,9 @@ from dataclasses import dataclass, field, fields
 import numpy as np
 from jaxtyping import Float
 
-from exoid.fit.disturbance import Disturbance
 from exoid.fit.multistart import Ended
 from exoid.fit.problem import Problem
+from exoid.fit.sandwich import Disturbance
 from exoid.fit.uncertainty import Information, Shares, Source
 
 

@@ -8,10 +8,11 @@ import numpy as np
 from scipy.optimize import OptimizeResult, approx_fprime, minimize
 
 from exoid.fit.coordinates import Coordinates
+from exoid.fit.kinds import explained
 from exoid.fit.local import weighed
 from exoid.fit.multistart import FEASIBLE, Ended
 from exoid.fit.objective import Objective
-from exoid.fit.problem import Problem, advance, around, explained, finite, task
+from exoid.fit.problem import Problem, advance, around, finite, task
 from exoid.fit.task import Solved
 
 PRECISION = 1e-7  # change of half a sum of squares in units of noise that ends a search

@@ -27,6 +27,7 @@ def to_table(estimates: Mapping[str, Estimate]) -> Table:
         f"share_{name}": numbers([one.shares and getattr(one.shares, name) for one in each])
         for name in SHARES
     }
+    columns["told_by"] = texts([one.shares and one.shares.kind for one in each])
     return xarray.Dataset(
         {name: ("name", column) for name, column in columns.items()},
         coords={"name": texts(list(estimates))},
@@ -41,7 +42,9 @@ def from_table(table: Table) -> dict[str, Estimate]:
         shares = [columns[f"share_{part}"][row] for part in SHARES]
         values: dict[str, Any] = {key: known(columns[key][row]) for key in NUMBERS}
         values |= {key: columns[key][row] for key in TEXTS}
-        values["shares"] = None if np.isnan(shares[0]) else Shares(*shares)
+        values["shares"] = (
+            None if np.isnan(shares[0]) else Shares(*shares, columns["told_by"][row] or None)
+        )
         values["reason"] = values["reason"] or None
         found[name] = Estimate(**values)
     return found

@@ -72,13 +72,14 @@ def print_parameters(result: FitResult, console: Console) -> None:
 
 
 def set_by(each: Estimate) -> str:
-    """A bar of the shares, and the word for them."""
+    """A bar of the shares, and the word for them: of data, the kind of segment that told it."""
     if each.shares is None:
         return ""
     data = round(BAR * each.shares.data)
     bound = round(BAR * each.shares.bound)
     bar = DATA * data + PRIOR * (BAR - data - bound) + BOUND * bound
-    return f"{bar} {each.shares.source}"
+    source = each.shares.source
+    return f"{bar} {each.shares.kind or source if source == 'data' else source}"
 
 
 def print_ratios(result: FitResult, console: Console) -> None:

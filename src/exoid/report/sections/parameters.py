@@ -102,8 +102,9 @@ def set_by(each: Estimate) -> str:
     if each.shares is None:
         return "nothing"
     parts = {source: getattr(each.shares, source) for source in ("data", "prior", "bound")}
+    kind = each.shares.kind
     said = [
-        f"{source} {part:.0%}"
+        f"{source}{f' ({kind})' if kind and source == 'data' else ''} {part:.0%}"
         for source, part in sorted(parts.items(), key=lambda item: -item[1])
         if round(part, 2) > 0
     ]
