@@ -82,8 +82,8 @@ def disagreeing(problem: Problem, each: MountingFit) -> list[str]:
     if not doubted:
         return []
     return [
-        f"gyro and encoder disagree by {100 * scale.value:+.2g} % in scale. It may be the gyro, the "
-        "encoder's gain or the clock, and no motion tells which; the gyro is taken, and ± allows "
-        "for the clock, by whose square m l g / J, c / J and tau / J go. Compare the clock with a "
-        "true one and give clock_uncertainty."
+        f"gyro and encoder disagree by {100 * scale.value:+.2g} % in scale. It may be the gyro, "
+        "the encoder's gain or the clock, and no motion tells which. The gyro is taken, and ± "
+        "allows for the clock, by whose square m l g / J, c / J and tau / J go: compare the clock "
+        "with a true one and give clock_uncertainty."
     ]

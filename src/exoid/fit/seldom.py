@@ -22,6 +22,7 @@ STEEPEST = np.radians(20.0)  # standard deviation of its tilt
 FINE = 1e-2  # tolerance, in units of noise
 DISAGREE = 5.0  # standard errors from which on encoder and gyro clearly disagree in scale
 SUSPECTED = 0.6  # of that disagreement: about the root mean square of any part of it
+WORST = 5e-3  # standard deviation of a clock that is off: a crystal is better, a wrong rate worse
 BEYOND = 2.0  # times it the gyro's own may be
 
 
@@ -106,8 +107,9 @@ def with_doubted_clocks(problem: Problem, best: Solved, local: Local) -> Problem
         place = place_of(best, "gyro_scale", entry)
         value = float(best.coordinates.mounting.gyro_scale[0, entry])
         error = float(np.sqrt(total[place, place]) * TYPICAL.mounting.gyro_scale)
-        if abs(value) > DISAGREE * error and SUSPECTED * abs(value) > clock[entry]:
-            clock[entry] = SUSPECTED * abs(value)
+        suspected = min(SUSPECTED * abs(value), WORST)
+        if abs(value) > DISAGREE * error and suspected > clock[entry]:
+            clock[entry] = suspected
             scale[entry] = max(scale[entry], BEYOND * abs(value))
             chosen = True
     return widened(problem, clock=clock, gyro_scale=scale) if chosen else None
