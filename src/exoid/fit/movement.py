@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from exoid.fit.portion import Clip, Portion, portion
+from exoid.fit.systematics import DECLARED_NOTHING, Systematics, systematics
 from exoid.recording.clean import clean
 from exoid.recording.condition import SMOOTHING, classify, cut, local_line
 from exoid.recording.motion.extent import Extent
@@ -34,6 +35,7 @@ class Movement:
     thigh_angle: float  # rad
     recording: int = 0  # of those that are fitted together
     extent: Extent | None = None  # how it began and ended; None where the whole segment is kept
+    systematics: Systematics = DECLARED_NOTHING  # how well what is declared is known
 
     @property
     def angle_noise(self) -> float:
@@ -107,6 +109,7 @@ def movement(
         thigh_angle=recording.thigh_angle(number),
         recording=belongs,
         extent=part.extent,
+        systematics=systematics(recording, number),
     )
 
 
@@ -126,16 +129,6 @@ def check_sense(segment: Segment, angle: Samples, velocity: Samples | None, name
             f"segment {name}: the angular velocity is the angle's with the other sign. Extension "
             "is positive in both: change the sign of one of them."
         )
-
-
-def places(movements: list[Movement]) -> list[int]:
-    """The recordings in which an added mass sat at an unknown distance."""
-    return sorted({each.recording for each in movements if each.unplaced})
-
-
-def remounts(movements: list[Movement]) -> list[int]:
-    """The recordings but the first, whose sensors are compared with those of the first."""
-    return sorted({each.recording for each in movements})[1:]
 
 
 def smoothed_motion(each: Movement, width: float) -> tuple[Samples, Samples]:

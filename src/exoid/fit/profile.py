@@ -77,7 +77,8 @@ def profiles(result: FitResult) -> dict[str, Profile]:
         raise ValueError("every segment was fitted alone: there is no one fit to profile.")
     quests = [quest for name, each in named(result) if (quest := posed(basis, name, each))]
     aim = Aim(
-        noise_scale=np.concatenate([np.full(POINTS, each.noise_scale) for each in quests]),
+        noise_scale=np.repeat([each.noise_scale for each in quests], POINTS)[:, None]
+        * basis.ended.disturbance.weighing(basis.problem.kinds),
         weights=np.concatenate([np.tile(each.weights, (POINTS, 1)) for each in quests]),
         target=np.concatenate([each.targets for each in quests]),
         strength=np.concatenate([np.full(POINTS, PULL / each.step) for each in quests]),
