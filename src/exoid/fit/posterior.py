@@ -55,7 +55,7 @@ class Posterior:
 def sample(
     result: FitResult, *, draws: int = 1000, warmup: int = 500, chains: int = 4, seed: int = 0
 ) -> Posterior:
-    """Draw from exp(-(data + prior) / 2) within the limits, a density in the variables of the prior.
+    """Draw from exp(-(data + prior) / 2) within the limits, a density in the prior's variables.
 
     The draws are made in the fit's coordinates, by `prior.log_jacobian`. Where the prior says
     nothing, the density is one in these coordinates: flat in log m and log J.
