@@ -19,10 +19,10 @@ from exoid.fit.chain import Raw
 from exoid.fit.coordinates import TYPICAL, Coordinates, Mounting, Own
 from exoid.fit.estimates import RATIOS
 from exoid.fit.gram import CAUSES, gram, pushes
-from exoid.fit.prior import SEAT_DEVIATION
 from exoid.fit.problem import Problem, pose, sensed
 from exoid.fit.sandwich import common, spoiled
 from exoid.fit.starts import first_state, usual_mounting
+from exoid.fit.systematics import ANYWHERE, OWNED, SOMEWHERE
 from exoid.fit.uncertainty import Information
 
 GOALS = (*NAMES, *list(RATIOS)[:3])
@@ -34,18 +34,15 @@ NEAR = 1.3  # of the least error: within it the simplest recording is proposed
 
 def informations(known: Known, options: list[Candidate]) -> list[np.ndarray]:
     """What every candidate would tell of the leg's coordinates and of the new mounting."""
-    number = len(known.recorded)
-    new = observed(options, known.leg, known.sensors, known.gyro, number)
-    movements = [*known.recorded, *new]
+    new = observed(options, known.leg, known.sensors, known.gyro, 0)
+    movements = [replace(each, systematics=known.systematics) for each in new]
     problem = pose(movements, known.belief, "1/T", Raw())
     states = np.array([first_state(each) for each in movements])
     torque = np.array([option.motion.amplitude or 0.0 for option in options])
-    own = Own(
-        np.append(np.zeros(number), torque / np.exp(known.shared.log_inertia)), *states.T.copy()
-    )
-    mounting = usual_mounting(movements)
-    point = Coordinates(known.shared, known.log_mass, placed(mounting, options), own)
-    return [without_own(each) for each in segments_told(known, problem, point)[number:]]
+    own = Own(torque / np.exp(known.shared.log_inertia), *states.T.copy())
+    mounting = placed(usual_mounting(movements), options)
+    point = Coordinates(known.shared, known.log_mass, mounting, own)
+    return [without_own(each) for each in segments_told(known, problem, point)]
 
 
 def segments_told(known: Known, problem: Problem, point: Coordinates) -> list[np.ndarray]:
@@ -68,7 +65,7 @@ def segments_told(known: Known, problem: Problem, point: Coordinates) -> list[np
 def placed(mounting: Mounting, options: list[Candidate]) -> Mounting:
     """The new recording's mass where the candidates carry it."""
     distance = max(option.motion.added_mass_distance for option in options)
-    at = np.full_like(mounting.log_distance, np.log(distance))
+    at = np.full_like(mounting.log_distance, np.log(distance / SOMEWHERE))
     return replace(mounting, log_distance=at)
 
 
@@ -96,8 +93,7 @@ class Design:
     @cached_property
     def start(self) -> np.ndarray:
         """What data and prior tell of the leg, and the prior of a new mounting."""
-        size = self.told[0].shape[0]
-        total = np.diag(np.append(np.zeros(LEG), mounting_prior(size - LEG)))
+        total = np.diag(np.append(np.zeros(LEG), mounting_prior(self.known)))
         total[:LEG, :LEG] = self.known.information + self.known.prior
         return total
 
@@ -137,7 +133,8 @@ class Design:
         return sets[min(near, key=lambda n: (effort[n], after[n]))]
 
 
-def mounting_prior(size: int) -> np.ndarray:
-    """What is believed of a new mounting: of the mass' place, and of the sensors if compared."""
-    each = jax.tree.map(lambda unit, sd: float(unit / sd) ** 2, TYPICAL.mounting, SEAT_DEVIATION)
-    return np.array(jax.tree.leaves(each)[:size])
+def mounting_prior(known: Known) -> np.ndarray:
+    """What is believed of a new mounting: its mass' place is not told, all else as before."""
+    each = {name: getattr(known.systematics, name, ANYWHERE) for name in OWNED}
+    sizes = {name: float(getattr(TYPICAL.mounting, name)) for name in OWNED}
+    return np.array([(sizes[name] / (each[name] or sizes[name])) ** 2 for name in OWNED])

@@ -113,7 +113,7 @@ def log_density(
     )
     leg = leg_parameters(point)
     data = linear_model(weighed(condensed, target.scale), here, to, seen.seat)
-    belief = [prior_residual(target.prior, leg), mounting_residual(point.mounting)]
+    belief = [prior_residual(target.prior, leg), mounting_residual(target.prior, point.mounting)]
     loss = sum(jnp.sum(part**2) for part in (data, *belief)) / 2 + target.tilt @ change
     within = violations(target.limits, leg, torque_amplitudes(point)).max() <= 0
     return jnp.where(within, log_jacobian(target.prior, leg) - loss, -jnp.inf)

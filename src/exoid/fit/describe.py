@@ -34,9 +34,8 @@ def describe(
     best, local = ended.best, ended.local
     names = constraint_names(len(problem.movements))
     active = best.multiplier[0] > 0
-    information = Information(
-        local.data, local.prior, local.constraints[active], told_by_kind(problem, ended)
-    )
+    data, prior = local.data + local.declared, local.prior - local.declared
+    information = Information(data, prior, local.constraints[active], told_by_kind(problem, ended))
     at_bound = {name for name, hold in zip(names, active, strict=True) if hold}
     belief = problem.belief
     parameters = {

@@ -9,13 +9,14 @@ then counts for no more than it carries in any direction.
 
 from dataclasses import replace
 
+import jax
 import numpy as np
 
 from exoid.fit.coordinates import flattened
 from exoid.fit.disturbance import CLEAR, Missed, explain
 from exoid.fit.gram import CAUSES, Cause, Gram
 from exoid.fit.observation import Observation
-from exoid.fit.problem import Problem, advance, grams_at, left, take, task
+from exoid.fit.problem import Problem, advance, declared_at, grams_at, left, take, task
 from exoid.fit.sandwich import KINDS, Disturbance, common, spoiled
 from exoid.fit.task import Solved
 
@@ -35,7 +36,8 @@ def explained(problem: Problem, at: Solved, row: int = 0) -> Disturbance:
     size = flattened(take(at.coordinates, row)).size
     each = grams_at(problem, at, row, CAUSES)
     seen = problem.observation
-    found = explain(each, plausible(seen), int(samples(seen).sum()), size)
+    each = beside(each, declared_at(problem, at, row))
+    found = explain(each, plausible(seen), count(problem, problem.kinds), size)
     return left(problem, at, row, common(found, problem.kinds))
 
 
@@ -50,11 +52,13 @@ def explained_apart(problem: Problem, at: Solved, row: int, alike: Disturbance) 
     each = [grams_at(problem, solved, lane, CAUSES) for lane in range(len(kinds))]
     size, most = flattened(take(at.coordinates, row)).size, plausible(problem.observation)
     parts = [of_kind(problem, kind, grams) for kind, grams in zip(kinds, each, strict=True)]
+    told = [beside(part, declared_at(problem, solved, lane)) for lane, part in enumerate(parts)]
+    counts = {kind: count(problem, [kind]) for kind in kinds}
     own = {
-        kind: explain(grams, most, count(problem, [kind]), size)
-        for kind, grams in zip(kinds, parts, strict=True)
+        kind: explain(grams, most, counts[kind], size)
+        for kind, grams in zip(kinds, told, strict=True)
     }
-    together = explain(side_by_side(parts, size), most, count(problem, kinds), size * len(kinds))
+    together = explain(side_by_side(told, size), most, sum(counts.values()), size * len(kinds))
     gain = sum(missed.likelihood for missed in own.values()) - together.likelihood
     if not any(missed.cause for missed in own.values()):
         # Each is explained by itself, but not with the others: then it is the last that is off.
@@ -84,6 +88,11 @@ def of_kind(problem: Problem, kind: str, grams: Grams) -> Grams:
     return {cause: [each[number] for number in own] for cause, each in grams.items()}
 
 
+def beside(grams: Grams, declared: Gram) -> Grams:
+    """The segments', and what is declared of their recordings."""
+    return {cause: [*each, declared] for cause, each in grams.items()}
+
+
 def side_by_side(parts: list[Grams], size: int) -> Grams:
     """All in one, as if every kind were of a leg of its own."""
     return {
@@ -111,8 +120,9 @@ def samples(seen: Observation) -> np.ndarray:
 
 
 def count(problem: Problem, kinds: list[str]) -> int:
-    """Measured numbers of all segments of these kinds."""
-    return int(samples(problem.observation)[np.isin(problem.kinds, kinds)].sum())
+    """Measured numbers of all segments of these kinds, and what is declared of the recordings."""
+    declared = sum(leaf.size for leaf in jax.tree.leaves(problem.belief.prior.mounting))
+    return declared + int(samples(problem.observation)[np.isin(problem.kinds, kinds)].sum())
 
 
 def plausible(seen: Observation) -> dict[Cause, float]:

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from exoid.fit.systematics import DECLARED_NOTHING, Systematics, systematics
 from exoid.recording.condition import (
     SMOOTHING,
     best_velocity,
@@ -45,6 +46,7 @@ class Movement:
     added_mass_distance: float  # m, nan where it is to be estimated
     thigh_angle: float  # rad
     recording: int = 0  # of those that are fitted together
+    systematics: Systematics = DECLARED_NOTHING  # how well what is declared is known
 
     @property
     def source(self) -> str:
@@ -108,6 +110,7 @@ def movement(
         added_mass_distance=np.nan if mass > 0 and distance is None else distance or 0.0,
         thigh_angle=recording.thigh_angle(number),
         recording=belongs,
+        systematics=systematics(recording, number),
     )
 
 
@@ -189,16 +192,6 @@ def find_onset(segment: Segment) -> float:
     begin = float(segment.time[0])
     first = float(segment.time[found[0].start]) if found else begin
     return first if first > begin + SETTLING else begin
-
-
-def places(movements: list[Movement]) -> list[int]:
-    """The recordings in which an added mass sat at an unknown distance."""
-    return sorted({each.recording for each in movements if each.unplaced})
-
-
-def remounts(movements: list[Movement]) -> list[int]:
-    """The recordings but the first, whose sensors are compared with those of the first."""
-    return sorted({each.recording for each in movements})[1:]
 
 
 def smoothed_motion(each: Movement, width: float) -> tuple[Samples, Samples]:

@@ -151,7 +151,7 @@ def settle(problem: Problem, free: Solved, begin: Coordinates, found: Disturbanc
     if problem.belief.expected is not None:
         expected = problem.belief.prior.expected
         inertia[0], mass[0] = np.log(expected.inertia), np.log(expected.mass)
-    if scale_told(local.data):
+    if scale_told(local.data + local.declared):
         inertia = one.shared.log_inertia
     shared = Shared(inertia, one.shared.gravity, one.shared.stiffness, one.shared.damping)
     starts = Coordinates(shared, mass, one.mounting, one.own)

@@ -11,13 +11,15 @@ from exoid.fit.chain import Chain
 from exoid.fit.condense import Sensed
 from exoid.fit.constraint import constraint_names
 from exoid.fit.coordinates import QUANTITIES, Coordinates, flattened
-from exoid.fit.gram import Cause, Gram, grams, pushes
-from exoid.fit.local import Local, columns, neighbourhood
-from exoid.fit.movement import Movement, places, remounts
+from exoid.fit.gram import Cause, Gram, declared, grams, pushes
+from exoid.fit.local import Local, columns, gradients, neighbourhood
+from exoid.fit.movement import Movement
 from exoid.fit.observation import Observation, observe
+from exoid.fit.prior import mounting_residual
 from exoid.fit.program import run, run_sense
 from exoid.fit.residual import Stage
 from exoid.fit.sandwich import Disturbance, spoiled
+from exoid.fit.systematics import OWNED, deviations, exact
 from exoid.fit.task import Aim, Solved, Task
 from exoid.physics.step import Drive
 
@@ -34,6 +36,7 @@ class Problem:
     known: np.ndarray
     belief: Belief
     chain: Chain
+    owned: tuple[str, ...] = OWNED  # of the mounting: what is no unknown is as declared
 
     @property
     def steps(self) -> int:
@@ -58,22 +61,34 @@ class Problem:
     @property
     def unknowns(self) -> int:
         shared = int((self.known[:, :4] == 0).any(axis=0).sum())
-        mounting = len(places(self.movements)) + 3 * len(remounts(self.movements))
+        seat = np.asarray(self.observation.seat)
+        free = self.known[:, 4:-3] == 0
+        mounting = sum(int(free[seat == number].any(axis=0).sum()) for number in set(seat))
         return shared + mounting + int((self.known[:, -3:] == 0).sum())
 
 
-def pose(movements: list[Movement], belief: Belief, reading: str, chain: Chain) -> Problem:
-    """The problem of fitting one leg to these movements."""
+def pose(
+    movements: list[Movement],
+    belief: Belief,
+    reading: str,
+    chain: Chain,
+    *,
+    owned: tuple[str, ...] = OWNED,
+) -> Problem:
+    """The problem of fitting one leg to these movements; of what recordings own, `owned` are
+    unknowns.
+    """
     observation = observe(movements, reading)
-    own = 4 + bool(places(movements)) + 3 * bool(remounts(movements))
+    own = 4 + len(owned)
     known = np.zeros((len(movements), own + 3))
     known[:, 0] = [not each.scaled for each in movements]
-    if places(movements):
-        known[:, 4] = observation.seat.place < 0
-    if remounts(movements):
-        known[:, own - 3 : own] = (observation.seat.remount < 0)[:, None]
+    known[:, 4:own] = exact(movements, owned)
     known[:, own] = [not each.voluntary for each in movements]
-    return Problem(movements, observation, known, belief, chain)
+    if belief.raw:
+        known[:, 4:own] = 1.0  # Eq. 11 as printed knows nothing of them
+    prior = replace(belief.prior, mounting=deviations(movements, owned))
+    belief = replace(belief, prior=prior)
+    return Problem(movements, observation, known, belief, chain, owned)
 
 
 def task(
@@ -144,6 +159,16 @@ def grams_at(
     point, seen, durations = take(at.coordinates, row), problem.observation, problem.durations
     found, places = sensed(problem, point, pushes(seen.time, durations)), columns(point, seen.seat)
     return {cause: grams(found, seen, durations, places, cause) for cause in causes}
+
+
+def declared_at(problem: Problem, at: Solved, row: int = 0) -> Gram:
+    """What is declared of the recordings, beside the inner products of their segments."""
+    point, prior = take(at.coordinates, row), problem.belief.prior
+
+    def apart(at: Coordinates):
+        return mounting_residual(prior, at.mounting, np)
+
+    return declared(apart(point), gradients(apart, point))
 
 
 def sensed(problem: Problem, point: Coordinates, missing: Drive | None = None) -> Sensed:

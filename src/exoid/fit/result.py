@@ -26,6 +26,7 @@ class Estimate:
     upper: float | None = None
     shares: Shares | None = None  # of its precision; None where there is none
     reason: str | None = None  # why there is no value, or no error
+    limited_by: dict[str, float] | None = None  # share of its variance that each systematic makes
 
     @property
     def determined_by(self) -> Source | None:
@@ -54,13 +55,17 @@ class SegmentFit:
 
 @dataclass(frozen=True)
 class MountingFit:
-    """What a recording owned, where that was to be estimated."""
+    """What a recording owned, where the fit tells more of it than was declared."""
 
     recording: str
-    added_mass_distance: Estimate | None
-    zero: Estimate | None  # of the encoder; this and the rest compare with the first recording
-    gyro_scale: Estimate | None
-    gyro_bias: Estimate | None
+    added_mass_distance: Estimate | None = None
+    added_mass: Estimate | None = None
+    added_mass_gyration: Estimate | None = None
+    zero: Estimate | None = None  # of the encoder
+    tilt: Estimate | None = None  # of the thigh, beyond its declared angle
+    gyro_scale: Estimate | None = None
+    gyro_bias: Estimate | None = None
+    clock: Estimate | None = None
 
     @property
     def known(self) -> dict[str, Estimate]:

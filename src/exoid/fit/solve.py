@@ -79,10 +79,10 @@ def solve_one(
         data = linear_model(condensed, here, point, observation.seat)
         believed = unscaled(point)
         expected = [
-            prior_residual(prior, leg_parameters(believed)),
-            mounting_residual(believed.mounting),
+            task.bounded * prior_residual(prior, leg_parameters(believed)),
+            mounting_residual(prior, believed.mounting),
         ]
-        belief = task.bounded * jnp.concatenate(expected)
+        belief = jnp.concatenate(expected)
         pull = aim.strength * (aim.weights @ quantities(believed) - aim.target)
         detail = (condensed, data @ data, belief @ belief)
         return jnp.concatenate([data, belief, pull[None]]), detail
