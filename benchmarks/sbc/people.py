@@ -1,14 +1,13 @@
 """Legs as the prior has them, and what a camera sees of their drop."""
 
 import numpy as np
+from benchmarks.pendulum import Leg, swing
 
 from exoid.fit.belief import Belief, believe
 from exoid.fit.constraint import violations
 from exoid.fit.prior import draw
 from exoid.physics.leg import LegParameters
 from exoid.recording.recording import Protocol, Recording, Segment, Sensors, Subject
-
-from ..pendulum import Leg, swing
 
 SUBJECT = Subject(kind="leg", body_mass=74.0, height=1.78)
 CAMERA = Sensors(angle_noise=np.radians(0.3))
