@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 from exoid.fit.condense import Sensed
-from exoid.fit.coordinates import Seat
 from exoid.fit.disturbance import explain
 from exoid.fit.gram import CAUSES, gram, grams, hats, matern, node_count, pushes
 from exoid.fit.observation import Observation
@@ -30,7 +29,9 @@ SEEN = Observation(
     added_mass=ONE,
     added_mass_distance=ONE,
     thigh_angle=ONE,
-    seat=Seat(*[np.array([-1])] * 2),
+    added_mass_moves=ONE,
+    added_mass_extent=0 * ONE,
+    seat=np.array([0]),
 )
 
 

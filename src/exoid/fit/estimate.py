@@ -153,4 +153,4 @@ def solved(problem: Problem, starts: np.ndarray, method: str) -> tuple[Problem, 
 
         with jax.enable_x64(True):  # finite differences of a float32 loss lead nowhere
             return problem, search_slsqp(problem, starts)
-    return problem, search(problem, starts)
+    return search(problem, starts)

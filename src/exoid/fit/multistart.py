@@ -10,6 +10,7 @@ from exoid.fit.kinds import FINE, alone, explained, explained_apart
 from exoid.fit.local import Local, penalties, weighed
 from exoid.fit.problem import BATCH, Problem, advance, around, finite, left, take, task
 from exoid.fit.sandwich import Disturbance
+from exoid.fit.seldom import with_doubted_clocks, with_tilted_seats
 from exoid.fit.starts import coordinates
 from exoid.fit.task import Solved
 from exoid.fit.uncertainty import decomposed, spread
@@ -38,12 +39,12 @@ class Ended:
     local: Local  # of `best`
 
 
-def search(problem: Problem, starts: np.ndarray) -> Ended:
+def search(problem: Problem, starts: np.ndarray) -> tuple[Problem, Ended]:
     """Fit from every start (m, J, l, d, c, tau).
 
     Tied to the measured motion over its first second, then over all of it, then free; starts that
     have come together are carried on by the best of them. The best free fit then meets prior
-    and limits.
+    and limits. Also the problem, its priors wider where a seat or a clock is unusual (`seldom.py`).
     """
     tether = min(TETHERS[0], STIFF / problem.longest_step)
     greatest = 2 / problem.longest_step - 2 * tether
@@ -57,10 +58,16 @@ def search(problem: Problem, starts: np.ndarray) -> Ended:
     looser = advance(problem, gathered, task(problem, weaker, problem.steps, COARSE)).coordinates
     free = advance(problem, without_thrust(looser), task(problem, 0.0, problem.steps, FINE))
     member, failures = without_lost(free, member, failures)
+    problem, free = with_tilted_seats(problem, free)
     free, disturbance = weighed_by_kind(problem, free)
     best = settle(problem, free, begin, disturbance)
     local = around(problem, best, disturbance)
-    return Ended(free, member, failures, best, disturbance, begin, local)
+    doubted = with_doubted_clocks(problem, best, local)
+    if doubted is not None:
+        problem = doubted
+        best = settle(problem, free, begin, disturbance)
+        local = around(problem, best, disturbance)
+    return problem, Ended(free, member, failures, best, disturbance, begin, local)
 
 
 def weighed_by_kind(problem: Problem, free: Solved) -> tuple[Solved, Disturbance]:

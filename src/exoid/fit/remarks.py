@@ -53,10 +53,6 @@ def remarks(problem: Problem, ended: Ended, at_bound: set[str]) -> list[str]:
         said.append(
             "tau and tau / J are means over the voluntary segments, each with its own effort."
         )
-    if any(each.added_mass > 0 for each in problem.movements):
-        said.append(
-            "± leaves out the error of weighing: 1 % of the added mass is 1 % of J, c, d and tau."
-        )
     return said
 
 

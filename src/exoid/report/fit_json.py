@@ -74,6 +74,7 @@ def entry(each: Estimate) -> dict[str, Any]:
         "upper": each.upper,
         "determined_by": each.determined_by,
         "shares": None if each.shares is None else asdict(each.shares),
+        "limited_by": each.limited_by,
         "reason": each.reason,
     }
 

@@ -5,6 +5,7 @@ from math import degrees
 from rich.console import Console
 
 from exoid.diagnose.identifiability import Identifiability
+from exoid.fit.limiting import chief
 from exoid.fit.result import Estimate, FitResult, SegmentFit
 from exoid.report.text import (
     AT_BOUND,
@@ -27,9 +28,13 @@ BAR = 5  # blocks of a bar of shares
 DATA, PRIOR, BOUND = "█", "▒", "░"
 MOUNTED = {
     "added_mass_distance": "added mass at r",
+    "added_mass": "added mass",
+    "added_mass_gyration": "its radius of gyration",
     "zero": "encoder zero",
+    "tilt": "tilt of the thigh",
     "gyro_scale": "gyro scale - 1",
     "gyro_bias": "gyro bias",
+    "clock": "clock - 1",
 }
 SHORTEST_NAME = 16  # that still tells the segments of two recordings apart
 
@@ -92,8 +97,17 @@ def print_ratios(result: FitResult, console: Console) -> None:
         "value": [written(one) for one in each],
         "unit": [one.unit for one in each],
         "set by": [set_by(one) for one in each],
+        "limited by": [limited_by(one) for one in each],
     }
+    if width(columns) > console.width:  # a note says it, too
+        del columns["limited by"]
     console.print(table(columns))
+
+
+def limited_by(each: Estimate) -> str:
+    """What limits a number most, and its part of the variance."""
+    most = chief(each) if each.standard_error else None
+    return "" if most is None else f"{most[0].replace('_', ' ')} {most[1]:.0%}"
 
 
 def print_mountings(result: FitResult, console: Console) -> None:
@@ -114,8 +128,6 @@ def print_mountings(result: FitResult, console: Console) -> None:
         "unit": [each.unit.replace("rad", "deg") for each in shown],
     }
     console.print(table(columns))
-    if any(mounting.zero is not None for mounting in result.mountings):
-        say(console, "Zero, scale and bias are those against the first recording.")
 
 
 def print_segments(result: FitResult, console: Console) -> None:

@@ -112,7 +112,7 @@ def profiles(groups: Groups, result: FitResult) -> dict[str, Profile]:
 def mountings(table: Table) -> list[MountingFit]:
     rows = from_table(table)
     return [
-        MountingFit(name, *(rows.get(f"{number}.{each}") for each in MOUNTED))
+        MountingFit(name, **{each: rows.get(f"{number}.{each}") for each in MOUNTED})
         for number, name in enumerate(json.loads(table.attrs["recordings"]))
     ]
 

@@ -85,6 +85,7 @@ def describe_subject(subject: Subject, movements: Sequence[Movement]) -> Subject
         subject,
         added_mass=tuple(movement.added_mass for movement in movements),
         added_mass_distance=tuple(movement.added_mass_distance for movement in movements),
+        added_mass_gyration=0.0,  # the twin's are points
     )
 
 
