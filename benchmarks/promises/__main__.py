@@ -41,16 +41,16 @@ def main() -> None:
 def line(found: list[Trial]) -> str:
     """Of ratios to the promised and to the quoted error; how often a plan wanted nothing more."""
     ratios = np.array([each.ratio for each in found])
-    quoted = np.array([each.error / each.quoted for each in found])
+    quoted = np.array([each.error / (each.quoted or np.nan) for each in found])
     content = sum(each.content for each in found)
     return (
         f"{rms(ratios):5.2f} {rms(quoted):7.2f} {np.median(np.abs(ratios)):7.2f}  "
-        f"{content} of {len(found)}"
+        f"{content} of {len(found)}  {' '.join(f'{each:.1f}' for each in ratios)}"
     )
 
 
 def rms(each: np.ndarray) -> float:
-    return float(np.sqrt(np.mean(each**2)))
+    return float(np.sqrt(np.nanmean(each**2)))
 
 
 if __name__ == "__main__":

@@ -45,10 +45,10 @@ def tried(situation: Situation, rng: np.random.Generator) -> Trial:
         before = [("old", recorded(leg, situation.acts, subject, situation.sensors, rng))]
     result = fit(before, multistart=STARTS) if before else None
     found = plan(result, subject, situation.goal)
-    acts = [act(each) for each in found.proposed]
-    after: list[tuple[str, Recording]] = before
-    if acts:
-        after = [*before, ("new", recorded(leg, acts, subject, situation.sensors, rng))]
+    after: list[tuple[str, Recording]] = list(before)
+    for seat in dict.fromkeys(each.thigh_angle for each in found.proposed):
+        acts = [act(each) for each in found.proposed if each.thigh_angle == seat]
+        after.append((f"{seat:.2f}", recorded(leg, acts, subject, situation.sensors, rng)))
     last = fit(after, multistart=STARTS)
     each = (last.parameters | last.ratios)[situation.goal]
     error = each.value - truth(leg, situation.goal)
