@@ -38,6 +38,7 @@ class Known:
     sensors: Sensors
     gyro: bool
     torque: float  # N m, amplitude of voluntary cycles; 0 where none is known
+    checked: bool  # do several movements rest on no form of a torque, one against the other
 
     @property
     def point(self) -> Coordinates:
@@ -81,6 +82,7 @@ def from_anatomy(subject: Subject) -> Known:
         ),
         gyro=True,
         torque=0.0,
+        checked=False,
     )
 
 
@@ -110,6 +112,7 @@ def from_result(result: FitResult) -> Known:
         ),
         gyro=gyro,
         torque=(ratio.value or 0.0) * float(np.exp(best.shared.log_inertia)) if ratio else 0.0,
+        checked=sum(not each.voluntary for each in basis.problem.movements) > 1,
     )
 
 

@@ -25,7 +25,7 @@ from exoid.fit.coordinates import (
 from exoid.fit.disturbance import whitening
 from exoid.fit.local import columns
 from exoid.fit.observation import Observation
-from exoid.fit.prior import Prior, mounting_residual, prior_residual
+from exoid.fit.prior import Prior, log_jacobian, mounting_residual, prior_residual
 from exoid.fit.problem import around, take
 from exoid.fit.residual import Stage
 from exoid.fit.result import Basis
@@ -116,7 +116,7 @@ def log_density(
     belief = [prior_residual(target.prior, leg), mounting_residual(target.prior, point.mounting)]
     loss = sum(jnp.sum(part**2) for part in (data, *belief)) / 2 + target.tilt @ change
     within = violations(target.limits, leg, torque_amplitudes(point)).max() <= 0
-    return jnp.where(within, -loss, -jnp.inf)
+    return jnp.where(within, log_jacobian(target.prior, leg) - loss, -jnp.inf)
 
 
 def points(target: Target, places: np.ndarray) -> Coordinates:

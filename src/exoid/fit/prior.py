@@ -5,6 +5,7 @@ from typing import Any
 import equinox as eqx
 import jax
 import jax.numpy as jnp
+import numpy as np
 from jaxtyping import Float, Inexact
 
 from exoid.fit.coordinates import Mounting
@@ -29,6 +30,27 @@ def prior_residual(prior: Prior, leg: LegParameters, xp=jnp) -> Inexact[Any, " p
         prior.standard_deviation,
     )
     return xp.sqrt(prior.weight) * xp.stack(jax.tree.leaves(each))
+
+
+def log_jacobian(prior: Prior, leg: LegParameters, xp=jnp) -> Inexact[Any, "*column"]:
+    """log |d (m, J, l, d, c) / d (log m, log J, m l g / J, d / J, c / J)|, up to a constant.
+
+    A prior is a density in m, J, l, d and c, draws are made in the fit's coordinates. The parts are
+    m, J, J / (m g), J and J. Where the prior says nothing, the coordinates are as good.
+    """
+    says = xp.isfinite(xp.stack(jax.tree.leaves(prior.standard_deviation))).all() & (
+        prior.weight > 0
+    )
+    return xp.where(says, 4 * xp.log(leg.inertia), 0.0)
+
+
+def draw(prior: Prior, rng: np.random.Generator) -> LegParameters:
+    """A leg as the prior has it, whatever the limits say."""
+    return jax.tree.map(
+        lambda expected, sd: np.asarray(rng.normal(expected, sd / np.sqrt(prior.weight))),
+        prior.expected,
+        prior.standard_deviation,
+    )
 
 
 def mounting_residual(
