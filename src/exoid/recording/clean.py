@@ -81,8 +81,9 @@ def clean_channel(
 def steady_gyro(recording: Recording, angle: Noise, gyro: Noise) -> tuple[Recording, Noise]:
     """The same with a gyro whose zero stays where it is on average."""
     times = [each.time for each in recording.segments]
-    angles = [each.raw_angle for each in recording.segments]
-    rates = [each.raw_angular_velocity for each in recording.segments]
+    angles = [each.raw_angle for each in recording.segments if each.raw_angle is not None]
+    gyros = (each.raw_angular_velocity for each in recording.segments)
+    rates = [each for each in gyros if each is not None]
     drifts = gyro_drift(times, angles, rates, (angle.level, gyro.level))
     if drifts is None:
         return recording, gyro

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from exoid.recording.noise import scatter
+from exoid.recording.noise import noise_of
 from exoid.recording.recording import Recording, Samples, Segment
 
 SLOWEST = 0.2  # s between samples; a leg's swing takes about a second
@@ -47,7 +47,7 @@ def fastest(segment: Segment) -> float:
     time, angle = measured(segment)
     if time.size < 2 * LAG:
         return 0.0
-    noise = 3 * np.sqrt(2) * scatter(angle)
+    noise = 3 * np.sqrt(2) * noise_of([time], [angle], None).level
     moved = np.maximum(np.abs(angle[LAG:] - angle[:-LAG]) - noise, 0.0)
     return float(np.quantile(moved / (time[LAG:] - time[:-LAG]), 0.99))
 

@@ -49,7 +49,8 @@ def gyro_drift(
     motion = np.concatenate([part.motion / part.error[:, None] for part in parts])
     weight = np.concatenate([1 / part.error for part in parts])
     excess = np.concatenate([part.excess / part.error for part in parts])
-    shape = block_diag(*[h / p.error[:, None] for h, p in zip(hats, parts, strict=True)])
+    hats_weighed = [h / p.error[:, None] for h, p in zip(hats, parts, strict=True)]
+    shape = np.asarray(block_diag(*hats_weighed))
     steady = believed(np.column_stack([motion, weight]))
     wandering = believed(np.column_stack([motion, shape]))
     excess = np.append(excess, np.zeros(len(ERRORS)))

@@ -8,8 +8,8 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.recording.balance import balance
+from exoid.recording.clean import clean
 from exoid.recording.condition import classify
-from exoid.recording.noise import angle_noise
 from exoid.recording.pendulum.landmarks import find_landmarks
 from exoid.recording.pendulum.measure import NotAllowed
 from exoid.recording.pendulum.track import track_of
@@ -96,10 +96,8 @@ def hanging(drops: Recording) -> tuple[float, float]:
 
 def rest_of(drops: Recording, segment: Segment) -> float | None:
     """Where one drop comes to rest, else what it swings about; None where neither is told."""
-    measured = segment.angle if segment.raw_angle is None else segment.raw_angle
-    assert measured is not None  # a Segment has one or the other
     try:
-        found = find_landmarks(track_of(segment, angle_noise(drops.sensors, measured)))
+        found = find_landmarks(track_of(segment, clean(drops).angle.level))
         return found.rest.angle.value
     except NotAllowed:
         swung = balance(segment)
