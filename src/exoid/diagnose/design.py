@@ -107,7 +107,9 @@ class Design:
         total = self.start + sum(self.told[number] for number in chosen)
         gradient = np.zeros(total.shape[0])
         gradient[:LEG] = self.known.gradients[GOALS.index(self.goal)]
-        information = Information(total, np.zeros_like(total), np.zeros((0, total.shape[0])))
+        fixed = self.known.fixed
+        held = np.pad(fixed, ((0, 0), (0, total.shape[0] - LEG)))
+        information = Information(total, np.zeros_like(total), held)
         return information.standard_error(gradient)
 
     def greedy(self) -> list[int]:

@@ -31,17 +31,25 @@ def describe(
     """The numbers with their errors, units and reasons."""
     best, local = ended.best, ended.local
     names = constraint_names(len(problem.movements))
-    active = best.multiplier[0] > 0
-    information = Information(data=local.data, prior=local.prior, active=local.constraints[active])
-    at_bound = {name for name, hold in zip(names, active, strict=True) if hold}
     belief = problem.belief
+    fixed = np.array([name in belief.by_hand.fix for name in names])
+    active = (best.multiplier[0] > 0) & ~fixed
+    fixed[len(NAMES) :] = False  # both its ends are one
+    information = Information(
+        data=local.data,
+        prior=local.prior,
+        active=local.constraints[active | fixed],
+        fixed=local.constraints[fixed],
+    )
+    at_bound = {name for name, hold in zip(names, active, strict=True) if hold}
     parameters = {
         name: parameter_estimate(name, belief, float(value), information, gradient, at_bound)
         for name, value, gradient in zip(NAMES, best.quantities[0], local.quantities, strict=False)
     }
+    strongest = float(belief.limits.torque)
     voluntary = [number for number, each in enumerate(problem.movements) if each.voluntary]
     torques = [
-        estimate_torque([number], ended, information, at_bound) if each.voluntary else None
+        estimate_torque([number], ended, information, at_bound, strongest) if each.voluntary else None
         for number, each in enumerate(problem.movements)
     ]
     segments = [
@@ -50,7 +58,7 @@ def describe(
     return FitResult(
         parameters=with_reasons(parameters, not np.isfinite(belief.limits.reach)),
         ratios=estimate_ratios(problem, ended, information, at_bound),
-        torque_amplitude=estimate_torque(voluntary, ended, information, at_bound)
+        torque_amplitude=estimate_torque(voluntary, ended, information, at_bound, strongest)
         if voluntary
         else None,
         segments=segments,

@@ -57,6 +57,9 @@ def search(problem: Problem, starts: np.ndarray) -> Ended:
     member, failures = without_lost(free, member, failures)
     disturbance = explained(problem, free, int(np.argmin(finite(free.loss))))
     best = settle(problem, free, begin, disturbance.scale)
+    if problem.belief.by_hand.fix or problem.belief.by_hand.bound:
+        disturbance = explained(problem, best)  # what no free leg would leave, but this one does
+        best = settle(problem, free, begin, disturbance.scale)
     local = around(problem, best, disturbance)
     return Ended(free, member, failures, best, disturbance, begin, local)
 
@@ -120,9 +123,9 @@ def settle(problem: Problem, free: Solved, begin: Coordinates, scale: float) -> 
     local = weighed(around(problem, free, row=best), scale)
     others = np.resize(np.arange(begin.log_mass.size), lanes)
     inertia, mass = (leaf[others].copy() for leaf in (begin.shared.log_inertia, begin.log_mass))
-    if problem.belief.expected is not None:
-        expected = problem.belief.prior.expected
-        inertia[0], mass[0] = np.log(expected.inertia), np.log(expected.mass)
+    typical = problem.belief.typical
+    inertia[0] = np.log(typical["inertia"]) if "inertia" in typical else inertia[0]
+    mass[0] = np.log(typical["mass"]) if "mass" in typical else mass[0]
     if scale_told(local.data):
         inertia = one.shared.log_inertia
     shared = Shared(inertia, one.shared.gravity, one.shared.stiffness, one.shared.damping)

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field, fields
 import numpy as np
 from jaxtyping import Float
 
+from exoid.fit.by_hand import Means
 from exoid.fit.disturbance import Disturbance
 from exoid.fit.multistart import Ended
 from exoid.fit.problem import Problem
@@ -26,10 +27,23 @@ class Estimate:
     upper: float | None = None
     shares: Shares | None = None  # of its precision; None where there is none
     reason: str | None = None  # why there is no value, or no error
+    by_hand: Means | None = None  # fixed, bounded or expected by the user
 
     @property
     def determined_by(self) -> Source | None:
         return None if self.shares is None else self.shares.source
+
+    @property
+    def set_by(self) -> str | None:
+        """Who determined the value, in words that tell the user's own hand from exoid's."""
+        if self.by_hand == "fix":
+            return "fixed by you"
+        yours = {("bound", "bound"), ("prior", "prior")}
+        if (self.by_hand, self.determined_by) in yours:
+            return f"your {self.by_hand}"
+        if (self.by_hand, self.determined_by) == ("prior", "both"):
+            return "both, your prior"
+        return self.determined_by
 
 
 @dataclass(frozen=True, eq=False)
