@@ -6,6 +6,7 @@ import numpy as np
 
 from exoid.fit.coordinates import TYPICAL, Coordinates, Shared, scaled
 from exoid.fit.disturbance import Disturbance
+from exoid.fit.imposed import imposed
 from exoid.fit.local import Local, penalties, weighed
 from exoid.fit.problem import BATCH, Problem, advance, around, explained, finite, take, task
 from exoid.fit.starts import coordinates
@@ -19,6 +20,7 @@ TETHERS = (60.0, 15.0)  # rad/s, of the first stage and the second; then free
 STIFF = 0.6  # greatest tether times step: Runge-Kutta carries it with room for the leg
 COARSE, FINE = 10.0, 1e-2  # tolerances, in units of noise
 LIMITED = 1e-3  # the same with limits: a multiplier of ten makes it 1e-3 of half a sum of squares
+LOOKING = np.inf  # the same of a solver that is not to leave its point
 TOLD = 0.5  # relative error of an inertia from which on the data do not tell it
 FEASIBLE = 1e-4  # relative violation that is rounding of the multiplier method
 
@@ -130,6 +132,11 @@ def settle(problem: Problem, free: Solved, begin: Coordinates, scale: float) -> 
         inertia = one.shared.log_inertia
     shared = Shared(inertia, one.shared.gravity, one.shared.stiffness, one.shared.damping)
     starts = Coordinates(shared, mass, one.mounting, one.own)
+    fixed = problem.belief.by_hand.fix
+    if fixed:  # how the data resist is asked where the point will be
+        starts = imposed(starts, fixed)
+        there = advance(problem, starts, task(problem, 0.0, problem.steps, LOOKING))
+        local = weighed(around(problem, there), scale)
     asked = task(problem, 0.0, problem.steps, LIMITED, penalties(local))
     ended = advance(problem, starts, asked, scale)
     feasible = np.where(ended.violation < FEASIBLE, finite(ended.loss), np.inf)

@@ -82,7 +82,8 @@ def profiles(result: FitResult) -> dict[str, Profile]:
     begins = [begin(basis, each) for each in quests]
     starts = jax.tree.map(lambda *each: np.concatenate(each), *begins)
     problem, ended = basis.problem, basis.ended
-    penalty = penalties(weighed(around(problem, ended.free), ended.disturbance.scale))
+    seen = ended.best if problem.belief.by_hand.fix else ended.free
+    penalty = penalties(weighed(around(problem, seen), ended.disturbance.scale))
     asked = task(problem, 0.0, problem.steps, LIMITED, penalty)
     solved = advance(problem, starts, asked, aim=aim)
     reached = np.sum(aim.weights * solved.quantities, axis=1)
