@@ -7,9 +7,7 @@ from typing import Any, Literal, get_args
 from exoid.fit.by_hand import TABLE, ByHand, from_sidecar
 from exoid.recording.recording import Recording
 
-PriorName = Literal[
-    "auto", "de_leva", "winter", "dumas", "child", "heavy", "paper", "none"
-]
+PriorName = Literal["auto", "de_leva", "winter", "dumas", "child", "heavy", "paper", "none"]
 BoundsName = Literal["body", "paper"]
 PRIORS: tuple[PriorName, ...] = get_args(PriorName)
 BOUNDS: tuple[BoundsName, ...] = get_args(BoundsName)
@@ -50,5 +48,7 @@ def by_hand(
         try:
             said = said.over(from_sidecar(recording.extra_tables[TABLE]))
         except ValueError as fault:
-            raise ValueError(f"sidecar of {name}: {fault}" if len(named) > 1 else str(fault)) from fault
+            raise ValueError(
+                f"sidecar of {name}: {fault}" if len(named) > 1 else str(fault)
+            ) from fault
     return said

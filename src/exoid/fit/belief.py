@@ -116,9 +116,7 @@ def leg_limits(subject: Subject, bounds: BoundsName = "body") -> Limits:
     body = body_of(subject)
     mass, distance = subject.shank_foot_mass, subject.com_distance
     if body is not None:
-        leg = expected_leg(
-            body.mass, body.height, age=body.age, shank_length=subject.shank_length
-        )
+        leg = expected_leg(body.mass, body.height, age=body.age, shank_length=subject.shank_length)
         each = allowed(leg)
     elif mass is not None and distance is not None:
         each = allowed(measured_leg(mass, distance))

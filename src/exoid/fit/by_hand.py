@@ -128,8 +128,8 @@ def from_sidecar(document: Any) -> ByHand:
             raise ValueError(f"unknown {key} in [{TABLE}]: it takes fix, bound and prior.")
     return ByHand(
         {name: numbers("fix", name, value, 1)[0] for name, value in entries(document, "fix")},
-        {name: numbers("bound", name, value, 2) for name, value in entries(document, "bound")},
-        {name: numbers("prior", name, value, 2) for name, value in entries(document, "prior")},
+        {name: pair("bound", name, value) for name, value in entries(document, "bound")},
+        {name: pair("prior", name, value) for name, value in entries(document, "prior")},
     )
 
 
@@ -138,6 +138,11 @@ def entries(document: Mapping[str, Any], key: str):
     if not isinstance(table, Mapping):
         raise ValueError(f"{key} in [{TABLE}] must be a table such as {{damping = 0.4}}.")
     return table.items()
+
+
+def pair(key: str, name: str, value: Any) -> tuple[float, float]:
+    one, other = numbers(key, name, value, 2)
+    return one, other
 
 
 def numbers(key: str, name: str, value: Any, count: int):

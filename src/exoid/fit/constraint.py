@@ -33,16 +33,23 @@ def violations(
 
     d and c are held by way of d / J and c / J: no search makes them small by a leg without inertia.
     """
-    light = MIDDLING / leg.inertia
-    size = LegParameters(*jax.tree.leaves(SIZE)[:3], SIZE.damping / light, SIZE.stiffness / light)
-    low = jax.tree.map(lambda bound, value, size: (bound - value) / size, limits.lower, leg, size)
-    high = jax.tree.map(lambda bound, value, size: (value - bound) / size, limits.upper, leg, size)
+    heavy = leg.inertia / MIDDLING
+    size = [
+        SIZE.mass,
+        SIZE.inertia,
+        SIZE.com_distance,
+        heavy * SIZE.damping,
+        heavy * SIZE.stiffness,
+    ]
+    values, lower, upper = (jax.tree.leaves(each) for each in (leg, limits.lower, limits.upper))
+    low = [(bound - v) / unit for bound, v, unit in zip(lower, values, size, strict=True)]
+    high = [(v - bound) / unit for bound, v, unit in zip(upper, values, size, strict=True)]
     moment = leg.mass * leg.com_distance
     # Eq. 12 and the reach are of a leg; on a rig, whose reach is infinite, m and l mean nothing.
     body = xp.isfinite(limits.reach)
     rigid = xp.where(body, (moment * leg.com_distance - leg.inertia) / SIZE.inertia, NEVER)
     within = (leg.inertia - limits.reach * moment) / SIZE.inertia
-    every = xp.stack([*jax.tree.leaves(low), *jax.tree.leaves(high), rigid, within])
+    every = xp.stack([*low, *high, rigid, within])
     drive = [(torque - limits.torque) / SIZE_TORQUE, (-torque - limits.torque) / SIZE_TORQUE]
     each = xp.concatenate([every, *drive])
     return xp.where(xp.isfinite(each), each, NEVER)

@@ -11,9 +11,9 @@ import numpy as np
 from jax.flatten_util import ravel_pytree
 from jaxtyping import Array, Float
 
+from exoid.fit.belief import Belief
 from exoid.fit.chain import Chain
 from exoid.fit.condense import condense, linear_model
-from exoid.fit.belief import Belief
 from exoid.fit.constraint import SIZE, Limits, violations
 from exoid.fit.coordinates import (
     Coordinates,

@@ -47,10 +47,13 @@ def describe(
         for name, value, gradient in zip(NAMES, best.quantities[0], local.quantities, strict=False)
     }
     strongest = float(belief.limits.torque)
+
+    def told(numbers: list[int]) -> Estimate:
+        return estimate_torque(numbers, ended, information, at_bound, strongest)
+
     voluntary = [number for number, each in enumerate(problem.movements) if each.voluntary]
     torques = [
-        estimate_torque([number], ended, information, at_bound, strongest) if each.voluntary else None
-        for number, each in enumerate(problem.movements)
+        told([number]) if each.voluntary else None for number, each in enumerate(problem.movements)
     ]
     segments = [
         segment_fit(problem, ended, number, torque) for number, torque in enumerate(torques)
@@ -58,9 +61,7 @@ def describe(
     return FitResult(
         parameters=with_reasons(parameters, not np.isfinite(belief.limits.reach)),
         ratios=estimate_ratios(problem, ended, information, at_bound),
-        torque_amplitude=estimate_torque(voluntary, ended, information, at_bound, strongest)
-        if voluntary
-        else None,
+        torque_amplitude=told(voluntary) if voluntary else None,
         segments=segments,
         mountings=estimate_mountings(problem, ended, information),
         multistart=report(problem, ended),

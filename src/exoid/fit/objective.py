@@ -9,8 +9,8 @@ import jax.numpy as jnp
 import numpy as np
 from jaxtyping import Array, Float
 
-from exoid.fit.chain import Chain
 from exoid.fit.belief import NAMES
+from exoid.fit.chain import Chain
 from exoid.fit.constraint import NEVER, SIZE, SIZE_TORQUE, constraint_names, violations
 from exoid.fit.coordinates import (
     TYPICAL,

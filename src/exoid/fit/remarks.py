@@ -115,8 +115,8 @@ def of_bounds(problem: Problem, at_bound: set[str]) -> list[str]:
             low, high = (float(getattr(each, name)) for each in (limits.lower, limits.upper))
             said.append(
                 f"{declared.symbol} ran into its limits of {low:.3g} to {high:.3g} {declared.unit} "
-                f"({whose(belief, name)}). Absolute values that go with it follow from that limit, not from the "
-                "recording: use the ratios."
+                f"({whose(belief, name)}). Absolute values that go with it follow from that limit, "
+                "not from the recording: use the ratios."
             )
     for rule in ("m l^2 <= J", "J <= reach m l"):
         if rule in at_bound:

@@ -38,9 +38,10 @@ class Estimate:
         """Who determined the value, in words that tell the user's own hand from exoid's."""
         if self.by_hand == "fix":
             return "fixed by you"
-        yours = {("bound", "bound"), ("prior", "prior")}
-        if (self.by_hand, self.determined_by) in yours:
-            return f"your {self.by_hand}"
+        if self.by_hand == "bound" and self.shares is not None and self.shares.bound == 1.0:
+            return "your bound"
+        if (self.by_hand, self.determined_by) == ("prior", "prior"):
+            return "your prior"
         if (self.by_hand, self.determined_by) == ("prior", "both"):
             return "both, your prior"
         return self.determined_by

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from exoid.physics.anatomy.body import Body, Sex, check_body
 from exoid.physics.anatomy.choice import TableName, speaking
-from exoid.physics.anatomy.expected import Expected, ExpectedLeg, Matrix, scattered
+from exoid.physics.anatomy.expected import ExpectedLeg, Matrix, scattered
 from exoid.physics.anatomy.knee import knee
 from exoid.physics.anatomy.paper import printed_inertia
 from exoid.physics.anatomy.segments import com_distance, leg_mass, two_segment_inertia
@@ -19,8 +19,8 @@ MEASURED = Scatter(mass=0.10, com_distance=0.06, radius=0.06)
 class Build(NamedTuple):
     """Logarithms of m, l and J / (m l), and the variance of each."""
 
-    logarithms: tuple[float, float, float]
-    variances: tuple[float, float, float]
+    logarithms: tuple[float, ...]
+    variances: tuple[float, ...]
 
 
 def expected_leg(
@@ -84,7 +84,7 @@ def build(
     return Build((log(mass), log(distance), log(inertia / (mass * distance))), variances)
 
 
-def mixture(builds: list[Build], shares: list[float]):
+def mixture(builds: list[Build], shares: list[float]) -> tuple[tuple[float, ...], Matrix]:
     """Mean and covariance of tables that each speak for a share: their disagreement is scatter."""
     centre = tuple(
         sum(share * each.logarithms[at] for each, share in zip(builds, shares, strict=True))
@@ -100,9 +100,7 @@ def mixture(builds: list[Build], shares: list[float]):
     return centre, tuple(tuple(row) for row in covariance)
 
 
-def leg_of(
-    logarithms: tuple[float, float, float], covariance: Matrix, source: str
-) -> ExpectedLeg:
+def leg_of(logarithms: tuple[float, ...], covariance: Matrix, source: str) -> ExpectedLeg:
     """The leg around which m, l and J / (m l) scatter so."""
     mass, distance, radius = map(exp, logarithms)
     inertia = mass * distance * radius

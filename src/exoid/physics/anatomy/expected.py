@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from math import sqrt
 
-Matrix = tuple[tuple[float, float, float], ...]
+Matrix = tuple[tuple[float, ...], ...]
 
 
 @dataclass(frozen=True)

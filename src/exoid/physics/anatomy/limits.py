@@ -38,9 +38,7 @@ def allowed(leg: ExpectedLeg) -> dict[str, Allowed]:
 
 def anybody() -> dict[str, Allowed]:
     """What a fit may find of any human, from a newborn to 300 kg."""
-    small, great = (
-        allowed(expected_leg(body.mass, body.height)) for body in (SMALLEST, GREATEST)
-    )
+    small, great = (allowed(expected_leg(body.mass, body.height)) for body in (SMALLEST, GREATEST))
     return {name: Allowed(small[name].lower, great[name].upper) for name in small}
 
 
