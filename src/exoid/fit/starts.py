@@ -31,9 +31,12 @@ def draw(count: int, seed: int, limits: Limits | None = None) -> np.ndarray:
     low = np.maximum(low, FROM_NONE * high)
     decades = np.log(np.divide(high, low, out=np.ones(5), where=low > 0))  # fixed at 0: none
     mass, _, distance, damping, stiffness = (low * np.exp(decades * part[:, :5])).T
-    moment = mass * distance
-    least = np.clip(moment * distance, low[1], high[1])
-    most = np.clip(float(limits.reach) * moment, low[1], high[1])
+    reach = float(limits.reach)
+    distance = np.minimum(distance, max(reach, low[2]))
+    lightest, heaviest = low[1] / (reach * distance), high[1] / distance**2  # with room for a J
+    mass = np.clip(np.clip(mass, lightest, heaviest), low[0], high[0])
+    least = np.clip(mass * distance**2, low[1], high[1])
+    most = np.clip(reach * mass * distance, low[1], high[1])
     inertia = least * (most / least) ** part[:, 1]
     torque = float(limits.torque) * inertia / high[1] * (2 * part[:, 5] - 1)
     return np.stack([mass, inertia, distance, damping, stiffness, torque], axis=1)

@@ -4,7 +4,7 @@ from math import exp, log
 from typing import NamedTuple
 
 from exoid.physics.anatomy.body import Body, Sex, check_body
-from exoid.physics.anatomy.choice import TableName, speaking
+from exoid.physics.anatomy.choice import DISAGREEMENT, TableName, speaking
 from exoid.physics.anatomy.expected import ExpectedLeg, Matrix, scattered
 from exoid.physics.anatomy.knee import knee
 from exoid.physics.anatomy.paper import printed_inertia
@@ -35,8 +35,9 @@ def expected_leg(
 ) -> ExpectedLeg:
     """The leg that anatomy expects of a body mass [kg] and a height [m].
 
-    - `auto` (default): de Leva's for adults, `child` below 15 years (or 1.30 m, where no `age` is
-      given), `heavy` above a body mass index of 33; a mixture between.
+    - `auto` (default): all tables of adults, and where they disagree, that is scatter; `child`
+      below 15 years (or 1.30 m, where no `age` is given), `heavy` above a body mass index of 33; a
+      mixture between.
     - `de_leva`, `dumas`: adults by sex; without one, the mean of female and male.
     - `winter`: one table for all adults.
     - `paper`: Eq. 5-8 and J = m l^2 + theta of Eq. 12 as printed: only the shank's own theta, by
@@ -55,9 +56,13 @@ def expected_leg(
     spoken = speaking(body, table)
     builds = [build(each, body, shank_length, shank_radius) for each, _ in spoken]
     shares = [share for _, share in spoken]
-    names = " and ".join(each.name for each, _ in spoken)
-    source = f"anatomy, table{'s' if len(spoken) > 1 else ''} {names}" + (f", {sex}" if sex else "")
-    return leg_of(*mixture(builds, shares), source)
+    names = list(dict.fromkeys(each.name for each, _ in spoken))
+    source = f"anatomy, table{'s' if len(names) > 1 else ''} {listed(names)}"
+    source += f", {sex}" if sex else ""
+    centre, covariance = mixture(builds, shares)
+    if len(spoken) == 1:
+        covariance = added(covariance, diagonal(tuple(each**2 for each in DISAGREEMENT)))
+    return leg_of(centre, covariance, source)
 
 
 def measured_leg(mass: float, distance: float) -> ExpectedLeg:
@@ -116,7 +121,17 @@ def leg_of(logarithms: tuple[float, ...], covariance: Matrix, source: str) -> Ex
     )
 
 
-def diagonal(entries) -> Matrix:
+def added(one: Matrix, other: Matrix) -> Matrix:
+    return tuple(
+        tuple(a + b for a, b in zip(*rows, strict=True)) for rows in zip(one, other, strict=True)
+    )
+
+
+def listed(names: list[str]) -> str:
+    return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
+
+
+def diagonal(entries: tuple[float, ...]) -> Matrix:
     return tuple(
         tuple(entry if row == column else 0.0 for column in range(len(entries)))
         for row, entry in enumerate(entries)

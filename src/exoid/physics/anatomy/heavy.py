@@ -19,15 +19,15 @@ from exoid.physics.anatomy.table import Scatter, Table
 SHANK = (-1.592, 0.0362, 1.21)  # kg, kg per kg, kg per m
 FOOT = (-0.829, 0.0077, 0.73)
 
-HEAVY_SCATTER = Scatter(mass=0.13, com_distance=0.07, radius=0.06)
+HEAVY_SCATTER = Scatter(mass=0.08, com_distance=0.04, radius=0.035)
 
 
-def of_body(body: Body) -> Fractions:
-    """Shape as de Leva has it, masses by the regressions."""
-    adult, man = de_leva.of_body(body), de_leva.DE_LEVA["male"]
+def weighed(adult: Fractions, body: Body) -> Fractions:
+    """An adult's shape, masses by the regressions of men and de Leva's step to women."""
+    anyone, man = de_leva.of_body(body), de_leva.DE_LEVA["male"]
     return adult._replace(
-        shank_mass=share(SHANK, body) * adult.shank_mass / man.shank_mass,
-        foot_mass=share(FOOT, body) * adult.foot_mass / man.foot_mass,
+        shank_mass=share(SHANK, body) * anyone.shank_mass / man.shank_mass,
+        foot_mass=share(FOOT, body) * anyone.foot_mass / man.foot_mass,
     )
 
 
@@ -37,4 +37,12 @@ def share(line: tuple[float, float, float], body: Body) -> float:
     return (constant + by_mass * body.mass + by_height * body.height) / body.mass
 
 
-TABLE = Table("heavy", of_body, HEAVY_SCATTER, (24.0, 40.0), (1.50, 1.95))
+def of(adult: Table) -> Table:
+    """Heavy people in the place of the adults of a table."""
+    return Table(
+        "heavy",
+        lambda body: weighed(adult.fractions(body), body),
+        HEAVY_SCATTER,
+        (24.0, 40.0),
+        (1.50, 1.95),
+    )
