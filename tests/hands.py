@@ -72,7 +72,12 @@ def motion(knee: Knee, hand: Hand, time, release: float):
     def run(begin, end, y):
         inside = (time > begin) & (time <= end)
         found = solve_ivp(
-            slope, (begin, end), y, t_eval=np.append(time[inside], end), rtol=1e-9, atol=1e-10,
+            slope,
+            (begin, end),
+            y,
+            t_eval=np.append(time[inside], end),
+            rtol=1e-9,
+            atol=1e-10,
             max_step=0.02,
         )
         return found.y[:, :-1], found.y[:, -1]
@@ -92,8 +97,13 @@ def motion(knee: Knee, hand: Hand, time, release: float):
 
 
 def dropped(
-    knee: Knee = ADULT, hand: Hand | None = None, device: Device | None = None, *, lasting=8.0,
-    seed=0, declared=True,
+    knee: Knee = ADULT,
+    hand: Hand | None = None,
+    device: Device | None = None,
+    *,
+    lasting=8.0,
+    seed=0,
+    declared=True,
 ) -> tuple[Recording, float]:
     """One drop, and when the hand began to let go [s]: at a random phase between two samples."""
     hand, device = hand or Hand(), device or Device()
@@ -105,7 +115,11 @@ def dropped(
     angle = angle + device.noise * rng.standard_normal(time.size)
     gyro = None if device.gyro is None else rate + device.gyro * rng.standard_normal(time.size)
     segment = Segment(time, raw_angle=angle, raw_angular_velocity=gyro)
-    sensors = Sensors(angle_noise=device.noise, velocity_noise=device.gyro) if declared else Sensors()
+    sensors = (
+        Sensors(angle_noise=device.noise, velocity_noise=device.gyro) if declared else Sensors()
+    )
     body = Subject(kind="leg", body_mass=74.0, height=1.78)
-    recording = Recording((segment,), body, Protocol(kind="passive"), sensors)
+    recording = Recording(
+        (segment,), body, Protocol(kind="passive"), known if declared else Sensors()
+    )
     return recording, release

@@ -32,3 +32,10 @@ class Misfit(StrEnum):
 
     weighted = "weighted"
     paper = "paper"
+
+
+class Clip(StrEnum):
+    """Which samples of a segment are fitted."""
+
+    free = "free"
+    paper = "paper"

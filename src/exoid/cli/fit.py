@@ -8,7 +8,7 @@ import typer
 
 from exoid.cli.analysis import ask, check_posterior, compute, profiled, write_posterior
 from exoid.cli.body import BodyMass, Height, given_body
-from exoid.cli.choices import Method, Misfit, Prior, Reading
+from exoid.cli.choices import Clip, Method, Misfit, Prior, Reading
 from exoid.cli.destination import check_apart, check_destination
 from exoid.cli.origin import inputs, origin_of
 from exoid.cli.page import PAGES, sources_of, write_report
@@ -54,6 +54,10 @@ def fit(
     misfit: Annotated[
         Misfit, typer.Option(help="paper: Eq. 11 as printed, angle only, prior unscaled.")
     ] = Misfit.weighted,
+    clip: Annotated[
+        Clip,
+        typer.Option(help="free: what moved freely. paper: the ends below 20 deg/s are cut off."),
+    ] = Clip.free,
     dbc: Annotated[Path | None, typer.Option(help="Your own DBC, with --signal.")] = None,
     signal: Annotated[
         list[str] | None,
@@ -122,6 +126,7 @@ def fit(
         "method": method.value,
         "smooth": smooth,
         "misfit": misfit.value,
+        "clip": clip.value,
     }
     result = patiently(
         lambda: compute(named, each, options),

@@ -34,7 +34,7 @@ def prepare(
     basis = result.basis
     assert basis is not None  # a joint fit has one
     reading = result.torque_frequency or "1/T"
-    chain, movements = conditioned(movements_of(recordings, whole=True), 1)
+    chain, movements = conditioned(movements_of(recordings), 1)
     problem = pose(movements, basis.problem.belief, reading, chain)
     sensors = consistency(problem.observation)
     observation = without_edges(problem.observation, sensors)

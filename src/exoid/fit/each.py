@@ -7,7 +7,7 @@ import numpy as np
 
 from exoid.fit.belief import NAMES, Belief, believe
 from exoid.fit.constraint import constraint_names, violations
-from exoid.fit.estimate import PLAIN_SCALE, fit
+from exoid.fit.estimate import PLAIN_SCALE, fit, left_out, movements_of, segments_of
 from exoid.fit.estimates import parameter_estimate, with_reasons
 from exoid.fit.local import derivative
 from exoid.fit.prior import prior_residual
@@ -31,10 +31,12 @@ def fit_each(recordings: list[tuple[str, Recording]], **options) -> FitResult:
     Ratios are the mean over segments, with the standard error of their scatter; the parameters are
     what prior and limits make of the mean ratios.
     """
+    moving = movements_of(recordings, clip=options.get("clip", "free"))
+    moved = {each.name for each in moving}
     results = [
-        alone(name if len(recordings) > 1 else "", recording, number, options)
-        for name, recording in recordings
-        for number in range(len(recording.segments))
+        alone(name, recording, number, options)
+        for name, recording, number, _ in segments_of(recordings)
+        if name in moved
     ]
     if len(results) < 2:
         return results[0]
@@ -67,6 +69,7 @@ def fit_each(recordings: list[tuple[str, Recording]], **options) -> FitResult:
             f"every segment was fitted alone: the ratios are the mean of {len(results)} fits, "
             "their errors come from the scatter between them, and the starts are those of the "
             "first",
+            *left_out(recordings, moving),
             *said,
         ],
     )
@@ -74,7 +77,6 @@ def fit_each(recordings: list[tuple[str, Recording]], **options) -> FitResult:
 
 def alone(name: str, recording: Recording, number: int, options: dict) -> FitResult:
     """The fit of one segment, which keeps the name it has among the others."""
-    name = f"{name} {number}".strip()
     try:
         result = fit([(name, only(recording, number))], **options)
     except ValueError as fault:

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from exoid.recording.can_quality import LogQuality
-from exoid.recording.condition import split
+from exoid.recording.motion.split import Split, cut_apart, cut_table
 from exoid.recording.recording import Protocol, Recording, Sensors, Subject
 from exoid.recording.sidecar import read_sidecar
 from exoid.recording.table import read_table
@@ -43,7 +43,8 @@ def load(
     if path.suffix.lower() == TABLE_SUFFIX and not is_log(path) and dbc is None:
         recording, notes = read_table(path)
         with naming(path):
-            return Loaded(recording if whole else with_movements(recording), notes, None)
+            found = Split(recording, ()) if whole else cut_table(recording)
+            return Loaded(found.recording, (*notes, *found.notes), None)
     from exoid.recording.can_log import read_can_log
 
     subject, protocol, sensors, notes = beside(path)
@@ -57,7 +58,8 @@ def load(
         sensors=sensors,
     )
     with naming(path):
-        return Loaded(recording if whole else split(recording), notes, quality)
+        found = Split(recording, ()) if whole else cut_apart(recording)
+        return Loaded(found.recording, (*notes, *found.notes), quality)
 
 
 def check_request(path: Path, dbc: str | Path | None, signals: dict[str, str] | None) -> None:
@@ -87,8 +89,3 @@ def beside(path: Path) -> tuple[Subject, Protocol, Sensors | None, tuple[str, ..
         return Subject(), Protocol(), None, (note,)
     subject, protocol, sensors, notes = read_sidecar(sidecar)
     return subject, protocol, None if sensors == Sensors() else sensors, notes
-
-
-def with_movements(recording: Recording) -> Recording:
-    """A table of one long segment with marks is cut at them; any other stays as it is."""
-    return recording if recording.protocol.segment_start is None else split(recording)

@@ -10,7 +10,7 @@ from jaxtyping import PRNGKeyArray
 from exoid.physics.leg import LegModel
 from exoid.physics.simulate import Trajectory
 from exoid.recording import kalman
-from exoid.recording.condition import split
+from exoid.recording.motion.split import split
 from exoid.recording.recording import Kind, Protocol, Recording, Segment, Sensors, Subject
 from exoid.twin.motion import Course, Movement, Reading, perform
 from exoid.twin.sensors import SensorKit, measure

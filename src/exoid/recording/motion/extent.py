@@ -42,13 +42,14 @@ class Extent:
     stop: int  # one past the last free sample
     ended: Literal["at rest", "caught", "recording stopped", "returned"]
     why: str
+    duration: float = np.nan  # s, of a voluntary cycle
 
 
 def find_extent(
     segment: Segment,
-    sensors: Sensors = Sensors(),
+    sensors: Sensors,
     *,
-    handled: bool = True,  # noqa: B008
+    handled: bool = True,
 ) -> Extent:
     """The free movement of a drop. `handled`: by a person, whose hand may catch or lift the leg.
 

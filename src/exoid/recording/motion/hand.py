@@ -70,9 +70,7 @@ def smoothed(signal: Signal, width: float) -> tuple[Samples, float]:
     return local_line(signal.time, filled, width)[0], signal.angle_noise / np.sqrt(count)
 
 
-def swings(
-    smooth: Samples, begin: int, stop: int, noise: float, rest: Rest | None
-) -> Swings:
+def swings(smooth: Samples, begin: int, stop: int, noise: float, rest: Rest | None) -> Swings:
     """The extremes up to the rest, whose angle is the last; else up to the last sample."""
     end = stop - 1 if rest is None else rest[0]
     turns = [begin + at for at in reversals(smooth[begin : end + 1], max(TRAVEL, CLEAR * noise))]

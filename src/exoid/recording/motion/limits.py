@@ -42,3 +42,11 @@ SHARE = 0.05  # of that swing
 SHORT = np.radians(5.0)  # rad by which a last swing may be shorter than its forerunners say
 LATE = 0.1  # s before a hand is seen that it may have begun
 KEPT = 3.0  # s at rest that are kept: more tells nothing but the sensor's drift
+
+# A voluntary cycle. Its onset may be as soft as the begin of a cosine.
+TURN_OF_HOLD = 0.15  # s by which the onset may be before the leg is clear of its rest
+
+# A continuous recording.
+REST_KEPT = 0.5  # s of rest in front of each movement
+MINOR = 0.2  # of the farthest movement, below which one is a twitch or the last of a swing
+ABOVE = 0.3  # of its travel by which a drop or a cycle rises above where it began at most
