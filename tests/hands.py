@@ -115,9 +115,7 @@ def dropped(
     angle = angle + device.noise * rng.standard_normal(time.size)
     gyro = None if device.gyro is None else rate + device.gyro * rng.standard_normal(time.size)
     segment = Segment(time, raw_angle=angle, raw_angular_velocity=gyro)
-    sensors = (
-        Sensors(angle_noise=device.noise, velocity_noise=device.gyro) if declared else Sensors()
-    )
+    known = Sensors(angle_noise=device.noise, velocity_noise=device.gyro)
     body = Subject(kind="leg", body_mass=74.0, height=1.78)
     recording = Recording(
         (segment,), body, Protocol(kind="passive"), known if declared else Sensors()

@@ -56,9 +56,13 @@ def observe(movements: list[Movement], reading: str) -> Observation:
 
 
 def bucket(size: int) -> int:
-    """The shape that serves this many samples, so that few lengths need compiling."""
-    coarse = 256 if size <= 4096 else 2048
-    return -(-size // coarse) * coarse
+    """The shape that serves this many samples: one of a few, 256 or 384 times a power of two, so
+    that a recording of a new length seldom needs compiling.
+    """
+    whole = 256
+    while whole < size:
+        whole = whole * 3 // 2 if whole % 3 else whole * 4 // 3
+    return whole
 
 
 def with_gaps_bridged(time: Samples) -> Samples:

@@ -135,9 +135,9 @@ def cut_short(ends: list[float]) -> bool:
     *_, before, last, rest = ends
     swing = abs(last - before)
     if len(ends) == 3:
-        return 2 * abs(last - rest) - abs(before - rest) > SHORT
+        return bool(2 * abs(last - rest) - abs(before - rest) > SHORT)
     lost = max(abs(before - ends[-4]) - swing, 0.0)
-    return swing - lost - abs(rest - last) > SHORT
+    return bool(swing - lost - abs(rest - last) > SHORT)
 
 
 def fastest(smooth: Samples, begin: int, stop: int) -> int:
