@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
-from hands import ADULT, SPASTIC, Device, Hand, Knee, dropped
 
 from exoid.recording.motion.extent import find_extent
+from hands import ADULT, SPASTIC, Device, Hand, Knee, dropped
 
 GYRO = Device()
 CAMERA = Device(60.0, np.radians(0.5), None)

@@ -4,10 +4,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hands import ADULT, SPASTIC, Device, Hand, dropped
 
 from exoid.recording.motion.extent import Motionless, find_extent
 from exoid.recording.recording import Segment, Sensors
+from hands import ADULT, SPASTIC, Device, Hand, dropped
 
 GYRO = Device()
 ENCODER = Device(200.0, 8e-5, None)

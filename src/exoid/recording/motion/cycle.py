@@ -32,7 +32,7 @@ def find_cycle(segment: Segment, sensors: Sensors, period: float | None = None) 
     start = nearest(time, onset)
     why = "the leg is back at rest" if stop < time.size else "the recording stops"
     held = None if onset == time[0] else max(start - 1, 0)
-    return Extent(held, onset, error, start, start, stop, "returned", why, ended - onset)
+    return Extent(held, onset, error, start, start, stop, None, "returned", why, ended - onset)
 
 
 def edge(signal: Signal, speed: Speed, first: int) -> tuple[float, float]:

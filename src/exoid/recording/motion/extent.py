@@ -40,6 +40,7 @@ class Extent:
     start: int  # the sample nearest to the release
     free: int  # the first sample that surely is free of the hand
     stop: int  # one past the last free sample
+    hand: int | None  # the first sample after it at which a hand may be on the leg again
     ended: Literal["at rest", "caught", "recording stopped", "returned"]
     why: str
     duration: float = np.nan  # s, of a voluntary cycle
@@ -55,20 +56,24 @@ def find_extent(
 
     **Raises** `Motionless` where nothing moves.
     """
-    signal = signal_of(segment, sensors)
+    return find_free(signal_of(segment, sensors), handled=handled)
+
+
+def find_free(signal: Signal, *, handled: bool = True) -> Extent:
+    """The same of a signal."""
     speed = speed_of(signal)
     first, _ = first_movement(signal, speed)
     found = released(signal, speed, first)
-    start = 0 if found is None else nearest(signal.time, found.release)
-    end = free_end(signal, speed, start, handled=handled)
+    start = free = 0
+    if found is not None:
+        start = nearest(signal.time, found.release)
+        free = int(np.searchsorted(signal.time, found.gone))
+    end = free_end(signal, speed, start, free, handled=handled)
+    how = {"stop": end.stop, "hand": end.hand, "ended": end.ended, "why": end.why}
     if found is None:
-        begin = float(signal.time[0])
-        return Extent(None, begin, 0.0, 0, 0, end.stop, end.ended, end.why)
-    free = int(np.searchsorted(signal.time, found.gone))
+        return Extent(None, float(signal.time[0]), 0.0, 0, 0, **how)
     held = int(np.searchsorted(signal.time, found.begin, side="right")) - 1
-    return Extent(
-        max(held, 0), found.release, found.error, start, free, end.stop, end.ended, end.why
-    )
+    return Extent(max(held, 0), found.release, found.error, start, free, **how)
 
 
 def first_movement(signal: Signal, speed: Speed) -> tuple[int, int]:

@@ -40,8 +40,11 @@ CLEAR = 6.0  # times the noise of a smoothed angle
 BEYOND = np.radians(2.0)  # rad by which a turning point may lie outside the one before
 SHARE = 0.05  # of that swing
 SHORT = np.radians(5.0)  # rad by which a last swing may be shorter than its forerunners say
-LATE = 0.1  # s before a hand is seen that it may have begun
+LATE = 0.08  # s before a hand is seen that it may have begun
 KEPT = 3.0  # s at rest that are kept: more tells nothing but the sensor's drift
+PUSH = 0.12  # of the greatest free acceleration, below which a hand is not told from a leg's own
+ROUGH = 3.5  # times what the free part itself leaves: friction, a reflex
+BLUR = (0.05, 0.1, 0.15, 0.2, 0.3)  # s over which accelerations are smoothed
 
 # A voluntary cycle. Its onset may be as soft as the begin of a cosine.
 TURN_OF_HOLD = 0.15  # s by which the onset may be before the leg is clear of its rest

@@ -85,7 +85,8 @@ def drop(recording: Recording, number: int, name: str) -> Drop:
             raise NotAllowed(REFUSED[kind])
         angle = segment.angle if segment.raw_angle is None else segment.raw_angle
         assert angle is not None  # a Segment has one or the other
-        found = find_landmarks(track_of(segment, angle_noise(recording.sensors, angle)))
+        track = track_of(segment, angle_noise(recording.sensors, angle))
+        found = find_landmarks(track, recording.subject.kind != "rig")
     except NotAllowed as why:
         return Drop(name, segment, mass, {}, None, str(why))
     return Drop(name, segment, mass, measures(found), found.curve)
