@@ -7,7 +7,7 @@ import numpy as np
 
 from exoid.recording.condition import interpolated, local_line, runs
 from exoid.recording.motion.hand import free_end
-from exoid.recording.motion.letting_go import LettingGo, begun_free, let_go
+from exoid.recording.motion.letting_go import Case, LettingGo, begun_free, let_go
 from exoid.recording.motion.limits import (
     BEGUN,
     CLEAR,
@@ -15,6 +15,7 @@ from exoid.recording.motion.limits import (
     HELD,
     HOLD,
     MARKED,
+    ODD,
     ODDS,
     REST,
     TRAVEL,
@@ -104,20 +105,23 @@ def moving(time: Samples, speed: Speed) -> list[tuple[int, int]]:
     return runs(moves)
 
 
-def released(signal: Signal, speed: Speed, first: int) -> LettingGo | None:
+def released(
+    signal: Signal, speed: Speed, first: int, room: tuple[float, ...] = ODD
+) -> LettingGo | None:
     """How the leg that first moves at `first` was let go; None where it begins free."""
     time = signal.time
     if first == 0:
         return None
     about = float(time[first])
     early = HOLD + speed.width
-    window = (about - early - HELD, about + FALL)
-    low = max(about - early, float(time[0]))
-    found = let_go(signal, low, about + speed.width / 2, window)
+    last = min(int(np.searchsorted(time, about + FALL)), time.size - 1)
+    pull = abs(float(speed.velocity[last])) / FALL
+    case = Case(signal, (about - early - HELD, about + FALL), pull, room)
+    found = let_go(case, max(about - early, float(time[0])), about + speed.width / 2)
     if found.release - time[0] < MARKED:
         return None
     if found.release - time[0] < BEGUN:
-        free = begun_free(signal, window)
+        free = begun_free(case)
         if free < found.chi_square + ODDS * max(1.0, found.misfit):
             return None
     return found

@@ -14,13 +14,19 @@ HAMPEL_TURN = 3.0  # times the bend around it
 
 # Letting go. A hand takes 20 to 100 ms; the leg then falls freely.
 WINDOWS = np.linspace(0.0, 0.12, 9)  # s, tried durations of letting go
-FALL = 0.25  # s after the release that are followed by a polynomial of order 5
+FALL = 0.25  # s after the release that are followed
 HELD = 0.5  # s of the hold in front that are compared with it
-TRIED = (0.001, 0.002)  # s between the tried instants, a quarter of a sample within
-BENDS = (0.6, 0.5, 0.3)  # rad, at FALL, of what a leg can do in x^3, x^4, x^5: 30 rad/s^2 at first,
-# then damping and swing of up to 8 1/s
+COARSE = 0.008  # s between the instants that are tried at first
+TRIED = (5e-4, 4e-3)  # s between them in the end, a sixtieth of those that remain within
+LEGS = [(k, d) for k in (2.0, 20.0, 45.0, 75.0) for d in (0.0, 2.5, 6.0, 10.0)]  # 1/s^2, 1/s:
+# what turns a fall, from a leg above the horizontal to a stiff one; healthy to spastic damping
+GREATEST = 30.0  # rad/s^2, the first acceleration of a leg that is let go level
+ODD = (0.03, 0.02, 0.01)  # rad, at FALL, in x^3, x^4, x^5: what such a leg does between these legs
+WILFUL = (0.6, 0.5, 0.3)  # the same of a voluntary movement: its torque grows while it begins
+SHAPE = 0.0015  # s by which hands that let go in other ways move the release
 GONE = 0.99  # probability with which the hand is off the leg at the first free sample
-TAIL = 0.25  # of the time of letting go that a hand may take longer than its ramp
+MARGIN = 0.01  # s that are left to what no model of a hand and a leg has
+TAIL = 0.4  # of the time of letting go that a hand may take longer than its ramp
 
 # A recording that begins free. A leg whose hold is shorter than this was marked at its release:
 # play and compliance keep the sensors at rest for 45 to 65 ms, and no hand waits that short.
