@@ -4,6 +4,8 @@ Free, its acceleration is a function of angle and speed: phi'' = k0 + k1 cos(phi
 by least squares over the free part. Where it differs later, a hand is on the leg.
 """
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from exoid.recording.condition import interpolated, local_line
@@ -16,13 +18,13 @@ FEWEST = 8  # samples of the free part, for four numbers
 
 def free_until(signal: Signal, free: slice, limit: int) -> int:
     """One past the last sample that is as free as those of `free`, and not beyond `limit`."""
-    angle, speed, acceleration, width = derivatives(signal)
-    time = signal.time
+    seen = derivatives(signal)
+    time, width, acceleration = signal.time, seen.width, seen.acceleration
     first = int(np.searchsorted(time, time[free.start] + width / 2))
     last = int(np.searchsorted(time, time[free.stop - 1] - width / 2, side="right"))
     if last - first < FEWEST:
         return free.stop
-    table = np.stack([np.ones_like(angle), np.cos(angle), angle, speed], axis=1)
+    table = np.stack([np.ones(time.size), np.cos(seen.angle), seen.angle, seen.speed], axis=1)
     known = np.linalg.lstsq(table[first:last], acceleration[first:last], rcond=None)[0]
     left = acceleration - table @ known
     usual = float(np.sqrt(np.mean(left[first:last] ** 2)))
@@ -30,26 +32,42 @@ def free_until(signal: Signal, free: slice, limit: int) -> int:
     pushed = np.abs(left[last:limit]) > max(ROUGH * usual, PUSH * greatest)
     if not pushed.any():
         return limit
-    seen = float(time[last + int(np.argmax(pushed))])
-    stop = int(np.searchsorted(time, seen - width / 2 - LATE))
+    since = float(time[last + int(np.argmax(pushed))])
+    stop = int(np.searchsorted(time, since - width / 2 - LATE))
     return max(stop, free.stop)
 
 
-def derivatives(signal: Signal) -> tuple[Samples, Samples, Samples, float]:
-    """Angle, speed, acceleration, and the shortest time [s] over which they are smooth enough."""
+@dataclass(frozen=True, eq=False)
+class Derivatives:
+    """Angle, speed and acceleration, smoothed over `width` s, and the acceleration's error."""
+
+    angle: Samples  # rad
+    speed: Samples  # rad/s
+    acceleration: Samples  # rad/s^2
+    error: float  # rad/s^2
+    width: float  # s
+
+    @property
+    def clear(self) -> bool:
+        """Would a hand be seen through the noise?"""
+        return bool(self.error < PUSH * np.ptp(self.acceleration) / 2 / ROUGH)
+
+
+def derivatives(signal: Signal) -> Derivatives:
+    """Over the shortest window through which a hand would be seen, else the longest."""
+    found = [smoothed_over(signal, width) for width in BLUR]
+    return next((each for each in found if each.clear), found[-1])
+
+
+def smoothed_over(signal: Signal, width: float) -> Derivatives:
     time, filled = signal.time, interpolated(signal.time, signal.angle)
-    for width in BLUR:
-        count = max(3, round(width / signal.step))
-        spread = float(np.std(np.arange(count) * signal.step))
-        if signal.velocity is not None:
-            angle = local_line(time, filled, width)[0]
-            speed, acceleration = local_line(time, signal.velocity, width)
-            error = signal.velocity_noise / (spread * np.sqrt(count))
-        else:
-            half = width / 2
-            angle, rough = local_line(time, filled, half)
-            speed, acceleration = local_line(time, rough, half)
-            error = np.sqrt(5) * signal.angle_noise / (spread**2 * np.sqrt(count))
-        if error < PUSH * np.ptp(acceleration) / 2 / ROUGH:
-            break
-    return angle, speed, acceleration, width
+    count = max(3, round(width / signal.step))
+    spread = float(np.std(np.arange(count) * signal.step))
+    if signal.velocity is not None:
+        speed, acceleration = local_line(time, signal.velocity, width)
+        error = signal.velocity_noise / (spread * np.sqrt(count))
+        return Derivatives(local_line(time, filled, width)[0], speed, acceleration, error, width)
+    angle, rough = local_line(time, filled, width / 2)  # twice: a parabola over the whole width
+    speed, acceleration = local_line(time, rough, width / 2)
+    error = float(np.sqrt(5) * signal.angle_noise / (spread**2 * np.sqrt(count)))
+    return Derivatives(angle, speed, acceleration, error, width)
