@@ -49,7 +49,7 @@ def load(
         recording, notes = read_table(path)
         with naming(path):
             recording, more = understand(
-                recording, with_movements, whole=whole, flip=flip, zero=zero
+                recording, lambda log: (with_movements(log), ()), whole=whole, flip=flip, zero=zero
             )
         return Loaded(recording, (*notes, *(f"{path}: {note}" for note in more)), None)
     from exoid.recording.can_log import read_can_log
@@ -65,7 +65,9 @@ def load(
         sensors=sensors,
     )
     with naming(path):
-        recording, more = understand(recording, split, whole=whole, flip=flip, zero=zero)
+        recording, more = understand(
+            recording, lambda log: (split(log), ()), whole=whole, flip=flip, zero=zero
+        )
     return Loaded(recording, (*notes, *more), quality)
 
 

@@ -16,18 +16,22 @@ from exoid.recording.other_leg import another_leg
 from exoid.recording.recording import Recording
 from exoid.recording.text_file import Notes
 
+Cut = Callable[[Recording], tuple[Recording, Notes]]
+
 TINY = np.pi * np.pi / 180  # rad, what an angle of pi becomes where radians were called degrees
 
 
 def understand(
     recording: Recording,
-    cut: Callable[[Recording], Recording],
+    cut: Cut,
     *,
     whole: bool = False,
     flip: str | None = None,
     zero: str | None = None,
 ) -> tuple[Recording, Notes]:
     """The recording by exoid's convention, `cut` into its movements unless it stays `whole`.
+
+    `cut` gives the movements, and what it noticed.
 
     `flip` and `zero` replace what the sidecar says. **Raises** `ValueError` with the likely cause
     and what mends it.
@@ -36,23 +40,22 @@ def understand(
     recording = from_first_sample(recording)
     recording, notes = turned(told(recording, flip, zero))
     refuse(tiny(recording) or wrong_unit(recording))
-    movements = cut_up(recording, cut, whole=whole)
+    movements, noticed = cut_up(recording, cut, whole=whole)
     refuse(wrong_convention(movements, cut=movements is not recording or not whole))
     refuse(wrong_sign(recording))
+    noticed = () if whole else (*noticed, *another_leg(movements))
     recording, more = settled(recording if whole else movements, movements)
-    return recording, (*notes, *more, *another_leg(movements))
+    return recording, (*notes, *more, *noticed)
 
 
-def cut_up(
-    recording: Recording, cut: Callable[[Recording], Recording], *, whole: bool
-) -> Recording:
+def cut_up(recording: Recording, cut: Cut, *, whole: bool) -> tuple[Recording, Notes]:
     """Its movements. Where there are none, the angle may count so that none is seen."""
     try:
         return cut(recording)
     except ValueError:
         refuse(wrong_convention(recording, cut=False))
         if whole:
-            return recording
+            return recording, ()
         raise
 
 
