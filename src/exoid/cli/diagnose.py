@@ -15,7 +15,7 @@ from exoid.cli.fit import EXAMPLE, FIGURES
 from exoid.cli.origin import inputs, origin_of
 from exoid.cli.own_terms import own_terms
 from exoid.cli.page import PAGES, planned, sources_of, write_report
-from exoid.cli.reading import take
+from exoid.cli.reading import as_told, take
 from exoid.cli.results import described, end, introduce, keep
 from exoid.cli.waiting import in_phases, patiently
 
@@ -94,14 +94,14 @@ def diagnose(
         patiently(lambda: draw(found, plot), "drawing")
         typer.echo(f"wrote {plot}", err=True)
     if json is not None:
-        settings = {**options, "terms": terms, "flip": flip, "zero": zero}
+        settings = {**options, "terms": terms, **as_told(flip, zero)}
         write(found, described(zip(paths, named, strict=True)), settings, json)
         typer.echo(f"wrote {json}", err=True)
     if save is None and report is None:
         end(found.follows)
         return
     asked = {**options, "terms": terms, **body, "signal": signal, "dbc": dbc and str(dbc)}
-    asked |= {"flip": flip, "zero": zero}
+    asked |= as_told(flip, zero)
     origin = origin_of(inputs(paths, dbc, Path(terms) if terms else None), asked)
     more = patiently(lambda: further(found, named[0][1].subject), "planning what to record next")
     if save is not None:

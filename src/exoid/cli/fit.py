@@ -13,7 +13,7 @@ from exoid.cli.choices import Bounds, Clip, FlipOption, Method, Misfit, Reading,
 from exoid.cli.destination import check_apart, check_destination
 from exoid.cli.origin import inputs, origin_of
 from exoid.cli.page import PAGES, sources_of, write_report
-from exoid.cli.reading import take
+from exoid.cli.reading import as_told, take
 from exoid.cli.results import draw, end, introduce, keep, show, write_document
 from exoid.cli.waiting import patiently
 
@@ -144,7 +144,7 @@ def fit(
     introduce(named)
     show(result, told)
     settings = {"lambda": options.pop("weight"), **options, "each": each}
-    settings |= {"flip": flip, "zero": zero}
+    settings |= as_told(flip, zero)
     asked = {
         **settings,
         "torque_frequency": torque_frequency,

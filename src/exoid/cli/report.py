@@ -16,7 +16,7 @@ from exoid.cli.fit import EXAMPLE
 from exoid.cli.origin import inputs, origin_of
 from exoid.cli.own_terms import own_terms
 from exoid.cli.page import PAGES, planned, sources_of, write_report
-from exoid.cli.reading import take
+from exoid.cli.reading import as_told, take
 from exoid.cli.results import end
 from exoid.cli.retell import SAVED, retell
 from exoid.cli.waiting import in_phases, patiently
@@ -109,7 +109,7 @@ def report(
     result, found = in_phases(lambda told: analysed(named, options, tested, told))
     script = Path(terms) if terms is not None else None
     settings = {**options, "terms": terms, "diagnosis": diagnosis, **body, "signal": signal}
-    settings |= {"dbc": dbc and str(dbc), "flip": flip, "zero": zero}
+    settings |= {"dbc": dbc and str(dbc), **as_told(flip, zero)}
     origin = origin_of(inputs(paths, dbc, script), settings)
     sources = sources_of(taken, named)
     patiently(lambda: write_report(output, sources, result, origin, **found), "writing the page")

@@ -241,7 +241,9 @@ def check_channel(number: int, entry, samples: Samples | None, size: int) -> Non
     if bad.any():
         at = int(np.flatnonzero(bad)[0])
         hint = (
-            " Is it in degrees? Then call the column by its `_deg` name." if "_rad" in name else ""
+            f" Is it in degrees? Then name the column {name.replace('_rad', '_deg')}."
+            if "_rad" in name
+            else ""
         )
         raise bad_sample(
             number,
