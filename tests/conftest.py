@@ -1,7 +1,9 @@
 """Every test runs in float64, with the shapes and types annotated in `exoid` checked as it runs."""
 
+import ctypes
 import gc
 import os
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
 
@@ -28,6 +30,8 @@ gc.set_threshold(100_000, 20, 100)
 hypothesis.settings.register_profile("exoid", derandomize=True, deadline=None, database=None)
 hypothesis.settings.load_profile("exoid")
 
+FULL = 1e9  # bytes; one module adds up to 0.6e9, and a worker stays below 2e9
+
 SHARED = Path(__file__).parents[2] / "shared" / "data"
 
 
@@ -37,6 +41,35 @@ def shared():
     if not SHARED.is_dir():
         pytest.skip(f"{SHARED} is absent: it holds recordings that are not in the repository")
     return SHARED
+
+
+@pytest.fixture(scope="session")
+def programs(tmp_path_factory):
+    """Where processes keep compiled programs: one folder for all workers of a run."""
+    base = tmp_path_factory.getbasetemp()
+    folder = (base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / "programs"
+    folder.mkdir(exist_ok=True)
+    return folder
+
+
+@pytest.fixture(autouse=True, scope="module")
+def _forgetting():
+    """Compiled programs go with the module that ran them, once there are many."""
+    yield
+    if resident() > FULL:
+        jax.clear_caches()
+        gc.collect()
+        with suppress(AttributeError, OSError):  # glibc alone keeps what was freed, and can give it
+            ctypes.CDLL(None).malloc_trim(0)
+
+
+def resident() -> float:
+    """The memory of this process [bytes], as far as the system tells."""
+    try:
+        pages = Path("/proc/self/statm").read_text().split()[1]
+    except OSError:
+        return float("inf")
+    return int(pages) * os.sysconf("SC_PAGESIZE")
 
 
 @pytest.fixture

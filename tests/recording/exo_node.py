@@ -124,10 +124,7 @@ WRITERS = {
 
 def write_log(path: Path, messages) -> Path:
     """The messages as a log file, in the format of the suffix."""
-    if path.suffix == ".mf4":
-        writer = mf4_writer(path)
-    else:
-        writer = WRITERS[path.suffix](path)
+    writer = mf4_writer(path) if path.suffix == ".mf4" else WRITERS[path.suffix](path)
     for each in messages:
         writer.on_message_received(each)
     writer.stop()

@@ -31,7 +31,7 @@ def path(tmp_path):
 
 @pytest.fixture
 def impatient(monkeypatch):
-    """A limit that a reader which never ends reaches soon; so would a good one on a busy machine."""
+    """A limit that a reader which never ends reaches soon."""
     monkeypatch.setattr(foreign, "SECONDS", 5.0)
 
 
