@@ -45,11 +45,8 @@ def shared():
 
 @pytest.fixture(scope="session")
 def programs(tmp_path_factory):
-    """Where processes keep compiled programs: one folder for all workers of a run."""
-    base = tmp_path_factory.getbasetemp()
-    folder = (base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / "programs"
-    folder.mkdir(exist_ok=True)
-    return folder
+    """Where the commands that this worker runs keep what they compile."""
+    return tmp_path_factory.mktemp("programs")
 
 
 @pytest.fixture(autouse=True, scope="module")
