@@ -15,8 +15,10 @@ from exoid.recording import foreign
 from exoid.recording.can_log import read_can_log
 from exoid.recording.foreign import ForeignError, read_apart
 
+# A job that a shell runs in the background ignores Ctrl-C, and so would what it starts.
 CALL = """
-import sys; from pathlib import Path
+import signal, sys; from pathlib import Path
+signal.signal(signal.SIGINT, signal.default_int_handler)
 import foreign_readers; from exoid.recording.foreign import read_apart
 read_apart(foreign_readers.marking, Path(sys.argv[1]), "")
 """
@@ -80,7 +82,6 @@ def test_a_reader_ends_with_the_process_that_wants_it(path, number):
         [sys.executable, "-c", CALL, str(path)],
         env=os.environ | {"PYTHONPATH": places},
         stderr=subprocess.DEVNULL,
-        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),
     )
     told = path.with_suffix(".pid")
     wait_for(lambda: told.exists() and told.read_text())
