@@ -10,7 +10,6 @@ import pytest
 
 from exoid.fit.estimate import fit
 from exoid.fit.systematics import (
-    CLOCK,
     GYRATION,
     GYRO_BIAS,
     GYRO_SCALE,
@@ -69,7 +68,7 @@ def with_body(leg, mass, distance, extent):
 def person(rng, missed):
     """A leg, its recording, and the truth of everything that this recording can tell.
 
-    Sensors, seat and mass are as little known as nothing declared of them says; the clock is.
+    Sensors, seat and mass are as little known as nothing declared of them says; the clock is exact.
     """
     inertia = rng.uniform(0.32, 0.52)
     gravity, stiffness, damping = rng.uniform((25.0, 4.5, 0.5), (27.5, 7.5, 1.1))
@@ -103,7 +102,7 @@ def person(rng, missed):
             cycle_period=tuple(PERIOD if voluntary else np.nan for *_, voluntary in SEGMENTS),
             torque_frequency="1/T",
         ),
-        replace(NOISE, clock_uncertainty=CLOCK),
+        replace(NOISE, clock_uncertainty=0.0),
     )
     truth = {
         "inertia": inertia,
