@@ -2,10 +2,10 @@
 
 import numpy as np
 from benchmarks.pendulum import Leg, swing
+from benchmarks.sbc.prior_draws import draw
 
 from exoid.fit.belief import Belief, believe
 from exoid.fit.constraint import violations
-from exoid.fit.prior import draw
 from exoid.physics.leg import LegParameters
 from exoid.recording.recording import Protocol, Recording, Segment, Sensors, Subject
 
@@ -17,7 +17,7 @@ START = (-0.35, -0.05)  # rad, of the drop
 
 def belief() -> Belief:
     """Of everyone here: they are as tall and heavy as one another."""
-    return believe(SUBJECT, "de_leva", 1.0)
+    return believe(SUBJECT)
 
 
 def person(rng: np.random.Generator) -> LegParameters:

@@ -21,7 +21,10 @@ LONG = Movement(np.radians(-12), 5.0)
 
 
 def carried_out(proposed, seed):
-    """The recordings that a plan asks for, one for each tilt of the seat, of the true leg."""
+    """The recordings that a plan asks for, one for each tilt of the seat, of the true leg.
+
+    Nobody tells where the masses sit, nor how far they reach.
+    """
     each = []
     for tilt in dict.fromkeys(option.thigh_angle for option in proposed):
         model = LegModel(leg(), NoTorque(), np.asarray(tilt))
@@ -29,7 +32,7 @@ def carried_out(proposed, seed):
         made = record(model, motions, jax.random.key(seed), subject=BODY)
         subject = made.subject
         if subject.added_mass is not None:
-            subject = replace(subject, added_mass_distance=None)
+            subject = replace(subject, added_mass_distance=None, added_mass_gyration=None)
         each.append((f"new {tilt:.1f}", replace(made, subject=subject)))
     return each
 
