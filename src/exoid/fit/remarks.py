@@ -58,18 +58,34 @@ def remarks(problem: Problem, ended: Ended, at_bound: set[str]) -> list[str]:
 
 
 def strayed(segments: list[SegmentFit], raw: bool) -> list[str]:
-    """Does the simulation follow the recording at all?"""
-    missed = pooled([(each.angle_rmse, each.time.size) for each in segments])
-    moved = pooled([(float(np.nanstd(each.angle)), each.time.size) for each in segments])
-    if missed < ASTRAY * moved:
+    """Does the simulation follow the recording, or one kind of its segments, at all?"""
+    kinds = {kind: [s for s in segments if s.kind == kind] for kind in {s.kind for s in segments}}
+    lost = [each for each in sorted(kinds) if astray(kinds[each])]
+    if not lost and not astray(segments):
         return []
+    some = 0 < len(lost) < len(kinds)
+    where = f"the {' and '.join(lost)} segments" if some else "the recording"
+    numbers = f"what {where} told by 'set by'" if some else "these numbers"
+    missed, moved = missed_and_moved([s for s in segments if s.kind in lost] if some else segments)
     weighed = "; without --misfit paper every sample is weighed by its noise" if raw else ""
     return [
-        "the simulation does not follow the recording: it misses the angle by "
+        f"the simulation does not follow {where}: it misses the angle by "
         f"{np.degrees(missed):.3g} deg, where the leg moves by {np.degrees(moved):.3g} deg (both "
-        "root mean square). Do not use these numbers: 'exoid diagnose' asks what the model lacks"
+        f"root mean square). Do not use {numbers}: 'exoid diagnose' asks what the model lacks"
         f"{weighed}."
     ]
+
+
+def astray(segments: list[SegmentFit]) -> bool:
+    """Does the simulation miss much of how far the leg moves?"""
+    missed, moved = missed_and_moved(segments)
+    return not missed < ASTRAY * moved
+
+
+def missed_and_moved(segments: list[SegmentFit]) -> tuple[float, float]:
+    """Root mean squares over all samples [rad]."""
+    missed = pooled([(each.angle_rmse, each.time.size) for each in segments])
+    return missed, pooled([(float(np.nanstd(s.angle)), s.time.size) for s in segments])
 
 
 def of_kinds(found: Disturbance) -> list[str]:
