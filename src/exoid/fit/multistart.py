@@ -1,6 +1,6 @@
 """The fit: many starts, brought to the data first, then to what anatomy and bounds allow."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import jax
 import numpy as np
@@ -53,11 +53,12 @@ def search(problem: Problem, starts: np.ndarray) -> tuple[Problem, Ended]:
     begin = coordinates(starts, problem.movements, greatest)
     first = np.searchsorted(np.asarray(problem.observation.time)[0], FIRST_HORIZON)
     horizon = min(max(int(first), 50), problem.steps)
-    tied = advance(problem, begin, task(problem, tether, horizon, COARSE))
+    declared = as_declared(problem)
+    tied = advance(declared, begin, task(problem, tether, horizon, COARSE))
     rows, member, failures = basins(problem, tied)
     gathered = without_thrust(take(tied.coordinates, rows))
     weaker = min(TETHERS[1], tether / 2)
-    looser = advance(problem, gathered, task(problem, weaker, problem.steps, COARSE)).coordinates
+    looser = advance(declared, gathered, task(problem, weaker, problem.steps, COARSE)).coordinates
     free = advance(problem, without_thrust(looser), task(problem, 0.0, problem.steps, FINE))
     member, failures = without_lost(free, member, failures)
     problem, free = with_tilted_seats(problem, free)
@@ -99,6 +100,17 @@ def replaced(tree, row: int, new):
     rows = jax.tree.map(np.array, tree)
     jax.tree.map(lambda leaf, one: leaf.__setitem__(row, one), rows, new)
     return rows
+
+
+def as_declared(problem: Problem) -> Problem:
+    """The same, recordings as they are declared: what differs is small, but far from the leg it may
+    pass for anything.
+    """
+    known = problem.known.copy()
+    for column, name in enumerate(problem.owned, start=4):
+        if name != "log_distance":
+            known[:, column] = 1.0
+    return replace(problem, known=known)
 
 
 def without_thrust(at: Coordinates) -> Coordinates:

@@ -103,7 +103,8 @@ def evenly_curved(objective: Objective, vector: np.ndarray) -> np.ndarray:
     there = look(problem, [objective.point(vector)])
     local = weighed(around(problem, there), objective.scale)
     by_vector = np.asarray(approx_fprime(vector, objective.flat)) @ objective.axes
-    information = by_vector.T @ (local.data + objective.bounded * local.prior) @ by_vector
+    belief = local.declared + objective.bounded * (local.prior - local.declared)
+    information = by_vector.T @ (local.data + belief) @ by_vector
     values, vectors = np.linalg.eigh(information)
     return objective.axes @ vectors / np.sqrt(np.maximum(values, 0) + 1)
 
