@@ -17,15 +17,16 @@ from exoid.recording.recording import Protocol, Recording, Segment, Sensors, Sub
 NAMES = ("mass", "com_distance", "inertia", "damping", "stiffness")
 INTERVAL = 1.96  # standard errors
 STARTS = 2
-DROPS = 4
+SWING = np.radians(15.0)  # a release from near the rest is no drop
 
 
 def recording(rng: np.random.Generator, one: Person, drops: int) -> Recording:
     """So many drops of a person, from various angles."""
     segments = []
-    for _ in range(drops):
-        time, angle, velocity = drop(rng, one, np.radians(rng.uniform(-45, -5)))
-        segments.append(Segment(time, raw_angle=angle, raw_angular_velocity=velocity))
+    while len(segments) < drops:
+        time, angle, velocity = drop(rng, one, np.radians(rng.uniform(-45, 0)))
+        if np.ptp(angle) > SWING:
+            segments.append(Segment(time, raw_angle=angle, raw_angular_velocity=velocity))
     return Recording(
         tuple(segments),
         Subject(kind="leg", body_mass=one.body_mass, height=one.height),

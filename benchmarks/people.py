@@ -59,12 +59,12 @@ def leg(rng: np.random.Generator, height: float, index: float) -> tuple[float, f
     """m, l and J of shank and foot about the knee."""
     young = np.clip((1.45 - height) / 0.45, 0.0, 1.0)
     length = height * rng.normal(0.247, 0.0075) * (1 - 0.04 * young)
-    calf = 0.354 * (height / 1.75) ** 0.6 * (index / 22) ** 0.45 * rng.normal(1.0, 0.035)
-    girths = calf * np.array([0.93, 1.0, 0.70, 0.62]) * rng.normal(1.0, 0.025, 4)
+    calf = 0.354 * (height / 1.75) ** 0.6 * (index / 22) ** 0.45 * rng.normal(1.0, 0.015)
+    girths = calf * np.array([0.93, 1.0, 0.70, 0.62]) * rng.normal(1.0, 0.05, 4)
     along = np.linspace(0.0, 1.0, SLICES)
     area = np.interp(along, [0.0, 0.3, 0.65, 1.0], girths) ** 2 / (4 * np.pi)
     slices = DENSITY * area * length / SLICES
-    foot = height * rng.normal(0.151, 0.004)
+    foot = height * rng.normal(0.151, 0.005)
     weight = 0.45 * DENSITY * foot * (0.37 * foot) * (0.29 * foot) * rng.normal(1.0, 0.06)
     weight *= (index / 22) ** 0.3
     below, ahead = length + 0.15 * foot, rng.normal(0.21, 0.02) * foot

@@ -25,7 +25,10 @@ PERIOD_STEP = 0.02  # s, so that half of a period meets a sample
 PUSHES = {"1/T": (0.25, 0.95), "2/T": (0.25, 0.75)}  # amplitude over the gravity moment
 BUILD = (19.0, 31.0)  # kg/m^2
 HEIGHTS = (1.52, 1.98)  # m
+SCATTER = (0.10, 0.15, 0.06)  # relative, of mass, inertia and COM distance
 STIFFNESS, DAMPING = (1.0, 4.0), (0.09, 0.7)  # of a relaxed knee, beyond which none is drawn
+RELAXED_STIFFNESS = Expected(2.9, 0.6 * 2.9)  # N m/rad
+RELAXED_DAMPING = Expected(0.36, 0.6 * 0.36)  # N m s/rad
 ANGLE_NOISE, VELOCITY_NOISE = (0.0004, 0.0009), (0.0018, 0.005)  # rad, rad/s
 BIAS = np.radians(0.09)  # rad/s, of the gyro at most
 
@@ -106,15 +109,18 @@ def draw_leg(rng: np.random.Generator, subject: Subject) -> LegParameters:
     """A leg as anatomy expects it, with its scatter, that a rigid body can be (Eq. 12, 13)."""
     assert subject.body_mass is not None
     assert subject.height is not None
-    expected = expected_leg(subject.body_mass, subject.height)
+    expected = expected_leg(subject.body_mass, subject.height, table="de_leva")
     while True:
         mass, inertia, distance = (
-            around(rng, each) for each in (expected.mass, expected.inertia, expected.com_distance)
+            around(rng, Expected(each.value, part * each.value))
+            for each, part in zip(
+                (expected.mass, expected.inertia, expected.com_distance), SCATTER, strict=True
+            )
         )
         leg = LegParameters(
             *(jnp.asarray(each) for each in (mass, inertia, distance)),
-            damping=jnp.asarray(around(rng, expected.damping, *DAMPING)),
-            stiffness=jnp.asarray(around(rng, expected.stiffness, *STIFFNESS)),
+            damping=jnp.asarray(around(rng, RELAXED_DAMPING, *DAMPING)),
+            stiffness=jnp.asarray(around(rng, RELAXED_STIFFNESS, *STIFFNESS)),
         )
         rigid = mass * distance**2 <= inertia <= reach(subject.height) * mass * distance
         if rigid and in_range(leg):
@@ -126,8 +132,9 @@ def around(
 ) -> float:
     """A normal draw, within two standard deviations and the limits."""
     while True:
-        value = rng.normal(expected.value, expected.standard_deviation)
-        if low <= value <= high and abs(value - expected.value) < 2 * expected.standard_deviation:
+        deviation = expected.standard_deviation or 0.0
+        value = rng.normal(expected.value, deviation)
+        if low <= value <= high and abs(value - expected.value) < 2 * deviation:
             return value
 
 

@@ -114,7 +114,7 @@ def test_a_saved_fit_gives_back_the_leg_and_what_it_rests_on(saved, recordings):
         assert abs(found.value - value) < LIKELY * found.standard_error
     assert back.told.sentences
     assert back.version == version("exoid")
-    assert back.settings.items() >= {"seed": 0, "multistart": 64, "prior": "de_leva"}.items()
+    assert back.settings.items() >= {"seed": 0, "multistart": 64, "prior": "auto"}.items()
     (source,) = back.recordings
     drop = recordings / "drop.csv"
     assert source["sha256"] == sha256(drop.read_bytes()).hexdigest()
@@ -130,7 +130,7 @@ def test_two_saved_fits_are_shown_side_by_side(command, saved, tmp_path):
         "m l g / J",
         "kg m^2",
         "seed 0 -> 1",
-        "prior de_leva -> winter",
+        "prior auto -> winter",
         "same recordings",
     ):
         assert each in said

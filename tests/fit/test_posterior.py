@@ -106,7 +106,7 @@ def test_mass_and_distance_stay_within_their_limits_and_agree_in_their_product(f
 
 @pytest.fixture(scope="module")
 def without_prior():
-    return sample(fit(recorded(DROP, LOADED), multistart=8, prior="none"), **FEW)
+    return sample(fit(recorded(DROP, LOADED), multistart=8, prior="none", bounds="paper"), **FEW)
 
 
 def test_where_only_limits_tell_the_mass_its_logarithm_is_uniform_between_them(without_prior):

@@ -37,20 +37,28 @@ def test_where_the_data_are_clear_the_profile_is_the_parabola_of_the_error(scale
 
 
 def test_the_profile_of_the_mass_is_that_of_its_prior(scaled_fit, found):
-    """m l is known, so a mass is as likely as it and its l are before: their priors' sum."""
-    mass, length = (scaled_fit.parameters[name] for name in ("mass", "com_distance"))
-    moment = mass.value * length.value
+    """m l and J are known, so a mass is as likely as it, its l and J / (m l) are before."""
+    expected = scaled_fit.basis.problem.belief.expected
+    chosen = scaled_fit.parameters
+    moment = chosen["mass"].value * chosen["com_distance"].value
+    radius = chosen["inertia"].value / moment
+    expected_radius = expected.inertia.value / expected.mass.value / expected.com_distance.value
     profile = found["mass"]
-    by_mass = ((profile.value - mass.expected) / mass.expected_deviation) ** 2
-    by_length = ((moment / profile.value - length.expected) / length.expected_deviation) ** 2
-    expected = by_mass + by_length
-    assert np.abs(profile.rise - (expected - expected.min())).max() < 0.05
+    away = np.log(
+        [
+            profile.value / expected.mass.value,
+            moment / profile.value / expected.com_distance.value,
+            np.full(profile.value.size, radius / expected_radius),
+        ]
+    )
+    square = np.sum(away * np.linalg.solve(np.array(expected.covariance), away), axis=0)
+    assert np.abs(profile.rise - (square - square.min())).max() < 0.05
 
 
 def test_at_a_bound_only_the_other_limit_is_known():
     """A leg that no prior holds and whose stiffness would be above its bound of 4 N m/rad."""
     stiff = recorded(DROP, LOADED, stiffness=4.4, inertia=0.44)
-    profile = profiles(fit(stiff, multistart=2, prior="none"))["stiffness"]
+    profile = profiles(fit(stiff, multistart=2, prior="none", bounds="paper"))["stiffness"]
     assert profile.estimate.determined_by == "bound"
     assert profile.shape == "lower limit only"
     assert profile.value.max() < 4.0 + 1e-3

@@ -55,7 +55,7 @@ def test_both_methods_agree_where_the_inertia_is_as_small_as_a_rigid_leg_allows(
 
 
 def test_both_methods_agree_where_a_parameter_is_at_its_bound():
-    one, other = both(recorded(CYCLE, stiffness=4.6), prior="paper")
+    one, other = both(recorded(CYCLE, stiffness=4.6), prior="paper", bounds="paper")
     agree(one, other)
     for result in (one, other):
         assert result.parameters["stiffness"].value == pytest.approx(4.0, abs=1e-5)
@@ -63,7 +63,9 @@ def test_both_methods_agree_where_a_parameter_is_at_its_bound():
 
 
 def test_both_methods_agree_where_two_limits_hold_at_once():
-    one, other = both(recorded(CYCLE, inertia=0.30, com_distance=0.28), prior="paper")
+    one, other = both(
+        recorded(CYCLE, inertia=0.30, com_distance=0.28), prior="paper", bounds="paper"
+    )
     agree(one, other)
     assert one.parameters["mass"].value == pytest.approx(6.0, abs=1e-5)
 

@@ -43,7 +43,7 @@ LOWER_HALF = (  # m, shank length over height, of an adult's
 )
 
 # One study's boys, another's girls unmeasured, ages guessed from heights.
-CHILD_SCATTER = Scatter(mass=0.09, com_distance=0.04, radius=0.04)
+CHILD_SCATTER = Scatter(mass=0.08, com_distance=0.035, radius=0.035)
 
 
 @dataclass(frozen=True)

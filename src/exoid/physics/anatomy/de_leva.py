@@ -12,9 +12,10 @@ DE_LEVA = {
 
 # At a given mass and height the regressions of the same scans leave 0.22 kg of the shank and
 # 0.10 kg of the foot unexplained, 6-8 % of the leg; 13 % of the shank's own inertia, and up to
-# 1.25 cm of its centre, 5 % of l with the error of the scan (Zatsiorsky, Kinetics of Human Motion, 2002, Table A2.6). Lower
-# legs of one height differ in length by 3 %, and J / (m l) with them.
-ADULT_SCATTER = Scatter(mass=0.075, com_distance=0.035, radius=0.03)
+# 1.25 cm of its centre, 5 % of l, the scan's error included (Zatsiorsky, Kinetics of Human Motion,
+# 2002, Table A2.6). Lower legs of one height differ in length by 3 %, and l and J / (m l) with
+# them.
+ADULT_SCATTER = Scatter(mass=0.07, com_distance=0.025, radius=0.03)
 ADULT_INDEX, ADULT_HEIGHT = (18.0, 29.0), (1.55, 1.95)  # kg/m^2, m: of those scanned
 
 
