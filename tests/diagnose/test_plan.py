@@ -78,7 +78,7 @@ def test_what_is_known_well_enough_needs_nothing_more():
     result = fit(
         recorded(LONG, replace(LONG, added_mass=1.0, added_mass_distance=0.4)), multistart=2
     )
-    found = plan(result, BODY, "inertia")
+    found = plan(result, BODY, "damping_over_inertia")
     assert found.proposed == []
     assert found.after == found.before
     assert any("already" in sentence for sentence in found.sentences)
