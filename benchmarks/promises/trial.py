@@ -4,13 +4,13 @@ from dataclasses import dataclass
 
 import numpy as np
 from benchmarks.pendulum import GRAVITY, Leg
+from benchmarks.sbc.prior_draws import draw
 
 from exoid.diagnose.candidate import Candidate
 from exoid.diagnose.plan import Plan, plan
 from exoid.fit.belief import Belief, believe
 from exoid.fit.constraint import violations
 from exoid.fit.estimate import fit
-from exoid.fit.prior import draw
 from exoid.recording.recording import Recording, Subject
 
 from .situations import Situation
@@ -39,7 +39,7 @@ class Trial:
 def tried(situation: Situation, rng: np.random.Generator) -> Trial:
     """Record what is at hand, plan, record what is proposed, and fit all."""
     subject = person(rng)
-    leg = owner(believe(subject, "de_leva", 1.0), rng)
+    leg = owner(believe(subject), rng)
     before = []
     if situation.acts:
         before = [("old", recorded(leg, situation.acts, subject, situation.sensors, rng))]

@@ -1,23 +1,23 @@
 """Legs as the prior has them, and what a camera sees of their drop."""
 
 import numpy as np
-from benchmarks.pendulum import Leg, swing
+from benchmarks.pendulum import Leg
+from benchmarks.promises.world import CAMERA, Act, recorded
+from benchmarks.sbc.prior_draws import draw
 
 from exoid.fit.belief import Belief, believe
 from exoid.fit.constraint import violations
-from exoid.fit.prior import draw
 from exoid.physics.leg import LegParameters
-from exoid.recording.recording import Protocol, Recording, Segment, Sensors, Subject
+from exoid.recording.recording import Recording, Subject
 
 SUBJECT = Subject(kind="leg", body_mass=74.0, height=1.78)
-CAMERA = Sensors(angle_noise=np.radians(0.3))
-TIME = np.arange(100) * 0.02  # s
+LASTS = 2.0  # s
 START = (-0.35, -0.05)  # rad, of the drop
 
 
 def belief() -> Belief:
     """Of everyone here: they are as tall and heavy as one another."""
-    return believe(SUBJECT, "de_leva", 1.0)
+    return believe(SUBJECT)
 
 
 def person(rng: np.random.Generator) -> LegParameters:
@@ -29,9 +29,8 @@ def person(rng: np.random.Generator) -> LegParameters:
             return leg
 
 
-def recorded(leg: LegParameters, rng: np.random.Generator) -> Recording:
-    """One drop at 50 Hz, by SciPy."""
+def dropped(leg: LegParameters, rng: np.random.Generator) -> Recording:
+    """One drop by a camera whose zero, clock and seat are a little off."""
     values = (leg.mass, leg.inertia, leg.com_distance, leg.damping, leg.stiffness)
-    angle, _ = swing(Leg(*map(float, values)), rng.uniform(*START), TIME)
-    seen = angle + CAMERA.angle_noise * rng.normal(size=TIME.size)
-    return Recording((Segment(TIME, raw_angle=seen),), SUBJECT, Protocol(kind="passive"), CAMERA)
+    act = Act(rng.uniform(*START), LASTS)
+    return recorded(Leg(*map(float, values)), [act], SUBJECT, CAMERA, rng)

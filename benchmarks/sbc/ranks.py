@@ -10,7 +10,7 @@ from exoid.fit.estimate import fit
 from exoid.fit.posterior import sample
 from exoid.physics.leg import GRAVITY, LegParameters
 
-from .people import person, recorded
+from .people import dropped, person
 
 DRAWS = 99  # kept of each posterior: ranks 0 to 99
 THIN = 6  # draws apart, nearly independent
@@ -49,7 +49,7 @@ def ranked(recordings: int, seed: int) -> Ranks:
 def rank_one(rng: np.random.Generator) -> dict[str, int]:
     """The ranks of one leg."""
     leg = person(rng)
-    result = fit(recorded(leg, rng), multistart=2, seed=0)
+    result = fit(dropped(leg, rng), multistart=2, seed=0)
     draws = -(-DRAWS * THIN // CHAINS)
     seed = int(rng.integers(2**31))
     drawn = sample(result, draws=draws, warmup=WARMUP, chains=CHAINS, seed=seed)

@@ -1,5 +1,6 @@
 """Recordings that could be made next: drops bare and loaded, on a tilted seat, and cycles."""
 
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from math import radians
 from typing import Annotated
@@ -80,15 +81,20 @@ def candidates(height: float | None, amplitude: float | None) -> list[Candidate]
     return [*drops, *loaded, *tilted, *cycles]
 
 
-def observed(
-    options: list[Candidate], leg: LegParameters, sensors: Sensors, gyro: bool, belongs: int
-) -> list[Observed]:
-    """Every candidate as the fit would see it, without noise; the mass' place is not told."""
-    each = []
+def moving(
+    options: list[Candidate], leg: LegParameters, sensors: Sensors, gyro: bool
+) -> dict[Candidate, Observed]:
+    """Every candidate as the fit would see it, without noise; the mass' place is not told.
+
+    Those are left out from which this leg hardly moves: a stiff one rests high.
+    """
+    each = {}
     for tilt in dict.fromkeys(option.thigh_angle for option in options):
         alike = [option for option in options if option.thigh_angle == tilt]
         made = imagine(alike, leg, tilt, sensors, gyro)
-        each += [movement(made, k, option.words, belongs) for k, option in enumerate(alike)]
+        for number, option in enumerate(alike):
+            with suppress(ValueError):
+                each[option] = movement(made, number, option.words)
     return each
 
 

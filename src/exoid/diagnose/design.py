@@ -12,13 +12,14 @@ from functools import cached_property
 import jax
 import numpy as np
 
-from exoid.diagnose.candidate import Candidate, observed
+from exoid.diagnose.candidate import Candidate
 from exoid.diagnose.known import LEG, Known, eliminated
 from exoid.fit.belief import NAMES
 from exoid.fit.chain import Raw
 from exoid.fit.coordinates import TYPICAL, Coordinates, Mounting, Own
 from exoid.fit.estimates import RATIOS
 from exoid.fit.gram import CAUSES, gram, pushes
+from exoid.fit.movement import Movement
 from exoid.fit.problem import Problem, pose, sensed
 from exoid.fit.sandwich import common, spoiled
 from exoid.fit.starts import first_state, usual_mounting
@@ -32,15 +33,14 @@ ENOUGH = 2e-3  # of the value: no added mass is weighed, and no leg the same tom
 NEAR = 1.3  # of the least error: within it the simplest recording is proposed
 
 
-def informations(known: Known, options: list[Candidate]) -> list[np.ndarray]:
+def informations(known: Known, options: dict[Candidate, Movement]) -> list[np.ndarray]:
     """What every candidate would tell of the leg's coordinates and of the new mounting."""
-    new = observed(options, known.leg, known.sensors, known.gyro, 0)
-    movements = [replace(each, systematics=known.systematics) for each in new]
+    movements = [replace(each, systematics=known.systematics) for each in options.values()]
     problem = pose(movements, known.belief, "1/T", Raw())
     states = np.array([first_state(each) for each in movements])
     torque = np.array([option.motion.amplitude or 0.0 for option in options])
     own = Own(torque / np.exp(known.shared.log_inertia), *states.T.copy())
-    mounting = placed(usual_mounting(movements), options)
+    mounting = placed(usual_mounting(movements), list(options))
     point = Coordinates(known.shared, known.log_mass, mounting, own)
     return [without_own(each) for each in segments_told(known, problem, point)]
 

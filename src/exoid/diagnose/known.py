@@ -12,7 +12,7 @@ from exoid.fit.assumptions import Assumptions
 from exoid.fit.belief import NAMES, Belief, believe
 from exoid.fit.coordinates import Coordinates, Mounting, Own, Shared, leg_parameters
 from exoid.fit.local import prior_information, quantity_gradients
-from exoid.fit.problem import take
+from exoid.fit.problem import Problem, take
 from exoid.fit.result import FitResult
 from exoid.fit.sandwich import Disturbance
 from exoid.fit.systematics import OWNED, Systematics
@@ -110,7 +110,7 @@ def from_result(result: FitResult) -> Known:
         log_mass=best.log_mass,
         information=eliminated(own, LEG),
         belief=basis.problem.belief,
-        systematics=first.systematics,
+        systematics=as_found(first.systematics, basis.problem),
         disturbance=basis.ended.disturbance,
         sensors=Sensors(
             angle_noise=first.angle_noise, velocity_noise=first.velocity_noise if gyro else None
@@ -119,6 +119,20 @@ def from_result(result: FitResult) -> Known:
         torque=(ratio.value or 0.0) * float(np.exp(best.shared.log_inertia)) if ratio else 0.0,
         checked=sum(not each.voluntary for each in basis.problem.movements) > 1,
     )
+
+
+def as_found(declared: Systematics, problem: Problem) -> Systematics:
+    """What is believed of the first recording in the end: the next is made by the same hands.
+
+    Where its clock or its seat is doubted (`seldom.py`), that of the next will be, too.
+    """
+    mounting = problem.belief.prior.mounting
+    if mounting is None:
+        return declared
+    doubted = ("clock", "gyro_scale", "tilt")
+    wider = {n: float(each[0]) for n in doubted if (each := getattr(mounting, n)).size}
+    kept = {name: size for name, size in wider.items() if getattr(declared, name) > 0}
+    return replace(declared, **kept)
 
 
 def eliminated(information: np.ndarray, kept: int) -> np.ndarray:

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from exoid.diagnose.candidate import Candidate, candidates
+from exoid.diagnose.candidate import Candidate, candidates, moving
 from exoid.diagnose.design import ENOUGH, GOALS, Design, informations
 from exoid.diagnose.known import Known, from_anatomy, from_result
 from exoid.diagnose.legs import strangers
@@ -61,8 +61,10 @@ def plan(
     known = from_anatomy(subject, assumed) if result is None else from_result(result)
     if goal in known.belief.by_hand.fix:
         raise ValueError(f"{goal} is fixed by you: there is nothing to narrow.")
-    options = candidates(subject.height, known.torque)
-    design = Design(known, goal, options, informations(known, options))
+    every = candidates(subject.height, known.torque)
+    moved = moving(every, known.leg, known.sensors, known.gyro)
+    options = list(moved)
+    design = Design(known, goal, options, informations(known, moved))
     chosen = design.greedy()
     before, after = design.error([]), design.error(chosen)
     proposed = [options[number] for number in chosen]

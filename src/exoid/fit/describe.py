@@ -12,13 +12,13 @@ from exoid.fit.estimates import (
     with_reasons,
 )
 from exoid.fit.family import equally_good
-from exoid.fit.following import astray
+from exoid.fit.following import astray, believed
 from exoid.fit.limiting import limiting, suspicions
 from exoid.fit.local import columns, told
 from exoid.fit.mountings import FIELDS, estimate_mountings, known
 from exoid.fit.multistart import SAME_LOSS, Ended
 from exoid.fit.problem import Problem, finite, take
-from exoid.fit.remarks import limits_met, of_astray, remarks
+from exoid.fit.remarks import limits_met, of_astray, of_others, remarks
 from exoid.fit.result import (
     Basis,
     Estimate,
@@ -54,25 +54,23 @@ def describe(
     }
     strongest = float(belief.limits.torque)
 
-    def torque_of(numbers: list[int]) -> Estimate:
+    def torque(numbers: list[int]) -> Estimate:
         return estimate_torque(numbers, ended, information, at_bound, strongest)
 
     voluntary = [number for number, each in enumerate(problem.movements) if each.voluntary]
     torques = [
-        torque_of([number]) if each.voluntary else None
+        torque([number]) if each.voluntary else None
         for number, each in enumerate(problem.movements)
     ]
-    segments = [
-        segment_fit(problem, ended, number, torque) for number, torque in enumerate(torques)
-    ]
-    why = astray(segments, limits_met(problem, at_bound))
+    segments = [segment_fit(problem, ended, number, each) for number, each in enumerate(torques)]
+    why = astray(believed(segments, ended.disturbance), limits_met(problem, at_bound))
     ratios = estimate_ratios(problem, ended, information, at_bound)
     mountings = estimate_mountings(problem, ended, information)
     systematic = [*suspicions(problem, mountings), *limiting({**parameters, **ratios})]
     return FitResult(
         parameters=with_reasons(parameters, not np.isfinite(belief.limits.reach)),
         ratios=ratios,
-        torque_amplitude=torque_of(voluntary) if voluntary else None,
+        torque_amplitude=torque(voluntary) if voluntary else None,
         segments=segments,
         mountings=mountings,
         multistart=report(problem, ended),
@@ -81,7 +79,12 @@ def describe(
         torque_frequency=reading,
         other_reading_rmse=other_rmse,
         prior=problem.belief.note,
-        notes=[*of_astray(why, belief.raw), *remarks(problem, ended, at_bound), *systematic],
+        notes=[
+            *of_astray(why, belief.raw),
+            *of_others(segments, ended.disturbance),
+            *remarks(problem, ended, at_bound),
+            *systematic,
+        ],
         astray=why,
         basis=Basis(problem, ended, information),
     )

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from exoid.fit.result import SegmentFit, pooled
+from exoid.fit.sandwich import Disturbance
 
 ASTRAY = 0.1  # of how far the leg moves, missed beyond the noise: then it is another motion
 ALONE = 0.3  # the same of a single segment: a small one may hold what the model misses
@@ -31,6 +32,11 @@ def astray(segments: Sequence[SegmentFit], limits: Sequence[str] = ()) -> str | 
     if beyond_noise(worst) >= ALONE * motion(worst):
         return f"in segment {worst.name} {told(beyond_noise(worst), motion(worst))}"
     return None
+
+
+def believed(segments: Sequence[SegmentFit], found: Disturbance) -> list[SegmentFit]:
+    """The segments of the kinds that were weighed as they are: the others told hardly anything."""
+    return [each for each in segments if not found.apart or found.scales[each.kind] == 1.0]
 
 
 def roughly(error: float, segments: Sequence[SegmentFit]) -> bool:

@@ -65,8 +65,7 @@ def search(problem: Problem, starts: np.ndarray) -> tuple[Problem, Ended]:
     free, disturbance = weighed_by_kind(problem, free)
     best = settle(problem, free, begin, disturbance)
     if problem.belief.by_hand.fix or problem.belief.by_hand.bound:
-        # What no free leg would leave, but this one does.
-        disturbance = left(problem, best, 0, disturbance)
+        disturbance = explained(problem, best)  # what no free leg would leave, but this one does
         best = settle(problem, free, begin, disturbance)
     local = around(problem, best, disturbance)
     doubted = with_doubted_clocks(problem, best, local)

@@ -8,7 +8,7 @@ import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
-from jaxtyping import Array, Float, Inexact
+from jaxtyping import Float, Inexact
 
 from exoid.fit.coordinates import Mounting
 from exoid.physics.anatomy.expected import ExpectedLeg
@@ -77,52 +77,35 @@ def softened(ratio: Inexact[Any, "*column"], none: float, xp) -> Inexact[Any, "*
     return xp.arcsinh(ratio / (2 * none)) - np.arcsinh(1 / (2 * none))
 
 
-def log_jacobian(prior: Prior, leg: LegParameters) -> Float[Array, ""]:
-    """log |d z / d (log m, log J, m l g / J, d / J, c / J)| of the prior's standard scores z.
+def log_jacobian(prior: Prior, leg: LegParameters, xp=jnp) -> Inexact[Any, "*column"]:
+    """log |d (the prior's variables) / d (the fit's coordinates)|, up to a constant.
 
-    A prior is a density in what it is normal in, draws are made in the fit's coordinates. 0 where
-    it says nothing of some direction: the coordinates are as good.
+    A prior is a density in its own variables, draws are made in log m, log J, m l g / J, d / J and
+    c / J. With r the ratio to what is expected, d log(m l / J) is 1 / r, and so it is of d / J and
+    c / J, both softened; log m and log l have 1. Parameters in their own units have m, J, l, and J
+    for d and for c. Where the prior says nothing, the fit's coordinates are as good.
     """
-
-    def scores(at):
-        inertia, moment = jnp.exp(at[1]), at[2] * jnp.exp(at[1])
-        mass = jnp.exp(at[0])
-        own = LegParameters(mass, inertia, moment / mass, at[3] * inertia, at[4] * inertia)
-        return prior_residual(prior, own)
-
-    logs = [jnp.log(leg.mass), jnp.log(leg.inertia)]
-    ratios = [leg.mass * leg.com_distance, leg.damping, leg.stiffness]
-    slopes = jax.jacfwd(scores)(jnp.stack([*logs, *(each / leg.inertia for each in ratios)]))
-    squared = slopes.T @ slopes
-    unit = jnp.sqrt(jnp.maximum(jnp.diag(squared), SILENT))
-    scaled = squared / jnp.outer(unit, unit)
-    says = jnp.linalg.det(scaled) > SILENT
-    safe = jnp.where(says, scaled, jnp.eye(len(unit)))
-    return jnp.where(says, jnp.linalg.slogdet(safe)[1] / 2 + jnp.sum(jnp.log(unit)), 0.0)
-
-
-def draw(prior: Prior, rng: np.random.Generator) -> LegParameters:
-    """A leg as a joint prior has it, whatever the limits say."""
-    centre, spread = prior.centre, np.sqrt(float(prior.weight))
-    logs = np.linalg.solve(prior.whitening, rng.normal(size=3)) / spread
-    knee = rng.normal(size=2) / prior.knee / spread
-    mass, distance = (
-        middle * hardened(log, TINY)
-        for middle, log in zip((centre.mass, centre.com_distance), logs[:2], strict=True)
-    )
-    slowness = centre.mass * centre.com_distance / centre.inertia * hardened(-logs[2], TINY)
-    inertia = mass * distance / slowness
-    damping, stiffness = (
-        inertia * middle / centre.inertia * hardened(log, NONE)
-        for middle, log in zip((centre.damping, centre.stiffness), knee, strict=True)
-    )
-    each = (mass, inertia, distance, damping, stiffness)
-    return LegParameters(*(np.asarray(float(value)) for value in each))
+    centre, own = prior.centre, prior.own_deviation
+    expected = centre.mass * centre.com_distance / centre.inertia
+    weighs = prior.weight > 0
+    of_size = weighs & ((prior.whitening != 0).any() | xp.isfinite(own.com_distance))
+    slowness = leg.mass * leg.com_distance / leg.inertia / expected
+    total = xp.where(of_size, steepness(slowness, TINY, xp), 0.0)
+    for name in SIZE:
+        said = weighs & xp.isfinite(getattr(own, name))
+        total = total + xp.where(said, xp.log(xp.abs(getattr(leg, name))), 0.0)
+    for number, name in enumerate(KNEE):
+        ratio = getattr(leg, name) / leg.inertia / (getattr(centre, name) / centre.inertia)
+        said = weighs & (prior.knee[number] > 0)
+        total = total + xp.where(said, steepness(ratio, NONE, xp), 0.0)
+        in_own = weighs & xp.isfinite(getattr(own, name))
+        total = total + xp.where(in_own, xp.log(leg.inertia), 0.0)
+    return total
 
 
-def hardened(log: float, none: float) -> float:
-    """`softened` undone."""
-    return float(2 * none * np.sinh(log + np.arcsinh(1 / (2 * none))))
+def steepness(ratio: Inexact[Any, "*column"], none: float, xp) -> Inexact[Any, "*column"]:
+    """log of the derivative of `softened`."""
+    return -xp.log(ratio**2 + 4 * none**2) / 2
 
 
 def mounting_residual(

@@ -49,8 +49,8 @@ def from_table(table: Table) -> dict[str, Estimate]:
             if np.isnan(shares[0])
             else Shares(shares[0], shares[1], shares[2], columns["told_by"][row] or None)
         )
-        values |= {key: values.get(key) or None for key in ("reason", "by_hand")}
         values["limited_by"] = json.loads(columns["limited_by"][row] or "null")
+        values |= {key: values.get(key) or None for key in ("reason", "by_hand")}
         found[name] = Estimate(**values)
     return found
 
