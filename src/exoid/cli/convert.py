@@ -6,7 +6,7 @@ from typing import Annotated
 import typer
 
 from exoid.cli.destination import check_absent, check_apart, check_destination
-from exoid.cli.reading import read
+from exoid.cli.reading import Columns, read
 from exoid.cli.waiting import patiently
 
 
@@ -18,6 +18,7 @@ def convert(
     whole: Annotated[
         bool, typer.Option("--whole", help="One continuous segment, nothing between left out.")
     ] = False,
+    column: Columns = None,
     dbc: Annotated[Path | None, typer.Option(help="Your own DBC, with --signal.")] = None,
     signal: Annotated[
         list[str] | None,
@@ -42,7 +43,7 @@ def convert(
     check_destination(output, ("csv",))
     check_apart([output, sidecar], [recording])
     check_absent((output, sidecar), force)
-    loaded = read(recording, dbc, signal, strict, whole=whole)
+    loaded = read(recording, dbc, signal, strict, whole=whole, column=column)
     from exoid.recording.table import write_table
     from exoid.report.text import counted
 

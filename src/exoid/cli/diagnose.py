@@ -13,7 +13,7 @@ from exoid.cli.fit import EXAMPLE, FIGURES
 from exoid.cli.origin import inputs, origin_of
 from exoid.cli.own_terms import own_terms
 from exoid.cli.page import PAGES, planned, sources_of, write_report
-from exoid.cli.reading import take
+from exoid.cli.reading import Columns, take
 from exoid.cli.results import described, keep
 from exoid.cli.waiting import in_phases, patiently
 
@@ -35,6 +35,7 @@ def diagnose(
         ),
     ] = None,
     seed: Annotated[int, typer.Option(min=0, help="Of the starts; same seed, same result.")] = 0,
+    column: Columns = None,
     dbc: Annotated[Path | None, typer.Option(help="Your own DBC, with --signal.")] = None,
     signal: Annotated[
         list[str] | None,
@@ -74,7 +75,7 @@ def diagnose(
     own = own_terms(terms) if terms is not None else ()
     if not recordings:
         typer.echo("No recording given: this is the example that comes with exoid.")
-    named, taken = [], [take(path, dbc, signal, False) for path in paths]
+    named, taken = [], [take(path, dbc, signal, False, column=column) for path in paths]
     for path, one in zip(paths, taken, strict=True):
         loaded = one.recording
         named.append((path.name, replace(loaded, subject=replace(loaded.subject, **body))))
@@ -89,7 +90,8 @@ def diagnose(
         typer.echo(f"wrote {json}", err=True)
     if save is None and report is None:
         return
-    asked = {"seed": seed, "terms": terms, **body, "signal": signal, "dbc": dbc and str(dbc)}
+    asked = {"seed": seed, "terms": terms, **body, "signal": signal}
+    asked |= {"column": column, "dbc": dbc and str(dbc)}
     origin = origin_of(inputs(paths, dbc, Path(terms) if terms else None), asked)
     more = patiently(lambda: further(found, named[0][1].subject), "planning what to record next")
     if save is not None:

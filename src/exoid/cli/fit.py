@@ -12,7 +12,7 @@ from exoid.cli.choices import Method, Misfit, Prior, Reading
 from exoid.cli.destination import check_apart, check_destination
 from exoid.cli.origin import inputs, origin_of
 from exoid.cli.page import PAGES, sources_of, write_report
-from exoid.cli.reading import take
+from exoid.cli.reading import Columns, take
 from exoid.cli.results import draw, keep, show, write_document
 from exoid.cli.waiting import patiently
 
@@ -25,7 +25,7 @@ def fit(
     recordings: Annotated[
         list[Path] | None,
         typer.Argument(
-            help="Tables (.csv) or CAN logs (.blf .asc .log .trc .csv .mf4) of one leg, fitted "
+            help="Tables (.csv .xlsx .mot .c3d ...) or CAN logs (.blf .asc ...) of one leg, fitted "
             "together. Without one, the example that comes with exoid."
         ),
     ] = None,
@@ -54,6 +54,7 @@ def fit(
     misfit: Annotated[
         Misfit, typer.Option(help="paper: Eq. 11 as printed, angle only, prior unscaled.")
     ] = Misfit.weighted,
+    column: Columns = None,
     dbc: Annotated[Path | None, typer.Option(help="Your own DBC, with --signal.")] = None,
     signal: Annotated[
         list[str] | None,
@@ -106,7 +107,7 @@ def fit(
         typer.echo(
             "No recording given: this is the example that comes with exoid, a simulated leg."
         )
-    named, taken = [], [take(path, dbc, signal, strict) for path in paths]
+    named, taken = [], [take(path, dbc, signal, strict, column=column) for path in paths]
     for path, one in zip(paths, taken, strict=True):
         loaded = one.recording
         protocol = loaded.protocol
@@ -135,6 +136,7 @@ def fit(
         "torque_frequency": torque_frequency,
         **body,
         "signal": signal,
+        "column": column,
         "dbc": dbc and str(dbc),
     }
     origin = origin_of(inputs(paths, dbc), asked) if save or report else None

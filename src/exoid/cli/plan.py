@@ -10,7 +10,7 @@ import typer
 from exoid.cli.analysis import compute, prepare
 from exoid.cli.body import BodyMass, Height, given_body
 from exoid.cli.destination import check_apart, check_destination
-from exoid.cli.reading import read
+from exoid.cli.reading import Columns, read
 from exoid.cli.waiting import patiently
 
 
@@ -37,6 +37,7 @@ def plan(
     goal: Annotated[Goal, typer.Option(help="What to narrow.")] = Goal.inertia,
     body_mass: BodyMass = None,
     height: Height = None,
+    column: Columns = None,
     multistart: Annotated[int, typer.Option(min=1, max=100_000, help="Starts of the fit.")] = 64,
     seed: Annotated[int, typer.Option(min=0, help="Of the starts.")] = 0,
     json: Annotated[
@@ -58,7 +59,7 @@ def plan(
 
     named = []
     for path in recordings or []:
-        loaded = read(path, None, None, False)
+        loaded = read(path, None, None, False, column=column)
         named.append((path.name, replace(loaded, subject=replace(loaded.subject, **body))))
     subject = named[0][1].subject if named else replace(Subject(kind="leg"), **body)
     options = {"multistart": multistart, "seed": seed}

@@ -1,10 +1,20 @@
 """Recordings as the commands read them, with what their readers noticed."""
 
 from pathlib import Path
+from typing import Annotated
 
 import typer
 
 from exoid.cli.waiting import patiently
+
+Columns = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--column",
+        help='What a table in other words calls a column: raw_angle_deg="Knee Flexion"; repeat.',
+        metavar="MAP",
+    ),
+]
 
 
 def read(
@@ -14,9 +24,10 @@ def read(
     strict: bool,
     *,
     whole: bool = False,
+    column: list[str] | None = None,
 ):
     """One recording; what its reader noticed is said on stderr."""
-    return take(path, dbc, signal, strict, whole=whole).recording
+    return take(path, dbc, signal, strict, whole=whole, column=column).recording
 
 
 def take(
@@ -26,13 +37,16 @@ def take(
     strict: bool,
     *,
     whole: bool = False,
+    column: list[str] | None = None,
 ):
     """The same, with what its reader noticed."""
     from exoid.recording.load import load
 
-    signals = signal_map(signal)
+    signals, columns = signal_map(signal), column_map(column)
     loaded = patiently(
-        lambda: load(path, dbc=dbc, signals=signals, strict=strict, whole=whole),
+        lambda: load(
+            path, dbc=dbc, signals=signals, strict=strict, whole=whole, columns=columns
+        ),
         f"reading {path.name}",
     )
     for note in loaded.notes:
@@ -45,10 +59,19 @@ def take(
 
 def signal_map(signal: list[str] | None) -> dict[str, str] | None:
     """CHANNEL=MESSAGE.SIGNAL pairs as a map."""
-    if not signal:
+    return pairs("--signal", signal, "CHANNEL=MESSAGE.SIGNAL")
+
+
+def column_map(column: list[str] | None) -> dict[str, str] | None:
+    """COLUMN="name in the file" pairs as a map."""
+    return pairs("--column", column, 'COLUMN="NAME IN THE FILE"')
+
+
+def pairs(option: str, entries: list[str] | None, form: str) -> dict[str, str] | None:
+    if not entries:
         return None
-    pairs = [entry.partition("=") for entry in signal]
-    for (name, equals, target), entry in zip(pairs, signal, strict=True):
+    parts = [entry.partition("=") for entry in entries]
+    for (name, equals, target), entry in zip(parts, entries, strict=True):
         if not (name and equals and target):
-            raise ValueError(f"--signal {entry}: write it as CHANNEL=MESSAGE.SIGNAL")
-    return {name: target for name, _, target in pairs}
+            raise ValueError(f"{option} {entry}: write it as {form}")
+    return {name: target for name, _, target in parts}

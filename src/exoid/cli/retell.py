@@ -57,7 +57,8 @@ def at_hand(saved, path: Path) -> tuple:
         why = f"{', '.join(changed)} is not there, or has changed" if changed else "it names none"
         typer.echo(f"exoid: {path}: without what only the recordings show: {why}.", err=True)
         return ()
-    taken = [take(place, dbc and Path(dbc), settings.get("signal"), False) for place, _ in each]
+    signal, column = settings.get("signal"), settings.get("column")
+    taken = [take(place, dbc and Path(dbc), signal, False, column=column) for place, _ in each]
     body = {name: settings[name] for name in ("body_mass", "height") if name in settings}
     named = [
         (place.name, replace(one.recording, subject=replace(one.recording.subject, **body)))

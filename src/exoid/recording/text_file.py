@@ -19,12 +19,7 @@ def naming(path: Path):
 
 def read_text(path: Path) -> str:
     """The text of a file, with plain line ends and without a byte order mark."""
-    if path.is_dir():
-        raise ValueError("this is a directory. Name the file in it.")
-    try:
-        content = path.read_bytes()
-    except OSError as error:
-        raise ValueError(f"cannot be read: {error.strerror}. Check the name.") from error
+    content = content_of(path)
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
@@ -32,6 +27,20 @@ def read_text(path: Path) -> str:
             f"is not UTF-8 text (byte {content[error.start]:#04x} at {error.start}). "
             "Export it as CSV in UTF-8."
         ) from error
+    return plain_lines(text)
+
+
+def content_of(path: Path) -> bytes:
+    if path.is_dir():
+        raise ValueError("this is a directory. Name the file in it.")
+    try:
+        return path.read_bytes()
+    except OSError as error:
+        raise ValueError(f"cannot be read: {error.strerror}. Check the name.") from error
+
+
+def plain_lines(text: str) -> str:
+    """With plain line ends. **Raises** `ValueError` where it is no text after all."""
     if "\0" in text:
         raise ValueError("holds binary data, not text. Export it as CSV in UTF-8.")
     return text.replace("\r\n", "\n").replace("\r", "\n")
