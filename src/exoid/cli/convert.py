@@ -11,9 +11,17 @@ from exoid.cli.waiting import patiently
 
 
 def convert(
-    recording: Annotated[Path, typer.Argument(help="A CAN log or a table.")],
+    recording: Annotated[
+        Path,
+        typer.Argument(
+            help="A CAN log or a table (.csv .txt .xlsx .parquet .mat .npz .mot .sto .c3d)."
+        ),
+    ],
     output: Annotated[
-        Path, typer.Option("--output", "-o", help="Table to write (.csv); a sidecar joins it.")
+        Path,
+        typer.Option(
+            "--output", "-o", help="Table to write (.csv or .parquet); a sidecar joins it."
+        ),
     ],
     whole: Annotated[
         bool, typer.Option("--whole", help="One continuous segment, nothing between left out.")
@@ -29,7 +37,7 @@ def convert(
     ] = False,
     force: Annotated[bool, typer.Option("--force", help="Replace what is there.")] = False,
 ) -> None:
-    """Write a recording as exoid's table (.csv) with its sidecar (.toml).
+    """Write a recording as exoid's table (.csv or .parquet) with its sidecar (.toml).
 
     The segments are those that `exoid fit` would see: drops and cycles, without what lies between.
 
@@ -37,10 +45,11 @@ def convert(
     Examples:
       exoid convert session.blf -o drops.csv
       exoid convert session.blf -o all.csv --whole
+      exoid convert trial.c3d -o knee.parquet --column raw_angle_deg=LKneeAngles.X
       exoid convert log.asc -o knee.csv --dbc my.dbc --signal raw_angle=Knee.Angle
     """
     sidecar = output.with_suffix(".toml")
-    check_destination(output, ("csv",))
+    check_destination(output, ("csv", "parquet"))
     check_apart([output, sidecar], [recording])
     check_absent((output, sidecar), force)
     loaded = read(recording, dbc, signal, strict, whole=whole, column=column)

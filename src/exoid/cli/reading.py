@@ -44,9 +44,7 @@ def take(
 
     signals, columns = signal_map(signal), column_map(column)
     loaded = patiently(
-        lambda: load(
-            path, dbc=dbc, signals=signals, strict=strict, whole=whole, columns=columns
-        ),
+        lambda: load(path, dbc=dbc, signals=signals, strict=strict, whole=whole, columns=columns),
         f"reading {path.name}",
     )
     for note in loaded.notes:

@@ -14,6 +14,7 @@ from exoid.fit.multistart import Ended, search
 from exoid.fit.problem import Problem, pose
 from exoid.fit.result import FitResult
 from exoid.fit.starts import draw, informed
+from exoid.recording.given import Given, named_recordings
 from exoid.recording.recording import Recording
 
 MIDDLING = (4.0, 0.4)  # kg, kg m^2: where nothing is expected
@@ -23,7 +24,7 @@ APART = (("body_mass", "kg", 6.0), ("height", "m", 0.03))  # by which one person
 
 
 def fit(
-    recordings: list[tuple[str, Recording]] | Recording,
+    recordings: Given,
     *,
     multistart: int = 64,
     seed: int = 0,
@@ -36,7 +37,8 @@ def fit(
 ) -> FitResult:
     """Fit one leg to all segments of the recordings (Eq. 9-13).
 
-    `recordings` are (name, recording) pairs, or one recording; all are of one leg. `weight` is
+    `recordings` is one recording (a Recording, what `load` gave, or a path) or a list of them, with
+    or without names as (name, recording) pairs; all are of one leg. `weight` is
     lambda of Eq. 11 in standardised units. `smooth` is the window of Eq. 3 in samples, applied to
     data and simulation alike. `misfit` "paper" is Eq. 11 as printed: the angle alone in rad, and
     the prior in the parameters' own units. `starts`, (start, 6) in the order m, J, l, d, c, tau,
@@ -45,7 +47,7 @@ def fit(
     **Raises** `ValueError` where the recording cannot be fitted, `ArithmeticError` where no start
     succeeded.
     """
-    named = [("recording", recordings)] if isinstance(recordings, Recording) else recordings
+    named = named_recordings(recordings)
     check_one_leg(named)
     movements = movements_of(named)
     plain = misfit == "paper"

@@ -45,7 +45,10 @@ def read_keys(path: Path) -> tuple[dict[str, Any], dict[str, Any], Notes]:
         document = parse_toml(path)
         tables = {name: parse_keys(name, document.get(name, {})) for name in TABLES}
         extra = {name: v for name, v in document.items() if name not in (*TABLES, COLUMNS)}
-        notes = [f"unknown [{name}] is kept, but not used.{near(name, (*TABLES, COLUMNS))}" for name in extra]
+        notes = [
+            f"unknown [{name}] is kept, but not used.{near(name, (*TABLES, COLUMNS))}"
+            for name in extra
+        ]
         for name, table in tables.items():
             notes += [
                 f"unknown {key} in [{name}] is kept, but not used.{place(key)}"
@@ -69,7 +72,9 @@ def read_columns(path: Path) -> dict[str, str]:
             raise ValueError(f"{COLUMNS} must be a table: write [{COLUMNS}] and its keys below.")
         for key, name in columns.items():
             if not isinstance(name, str):
-                raise ValueError(f"{key} in [{COLUMNS}] is {name!r:.60}; it must be a text in quotes.")
+                raise ValueError(
+                    f"{key} in [{COLUMNS}] is {name!r:.60}; it must be a text in quotes."
+                )
         return dict(columns)
 
 

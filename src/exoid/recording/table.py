@@ -10,23 +10,24 @@ import re
 from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
-from itertools import chain
 from pathlib import Path
 
 import numpy as np
 
 from exoid.recording.formats.delimited import is_own, legible, sheet_of_text
-from exoid.recording.formats.sheets import TEXTS, read_sheet
+from exoid.recording.formats.sheets import TEXTS, read_sheet, require
 from exoid.recording.recording import BadSample, Recording, Segment, Subject
 from exoid.recording.sidecar import no_keys, read_columns, read_keys, sidecar_text
 from exoid.recording.tables.assemble import Named, assemble
 from exoid.recording.tables.columns import CHANNELS, IN_DEGREES, NUMERIC
+from exoid.recording.tables.flat import flat
 from exoid.recording.tables.sheet import Cells, Place
 from exoid.recording.text_file import Notes, naming, near, replace_files
 
 NUMBER = r"(?:[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)?"
 NUMBERS = re.compile(f"{NUMBER}(?:,{NUMBER})*", re.ASCII)
 NOT_IN_NUMBERS = re.compile(r"[^0-9+\-.eE,\n]")  # no letters but e: `nan` and `inf` are not read
+WRITTEN = (".csv", ".parquet")
 FIRST_LINE = 2  # the line of the first sample; the header is line 1
 
 
@@ -69,22 +70,35 @@ def named_columns(path: Path, chosen: Mapping[str, str], rate: float | None) -> 
     if chosen or not is_own(text):
         return assemble(sheet_of_text(text), chosen, rate)
     columns, notes = parse_table(text)
-    degrees = {IN_DEGREES[name]: f"{name}: read as degrees" for name in columns if name in IN_DEGREES}
+    degrees = {
+        IN_DEGREES[name]: f"{name}: read as degrees" for name in columns if name in IN_DEGREES
+    }
     return Named(columns, Place("line", FIRST_LINE), degrees, notes)
 
 
 def write_table(recording: Recording, path: str | Path) -> None:
-    """Writes NAME.csv and NAME.toml, such that `load` gives back every number and key.
+    """Writes NAME.csv or NAME.parquet, and NAME.toml, such that `load` gives back every number.
 
     Both are first written in full beside their targets and then moved into place: a failure
     leaves the files that were there as they were.
     """
     path = Path(path)
-    if path.suffix.lower() != ".csv":
-        raise ValueError(f"{path}: a recording is written to a name that ends in .csv.")
+    if path.suffix.lower() not in WRITTEN:
+        raise ValueError(f"{path}: a recording is written to a name that ends in .csv or .parquet.")
     tables = (recording.subject, recording.protocol, recording.sensors)
     sidecar = sidecar_text(*tables, recording.extra_tables)
-    replace_files({path.with_suffix(".toml"): [sidecar], path: table_lines(recording)})
+    samples = table_lines(recording) if path.suffix.lower() == ".csv" else parquet_of(recording)
+    replace_files({path.with_suffix(".toml"): [sidecar], path: samples})
+
+
+def parquet_of(recording: Recording) -> bytes:
+    """The same table as Parquet."""
+    require("pyarrow", "a Parquet file is written")
+    from exoid.recording.formats.parquet import as_parquet
+
+    columns = flat(recording)
+    check_names([*columns])
+    return as_parquet(columns)
 
 
 def parse_table(text: str) -> tuple[dict[str, Cells], Notes]:
@@ -258,27 +272,15 @@ def cut(columns: Mapping[str, Cells], rows: slice) -> Segment:
 
 
 def table_lines(recording: Recording) -> Iterable[str]:
-    """The CSV, segment by segment: numbers as short as they are exact, missing samples empty."""
-    names = [
-        column
-        for column, field in CHANNELS.items()
-        if any(getattr(segment, field) is not None for segment in recording.segments)
-    ]
-    extra = list(dict.fromkeys(chain(*(segment.extra_columns for segment in recording.segments))))
-    header = [names[0], "segment", *names[1:], *extra]
-    check_names(header)
-    yield as_csv([header])
-    for number, segment in enumerate(recording.segments):
-        blank = [""] * segment.time.size
-        cells = [as_cells(getattr(segment, CHANNELS[name]), blank) for name in names]
-        cells.insert(1, [str(number)] * segment.time.size)
-        cells += [segment.extra_columns.get(name, blank) for name in extra]
-        yield as_csv(zip(*cells, strict=True))
+    """The CSV: numbers as short as they are exact, missing samples empty."""
+    columns = flat(recording)
+    check_names([*columns])
+    yield as_csv([columns])
+    cells = [as_cells(each) if isinstance(each, np.ndarray) else each for each in columns.values()]
+    yield as_csv(zip(*cells, strict=True))
 
 
-def as_cells(samples: np.ndarray | None, blank: list[str]) -> list[str]:
-    if samples is None:
-        return blank
+def as_cells(samples: np.ndarray) -> list[str]:
     return [repr(value) if value == value else "" for value in samples.tolist()]
 
 

@@ -54,13 +54,14 @@ def near(name: str, names: Iterable[str]) -> str:
     return f" Did you mean {alike[0]}?" if alike else ""
 
 
-def replace_files(contents: Mapping[Path, Iterable[str]]) -> None:
+def replace_files(contents: Mapping[Path, Iterable[str] | bytes]) -> None:
     """Writes every file beside its target, and only when all are complete puts them in place."""
     beside = {path: path.with_name(f".{path.name}.{os.getpid()}.part") for path in contents}
     try:
         for path, parts in contents.items():
-            with beside[path].open("w", encoding="utf-8", newline="") as file:
-                file.writelines(parts)
+            with beside[path].open("wb") as file:
+                binary = isinstance(parts, bytes)
+                file.writelines([parts] if binary else (each.encode() for each in parts))
                 file.flush()
                 os.fsync(file.fileno())
         for path, part in beside.items():

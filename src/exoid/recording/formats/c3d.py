@@ -1,4 +1,4 @@
-"""C3D, the file of motion capture: model angles among its points, sensors among its analog channels.
+"""C3D, the file of motion capture: model angles among its points, sensors among analog channels.
 
 Columns are LABEL.X, LABEL.Y, LABEL.Z of every point and LABEL of every analog channel. They come at
 the rate of the points, or at that of the analog channels where the angle is one of these.
@@ -109,7 +109,7 @@ def check_angle(
         return
     held = [column.name.removesuffix(".X") for column in points if column.name.endswith(".X")]
     raise ValueError(
-        f"has no channel that is a knee angle by its name. Its points are {listed(held) or 'none'}; "
+        f"has no knee angle by its name. Its points are {listed(held) or 'none'}, "
         f"its analog channels {listed([each.name for each in analogs]) or 'none'}. Name one with "
         '--column raw_angle_deg="LABEL.X" for a point, or ="LABEL" for an analog channel.'
     )

@@ -27,7 +27,9 @@ def read_excel(path: Path) -> Sheet:
                 return with_name(sheet_of_rows(squared(rows), Place("row", 1)), sheet.title, names)
     finally:
         book.close()
-    raise ValueError(f"holds no table of numbers in its sheets: {', '.join(map(printable, names))}.")
+    raise ValueError(
+        f"holds no table of numbers in its sheets: {', '.join(map(printable, names))}."
+    )
 
 
 def row_of(cells: tuple[Any, ...]) -> Row:

@@ -41,10 +41,12 @@ def column_of(name: str, column: Any) -> Column | None:
     return None if cells is None else Column(printable(name), cells, parted(name)[1])
 
 
-def write_parquet(columns: dict[str, Any], path: Path) -> None:
-    """Writes columns of numbers and of words."""
+def as_parquet(columns: dict[str, Any]) -> bytes:
+    """Columns of numbers and of words, as the content of a file."""
     import pyarrow
     import pyarrow.parquet
 
     table = pyarrow.table({name: pyarrow.array(cells) for name, cells in columns.items()})
-    pyarrow.parquet.write_table(table, path)
+    content = pyarrow.BufferOutputStream()
+    pyarrow.parquet.write_table(table, content)
+    return content.getvalue().to_pybytes()

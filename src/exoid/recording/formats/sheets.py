@@ -1,4 +1,4 @@
-"""Any table of somebody else's, by its suffix; whatever its library says of it becomes a sentence."""
+"""Any table of somebody else's, by its suffix; what its library says of it becomes a sentence."""
 
 import warnings
 from collections.abc import Callable, Collection
@@ -24,8 +24,14 @@ READERS: dict[str, tuple[str, str, str | None]] = {
     ".parquet": ("parquet", "read_parquet", "pyarrow"),
 }
 EXTRAS = {"ezc3d": "c3d", "openpyxl": "excel", "pyarrow": "parquet", "pandas": "pandas"}
-CALLED = {".c3d": "a C3D file", ".xlsx": "an Excel workbook", ".xlsm": "an Excel workbook",
-          ".parquet": "a Parquet file", ".mat": "a MATLAB file", ".npz": "a NumPy archive"}  # fmt: skip
+CALLED = {
+    ".c3d": "a C3D file",
+    ".xlsx": "an Excel workbook",
+    ".xlsm": "an Excel workbook",
+    ".parquet": "a Parquet file",
+    ".mat": "a MATLAB file",
+    ".npz": "a NumPy archive",
+}
 ELSEWHERE = {
     ".xls": "is in Excel's format of before 2007. Save it as .xlsx or .csv.",
     ".ods": "is an OpenDocument table. Save it as .xlsx or .csv.",

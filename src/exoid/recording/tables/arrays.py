@@ -68,7 +68,9 @@ def columns_of(name: str, value: np.ndarray) -> list[Column]:
     if value.ndim == 2 and 1 in value.shape:
         value = value.reshape(-1)
     if value.ndim == 1:
-        return [Column(name, cells, parted(name)[1])] if (cells := cells_of(value)) is not None else []
+        return (
+            [Column(name, cells, parted(name)[1])] if (cells := cells_of(value)) is not None else []
+        )
     if value.ndim != 2 or value.dtype.kind not in "iuf":
         return []
     tall = value if value.shape[0] >= value.shape[1] else value.T
@@ -84,7 +86,9 @@ def cells_of(vector: np.ndarray):
         return None
     if vector.dtype.kind in "iufb":
         return vector.astype(np.float64)
-    if vector.dtype.kind in "MmUS":
+    if vector.dtype.kind == "m":
+        return vector / np.timedelta64(1, "s")
+    if vector.dtype.kind in "MUS":
         return tuple(str(cell) if cell == cell else "" for cell in vector.astype(str).tolist())
     if vector.dtype.kind == "O":
         return mixed(vector.tolist())

@@ -15,7 +15,6 @@ from exoid.recording.tables.sheet import Cells, Column, Place, Sheet, listed
 from exoid.recording.tables.units import plain, size_of
 from exoid.recording.text_file import Notes, near
 
-ASK = 'Name it with --column {}="...", or in the sidecar below [columns].'
 LARGEST_RADIANS = {"rad": 7.0, "rad/s": 35.0}  # beyond it a number without a unit is in degrees
 DEGREE = np.pi / 180
 
@@ -32,7 +31,7 @@ class Match:
 
 @dataclass(frozen=True, eq=False)
 class Named:
-    """Exoid's own columns, where their samples stand in the file, and what they are called there."""
+    """Exoid's own columns, where their samples stand in the file, and what they are there."""
 
     columns: dict[str, Cells]
     place: Place
@@ -68,7 +67,7 @@ def assemble(sheet: Sheet, chosen: Mapping[str, str], rate: float | None = None)
     notes += [f"read {'; '.join(units)}."] if units else []
     others = [column for column in sheet.columns if column.name not in taken]
     ours = "time_s" in sheet.names
-    notes += kept(others) if ours else left_out(others)
+    notes += kept(others) if ours else left_out(sheet, others)
     columns |= {column.name: as_texts(column) for column in others if ours}
     return Named(without_empty(columns, notes), sheet.place, sources, tuple(notes))
 
@@ -97,7 +96,7 @@ def matched(sheet: Sheet, chosen: Mapping[str, str]) -> list[Match]:
     for quantity, target in wanted.items():
         if target in taken or (quantity == "angle" and taken & {*ANGLES}):
             continue
-        column = only(quantity, target, recognised(rest, quantity))
+        column = only(sheet, quantity, recognised(rest, quantity))
         if column is not None:
             found.append(Match(column, target, 1.0 if target == SEGMENT else None, guessed=True))
     return found
@@ -129,14 +128,13 @@ def picked(sheet: Sheet, target: str, name: str) -> Column:
     return column
 
 
-def only(quantity: str, target: str, columns: list[Column]) -> Column | None:
+def only(sheet: Sheet, quantity: str, columns: list[Column]) -> Column | None:
     """The one column that it can be; None where there is none, or several that are not needed."""
-    if len(columns) > 1 and quantity in ("time", "angle"):
+    asked = {"time": "time_s", "angle": "raw_angle_deg"}
+    if len(columns) > 1 and quantity in asked:
         names = listed([column.name for column in columns])
-        raise ValueError(
-            f"several columns can be the {quantity}: {names}. Choose with --column "
-            f'{target if quantity == "time" else "raw_angle_deg"}="{columns[0].name}".'
-        )
+        ask = sheet.ask.format(asked[quantity]).replace("...", columns[0].name)
+        raise ValueError(f"several columns can be the {quantity}: {names}. Choose one: {ask}.")
     return columns[0] if len(columns) == 1 else None
 
 
@@ -152,7 +150,7 @@ def converted(match: Match, place: Place) -> tuple[Cells, str]:
     numbers = in_numbers(column, place)
     if match.size is not None:
         return numbers * match.size if match.size != 1.0 else numbers, ""
-    size, unit = found_size(column, numbers, UNITS[match.target])
+    size, unit = found_size(match, numbers)
     return numbers * size if size != 1.0 else numbers, unit
 
 
@@ -176,14 +174,15 @@ def is_float(cell: str) -> bool:
     return True
 
 
-def found_size(column: Column, numbers: np.ndarray, si: str) -> tuple[float, str]:
+def found_size(match: Match, numbers: np.ndarray) -> tuple[float, str]:
     """The size of the column's unit in SI: as the file says it, else as its numbers do."""
+    column, si = match.column, UNITS[match.target]
     if column.unit:
         size = size_of(column.unit, si)
         if size is None:
             raise ValueError(
-                f"column {column.name} is in {column.unit}, where {si} is wanted. Name another, or "
-                "say its true unit: --column raw_angle_deg, raw_angle_rad or raw_velocity_deg_s."
+                f"column {column.name} is in {column.unit}, but {match.target} is in {si}. Name "
+                "another, or say its true unit, as raw_angle_deg and raw_velocity_rad_s do."
             )
         return size, plain(column.unit)
     largest = np.nanmax(np.abs(numbers)) if not np.isnan(numbers).all() else 0.0
@@ -204,8 +203,8 @@ def counted(sheet: Sheet, rate: float | None) -> np.ndarray:
     known = rate or sheet.rate
     if not known:
         raise ValueError(
-            f"has no time. It holds: {listed(sheet.names, 40)}. {ASK.format('time_s')} "
-            "Or give sample_rate_hz in [sensors]."
+            f"has no time. It holds: {listed(sheet.names, 40)}. Name it: "
+            f"{sheet.ask.format('time_s')}, or give sample_rate_hz in [sensors]."
         )
     return np.arange(len(sheet.columns[0].cells)) / known
 
@@ -213,7 +212,8 @@ def counted(sheet: Sheet, rate: float | None) -> np.ndarray:
 def check_angle(columns: Mapping[str, Cells], sheet: Sheet) -> None:
     if not any(name in columns for name in ANGLES):
         raise ValueError(
-            f"has no angle. It holds: {listed(sheet.names, 40)}. {ASK.format('raw_angle_deg')}"
+            f"has no angle. It holds: {listed(sheet.names, 40)}. Name it: "
+            f"{sheet.ask.format('raw_angle_deg')}."
         )
 
 
@@ -223,12 +223,13 @@ def kept(others: list[Column]) -> list[str]:
     ]
 
 
-def left_out(others: list[Column]) -> list[str]:
+def left_out(sheet: Sheet, others: list[Column]) -> list[str]:
     if not others:
         return []
     names = listed([column.name for column in others])
     velocity = any("velocity" in each.name.lower() or "gyr" in each.name.lower() for each in others)
-    hint = ' A gyro among them is named by --column raw_velocity_deg_s="...".' if velocity else ""
+    ask = sheet.ask.format("raw_velocity_deg_s")
+    hint = f" A gyro among them is named: {ask}." if velocity else ""
     return [f"not read: {names}.{hint}"]
 
 
@@ -247,4 +248,3 @@ def without_empty(columns: dict[str, Cells], notes: list[str]) -> dict[str, Cell
     ]
     notes += [f"column {name} holds no number and is left out." for name in empty]
     return {name: cells for name, cells in columns.items() if name not in empty}
-

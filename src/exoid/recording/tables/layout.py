@@ -88,7 +88,9 @@ def is_sample(row: Row, numeric: tuple[bool, ...]) -> bool:
     return (
         len(row) == len(numeric)
         and any(map(is_number, row))
-        and all(isinstance(cell, float) for cell, number in zip(row, numeric, strict=True) if number)
+        and all(
+            isinstance(cell, float) for cell, number in zip(row, numeric, strict=True) if number
+        )
     )
 
 
@@ -107,7 +109,7 @@ def headings(above: list[Row], width: int) -> tuple[list[str], list[str]]:
     units = [""] * width
     if len(lines) > 1 and len(lines[-1]) == width and are_units(lines[-1]):
         units = [each.strip("[]() ") for each in lines.pop()]
-    if not lines or (len(lines[-1]) == 1 and width > 2):  # a title is no header
+    if not lines or (width > 2 and len([*filter(None, lines[-1])]) == 1):  # a title is no header
         return [""] * width, units
     names = lines[-1]
     if len(names) == width - 1:  # R writes no name above its numbers of rows
@@ -123,10 +125,8 @@ def headings(above: list[Row], width: int) -> tuple[list[str], list[str]]:
 
 
 def texts(row: Row) -> list[str]:
-    """The cells as words, without those that are empty at the end, and without a comment's mark."""
+    """The cells as words, without a comment's mark."""
     words = ["" if is_missing(cell) else str(cell).strip() for cell in row]
-    while words and not words[-1]:
-        words.pop()
     if words and words[0].startswith(COMMENT):
         words[0] = words[0].lstrip("#% ")
         return words if words[0] else words[1:]
@@ -157,7 +157,8 @@ def cells_of(cells: list[Cell]):
 
 
 def as_text(cell: Cell) -> str:
-    return f"{cell:.15g}" if isinstance(cell, float) else cell
+    """As it was written, a number as short as it can be."""
+    return cell if isinstance(cell, str) else f"{cell:.15g}"
 
 
 def named(column: Column, number: int) -> Column:
