@@ -11,4 +11,4 @@ def tell(notes: Iterable[str]) -> None:
     while frame.f_back is not None and str(frame.f_globals.get("__name__")).startswith("exoid."):
         frame, level = frame.f_back, level + 1
     for note in notes:
-        warnings.warn(note, stacklevel=level - 1)
+        warnings.warn(note, stacklevel=level)

@@ -10,75 +10,89 @@ from typing import Any
 
 import numpy as np
 
+from exoid.recording.foreign import Arrays, read_apart
 from exoid.recording.tables.names import recognised
 from exoid.recording.tables.sheet import Column, Place, Sheet, listed, printable
 
 AXES = "XYZ"
+LABELS = ("LABELS", "LABELS2", "LABELS3", "LABELS4")
 
 
 def read_c3d(path: Path, wanted: Collection[str] = ()) -> Sheet:
-    """Points and analog channels; `wanted` are the columns that a map names."""
-    import ezc3d
+    """Points and analog channels; `wanted` are the columns that a map names.
 
-    content = ezc3d.c3d(str(path))
-    parameters = content["parameters"]
-    points = point_columns(parameters, content["data"]["points"])
-    analogs = analog_columns(parameters, content["data"]["analogs"])
+    **Raises** `ValueError` that says what is in the file where nothing tells which is the angle.
+    """
+    content = read_apart(channels, path, "Export it again.")
+    points, analogs = point_columns(content), analog_columns(content)
     if not points and not analogs:
         raise ValueError("holds neither points nor analog channels.")
-    point_rate = float(value(parameters, "POINT", "RATE", 0.0))
-    analog_rate = float(value(parameters, "ANALOG", "RATE", 0.0)) or point_rate
+    point_rate, analog_rate = content["rates"].tolist()
     fast = fastest(points, analogs, wanted)
-    columns, rate = (analogs, analog_rate) if fast else (points, point_rate)
-    if not fast and points and analogs:
+    columns, rate = (analogs, analog_rate or point_rate) if fast else (points, point_rate)
+    if not fast and analogs:
         columns = points + thinned(analogs, len(points[0].cells))
     sheet = Sheet(tuple(columns), Place("frame"), rate=rate or None)
-    check_angle(sheet, wanted, points, analogs)
+    if not wanted and not recognised(sheet.columns, "angle"):
+        raise ValueError(told(points, analogs))
     return sheet
 
 
-def value(parameters: Mapping[str, Any], group: str, name: str, default: Any) -> Any:
-    """A parameter's first value."""
-    held = parameters.get(group, {}).get(name, {}).get("value", [])
-    return held[0] if len(held) else default
+def channels(path: Path) -> Arrays:
+    """What the file holds, as arrays; in a process of its own."""
+    import ezc3d
+
+    content = ezc3d.c3d(str(path))
+    point, analog = (content["parameters"].get(group, {}) for group in ("POINT", "ANALOG"))
+    return {
+        "points": np.asarray(content["data"]["points"][:3], np.float64),
+        "analogs": np.asarray(content["data"]["analogs"][0], np.float64),
+        "rates": np.array([first(point, "RATE", 0.0), first(analog, "RATE", 0.0)], np.float64),
+        "point_labels": np.array([each for name in LABELS for each in held(point, name)], str),
+        "analog_labels": np.array([each for name in LABELS for each in held(analog, name)], str),
+        "angles": np.array(held(point, "ANGLES"), str),
+        "point_units": np.array([first(point, "UNITS", ""), first(point, "ANGLE_UNITS", "deg")]),
+        "analog_units": np.array(held(analog, "UNITS"), str),
+    }
 
 
-def labels(parameters: Mapping[str, Any], group: str, count: int) -> list[str]:
-    """The names in LABELS, LABELS2, ..., one for each channel."""
-    found: list[str] = []
-    for name in ("LABELS", "LABELS2", "LABELS3", "LABELS4"):
-        found += parameters.get(group, {}).get(name, {}).get("value", [])
-    named = [printable(each) or f"{group.lower()} {number}" for number, each in enumerate(found)]
-    return (named + [f"{group.lower()} {number}" for number in range(len(named), count)])[:count]
+def held(group: Mapping[str, Any], name: str) -> list[Any]:
+    """A parameter's values."""
+    return [*group.get(name, {}).get("value", [])]
 
 
-def point_columns(parameters: Mapping[str, Any], points: np.ndarray) -> list[Column]:
+def first(group: Mapping[str, Any], name: str, default: Any) -> Any:
+    return next(iter(held(group, name)), default)
+
+
+def labelled(labels: np.ndarray, count: int, kind: str) -> list[str]:
+    """A name for each channel; those without one are numbered."""
+    names = [printable(each) for each in labels.tolist()[:count]]
+    names += [""] * (count - len(names))
+    return [name or f"{kind} {number}" for number, name in enumerate(names, 1)]
+
+
+def point_columns(content: Arrays) -> list[Column]:
     """The three numbers of every point; in degrees those that are a model's angles."""
-    names = labels(parameters, "POINT", points.shape[1])
-    angles = {*map(printable, parameters.get("POINT", {}).get("ANGLES", {}).get("value", []))}
-    length = str(value(parameters, "POINT", "UNITS", ""))
-    turn = str(value(parameters, "POINT", "ANGLE_UNITS", "deg"))
+    points = content["points"]
+    angles = {printable(each) for each in content["angles"].tolist()}
+    length, turn = map(str, content["point_units"].tolist())
     return [
         Column(
             f"{name}.{axis}",
-            np.asarray(points[at, number], np.float64),
+            points[at, number],
             turn if name in angles or "angle" in name.lower() else length,
         )
-        for number, name in enumerate(names)
+        for number, name in enumerate(labelled(content["point_labels"], points.shape[1], "point"))
         for at, axis in enumerate(AXES)
     ]
 
 
-def analog_columns(parameters: Mapping[str, Any], analogs: np.ndarray) -> list[Column]:
-    units = parameters.get("ANALOG", {}).get("UNITS", {}).get("value", [])
-    return [
-        Column(
-            name,
-            np.asarray(analogs[0, number], np.float64),
-            printable(units[number]) if number < len(units) else "",
-        )
-        for number, name in enumerate(labels(parameters, "ANALOG", analogs.shape[1]))
-    ]
+def analog_columns(content: Arrays) -> list[Column]:
+    analogs, units = content["analogs"], [printable(each) for each in content["analog_units"]]
+    names = labelled(content["analog_labels"], analogs.shape[0], "analog")
+    units += [""] * (len(names) - len(units))
+    return [Column(*each) for each in zip(names, analogs, units, strict=False)]
 
 
 def fastest(points: list[Column], analogs: list[Column], wanted: Collection[str]) -> bool:
@@ -101,15 +115,11 @@ def thinned(analogs: list[Column], frames: int) -> list[Column]:
     ]
 
 
-def check_angle(
-    sheet: Sheet, wanted: Collection[str], points: list[Column], analogs: list[Column]
-) -> None:
-    """Say what the file holds where nobody says which of it is the angle."""
-    if wanted or recognised(sheet.columns, "angle"):
-        return
+def told(points: list[Column], analogs: list[Column]) -> str:
+    """What the file holds, where nobody says which of it is the angle."""
     held = [column.name.removesuffix(".X") for column in points if column.name.endswith(".X")]
-    raise ValueError(
-        f"has no knee angle by its name. Its points are {listed(held) or 'none'}, "
-        f"its analog channels {listed([each.name for each in analogs]) or 'none'}. Name one with "
-        '--column raw_angle_deg="LABEL.X" for a point, or ="LABEL" for an analog channel.'
+    return (
+        f"has no knee angle by its name. Its points are {listed(held) or 'none'}, its analog "
+        f"channels {listed([each.name for each in analogs]) or 'none'}. Name one with --column "
+        'raw_angle_deg="LABEL.X" for a point, or ="LABEL" for an analog channel.'
     )

@@ -1,47 +1,54 @@
 """Parquet, by pyarrow: columns as any data frame writes them, and exoid's own table as columns."""
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from exoid.recording.tables.arrays import cells_of
-from exoid.recording.tables.sheet import Column, Place, Sheet, printable
-from exoid.recording.tables.units import parted
+from exoid.recording.foreign import Arrays, read_apart
+from exoid.recording.formats.packed import packed, unpacked
+from exoid.recording.tables.arrays import columns_of
+from exoid.recording.tables.sheet import Place, Sheet
 
 INDEX = "__index_level_"  # pandas' numbers of rows
 
 
 def read_parquet(path: Path) -> Sheet:
     """The columns of numbers, dates and words."""
+    arrays = unpacked(read_apart(columns, path, "Write it again."))
+    found = [column for name, each in arrays.items() for column in columns_of(name, each)]
+    if not found:
+        raise ValueError("holds no column of numbers with two rows or more.")
+    return Sheet(tuple(found), Place("row"))
+
+
+def columns(path: Path) -> Arrays:
+    """Every flat column as an array; in a process of its own."""
     import pyarrow.parquet
 
     table = pyarrow.parquet.read_table(path)
-    columns = [column_of(name, table.column(name)) for name in dict.fromkeys(table.column_names)]
-    found = tuple(each for each in columns if each is not None)
-    if not found:
-        raise ValueError("holds no column of numbers with two rows or more.")
-    return Sheet(found, Place("row"))
+    names = [name for name in dict.fromkeys(table.column_names) if not name.startswith(INDEX)]
+    return packed({name: as_array(table.column(name)) for name in names})
 
 
-def column_of(name: str, column: Any) -> Column | None:
-    """A column as numbers, NaN where one is missing, or as words; None for anything else."""
+def as_array(column: Any) -> np.ndarray:
+    """Numbers, NaN where one is missing, or words; empty for anything else."""
     import pyarrow
+    from pyarrow import types
 
     kind = column.type
-    if name.startswith(INDEX) or pyarrow.types.is_nested(kind):
-        return None
-    numeric = pyarrow.types.is_integer(kind) or pyarrow.types.is_floating(kind)
-    if numeric or pyarrow.types.is_boolean(kind) or pyarrow.types.is_decimal(kind):
+    if types.is_nested(kind):
+        return np.empty(0)
+    if types.is_null(kind):
+        return np.full(len(column), np.nan)
+    if types.is_integer(kind) or types.is_floating(kind) or types.is_decimal(kind):
         numbers = column.cast(pyarrow.float64()).to_numpy(zero_copy_only=False)
-        return Column(printable(name), np.asarray(numbers, np.float64), parted(name)[1])
-    if pyarrow.types.is_null(kind):
-        return Column(printable(name), np.full(len(column), np.nan))
-    cells = cells_of(np.array(column.cast(pyarrow.string()).to_pylist(), dtype=object))
-    return None if cells is None else Column(printable(name), cells, parted(name)[1])
+        return np.asarray(numbers, np.float64)
+    return np.array(["" if each is None else str(each) for each in column.to_pylist()], str)
 
 
-def as_parquet(columns: dict[str, Any]) -> bytes:
+def as_parquet(columns: Mapping[str, Any]) -> bytes:
     """Columns of numbers and of words, as the content of a file."""
     import pyarrow
     import pyarrow.parquet

@@ -7,6 +7,7 @@ from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
 
+from exoid.recording.foreign import ForeignError
 from exoid.recording.library_faults import plain
 from exoid.recording.tables.sheet import Sheet
 
@@ -81,6 +82,8 @@ def guarded(reader: Callable[[Path], Sheet], path: Path, called: str) -> Sheet:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # the libraries' own, which say nothing about the file
             return reader(path)
+    except ForeignError as fault:
+        raise ValueError(str(fault).removeprefix(str(path)).lstrip(": ")) from fault
     except MemoryError as fault:
         raise ValueError(f"is damaged, or not {called}: it asks for all memory.") from fault
     except ValueError as fault:

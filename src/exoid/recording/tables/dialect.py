@@ -5,7 +5,7 @@ import re
 from dataclasses import dataclass
 from functools import partial
 
-from exoid.recording.tables.layout import Cell, Row
+from exoid.recording.tables.layout import NO_TABLE, Cell, Row
 
 MISSING = {"", "nan", "na", "n/a", "#n/a", "#nv", "null", "none", "-", "--"}
 NUMBERS = {
@@ -68,7 +68,7 @@ def sniffed(lines: list[str]) -> Dialect:
     shares = {dialect: share(middle, dialect) for dialect in DIALECTS}
     best = max(DIALECTS, key=shares.__getitem__)
     if shares[best] < LEAST:
-        raise ValueError("holds no table of numbers. Export it with names, then one row a sample.")
+        raise ValueError(NO_TABLE)
     return best
 
 

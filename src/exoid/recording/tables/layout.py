@@ -16,6 +16,7 @@ from exoid.recording.tables.units import is_unit, parted, plain
 Cell = float | str  # NaN where it is empty
 Row = list[Cell]
 
+NO_TABLE = "holds no table of numbers. Export it with names, then one row a sample."
 COMMENT = ("#", "%")
 PROBED = 25  # rows to either side of the middle, which say what is a sample
 
@@ -70,15 +71,16 @@ def find_layout(rows: list[Row]) -> Layout:
     middle = full[max(0, len(full) // 2 - PROBED) : len(full) // 2 + PROBED]
     widths = Counter(len(row) for row in middle if any(map(is_number, row)))
     if not widths:
-        raise ValueError("holds no table of numbers. Export it with names, then one row a sample.")
+        raise ValueError(NO_TABLE)
     width = widths.most_common(1)[0][0]
     alike = [row for row in middle if len(row) == width]
     numeric = tuple(
         2 * sum(map(is_number, cells)) > sum(not is_missing(cell) for cell in cells)
         for cells in zip(*alike, strict=True)
     )
-    samples = [is_sample(row, numeric) for row in rows]
-    first = samples.index(True)
+    first = next((at for at, row in enumerate(rows) if is_sample(row, numeric)), None)
+    if first is None:
+        raise ValueError(NO_TABLE)
     end = next((at for at in range(first, len(rows)) if is_empty(rows[at])), len(rows))
     return Layout(first, end, numeric)
 
