@@ -14,6 +14,7 @@ NUMBERS = {
 }
 PROBED = 50  # lines in the middle, by which the ways of writing are compared
 BLANK = " "  # stands for any number of blanks
+DOUBT = 0.9  # of blanks, which stand within titles and beside other separators as well
 LEAST = 0.4  # share of the cells that are numbers, below which it is no table
 DECLARED = re.compile(r"^sep=(.)$", re.IGNORECASE)  # Excel's own first line
 
@@ -85,7 +86,8 @@ def share(lines: list[str], dialect: Dialect) -> float:
     cells = [cell.strip() for row in rows if len(row) == width for cell in row]
     numbers = sum(NUMBERS[dialect.decimal].fullmatch(cell) is not None for cell in cells)
     told = sum(cell.lower() not in MISSING for cell in cells)
-    return numbers / max(told, 1) * widths.count(width) / len(rows)
+    alike = widths.count(width) / len(rows)
+    return numbers / max(told, 1) * alike * (DOUBT if dialect.separator == BLANK else 1.0)
 
 
 def split(lines: list[str], separator: str):

@@ -17,6 +17,7 @@ Cell = float | str  # NaN where it is empty
 Row = list[Cell]
 
 NO_TABLE = "holds no table of numbers. Export it with names, then one row a sample."
+AXES = ("X", "Y", "Z", "x", "y", "z")
 COMMENT = ("#", "%")
 PROBED = 25  # rows to either side of the middle, which say what is a sample
 
@@ -121,9 +122,7 @@ def headings(above: list[Row], width: int) -> tuple[list[str], list[str]]:
             f"the samples have {width} cells, but {len(names)} names stand above them: "
             f"{listed(names)}. Is a name missing, or are there decimal commas between commas?"
         )
-    if len(set(filter(None, names))) < len([*filter(None, names)]) and len(lines) > 1:
-        names = grouped(lines[-2], names)
-    return names, units
+    return grouped(lines[-2], names) if len(lines) > 1 else names, units
 
 
 def texts(row: Row) -> list[str]:
@@ -141,12 +140,12 @@ def are_units(words: list[str]) -> bool:
 
 
 def grouped(over: list[str], names: list[str]) -> list[str]:
-    """Names that repeat, each behind the name of its group: X, Y, Z below LKneeAngles."""
+    """Names that say too little, each behind that of its group: X, Y, Z below LKneeAngles."""
     padded = (over + [""] * len(names))[: len(names)]
     groups = list(accumulate(padded, lambda last, this: this or last))
-    twice = {name for name, count in Counter(names).items() if count > 1}
+    short = {name for name, count in Counter(names).items() if count > 1} | {*AXES}
     return [
-        f"{group}.{name}" if name in twice and group else name
+        f"{group}.{name}" if name in short and name and group else name
         for group, name in zip(groups, names, strict=True)
     ]
 
