@@ -68,7 +68,9 @@ def dialects(draw):
         "encoding": draw(st.sampled_from(["utf-8", "utf-8-sig", "cp1252", "utf-16"])),
         "names": draw(st.sampled_from([*GERMAN, *ENGLISH])),
         "units": draw(st.booleans()),
-        "preamble": draw(st.lists(st.sampled_from(["Trial 3", "Subject;12;", "", "rate,100", "x"]))),
+        "preamble": draw(
+            st.lists(st.sampled_from(["Trial 3", "Subject;12;", "", "rate,100", "x"]))
+        ),
         "blank": draw(st.integers(0, 2)),
         "extra": draw(st.booleans()),
         "trailing": draw(st.booleans()),

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from os import PathLike
 from pathlib import Path
+from typing import Any
 
 from exoid.recording.load import Loaded, load
 from exoid.recording.recording import Recording
@@ -34,7 +35,7 @@ def named_recordings(given: Given, alone: str = "recording") -> list[tuple[str, 
     ]
 
 
-def pair(each: Readable | tuple[str, Readable], name: str) -> tuple[str, Recording]:
+def pair(each: Any, name: str) -> tuple[str, Recording]:
     """One of them, under its own name where it has one."""
     if isinstance(each, tuple):
         return str(each[0]), pair(each[1], name)[1]

@@ -13,7 +13,8 @@ def read_npz(path: Path) -> Sheet:
 
     **Raises** `ValueError` where there are none; pickled objects are not opened.
     """
-    with np.load(path, allow_pickle=False) as file:
+    with path.open("rb") as stream:  # NumPy leaves it open where it fails
+        file = np.load(stream, allow_pickle=False)
         if not isinstance(file, np.lib.npyio.NpzFile):
             raise ValueError("holds one array without names. Save with np.savez(time=..., ...).")
         arrays = {name: opened(file, name) for name in file.files}

@@ -45,6 +45,8 @@ def as_array(column: Any) -> np.ndarray:
     if types.is_integer(kind) or types.is_floating(kind) or types.is_decimal(kind):
         numbers = column.cast(pyarrow.float64()).to_numpy(zero_copy_only=False)
         return np.asarray(numbers, np.float64)
+    if types.is_duration(kind):
+        return column.to_numpy(zero_copy_only=False)
     return np.array(["" if each is None else str(each) for each in column.to_pylist()], str)
 
 

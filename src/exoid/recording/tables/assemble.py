@@ -57,7 +57,7 @@ def assemble(sheet: Sheet, chosen: Mapping[str, str], rate: float | None = None)
         name = match.column.name
         if name != match.target:
             sources[match.target] = f"{name}: read {f'in {unit}' if unit else 'in its own unit'}"
-        if name not in TARGETS or unit:
+        if match.guessed or unit:
             units.append(f"{name} as {match.target}{f' (in {unit})' if unit else ''}")
     notes = list(sheet.notes)
     if "time_s" not in columns:
