@@ -23,7 +23,7 @@ def test_a_table_in_other_words_is_converted_and_what_was_understood_is_said(
     command, camera, tmp_path
 ):
     for suffix in ("csv", "parquet"):
-        done = command("convert", camera, "-o", tmp_path / f"leg.{suffix}")
+        done = command("convert", camera, "-o", tmp_path / f"leg.{suffix}", "--force")
         assert done.returncode == 0, done.stderr
         assert "Kniewinkel (°) as raw_angle_rad (in °)" in done.stderr
         (segment,) = load(tmp_path / f"leg.{suffix}").recording.segments
@@ -42,7 +42,7 @@ def test_an_option_names_a_column(command, camera, tmp_path):
     ("column", "said"),
     [
         ("raw_angle_deg", "--column raw_angle_deg: write it as COLUMN="),
-        ("raw_angle_deg=Knie", "has no column 'Knie' for raw_angle_deg. Did you mean Kniewinkel"),
+        ("raw_angle_deg=Kniewinkel", "for raw_angle_deg. Did you mean Kniewinkel (°)? It holds"),
         ("angel=Kniewinkel (°)", "there is no column angel to fill. Did you mean angle"),
     ],
 )

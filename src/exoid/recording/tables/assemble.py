@@ -115,9 +115,9 @@ def unpacked(target: str) -> tuple[str, float | None]:
 def picked(sheet: Sheet, target: str, name: str) -> Column:
     """The column that a map names."""
     if target not in TARGETS:
-        own = sorted(NUMERIC)
         raise ValueError(
-            f"there is no column {target} to fill.{near(target, own)} It can be {listed(own, 99)}."
+            f"there is no column {target} to fill.{near(target, TARGETS)} "
+            f"It can be {listed(sorted(NUMERIC), 99)}."
         )
     column = sheet.column(name) or sheet.column(name.strip())
     if column is None:
