@@ -4,7 +4,7 @@ import pytest
 from command_line import Command
 from sessions import DROP, TWO_DROPS, session, write_log
 
-from exoid.recording.condition import split
+from exoid.recording.motion.split import split
 from exoid.recording.table import write_table
 
 

@@ -8,7 +8,7 @@ import pytest
 from command_line import refusal
 from sessions import DROP, LEG, SUBJECT, session
 
-from exoid.recording.condition import split
+from exoid.recording.motion.split import split
 from exoid.recording.table import write_table
 from exoid.twin.motion import Movement
 

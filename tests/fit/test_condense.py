@@ -20,7 +20,7 @@ from exoid.recording.recording import Subject
 from fit_cases import UNMOVED, coordinates_of, cycle_torque, exact, leg, one, state
 
 TIME = np.arange(120) * 0.01
-LOAD = Subject(kind="leg", added_mass=1.2, added_mass_distance=0.35)
+LOAD = Subject(kind="leg", added_mass=1.2, added_mass_distance=0.35, added_mass_gyration=0.0)
 STEP = 1e-4  # of a central difference in typical steps: its error is about STEP^2
 CLOSE = 1e-6  # relative to the largest entry: that, times the third derivative's size
 

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from exoid.fit.condense import Sensed
-from exoid.fit.coordinates import Seat
-from exoid.fit.disturbance import explain, spoiled
+from exoid.fit.disturbance import explain
 from exoid.fit.gram import CAUSES, gram, grams, hats, matern, node_count, pushes
 from exoid.fit.observation import Observation
+from exoid.fit.sandwich import common, spoiled
 from exoid.physics.step import Drive
 
 SAMPLES, DURATION, NODES = 600, 6.0, 48
@@ -29,7 +29,9 @@ SEEN = Observation(
     added_mass=ONE,
     added_mass_distance=ONE,
     thigh_angle=ONE,
-    seat=Seat(*[np.array([-1])] * 2),
+    added_mass_moves=ONE,
+    added_mass_extent=0 * ONE,
+    seat=np.array([0]),
 )
 
 
@@ -66,7 +68,13 @@ def process(rng, correlated, count=NODES):
 def explained(residual, a=None):
     sensed = linear(residual, columns() if a is None else a)
     each = {cause: grams(sensed, SEEN, [DURATION], PLACE[None], cause) for cause in CAUSES}
-    return explain(each, {"torque": 10.0, "encoder": 1.0}, SAMPLES, 3)
+    missed = explain(each, {"torque": 10.0, "encoder": 1.0}, SAMPLES, 3)
+    return left(missed, each[missed.cause or "torque"])
+
+
+def left(missed, each):
+    """What it leaves of the information."""
+    return spoiled(common(missed, ["passive"]), each, ["passive"] * len(each), 3)
 
 
 def test_white_noise_is_called_white_and_widens_nothing():
@@ -97,8 +105,10 @@ def test_a_missing_torque_is_found_with_its_size_and_its_correlation_time(correl
         for _ in range(20)
     ]
     assert [each.cause for each in found].count("torque") >= 17
-    assert np.median([each.deviation for each in found]) == pytest.approx(size, rel=0.25)
-    assert np.median([each.correlation_time for each in found]) == correlated
+    assert np.median([each.kinds["passive"].deviation for each in found]) == pytest.approx(
+        size, rel=0.25
+    )
+    assert np.median([each.kinds["passive"].correlation_time for each in found]) == correlated
 
 
 def test_a_slow_error_of_the_encoder_is_told_from_a_torque():
@@ -111,7 +121,9 @@ def test_a_slow_error_of_the_encoder_is_told_from_a_torque():
     ]
     assert [each.cause for each in found].count("encoder") >= 18
     # Three times the noise of 0.01 rad, between nodes that are linear.
-    assert np.median([each.deviation for each in found]) == pytest.approx(0.03, rel=0.25)
+    assert np.median([each.kinds["passive"].deviation for each in found]) == pytest.approx(
+        0.03, rel=0.25
+    )
 
 
 def test_the_information_left_is_the_sandwich():
@@ -120,9 +132,10 @@ def test_the_information_left_is_the_sandwich():
     shapes = hats(TIME, DURATION, NODES)
     found = explained(rng.normal(size=SAMPLES) + swung(0.3 * process(rng, 0.2) @ shapes))
     assert found.cause == "torque"
+    missed = found.kinds["passive"]
     effect = np.stack([swung(each) for each in shapes])
-    inside = matern(np.linspace(0, DURATION, NODES), found.correlation_time)
-    covariance = found.noise**2 * np.eye(SAMPLES) + found.deviation**2 * effect.T @ inside @ effect
+    inside = matern(np.linspace(0, DURATION, NODES), missed.correlation_time)
+    covariance = found.noise**2 * np.eye(SAMPLES) + missed.deviation**2 * effect.T @ inside @ effect
     a = columns().T
     inverse = np.linalg.inv(a.T @ a)
     scatter = inverse @ a.T @ covariance @ a @ inverse
@@ -134,9 +147,9 @@ def test_what_is_left_to_another_segment_is_the_sandwich_under_the_same_process(
     shapes = hats(TIME, DURATION, NODES)
     found = explained(rng.normal(size=SAMPLES) + swung(0.3 * process(rng, 0.2) @ shapes))
     other = linear(np.zeros(SAMPLES), 2 * columns())
-    left = spoiled(found, [gram(other, SEEN, 0, DURATION, "torque", PLACE)], 3)
-    np.testing.assert_allclose(left.information, 4 * found.information, rtol=1e-6)
-    np.testing.assert_allclose(left.widening, found.widening, rtol=1e-6)
+    again = left(found.kinds["passive"], [gram(other, SEEN, 0, DURATION, "torque", PLACE)])
+    np.testing.assert_allclose(again.information, 4 * found.information, rtol=1e-6)
+    np.testing.assert_allclose(again.widening, found.widening, rtol=1e-6)
 
 
 def test_a_direction_without_information_stays_without():

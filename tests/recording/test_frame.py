@@ -46,7 +46,8 @@ def test_what_a_mapping_calls_its_columns_is_understood_and_said():
 
 def test_a_warning_names_the_line_that_called_exoid(tmp_path):
     script = tmp_path / "mine.py"
-    script.write_text("import exoid\n\nexoid.recording({'t': [0, 1], 'knee': [-20, -21]})\n")
+    swing = "{'t': [0, 0.05, 0.1, 0.15], 'knee': [-20, -21, -23, -26]}"
+    script.write_text(f"import exoid\n\nexoid.recording({swing})\n")
     done = subprocess.run([sys.executable, script], capture_output=True, text=True, check=True)
     assert f"{script}:3: UserWarning: recording: read t as time_s" in done.stderr
 

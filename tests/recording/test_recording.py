@@ -92,10 +92,12 @@ def test_missing_samples_are_allowed():
 
 
 def test_a_rig_may_turn_further_than_a_knee():
-    over_the_top = Segment(TIME, angle=ANGLE - 3.0)
+    over_the_top = Segment(TIME, angle=ANGLE * 4)
     assert Recording((over_the_top,), Subject(kind="rig")).segments == (over_the_top,)
     with pytest.raises(ValueError, match='kind = "rig"'):
         Recording((over_the_top,), Subject(kind="leg"))
+    elsewhere = Segment(TIME, angle=ANGLE - 3.0)  # an encoder counts from where it was glued
+    assert Recording((elsewhere,), Subject(kind="leg")).segments == (elsewhere,)
 
 
 @pytest.mark.parametrize(

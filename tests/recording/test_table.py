@@ -81,7 +81,8 @@ def metadata(kind, segments, lists=()):
     """One table of the sidecar, each key present or not, lists where segments may differ."""
     values = {"extra_keys": st.dictionaries(st.just("mine"), st.integers())}
     for entry in known(kind):
-        value = st.text() if entry.name == "notes" else one_of(entry)
+        free = entry.metadata.get("choices", ()) is None
+        value = st.text() if free else one_of(entry)
         many = st.tuples(*[value] * segments)
         if entry.name in ("segment_start", "segment_end"):
             value = many

@@ -7,15 +7,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from exoid.fit.disturbance import Disturbance
+from exoid.fit.disturbance import Missed
 from exoid.fit.profile import Profile
 from exoid.fit.result import Estimate, FitResult, MultistartReport, SegmentFit
+from exoid.fit.sandwich import common
 from exoid.fit.uncertainty import HELD, Shares
 from exoid.report.fit_json import fit_document, write_json
 
 BY_DATA, BY_PRIOR = Shares(1.0, 0.0, 0.0), Shares(0.0, 1.0, 0.0)
 BY_BOTH = Shares(0.4, 0.6, 0.0)
-WHITE = Disturbance(None, 0.025, 0.0, 1.0, np.eye(2), np.ones(2))
+WHITE = common(Missed(None, 0.025, 0.0, 1.0, 0.0), ["passive"])
 RECORDINGS = [{"path": "leg.csv", "sha256": "00ff", "segments": 2}]
 
 
@@ -164,22 +165,27 @@ def test_shares_profile_and_what_is_in_the_residual_are_written():
         0.372,
         None,
     )
-    missed = Disturbance("torque", 0.1, 0.0004, 1.0, np.eye(2), np.array([2.0, 5.0]))
-    result = replace(result, disturbance=missed)
+    missed = common(Missed("torque", 0.1, 0.0004, 1.0, 0.0), ["passive"])
+    result = replace(result, disturbance=replace(missed, widening=np.array([2.0, 5.0])))
     found = fit_document(
         result, version="0", recordings=[], settings={}, profiles={"inertia": profile}
     )
     inertia = found["parameters"]["inertia"]
-    assert inertia["shares"] == {"data": 0.0, "prior": 1.0, "bound": 0.0}
+    assert inertia["shares"] == {"data": 0.0, "prior": 1.0, "bound": 0.0, "kind": None}
     assert inertia["profile"]["shape"] == "lower limit only"
     assert (inertia["profile"]["lower"], inertia["profile"]["upper"]) == (0.372, None)
     assert found["parameters"]["mass"]["shares"] is None
     assert found["parameters"]["damping"]["profile"] is None
     assert found["fit"]["disturbance"] == {
-        "cause": "torque",
-        "correlation_time_s": 0.1,
-        "deviation": 0.02,
-        "noise_over_declared": 1.0,
+        "kinds": {
+            "passive": {
+                "cause": "torque",
+                "correlation_time_s": 0.1,
+                "deviation": 0.02,
+                "noise_over_declared": 1.0,
+                "residual_divided_by": 1.0,
+            }
+        },
         "widening_least": 2.0,
         "widening_most": 5.0,
     }

@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from exoid.fit.disturbance import Disturbance
+from exoid.fit.disturbance import Missed
 from exoid.fit.profile import Profile
 from exoid.fit.result import Estimate, FitResult, MultistartReport, SegmentFit
+from exoid.fit.sandwich import common
 from exoid.fit.uncertainty import HELD, Shares
 from exoid.report.plot_axis import readable, view
 from exoid.report.plot_motion import SHOWN, chosen_segments
@@ -84,7 +85,7 @@ def fitted():
         mountings=[],
         multistart=multistart(np.array([150.0, 150.0, 150.0, 9000.0, np.inf])),
         loss=151.0,
-        disturbance=Disturbance(None, 0.1, 0.0, 1.0, np.eye(2), np.ones(2)),
+        disturbance=common(Missed(None, 0.1, 0.0, 1.0, 0.0), ["passive"]),
         torque_frequency="1/T",
         other_reading_rmse=0.075,
         prior="anatomy, table de_leva, 77 kg and 1.8 m",

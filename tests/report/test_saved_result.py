@@ -13,8 +13,9 @@ from test_fit_json import fitted
 from exoid.diagnose.directions import Direction
 from exoid.diagnose.identifiability import Identifiability
 from exoid.diagnose.reversal import Reversal
-from exoid.fit.disturbance import Disturbance
+from exoid.fit.disturbance import Missed
 from exoid.fit.result import Estimate, MountingFit
+from exoid.fit.sandwich import Disturbance
 from exoid.report.comparison import compare
 from exoid.report.comparison_table import comparison_document, print_comparison
 from exoid.report.fit_json import fit_document
@@ -42,10 +43,19 @@ def rich():
         plain,
         segments=segments,
         mountings=[MountingFit("b.csv", None, zero(), zero(), None)],
-        disturbance=Disturbance("encoder", 0.1, ODD[0], 1.0, np.outer(ODD, ODD), np.array(ODD)),
+        disturbance=Disturbance(
+            {"active": Missed("encoder", 0.1, ODD[0], 1.0, ODD[1]), "passive": missed()},
+            {"active": ODD[2], "passive": 1.0},
+            np.outer(ODD, ODD),
+            np.array(ODD),
+        ),
         torque_frequency=None,
         other_reading_rmse=None,
     )
+
+
+def missed():
+    return Missed(None, 0.025, 0.0, 1.0, -7.5)
 
 
 def told():

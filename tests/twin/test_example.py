@@ -7,7 +7,7 @@ import pytest
 
 import exoid
 from exoid.recording.can_log import read_can_log
-from exoid.recording.condition import split
+from exoid.recording.motion.split import split
 from exoid.recording.sidecar import read_sidecar
 
 FOLDER = Path(exoid.__file__).parent / "example"

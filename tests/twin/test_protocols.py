@@ -10,8 +10,9 @@ from cantools.database import load_file
 
 from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.torque import NoTorque
-from exoid.recording.condition import best_velocity, split
+from exoid.recording.condition import best_velocity
 from exoid.recording.dbc import EXOID_DBC
+from exoid.recording.motion.split import split
 from exoid.recording.recording import Protocol, Subject
 from exoid.twin.frames import frames
 from exoid.twin.motion import Movement, perform

@@ -2,12 +2,15 @@
 
 import os
 import sys
+from traceback import walk_tb
 
 # Small matrices only: threads of the linear algebra library cost more than they bring.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 # XLA writes about its own affairs to stderr, past Python.
 os.environ.setdefault("TF_CPP_MIN_LOG_LEVEL", "3")
 
+# Those that compute. What they say of arrays is not for users.
+LIBRARIES = ("numpy", "scipy", "jax", "jaxlib", "equinox", "optimistix", "lineax", "diffrax")
 INTERRUPTED = 130  # as shells have it: 128 and the number of the signal
 
 
@@ -49,9 +52,25 @@ def explain(fault: BaseException) -> int:
         return complain(fault, 1)
     if isinstance(fault, MemoryError) or "RESOURCE_EXHAUSTED" in str(fault):
         return complain("out of memory: use fewer starts, or shorter recordings.", 1)
+    if isinstance(fault, ValueError) and foreign(fault):
+        return complain(
+            "the computation broke down on this recording, which is a fault of exoid. Check its "
+            "units and marks, and report it with the recording.",
+            1,
+        )
     if isinstance(fault, ValueError | OSError):
         return complain(one_line(fault), 2)
     return explain_usage(fault)
+
+
+def foreign(fault: BaseException) -> bool:
+    """Did a library raise it, so that its words are not for users? Names in front do not count."""
+    while fault.__cause__ is not None and str(fault).endswith(str(fault.__cause__)):
+        fault = fault.__cause__
+    frames = list(walk_tb(fault.__traceback__))
+    if not frames:
+        return False
+    return frames[-1][0].f_globals.get("__name__", "").partition(".")[0] in LIBRARIES
 
 
 def explain_usage(fault: BaseException) -> int:

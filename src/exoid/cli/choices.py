@@ -1,6 +1,9 @@
 """The words that options of `exoid fit` can take."""
 
 from enum import StrEnum
+from typing import Annotated
+
+import typer
 
 
 class Prior(StrEnum):
@@ -32,3 +35,44 @@ class Misfit(StrEnum):
 
     weighted = "weighted"
     paper = "paper"
+
+
+class Clip(StrEnum):
+    """Which samples of a segment are fitted."""
+
+    free = "free"
+    paper = "paper"
+
+
+class Flip(StrEnum):
+    """Channels of the other sign."""
+
+    angle = "angle"
+    gyro = "gyro"
+    all = "all"
+
+
+class Zero(StrEnum):
+    """What a file calls 0."""
+
+    extended = "extended"
+    hanging = "hanging"
+    unknown = "unknown"
+
+
+class Side(StrEnum):
+    """Which leg."""
+
+    left = "left"
+    right = "right"
+
+
+FlipOption = Annotated[
+    Flip | None, typer.Option("--flip", help="What counts flexion as positive in this file.")
+]
+ZeroOption = Annotated[
+    Zero | None,
+    typer.Option(
+        "--zero", help="The leg whose angle is 0 in this file; unknown: found where it rests."
+    ),
+]

@@ -5,6 +5,7 @@ from typing import Annotated
 
 import typer
 
+from exoid.cli.choices import FlipOption, ZeroOption
 from exoid.cli.destination import check_absent, check_apart, check_destination
 from exoid.cli.reading import Columns, read
 from exoid.cli.waiting import patiently
@@ -32,6 +33,8 @@ def convert(
         list[str] | None,
         typer.Option(help="CHANNEL=MESSAGE.SIGNAL; repeat.", metavar="MAP"),
     ] = None,
+    flip: FlipOption = None,
+    zero: ZeroOption = None,
     strict: Annotated[
         bool, typer.Option("--strict", help="Any loss in a log is an error.")
     ] = False,
@@ -39,6 +42,7 @@ def convert(
 ) -> None:
     """Write a recording as exoid's table (.csv or .parquet) with its sidecar (.toml).
 
+    Signs and zero that --flip and --zero mend are written as exoid counts them.
     The segments are those that `exoid fit` would see: drops and cycles, without what lies between.
 
     \b
@@ -52,7 +56,8 @@ def convert(
     check_destination(output, ("csv", "parquet"))
     check_apart([output, sidecar], [recording])
     check_absent((output, sidecar), force)
-    loaded = read(recording, dbc, signal, strict, whole=whole, column=column)
+    told = {"column": column, "flip": flip, "zero": zero}
+    loaded = read(recording, dbc, signal, strict, whole=whole, **told)
     from exoid.recording.table import write_table
     from exoid.report.text import counted
 

@@ -8,13 +8,14 @@ import typer
 
 from exoid.cli.analysis import ask, prepare
 from exoid.cli.body import BodyMass, Height, given_body
+from exoid.cli.choices import FlipOption, ZeroOption
 from exoid.cli.destination import check_apart, check_destination
 from exoid.cli.fit import EXAMPLE, FIGURES
 from exoid.cli.origin import inputs, origin_of
 from exoid.cli.own_terms import own_terms
 from exoid.cli.page import PAGES, planned, sources_of, write_report
 from exoid.cli.reading import Columns, take
-from exoid.cli.results import described, keep
+from exoid.cli.results import described, end, introduce, keep
 from exoid.cli.waiting import in_phases, patiently
 
 
@@ -41,6 +42,8 @@ def diagnose(
         list[str] | None,
         typer.Option(help="CHANNEL=MESSAGE.SIGNAL; repeat.", metavar="MAP"),
     ] = None,
+    flip: FlipOption = None,
+    zero: ZeroOption = None,
     plot: Annotated[
         Path | None, typer.Option(help="Figure: where, which, before and after.", metavar="FILE")
     ] = None,
@@ -75,23 +78,26 @@ def diagnose(
     own = own_terms(terms) if terms is not None else ()
     if not recordings:
         typer.echo("No recording given: this is the example that comes with exoid.")
-    named, taken = [], [take(path, dbc, signal, False, column=column) for path in paths]
+    told = {"column": column, "flip": flip, "zero": zero}
+    named, taken = [], [take(path, dbc, signal, False, **told) for path in paths]
     for path, one in zip(paths, taken, strict=True):
         loaded = one.recording
         named.append((path.name, replace(loaded, subject=replace(loaded.subject, **body))))
     found = in_phases(lambda told: diagnosed(named, own, {"seed": seed}, told))
+    introduce(named)
     show(found)
     if plot is not None:
         patiently(lambda: draw(found, plot), "drawing")
         typer.echo(f"wrote {plot}", err=True)
     if json is not None:
-        settings = {"seed": seed, "terms": terms}
+        settings = {"seed": seed, "terms": terms, "flip": flip, "zero": zero}
         write(found, described(zip(paths, named, strict=True)), settings, json)
         typer.echo(f"wrote {json}", err=True)
     if save is None and report is None:
+        end(found.follows)
         return
-    asked = {"seed": seed, "terms": terms, **body, "signal": signal}
-    asked |= {"column": column, "dbc": dbc and str(dbc)}
+    asked = {"seed": seed, "terms": terms, **body, "signal": signal, **told}
+    asked |= {"dbc": dbc and str(dbc)}
     origin = origin_of(inputs(paths, dbc, Path(terms) if terms else None), asked)
     more = patiently(lambda: further(found, named[0][1].subject), "planning what to record next")
     if save is not None:
@@ -104,6 +110,7 @@ def diagnose(
             lambda: write_report(report, sources, found.fit, origin, **more), "writing the page"
         )
         typer.echo(f"wrote {report}", err=True)
+    end(found.follows)
 
 
 def diagnosed(named, own, options: dict, told):

@@ -6,9 +6,11 @@ from typing import Annotated
 
 import typer
 
+from exoid.cli.choices import FlipOption, ZeroOption
 from exoid.cli.destination import check_apart, check_destination
 from exoid.cli.fit import EXAMPLE, FIGURES
 from exoid.cli.reading import Columns, read
+from exoid.cli.results import introduce
 from exoid.cli.waiting import patiently
 
 
@@ -24,6 +26,8 @@ def drops(
     signal: Annotated[
         list[str] | None, typer.Option(help="CHANNEL=MESSAGE.SIGNAL; repeat.", metavar="MAP")
     ] = None,
+    flip: FlipOption = None,
+    zero: ZeroOption = None,
     plot: Annotated[
         Path | None, typer.Option(help="Figure: every measure on its curve.", metavar="FILE")
     ] = None,
@@ -49,8 +53,10 @@ def drops(
     check_apart([plot, json], paths)
     if not recordings:
         typer.echo("No recording given: this is the example that comes with exoid.")
-    named = [(path.name, read(path, dbc, signal, False, column=column)) for path in paths]
+    told = {"column": column, "flip": flip, "zero": zero}
+    named = [(path.name, read(path, dbc, signal, False, **told)) for path in paths]
     test = patiently(lambda: measured(named), "reading the drops")
+    introduce(named)
     show(test)
     if json is not None:
         write(test, zip(paths, named, strict=True), json)

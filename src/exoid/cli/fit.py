@@ -8,12 +8,12 @@ import typer
 
 from exoid.cli.analysis import ask, check_posterior, compute, profiled, write_posterior
 from exoid.cli.body import BodyMass, Height, given_body
-from exoid.cli.choices import Method, Misfit, Prior, Reading
+from exoid.cli.choices import Clip, FlipOption, Method, Misfit, Prior, Reading, ZeroOption
 from exoid.cli.destination import check_apart, check_destination
 from exoid.cli.origin import inputs, origin_of
 from exoid.cli.page import PAGES, sources_of, write_report
 from exoid.cli.reading import Columns, take
-from exoid.cli.results import draw, keep, show, write_document
+from exoid.cli.results import draw, end, introduce, keep, show, write_document
 from exoid.cli.waiting import patiently
 
 EXAMPLE = Path(__file__).parents[1] / "example" / "session.blf"
@@ -54,6 +54,10 @@ def fit(
     misfit: Annotated[
         Misfit, typer.Option(help="paper: Eq. 11 as printed, angle only, prior unscaled.")
     ] = Misfit.weighted,
+    clip: Annotated[
+        Clip,
+        typer.Option(help="free: what moved freely. paper: the ends below 20 deg/s are cut off."),
+    ] = Clip.free,
     column: Columns = None,
     dbc: Annotated[Path | None, typer.Option(help="Your own DBC, with --signal.")] = None,
     signal: Annotated[
@@ -62,6 +66,8 @@ def fit(
             help="CHANNEL=MESSAGE.SIGNAL, such as raw_angle=Knee.Angle; repeat.", metavar="MAP"
         ),
     ] = None,
+    flip: FlipOption = None,
+    zero: ZeroOption = None,
     strict: Annotated[
         bool, typer.Option("--strict", help="Any loss in a log is an error.")
     ] = False,
@@ -107,7 +113,8 @@ def fit(
         typer.echo(
             "No recording given: this is the example that comes with exoid, a simulated leg."
         )
-    named, taken = [], [take(path, dbc, signal, strict, column=column) for path in paths]
+    reading = {"column": column, "flip": flip, "zero": zero}
+    named, taken = [], [take(path, dbc, signal, strict, **reading) for path in paths]
     for path, one in zip(paths, taken, strict=True):
         loaded = one.recording
         protocol = loaded.protocol
@@ -123,14 +130,17 @@ def fit(
         "method": method.value,
         "smooth": smooth,
         "misfit": misfit.value,
+        "clip": clip.value,
     }
     result = patiently(
         lambda: compute(named, each, options),
         f"fitting {multistart} starts; the first run of a new shape compiles for some seconds",
     )
     told = None if each else patiently(lambda: ask(result), "asking what the recording told")
+    introduce(named)
     show(result, told)
     settings = {"lambda": options.pop("weight"), **options, "each": each}
+    settings |= {"flip": flip, "zero": zero}
     asked = {
         **settings,
         "torque_frequency": torque_frequency,
@@ -162,3 +172,4 @@ def fit(
     if posterior is not None:
         drawn = patiently(lambda: write_posterior(result, seed, posterior), "drawing from the fit")
         typer.echo(f"wrote {posterior}: {drawn}", err=True)
+    end(result.follows)

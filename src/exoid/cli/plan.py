@@ -9,8 +9,10 @@ import typer
 
 from exoid.cli.analysis import compute, prepare
 from exoid.cli.body import BodyMass, Height, given_body
+from exoid.cli.choices import FlipOption, ZeroOption
 from exoid.cli.destination import check_apart, check_destination
 from exoid.cli.reading import Columns, read
+from exoid.cli.results import end, introduce
 from exoid.cli.waiting import patiently
 
 
@@ -40,6 +42,8 @@ def plan(
     column: Columns = None,
     multistart: Annotated[int, typer.Option(min=1, max=100_000, help="Starts of the fit.")] = 64,
     seed: Annotated[int, typer.Option(min=0, help="Of the starts.")] = 0,
+    flip: FlipOption = None,
+    zero: ZeroOption = None,
     json: Annotated[
         Path | None, typer.Option(help="Everything for machines.", metavar="FILE")
     ] = None,
@@ -59,14 +63,18 @@ def plan(
 
     named = []
     for path in recordings or []:
-        loaded = read(path, None, None, False, column=column)
+        told = {"column": column, "flip": flip, "zero": zero}
+        loaded = read(path, None, None, False, **told)
         named.append((path.name, replace(loaded, subject=replace(loaded.subject, **body))))
     subject = named[0][1].subject if named else replace(Subject(kind="leg"), **body)
     options = {"multistart": multistart, "seed": seed}
-    found = patiently(
+    result, found = patiently(
         lambda: planned(named, subject, goal.value, options),
         "planning; the first run of a new shape compiles for some seconds",
     )
+    introduce(named)
+    if result is not None and not result.follows:
+        typer.echo(f"{result.notes[0]}\n")
     from rich.console import Console
 
     from exoid.report.plan_table import plan_document, print_plan
@@ -75,15 +83,17 @@ def plan(
     if json is not None:
         from exoid.report.fit_json import write_json
 
-        write_json(plan_document(found), json)
+        write_json(plan_document(found, result, subject), json)
         typer.echo(f"wrote {json}", err=True)
+    end(result is None or result.follows)
 
 
 def planned(named, subject, goal: str, options: dict):
-    """The plan, after a fit of what there is."""
+    """The fit of what there is, None where there is nothing, and the plan after it."""
     from exoid.diagnose.plan import plan as make
 
     if not named:
         prepare()
-        return make(None, subject, goal)
-    return make(compute(named, False, options), subject, goal)
+        return None, make(None, subject, goal)
+    result = compute(named, False, options)
+    return result, make(result, subject, goal)

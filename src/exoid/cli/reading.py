@@ -5,6 +5,7 @@ from typing import Annotated
 
 import typer
 
+from exoid.cli.choices import Flip, Zero
 from exoid.cli.waiting import patiently
 
 Columns = Annotated[
@@ -24,10 +25,13 @@ def read(
     strict: bool,
     *,
     whole: bool = False,
+    flip: Flip | None = None,
+    zero: Zero | None = None,
     column: list[str] | None = None,
 ):
     """One recording; what its reader noticed is said on stderr."""
-    return take(path, dbc, signal, strict, whole=whole, column=column).recording
+    told = {"flip": flip, "zero": zero, "column": column}
+    return take(path, dbc, signal, strict, whole=whole, **told).recording
 
 
 def take(
@@ -37,14 +41,18 @@ def take(
     strict: bool,
     *,
     whole: bool = False,
+    flip: Flip | None = None,
+    zero: Zero | None = None,
     column: list[str] | None = None,
 ):
     """The same, with what its reader noticed."""
     from exoid.recording.load import load
 
-    signals, columns = signal_map(signal), column_map(column)
+    signals = signal_map(signal)
+    told = {"flip": flip and flip.value, "zero": zero and zero.value}
+    told |= {"columns": column_map(column)}
     loaded = patiently(
-        lambda: load(path, dbc=dbc, signals=signals, strict=strict, whole=whole, columns=columns),
+        lambda: load(path, dbc=dbc, signals=signals, strict=strict, whole=whole, **told),
         f"reading {path.name}",
     )
     for note in loaded.notes:

@@ -8,6 +8,7 @@ import typer
 
 from exoid.cli.asking import ask_body
 from exoid.cli.body import given_body
+from exoid.cli.choices import Side
 from exoid.cli.destination import check_absent, check_destination
 from exoid.cli.keys import check_keyboard, keyboard
 from exoid.cli.screen import Screen
@@ -38,6 +39,13 @@ def record(
     ] = None,
     added_mass_distance: Annotated[
         Number, typer.Option(help="Of that mass from the knee [m].", metavar="M")
+    ] = None,
+    subject_id: Annotated[
+        str | None, typer.Option("--id", help="Who it is, for the sidecar.", metavar="TEXT")
+    ] = None,
+    side: Annotated[Side | None, typer.Option(help="Which leg, for the sidecar.")] = None,
+    visit: Annotated[
+        str | None, typer.Option("--session", help="For the sidecar.", metavar="TEXT")
     ] = None,
     note: Annotated[str | None, typer.Option(help="For the sidecar.", metavar="TEXT")] = None,
     force: Annotated[bool, typer.Option("--force", help="Replace what is there.")] = False,
@@ -73,7 +81,8 @@ def record(
     )
     if added_mass_distance is not None and added_mass is None:
         raise ValueError("--added-mass-distance is given without --added-mass. Give both.")
-    subject = replace(Subject(notes=note), **ask_body(body))
+    subject = Subject(id=subject_id, side=side and side.value, session=visit, notes=note)
+    subject = replace(subject, **ask_body(body))
     from exoid.cli.conclude import conclude
     from exoid.cli.session import Session
 

@@ -2,12 +2,13 @@
 
 from dataclasses import replace
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
 from exoid.cli.analysis import ask, compute
 from exoid.cli.body import BodyMass, Height, given_body
+from exoid.cli.choices import FlipOption, ZeroOption
 from exoid.cli.destination import check_apart, check_destination
 from exoid.cli.diagnose import diagnosed
 from exoid.cli.fit import EXAMPLE
@@ -15,6 +16,7 @@ from exoid.cli.origin import inputs, origin_of
 from exoid.cli.own_terms import own_terms
 from exoid.cli.page import PAGES, planned, sources_of, write_report
 from exoid.cli.reading import Columns, take
+from exoid.cli.results import end
 from exoid.cli.retell import SAVED, retell
 from exoid.cli.waiting import in_phases, patiently
 
@@ -49,6 +51,8 @@ def report(
         list[str] | None,
         typer.Option(help="CHANNEL=MESSAGE.SIGNAL; repeat.", metavar="MAP"),
     ] = None,
+    flip: FlipOption = None,
+    zero: ZeroOption = None,
 ) -> None:
     """Fit and diagnose a leg and write one page about it, to look at, print and pass on.
 
@@ -76,6 +80,8 @@ def report(
             "--dbc": dbc is not None,
             "--signal": bool(signal),
             "--column": bool(column),
+            "--flip": flip is not None,
+            "--zero": zero is not None,
         }
         retell(paths, output, [option for option, asked in given.items() if asked])
         return
@@ -85,7 +91,8 @@ def report(
     own = own_terms(terms) if terms is not None else ()
     if not recordings:
         typer.echo("No recording given: this is the example that comes with exoid.")
-    taken = [take(path, dbc, signal, False, column=column) for path in paths]
+    told = {"column": column, "flip": flip, "zero": zero}
+    taken = [take(path, dbc, signal, False, **told) for path in paths]
     named = [
         (path.name, replace(one.recording, subject=replace(one.recording.subject, **body)))
         for path, one in zip(paths, taken, strict=True)
@@ -95,14 +102,15 @@ def report(
     result, found = in_phases(lambda told: analysed(named, options, tested, told))
     script = Path(terms) if terms is not None else None
     settings = {**options, "terms": terms, "diagnosis": diagnosis, **body, "signal": signal}
-    settings |= {"column": column, "dbc": dbc and str(dbc)}
+    settings |= {"dbc": dbc and str(dbc), **told}
     origin = origin_of(inputs(paths, dbc, script), settings)
     sources = sources_of(taken, named)
     patiently(lambda: write_report(output, sources, result, origin, **found), "writing the page")
     typer.echo(f"wrote {output}", err=True)
+    end((found.get("diagnosis") or result).follows)
 
 
-def analysed(named, options: dict, own, told):
+def analysed(named, options: dict, own, told) -> tuple[Any, dict[str, Any]]:
     """The fit, and what else was found; `own` terms are None where no diagnosis is wanted."""
     if own is None:
         told(f"fitting {options['multistart']} starts")

@@ -3,6 +3,8 @@
 from contextlib import suppress
 from pathlib import Path
 
+import typer
+
 from exoid.cli.origin import sha256_of
 
 
@@ -14,6 +16,14 @@ def show(result, told=None) -> None:
 
     with suppress(SystemExit):  # rich's answer to a closed pipe; files are still to be written
         print_fit(result, Console(), told)
+
+
+def introduce(named) -> None:
+    """Who it is, over every table of a person."""
+    from exoid.report.person import people
+
+    if who := people(recording.subject for _, recording in named):
+        typer.echo(who)
 
 
 def draw(result, profiles, path: Path) -> None:
@@ -68,9 +78,18 @@ def described(recordings) -> list[dict]:
 
 
 def describe(path: Path, recording) -> dict:
-    """Which file it was, so that the result can be traced to it."""
+    """Which file it was, and of whom, so that the result can be traced to it."""
+    from exoid.report.person import identity
+
     return {
         "path": str(path),
         "sha256": sha256_of(path),
         "segments": len(recording.segments),
+        "subject": identity(recording.subject),
     }
+
+
+def end(follows: bool) -> None:
+    """Leave with exit code 1 where no simulation follows the recording; all files are written."""
+    if not follows:
+        raise typer.Exit(1)

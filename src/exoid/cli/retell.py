@@ -5,10 +5,11 @@ from pathlib import Path, PurePath
 
 import typer
 
+from exoid.cli.choices import Flip, Zero
 from exoid.cli.origin import origin_of, sha256_of
 from exoid.cli.page import sources_of
 from exoid.cli.reading import take
-from exoid.cli.results import sidecar_hash
+from exoid.cli.results import end, sidecar_hash
 from exoid.cli.waiting import patiently
 
 SAVED = ".nc"
@@ -20,9 +21,19 @@ def retell(paths: list[Path], output: Path, given: list[str]) -> None:
     (path,) = paths
     saved = patiently(lambda: loaded(path), f"reading {path}")
     sources = at_hand(saved, path)
-    names = [PurePath(str(each["path"])).name for each in saved.recordings] or [path.name]
+    names = [name_of(each) for each in saved.recordings] or [path.name]
     patiently(lambda: write(saved, path, output, sources, names), "writing the page")
     typer.echo(f"wrote {output}", err=True)
+    end((saved.diagnosis or saved.result).follows)
+
+
+def name_of(recording) -> str:
+    """Of whom a recording is, where that was told, and the name of its file."""
+    from exoid.report.person import person
+
+    who = person(recording.get("subject") or {})
+    name = PurePath(str(recording["path"])).name
+    return f"{who}: {name}" if who else name
 
 
 def check_alone(paths: list[Path], given: list[str]) -> None:
@@ -57,14 +68,22 @@ def at_hand(saved, path: Path) -> tuple:
         why = f"{', '.join(changed)} is not there, or has changed" if changed else "it names none"
         typer.echo(f"exoid: {path}: without what only the recordings show: {why}.", err=True)
         return ()
-    signal, column = settings.get("signal"), settings.get("column")
-    taken = [take(place, dbc and Path(dbc), signal, False, column=column) for place, _ in each]
+    told = {"flip": of(Flip, settings.get("flip")), "zero": of(Zero, settings.get("zero"))}
+    told |= {"column": settings.get("column")}
+    taken = [
+        take(place, dbc and Path(dbc), settings.get("signal"), False, **told) for place, _ in each
+    ]
     body = {name: settings[name] for name in ("body_mass", "height") if name in settings}
     named = [
         (place.name, replace(one.recording, subject=replace(one.recording.subject, **body)))
         for (place, _), one in zip(each, taken, strict=True)
     ]
     return sources_of(taken, named)
+
+
+def of(words, said: str | None):
+    """An option as it was given, None where it was not."""
+    return None if said is None else words(said)
 
 
 def found(place: Path, beside: Path) -> Path:

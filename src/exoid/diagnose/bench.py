@@ -63,9 +63,10 @@ class Bench:
 
         count = len(self.problem.movements)
         rows = [np.zeros(count)] * 3
+        usual = usual_mounting(self.problem.movements, owned=self.problem.owned)
         shared = jax.tree.map(lambda _: np.zeros(()), TYPICAL.shared)
         own = jax.tree.unflatten(jax.tree.structure(TYPICAL.own), rows)
-        return Coordinates(shared, np.zeros(()), usual_mounting(self.problem.movements), own)
+        return Coordinates(shared, np.zeros(()), usual, own)
 
     def coordinates(self, candidate: Hypothesis) -> Coordinates:
         return unscaled(unflattened(candidate.point, self.like))

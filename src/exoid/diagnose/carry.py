@@ -33,7 +33,7 @@ def products(
     def setup(row):
         shared, mounting, own = back(row)
         eq = equation(shared, mounting, own, observation, FREE)
-        return eq, sensor_map(mounting, observation), LegState(own.angle, own.angular_velocity)
+        return eq, sensor_map(mounting), LegState(own.angle, own.angular_velocity)
 
     (eq, sensors, start), (by_eq, by_sensors, by_start) = along(
         setup, (row,), (jnp.diag(1 - known),)

@@ -17,12 +17,12 @@ from exoid.diagnose.known import LEG, Known, eliminated
 from exoid.fit.belief import NAMES
 from exoid.fit.chain import Raw
 from exoid.fit.coordinates import TYPICAL, Coordinates, Mounting, Own
-from exoid.fit.disturbance import spoiled
 from exoid.fit.estimates import RATIOS
-from exoid.fit.gram import gram, pushes
-from exoid.fit.prior import SEAT_DEVIATION
+from exoid.fit.gram import CAUSES, gram, pushes
 from exoid.fit.problem import Problem, pose, sensed
+from exoid.fit.sandwich import common, spoiled
 from exoid.fit.starts import first_state, usual_mounting
+from exoid.fit.systematics import ANYWHERE, OWNED, SOMEWHERE
 from exoid.fit.uncertainty import Information
 
 GOALS = (*NAMES, *list(RATIOS)[:3])
@@ -34,18 +34,15 @@ NEAR = 1.3  # of the least error: within it the simplest recording is proposed
 
 def informations(known: Known, options: list[Candidate]) -> list[np.ndarray]:
     """What every candidate would tell of the leg's coordinates and of the new mounting."""
-    number = len(known.recorded)
-    new = observed(options, known.leg, known.sensors, known.gyro, number)
-    movements = [*known.recorded, *new]
+    new = observed(options, known.leg, known.sensors, known.gyro, 0)
+    movements = [replace(each, systematics=known.systematics) for each in new]
     problem = pose(movements, known.belief, "1/T", Raw())
     states = np.array([first_state(each) for each in movements])
     torque = np.array([option.motion.amplitude or 0.0 for option in options])
-    own = Own(
-        np.append(np.zeros(number), torque / np.exp(known.shared.log_inertia)), *states.T.copy()
-    )
-    mounting = usual_mounting(movements)
-    point = Coordinates(known.shared, known.log_mass, placed(mounting, options), own)
-    return [without_own(each) for each in segments_told(known, problem, point)[number:]]
+    own = Own(torque / np.exp(known.shared.log_inertia), *states.T.copy())
+    mounting = placed(usual_mounting(movements), options)
+    point = Coordinates(known.shared, known.log_mass, mounting, own)
+    return [without_own(each) for each in segments_told(known, problem, point)]
 
 
 def segments_told(known: Known, problem: Problem, point: Coordinates) -> list[np.ndarray]:
@@ -56,20 +53,19 @@ def segments_told(known: Known, problem: Problem, point: Coordinates) -> list[np
         noise = 1.0 if found is None else found.noise
         return [rows @ rows.T / noise**2 for rows in every]
     response = sensed(problem, point, pushes(seen.time, problem.durations))
-    size = response.columns.shape[1]
-    place = np.arange(size)
-    return [
-        spoiled(
-            found, [gram(response, seen, segment, duration, found.cause, place)], size
-        ).information
-        for segment, duration in enumerate(problem.durations)
-    ]
+    place = np.arange(response.columns.shape[1])
+    told = []
+    for segment, (duration, kind) in enumerate(zip(problem.durations, problem.kinds, strict=True)):
+        missed = found.like(kind)
+        each = gram(response, seen, segment, duration, missed.cause or CAUSES[0], place)
+        told.append(spoiled(common(missed, [kind]), [each], [kind], place.size).information)
+    return told
 
 
 def placed(mounting: Mounting, options: list[Candidate]) -> Mounting:
     """The new recording's mass where the candidates carry it."""
     distance = max(option.motion.added_mass_distance for option in options)
-    at = np.full_like(mounting.log_distance, np.log(distance))
+    at = np.full_like(mounting.log_distance, np.log(distance / SOMEWHERE))
     return replace(mounting, log_distance=at)
 
 
@@ -96,22 +92,29 @@ class Design:
 
     @cached_property
     def start(self) -> np.ndarray:
-        """What data and prior tell of the leg, and the prior of a new mounting."""
-        size = self.told[0].shape[0]
-        total = np.diag(np.append(np.zeros(LEG), mounting_prior(size - LEG)))
-        total[:LEG, :LEG] = self.known.information + self.known.prior
-        return total
+        """What data and prior tell of the leg."""
+        return self.known.information + self.known.prior
+
+    @cached_property
+    def mounting(self) -> np.ndarray:
+        """What is believed of a new recording's mounting."""
+        return np.diag(np.append(np.zeros(LEG), mounting_prior(self.known)))
 
     def error(self, chosen: Sequence[int]) -> float:
-        """The standard error of the goal with these candidates as one new recording."""
-        total = self.start + sum(self.told[number] for number in chosen)
-        gradient = np.zeros(total.shape[0])
-        gradient[:LEG] = self.known.gradients[GOALS.index(self.goal)]
-        information = Information(total, np.zeros_like(total), np.zeros((0, total.shape[0])))
+        """The standard error of the goal with these candidates, a recording for every seat."""
+        total = self.start
+        for seat in {self.options[number].thigh_angle for number in chosen}:
+            own = [self.told[n] for n in chosen if self.options[n].thigh_angle == seat]
+            total = total + eliminated(self.mounting + sum(own), LEG)
+        gradient = self.known.gradients[GOALS.index(self.goal)]
+        information = Information(total, np.zeros_like(total), np.zeros((0, LEG)))
         return information.standard_error(gradient)
 
     def greedy(self) -> list[int]:
         """Segment after segment, the simplest of the best, while each is worth its time.
+
+        One movement that nothing checks is never enough, whatever its error: a model that is wrong
+        bends to it. A bare drop is the least that can contradict it.
 
         Two together may tell what neither does, a loaded drop and a bare one: pairs are tried where
         no single segment is worth it. Voluntary cycles are never proposed: what they tell rests on
@@ -120,12 +123,18 @@ class Design:
         single = [[n] for n, option in enumerate(self.options) if not option.voluntary]
         pairs = [a + b for a in single for b in single if a <= b]
         chosen: list[int] = []
-        while len(chosen) < MOST and not self.error(chosen) < ENOUGH * abs(self.value):
+        if self.enough(chosen) and not self.known.checked:
+            return min(single, key=lambda each: self.options[each[0]].effort)
+        while len(chosen) < MOST and not self.enough(chosen):
             more = self.worthwhile(chosen, single) or ([] if chosen else self.worthwhile([], pairs))
             if not more:
                 break
             chosen = chosen + more
         return chosen
+
+    def enough(self, chosen: Sequence[int]) -> bool:
+        """Is the goal then known as well as legs stay the same?"""
+        return self.error(chosen) < ENOUGH * abs(self.value)
 
     def worthwhile(self, chosen: list[int], sets: list[list[int]]) -> list[int]:
         """The set of least effort among those that are worth it and nearly the best; else none."""
@@ -138,7 +147,8 @@ class Design:
         return sets[min(near, key=lambda n: (effort[n], after[n]))]
 
 
-def mounting_prior(size: int) -> np.ndarray:
-    """What is believed of a new mounting: of the mass' place, and of the sensors if compared."""
-    each = jax.tree.map(lambda unit, sd: float(unit / sd) ** 2, TYPICAL.mounting, SEAT_DEVIATION)
-    return np.array(jax.tree.leaves(each)[:size])
+def mounting_prior(known: Known) -> np.ndarray:
+    """What is believed of a new mounting: its mass' place is not told, all else as before."""
+    each = {name: getattr(known.systematics, name, ANYWHERE) for name in OWNED}
+    sizes = {name: float(getattr(TYPICAL.mounting, name)) for name in OWNED}
+    return np.array([(sizes[name] / (each[name] or sizes[name])) ** 2 for name in OWNED])

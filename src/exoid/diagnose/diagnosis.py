@@ -9,6 +9,7 @@ from exoid.diagnose.evidence import UNEXPLAINED
 from exoid.diagnose.locate import Location
 from exoid.diagnose.proof import Proof
 from exoid.diagnose.workings import Workings
+from exoid.fit.following import roughly
 from exoid.fit.result import FitResult
 
 Verdict = Literal["none", "mismatch", "cannot_tell"]
@@ -108,6 +109,13 @@ class Diagnosis:
     def changed(self) -> bool:
         """Was anything added to the model?"""
         return bool(self.best.terms)
+
+    @property
+    def follows(self) -> bool:
+        """Does the model follow the recording, as it is or with what was found?"""
+        return self.fit.follows or (
+            self.changed and roughly(self.proof.after.total, self.fit.segments)
+        )
 
     @property
     def explained(self) -> bool:

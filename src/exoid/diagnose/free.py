@@ -103,7 +103,7 @@ def simulate(terms, shared, mounting, own, offset, observation, clock, chain, st
     memory = chain.begin(LegState(first.shown_angle, first.shown_velocity))
     empty = (memory, jnp.zeros((time.size, 4)))
     angle, velocity, acceleration, delay = march(forward, store, begin, empty, steps)[1].T
-    zero, scale, bias = sensor_map(mounting, observation)
+    zero, scale, bias = sensor_map(mounting)
     velocity = delayed(time, velocity, acceleration, delay)
     velocity = (1 + scale) * velocity + bias + offset[0]
     return jnp.stack([angle + zero + offset[1], velocity], axis=1)

@@ -51,7 +51,7 @@ def identify(result: FitResult) -> Identifiability:
     basis = result.basis
     if basis is None:
         raise ValueError("every segment was fitted alone: there is no one fit to ask.")
-    data = basis.ended.local.data
+    data = basis.ended.local.data + basis.ended.local.declared
     alone = Information(data, np.zeros_like(data), np.zeros((0, data.shape[0])))
     gradients = relative_gradients(result, basis)
     told = combinations(result, basis, alone)

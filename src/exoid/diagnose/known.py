@@ -1,6 +1,6 @@
 """What is known of a leg before the next recording: from a fit, or from anatomy alone."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import jax
@@ -10,11 +10,11 @@ from jaxtyping import Float
 
 from exoid.fit.belief import NAMES, Belief, believe
 from exoid.fit.coordinates import Coordinates, Mounting, Own, Shared, leg_parameters
-from exoid.fit.disturbance import Disturbance
 from exoid.fit.local import prior_information, quantity_gradients
-from exoid.fit.movement import Movement
 from exoid.fit.problem import take
 from exoid.fit.result import FitResult
+from exoid.fit.sandwich import Disturbance
+from exoid.fit.systematics import OWNED, Systematics
 from exoid.physics.leg import GRAVITY, LegParameters
 from exoid.recording.recording import Sensors, Subject
 from exoid.twin.sensors import SensorKit
@@ -22,7 +22,7 @@ from exoid.twin.sensors import SensorKit
 LEG = 5  # coordinates of the leg: those that it owns and log m
 ANYBODY = LegParameters(*map(np.asarray, (4.4, 0.42, 0.26, 0.36, 2.9)))  # 75 kg, 1.75 m, de Leva
 ROUNDING = 1e-13  # relative information that is none
-NOTHING = Mounting(*[np.zeros(0)] * 4)
+NOTHING = Mounting(*[np.zeros(0)] * len(OWNED))
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,11 +33,12 @@ class Known:
     log_mass: Float[Any, ""]
     information: Float[np.ndarray, "5 5"]  # of the data, on `shared` and `log_mass`
     belief: Belief
-    recorded: list[Movement]  # with the first of which a new recording's sensors are compared
+    systematics: Systematics  # how well what is declared will be known
     disturbance: Disturbance | None  # what the model misses; it will in the next recording too
     sensors: Sensors
     gyro: bool
     torque: float  # N m, amplitude of voluntary cycles; 0 where none is known
+    checked: bool  # do several movements rest on no form of a torque, one against the other
 
     @property
     def point(self) -> Coordinates:
@@ -50,7 +51,7 @@ class Known:
 
     @property
     def prior(self) -> np.ndarray:
-        return prior_information(self.point, self.belief.prior)
+        return prior_information(self.point, replace(self.belief.prior, mounting=None))
 
     @property
     def gradients(self) -> np.ndarray:
@@ -72,7 +73,7 @@ def from_anatomy(subject: Subject) -> Known:
         log_mass=np.log(leg.mass),
         information=np.zeros((LEG, LEG)),
         belief=belief,
-        recorded=[],
+        systematics=Systematics(),
         disturbance=None,
         sensors=Sensors(
             encoder_counts=float(kit.encoder.counts_per_turn),
@@ -81,6 +82,7 @@ def from_anatomy(subject: Subject) -> Known:
         ),
         gyro=True,
         torque=0.0,
+        checked=False,
     )
 
 
@@ -103,13 +105,14 @@ def from_result(result: FitResult) -> Known:
         log_mass=best.log_mass,
         information=eliminated(own, LEG),
         belief=basis.problem.belief,
-        recorded=basis.problem.movements[:1],
+        systematics=first.systematics,
         disturbance=basis.ended.disturbance,
         sensors=Sensors(
             angle_noise=first.angle_noise, velocity_noise=first.velocity_noise if gyro else None
         ),
         gyro=gyro,
         torque=(ratio.value or 0.0) * float(np.exp(best.shared.log_inertia)) if ratio else 0.0,
+        checked=sum(not each.voluntary for each in basis.problem.movements) > 1,
     )
 
 

@@ -8,8 +8,8 @@ import numpy as np
 from exoid.fit.belief import NAMES
 from exoid.fit.coordinates import QUANTITIES
 from exoid.fit.estimates import RATIOS
-from exoid.fit.multistart import FINE
-from exoid.fit.problem import Problem, advance, around, explained, take, task
+from exoid.fit.kinds import FINE, explained
+from exoid.fit.problem import Problem, advance, around, take, task
 from exoid.fit.result import FitResult
 from exoid.fit.starts import usual_mounting
 from exoid.fit.uncertainty import Information
@@ -17,6 +17,7 @@ from exoid.fit.uncertainty import Information
 SURPRISE = 30.0  # of chi-square with three degrees of freedom: once in a million
 LARGE = 0.1  # relative difference of a ratio, below which legs are not told apart by it alone
 EXPLAINED = 1.5  # chi-square per sample, up to which a recording by itself is explained
+LEG = 5  # coordinates: those that it owns and log m
 TORN = 4.0  # times as much chi-square together as apart: no one leg, however it was mounted
 COMMON = list(RATIOS)[:3]  # that every recording of a leg shares
 
@@ -59,18 +60,19 @@ def samples(problem: Problem) -> int:
 
 
 def alone(result: FitResult, recording: int) -> Alone:
-    """The same problem, blind to all other recordings, the scale and the mounting as expected."""
+    """The same problem, blind to all other recordings, the scale as expected."""
     basis = result.basis
     assert basis is not None
     problem = blinded(basis.problem, recording)
     best = take(basis.ended.best.coordinates, [0])
-    usual = usual_mounting(problem.movements, (1,))
-    start = replace(best, mounting=replace(usual, log_distance=best.mounting.log_distance))
+    start = replace(best, mounting=usual_mounting(problem.movements, (1,), problem.owned))
     solved = advance(problem, start, task(problem, 0.0, problem.steps, FINE))
     local = around(problem, solved, explained(problem, solved))
     rows = slice(len(NAMES), QUANTITIES)
     none = np.zeros((0, local.data.shape[0]))
-    values, vectors = Information(local.data, 0 * local.prior, none).posterior
+    prior = local.prior.copy()
+    prior[:LEG], prior[:, :LEG] = 0.0, 0.0  # the leg by itself, its recording as declared
+    values, vectors = Information(local.data, prior, none).posterior
     along = local.quantities[rows] @ vectors
     return Alone(
         recording=next(m.source for m in problem.movements if m.recording == recording),
@@ -88,7 +90,6 @@ def blinded(problem: Problem, recording: int) -> Problem:
     masked = eqx.tree_at(lambda each: (each.angle_weight, each.velocity_weight), seen, weights)
     known = problem.known.copy()
     known[:, 0] = 1.0
-    known[:, 4:-3] = 1.0  # of the mounting
     return replace(problem, observation=masked, known=known)
 
 

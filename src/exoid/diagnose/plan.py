@@ -67,7 +67,7 @@ def plan(result: FitResult | None, subject: Subject, goal: str = "inertia") -> P
         options=sorted(single, key=lambda option: option.error),
         sentences=[
             *([] if result is None else strangers(result)),
-            *advice(goal, known, proposed, enough=before < ENOUGH * abs(design.value)),
+            *advice(goal, known, proposed, enough=design.enough([])),
         ],
     )
 
@@ -89,7 +89,12 @@ def advice(goal: str, known: Known, proposed: list[Candidate], *, enough: bool) 
             "body mass and height are unknown, so the plan is made for a typical adult and "
             "absolute values have no prior: give --body-mass KG and --height M."
         )
-    if enough:
+    if enough and not known.checked:
+        said.append(
+            f"its error is below {ENOUGH:.1%} already, but it rests on one movement that nothing "
+            "checks: a second one shows whether the first can be believed."
+        )
+    elif enough:
         said.append(f"it is known to better than {ENOUGH:.1%} already: nothing more is needed.")
     elif goal in ("mass", "com_distance"):
         said.append(f"{MASS_AND_DISTANCE}: a drop narrows {goal} only as far as the prior goes.")

@@ -16,9 +16,10 @@ from exoid.fit.coordinates import Coordinates
 from exoid.fit.estimate import movements_of
 from exoid.fit.movement import Movement
 from exoid.fit.observation import Observation
-from exoid.fit.problem import pose, take
+from exoid.fit.problem import Problem, pose, take
 from exoid.fit.result import FitResult
-from exoid.fit.starts import first_state
+from exoid.fit.starts import first_state, usual_mounting
+from exoid.fit.systematics import OF_THE_GYRO
 from exoid.physics.library import library
 from exoid.physics.term import Term
 from exoid.recording.condition import torque_frequencies
@@ -34,12 +35,13 @@ def prepare(
     basis = result.basis
     assert basis is not None  # a joint fit has one
     reading = result.torque_frequency or "1/T"
-    chain, movements = conditioned(movements_of(recordings, whole=True), 1)
-    problem = pose(movements, basis.problem.belief, reading, chain)
+    chain, movements = conditioned(movements_of(recordings), 1)
+    owned = between(movements)
+    problem = compared(pose(movements, basis.problem.belief, reading, chain, owned=owned))
     sensors = consistency(problem.observation)
     observation = without_edges(problem.observation, sensors)
     problem = replace(problem, observation=observation)
-    fitted = released(take(basis.ended.best, 0).coordinates, movements)
+    fitted = released(take(basis.ended.best, 0).coordinates, problem)
     inertia = float(fitted.shared.log_inertia)
     rig = any(recording.subject.kind == "rig" for _, recording in recordings)
     tested, cycles = (*library(), *terms), clock(movements, reading)
@@ -70,10 +72,37 @@ def clock(movements: list[Movement], reading: str) -> Clock:
     return Clock(periods, frequencies * voluntary, onsets, numbers)
 
 
-def released(at: Coordinates, movements: list[Movement]) -> Coordinates:
+def between(movements: list[Movement]) -> tuple[str, ...]:
+    """What of the mountings a diagnosis leaves free: where a mass of unknown distance sat, and how
+    the sensors sat compared with the first recording. What else differs from what is declared is
+    asked for by its candidates.
+    """
+    placed = ("log_distance",) if any(each.unplaced for each in movements) else ()
+    several = len({each.recording for each in movements}) > 1
+    return (*placed, *(("zero", *OF_THE_GYRO) if several else ()))
+
+
+def compared(problem: Problem) -> Problem:
+    """The same problem, its first recording's sensors as declared and distances that are known."""
+    known = problem.known.copy()
+    for column, name in enumerate(problem.owned, start=4):
+        if name == "log_distance":
+            known[:, column] = [not each.unplaced for each in problem.movements]
+        else:
+            known[np.asarray(problem.observation.seat) == 0, column] = 1.0
+    return replace(problem, known=known)
+
+
+def released(at: Coordinates, problem: Problem) -> Coordinates:
     """The fit's leg, every segment from where its whole movement begins."""
-    first = np.array([first_state(each) for each in movements])
+    first = np.array([first_state(each) for each in problem.movements])
+    mounting = usual_mounting(problem.movements, owned=problem.owned)
     own = eqx.tree_at(
         lambda own: (own.angle, own.angular_velocity), at.own, (first[:, 0], first[:, 1])
     )
-    return eqx.tree_at(lambda at: at.own, jax.tree.map(np.asarray, at), own)
+    entries = {name: getattr(at.mounting, name) for name in problem.owned}
+    moved = {
+        name: each - (0.0 if name == "log_distance" else each[0]) for name, each in entries.items()
+    }
+    at = jax.tree.map(np.asarray, at)
+    return Coordinates(at.shared, at.log_mass, replace(mounting, **moved), own)

@@ -10,24 +10,31 @@ from typing import Any
 import equinox as eqx
 import jax
 import jax.numpy as jnp
-from jaxtyping import Array, Float
+from jaxtyping import Array, Float, Int
 
 from exoid.fit.chain import Chain
 from exoid.fit.coordinates import (
     Coordinates,
     Mounting,
     Own,
-    Seat,
     Shared,
     by_segment,
     in_a_row,
 )
 from exoid.fit.observation import Observation
-from exoid.fit.residual import NOTHING, Stage, advance, equation, residual, sensor_map
+from exoid.fit.residual import NOTHING, Equation, Stage, advance, equation, residual, sensor_map
+from exoid.physics.leg import Ratios
 from exoid.physics.state import LegState
 from exoid.physics.step import Drive, march
 
 ROUNDING = 1e-13  # relative, keeps the Cholesky factor real where two columns are nearly parallel
+
+
+MOVING = (
+    *("gravity", "stiffness", "damping", "thigh_angle", "cycle", "torque"),
+    *("angle", "angular_velocity"),
+)  # what a segment's motion depends on: Eq. 9 per inertia, and where it begins
+SHOWING = ("zero", "scale", "bias")  # what its sensors make of it
 
 
 class Condensed(eqx.Module):
@@ -59,11 +66,13 @@ def condense(
     def gather(index, rows, total):
         return total + outer(rows)
 
-    nothing = jnp.zeros((known.size + 1, known.size + 1))
     unknowns = (shared, mounting, own)
     none = jax.tree.map(lambda leaf: jnp.zeros((0, leaf.size)), observation.cycle)
-    total = sweep(unknowns, observation, known, none, stage, chain, gather, nothing)
-    return factorise(total, known)
+    size = len(MOVING) + len(SHOWING) + 1
+    nothing = jnp.zeros((size, size))
+    total, change = sweep(unknowns, observation, known, none, stage, chain, gather, nothing)
+    change = jax.scipy.linalg.block_diag(change, jnp.ones((1, 1)))
+    return factorise(change.T @ total @ change, known)
 
 
 class Sensed(eqx.Module):
@@ -90,53 +99,72 @@ def sense(
         return table.at[:, index].set(rows)
 
     count = pushes.begin.shape[0]
-    empty = jnp.zeros((known.size + count + 1, observation.time.size, 2))
+    size = len(MOVING) + len(SHOWING)
+    empty = jnp.zeros((size + count + 1, observation.time.size, 2))
     unknowns = (shared, mounting, own)
-    table = sweep(unknowns, observation, known, pushes, stage, chain, store, empty)
-    return Sensed(table[-1], table[: known.size], table[known.size : -1])
+    table, change = sweep(unknowns, observation, known, pushes, stage, chain, store, empty)
+    columns = jnp.einsum("bu,btc->utc", change, table[:size])
+    return Sensed(table[-1], columns, table[size:-1])
 
 
 def sweep(unknowns, observation, known, pushes, stage, chain, fold, folded):
-    """Simulate with sensitivities; `fold` gathers the rows (dr/dz, dr/dpush, r) of every sample."""
+    """Simulate with sensitivities; `fold` gathers the rows (dr/db, dr/dpush, r) of every sample.
+
+    b are the coefficients of the equation, the first state and the map of the sensors: however many
+    unknowns there are, only these few move the motion. Also what is b by the unknowns.
+    """
     row, back = in_a_row(unknowns)
 
     def setup(row):
         shared, mounting, own = back(row)
-        state = LegState(own.angle, own.angular_velocity)
         eq = equation(shared, mounting, own, observation, stage)
-        return (eq, sensor_map(mounting, observation)), state, chain.begin(state)
+        moving = [*jax.tree.leaves(eq.ratios), eq.cycle, eq.torque, own.angle, own.angular_velocity]
+        return jnp.concatenate([jnp.stack(moving), sensor_map(mounting)]), eq.share
 
+    (begin, share), change = setup(row), jax.jacfwd(lambda row: setup(row)[0])(row) * (1 - known)
+    coefficients, sensors = begin[:6], begin[len(MOVING) :]
     count = pushes.begin.shape[0]
-    directions = jnp.concatenate([jnp.diag(1 - known), jnp.zeros((count, known.size))])
-    ((eq, sensors), state, memory), ((by_eq, by_sensors), by_state, by_memory) = along(
-        setup, (row,), (directions,)
-    )
+    directions = jnp.concatenate([jnp.eye(len(MOVING)), jnp.zeros((count, len(MOVING)))])
+    state, by_state = LegState(begin[6], begin[7]), LegState(directions[:, 6], directions[:, 7])
+    memory, by_memory = along(chain.begin, (state,), (by_state,))
 
     def forward(index, carry):
-        def step(eq, state, missing):
+        def step(coefficients, state, missing):
+            *ratios, cycle, torque = coefficients
+            eq = Equation(Ratios(*ratios), cycle, torque, share)
             return advance(eq, state, index, observation, stage, missing)
 
         def pushed(leaf):
-            return jnp.concatenate([jnp.zeros(known.size), leaf[:, index]])
+            return jnp.concatenate([jnp.zeros(len(MOVING)), leaf[:, index]])
 
         missing = jax.tree.map(jnp.asarray, NOTHING)
-        return along(step, (eq, carry[0], missing), (by_eq, carry[1], jax.tree.map(pushed, pushes)))
+        tangents = (directions[:, :6], carry[1], jax.tree.map(pushed, pushes))
+        return along(step, (coefficients, carry[0], missing), tangents)
 
     def gather(index, carry, gathered):
         (memory, by_memory), folded = gathered
 
-        def show(state, memory, sensors):
+        def show(state, memory):
             memory, shown = chain.push(memory, state)
-            return memory, residual(shown, sensors, index, observation)
+            return memory, shown
 
-        (memory, value), (by_memory, columns) = along(
-            show, (carry[0], memory, sensors), (carry[1], by_memory, by_sensors)
+        (memory, shown), (by_memory, by_shown) = along(
+            show, (carry[0], memory), (carry[1], by_memory)
         )
-        rows = jnp.concatenate([columns, value[None]])
+        value, moved = along(
+            lambda shown: residual(shown, sensors, index, observation), (shown,), (by_shown,)
+        )
+        _, seen = along(
+            lambda sensors: residual(shown, sensors, index, observation),
+            (sensors,),
+            (jnp.eye(len(SHOWING)),),
+        )
+        size = len(MOVING)
+        rows = jnp.concatenate([moved[:size], seen, moved[size:], value[None]])
         return (memory, by_memory), fold(index, rows, folded)
 
-    begin = ((memory, by_memory), folded)
-    return march(forward, gather, (state, by_state), begin, stage.steps)[1]
+    first = ((memory, by_memory), folded)
+    return march(forward, gather, (state, by_state), first, stage.steps)[1], change
 
 
 def along(function, primals, tangents):
@@ -167,9 +195,23 @@ def factorise(total: Float[Array, "column column"], known: Float[Array, " unknow
 
 
 def linear_model(
-    condensed: Condensed, at: Coordinates, to: Coordinates, seat: Seat
+    condensed: Condensed, at: Coordinates, to: Coordinates, seat: Int[Any, " segment"]
 ) -> Float[Array, " residual"]:
     """The condensed residual at `to`, by its linear model around `at` (all scaled)."""
     change = by_segment(jax.tree.map(jnp.subtract, to, at), seat)
     predicted = condensed.projection + jnp.einsum("kij,kj->ki", condensed.factor, change)
     return jnp.concatenate([predicted.ravel(), condensed.remainder])
+
+
+def weighed(condensed: Condensed, scale: Float[Array, " segment"]) -> Condensed:
+    """Of every segment, where its residual counts 1 / `scale`."""
+
+    def divided(leaf):
+        return leaf / scale.reshape(-1, *[1] * (leaf.ndim - 1))
+
+    return jax.tree.map(divided, condensed)
+
+
+def misfit(condensed: Condensed) -> Float[Array, ""]:
+    """The sum of squares of the residual of all segments."""
+    return jnp.sum(condensed.projection**2) + jnp.sum(condensed.remainder**2)

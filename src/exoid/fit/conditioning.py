@@ -79,8 +79,9 @@ def averaged(movement: Movement, window: int) -> Movement:
 
 
 def settled(movement: Movement) -> Movement:
-    """Leave out the first samples, in which the simulated filter has yet to settle."""
-    count = min(SETTLING_SAMPLES, movement.angle.size // 4)
+    """Leave out the first free samples, in which the simulated filter has yet to settle."""
+    first = int(np.argmax(~np.isnan(movement.angle)))
+    count = first + min(SETTLING_SAMPLES, (movement.angle.size - first) // 4)
 
     def late(samples: Samples) -> Samples:
         return np.concatenate([np.full(count, np.nan), samples[count:]])

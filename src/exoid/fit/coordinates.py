@@ -28,14 +28,19 @@ class Shared(eqx.Module):
 
 
 class Mounting(eqx.Module):
-    """What a recording owns: where the added mass sat, and how the sensors sat compared with the
-    first recording. A leaf without entries is no unknown of this fit.
+    """What a recording owns: by how much sensors, seat and added mass differ from what is declared.
+
+    A leaf without entries is no unknown of this fit: everything is as declared.
     """
 
-    log_distance: Float[Any, "*place"]  # log(distance of the added mass from the knee / m)
-    zero: Float[Any, "*remount"]  # rad, of the encoder
-    gyro_scale: Float[Any, "*remount"]  # relative
-    gyro_bias: Float[Any, "*remount"]  # rad/s
+    log_distance: Float[Any, "*place"]  # log(distance of the added mass over the declared one)
+    log_added: Float[Any, "*place"]  # log(added mass over the declared one)
+    extent: Float[Any, "*place"]  # m^2, its squared radius of gyration less the declared one
+    zero: Float[Any, "*place"]  # rad, what the encoder shows with the knee extended
+    tilt: Float[Any, "*place"]  # rad, of the thigh beyond the declared angle
+    gyro_scale: Float[Any, "*place"]  # relative, less 1
+    gyro_bias: Float[Any, "*place"]  # rad/s
+    clock: Float[Any, "*place"]  # relative: true seconds in a recorded one, less 1
 
 
 class Own(eqx.Module):
@@ -55,17 +60,10 @@ class Coordinates(eqx.Module):
     own: Own
 
 
-class Seat(eqx.Module):
-    """Which entries of the mounting a segment has; -1 where it has none."""
-
-    place: Int[Any, "*segment"]  # of `log_distance`
-    remount: Int[Any, "*segment"]  # of the others
-
-
 TYPICAL = Coordinates(
     Shared(*map(np.asarray, (0.3, 10.0, 3.0, 1.0))),
     np.asarray(0.3),
-    Mounting(*map(np.asarray, (0.1, 0.05, 0.05, 0.02))),
+    Mounting(*map(np.asarray, (0.1, 0.01, 0.003, 0.05, 0.05, 0.05, 0.02, 0.01))),
     Own(*map(np.asarray, (10.0, 0.1, 0.5))),
 )  # a step of order one
 
@@ -96,25 +94,20 @@ def unflattened(values: np.ndarray, like: Coordinates) -> Coordinates:
     return jax.tree.unflatten(structure, shaped)
 
 
-def seated(mounting: Mounting, seat: Seat) -> Mounting:
-    """The entries of one segment, each leaf of length one, or none where it is no unknown."""
-
-    def entry(leaf, at):
-        return leaf[at][None] if leaf.size else leaf
-
-    return Mounting(
-        entry(mounting.log_distance, seat.place),
-        *(entry(leaf, seat.remount) for leaf in jax.tree.leaves(mounting)[1:]),
-    )
+def seated(mounting: Mounting, seat: Int[Any, ""]) -> Mounting:
+    """The entries of one segment, which belongs to recording `seat`: each leaf of length one, or
+    none where it is no unknown.
+    """
+    return jax.tree.map(lambda leaf: leaf[seat][None] if leaf.size else leaf, mounting)
 
 
-def by_segment(point: Coordinates, seat: Seat, xp=jnp) -> Num[Any, "segment unknown"]:
+def by_segment(
+    point: Coordinates, seat: Int[Any, " segment"], xp=jnp
+) -> Num[Any, "segment unknown"]:
     """The unknowns of every segment in one row: what the leg, its recording and itself own."""
     count = point.own.angle.shape[0]
     shared = [xp.broadcast_to(leaf, (count,)) for leaf in jax.tree.leaves(point.shared)]
-    at = [seat.place, *[seat.remount] * 3]
-    leaves = jax.tree.leaves(point.mounting)
-    mounting = [leaf[rows] for leaf, rows in zip(leaves, at, strict=True) if leaf.size]
+    mounting = [leaf[seat] for leaf in jax.tree.leaves(point.mounting) if leaf.size]
     return xp.stack([*shared, *mounting, *jax.tree.leaves(point.own)], axis=1)
 
 

@@ -11,7 +11,7 @@ from jax.flatten_util import ravel_pytree
 from jaxtyping import Array, Float
 
 from exoid.fit.chain import Chain
-from exoid.fit.condense import condense, linear_model
+from exoid.fit.condense import condense, linear_model, weighed
 from exoid.fit.constraint import SIZE, Limits, violations
 from exoid.fit.coordinates import (
     Coordinates,
@@ -25,7 +25,7 @@ from exoid.fit.coordinates import (
 from exoid.fit.disturbance import whitening
 from exoid.fit.local import columns
 from exoid.fit.observation import Observation
-from exoid.fit.prior import Prior, mounting_residual, prior_residual
+from exoid.fit.prior import Prior, log_jacobian, mounting_residual, prior_residual
 from exoid.fit.problem import around, take
 from exoid.fit.residual import Stage
 from exoid.fit.result import Basis
@@ -42,7 +42,7 @@ class Target(eqx.Module):
     spread: Float[Any, "coordinate direction"]
     shrink: Float[Any, "coordinate coordinate"]  # C of `posterior.sample`
     tilt: Float[Any, " coordinate"]  # keeps the data's slope at the best fit
-    scale: Float[Any, ""]
+    scale: Float[Any, " segment"]
     observation: Observation
     known: Float[Any, "segment unknown"]
     stage: Stage
@@ -68,7 +68,7 @@ def posed(basis: Basis) -> tuple[Target, np.ndarray]:
         spread=vectors[:, kept] / np.sqrt(values[kept]),
         shrink=shrink,
         tilt=tilt,
-        scale=np.asarray(ended.disturbance.scale),
+        scale=ended.disturbance.scale * ended.disturbance.weighing(problem.kinds),
         observation=problem.observation,
         known=problem.known,
         stage=Stage(np.asarray(0.0), np.asarray(problem.steps)),
@@ -112,11 +112,11 @@ def log_density(
         at.shared, mountings(at, seen), at.own, seen, target.known
     )
     leg = leg_parameters(point)
-    data = linear_model(condensed, here, to, seen.seat) / target.scale
-    belief = [prior_residual(target.prior, leg), mounting_residual(point.mounting)]
+    data = linear_model(weighed(condensed, target.scale), here, to, seen.seat)
+    belief = [prior_residual(target.prior, leg), mounting_residual(target.prior, point.mounting)]
     loss = sum(jnp.sum(part**2) for part in (data, *belief)) / 2 + target.tilt @ change
     within = violations(target.limits, leg, torque_amplitudes(point)).max() <= 0
-    return jnp.where(within, -loss, -jnp.inf)
+    return jnp.where(within, log_jacobian(target.prior, leg) - loss, -jnp.inf)
 
 
 def points(target: Target, places: np.ndarray) -> Coordinates:

@@ -4,6 +4,7 @@ import numpy as np
 
 from exoid.fit.belief import NAMES
 from exoid.fit.constraint import constraint_names
+from exoid.fit.coordinates import flattened, unflattened
 from exoid.fit.estimates import (
     estimate_ratios,
     estimate_torque,
@@ -11,10 +12,13 @@ from exoid.fit.estimates import (
     with_reasons,
 )
 from exoid.fit.family import equally_good
-from exoid.fit.mountings import estimate_mountings
+from exoid.fit.following import astray
+from exoid.fit.limiting import limiting, suspicions
+from exoid.fit.local import columns, told
+from exoid.fit.mountings import FIELDS, estimate_mountings, known
 from exoid.fit.multistart import SAME_LOSS, Ended
-from exoid.fit.problem import Problem, finite
-from exoid.fit.remarks import remarks, strayed
+from exoid.fit.problem import Problem, finite, take
+from exoid.fit.remarks import limits_met, of_astray, remarks
 from exoid.fit.result import (
     Basis,
     Estimate,
@@ -32,7 +36,9 @@ def describe(
     best, local = ended.best, ended.local
     names = constraint_names(len(problem.movements))
     active = best.multiplier[0] > 0
-    information = Information(data=local.data, prior=local.prior, active=local.constraints[active])
+    data, prior = local.data + local.declared, local.prior - local.declared
+    kinds, owned = told_by_kind(problem, ended), owned_places(problem, ended)
+    information = Information(data, prior, local.constraints[active], kinds, owned)
     at_bound = {name for name, hold in zip(names, active, strict=True) if hold}
     belief = problem.belief
     parameters = {
@@ -47,23 +53,53 @@ def describe(
     segments = [
         segment_fit(problem, ended, number, torque) for number, torque in enumerate(torques)
     ]
+    why = astray(segments, limits_met(problem, at_bound))
+    ratios = estimate_ratios(problem, ended, information, at_bound)
+    mountings = estimate_mountings(problem, ended, information)
+    systematic = [*suspicions(problem, mountings), *limiting({**parameters, **ratios})]
     return FitResult(
         parameters=with_reasons(parameters, not np.isfinite(belief.limits.reach)),
-        ratios=estimate_ratios(problem, ended, information, at_bound),
+        ratios=ratios,
         torque_amplitude=estimate_torque(voluntary, ended, information, at_bound)
         if voluntary
         else None,
         segments=segments,
-        mountings=estimate_mountings(problem, ended, information),
+        mountings=mountings,
         multistart=report(problem, ended),
         loss=float(best.loss[0]),
         disturbance=ended.disturbance,
         torque_frequency=reading,
         other_reading_rmse=other_rmse,
         prior=problem.belief.note,
-        notes=[*strayed(segments, belief.raw), *remarks(problem, ended, at_bound)],
+        notes=[*of_astray(why, belief.raw), *remarks(problem, ended, at_bound), *systematic],
+        astray=why,
         basis=Basis(problem, ended, information),
     )
+
+
+def owned_places(problem: Problem, ended: Ended) -> dict[str, np.ndarray]:
+    """The coordinates of everything that recordings own, by its name."""
+    point = take(ended.best.coordinates, 0)
+    numbers = unflattened(np.arange(flattened(point).size), point).mounting
+    free = {
+        field: [
+            n for entry, n in enumerate(getattr(numbers, field)) if not known(problem, field, entry)
+        ]
+        for field in problem.owned
+    }
+    return {FIELDS[field]: np.array(at) for field, at in free.items() if at}
+
+
+def told_by_kind(problem: Problem, ended: Ended) -> dict[str, np.ndarray]:
+    """The weighed information of every kind of segment, where there are several."""
+    point = take(ended.best.coordinates, 0)
+    place, size = columns(point, problem.observation.seat), flattened(point).size
+    found = {}
+    for kind in dict.fromkeys(problem.kinds):
+        own = np.array([each == kind for each in problem.kinds])
+        condensed = take(take(ended.best.condensed, 0), own)
+        found[kind] = told(condensed, place[own], size)
+    return found if len(found) > 1 else {}
 
 
 def segment_fit(problem: Problem, ended: Ended, number: int, torque: Estimate | None) -> SegmentFit:

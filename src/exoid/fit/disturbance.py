@@ -5,17 +5,12 @@ effect hides in the parameters and little is left in the residual: neither its s
 autocorrelation can tell how wrong they are. Here the missing torque, or a slow error of the
 encoder, is a Gaussian process u(t) with a Matern covariance; its size and correlation time are
 those of greatest restricted likelihood (Patterson & Thompson, Biometrika 58(3), 1971), which allows
-for what the parameters absorbed. With the residual r = A dz + S u + e the estimates then scatter by
-
-    H^-1 M H^-1,   H = A'A,   M = A'(s^2 I + S K S')A,
-
-the sandwich form, and H M^-1 H is the information that the data really carry.
+for what the parameters absorbed.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Float
 
 from exoid.fit.gram import CAUSES, UNIT, Cause, Gram, modes
 
@@ -26,36 +21,26 @@ CLEAR = 4.0  # gain of log likelihood below which the noise alone explains the r
 ROUNDING = 1e-11  # relative eigenvalue that is none
 
 
-@dataclass(frozen=True, eq=False)
-class Disturbance:
-    """What besides white noise is in the residual of a fit; `cause` is None where nothing is."""
+@dataclass(frozen=True)
+class Missed:
+    """What besides white noise is in a residual; `cause` is None where nothing is."""
 
     cause: Cause | None
     correlation_time: float  # s
     ratio: float  # variance of u over that of the noise, in units of its gram
     noise: float  # s, over the declared noise
-    information: Float[np.ndarray, "coordinate coordinate"]  # H M^-1 H
-    widening: Float[np.ndarray, " direction"]  # of the errors, along what the data determine
+    likelihood: float  # the logarithm of the greatest restricted one
 
     @property
     def deviation(self) -> float:
         """Of u: rad/s^2, which is a torque over J, or rad."""
         return self.noise * self.ratio**0.5 * (1.0 if self.cause is None else UNIT[self.cause])
 
-    @property
-    def scale(self) -> float:
-        """By how much all errors at least are wider than the declared noise makes them.
-
-        The weight of the data against the prior goes by it: where the two disagree, the fit stays
-        with the data.
-        """
-        return float(self.widening.min())
-
 
 def explain(
     grams: dict[Cause, list[Gram]], most: dict[Cause, float], samples: int, size: int
-) -> Disturbance:
-    """The noise and the process of greatest restricted likelihood, and the information left.
+) -> Missed:
+    """The noise and the process of greatest restricted likelihood.
 
     `grams` of every cause are of the same segments, whose unknowns are among `size` coordinates.
     `most` bounds the deviation: what nearly hides in the parameters may else grow without limit.
@@ -71,10 +56,8 @@ def explain(
             if value > best:
                 best = value
                 found = (cause, correlated, ratio)
-    each = grams[found[0] or "torque"]
-    noise = noise_beside(*found[1:], each, samples, size)
-    empty = Disturbance(*found, noise, np.zeros((size, size)), np.ones(1))
-    return spoiled(empty, each, size)
+    noise = noise_beside(*found[1:], grams[found[0] or "torque"], samples, size)
+    return Missed(*found, noise, float(best))
 
 
 class Likelihood:
@@ -135,22 +118,6 @@ def noise_beside(
     along = (total[:size, size] / unit) @ basis
     left = total[size, size] - along @ along
     return float(np.sqrt(max(1.0, left / (samples - basis.shape[1]))))
-
-
-def spoiled(found: Disturbance, grams: list[Gram], size: int) -> Disturbance:
-    """The same disturbance, with the information that it leaves to these segments."""
-    white, excess = np.zeros((size, size)), np.zeros((size, size))
-    for each in grams:
-        _, cross = modes(each, found.correlation_time)
-        place = np.ix_(each.place, each.place)
-        white[place] += each.fitted[:-1, :-1]
-        excess[place] += found.ratio * cross[:, :-1].T @ cross[:, :-1]
-    basis, unit = whitening(white)
-    inside = basis.T @ (excess / np.outer(unit, unit)) @ basis
-    grown, axes = np.linalg.eigh(found.noise**2 * (np.eye(basis.shape[1]) + inside))
-    back = np.linalg.pinv(basis).T @ axes * unit[:, None]
-    information = (back / grown) @ back.T
-    return replace(found, information=information, widening=np.sqrt(grown))
 
 
 def whitening(normal: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -7,7 +7,7 @@ import numpy as np
 
 from exoid.fit.belief import NAMES, Belief, believe
 from exoid.fit.constraint import constraint_names, violations
-from exoid.fit.estimate import PLAIN_SCALE, fit
+from exoid.fit.estimate import PLAIN_SCALE, fit, left_out, movements_of, segments_of
 from exoid.fit.estimates import parameter_estimate, with_reasons
 from exoid.fit.local import derivative
 from exoid.fit.prior import prior_residual
@@ -33,10 +33,12 @@ def fit_each(given: Given, **options) -> FitResult:
     what prior and limits make of the mean ratios.
     """
     recordings = named_recordings(given)
+    moving = movements_of(recordings, clip=options.get("clip", "free"))
+    moved = {each.name for each in moving}
     results = [
-        alone(name if len(recordings) > 1 else "", recording, number, options)
-        for name, recording in recordings
-        for number in range(len(recording.segments))
+        alone(name, recording, number, options)
+        for name, recording, number, _ in segments_of(recordings)
+        if name in moved
     ]
     if len(results) < 2:
         return results[0]
@@ -48,6 +50,7 @@ def fit_each(given: Given, **options) -> FitResult:
     weight = options.get("weight", 1.0) * (PLAIN_SCALE**2 if plain else 1.0)
     belief = believe(recordings[0][1].subject, options.get("prior", "de_leva"), weight, plain)
     said = dict.fromkeys(note for each in results for note in each.notes)
+    lost = [each.notes[0] for each in results if not each.follows][:1]
     readings = {each.torque_frequency for each in results} - {None}
     if len(readings) > 1:
         said[MIXED] = None
@@ -63,20 +66,22 @@ def fit_each(given: Given, **options) -> FitResult:
         disturbance=max((each.disturbance for each in results), key=lambda one: one.scale),
         mountings=[mounting for each in results for mounting in each.mountings],
         basis=None,
+        astray=next((each.astray for each in results if not each.follows), None),
         torque_frequency=readings.pop() if len(readings) == 1 else None,
         other_reading_rmse=None,
         notes=[
+            *lost,
             f"every segment was fitted alone: the ratios are the mean of {len(results)} fits, "
             "their errors come from the scatter between them, and the starts are those of the "
             "first",
-            *said,
+            *left_out(recordings, moving),
+            *(note for note in said if note not in lost),
         ],
     )
 
 
 def alone(name: str, recording: Recording, number: int, options: dict) -> FitResult:
     """The fit of one segment, which keeps the name it has among the others."""
-    name = f"{name} {number}".strip()
     try:
         result = fit([(name, only(recording, number))], **options)
     except ValueError as fault:

@@ -11,10 +11,14 @@ from exoid.fit.conditioning import conditioned
 from exoid.fit.describe import describe
 from exoid.fit.movement import Movement, movement
 from exoid.fit.multistart import Ended, search
+from exoid.fit.portion import Clip
 from exoid.fit.problem import Problem, pose
+from exoid.fit.remarks import UPWARDS, upwards
 from exoid.fit.result import FitResult
 from exoid.fit.starts import draw, informed
 from exoid.recording.given import Given, named_recordings
+from exoid.recording.motion.extent import Motionless
+from exoid.recording.noise import Noise
 from exoid.recording.recording import Recording
 
 MIDDLING = (4.0, 0.4)  # kg, kg m^2: where nothing is expected
@@ -33,6 +37,7 @@ def fit(
     method: Literal["lm", "slsqp"] = "lm",
     smooth: int = 1,
     misfit: Literal["weighted", "paper"] = "weighted",
+    clip: Clip = "free",
     starts: np.ndarray | None = None,
 ) -> FitResult:
     """Fit one leg to all segments of the recordings (Eq. 9-13).
@@ -42,14 +47,16 @@ def fit(
     lambda of Eq. 11 in standardised units. `smooth` is the window of Eq. 3 in samples, applied to
     data and simulation alike. `misfit` "paper" is Eq. 11 as printed: the angle alone in rad, and
     the prior in the parameters' own units. `starts`, (start, 6) in the order m, J, l, d, c, tau,
-    replace the draw from the bounds of Eq. 13 by `seed`.
+    replace the draw from the bounds of Eq. 13 by `seed`. `clip` "paper" keeps what lies between the
+    first and the last sample faster than 20 deg/s (Eq. 3-4), in place of what moved freely.
 
-    **Raises** `ValueError` where the recording cannot be fitted, `ArithmeticError` where no start
+    **Raises** `ValueError` where the recording cannot be fitted or gravity comes out upwards in
+    passive segments, `ArithmeticError` where no start
     succeeded.
     """
     named = named_recordings(recordings)
     check_one_leg(named)
-    movements = movements_of(named)
+    movements = movements_of(named, clip=clip)
     plain = misfit == "paper"
     belief = believe(
         named[0][1].subject, prior, weight * PLAIN_SCALE**2 if plain else weight, plain
@@ -67,27 +74,56 @@ def fit(
     }
     best = min(tried, key=lambda reading: float(tried[reading][1].best.misfit[0]))
     problem, ended = tried[best]
+    if upwards(problem, ended):
+        raise ValueError(UPWARDS)
     others = [
         describe(*tried[reading], None, None).angle_rmse for reading in tried if reading != best
     ]
     voluntary = any(each.voluntary for each in movements)
-    return describe(problem, ended, best if voluntary else None, others[0] if others else None)
+    result = describe(problem, ended, best if voluntary else None, others[0] if others else None)
+    return replace(result, notes=[*left_out(named, movements), *result.notes])
 
 
-def movements_of(named: list[tuple[str, Recording]], *, whole: bool = False) -> list[Movement]:
-    """Every segment of every recording as it enters a fit, or `whole`."""
+def movements_of(named: list[tuple[str, Recording]], *, clip: Clip = "free") -> list[Movement]:
+    """Every segment of every recording that moves, as it enters a fit.
+
+    **Raises** `ValueError` where none moves, or one cannot be fitted.
+    """
+    found, still = [], []
+    for name, recording, number, belongs in segments_of(named):
+        try:
+            found.append(movement(recording, number, name, belongs, clip=clip))
+        except Motionless as fault:
+            still.append(fault)
+    if not found:
+        raise still[0]
+    return found
+
+
+def segments_of(
+    named: list[tuple[str, Recording]],
+) -> list[tuple[str, Recording, int, int]]:
+    """Every segment: its name, its recording, its number there, and the recording's number."""
     several = len(named) > 1
     return [
-        movement(
-            recording, number, f"{name} {number}" if several else str(number), belongs, whole=whole
-        )
+        (f"{name} {number}" if several else str(number), recording, number, belongs)
         for belongs, (name, recording) in enumerate(named)
         for number in range(len(recording.segments))
     ]
 
 
+def left_out(named: list[tuple[str, Recording]], movements: list[Movement]) -> list[str]:
+    """A note of the segments in which nothing moves."""
+    moved = {each.name for each in movements}
+    still = [name for name, *_ in segments_of(named) if name not in moved]
+    if not still:
+        return []
+    which = f"segment {still[0]} was" if len(still) == 1 else f"segments {', '.join(still)} were"
+    return [f"{which} left out: nothing moves in there"]
+
+
 def check_one_leg(named: list[tuple[str, Recording]]) -> None:
-    """Refuse recordings whose sidecars speak of different bodies."""
+    """Refuse recordings whose sidecars speak of different people, sides or bodies."""
     for key, unit, most in APART:
         known = {
             name: value
@@ -102,6 +138,18 @@ def check_one_leg(named: list[tuple[str, Recording]]) -> None:
                 f"{low} says {key} {known[low]:g} {unit}, {high} says {known[high]:g} {unit}: "
                 "recordings that are fitted together are of one leg. Fit them apart, or mend "
                 "the sidecars."
+            )
+    for key in ("id", "side"):
+        known = {
+            value: name
+            for name, recording in named
+            if (value := getattr(recording.subject, key)) is not None
+        }
+        if len(known) > 1:
+            (one, first), (other, second) = list(known.items())[:2]
+            raise ValueError(
+                f"{first} is of {key} {one}, {second} of {key} {other}: recordings that are fitted "
+                "together are of one leg. Fit them apart, or mend the sidecars."
             )
     if len({recording.subject.kind == "rig" for _, recording in named}) > 1:
         raise ValueError("some recordings are of a rig, others of a leg: fit them apart.")
@@ -137,7 +185,7 @@ def begin(
 
 def plainly(each: Movement) -> Movement:
     """Weigh every angle alike and leave the velocity out, as Eq. 11 does."""
-    return replace(each, angle_noise=1 / PLAIN_SCALE, angular_velocity=None, velocity_noise=np.inf)
+    return replace(each, noise=Noise(1 / PLAIN_SCALE), angular_velocity=None, gyro_noise=None)
 
 
 def readings(named: list[tuple[str, Recording]], movements: list[Movement]) -> tuple[str, ...]:
@@ -155,4 +203,4 @@ def solved(problem: Problem, starts: np.ndarray, method: str) -> tuple[Problem, 
 
         with jax.enable_x64(True):  # finite differences of a float32 loss lead nowhere
             return problem, search_slsqp(problem, starts)
-    return problem, search(problem, starts)
+    return search(problem, starts)

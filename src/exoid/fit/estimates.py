@@ -69,6 +69,7 @@ def parameter_estimate(
         upper=upper if np.isfinite(upper) else None,
         shares=shares,
         reason=ON_BOUND if shares == HELD else NARROWED if narrowed(shares) else None,
+        limited_by=information.limits(gradient),
     )
 
 
@@ -113,6 +114,7 @@ def estimate_torque(
         upper=declared.upper,
         shares=shares,
         reason=None if known else SCALE_FREE,
+        limited_by=information.limits(gradient),
     )
 
 
@@ -139,5 +141,6 @@ def estimate_ratios(
             standard_error=None if held or shares is None else information.standard_error(gradient),
             shares=shares,
             reason=ON_BOUND if held else None,
+            limited_by=information.limits(gradient),
         )
     return estimates

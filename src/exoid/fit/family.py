@@ -17,7 +17,8 @@ def equally_good(problem: Problem, ended: Ended, rows: np.ndarray):
     moment = float(shared.gravity[0]) / GRAVITY  # m l / J
     if not np.isfinite(limits.reach) or moment <= 0:
         return {}, {}
-    if (problem.known[:, 0] == 0).any() and not scale_told(ended.local.data):
+    told = ended.local.data + ended.local.declared
+    if (problem.known[:, 0] == 0).any() and not scale_told(told):
         return {}, {}  # J moves the ratios, too: the mass was on the leg in every segment
     low, high = limits.lower, limits.upper
     longest = min(float(high.com_distance), 1 / moment)  # Eq. 12

@@ -73,6 +73,15 @@ def grams(
     ]
 
 
+def declared(residual: np.ndarray, derivative: np.ndarray) -> Gram:
+    """What is declared of recordings, as if it were measured: nothing disturbs it."""
+    rows = np.concatenate([derivative, residual[:, None]], axis=1)
+    nothing = np.zeros((1, rows.shape[1]))
+    return Gram(
+        np.arange(derivative.shape[1]), rows.T @ rows, nothing, np.zeros((1, 1)), np.zeros(1)
+    )
+
+
 def gram(
     sensed: Sensed,
     seen: Observation,

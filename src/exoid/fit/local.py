@@ -4,13 +4,12 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Float, Int
 
 from exoid.fit.condense import Condensed
 from exoid.fit.constraint import Limits, violations
 from exoid.fit.coordinates import (
     Coordinates,
-    Seat,
     by_segment,
     flattened,
     leg_parameters,
@@ -32,13 +31,18 @@ class Local:
     """First derivatives at a point in scaled coordinates, and the information they carry."""
 
     data: Float[np.ndarray, "coordinate coordinate"]  # Gauss-Newton information of the misfit
-    prior: Float[np.ndarray, "coordinate coordinate"]  # of the prior
+    prior: Float[np.ndarray, "coordinate coordinate"]  # of the prior, and of what is declared
+    declared: Float[np.ndarray, "coordinate coordinate"]  # of what is declared of the recordings
     quantities: Float[np.ndarray, "quantity coordinate"]  # d of `coordinates.quantities`
     constraints: Float[np.ndarray, "constraint coordinate"]  # d g
 
 
 def neighbourhood(
-    point: Coordinates, condensed: Condensed, seat: Seat, prior: Prior, limits: Limits
+    point: Coordinates,
+    condensed: Condensed,
+    seat: Int[np.ndarray, " segment"],
+    prior: Prior,
+    limits: Limits,
 ) -> Local:
     """The derivatives at `point` (no leading axis), where the misfit condenses to `condensed`."""
 
@@ -48,8 +52,9 @@ def neighbourhood(
     with np.errstate(invalid="ignore"):  # infinite limits are no limits
         by_constraint = gradients(constraint, point)
     return Local(
-        data=information(condensed, columns(point, seat), flattened(point).size),
+        data=told(condensed, columns(point, seat), flattened(point).size),
         prior=prior_information(point, prior),
+        declared=declared_information(point, prior),
         quantities=quantity_gradients(point),
         constraints=by_constraint,
     )
@@ -60,10 +65,16 @@ def prior_information(point: Coordinates, prior: Prior) -> np.ndarray:
 
     def belief(at: Coordinates):
         leg = prior_residual(prior, leg_parameters(at, np), np)
-        return np.concatenate([leg, mounting_residual(at.mounting, np)])
+        return np.concatenate([leg, mounting_residual(prior, at.mounting, np)])
 
     by_prior = gradients(belief, point)
     return by_prior.T @ by_prior
+
+
+def declared_information(point: Coordinates, prior: Prior) -> np.ndarray:
+    """What is declared of the recordings, around `point`."""
+    by_mounting = gradients(lambda at: mounting_residual(prior, at.mounting, np), point)
+    return by_mounting.T @ by_mounting
 
 
 def quantity_gradients(point: Coordinates) -> np.ndarray:
@@ -92,13 +103,13 @@ def derivative(function: Callable, at: np.ndarray) -> np.ndarray:
     return function(steps).imag / COMPLEX_STEP
 
 
-def columns(point: Coordinates, seat: Seat) -> np.ndarray:
+def columns(point: Coordinates, seat: Int[np.ndarray, " segment"]) -> np.ndarray:
     """Which coordinate every unknown of every segment is: (segment, unknown)."""
     numbers = np.arange(flattened(point).size)
     return by_segment(unflattened(numbers, point), seat, np)
 
 
-def information(condensed: Condensed, columns: np.ndarray, size: int) -> np.ndarray:
+def told(condensed: Condensed, columns: np.ndarray, size: int) -> np.ndarray:
     """The sum over segments of R'R, each placed at the coordinates that the segment has."""
     total = np.zeros((size, size))
     for place, factor in zip(columns, np.asarray(condensed.factor), strict=True):

@@ -2,12 +2,15 @@
 
 from dataclasses import dataclass
 
+import jax
 import numpy as np
 
 from exoid.fit.coordinates import TYPICAL, Coordinates, Shared, scaled
-from exoid.fit.disturbance import Disturbance
+from exoid.fit.kinds import FINE, alone, explained, explained_apart
 from exoid.fit.local import Local, penalties, weighed
-from exoid.fit.problem import BATCH, Problem, advance, around, explained, finite, take, task
+from exoid.fit.problem import BATCH, Problem, advance, around, finite, left, take, task
+from exoid.fit.sandwich import Disturbance
+from exoid.fit.seldom import with_doubted_clocks, with_tilted_seats
 from exoid.fit.starts import coordinates
 from exoid.fit.task import Solved
 from exoid.fit.uncertainty import decomposed, spread
@@ -17,7 +20,7 @@ SAME_LOSS = 1e-3  # relative; other minima lie orders of magnitude higher
 FIRST_HORIZON = 1.0  # s of every segment that a start sees first
 TETHERS = (60.0, 15.0)  # rad/s, of the first stage and the second; then free
 STIFF = 0.6  # greatest tether times step: Runge-Kutta carries it with room for the leg
-COARSE, FINE = 10.0, 1e-2  # tolerances, in units of noise
+COARSE = 10.0  # tolerance, in units of noise, as FINE
 LIMITED = 1e-3  # the same with limits: a multiplier of ten makes it 1e-3 of half a sum of squares
 TOLD = 0.5  # relative error of an inertia from which on the data do not tell it
 FEASIBLE = 1e-4  # relative violation that is rounding of the multiplier method
@@ -36,12 +39,12 @@ class Ended:
     local: Local  # of `best`
 
 
-def search(problem: Problem, starts: np.ndarray) -> Ended:
+def search(problem: Problem, starts: np.ndarray) -> tuple[Problem, Ended]:
     """Fit from every start (m, J, l, d, c, tau).
 
     Tied to the measured motion over its first second, then over all of it, then free; starts that
     have come together are carried on by the best of them. The best free fit then meets prior
-    and limits.
+    and limits. Also the problem, its priors wider where a seat or a clock is unusual (`seldom.py`).
     """
     tether = min(TETHERS[0], STIFF / problem.longest_step)
     greatest = 2 / problem.longest_step - 2 * tether
@@ -55,10 +58,42 @@ def search(problem: Problem, starts: np.ndarray) -> Ended:
     looser = advance(problem, gathered, task(problem, weaker, problem.steps, COARSE)).coordinates
     free = advance(problem, without_thrust(looser), task(problem, 0.0, problem.steps, FINE))
     member, failures = without_lost(free, member, failures)
-    disturbance = explained(problem, free, int(np.argmin(finite(free.loss))))
-    best = settle(problem, free, begin, disturbance.scale)
+    problem, free = with_tilted_seats(problem, free)
+    free, disturbance = weighed_by_kind(problem, free)
+    best = settle(problem, free, begin, disturbance)
     local = around(problem, best, disturbance)
-    return Ended(free, member, failures, best, disturbance, begin, local)
+    doubted = with_doubted_clocks(problem, best, local)
+    if doubted is not None:
+        problem = doubted
+        best = settle(problem, free, begin, disturbance)
+        local = around(problem, best, disturbance)
+    return problem, Ended(free, member, failures, best, disturbance, begin, local)
+
+
+def weighed_by_kind(problem: Problem, free: Solved) -> tuple[Solved, Disturbance]:
+    """What the residual holds; where kinds of segments differ, all free fits once more by it.
+
+    The best of them begins anew where the kind that is weighed most ends by itself: that may be
+    far from where all were weighed alike.
+    """
+    row = int(np.argmin(finite(free.loss)))
+    alike = explained(problem, free, row)
+    found = explained_apart(problem, free, row, alike)
+    if not found.apart:
+        return free, found
+    trusted = alone(problem, free, row, [found.trusted])
+    starts = replaced(free.coordinates, row, take(trusted.coordinates, 0))
+    asked = task(problem, 0.0, problem.steps, FINE)
+    again = advance(problem, starts, asked, found.weighing(problem.kinds))
+    row = int(np.argmin(finite(again.loss)))
+    return again, left(problem, again, row, found)
+
+
+def replaced(tree, row: int, new):
+    """The same with `new` in this row of every leaf."""
+    rows = jax.tree.map(np.array, tree)
+    jax.tree.map(lambda leaf, one: leaf.__setitem__(row, one), rows, new)
+    return rows
 
 
 def without_thrust(at: Coordinates) -> Coordinates:
@@ -112,23 +147,23 @@ def without_lost(free: Solved, member: np.ndarray, failures: dict[str, int]):
     return np.where(gone, -1, member), failures
 
 
-def settle(problem: Problem, free: Solved, begin: Coordinates, scale: float) -> Solved:
+def settle(problem: Problem, free: Solved, begin: Coordinates, found: Disturbance) -> Solved:
     """The best free fit under prior and limits, from several inertias and masses."""
     best = int(np.argmin(finite(free.loss)))
     lanes = max(2, BATCH // len(problem.movements))
     one = take(free.coordinates, [best] * lanes)
-    local = weighed(around(problem, free, row=best), scale)
+    local = weighed(around(problem, free, row=best), found.scale)
     others = np.resize(np.arange(begin.log_mass.size), lanes)
     inertia, mass = (leaf[others].copy() for leaf in (begin.shared.log_inertia, begin.log_mass))
     if problem.belief.expected is not None:
         expected = problem.belief.prior.expected
         inertia[0], mass[0] = np.log(expected.inertia), np.log(expected.mass)
-    if scale_told(local.data):
+    if scale_told(local.data + local.declared):
         inertia = one.shared.log_inertia
     shared = Shared(inertia, one.shared.gravity, one.shared.stiffness, one.shared.damping)
     starts = Coordinates(shared, mass, one.mounting, one.own)
     asked = task(problem, 0.0, problem.steps, LIMITED, penalties(local))
-    ended = advance(problem, starts, asked, scale)
+    ended = advance(problem, starts, asked, found.scale * found.weighing(problem.kinds))
     feasible = np.where(ended.violation < FEASIBLE, finite(ended.loss), np.inf)
     chosen = feasible if np.isfinite(feasible).any() else finite(ended.loss)
     return take(ended, [int(np.argmin(chosen))])

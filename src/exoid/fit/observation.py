@@ -5,10 +5,10 @@ from typing import Any
 import equinox as eqx
 import jax
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Float, Int
 
-from exoid.fit.coordinates import Seat
-from exoid.fit.movement import Movement, places, remounts, smoothed_motion
+from exoid.fit.movement import Movement, smoothed_motion
+from exoid.fit.systematics import SOMEWHERE, beside_unplaced
 from exoid.physics.step import Drive
 from exoid.physics.torque import cycle_shape
 from exoid.recording.condition import (
@@ -40,8 +40,10 @@ class Observation(eqx.Module):
     torque: Drive  # N m, the measured torque at the stage times, 0 where none was
     added_mass: Float[Any, "*segment"]  # kg
     added_mass_distance: Float[Any, "*segment"]  # m
+    added_mass_moves: Float[Any, "*segment"]  # 1 where its distance follows the mounting, else 0
+    added_mass_extent: Float[Any, "*segment"]  # m^2, its squared radius of gyration
     thigh_angle: Float[Any, "*segment"]  # rad, the knee above the hip
-    seat: Seat
+    seat: Int[Any, "*segment"]  # which recording's mounting it has
 
 
 def observe(movements: list[Movement], reading: str) -> Observation:
@@ -49,16 +51,26 @@ def observe(movements: list[Movement], reading: str) -> Observation:
     grids = [with_gaps_bridged(each.segment.time) for each in movements]
     size = bucket(max(grid.size for grid in grids))
     rows = [
-        one_observation(each, grid, size, reading, seat)
-        for each, grid, seat in zip(movements, grids, seats(movements), strict=True)
+        one_observation(each, grid, size, reading)
+        for each, grid in zip(movements, grids, strict=True)
     ]
-    return jax.tree.map(lambda *each: np.stack(each), *rows)
+    seen = jax.tree.map(lambda *each: np.stack(each), *rows)
+    numbers = sorted({each.recording for each in movements})
+    seat = np.array([numbers.index(each.recording) for each in movements])
+    moves = np.array(
+        [float(each.unplaced or not beside_unplaced(each, movements)) for each in movements]
+    )
+    return eqx.tree_at(lambda seen: (seen.seat, seen.added_mass_moves), seen, (seat, moves))
 
 
 def bucket(size: int) -> int:
-    """The shape that serves this many samples, so that few lengths need compiling."""
-    coarse = 256 if size <= 4096 else 2048
-    return -(-size // coarse) * coarse
+    """The shape that serves this many samples: one of a few, 256 or 384 times a power of two, so
+    that a recording of a new length seldom needs compiling.
+    """
+    whole = 256
+    while whole < size:
+        whole = whole * 3 // 2 if whole % 3 else whole * 4 // 3
+    return whole
 
 
 def with_gaps_bridged(time: Samples) -> Samples:
@@ -74,22 +86,7 @@ def with_gaps_bridged(time: Samples) -> Samples:
     return np.union1d(time, np.concatenate(parts))
 
 
-def seats(movements: list[Movement]) -> list[Seat]:
-    """Which entries of the mounting every segment has."""
-    distances, others = places(movements), remounts(movements)
-
-    def entry(known: list[int], each: Movement, has: bool):
-        return np.asarray(known.index(each.recording) if has else -1)
-
-    return [
-        Seat(entry(distances, each, each.unplaced), entry(others, each, each.recording in others))
-        for each in movements
-    ]
-
-
-def one_observation(
-    each: Movement, grid: Samples, size: int, reading: str, seat: Seat
-) -> Observation:
+def one_observation(each: Movement, grid: Samples, size: int, reading: str) -> Observation:
     own = each.segment.time
     at = np.searchsorted(grid, own)
     step = np.median(np.diff(grid))
@@ -117,9 +114,11 @@ def one_observation(
         cycle=staged(time, lambda at: cycle_torque(at - each.onset, each, reading)),
         torque=staged(time, lambda at: measured_torque(at, each)),
         added_mass=np.asarray(each.added_mass),
-        added_mass_distance=np.asarray(0.0 if each.unplaced else each.added_mass_distance),
+        added_mass_distance=np.asarray(SOMEWHERE if each.unplaced else each.added_mass_distance),
+        added_mass_moves=np.asarray(1.0),
+        added_mass_extent=np.asarray(each.systematics.expected_extent),
         thigh_angle=np.asarray(each.thigh_angle),
-        seat=seat,
+        seat=np.asarray(0),
     )
 
 

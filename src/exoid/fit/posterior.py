@@ -25,8 +25,7 @@ from exoid.fit.coordinates import (
 )
 from exoid.fit.density import Target, points, posed
 from exoid.fit.estimates import RATIOS
-from exoid.fit.mountings import MOUNTING
-from exoid.fit.movement import places, remounts
+from exoid.fit.mountings import FIELDS, MOUNTING, known, outside
 from exoid.fit.nuts import move_chains
 from exoid.fit.result import Basis, FitResult
 from exoid.fit.uncertainty import ON_BOUND
@@ -55,7 +54,10 @@ class Posterior:
 def sample(
     result: FitResult, *, draws: int = 1000, warmup: int = 500, chains: int = 4, seed: int = 0
 ) -> Posterior:
-    """Draw from exp(-(data + prior) / 2) within the limits, a density in the fit's coordinates.
+    """Draw from exp(-(data + prior) / 2) within the limits, a density in the prior's variables.
+
+    The draws are made in the fit's coordinates, by `prior.log_jacobian`. Where the prior says
+    nothing, the density is one in these coordinates: flat in log m and log J.
 
     `data` is the misfit over the least widening squared, taken at best + C (z - best) instead of z:
     C shrinks the directions that a disturbance widened more, so that `data` curves as the fit's
@@ -134,11 +136,16 @@ def numbered(basis: Basis) -> dict[str, tuple[int, str]]:
 def placed(basis: Basis, at: Coordinates) -> tuple[dict[str, np.ndarray], dict[str, str]]:
     """Values and units of what recordings own, by the recording's number."""
     values, units = {}, {}
-    owners = [places(basis.problem.movements), *[remounts(basis.problem.movements)] * 3]
-    entries = (np.exp(at.mounting.log_distance), *jax.tree.leaves(at.mounting)[1:])
-    for (name, (_, _, unit)), owner, entry in zip(MOUNTING.items(), owners, entries, strict=True):
-        for recording, row in zip(owner, entry, strict=True):
-            values[f"{name}[{recording}]"], units[f"{name}[{recording}]"] = row, unit
+    problem = basis.problem
+    seat = np.asarray(problem.observation.seat)
+    for field in problem.owned:
+        for entry, row in enumerate(getattr(at.mounting, field)):
+            if known(problem, field, entry):
+                continue
+            name = FIELDS[field]
+            recording = problem.movements[int(np.flatnonzero(seat == entry)[0])].recording
+            key = f"{name}[{recording}]"
+            values[key], units[key] = outside(problem, field, entry, row), MOUNTING[name][2]
     return values, units
 
 

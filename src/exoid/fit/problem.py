@@ -1,6 +1,6 @@
 """The problem of a fit, and how the compiled programs are asked about it."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 import jax
@@ -11,18 +11,19 @@ from exoid.fit.chain import Chain
 from exoid.fit.condense import Sensed
 from exoid.fit.constraint import constraint_names
 from exoid.fit.coordinates import QUANTITIES, Coordinates, flattened
-from exoid.fit.disturbance import Disturbance, explain, spoiled
-from exoid.fit.gram import CAUSES, Cause, Gram, grams, pushes
-from exoid.fit.local import Local, columns, neighbourhood
-from exoid.fit.movement import Movement, places, remounts
+from exoid.fit.gram import Cause, Gram, declared, grams, pushes
+from exoid.fit.local import Local, columns, gradients, neighbourhood
+from exoid.fit.movement import Movement
 from exoid.fit.observation import Observation, observe
+from exoid.fit.prior import mounting_residual
 from exoid.fit.program import run, run_sense
 from exoid.fit.residual import Stage
+from exoid.fit.sandwich import Disturbance, spoiled
+from exoid.fit.systematics import OWNED, deviations, exact
 from exoid.fit.task import Aim, Solved, Task
 from exoid.physics.step import Drive
 
 ROUNDS = 10  # of multipliers; two digits a round
-PLAUSIBLE = 0.3  # of what moves the leg: a model that misses more is none
 BATCH = 16  # lanes of start and segment at once: more leave the fast path of the compiled loop
 
 
@@ -35,6 +36,7 @@ class Problem:
     known: np.ndarray
     belief: Belief
     chain: Chain
+    owned: tuple[str, ...] = OWNED  # of the mounting: what is no unknown is as declared
 
     @property
     def steps(self) -> int:
@@ -48,28 +50,45 @@ class Problem:
         return [float(each.segment.time[-1]) for each in self.movements]
 
     @property
+    def kinds(self) -> list[str]:
+        """Of every segment: passive, active or measured."""
+        return [each.kind for each in self.movements]
+
+    @property
     def longest_step(self) -> float:
         return float(np.diff(np.asarray(self.observation.time)).max())
 
     @property
     def unknowns(self) -> int:
         shared = int((self.known[:, :4] == 0).any(axis=0).sum())
-        mounting = len(places(self.movements)) + 3 * len(remounts(self.movements))
+        seat = np.asarray(self.observation.seat)
+        free = self.known[:, 4:-3] == 0
+        mounting = sum(int(free[seat == number].any(axis=0).sum()) for number in set(seat))
         return shared + mounting + int((self.known[:, -3:] == 0).sum())
 
 
-def pose(movements: list[Movement], belief: Belief, reading: str, chain: Chain) -> Problem:
-    """The problem of fitting one leg to these movements."""
+def pose(
+    movements: list[Movement],
+    belief: Belief,
+    reading: str,
+    chain: Chain,
+    *,
+    owned: tuple[str, ...] = OWNED,
+) -> Problem:
+    """The problem of fitting one leg to these movements; of what recordings own, `owned` are
+    unknowns.
+    """
     observation = observe(movements, reading)
-    own = 4 + bool(places(movements)) + 3 * bool(remounts(movements))
+    own = 4 + len(owned)
     known = np.zeros((len(movements), own + 3))
     known[:, 0] = [not each.scaled for each in movements]
-    if places(movements):
-        known[:, 4] = observation.seat.place < 0
-    if remounts(movements):
-        known[:, own - 3 : own] = (observation.seat.remount < 0)[:, None]
+    known[:, 4:own] = exact(movements, owned)
     known[:, own] = [not each.voluntary for each in movements]
-    return Problem(movements, observation, known, belief, chain)
+    if belief.raw:
+        known[:, 4:own] = 1.0  # Eq. 11 as printed knows nothing of them
+    prior = replace(belief.prior, mounting=deviations(movements, owned))
+    belief = replace(belief, prior=prior)
+    return Problem(movements, observation, known, belief, chain, owned)
 
 
 def task(
@@ -92,14 +111,20 @@ def task(
 
 
 def advance(
-    problem: Problem, starts: Coordinates, task: Task, scale: float = 1.0, aim: Aim | None = None
+    problem: Problem,
+    starts: Coordinates,
+    task: Task,
+    scale: np.ndarray | float = 1.0,
+    aim: Aim | None = None,
 ) -> Solved:
     """Solve from all starts, a batch at a time: a batch ends when its slowest start has.
 
-    The residual counts 1 / `scale`; an `aim` says so for every start by itself.
+    The residual counts 1 / `scale`, or of each segment 1 / its entry; an `aim` says so for every
+    start by itself.
     """
     count = starts.log_mass.shape[0]
-    aim = aimless(problem, np.full(count, scale)) if aim is None else aim
+    if aim is None:
+        aim = aimless(problem, np.broadcast_to(scale, (count, len(problem.movements))))
     lanes = max(2, BATCH // len(problem.movements))
     parts = []
     for first in range(0, count, lanes):
@@ -121,38 +146,29 @@ def advance(
 
 
 def aimless(problem: Problem, scale: np.ndarray) -> Aim:
-    """Starts that are pulled nowhere."""
-    nothing = np.zeros_like(scale)
+    """Starts that are pulled nowhere; `scale` is (start, segment)."""
+    nothing = np.zeros(len(scale))
     quantities = QUANTITIES + 2 * len(problem.movements)
-    return Aim(scale, np.zeros((scale.size, quantities)), nothing, nothing)
-
-
-def explained(problem: Problem, at: Solved, row: int = 0) -> Disturbance:
-    """What is in the residual at one end point, and what it leaves of the data's information."""
-    seen = problem.observation
-    samples = int((seen.angle_weight > 0).sum() + (seen.velocity_weight > 0).sum())
-    each = grams_at(problem, at, row, CAUSES)
-    return explain(each, plausible(seen), samples, flattened(take(at.coordinates, row)).size)
-
-
-def plausible(seen: Observation) -> dict[Cause, float]:
-    """The largest deviation of what is missed: a part of the leg's acceleration, or its angle."""
-    used = np.asarray(seen.angle_weight)[:, 1:] > 0
-    time, angle, velocity = map(np.asarray, (seen.time, seen.guide_angle, seen.guide_velocity))
-    acceleration = (np.diff(velocity, axis=1) / np.diff(time, axis=1))[used]
-    return {
-        "torque": PLAUSIBLE * float(np.std(acceleration)),
-        "encoder": PLAUSIBLE * float(np.std(angle[:, 1:][used])),
-    }
+    return Aim(np.array(scale), np.zeros((len(scale), quantities)), nothing, nothing)
 
 
 def grams_at(
-    problem: Problem, at: Solved, row: int, causes: Sequence[Cause]
+    problem: Problem, at: Solved, row: int, causes: Iterable[Cause]
 ) -> dict[Cause, list[Gram]]:
     """The inner products of every segment at one end point, for these causes."""
     point, seen, durations = take(at.coordinates, row), problem.observation, problem.durations
     found, places = sensed(problem, point, pushes(seen.time, durations)), columns(point, seen.seat)
     return {cause: grams(found, seen, durations, places, cause) for cause in causes}
+
+
+def declared_at(problem: Problem, at: Solved, row: int = 0) -> Gram:
+    """What is declared of the recordings, beside the inner products of their segments."""
+    point, prior = take(at.coordinates, row), problem.belief.prior
+
+    def apart(at: Coordinates):
+        return mounting_residual(prior, at.mounting, np)
+
+    return declared(apart(point), gradients(apart, point))
 
 
 def sensed(problem: Problem, point: Coordinates, missing: Drive | None = None) -> Sensed:
@@ -174,9 +190,15 @@ def around(
     local = neighbourhood(one.coordinates, one.condensed, seat, belief.prior, belief.limits)
     if disturbance is None:
         return local
-    cause = disturbance.cause or "torque"
-    each = grams_at(problem, at, row, [cause])[cause]
-    return replace(local, data=spoiled(disturbance, each, local.data.shape[0]).information)
+    return replace(local, data=left(problem, at, row, disturbance).information)
+
+
+def left(problem: Problem, at: Solved, row: int, disturbance: Disturbance) -> Disturbance:
+    """The same disturbance, with the information that it leaves at one end point."""
+    causes, size = disturbance.causes(problem.kinds), flattened(take(at.coordinates, row)).size
+    every = grams_at(problem, at, row, set(causes))
+    each = [every[cause][number] for number, cause in enumerate(causes)]
+    return spoiled(disturbance, each, problem.kinds, size)
 
 
 def take(tree, rows):

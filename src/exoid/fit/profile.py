@@ -28,6 +28,7 @@ Shape = Literal["two-sided", "lower limit only", "upper limit only", "flat"]
 RISE = 3.841  # of twice the loss: the 95 % point of chi-square with one degree of freedom
 REACH = 3.0  # standard errors to either side that are looked at
 POINTS = 13  # of a profile, odd: one is the best fit
+FEWEST = 3  # of them that must be reached
 PULL = 10.0  # strength over one standard error: a point falls 1 % short of its target, and says so
 HALVINGS = 25  # of an interval of noise scales
 WIDE = 0.5  # of a value, to either side, where nothing tells how far to look
@@ -67,6 +68,8 @@ class Quest:
 def profiles(result: FitResult) -> dict[str, Profile]:
     """The profile of every parameter and ratio, all points as starts of one search.
 
+    One of which hardly a point can be reached within the limits has no profile, and is left out.
+
     **Raises** `ValueError` for a result that has no one fit to profile (`fit_each`).
     """
     basis = result.basis
@@ -74,7 +77,8 @@ def profiles(result: FitResult) -> dict[str, Profile]:
         raise ValueError("every segment was fitted alone: there is no one fit to profile.")
     quests = [quest for name, each in named(result) if (quest := posed(basis, name, each))]
     aim = Aim(
-        noise_scale=np.concatenate([np.full(POINTS, each.noise_scale) for each in quests]),
+        noise_scale=np.repeat([each.noise_scale for each in quests], POINTS)[:, None]
+        * basis.ended.disturbance.weighing(basis.problem.kinds),
         weights=np.concatenate([np.tile(each.weights, (POINTS, 1)) for each in quests]),
         target=np.concatenate([each.targets for each in quests]),
         strength=np.concatenate([np.full(POINTS, PULL / each.step) for each in quests]),
@@ -88,7 +92,8 @@ def profiles(result: FitResult) -> dict[str, Profile]:
     reached = np.sum(aim.weights * solved.quantities, axis=1)
     loss = np.where(solved.violation < FEASIBLE, 2 * solved.loss, np.inf)
     parts = zip(quests, reached.reshape(-1, POINTS), loss.reshape(-1, POINTS), strict=True)
-    return {each.name: traced(each, value, twice) for each, value, twice in parts}
+    found = [traced(each, value, twice) for each, value, twice in parts]
+    return {each.name: each for each in found if each is not None}
 
 
 def named(result: FitResult) -> list[tuple[str, Estimate]]:
@@ -161,11 +166,13 @@ def begin(basis: Basis, quest: Quest) -> Coordinates:
     return jax.tree.map(lambda *each: np.stack(each), *points)
 
 
-def traced(quest: Quest, value: np.ndarray, twice: np.ndarray) -> Profile:
-    """The profile through the points that were reached."""
+def traced(quest: Quest, value: np.ndarray, twice: np.ndarray) -> Profile | None:
+    """The profile through the points that were reached; None where they are too few for a curve."""
     order = np.argsort(value)
     value, twice = value[order], twice[order]
     good = np.isfinite(twice) & np.append(True, np.diff(value) > 1e-9 * quest.step)
+    if good.sum() < FEWEST:
+        return None
     value, rise = value[good], twice[good] - twice[good].min()
     best = int(np.argmin(rise))
     return Profile(

@@ -2,20 +2,22 @@
 
 import numpy as np
 
-from exoid.fit.disturbance import CORRELATED, Disturbance
+from exoid.fit.disturbance import CORRELATED, Missed
+from exoid.fit.kinds import NOISY
 from exoid.fit.multistart import FEASIBLE, Ended, scale_told
+from exoid.fit.noise_remarks import noise_remarks
 from exoid.fit.problem import Problem
-from exoid.fit.result import SegmentFit, pooled
+from exoid.fit.sandwich import Disturbance
 from exoid.physics.leg import LegParameters
 from exoid.physics.parameter import declarations
 
-NOISY = 1.1  # over the declared noise, from where on it is worth a word
-ASTRAY = 0.1  # of how far a leg moves, from where on a simulation does not follow it
 UPWARDS = (
     "gravity comes out upwards (m l g / J is negative): no leg falls like this. The angle must be "
-    "0 with the knee extended and the shank level, -90 deg hanging, extension positive: is flexion "
-    "positive in this file, or its zero elsewhere?"
+    "0 with the knee extended and the shank level, -90 deg hanging, extension positive. Is flexion "
+    "positive in this file? Then say --flip angle (--flip all with a gyro of the same sign). Is 0 "
+    "the hanging leg? Then say --zero hanging."
 )
+RULES = ("m l^2 <= J", "J <= reach m l")
 INCOMPLETE = "no error bar of a model that misses something is complete"
 
 
@@ -27,13 +29,13 @@ def remarks(problem: Problem, ended: Ended, at_bound: set[str]) -> list[str]:
     if guessed:
         each = ", ".join(f"{one.name} {one.kind}" for one in guessed)
         said.append(f"the sidecar does not say how the leg was moved; by its motion: {each}.")
+    said += noise_remarks(problem.movements)
     gravity = float(ended.best.coordinates.shared.gravity[0])
     told = scale_told(ended.local.data + ended.local.prior)
     inertia = float(ended.best.leg.inertia[0]) if told else None
-    if gravity < 0 and not rig and all(each.kind == "passive" for each in problem.movements):
-        said.append(UPWARDS)
+    said += of_kinds(ended.disturbance)
     said += of_residual(ended.disturbance, gravity, inertia)
-    if ended.disturbance.cause is not None and not rig:
+    if ended.disturbance.kinds[ended.disturbance.trusted].cause is not None and not rig:
         said.append(
             "m l g / J and c / J hold for a spring that is slack at full extension (Eq. 9). "
             "With another rest angle they trade off against each other by more than their "
@@ -51,35 +53,63 @@ def remarks(problem: Problem, ended: Ended, at_bound: set[str]) -> list[str]:
         said.append(
             "tau and tau / J are means over the voluntary segments, each with its own effort."
         )
-    if any(each.added_mass > 0 for each in problem.movements):
-        said.append(
-            "± leaves out the error of weighing: 1 % of the added mass is 1 % of J, c, d and tau."
-        )
     return said
 
 
-def strayed(segments: list[SegmentFit], raw: bool) -> list[str]:
-    """Does the simulation follow the recording at all?"""
-    sizes = [each.time.size for each in segments]
-    missed = pooled([(each.angle_rmse, n) for each, n in zip(segments, sizes, strict=True)])
-    moved = pooled([(float(np.nanstd(s.angle)), n) for s, n in zip(segments, sizes, strict=True)])
-    if missed < ASTRAY * moved:
+def upwards(problem: Problem, ended: Ended) -> bool:
+    """Does gravity come out upwards, of a leg that nothing but gravity moved?"""
+    return (
+        float(ended.best.coordinates.shared.gravity[0]) < 0
+        and bool(np.isfinite(problem.belief.limits.reach))
+        and all(each.kind == "passive" for each in problem.movements)
+    )
+
+
+def of_astray(why: str | None, raw: bool) -> list[str]:
+    """That the simulation does not follow the recording, and what to do."""
+    if why is None:
         return []
     weighed = "; without --misfit paper every sample is weighed by its noise" if raw else ""
     return [
-        "the simulation does not follow the recording: it misses the angle by "
-        f"{np.degrees(missed):.3g} deg, where the leg moves by {np.degrees(moved):.3g} deg (both "
-        "root mean square). Do not use these numbers: 'exoid diagnose' asks what the model lacks"
-        f"{weighed}."
+        f"the simulation does not follow the recording: {why}. Do not use these numbers: check "
+        "units, signs, zero and marks of the recording; 'exoid diagnose' asks what the model "
+        f"lacks{weighed}."
+    ]
+
+
+def of_kinds(found: Disturbance) -> list[str]:
+    """Which kind of segment is believed, where kinds are weighed differently."""
+    if not found.apart:
+        return []
+    trusted = [kind for kind, scale in found.scales.items() if scale == 1.0]
+    others = [
+        f"those of the {kind} ones are divided by {scale:.2g}"
+        for kind, scale in found.scales.items()
+        if kind not in trusted
+    ]
+    return [
+        "what the model misses differs from kind to kind of segment, and each is weighed by its "
+        f"own: the residuals of the {' and '.join(trusted)} segments count as they are, "
+        f"{', '.join(others)}. 'set by' names the kind that told a number."
     ]
 
 
 def of_residual(found: Disturbance, gravity: float, inertia: float | None) -> list[str]:
-    """What besides the declared noise is in the residual, and what that does to the errors.
+    """What besides the declared noise is in the residuals, and what that does to the errors.
 
     `gravity` is m l g / J [1/s^2]; `inertia` None where J is not known.
     """
-    said = []
+    if len(set(found.kinds.values())) == 1:
+        return of_missed(next(iter(found.kinds.values())), "the residual", gravity, inertia)
+    return [
+        sentence
+        for kind, each in found.kinds.items()
+        for sentence in of_missed(each, f"the residual of {kind} segments", gravity, inertia)
+    ]
+
+
+def of_missed(found: Missed, where: str, gravity: float, inertia: float | None) -> list[str]:
+    """The same of one kind of segment, or of all."""
     over = f"varying within about {found.correlation_time:g} s"
     if found.correlation_time == CORRELATED[0]:
         over = "varying from moment to moment"
@@ -87,21 +117,21 @@ def of_residual(found: Disturbance, gravity: float, inertia: float | None) -> li
     if found.cause == "torque":
         share = f"{100 * found.deviation / abs(gravity):.2g} % of m l g"
         torque = "" if inertia is None else f", {found.deviation * inertia:.2g} N m"
-        said.append(
-            "the residual is more than the sensors' noise: the model misses something. It is what "
+        return [
+            f"{where} is more than the sensors' noise: the model misses something. It is what "
             f"an unknown torque of about {share}{torque}, {over}, would leave. {widened}"
-        )
+        ]
     if found.cause == "encoder":
-        said.append(
-            "the residual is more than the sensors' noise: it is what an encoder that errs by "
+        return [
+            f"{where} is more than the sensors' noise: it is what an encoder that errs by "
             f"about {np.degrees(found.deviation):.2g} deg, {over}, would leave. {widened}"
-        )
-    if found.cause is None and found.noise > NOISY:
-        said.append(
-            f"the residual is white but {found.noise:.3g} times the declared noise, and standard "
+        ]
+    if found.noise > NOISY:
+        return [
+            f"{where} is white but {found.noise:.3g} times the declared noise, and standard "
             "errors are widened by that: check the noise levels in the sidecar."
-        )
-    return said
+        ]
+    return []
 
 
 def of_bounds(problem: Problem, at_bound: set[str]) -> list[str]:
@@ -116,7 +146,19 @@ def of_bounds(problem: Problem, at_bound: set[str]) -> list[str]:
                 "(Eq. 13). Absolute values that go with it follow from that limit, not from the "
                 "recording: use the ratios."
             )
-    for rule in ("m l^2 <= J", "J <= reach m l"):
+    for rule in RULES:
         if rule in at_bound:
             said.append(f"the fit lies on the limit {rule} of a rigid leg.")
     return said
+
+
+def limits_met(problem: Problem, at_bound: set[str]) -> list[str]:
+    """The limits of a leg that decided, by their symbols; that damping is not negative is none."""
+    if not np.isfinite(problem.belief.limits.reach):
+        return []
+    held = [
+        declared.symbol
+        for name, declared in declarations(LegParameters)
+        if name in at_bound and name != "damping"
+    ]
+    return [*held, *(rule for rule in RULES if rule in at_bound)]

@@ -36,43 +36,47 @@ class Equation(eqx.Module):
     cycle: Float[Any, ""]  # 1/s^2 for unit shape of Eq. 10
     torque: Float[Any, ""]  # 1/(kg m^2), for a measured torque
     share: Float[Any, ""]  # of the leg in the inertia that moves
-    zero: Float[Any, ""]  # rad, of the encoder; the tether pulls to the angle without it
 
 
 def equation(
     shared: Shared, mounting: Mounting, own: Own, observation: Observation, stage: Stage
 ) -> Equation:
-    """J + m_a r^2 and m l g + m_a r g move; the tether adds its stiffness and damping.
+    """J + m_a (r^2 + k^2) and m l g + m_a r g move; the tether adds its stiffness and damping.
 
+    A recorded second is (1 + clock) s long, so every rate of the equation counts as often.
     `mounting` is that of the segment, as `seated` gives it.
     """
-    inertia = jnp.exp(shared.log_inertia)
-    distance = observation.added_mass_distance
-    if mounting.log_distance.size:
-        estimated = jnp.exp(mounting.log_distance[0])
-        distance = jnp.where(observation.seat.place >= 0, estimated, distance)
-    moment = observation.added_mass * distance
-    total = inertia + moment * distance
+    inertia, clock = jnp.exp(shared.log_inertia), 1 + of(mounting.clock)
+    added = observation.added_mass * jnp.exp(of(mounting.log_added))
+    moved = jnp.exp(observation.added_mass_moves * of(mounting.log_distance))
+    distance = observation.added_mass_distance * moved
+    extent = observation.added_mass_extent + of(mounting.extent)
+    total = inertia + added * (distance**2 + extent)
+    moment = shared.gravity * inertia + added * distance * GRAVITY
     return Equation(
         ratios=Ratios(
-            gravity=(shared.gravity * inertia + moment * GRAVITY) / total,
-            stiffness=shared.stiffness * inertia / total + stage.tether**2,
-            damping=shared.damping * inertia / total + 2 * stage.tether,
-            thigh_angle=observation.thigh_angle,
+            gravity=clock**2 * moment / total,
+            stiffness=clock**2 * shared.stiffness * inertia / total + stage.tether**2,
+            damping=clock * shared.damping * inertia / total + 2 * stage.tether,
+            thigh_angle=observation.thigh_angle + of(mounting.tilt),
         ),
-        cycle=own.torque * inertia / total,
-        torque=1 / total,
-        share=inertia / total,
-        zero=sensor_map(mounting, observation)[0],
+        cycle=clock**2 * own.torque * inertia / total,
+        torque=clock**2 / total,
+        share=clock**2 * inertia / total,
     )
 
 
-def sensor_map(mounting: Mounting, observation: Observation) -> Float[Array, "3"]:
-    """Encoder zero [rad], gyro scale [relative] and bias [rad/s] of the segment's recording."""
-    each = [mounting.zero, mounting.gyro_scale, mounting.gyro_bias]
-    if not mounting.zero.size:
-        return jnp.zeros(3)
-    return jnp.where(observation.seat.remount >= 0, jnp.concatenate(each), 0.0)
+def sensor_map(mounting: Mounting) -> Float[Array, "3"]:
+    """Encoder zero [rad], gyro scale [relative, of the angle's rate by the recording's own clock]
+    and bias [rad/s] of the segment's recording.
+    """
+    scale = (1 + of(mounting.gyro_scale)) / (1 + of(mounting.clock)) - 1
+    return jnp.stack([of(mounting.zero), scale, of(mounting.gyro_bias)])
+
+
+def of(leaf: Float[Any, "*entry"]) -> Float[Array, ""]:
+    """The segment's entry of the mounting, 0 where it is no unknown."""
+    return leaf[0] if leaf.size else jnp.zeros(())
 
 
 def advance(
@@ -90,7 +94,7 @@ def advance(
         return eq.cycle * cycle + eq.torque * torque + eq.share * missing + pull
 
     def guide(at):
-        return observation.guide_angle[at] - eq.zero, observation.guide_velocity[at]
+        return observation.guide_angle[at], observation.guide_velocity[at]
 
     now, after = guide(index), guide(index + 1)
     middle = jax.tree.map(lambda a, b: (a + b) / 2, now, after)
@@ -129,7 +133,7 @@ def predict(
 ) -> LegState:
     """The whole segment as the leg would have moved, and sensors and chain would have shown it."""
     eq = equation(shared, mounting, own, observation, stage)
-    zero, scale, bias = sensor_map(mounting, observation)
+    zero, scale, bias = sensor_map(mounting)
     start = LegState(own.angle, own.angular_velocity)
 
     def store(index, state, folded):

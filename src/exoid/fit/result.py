@@ -7,9 +7,9 @@ import numpy as np
 from jaxtyping import Float
 
 from exoid.fit import summary
-from exoid.fit.disturbance import Disturbance
 from exoid.fit.multistart import Ended
 from exoid.fit.problem import Problem
+from exoid.fit.sandwich import Disturbance
 from exoid.fit.uncertainty import Information, Shares, Source
 
 
@@ -28,6 +28,7 @@ class Estimate:
     upper: float | None = None
     shares: Shares | None = None  # of its precision; None where there is none
     reason: str | None = None  # why there is no value, or no error
+    limited_by: dict[str, float] | None = None  # share of its variance that each systematic makes
 
     @property
     def determined_by(self) -> Source | None:
@@ -59,13 +60,17 @@ class SegmentFit:
 
 @dataclass(frozen=True)
 class MountingFit:
-    """What a recording owned, where that was to be estimated."""
+    """What a recording owned, where the fit tells more of it than was declared."""
 
     recording: str
-    added_mass_distance: Estimate | None
-    zero: Estimate | None  # of the encoder; this and the rest compare with the first recording
-    gyro_scale: Estimate | None
-    gyro_bias: Estimate | None
+    added_mass_distance: Estimate | None = None
+    added_mass: Estimate | None = None
+    added_mass_gyration: Estimate | None = None
+    zero: Estimate | None = None  # of the encoder
+    tilt: Estimate | None = None  # of the thigh, beyond its declared angle
+    gyro_scale: Estimate | None = None
+    gyro_bias: Estimate | None = None
+    clock: Estimate | None = None
 
     @property
     def known(self) -> dict[str, Estimate]:
@@ -104,6 +109,15 @@ class FitResult:
     prior: str
     notes: list[str] = field(default_factory=list)
     basis: "Basis | None" = None  # None where every segment was fitted alone
+    astray: str | None = None  # why the simulation does not follow the recording, where it does not
+
+    @property
+    def follows(self) -> bool:
+        """Does the simulation follow the recording? Where it does not, no number is worth a thing.
+
+        `astray` says why, and the first of the `notes` what to do.
+        """
+        return self.astray is None
 
     def __repr__(self) -> str:
         return summary.lines(self)

@@ -8,11 +8,11 @@ import numpy as np
 from scipy.optimize import OptimizeResult, approx_fprime, minimize
 
 from exoid.fit.coordinates import Coordinates
+from exoid.fit.kinds import explained
 from exoid.fit.local import weighed
-from exoid.fit.movement import places, remounts
 from exoid.fit.multistart import FEASIBLE, Ended
 from exoid.fit.objective import Objective
-from exoid.fit.problem import Problem, advance, around, explained, finite, task
+from exoid.fit.problem import Problem, advance, around, finite, task
 from exoid.fit.task import Solved
 
 PRECISION = 1e-7  # change of half a sum of squares in units of noise that ends a search
@@ -30,7 +30,8 @@ def search_slsqp(problem: Problem, starts: np.ndarray) -> Ended:
 
     **Raises** `ValueError` where recordings own more than their starts and torques.
     """
-    if places(problem.movements) or remounts(problem.movements):
+    several = len({each.recording for each in problem.movements}) > 1
+    if several or any(each.unplaced for each in problem.movements):
         raise ValueError(
             "slsqp, the reference, fits one recording whose added mass sits at a known distance. "
             "Leave --method slsqp out, or fit one recording."

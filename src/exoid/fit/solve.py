@@ -9,7 +9,15 @@ from jaxtyping import Array, Float
 
 from exoid.fit.augmented_lagrangian import minimise
 from exoid.fit.chain import Chain
-from exoid.fit.condense import Condensed, Sensed, condense, linear_model, sense
+from exoid.fit.condense import (
+    Condensed,
+    Sensed,
+    condense,
+    linear_model,
+    misfit,
+    sense,
+    weighed,
+)
 from exoid.fit.constraint import NEVER, Limits, violations
 from exoid.fit.coordinates import (
     Coordinates,
@@ -61,7 +69,7 @@ def solve_one(
         condensed = jax.vmap(each, in_axes=(None, 0, 0, 0, 0))(
             point.shared, mountings(point, observation), point.own, observation, known
         )
-        return jax.tree.map(lambda value: value / aim.noise_scale, condensed)
+        return weighed(condensed, aim.noise_scale)
 
     def residual(flat):
         # The value is exact at every point, the derivative is that of the linear model there.
@@ -71,10 +79,10 @@ def solve_one(
         data = linear_model(condensed, here, point, observation.seat)
         believed = unscaled(point)
         expected = [
-            prior_residual(prior, leg_parameters(believed)),
-            mounting_residual(believed.mounting),
+            task.bounded * prior_residual(prior, leg_parameters(believed)),
+            mounting_residual(prior, believed.mounting),
         ]
-        belief = task.bounded * jnp.concatenate(expected)
+        belief = jnp.concatenate(expected)
         pull = aim.strength * (aim.weights @ quantities(believed) - aim.target)
         detail = (condensed, data @ data, belief @ belief)
         return jnp.concatenate([data, belief, pull[None]]), detail
@@ -100,7 +108,7 @@ def solve_one(
         torque=torque_amplitudes(end),
         quantities=quantities(end),
         loss=(data + belief) / 2,
-        misfit=data * aim.noise_scale**2,
+        misfit=misfit(weighed(condensed, 1 / aim.noise_scale)),
         condensed=condensed,
         multiplier=outcome.multiplier,
         violation=outcome.violation,

@@ -1,12 +1,11 @@
 """Where a multi-start begins: drawn from the bounds, from anatomy, and from inverse dynamics."""
 
-import jax
 import numpy as np
 
 from exoid.fit.coordinates import Coordinates, Mounting, Own, Shared
-from exoid.fit.movement import Movement, places, remounts, smoothed_motion
+from exoid.fit.movement import Movement, smoothed_motion
 from exoid.fit.observation import cycle_torque
-from exoid.fit.prior import SEAT
+from exoid.fit.systematics import OWNED
 from exoid.physics.leg import GRAVITY, LegParameters
 from exoid.physics.parameter import declarations
 from exoid.physics.torque import CycleTorque
@@ -52,12 +51,12 @@ def coordinates(
     )
 
 
-def usual_mounting(movements: list[Movement], shape: tuple[int, ...] = ()) -> Mounting:
-    """The mounting to expect of every recording, for starts of this shape."""
-    sizes = [len(places(movements)), *[len(remounts(movements))] * 3]
-    return Mounting(
-        *(np.full((*shape, n), one) for n, one in zip(sizes, jax.tree.leaves(SEAT), strict=True))
-    )
+def usual_mounting(
+    movements: list[Movement], shape: tuple[int, ...] = (), owned: tuple[str, ...] = OWNED
+) -> Mounting:
+    """The mounting to expect of every recording, as declared, for starts of this shape."""
+    count = len({each.recording for each in movements})
+    return Mounting(*(np.zeros((*shape, count * (name in owned))) for name in OWNED))
 
 
 def first_state(movement: Movement) -> tuple[float, float]:

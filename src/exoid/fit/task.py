@@ -30,7 +30,7 @@ class Aim(eqx.Module):
     loss is the least for the value that the quantity has there: a point of its profile.
     """
 
-    noise_scale: Float[Any, "*start"]  # residuals are divided by it
+    noise_scale: Float[Any, "*start segment"]  # the segment's residual is divided by it
     weights: Float[Any, "*start quantity"]  # of `coordinates.quantities`
     target: Float[Any, "*start"]
     strength: Float[Any, "*start"]

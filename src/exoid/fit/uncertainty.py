@@ -21,6 +21,7 @@ class Shares:
     data: float
     prior: float
     bound: float
+    kind: str | None = None  # of the segments that told what data did, where others told little
 
     @property
     def source(self) -> Source:
@@ -39,15 +40,25 @@ class Information:
     """Gauss-Newton information of a fit in its own coordinates, around the end point.
 
     `data` and `prior` are (coordinate, coordinate); `active` holds the gradients of the constraints
-    that hold as equalities there, (constraint, coordinate).
+    that hold as equalities there, (constraint, coordinate). `kinds` has the parts of several kinds
+    of segments, in any unit that they share; `owned` the coordinates of what recordings own.
     """
 
-    def __init__(self, data: np.ndarray, prior: np.ndarray, active: np.ndarray):
+    def __init__(
+        self,
+        data: np.ndarray,
+        prior: np.ndarray,
+        active: np.ndarray,
+        kinds: dict[str, np.ndarray] | None = None,
+        owned: dict[str, np.ndarray] | None = None,
+    ):
         self.free = null_space(active, data.shape[0])
         self.posterior = decomposed(self.free.T @ (data + prior) @ self.free)
         self.likelihood = decomposed(self.free.T @ data @ self.free)
         self.unbounded = decomposed(data + prior)
         self.parts = (data, prior)
+        self.kinds = {} if kinds is None else kinds
+        self.owned = {} if owned is None else owned
 
     def standard_error(self, gradient: Float[np.ndarray, " coordinate"]) -> float:
         """Of a quantity with this gradient; inf where nothing determines it, 0 on a bound."""
@@ -73,7 +84,34 @@ class Information:
         pull = inverse_times(self.posterior, self.free.T @ gradient)
         data, prior = (pull @ (self.free.T @ part @ self.free) @ pull for part in self.parts)
         rest = (1 - bound) / (data + prior)
-        return Shares(float(data * rest), float(prior * rest), float(bound))
+        return Shares(float(data * rest), float(prior * rest), float(bound), self.kind(pull))
+
+    def limits(self, gradient: Float[np.ndarray, " coordinate"]) -> dict[str, float]:
+        """By what part the variance of a quantity would shrink were each of `owned` known exactly.
+
+        Given x_g, the variance of a'x is a'C a - a'C_g C_gg^-1 C_g'a. The parts need not add up
+        to 1: two that go together are each of them a part.
+        """
+        if not np.isfinite(self.standard_error(gradient)) or self.standard_error(gradient) == 0.0:
+            return {}
+        values, vectors = self.posterior
+        root = self.free @ vectors / np.sqrt(values)
+        along, found = root.T @ gradient, {}
+        for name, at in self.owned.items():
+            own = root[at]
+            known = np.linalg.lstsq(own.T, along, rcond=None)[0] @ own
+            found[name] = float(known @ known / (along @ along))
+        return found
+
+    def kind(self, pull: Float[np.ndarray, " free"]) -> str | None:
+        """Whose segments told nearly all of what is `pull`ed at; None where no one kind did."""
+        told = {
+            kind: float(pull @ (self.free.T @ part @ self.free) @ pull)
+            for kind, part in self.kinds.items()
+        }
+        most = max(told, key=told.__getitem__, default=None)
+        enough = most is not None and told[most] >= DECIDED * sum(told.values()) > 0
+        return most if enough else None
 
 
 def decomposed(information: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

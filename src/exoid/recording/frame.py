@@ -9,7 +9,8 @@ from typing import Any, TypeVar
 import numpy as np
 
 from exoid.recording.formats.sheets import require
-from exoid.recording.load import load, with_movements
+from exoid.recording.load import load
+from exoid.recording.motion.split import cut_table
 from exoid.recording.recording import Protocol, Recording, Sensors, Subject, known
 from exoid.recording.sidecar import parse_keys
 from exoid.recording.table import build, late_starts, segment_starts
@@ -20,6 +21,7 @@ from exoid.recording.tables.flat import flat
 from exoid.recording.tables.sheet import Place, Sheet
 from exoid.recording.tell import tell
 from exoid.recording.text_file import naming, near
+from exoid.recording.understand import understand
 
 Tables = tuple[Subject | None, Protocol | None, Sensors | None]
 
@@ -35,6 +37,7 @@ def recording_of(
     subject: Subject | Mapping[str, Any] | None = None,
     protocol: Protocol | Mapping[str, Any] | None = None,
     sensors: Sensors | Mapping[str, Any] | None = None,
+    whole: bool = False,
     **channels: Any,
 ) -> Recording:
     """A recording from a data frame, from a mapping of arrays, or from arrays by keyword.
@@ -43,7 +46,8 @@ def recording_of(
     channel in SI (`time`, `angle`, `raw_angular_velocity`); its value is an array, a list, a
     Series, or the name of a column of `data`. What no keyword names is taken where its name is a
     common one, with a warning that says how it was understood. `subject`, `protocol` and `sensors`
-    are those classes, or mappings of their fields or of a sidecar's keys. A path is loaded.
+    are those classes, or mappings of their fields or of a sidecar's keys. A path is loaded. As
+    there, one continuous segment is cut into its movements unless it is to stay `whole`.
 
     **Raises** `ValueError` (one line) for what cannot be a recording.
     """
@@ -54,21 +58,21 @@ def recording_of(
         table_of(Sensors, "sensors", sensors),
     )
     if isinstance(data, str | PathLike):
-        return from_file(Path(data), chosen, tables)
+        return from_file(Path(data), chosen, tables, whole)
     with naming(Path("recording")):
         arrays = {own_name(name): each for name, each in channels.items() if name not in chosen}
         sheet = sheet_of({**arrays_of(data), **arrays}, [*arrays])
         named = assemble(sheet, chosen, None if tables[2] is None else tables[2].sample_rate)
         starts = segment_starts(named.columns, named.place)
         samples = build(named, starts, Subject(kind=None if tables[0] is None else tables[0].kind))
-        recording = described(samples, tables)
-    tell(f"recording: {note}" for note in named.notes + late_starts(recording))
-    return with_movements(recording)
+        recording, more = understand(described(samples, tables), cut_table, whole=whole)
+    tell(f"recording: {note}" for note in (*named.notes, *late_starts(recording), *more))
+    return recording
 
 
-def from_file(path: Path, chosen: Mapping[str, str], tables: Tables) -> Recording:
+def from_file(path: Path, chosen: Mapping[str, str], tables: Tables, whole: bool) -> Recording:
     """What is in a file, and what is known besides."""
-    loaded = load(path, columns=chosen)
+    loaded = load(path, columns=chosen, whole=whole)
     tell(loaded.notes)
     return described(loaded.recording, tables)
 

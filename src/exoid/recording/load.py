@@ -5,12 +5,13 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from exoid.recording.can_quality import LogQuality
-from exoid.recording.condition import split
 from exoid.recording.formats.sheets import is_table
+from exoid.recording.motion.split import cut_apart, cut_table
 from exoid.recording.recording import Protocol, Recording, Sensors, Subject
 from exoid.recording.sidecar import read_sidecar
 from exoid.recording.table import read_table
 from exoid.recording.text_file import naming
+from exoid.recording.understand import understand
 
 LOG_HEADER = b"timestamp,arbitration_id,"  # of python-can's own .csv
 
@@ -31,12 +32,16 @@ def load(
     signals: dict[str, str] | None = None,
     strict: bool = False,
     whole: bool = False,
+    flip: str | None = None,
+    zero: str | None = None,
     columns: Mapping[str, str] | None = None,
 ) -> Loaded:
     """Read a recording of either kind; a continuous log is cut into its drops and cycles.
 
-    With `whole` it stays one segment, and what the sidecar marks stays marked. `columns` says what
-    a table in other words calls exoid's columns: `{"raw_angle_deg": "Knee Flexion"}`.
+    With `whole` it stays one segment, and what the sidecar marks stays marked. `flip` ("angle",
+    "gyro", "all") names the channels of the other sign, `zero` ("hanging", "unknown", "extended")
+    what the file calls 0; both replace what the sidecar says. `columns` says what a table in other
+    words calls exoid's columns: `{"raw_angle_deg": "Knee Flexion"}`.
 
     **Raises** `ValueError` (one line: what, where, what to do) and `OSError`; with `strict` also
     for anything that a CAN log lost.
@@ -46,7 +51,8 @@ def load(
     if is_table(path) and dbc is None and not is_log(path):
         recording, notes = read_table(path, columns)
         with naming(path):
-            return Loaded(recording if whole else with_movements(recording), notes, None)
+            recording, more = understand(recording, cut_table, whole=whole, flip=flip, zero=zero)
+        return Loaded(recording, (*notes, *(f"{path}: {note}" for note in more)), None)
     if columns:
         raise ValueError(f"{path}: a CAN log has no columns to name. Give --dbc and --signal.")
     from exoid.recording.can_log import read_can_log
@@ -62,7 +68,8 @@ def load(
         sensors=sensors,
     )
     with naming(path):
-        return Loaded(recording if whole else split(recording), notes, quality)
+        recording, more = understand(recording, cut_apart, whole=whole, flip=flip, zero=zero)
+    return Loaded(recording, (*notes, *more), quality)
 
 
 def check_request(path: Path, dbc: str | Path | None, signals: dict[str, str] | None) -> None:
@@ -92,8 +99,3 @@ def beside(path: Path) -> tuple[Subject, Protocol, Sensors | None, tuple[str, ..
         return Subject(), Protocol(), None, (note,)
     subject, protocol, sensors, notes = read_sidecar(sidecar)
     return subject, protocol, None if sensors == Sensors() else sensors, notes
-
-
-def with_movements(recording: Recording) -> Recording:
-    """A table of one long segment with marks is cut at them; any other stays as it is."""
-    return recording if recording.protocol.segment_start is None else split(recording)

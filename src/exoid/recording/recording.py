@@ -12,12 +12,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exoid.recording import summary
+from exoid.recording.unit_hint import unit_hint
 
 Samples = NDArray[np.float64]  # one value per sample; jaxtyping here would cost 0.1 s at start
 Kind = Literal["passive", "active", "measured"]
 
 KINDS: tuple[Kind, ...] = ("passive", "active", "measured")
 TORQUE_FREQUENCIES = ("1/T", "2/T")  # the two readings of Eq. 4
+SIDES = ("left", "right")
+FLIPS = ("angle", "gyro", "all")  # channels whose sign is the other one
+ZEROS = ("extended", "hanging", "unknown")  # what the encoder calls 0
 KNEE_ANGLE_LIMIT = 3.6  # rad; a knee spans about -2.7 (heel at the thigh) to +0.3
 
 
@@ -43,6 +47,9 @@ class Subject:
     """Whose leg, or which rig. None means unknown, never a default."""
 
     kind: Literal["leg", "rig"] | None = text("kind", ("leg", "rig"))
+    id: str | None = text("id")
+    side: str | None = text("side", SIDES)
+    session: str | None = text("session")
     body_mass: float | None = ranged("body_mass_kg", "kg", 2.0, 400.0)
     height: float | None = ranged("height_m", "m", 0.4, 2.6)
     shank_length: float | None = ranged("shank_length_m", "m", 0.05, 0.8)
@@ -53,6 +60,11 @@ class Subject:
     added_mass_distance: float | tuple[float, ...] | None = ranged(
         "added_mass_distance_m", "m", 0.0, 1.0
     )
+    added_mass_uncertainty: float | None = ranged("added_mass_uncertainty_kg", "kg", 0.0, 10.0)
+    added_mass_distance_uncertainty: float | None = ranged(
+        "added_mass_distance_uncertainty_m", "m", 0.0, 0.5
+    )
+    added_mass_gyration: float | None = ranged("added_mass_gyration_m", "m", 0.0, 0.5)
     notes: str | None = text("notes")
     extra_keys: Mapping[str, Any] = extra()
 
@@ -65,21 +77,33 @@ class Protocol:
     cycle_period: float | tuple[float, ...] | None = ranged("cycle_period_s", "s", 0.05, 120.0)
     torque_frequency: str | None = text("torque_frequency", TORQUE_FREQUENCIES)
     thigh_angle: float | tuple[float, ...] | None = ranged("thigh_angle_rad", "rad", -1.2, 1.2)
+    thigh_angle_uncertainty: float | None = ranged("thigh_angle_uncertainty_rad", "rad", 0.0, 1.2)
     torque_known: bool | None = field(default=None, metadata={"key": "torque_known"})
     segment_start: tuple[float, ...] | None = ranged("segment_start_s", "s", 0.0, 1e6)
     segment_end: tuple[float, ...] | None = ranged("segment_end_s", "s", 0.0, 1e6)
+    time_origin: float | None = ranged("time_origin_s", "s", 0.0, 1e19)
     extra_keys: Mapping[str, Any] = extra()
 
 
 @dataclass(frozen=True)
 class Sensors:
-    """What is known of the sensors."""
+    """What is known of the sensors. An uncertainty is one standard deviation, None where not told.
+
+    `flip`, `zero` and `angle_zero` say how a file differs from exoid's convention; `load` mends its
+    samples accordingly and clears them (`recording/mount.py`).
+    """
 
     encoder_counts: float | None = ranged("encoder_counts", "counts per turn", 16.0, 2.0**26)
     angle_noise: float | None = ranged("angle_noise_rad", "rad", 1e-9, 1.0)
     velocity_noise: float | None = ranged("velocity_noise_rad_s", "rad/s", 1e-9, 10.0)
     gyro_range: float | None = ranged("gyro_range_dps", "deg/s", 10.0, 20000.0)
     sample_rate: float | None = ranged("sample_rate_hz", "Hz", 1.0, 20000.0)
+    flip: str | None = text("flip", FLIPS)
+    zero: str | None = text("zero", ZEROS)
+    angle_zero: float | None = ranged("angle_zero_rad", "rad", -7.0, 7.0)
+    angle_zero_uncertainty: float | None = ranged("angle_zero_uncertainty_rad", "rad", 0.0, 3.2)
+    gyro_scale_uncertainty: float | None = ranged("gyro_scale_uncertainty", "of 1", 0.0, 0.5)
+    clock_uncertainty: float | None = ranged("clock_uncertainty", "of 1", 0.0, 0.5)
     extra_keys: Mapping[str, Any] = extra()
 
 
@@ -105,7 +129,7 @@ def channel(column: str, unit: str, upper: float):
 class Segment:
     """One release, or one movement cycle with its rest before it. NaN marks a missing sample."""
 
-    time: Samples = field(metadata={"column": "time_s", "unit": "s", "upper": 1e7})
+    time: Samples = field(metadata={"column": "time_s", "unit": "s", "upper": 1e19})
     angle: Samples | None = channel("angle_rad", "rad", 14.0)
     angular_velocity: Samples | None = channel("velocity_rad_s", "rad/s", 100.0)
     angular_acceleration: Samples | None = channel("acceleration_rad_s2", "rad/s^2", 1e5)
@@ -246,7 +270,9 @@ def check_channel(number: int, entry, samples: Samples | None, size: int) -> Non
 
 def check_knee(number: int, segment: Segment) -> None:
     for name, angle in (("angle_rad", segment.angle), ("raw_angle_rad", segment.raw_angle)):
-        if angle is not None and np.nanmax(np.abs(angle)) > KNEE_ANGLE_LIMIT:
+        if angle is None or np.nanmax(np.abs(angle)) <= KNEE_ANGLE_LIMIT:
+            continue
+        if np.nanmax(angle) - np.nanmin(angle) > KNEE_ANGLE_LIMIT:  # else its zero is elsewhere
             at = int(np.nanargmax(np.abs(angle)))
             raise bad_sample(
                 number,
@@ -289,4 +315,5 @@ def check_entry(meta, value, segments: int | None) -> None:
             raise ValueError(
                 f"{key} is {each:g} {meta['unit']}; it must lie between "
                 f"{meta['lower']:g} and {meta['upper']:g}."
+                f"{unit_hint(key, meta['unit'], each, (meta['lower'], meta['upper']))}"
             )

@@ -83,6 +83,7 @@ def parse_keys(name: str, document: Any):
     if not isinstance(document, dict):
         raise ValueError(f"{name} must be a table: write [{name}] and its keys below.")
     entries = {entry.metadata["key"]: entry for entry in known(TABLES[name])}
+    document = in_radians(name, document, entries)
     values = {
         entries[key].name: parse_entry(f"{key} in [{name}]", entries[key], value)
         for key, value in document.items()
@@ -90,6 +91,23 @@ def parse_keys(name: str, document: Any):
     }
     extra = {key: value for key, value in document.items() if key not in entries}
     return TABLES[name](**values, extra_keys=extra)
+
+
+def in_radians(name: str, document: Mapping[str, Any], entries: Mapping[str, Any]) -> dict:
+    """The keys in the units of their fields: every `_rad` key may be written as `_deg`."""
+    degrees = {key.replace("_rad", "_deg"): key for key in entries if key.endswith("_rad")}
+    if twice := [key for key in document if degrees.get(key) in document]:
+        raise ValueError(f"{twice[0]} and {degrees[twice[0]]} in [{name}] are the same. Keep one.")
+    return {
+        degrees.get(key, key): converted(f"{key} in [{name}]", value) if key in degrees else value
+        for key, value in document.items()
+    }
+
+
+def converted(where: str, value: Any):
+    if isinstance(value, list):
+        return [converted(where, each) for each in value]
+    return float(np.radians(parse_value(where, {"lower": None}, value)))
 
 
 def place(key: str) -> str:

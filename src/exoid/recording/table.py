@@ -14,6 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
+from exoid.recording.clock import SINCE
 from exoid.recording.formats.delimited import is_own, legible, sheet_of_text
 from exoid.recording.formats.sheets import TEXTS, read_sheet, require
 from exoid.recording.recording import BadSample, Recording, Segment, Subject
@@ -251,7 +252,7 @@ def build(named: Named, starts: np.ndarray, subject: Subject) -> Recording:
 
 def late_starts(recording: Recording) -> Notes:
     """A clock that runs on from segment to segment: read as it is, and said."""
-    late = [n for n, segment in enumerate(recording.segments) if segment.time[0] != 0]
+    late = [n for n, each in enumerate(recording.segments) if 0 != each.time[0] < SINCE]
     if not late:
         return ()
     start = recording.segments[late[0]].time[0]

@@ -9,6 +9,7 @@ from exoid.diagnose.plan import Plan
 from exoid.fit.result import FitResult
 from exoid.recording.can_quality import LogQuality
 from exoid.recording.recording import Recording
+from exoid.report.person import people
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,5 +47,7 @@ class Case:
 
     @property
     def title(self) -> str:
-        """The names of the recordings."""
-        return ", ".join((*(source.name for source in self.sources), *self.absent))
+        """Who it is, where that is said, and the names of the recordings."""
+        who = people(source.recording.subject for source in self.sources)
+        names = ", ".join((*(source.name for source in self.sources), *self.absent))
+        return f"{who}: {names}" if who else names

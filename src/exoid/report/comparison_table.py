@@ -9,9 +9,20 @@ from exoid.fit.result import Estimate
 from exoid.report.comparison import HASHED, Compared, Comparison
 from exoid.report.diagnoses_table import diagnosis_entry, side_by_side
 from exoid.report.fit_json import entry, plain
+from exoid.report.person import person
 from exoid.report.saved_result import SavedResult
 from exoid.report.strangers import strangers
-from exoid.report.text import aligned, counted, heading, in_degrees, say, table, width, written
+from exoid.report.text import (
+    aligned,
+    capital,
+    counted,
+    heading,
+    in_degrees,
+    say,
+    table,
+    width,
+    written,
+)
 
 SIDES = ("first", "second")
 
@@ -47,6 +58,8 @@ def print_comparison(found: Comparison, sides: list[SavedResult], console: Conso
         console.print(table(side_by_side([side.diagnosis for side in sides])))
     for number, side in enumerate(sides):
         heading(console, f"The {SIDES[number]} fit")
+        if not side.result.follows:
+            say(console, capital(side.result.notes[0]))
         aligned(console, about(side))
     heading(console, "What was asked differently")
     if not found.settings:
@@ -75,7 +88,10 @@ def about(side: SavedResult) -> dict[str, str]:
         f"{PurePath(str(each['path'])).name} ({str(each['sha256'])[:HASHED]})"
         for each in side.recordings
     ]
+    who = dict.fromkeys(person(each.get("subject") or {}) for each in side.recordings)
+    of = "; ".join(one for one in who if one)
     return {
+        **({"subject": of} if of else {}),
         "recordings": ", ".join(names) or "not told",
         "segments": f"{len(result.segments)}, {counted(result.samples, 'sample')}",
         "angle RMSE": f"{in_degrees(result.angle_rmse)} deg, "
@@ -93,6 +109,7 @@ def comparison_document(found: Comparison, sides: list[SavedResult]) -> dict[str
                     "exoid": side.version,
                     "recordings": side.recordings,
                     "settings": side.settings,
+                    "follows_recording": side.result.follows,
                     "angle_rmse_rad": side.result.angle_rmse,
                     "diagnosis": diagnosis_entry(side.diagnosis),
                 }

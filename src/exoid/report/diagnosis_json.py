@@ -22,6 +22,8 @@ def diagnosis_document(
             "exoid": version,
             "recordings": list(recordings),
             "settings": settings,
+            "follows_recording": found.follows,
+            "astray": None if found.follows else found.fit.astray,
             "verdict": found.verdict,
             "selected": found.selected,
             "ranking": found.ranking,

@@ -4,7 +4,7 @@ from rich.console import Console
 
 from exoid.diagnose.diagnosis import Diagnosis, Tested
 from exoid.report.diagnosis_words import headline, sentences
-from exoid.report.text import heading, say, table
+from exoid.report.text import capital, heading, say, table
 
 MOST = 8  # candidates that are listed
 MARGIN = 15  # characters, as wide as the longest heading
@@ -12,6 +12,9 @@ MARGIN = 15  # characters, as wide as the longest heading
 
 def print_diagnosis(found: Diagnosis, console: Console) -> None:
     """The answer, then the candidates with their evidence."""
+    if not found.follows:
+        heading(console, "No model here follows this recording")
+        say(console, capital(found.fit.notes[0]))
     heading(console, headline(found))
     for title, sentence in sentences(found).items():
         say(console, f"{title + ':':{MARGIN}s}{sentence}", MARGIN)

@@ -1,5 +1,6 @@
 """Estimates as a table of one row each, for a file: NaN and an empty text stand for None."""
 
+import json
 from collections.abc import Mapping
 from typing import Any
 
@@ -27,6 +28,8 @@ def to_table(estimates: Mapping[str, Estimate]) -> Table:
         f"share_{name}": numbers([one.shares and getattr(one.shares, name) for one in each])
         for name in SHARES
     }
+    columns["limited_by"] = texts([one.limited_by and json.dumps(one.limited_by) for one in each])
+    columns["told_by"] = texts([one.shares and one.shares.kind for one in each])
     return xarray.Dataset(
         {name: ("name", column) for name, column in columns.items()},
         coords={"name": texts(list(estimates))},
@@ -41,8 +44,13 @@ def from_table(table: Table) -> dict[str, Estimate]:
         shares = [columns[f"share_{part}"][row] for part in SHARES]
         values: dict[str, Any] = {key: known(columns[key][row]) for key in NUMBERS}
         values |= {key: columns[key][row] for key in TEXTS}
-        values["shares"] = None if np.isnan(shares[0]) else Shares(*shares)
+        values["shares"] = (
+            None
+            if np.isnan(shares[0])
+            else Shares(shares[0], shares[1], shares[2], columns["told_by"][row] or None)
+        )
         values["reason"] = values["reason"] or None
+        values["limited_by"] = json.loads(columns["limited_by"][row] or "null")
         found[name] = Estimate(**values)
     return found
 

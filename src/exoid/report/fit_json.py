@@ -12,9 +12,10 @@ from typing import Any
 import numpy as np
 
 from exoid.diagnose.identifiability import Identifiability
-from exoid.fit.disturbance import Disturbance
+from exoid.fit.disturbance import Missed
 from exoid.fit.profile import Profile
 from exoid.fit.result import Estimate, FitResult, MountingFit, MultistartReport, SegmentFit
+from exoid.fit.sandwich import Disturbance
 
 NO_TORQUE = "no segment has a voluntary torque"
 
@@ -73,6 +74,7 @@ def entry(each: Estimate) -> dict[str, Any]:
         "upper": each.upper,
         "determined_by": each.determined_by,
         "shares": None if each.shares is None else asdict(each.shares),
+        "limited_by": each.limited_by,
         "reason": each.reason,
     }
 
@@ -80,6 +82,8 @@ def entry(each: Estimate) -> dict[str, Any]:
 def quality(result: FitResult) -> dict[str, Any]:
     """How well the simulation follows the samples."""
     return {
+        "follows_recording": result.follows,
+        "astray": result.astray,
         "angle_rmse_rad": result.angle_rmse,
         "velocity_rmse_rad_s": result.velocity_rmse,
         "angle_noise_rad": result.angle_noise,
@@ -94,15 +98,24 @@ def quality(result: FitResult) -> dict[str, Any]:
 
 
 def disturbance(found: Disturbance) -> dict[str, Any]:
-    """What besides white noise is in the residual; the deviation in rad/s^2 (times J) or rad."""
+    """What besides white noise is in the residual, by kind of segment."""
+    kinds = {kind: missed(each, found.scales[kind]) for kind, each in found.kinds.items()}
+    return {
+        "kinds": kinds,
+        "widening_least": found.widening.min(),
+        "widening_most": found.widening.max(),
+    }
+
+
+def missed(found: Missed, scale: float) -> dict[str, Any]:
+    """Of one kind; the deviation in rad/s^2 (times J) or rad."""
     none = found.cause is None
     return {
         "cause": found.cause,
         "correlation_time_s": None if none else found.correlation_time,
         "deviation": None if none else found.deviation,
         "noise_over_declared": found.noise,
-        "widening_least": found.widening.min(),
-        "widening_most": found.widening.max(),
+        "residual_divided_by": scale,
     }
 
 

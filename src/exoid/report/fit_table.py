@@ -5,10 +5,12 @@ from math import degrees
 from rich.console import Console
 
 from exoid.diagnose.identifiability import Identifiability
+from exoid.fit.limiting import chief
 from exoid.fit.result import Estimate, FitResult, SegmentFit
 from exoid.report.text import (
     AT_BOUND,
     aligned,
+    capital,
     counted,
     heading,
     in_degrees,
@@ -27,15 +29,20 @@ BAR = 5  # blocks of a bar of shares
 DATA, PRIOR, BOUND = "█", "▒", "░"
 MOUNTED = {
     "added_mass_distance": "added mass at r",
+    "added_mass": "added mass",
+    "added_mass_gyration": "its radius of gyration",
     "zero": "encoder zero",
+    "tilt": "tilt of the thigh",
     "gyro_scale": "gyro scale - 1",
     "gyro_bias": "gyro bias",
+    "clock": "clock - 1",
 }
 SHORTEST_NAME = 16  # that still tells the segments of two recordings apart
 
 
 def print_fit(result: FitResult, console: Console, told: Identifiability | None = None) -> None:
     """Print the whole fit, and what the recording told where that was asked; 80 columns do."""
+    print_astray(result, console)
     print_parameters(result, console)
     print_ratios(result, console)
     print_mountings(result, console)
@@ -45,6 +52,13 @@ def print_fit(result: FitResult, console: Console, told: Identifiability | None 
     print_quality(result, console)
     print_multistart(result, console)
     print_remarks(result, console)
+
+
+def print_astray(result: FitResult, console: Console) -> None:
+    """That the fit does not follow its recording, before any number."""
+    if not result.follows:
+        heading(console, "This fit does not follow its recording")
+        say(console, f"{capital(result.notes[0])}")
 
 
 def print_parameters(result: FitResult, console: Console) -> None:
@@ -72,13 +86,14 @@ def print_parameters(result: FitResult, console: Console) -> None:
 
 
 def set_by(each: Estimate) -> str:
-    """A bar of the shares, and the word for them."""
+    """A bar of the shares, and the word for them: of data, the kind of segment that told it."""
     if each.shares is None:
         return ""
     data = round(BAR * each.shares.data)
     bound = round(BAR * each.shares.bound)
     bar = DATA * data + PRIOR * (BAR - data - bound) + BOUND * bound
-    return f"{bar} {each.shares.source}"
+    source = each.shares.source
+    return f"{bar} {each.shares.kind or source if source == 'data' else source}"
 
 
 def print_ratios(result: FitResult, console: Console) -> None:
@@ -91,8 +106,17 @@ def print_ratios(result: FitResult, console: Console) -> None:
         "value": [written(one) for one in each],
         "unit": [one.unit for one in each],
         "set by": [set_by(one) for one in each],
+        "limited by": [limited_by(one) for one in each],
     }
+    if width(columns) > console.width:  # a note says it, too
+        del columns["limited by"]
     console.print(table(columns))
+
+
+def limited_by(each: Estimate) -> str:
+    """What limits a number most, and its part of the variance."""
+    most = chief(each) if each.standard_error else None
+    return "" if most is None else f"{most[0].replace('_', ' ')} {most[1]:.0%}"
 
 
 def print_mountings(result: FitResult, console: Console) -> None:
@@ -113,8 +137,6 @@ def print_mountings(result: FitResult, console: Console) -> None:
         "unit": [each.unit.replace("rad", "deg") for each in shown],
     }
     console.print(table(columns))
-    if any(mounting.zero is not None for mounting in result.mountings):
-        say(console, "Zero, scale and bias are those against the first recording.")
 
 
 def print_segments(result: FitResult, console: Console) -> None:
@@ -224,7 +246,7 @@ def remarks(result: FitResult) -> list[str]:
                 f"tau of segment {each.name}"
             )
     missing = [f"{', '.join(names)}: {reason}." for reason, names in reasons.items()]
-    return [*missing, *result.notes]
+    return [*missing, *(result.notes if result.follows else result.notes[1:])]
 
 
 def expectation(each: Estimate) -> str:

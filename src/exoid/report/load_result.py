@@ -8,9 +8,10 @@ import numpy as np
 
 from exoid.diagnose.diagnosis import Diagnosis
 from exoid.diagnose.plan import Plan
-from exoid.fit.disturbance import Disturbance
+from exoid.fit.disturbance import Missed
 from exoid.fit.profile import Profile, named
 from exoid.fit.result import FitResult, MountingFit, MultistartReport, SegmentFit
+from exoid.fit.sandwich import Disturbance
 from exoid.report.case import Origin
 from exoid.report.estimate_table import Groups, Table, from_table, known
 from exoid.report.groups import from_groups
@@ -80,6 +81,7 @@ def restored(groups: Groups) -> SavedResult:
         other_reading_rmse=known(float(about["other_reading_rmse"])),
         prior=about["prior"],
         notes=json.loads(about["notes"]),
+        astray=about.get("astray") or None,
     )
     return SavedResult(
         result,
@@ -111,7 +113,7 @@ def profiles(groups: Groups, result: FitResult) -> dict[str, Profile]:
 def mountings(table: Table) -> list[MountingFit]:
     rows = from_table(table)
     return [
-        MountingFit(name, *(rows.get(f"{number}.{each}") for each in MOUNTED))
+        MountingFit(name, **{each: rows.get(f"{number}.{each}") for each in MOUNTED})
         for number, name in enumerate(json.loads(table.attrs["recordings"]))
     ]
 
@@ -148,8 +150,8 @@ def multistart(groups: Groups) -> MultistartReport:
 
 def disturbance(found: Table) -> Disturbance:
     return Disturbance(
-        found.attrs["cause"] or None,
-        *(float(found.attrs[name]) for name in ("correlation_time", "ratio", "noise")),
+        kinds={kind: Missed(**each) for kind, each in json.loads(found.attrs["kinds"]).items()},
+        scales=json.loads(found.attrs["scales"]),
         information=found["information"].values,
         widening=found["widening"].values,
     )

@@ -7,7 +7,10 @@ import numpy as np
 from rich.console import Console
 
 from exoid.diagnose.plan import Plan
+from exoid.fit.result import FitResult
+from exoid.recording.recording import Subject
 from exoid.report.fit_json import plain
+from exoid.report.person import identity
 from exoid.report.text import heading, say, table, with_error
 
 SHOWN = 8  # single segments in the table
@@ -19,7 +22,7 @@ def print_plan(plan: Plan, console: Console) -> None:
     say(console, f"Now:   {stated(plan, plan.before)}")
     if plan.proposed:
         say(console, f"After: {stated(plan, plan.after)}, expected with what follows")
-        heading(console, "Record, as segments of one file")
+        heading(console, f"Record, as segments of {files(plan)}")
         for number, (words, count) in enumerate(steps(plan), start=1):
             times = f"{count} times: " if count > 1 else ""
             say(console, f"{number}. {times}{words}.", hanging=3)
@@ -51,6 +54,12 @@ def print_options(plan: Plan, console: Console) -> None:
     console.print(table(columns))
 
 
+def files(plan: Plan) -> str:
+    """A seat that is tilted anew is a recording of its own: it owns the error of its angle."""
+    seats = {each.thigh_angle for each in plan.proposed}
+    return "one file" if len(seats) < 2 else "one file for each tilt of the seat"
+
+
 def steps(plan: Plan) -> list[tuple[str, int]]:
     """What to do, bare drops first, equal ones counted."""
     ordered = sorted(plan.proposed, key=lambda each: (each.effort, each.words))
@@ -64,8 +73,10 @@ def stated(plan: Plan, error: float) -> str:
     return f"{plan.symbol} = {with_error(plan.value, error)} {plan.unit}"
 
 
-def plan_document(plan: Plan) -> dict[str, Any]:
-    """The plan in SI units and radians; null where nothing is known."""
+def plan_document(
+    plan: Plan, result: FitResult | None = None, subject: Subject | None = None
+) -> dict[str, Any]:
+    """The plan in SI units and radians, after the fit `result`; null where nothing is known."""
 
     def segment(each) -> dict[str, Any]:
         motion = each.motion
@@ -81,6 +92,9 @@ def plan_document(plan: Plan) -> dict[str, Any]:
 
     return plain(
         {
+            "subject": identity(subject or Subject()),
+            "follows_recording": None if result is None else result.follows,
+            "astray": None if result is None else result.astray,
             "goal": plan.goal,
             "symbol": plan.symbol,
             "unit": plan.unit,

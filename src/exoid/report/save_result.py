@@ -1,6 +1,7 @@
 """A fit, and what else was found, in one netCDF file: tables that any reader shows, with units."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import asdict
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -10,9 +11,9 @@ import numpy as np
 from exoid.diagnose.diagnosis import Diagnosis
 from exoid.diagnose.identifiability import Identifiability
 from exoid.diagnose.plan import Plan
-from exoid.fit.disturbance import Disturbance
 from exoid.fit.profile import Profile
 from exoid.fit.result import FitResult, MountingFit, MultistartReport, SegmentFit
+from exoid.fit.sandwich import Disturbance
 from exoid.report.case import Origin
 from exoid.report.estimate_table import Groups, Table, numbers, texts, to_table
 from exoid.report.fit_json import replacing
@@ -65,6 +66,7 @@ def save_result(
         "prior": result.prior,
         "torque_frequency": result.torque_frequency or "",
         "notes": text(result.notes),
+        "astray": result.astray or "",
         "loss": result.loss,
         "other_reading_rmse": numbers([result.other_reading_rmse])[0],
     }
@@ -156,10 +158,8 @@ def disturbance(found: Disturbance) -> Table:
             "widening": ("direction", found.widening),
         },
         attrs={
-            "cause": found.cause or "",
-            "correlation_time": found.correlation_time,
-            "ratio": found.ratio,
-            "noise": found.noise,
+            "kinds": text({kind: asdict(each) for kind, each in found.kinds.items()}),
+            "scales": text(found.scales),
         },
     )
 

@@ -12,7 +12,7 @@ from exoid.fit.result import FitResult
 from exoid.report.case import Origin
 
 FORMAT = "exoid fit"
-FORMAT_VERSION = 1  # of the layout of the file; another one is not read
+FORMAT_VERSION = 2  # of the layout of the file; another one is not read
 APART = ("fit", "workings")  # of a diagnosis: the fit has its own groups, workings are not kept
 
 

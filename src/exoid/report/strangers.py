@@ -10,6 +10,12 @@ def strangers(found: Comparison, sides: list[SavedResult]) -> list[str]:
     if found.same_recordings:
         return []
     said = []
+    one, other = (names(side) for side in sides)
+    if one and other and one != other:
+        said.append(
+            f"The recordings are of different people: {' and '.join(one)}, against "
+            f"{' and '.join(other)}."
+        )
     one, other = (bodies(side) for side in sides)
     if one and other and one != other:
         said.append(
@@ -25,6 +31,12 @@ def strangers(found: Comparison, sides: list[SavedResult]) -> list[str]:
             f"{worst.unit}, {abs(worst.standard_errors or 0.0):.0f} standard errors apart."
         )
     return said
+
+
+def names(saved: SavedResult) -> list[str]:
+    """Everybody that was recorded, by the id of the sidecar."""
+    each = [(one.get("subject") or {}).get("id") for one in saved.recordings]
+    return list(dict.fromkeys(str(one) for one in each if one))
 
 
 def bodies(saved: SavedResult) -> list[str]:

@@ -10,7 +10,7 @@ from jaxtyping import PRNGKeyArray
 from exoid.physics.leg import LegModel
 from exoid.physics.simulate import Trajectory
 from exoid.recording import kalman
-from exoid.recording.condition import split
+from exoid.recording.motion.split import split
 from exoid.recording.recording import Kind, Protocol, Recording, Segment, Sensors, Subject
 from exoid.twin.motion import Course, Movement, Reading, perform
 from exoid.twin.sensors import SensorKit, measure
@@ -85,6 +85,7 @@ def describe_subject(subject: Subject, movements: Sequence[Movement]) -> Subject
         subject,
         added_mass=tuple(movement.added_mass for movement in movements),
         added_mass_distance=tuple(movement.added_mass_distance for movement in movements),
+        added_mass_gyration=0.0,  # the twin's are points
     )
 
 

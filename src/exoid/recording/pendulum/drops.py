@@ -4,9 +4,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from exoid.recording.clean import clean
 from exoid.recording.condition import classify
 from exoid.recording.given import Given, named_recordings
-from exoid.recording.noise import angle_noise
 from exoid.recording.pendulum.catalogue import MEASURES, measures
 from exoid.recording.pendulum.landmarks import find_landmarks
 from exoid.recording.pendulum.measure import Measure, NotAllowed
@@ -79,14 +79,13 @@ def measure_drops(recordings: Given) -> PendulumTest:
 
 def drop(recording: Recording, number: int, name: str) -> Drop:
     """One segment, read as far as it allows."""
-    segment, mass = recording.segments[number], recording.added_mass(number)
+    cleaned = clean(recording)
+    segment, mass = cleaned.recording.segments[number], recording.added_mass(number)
     kind = recording.kind(number) or classify(segment)
     try:
         if kind != "passive":
             raise NotAllowed(REFUSED[kind])
-        angle = segment.angle if segment.raw_angle is None else segment.raw_angle
-        assert angle is not None  # a Segment has one or the other
-        found = find_landmarks(track_of(segment, angle_noise(recording.sensors, angle)))
+        found = find_landmarks(track_of(segment, cleaned.angle.level))
     except NotAllowed as why:
         return Drop(name, segment, mass, {}, None, str(why))
     return Drop(name, segment, mass, measures(found), found.curve)

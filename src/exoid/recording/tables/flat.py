@@ -10,7 +10,10 @@ from exoid.recording.tables.columns import CHANNELS, SEGMENT
 
 
 def flat(recording: Recording) -> dict[str, Any]:
-    """`time_s`, `segment`, the channels that were measured, NaN where one was not, and the rest."""
+    """`time_s`, `segment`, the channels that were measured, NaN where one was not, and the rest.
+
+    **Raises** `ValueError` where an unknown column has the name of a known one.
+    """
     segments = recording.segments
     sizes = [each.time.size for each in segments]
     columns: dict[str, Any] = {
@@ -36,4 +39,6 @@ def flat(recording: Recording) -> dict[str, Any]:
         )
         for name in extra
     }
+    if twice := [name for name in texts if name in time | columns]:
+        raise ValueError(f"column {twice[0]} is there twice. Delete or rename one.")
     return time | columns | texts

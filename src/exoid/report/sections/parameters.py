@@ -8,7 +8,7 @@ from exoid.fit.result import Estimate, FitResult
 from exoid.report.case import Case
 from exoid.report.figures.figure import Figure
 from exoid.report.figures.parameters import draw_parameters
-from exoid.report.fit_table import MOUNTED, bounds, expectation, remarks
+from exoid.report.fit_table import MOUNTED, bounds, expectation, limited_by, remarks
 from exoid.report.sections.section import Section
 from exoid.report.sections.table import Table, quantity
 from exoid.report.text import in_unit
@@ -67,6 +67,7 @@ def ratios_of(fit: FitResult) -> Table:
         "symbol": [one.symbol for one in each],
         "value": [quantity(one) for one in each],
         "set by": [set_by(one) for one in each],
+        "limited by": [limited_by(one) for one in each],
     }
     return Table("Ratios to the inertia: what motion alone can tell", columns)
 
@@ -83,7 +84,7 @@ def mountings_of(fit: FitResult) -> Table:
         "quantity": [name for _, name, _ in rows],
         "value": [quantity(each) for *_, each in rows],
     }
-    return Table("How the exoskeleton was put on, against the first recording", columns)
+    return Table("Sensors, seat and added mass, against what is declared of them", columns)
 
 
 def in_print(each: Estimate) -> Estimate:
@@ -102,8 +103,9 @@ def set_by(each: Estimate) -> str:
     if each.shares is None:
         return "nothing"
     parts = {source: getattr(each.shares, source) for source in ("data", "prior", "bound")}
+    kind = each.shares.kind
     said = [
-        f"{source} {part:.0%}"
+        f"{source}{f' ({kind})' if kind and source == 'data' else ''} {part:.0%}"
         for source, part in sorted(parts.items(), key=lambda item: -item[1])
         if round(part, 2) > 0
     ]

@@ -93,9 +93,9 @@ def described(subject: Subject) -> dict[str, str]:
     """What the sidecar or the command line says of the body."""
     numbers = [each for each in fields(subject) if each.name not in HANDLED]
     known = {each.name: getattr(subject, each.name) for each in numbers}
-    units = {each.name: each.metadata["unit"] for each in numbers}
+    units = {each.name: each.metadata.get("unit") for each in numbers}
     said = {
-        name.replace("_", " "): f"{value:g} {units[name]}"
+        name.replace("_", " "): f"{value:g} {units[name]}" if units[name] else value
         for name, value in known.items()
         if value is not None
     }

@@ -50,8 +50,8 @@ class Summary(Section):
     def of(cls, case: Case) -> "Summary":
         asked = () if case.diagnosis is None else (missing(case.diagnosis),)
         read = (recording(case),) if case.sources else ()
-        cards = (*read, agreement(case.fit), *asked, numbers(case.fit))
-        return cls(cards, believed(case.fit))
+        told = (*read, agreement(case.fit)) if case.fit.follows else (agreement(case.fit), *read)
+        return cls((*told, *asked, numbers(case.fit)), believed(case.fit))
 
 
 def recording(case: Case) -> Card:
@@ -75,6 +75,8 @@ def recording(case: Case) -> Card:
     )
     answer = "Parts of it are missing." if lost else "Nothing is missing in it."
     because = f"{amount}: {'; '.join(lost)}." if lost else f"{amount}."
+    if not case.fit.follows:  # whole it may be, but not good
+        return Card("Is the recording whole?", "care" if lost else "open", answer, because)
     return Card("Is the recording good?", "care" if lost else "good", answer, because)
 
 
@@ -86,6 +88,8 @@ def agreement(fit: FitResult) -> Card:
         f"noise of the sensor, {in_degrees(noise)} deg."
     )
     question = "Does the simulated leg move as the measured one?"
+    if not fit.follows:
+        return Card(question, "open", "No. Do not use the numbers below.", sentence(fit.notes[0]))
     if fit.disturbance.cause is None:
         return Card(question, "good", "Yes, within the noise.", because)
     answer = "Not entirely: something is in the recording that the model does not have."

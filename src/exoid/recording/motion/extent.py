@@ -1,0 +1,122 @@
+"""Where the movement of a segment begins and ends: one answer for everyone who asks."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from exoid.recording.condition import interpolated, local_line, runs
+from exoid.recording.motion.hand import free_end
+from exoid.recording.motion.letting_go import LettingGo, begun_free, let_go
+from exoid.recording.motion.limits import (
+    BEGUN,
+    CLEAR,
+    FALL,
+    HELD,
+    HOLD,
+    MARKED,
+    ODDS,
+    REST,
+    TRAVEL,
+)
+from exoid.recording.motion.signal import Signal, Speed, signal_of, speed_of
+from exoid.recording.recording import Samples, Segment, Sensors
+
+
+class Motionless(ValueError):
+    """A segment in which nothing moves."""
+
+
+@dataclass(frozen=True)
+class Extent:
+    """A movement: samples by number, times in s on the segment's clock.
+
+    From `start` to `free` a hand may still be on the leg: what is seen there tells nothing of it.
+    """
+
+    held_until: int | None  # the last sample that surely was held; None if it begins in motion
+    release: float  # s, from when on a leg that fell from rest would be as fast
+    release_error: float  # s, standard
+    start: int  # the sample nearest to the release
+    free: int  # the first sample that surely is free of the hand
+    stop: int  # one past the last free sample
+    ended: Literal["at rest", "caught", "recording stopped", "returned"]
+    why: str
+    duration: float = np.nan  # s, of a voluntary cycle
+
+
+def find_extent(
+    segment: Segment,
+    sensors: Sensors,
+    *,
+    handled: bool = True,
+) -> Extent:
+    """The free movement of a drop. `handled`: by a person, whose hand may catch or lift the leg.
+
+    **Raises** `Motionless` where nothing moves.
+    """
+    signal = signal_of(segment, sensors)
+    speed = speed_of(signal)
+    first, _ = first_movement(signal, speed)
+    found = released(signal, speed, first)
+    start = 0 if found is None else nearest(signal.time, found.release)
+    end = free_end(signal, speed, start, handled=handled)
+    if found is None:
+        begin = float(signal.time[0])
+        return Extent(None, begin, 0.0, 0, 0, end.stop, end.ended, end.why)
+    free = int(np.searchsorted(signal.time, found.gone))
+    held = int(np.searchsorted(signal.time, found.begin, side="right")) - 1
+    return Extent(
+        max(held, 0), found.release, found.error, start, free, end.stop, end.ended, end.why
+    )
+
+
+def first_movement(signal: Signal, speed: Speed) -> tuple[int, int]:
+    """The first and last sample of the first stretch that moves.
+
+    **Raises** `Motionless`.
+    """
+    filled = interpolated(signal.time, signal.angle)
+    smooth = local_line(signal.time, filled, speed.width)[0]
+    count = max(3, round(speed.width / signal.step))
+    least = max(TRAVEL, CLEAR * signal.angle_noise / np.sqrt(count))
+    for first, last in moving(signal.time, speed):
+        if np.ptp(smooth[max(first - 1, 0) : last + 2]) > least:
+            return first, last
+    raise Motionless(
+        f"nothing moves: no movement goes farther than {np.degrees(least):.2g} deg at more than "
+        f"{np.degrees(speed.still):.2g} deg/s, which the noise allows to tell."
+    )
+
+
+def moving(time: Samples, speed: Speed) -> list[tuple[int, int]]:
+    """The stretches between rests; a rest lasts, or is at an end of the record."""
+    moves = np.ones(time.size, dtype=bool)
+    for first, last in runs(np.abs(speed.velocity) < speed.still):
+        lasts = time[last] - time[first]
+        if lasts >= REST or (first == 0 or last == time.size - 1):
+            moves[first : last + 1] = False
+    return runs(moves)
+
+
+def released(signal: Signal, speed: Speed, first: int) -> LettingGo | None:
+    """How the leg that first moves at `first` was let go; None where it begins free."""
+    time = signal.time
+    if first == 0:
+        return None
+    about = float(time[first])
+    early = HOLD + speed.width
+    window = (about - early - HELD, about + FALL)
+    low = max(about - early, float(time[0]))
+    found = let_go(signal, low, about + speed.width / 2, window)
+    if found.release - time[0] < MARKED:
+        return None
+    if found.release - time[0] < BEGUN:
+        free = begun_free(signal, window)
+        if free < found.chi_square + ODDS * max(1.0, found.misfit):
+            return None
+    return found
+
+
+def nearest(time: Samples, at: float) -> int:
+    return int(np.argmin(np.abs(time - at)))

@@ -1,0 +1,148 @@
+"""Where a free motion ends: at rest, by a hand, or with the recording.
+
+The swings of a free leg lie within each other, and each is about as long as the ones before make
+it. A turning point outside, a swing that is cut short, or a movement out of rest is a hand's.
+"""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from exoid.recording.condition import interpolated, local_line, runs
+from exoid.recording.motion.limits import (
+    BEYOND,
+    CLEAR,
+    KEPT,
+    LATE,
+    REST,
+    ROCKING,
+    SHARE,
+    SHORT,
+    TRAVEL,
+)
+from exoid.recording.motion.signal import Signal, Speed
+from exoid.recording.motion.turning import reversals
+from exoid.recording.recording import Samples
+
+Rest = tuple[int, int]  # its first sample, and one past its last
+Ending = Literal["at rest", "caught", "recording stopped"]
+
+
+@dataclass(frozen=True)
+class End:
+    """How a free motion ended."""
+
+    stop: int  # one past its last sample
+    ended: Ending
+    why: str
+
+
+@dataclass(frozen=True, eq=False)
+class Swings:
+    """The release, the turning points after it and the last sample, in turn."""
+
+    at: list[int]
+    angle: Samples  # rad, there
+    error: float  # rad
+
+
+def free_end(signal: Signal, speed: Speed, begin: int, *, handled: bool) -> End:
+    """Where the motion that begins freely at sample `begin` ends; `handled` by a person at all."""
+    smooth, noise = smoothed(signal, speed.width)
+    size = signal.time.size
+    rest = rest_after(signal, speed, smooth, begin, noise)
+    seen = swings(smooth, begin, size, noise, rest)
+    if handled:
+        hand = hand_in(signal, seen, smooth, rest)
+        if hand is not None:
+            return hand
+    if rest is None:
+        return End(size, "recording stopped", "the recording stops while the leg moves")
+    stop = int(np.searchsorted(signal.time, signal.time[rest[0]] + KEPT, side="right"))
+    return End(min(stop, rest[1]), "at rest", "the leg came to rest by itself")
+
+
+def smoothed(signal: Signal, width: float) -> tuple[Samples, float]:
+    """The angle over windows of `width` s, and its error."""
+    filled = interpolated(signal.time, signal.angle)
+    count = max(3, round(width / signal.step))
+    return local_line(signal.time, filled, width)[0], signal.angle_noise / np.sqrt(count)
+
+
+def swings(smooth: Samples, begin: int, stop: int, noise: float, rest: Rest | None) -> Swings:
+    """The extremes up to the rest, whose angle is the last; else up to the last sample."""
+    end = stop - 1 if rest is None else rest[0]
+    turns = [begin + at for at in reversals(smooth[begin : end + 1], max(TRAVEL, CLEAR * noise))]
+    last = smooth[end] if rest is None else np.median(smooth[slice(*rest)])
+    return Swings([begin, *turns, end], np.array([*smooth[[begin, *turns]], last]), noise)
+
+
+def rest_after(
+    signal: Signal, speed: Speed, smooth: Samples, begin: int, noise: float
+) -> Rest | None:
+    """The samples of the first lasting rest, which nothing but a hand ends; None without one."""
+    time, angle = signal.time, smooth
+    band = max(ROCKING[0], ROCKING[1] * speed.still + CLEAR * noise)
+    for first, last in runs(np.abs(speed.velocity[begin:]) < speed.still):
+        first, last = first + begin, last + begin
+        if first == begin or time[last] - time[first] < REST:
+            continue
+        away = np.abs(angle[first:] - np.median(angle[first : last + 1])) > band
+        if not away[: last - first].any():
+            return first, first + int(np.argmax(away)) if away.any() else time.size
+    return None
+
+
+def hand_in(signal: Signal, seen: Swings, smooth: Samples, rest: Rest | None) -> End | None:
+    """The first trace of a hand."""
+    place = outside(seen)
+    if place is not None:
+        return End(seen.at[max(place - 2, 1)] + 1, "caught", said(signal, seen.at[place - 1]))
+    if rest is None:
+        return None
+    *turns, end = seen.at
+    if cut_short(seen.angle.tolist()):
+        stop = turns[-1] if len(turns) > 1 else fastest(smooth, turns[0], end)
+        return End(stop + 1, "caught", said(signal, stop))
+    if rest[1] < signal.time.size:
+        left = int(np.searchsorted(signal.time, signal.time[rest[1] - 1] - LATE))
+        kept = int(np.searchsorted(signal.time, signal.time[rest[0]] + KEPT, side="right"))
+        return End(max(min(left, kept), rest[0]), "at rest", "the leg came to rest, then was moved")
+    return None
+
+
+def outside(seen: Swings) -> int | None:
+    """The first turning point beyond the one before it on the same side."""
+    for k in range(2, len(seen.at)):
+        former, middle, now = seen.angle[k - 2 : k + 1]
+        side = np.sign(former - middle)
+        room = max(BEYOND, CLEAR * seen.error, SHARE * abs(former - middle))
+        if side * (now - former) > room:
+            return k
+    return None
+
+
+def cut_short(ends: list[float]) -> bool:
+    """Did the last swing end long before those before it let expect? `ends` as told [rad].
+
+    Free swings shrink by a factor or by equal steps: the next is at least as long as the last less
+    what the last had lost. Of a single swing only its two sides are known: a leg goes no farther
+    past its rest than it came from.
+    """
+    if len(ends) < 3:
+        return False
+    *_, before, last, rest = ends
+    swing = abs(last - before)
+    if len(ends) == 3:
+        return bool(2 * abs(last - rest) - abs(before - rest) > SHORT)
+    lost = max(abs(before - ends[-4]) - swing, 0.0)
+    return bool(swing - lost - abs(rest - last) > SHORT)
+
+
+def fastest(smooth: Samples, begin: int, stop: int) -> int:
+    return begin + int(np.argmax(np.abs(np.diff(smooth[begin : stop + 1])))) + 1
+
+
+def said(signal: Signal, at: int) -> str:
+    return f"a hand is on the leg after {signal.time[min(at, signal.time.size - 1)]:.2f} s"

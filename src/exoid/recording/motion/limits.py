@@ -1,0 +1,48 @@
+"""Every threshold of the search for a movement, with its reason."""
+
+import numpy as np
+
+# A hold. A hand that keeps a leg still trembles and gives way by some degrees a second; beyond
+# that a movement must be clear of the noise: 4.5 of its errors happen once in 10^5 windows.
+QUIET = (4.5, np.radians(4.0))  # errors, rad/s
+SPEED_ERROR = np.radians(1.0)  # rad/s, at which a window is long enough
+WIDTHS = (0.05, 0.075, 0.1, 0.15, 0.2, 0.3)  # s; a leg's half swing takes 0.5 s
+
+# Letting go. A hand takes 20 to 100 ms; the leg then falls freely.
+WINDOWS = np.linspace(0.0, 0.12, 9)  # s, tried durations of letting go
+FALL = 0.25  # s after the release that are followed by a polynomial of order 5
+HELD = 0.5  # s of the hold in front that are compared with it
+TRIED = (0.001, 0.002)  # s between the tried instants, a quarter of a sample within
+BENDS = (0.6, 0.5, 0.3)  # rad, at FALL, of what a leg can do in x^3, x^4, x^5: 30 rad/s^2 at first,
+# then damping and swing of up to 8 1/s
+GONE = 0.99  # probability with which the hand is off the leg at the first free sample
+TAIL = 0.25  # of the time of letting go that a hand may take longer than its ramp
+
+# A recording that begins free. A leg whose hold is shorter than this was marked at its release:
+# play and compliance keep the sensors at rest for 45 to 65 ms, and no hand waits that short.
+MARKED = 0.075  # s
+BEGUN = 0.3  # s, of a hold that may also be the first part of a fall
+ODDS = 9.0  # chi-square by which a hold must be better than no hold
+
+# A rest. At a turning point a leg is slow for a moment only.
+REST = 0.3  # s, longer than any turning point of a swing of 3 degrees
+HOLD = 0.1  # s; the least that can be told from the begin of a fall
+ROCKING = (np.radians(3.0), 0.9)  # rad, s times the speed of stillness: the farthest that a leg of
+# 4 rad/s still swings when it is that slow for 0.3 s
+TRAVEL = np.radians(1.5)  # rad that a movement goes at least
+CLEAR = 6.0  # times the noise of a smoothed angle
+
+# A hand on a swinging leg. Swings of a free leg lie within each other.
+BEYOND = np.radians(2.0)  # rad by which a turning point may lie outside the one before
+SHARE = 0.05  # of that swing
+SHORT = np.radians(5.0)  # rad by which a last swing may be shorter than its forerunners say
+LATE = 0.1  # s before a hand is seen that it may have begun
+KEPT = 3.0  # s at rest that are kept: more tells nothing but the sensor's drift
+
+# A voluntary cycle. Its onset may be as soft as the begin of a cosine.
+TURN_OF_HOLD = 0.15  # s by which the onset may be before the leg is clear of its rest
+
+# A continuous recording.
+REST_KEPT = 0.5  # s of rest in front of each movement
+MINOR = 0.2  # of the farthest movement, below which one is a twitch or the last of a swing
+ABOVE = 0.3  # of its travel by which a drop or a cycle rises above where it began at most

@@ -1,0 +1,119 @@
+"""A steady tone in a signal: hum of the mains, as it is or aliased by the sampling.
+
+A leg has no part in what is faster than nine times a second and never fades.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import make_lsq_spline
+from scipy.ndimage import median_filter
+from scipy.stats import chi2
+
+from exoid.recording.recording import Samples
+
+SLOWEST = 9.0  # Hz, of a tone that is no motion: tremor and clonus of a leg are slower
+KNOT = 0.08  # s between the knots of the spline that is the motion
+AROUND = 101  # frequencies, half the width of a line apart, that a tone stands out from
+FALSE = 1e-4  # chance that noise alone shows a tone in a recording
+FINER = 0.05  # of the search's own step, to which a frequency is refined
+SMALLEST = 5e-4  # rad or rad/s, of a tone: smaller ones change nothing
+MATTERS = 0.3  # of the noise
+STEADY = 0.5  # of its mean size, that a tone has in the middle one of all halves of segments
+FEWEST = 64  # samples of a segment that can tell a tone
+
+
+@dataclass(frozen=True)
+class Tone:
+    """A tone that was found."""
+
+    frequency: float  # Hz, as sampled
+    amplitude: float  # of the signal, median over the segments
+
+
+def find_tone(times: list[Samples], signals: list[Samples], noise: float = 0.0) -> Tone | None:
+    """The strongest tone that all segments share, None where noise shows as much.
+
+    The power at every frequency over the median of those around it: a line, not a hill. Every
+    segment has the phase to itself.
+    """
+    parts = [
+        (time[known], signal[known])
+        for time, signal in zip(times, signals, strict=True)
+        if (known := ~np.isnan(signal)).sum() >= FEWEST
+    ]
+    if not parts:
+        return None
+    rest = [(time - time[0], signal - motion(time, signal)) for time, signal in parts]
+    step = min(float(np.median(np.diff(time))) for time, _ in rest)
+    size = 2 * max(int(time[-1] / step) + 1 for time, _ in rest)
+    grid = np.fft.rfftfreq(size, step)
+    each = [spectrum(time, left, step, size) for time, left in rest]
+    power = np.sum(each, axis=0)[grid >= SLOWEST]
+    freedom = 2 * len(rest)
+    if power.size < FEWEST or not power.all():
+        return None
+    around = median_filter(power, AROUND, mode="mirror") / chi2.median(freedom)
+    top = int(np.argmax(power / around))
+    if power.size * chi2.sf(power[top] / around[top], freedom) > FALSE:
+        return None
+    near = grid[grid >= SLOWEST][top] + grid[1] * np.arange(-1, 1, FINER)
+    frequency = float(near[np.argmax(sum(powers(*each, near) for each in rest))])
+    size = typical_size(parts, frequency, 1)
+    steady = typical_size(parts, frequency, 2) > STEADY * size
+    return Tone(frequency, size) if steady and size > max(SMALLEST, MATTERS * noise) else None
+
+
+def typical_size(parts: list[tuple[Samples, Samples]], frequency: float, pieces: int) -> float:
+    """The median amplitude over all segments, each cut into so many pieces."""
+    each = [
+        np.hypot(*coefficients(*piece, frequency))
+        for time, signal in parts
+        for piece in zip(np.array_split(time, pieces), np.array_split(signal, pieces), strict=True)
+    ]
+    return float(np.median(each))
+
+
+def without_tone(time: Samples, signal: Samples, tone: Tone) -> Samples:
+    """The signal less the tone, with the phase and size that it has there."""
+    known = ~np.isnan(signal)
+    if known.sum() < FEWEST:
+        return signal
+    return signal - waves(time, tone.frequency) @ coefficients(
+        time[known], signal[known], tone.frequency
+    )
+
+
+def coefficients(time: Samples, signal: Samples, frequency: float) -> NDArray[np.float64]:
+    """Of cosine and sine, beside a motion that is free to do what is slower."""
+    columns = np.column_stack([signal, waves(time, frequency)])
+    left = columns - motion(time, columns)
+    return np.linalg.lstsq(left[:, 1:], left[:, 0], rcond=None)[0]
+
+
+def waves(time: Samples, frequency: float) -> NDArray[np.float64]:
+    turns = 2 * np.pi * frequency * time
+    return np.stack([np.cos(turns), np.sin(turns)], axis=1)
+
+
+def spectrum(time: Samples, left: Samples, step: float, size: int) -> Samples:
+    """Power at the frequencies of a grid of `size` steps, every sample at its nearest place."""
+    placed = np.zeros(size)
+    placed[np.round(time / step).astype(int)] = left
+    return np.abs(np.fft.rfft(placed)) ** 2
+
+
+def powers(time: Samples, left: Samples, grid: Samples) -> Samples:
+    """What a tone of each frequency would explain of what is left [signal squared]."""
+    turns = 2 * np.pi * np.outer(grid, time)
+    return (np.cos(turns) @ left) ** 2 + (np.sin(turns) @ left) ** 2
+
+
+def motion(time: Samples, signal: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The part of the signal (time first) that a cubic spline with a knot each 0.1 s follows."""
+    count = max(int((time[-1] - time[0]) / KNOT), 1)
+    places = np.linspace(0, time.size - 1, count + 1)[1:-1]  # as dense as the samples, gaps too
+    inner = np.interp(places, np.arange(time.size), time)
+    knots = np.concatenate([[time[0]] * 4, inner, [time[-1]] * 4])
+    return np.array(make_lsq_spline(time, signal, knots)(time), dtype=np.float64)
