@@ -24,8 +24,9 @@ def page(result: Any) -> str:
 
 def heading(result: Any) -> str:
     segments = f"{len(result.segments)} segment{'s' if len(result.segments) > 1 else ''}"
+    astray = "" if result.follows else "it does not follow the recording, "
     return (
-        f"FitResult: {segments}, {degrees(result.angle_rmse):.3g} deg RMSE, "
+        f"FitResult: {astray}{segments}, {degrees(result.angle_rmse):.3g} deg RMSE, "
         f"{result.multistart.at_best} of {result.multistart.starts} starts at the best"
     )
 
