@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from exoid.physics.state import LegState
     from exoid.physics.term import PhysicsTerm, SensorTerm, reading
     from exoid.physics.torque import CycleTorque, MeasuredTorque, NoTorque
+    from exoid.recording.frame import recording_of as recording
     from exoid.recording.load import load
     from exoid.recording.pendulum.drops import PendulumTest, measure_drops
     from exoid.recording.recording import Protocol, Recording, Segment, Sensors, Subject
@@ -125,6 +126,7 @@ __all__ = [
     "plot_fit",
     "profiles",
     "reading",
+    "recording",
     "sample",
     "save_result",
     "simulate",
@@ -135,6 +137,8 @@ __all__ = [
 def __getattr__(name: str) -> Any:
     if name == "__version__":
         return import_module("importlib.metadata").version("exoid")
+    if name == "recording":  # a folder that can be called
+        return import_module("exoid.recording")
     if name not in _HOMES:
         raise AttributeError(f"module 'exoid' has no attribute {name!r}")
     module, attribute = _HOMES[name]
@@ -142,4 +146,4 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *__all__, "__version__"})
+    return sorted([*__all__, "__doc__", "__name__", "__version__"])

@@ -7,18 +7,27 @@ import typer
 
 from exoid.cli.choices import FlipOption, ZeroOption
 from exoid.cli.destination import check_absent, check_apart, check_destination
-from exoid.cli.reading import read
+from exoid.cli.reading import Columns, read
 from exoid.cli.waiting import patiently
 
 
 def convert(
-    recording: Annotated[Path, typer.Argument(help="A CAN log or a table.")],
+    recording: Annotated[
+        Path,
+        typer.Argument(
+            help="A CAN log or a table (.csv .txt .xlsx .parquet .mat .npz .mot .sto .c3d)."
+        ),
+    ],
     output: Annotated[
-        Path, typer.Option("--output", "-o", help="Table to write (.csv); a sidecar joins it.")
+        Path,
+        typer.Option(
+            "--output", "-o", help="Table to write (.csv or .parquet); a sidecar joins it."
+        ),
     ],
     whole: Annotated[
         bool, typer.Option("--whole", help="One continuous segment, nothing between left out.")
     ] = False,
+    column: Columns = None,
     dbc: Annotated[Path | None, typer.Option(help="Your own DBC, with --signal.")] = None,
     signal: Annotated[
         list[str] | None,
@@ -31,7 +40,7 @@ def convert(
     ] = False,
     force: Annotated[bool, typer.Option("--force", help="Replace what is there.")] = False,
 ) -> None:
-    """Write a recording as exoid's table (.csv) with its sidecar (.toml).
+    """Write a recording as exoid's table (.csv or .parquet) with its sidecar (.toml).
 
     Signs and zero that --flip and --zero mend are written as exoid counts them.
     The segments are those that `exoid fit` would see: drops and cycles, without what lies between.
@@ -40,13 +49,15 @@ def convert(
     Examples:
       exoid convert session.blf -o drops.csv
       exoid convert session.blf -o all.csv --whole
+      exoid convert trial.c3d -o knee.parquet --column raw_angle_deg=LKneeAngles.X
       exoid convert log.asc -o knee.csv --dbc my.dbc --signal raw_angle=Knee.Angle
     """
     sidecar = output.with_suffix(".toml")
-    check_destination(output, ("csv",))
+    check_destination(output, ("csv", "parquet"))
     check_apart([output, sidecar], [recording])
     check_absent((output, sidecar), force)
-    loaded = read(recording, dbc, signal, strict, whole=whole, flip=flip, zero=zero)
+    told = {"column": column, "flip": flip, "zero": zero}
+    loaded = read(recording, dbc, signal, strict, whole=whole, **told)
     from exoid.recording.table import write_table
     from exoid.report.text import counted
 

@@ -15,7 +15,7 @@ from exoid.cli.fit import EXAMPLE, FIGURES
 from exoid.cli.origin import inputs, origin_of
 from exoid.cli.own_terms import own_terms
 from exoid.cli.page import PAGES, planned, sources_of, write_report
-from exoid.cli.reading import as_told, take
+from exoid.cli.reading import Columns, as_told, take
 from exoid.cli.results import described, end, introduce, keep
 from exoid.cli.waiting import in_phases, patiently
 
@@ -41,6 +41,7 @@ def diagnose(
         ),
     ] = None,
     seed: Annotated[int, typer.Option(min=0, help="Of the starts; same seed, same result.")] = 0,
+    column: Columns = None,
     dbc: Annotated[Path | None, typer.Option(help="Your own DBC, with --signal.")] = None,
     signal: Annotated[
         list[str] | None,
@@ -83,7 +84,8 @@ def diagnose(
     own = own_terms(terms) if terms is not None else ()
     if not recordings:
         typer.echo("No recording given: this is the example that comes with exoid.")
-    named, taken = [], [take(path, dbc, signal, False, flip=flip, zero=zero) for path in paths]
+    told = {"column": column, "flip": flip, "zero": zero}
+    named, taken = [], [take(path, dbc, signal, False, **told) for path in paths]
     for path, one in zip(paths, taken, strict=True):
         loaded = one.recording
         named.append((path.name, replace(loaded, subject=replace(loaded.subject, **body))))
@@ -101,7 +103,7 @@ def diagnose(
         end(found.follows)
         return
     asked = {**options, "terms": terms, **body, "signal": signal, "dbc": dbc and str(dbc)}
-    asked |= as_told(flip, zero)
+    asked |= {**as_told(flip, zero), "column": column}
     origin = origin_of(inputs(paths, dbc, Path(terms) if terms else None), asked)
     more = patiently(lambda: further(found, named[0][1].subject), "planning what to record next")
     if save is not None:

@@ -9,7 +9,7 @@ import typer
 from exoid.cli.choices import FlipOption, ZeroOption
 from exoid.cli.destination import check_apart, check_destination
 from exoid.cli.fit import EXAMPLE, FIGURES
-from exoid.cli.reading import read
+from exoid.cli.reading import Columns, read
 from exoid.cli.results import introduce
 from exoid.cli.waiting import patiently
 
@@ -21,6 +21,7 @@ def drops(
             help="Tables or CAN logs of one leg, averaged together. Without one, the example."
         ),
     ] = None,
+    column: Columns = None,
     dbc: Annotated[Path | None, typer.Option(help="Your own DBC, with --signal.")] = None,
     signal: Annotated[
         list[str] | None, typer.Option(help="CHANNEL=MESSAGE.SIGNAL; repeat.", metavar="MAP")
@@ -52,7 +53,8 @@ def drops(
     check_apart([plot, json], paths)
     if not recordings:
         typer.echo("No recording given: this is the example that comes with exoid.")
-    named = [(path.name, read(path, dbc, signal, False, flip=flip, zero=zero)) for path in paths]
+    told = {"column": column, "flip": flip, "zero": zero}
+    named = [(path.name, read(path, dbc, signal, False, **told)) for path in paths]
     test = patiently(lambda: measured(named), "reading the drops")
     introduce(named)
     show(test)

@@ -13,7 +13,7 @@ from exoid.cli.choices import Bounds, Clip, FlipOption, Method, Misfit, Reading,
 from exoid.cli.destination import check_apart, check_destination
 from exoid.cli.origin import inputs, origin_of
 from exoid.cli.page import PAGES, sources_of, write_report
-from exoid.cli.reading import as_told, take
+from exoid.cli.reading import Columns, as_told, take
 from exoid.cli.results import draw, end, introduce, keep, show, write_document
 from exoid.cli.waiting import patiently
 
@@ -26,7 +26,7 @@ def fit(
     recordings: Annotated[
         list[Path] | None,
         typer.Argument(
-            help="Tables (.csv) or CAN logs (.blf .asc .log .trc .csv .mf4) of one leg, fitted "
+            help="Tables (.csv .xlsx .mot .c3d ...) or CAN logs (.blf .asc ...) of one leg, fitted "
             "together. Without one, the example that comes with exoid."
         ),
     ] = None,
@@ -62,6 +62,7 @@ def fit(
         Clip,
         typer.Option(help="free: what moved freely. paper: the ends below 20 deg/s are cut off."),
     ] = Clip.free,
+    column: Columns = None,
     dbc: Annotated[Path | None, typer.Option(help="Your own DBC, with --signal.")] = None,
     signal: Annotated[
         list[str] | None,
@@ -118,7 +119,8 @@ def fit(
         typer.echo(
             "No recording given: this is the example that comes with exoid, a simulated leg."
         )
-    named, taken = [], [take(path, dbc, signal, strict, flip=flip, zero=zero) for path in paths]
+    reading = {"column": column, "flip": flip, "zero": zero}
+    named, taken = [], [take(path, dbc, signal, strict, **reading) for path in paths]
     for path, one in zip(paths, taken, strict=True):
         loaded = one.recording
         protocol = loaded.protocol
@@ -150,6 +152,7 @@ def fit(
         "torque_frequency": torque_frequency,
         **body,
         "signal": signal,
+        "column": column,
         "dbc": dbc and str(dbc),
     }
     origin = origin_of(inputs(paths, dbc), asked) if save or report else None

@@ -12,7 +12,7 @@ from exoid.cli.assumptions import Bound, BoundsOption, Fix, Prior, assumed
 from exoid.cli.body import BodyMass, Height, given_body
 from exoid.cli.choices import Bounds, FlipOption, ZeroOption
 from exoid.cli.destination import check_apart, check_destination
-from exoid.cli.reading import read
+from exoid.cli.reading import Columns, read
 from exoid.cli.results import end, introduce
 from exoid.cli.waiting import patiently
 
@@ -44,6 +44,7 @@ def plan(
     bound: Bound = None,
     body_mass: BodyMass = None,
     height: Height = None,
+    column: Columns = None,
     multistart: Annotated[int, typer.Option(min=1, max=100_000, help="Starts of the fit.")] = 64,
     seed: Annotated[int, typer.Option(min=0, help="Of the starts.")] = 0,
     flip: FlipOption = None,
@@ -67,7 +68,8 @@ def plan(
 
     named = []
     for path in recordings or []:
-        loaded = read(path, None, None, False, flip=flip, zero=zero)
+        told = {"column": column, "flip": flip, "zero": zero}
+        loaded = read(path, None, None, False, **told)
         named.append((path.name, replace(loaded, subject=replace(loaded.subject, **body))))
     subject = named[0][1].subject if named else replace(Subject(kind="leg"), **body)
     options = {"multistart": multistart, "seed": seed, **assumed(prior, bounds, fix, bound)}

@@ -1,11 +1,21 @@
 """Recordings as the commands read them, with what their readers noticed."""
 
 from pathlib import Path
+from typing import Annotated
 
 import typer
 
 from exoid.cli.choices import Flip, Zero
 from exoid.cli.waiting import patiently
+
+Columns = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--column",
+        help='What a table in other words calls a column: raw_angle_deg="Knee Flexion"; repeat.',
+        metavar="MAP",
+    ),
+]
 
 
 def read(
@@ -17,9 +27,11 @@ def read(
     whole: bool = False,
     flip: Flip | None = None,
     zero: Zero | None = None,
+    column: list[str] | None = None,
 ):
     """One recording; what its reader noticed is said on stderr."""
-    return take(path, dbc, signal, strict, whole=whole, flip=flip, zero=zero).recording
+    told = {"flip": flip, "zero": zero, "column": column}
+    return take(path, dbc, signal, strict, whole=whole, **told).recording
 
 
 def take(
@@ -31,12 +43,14 @@ def take(
     whole: bool = False,
     flip: Flip | None = None,
     zero: Zero | None = None,
+    column: list[str] | None = None,
 ):
     """The same, with what its reader noticed."""
     from exoid.recording.load import load
 
     signals = signal_map(signal)
     told = {"flip": flip and flip.value, "zero": zero and zero.value}
+    told |= {"columns": column_map(column)}
     loaded = patiently(
         lambda: load(path, dbc=dbc, signals=signals, strict=strict, whole=whole, **told),
         f"reading {path.name}",
@@ -57,10 +71,19 @@ def as_told(flip: Flip | None, zero: Zero | None) -> dict[str, str]:
 
 def signal_map(signal: list[str] | None) -> dict[str, str] | None:
     """CHANNEL=MESSAGE.SIGNAL pairs as a map."""
-    if not signal:
+    return pairs("--signal", signal, "CHANNEL=MESSAGE.SIGNAL")
+
+
+def column_map(column: list[str] | None) -> dict[str, str] | None:
+    """COLUMN="name in the file" pairs as a map."""
+    return pairs("--column", column, 'COLUMN="NAME IN THE FILE"')
+
+
+def pairs(option: str, entries: list[str] | None, form: str) -> dict[str, str] | None:
+    if not entries:
         return None
-    pairs = [entry.partition("=") for entry in signal]
-    for (name, equals, target), entry in zip(pairs, signal, strict=True):
+    parts = [entry.partition("=") for entry in entries]
+    for (name, equals, target), entry in zip(parts, entries, strict=True):
         if not (name and equals and target):
-            raise ValueError(f"--signal {entry}: write it as CHANNEL=MESSAGE.SIGNAL")
-    return {name: target for name, _, target in pairs}
+            raise ValueError(f"{option} {entry}: write it as {form}")
+    return {name: target for name, _, target in parts}

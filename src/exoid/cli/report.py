@@ -16,7 +16,7 @@ from exoid.cli.fit import EXAMPLE
 from exoid.cli.origin import inputs, origin_of
 from exoid.cli.own_terms import own_terms
 from exoid.cli.page import PAGES, planned, sources_of, write_report
-from exoid.cli.reading import as_told, take
+from exoid.cli.reading import Columns, as_told, take
 from exoid.cli.results import end
 from exoid.cli.retell import SAVED, retell
 from exoid.cli.waiting import in_phases, patiently
@@ -50,6 +50,7 @@ def report(
     diagnosis: Annotated[
         bool, typer.Option("--diagnosis/--no-diagnosis", help="Look for missing physics.")
     ] = True,
+    column: Columns = None,
     dbc: Annotated[Path | None, typer.Option(help="Your own DBC, with --signal.")] = None,
     signal: Annotated[
         list[str] | None,
@@ -87,6 +88,7 @@ def report(
             "--no-diagnosis": not diagnosis,
             "--dbc": dbc is not None,
             "--signal": bool(signal),
+            "--column": bool(column),
             "--flip": flip is not None,
             "--zero": zero is not None,
         }
@@ -99,7 +101,8 @@ def report(
     own = own_terms(terms) if terms is not None else ()
     if not recordings:
         typer.echo("No recording given: this is the example that comes with exoid.")
-    taken = [take(path, dbc, signal, False, flip=flip, zero=zero) for path in paths]
+    told = {"column": column, "flip": flip, "zero": zero}
+    taken = [take(path, dbc, signal, False, **told) for path in paths]
     named = [
         (path.name, replace(one.recording, subject=replace(one.recording.subject, **body)))
         for path, one in zip(paths, taken, strict=True)
@@ -109,7 +112,7 @@ def report(
     result, found = in_phases(lambda told: analysed(named, options, tested, told))
     script = Path(terms) if terms is not None else None
     settings = {**options, "terms": terms, "diagnosis": diagnosis, **body, "signal": signal}
-    settings |= {"dbc": dbc and str(dbc), **as_told(flip, zero)}
+    settings |= {"dbc": dbc and str(dbc), **as_told(flip, zero), "column": column}
     origin = origin_of(inputs(paths, dbc, script), settings)
     sources = sources_of(taken, named)
     patiently(lambda: write_report(output, sources, result, origin, **found), "writing the page")

@@ -69,6 +69,7 @@ def at_hand(saved, path: Path) -> tuple:
         typer.echo(f"exoid: {path}: without what only the recordings show: {why}.", err=True)
         return ()
     told = {"flip": of(Flip, settings.get("flip")), "zero": of(Zero, settings.get("zero"))}
+    told |= {"column": settings.get("column")}
     taken = [
         take(place, dbc and Path(dbc), settings.get("signal"), False, **told) for place, _ in each
     ]

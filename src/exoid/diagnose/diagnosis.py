@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field
 from typing import Annotated, Literal
 
+from exoid.diagnose import summary
 from exoid.diagnose.consistency import SensorError
 from exoid.diagnose.evidence import UNEXPLAINED
 from exoid.diagnose.locate import Location
@@ -92,6 +93,12 @@ class Diagnosis:
     fit: FitResult
     advice: list[str] = field(default_factory=list)
     workings: Workings | None = None  # None where it was read from a file
+
+    def __repr__(self) -> str:
+        return summary.lines(self)
+
+    def _repr_html_(self) -> str:
+        return summary.page(self)
 
     @property
     def selected(self) -> list[str]:

@@ -44,6 +44,10 @@ def identify(result: FitResult) -> Identifiability:
 
     **Raises** `ValueError` for a result that has no one fit to ask (`fit_each`).
     """
+    if not isinstance(result, FitResult):
+        raise ValueError(
+            f"identify asks a fit, not a {type(result).__name__}: give what fit_leg returned."
+        )
     basis = result.basis
     if basis is None:
         raise ValueError("every segment was fitted alone: there is no one fit to ask.")

@@ -17,7 +17,7 @@ from exoid.diagnose.search import Found, look
 from exoid.diagnose.settle import Settled, settle_free
 from exoid.fit.estimate import fit
 from exoid.physics.term import Term
-from exoid.recording.recording import Recording
+from exoid.recording.given import Given, named_recordings
 
 REMAINS = 1.1  # mean square over the noise, from which on a formula is looked for
 LEFT = 0.5  # of what the library leaves, that a formula may leave to take its place
@@ -26,7 +26,7 @@ ROUNDS = 25
 
 
 def diagnose(
-    recordings: list[tuple[str, Recording]] | Recording,
+    recordings: Given,
     *,
     terms: tuple[type[Term], ...] = (),
     multistart: int = 64,
@@ -36,15 +36,15 @@ def diagnose(
 ) -> Diagnosis:
     """Find where simulation and recordings part, which physics was left out, and prove it.
 
-    `recordings` are (name, recording) pairs of one leg, or one recording. `terms` are tested beside
-    the library. The baseline is fitted from `multistart` starts, with `assumed` being `prior`,
-    `bounds`, `fix`, `bound` and `expect` as in `fit_leg`; the search for what it misses moves its
-    parameters freely. `told` hears the name of every phase.
+    `recordings` are of one leg, given as to `fit_leg`. `terms` are tested beside the library. The
+    baseline is fitted from `multistart` starts, with `assumed` being `prior`, `bounds`, `fix`,
+    `bound` and `expect` as in `fit_leg`; the search for what it misses moves its parameters freely.
+    `told` hears the name of every phase.
 
     **Raises** `ValueError` where a recording cannot be fitted or gravity comes out upwards,
     `ArithmeticError` where no start of the baseline's fit succeeded.
     """
-    named = [("recording", recordings)] if isinstance(recordings, Recording) else recordings
+    named = named_recordings(recordings)
     told("fitting the baseline")
     result = fit(named, multistart=multistart, seed=seed, **assumed)
     bench, base = prepare(result, named, terms)

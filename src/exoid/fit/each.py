@@ -15,6 +15,7 @@ from exoid.fit.prior import prior_residual
 from exoid.fit.result import Estimate, FitResult
 from exoid.fit.uncertainty import Information
 from exoid.physics.leg import GRAVITY, LegParameters
+from exoid.recording.given import Given, named_recordings
 from exoid.recording.recording import Recording
 
 COMMON = ("gravity_over_inertia", "stiffness_over_inertia", "damping_over_inertia")
@@ -27,12 +28,13 @@ MIXED = (
 HOLDS = 1e-6  # relative slack below which a constraint holds as an equality
 
 
-def fit_each(recordings: list[tuple[str, Recording]], **options) -> FitResult:
+def fit_each(given: Given, **options) -> FitResult:
     """`fit_leg` on every segment by itself.
 
     Ratios are the mean over segments, with the standard error of their scatter; the parameters are
     what prior and limits make of the mean ratios.
     """
+    recordings = named_recordings(given)
     moving = movements_of(recordings, clip=options.get("clip", "free"))
     moved = {each.name for each in moving}
     results = [

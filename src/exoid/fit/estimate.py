@@ -18,6 +18,7 @@ from exoid.fit.problem import Problem, pose
 from exoid.fit.remarks import UPWARDS, upwards
 from exoid.fit.result import FitResult
 from exoid.fit.starts import draw, informed
+from exoid.recording.given import Given, named_recordings
 from exoid.recording.motion.extent import Motionless
 from exoid.recording.noise import Noise
 from exoid.recording.recording import Recording
@@ -29,7 +30,7 @@ APART = (("body_mass", "kg", 6.0), ("height", "m", 0.03))  # by which one person
 
 
 def fit(
-    recordings: list[tuple[str, Recording]] | Recording,
+    recordings: Given,
     *,
     multistart: int = 64,
     seed: int = 0,
@@ -47,12 +48,13 @@ def fit(
 ) -> FitResult:
     """Fit one leg to all segments of the recordings (Eq. 9-13).
 
-    `recordings` are (name, recording) pairs, or one recording; all are of one leg. `weight` is
-    lambda of Eq. 11 in standardised units. `bounds` are what a leg of this body can have, or Eq. 13
-    as the "paper" has it. By hand, in printed units: `fix` {"stiffness": 0.0}, `bound`
-    {"damping": (0.0, 20.0)} (None leaves an end), `expect` {"damping": (3.0, 1.0)}, a value and its
-    standard deviation in the place of the table's. What the sidecar's [fit] says of other
-    parameters holds too. `smooth` is the window of Eq. 3 in samples, applied to
+    `recordings` is one recording (a Recording, what `load` gave, or a path) or a list of them, with
+    or without names as (name, recording) pairs; all are of one leg. `weight` is lambda of Eq. 11 in
+    standardised units. `bounds` are what a leg of this body can have, or Eq. 13 as the "paper" has
+    it. By hand, in printed units: `fix` {"stiffness": 0.0}, `bound` {"damping": (0.0, 20.0)} (None
+    leaves an end), `expect` {"damping": (3.0, 1.0)}, a value and its standard deviation in the
+    place of the table's. What the sidecar's [fit] says of other parameters holds too. `smooth` is
+    the window of Eq. 3 in samples, applied to
     data and simulation alike. `misfit` "paper" is Eq. 11 as printed: the angle alone in rad, and
     the prior in the parameters' own units. `starts`, (start, 6) in the order m, J, l, d, c, tau,
     replace the draw from the limits by `seed`. `clip` "paper" keeps what lies between the first and
@@ -62,7 +64,7 @@ def fit(
     passive segments, `ArithmeticError` where no start
     succeeded.
     """
-    named = [("recording", recordings)] if isinstance(recordings, Recording) else recordings
+    named = named_recordings(recordings)
     check_one_leg(named)
     movements = movements_of(named, clip=clip)
     plain = misfit == "paper"

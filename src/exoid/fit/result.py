@@ -1,10 +1,12 @@
 """What a fit found: values with their errors and reasons, not bare numbers."""
 
 from dataclasses import dataclass, field, fields
+from typing import Any
 
 import numpy as np
 from jaxtyping import Float
 
+from exoid.fit import summary
 from exoid.fit.by_hand import Means
 from exoid.fit.multistart import Ended
 from exoid.fit.problem import Problem
@@ -69,6 +71,9 @@ class SegmentFit:
     simulated_angle: Float[np.ndarray, " sample"]  # rad
     simulated_velocity: Float[np.ndarray, " sample"]  # rad/s
 
+    def __repr__(self) -> str:
+        return f"<SegmentFit {self.name}: {self.kind}, {self.time.size} samples>"
+
 
 @dataclass(frozen=True)
 class MountingFit:
@@ -130,6 +135,16 @@ class FitResult:
         `astray` says why, and the first of the `notes` what to do.
         """
         return self.astray is None
+
+    def __repr__(self) -> str:
+        return summary.lines(self)
+
+    def _repr_html_(self) -> str:
+        return summary.page(self)
+
+    def to_dataframe(self) -> Any:
+        """Parameters and ratios for pandas: a row each, with error, unit and what determined it."""
+        return summary.frame(self)
 
     @property
     def noise_scale(self) -> float:

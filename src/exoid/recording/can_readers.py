@@ -52,8 +52,8 @@ def read_log(path: Path) -> Log:
     kind = path.suffix.lower()
     if kind not in FORMATS:
         raise CanLogError(
-            f"{path}: a recording is a table (.csv, with the column time_s) or a CAN log "
-            f"({', '.join(FORMATS)}). Save or export it as one of these."
+            f"{path}: a recording is a table (.csv .txt .xlsx .parquet .mat .npz .mot .sto .c3d) "
+            f"or a CAN log ({', '.join(FORMATS)}). Save or export it as one of these."
         )
     if path.stat().st_size == 0:
         raise CanLogError(f"{path} is empty. Was the logger stopped before it wrote anything?")

@@ -1,9 +1,11 @@
 """Any recording file: a table or a CAN log, with the sidecar beside it, cut into its movements."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from exoid.recording.can_quality import LogQuality
+from exoid.recording.formats.sheets import is_table
 from exoid.recording.motion.split import cut_apart, cut_table
 from exoid.recording.recording import Protocol, Recording, Sensors, Subject
 from exoid.recording.sidecar import no_keys, read_keys, read_sidecar
@@ -11,7 +13,6 @@ from exoid.recording.table import read_table
 from exoid.recording.text_file import naming
 from exoid.recording.understand import understand
 
-TABLE_SUFFIX = ".csv"
 LOG_HEADER = b"timestamp,arbitration_id,"  # of python-can's own .csv
 
 
@@ -33,23 +34,27 @@ def load(
     whole: bool = False,
     flip: str | None = None,
     zero: str | None = None,
+    columns: Mapping[str, str] | None = None,
 ) -> Loaded:
     """Read a recording of either kind; a continuous log is cut into its drops and cycles.
 
     With `whole` it stays one segment, and what the sidecar marks stays marked. `flip` ("angle",
     "gyro", "all") names the channels of the other sign, `zero` ("hanging", "unknown", "extended")
-    what the file calls 0; both replace what the sidecar says.
+    what the file calls 0; both replace what the sidecar says. `columns` says what a table in other
+    words calls exoid's columns: `{"raw_angle_deg": "Knee Flexion"}`.
 
     **Raises** `ValueError` (one line: what, where, what to do) and `OSError`; with `strict` also
     for anything that a CAN log lost.
     """
     path = Path(path)
     check_request(path, dbc, signals)
-    if path.suffix.lower() == TABLE_SUFFIX and not is_log(path) and dbc is None:
-        recording, notes = read_table(path)
+    if is_table(path) and dbc is None and not is_log(path):
+        recording, notes = read_table(path, columns)
         with naming(path):
             recording, more = understand(recording, cut_table, whole=whole, flip=flip, zero=zero)
         return Loaded(recording, (*notes, *(f"{path}: {note}" for note in more)), None)
+    if columns:
+        raise ValueError(f"{path}: a CAN log has no columns to name. Give --dbc and --signal.")
     from exoid.recording.can_log import read_can_log
 
     subject, protocol, sensors, notes = beside(path)

@@ -11,6 +11,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from exoid.recording import summary
 from exoid.recording.unit_hint import unit_hint
 
 Samples = NDArray[np.float64]  # one value per sample; jaxtyping here would cost 0.1 s at start
@@ -145,6 +146,9 @@ class Segment:
         found = {f.name: getattr(self, f.name) for f in known(self)}
         return {name: samples for name, samples in found.items() if samples is not None}
 
+    def __repr__(self) -> str:
+        return summary.segment_line(self)
+
 
 @dataclass(frozen=True, eq=False)
 class Recording:
@@ -169,6 +173,21 @@ class Recording:
             if self.subject.kind != "rig":
                 check_knee(number, segment)
         check_metadata(self)
+
+    def __repr__(self) -> str:
+        return summary.line(self)
+
+    def _repr_html_(self) -> str:
+        return summary.page(self)
+
+    def to_dataframe(self) -> Any:
+        """The table that `write_table` writes, for pandas: `time_s`, `segment`, the channels in SI.
+
+        `exoid.recording(frame, subject=..., protocol=..., sensors=...)` makes a recording of it.
+        """
+        from exoid.recording.frame import frame_of
+
+        return frame_of(self)
 
     def kind(self, segment: int) -> Kind | None:
         """How this segment was moved: passive, active, measured, or None where unknown."""

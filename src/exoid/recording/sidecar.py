@@ -13,6 +13,7 @@ from exoid.recording.text_file import Notes, naming, near, read_text, replace_fi
 
 TABLES = {"subject": Subject, "protocol": Protocol, "sensors": Sensors}
 FOR_FITS = "fit"  # the table of what is fixed, bounded or expected; a fit reads and checks it
+COLUMNS = "columns"  # what the columns of the table beside it are called: [columns]
 
 
 def read_sidecar(path: str | Path) -> tuple[Subject, Protocol, Sensors, Notes]:
@@ -42,14 +43,11 @@ def no_keys() -> tuple[dict[str, Any], dict[str, Any], Notes]:
 def read_keys(path: Path) -> tuple[dict[str, Any], dict[str, Any], Notes]:
     """The known tables by name, the unknown ones as they are, and the notes."""
     with naming(path):
-        try:
-            document = tomllib.loads(read_text(path))
-        except tomllib.TOMLDecodeError as error:
-            raise ValueError(f"is not valid TOML: {error}.") from error
+        document = parse_toml(path)
         tables = {name: parse_keys(name, document.get(name, {})) for name in TABLES}
-        extra = {name: value for name, value in document.items() if name not in TABLES}
+        extra = {name: v for name, v in document.items() if name not in (*TABLES, COLUMNS)}
         notes = [
-            f"unknown [{name}] is kept, but not used.{near(name, TABLES)}"
+            f"unknown [{name}] is kept, but not used.{near(name, (*TABLES, COLUMNS))}"
             for name in extra
             if name != FOR_FITS
         ]
@@ -59,6 +57,27 @@ def read_keys(path: Path) -> tuple[dict[str, Any], dict[str, Any], Notes]:
                 for key in table.extra_keys
             ]
     return tables, extra, tuple(f"{path}: {note}" for note in notes)
+
+
+def parse_toml(path: Path) -> dict[str, Any]:
+    try:
+        return tomllib.loads(read_text(path))
+    except tomllib.TOMLDecodeError as error:
+        raise ValueError(f"is not valid TOML: {error}.") from error
+
+
+def read_columns(path: Path) -> dict[str, str]:
+    """What [columns] says of the table beside: exoid's column = the column of the file."""
+    with naming(path):
+        columns = parse_toml(path).get(COLUMNS, {})
+        if not isinstance(columns, dict):
+            raise ValueError(f"{COLUMNS} must be a table: write [{COLUMNS}] and its keys below.")
+        for key, name in columns.items():
+            if not isinstance(name, str):
+                raise ValueError(
+                    f"{key} in [{COLUMNS}] is {name!r:.60}; it must be a text in quotes."
+                )
+        return dict(columns)
 
 
 def parse_keys(name: str, document: Any):

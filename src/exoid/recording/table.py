@@ -1,47 +1,46 @@
 """A recording on disk, format version 1: the samples in NAME.csv, what is known in NAME.toml.
 
 Columns and keys are those that `recording.py` declares; this file holds no second list of them.
-Commas and decimal points only: a semicolon or a decimal comma is refused, never guessed at.
+A table in exoid's own words is read to the letter; one in another's is understood in `tables/`.
 """
 
 import csv
 import io
 import re
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
-from itertools import chain
 from pathlib import Path
 
 import numpy as np
 
 from exoid.recording.clock import SINCE
-from exoid.recording.recording import (
-    BadSample,
-    Recording,
-    Segment,
-    Subject,
-    known,
-)
-from exoid.recording.sidecar import no_keys, read_keys, sidecar_text
-from exoid.recording.text_file import Notes, naming, near, read_text, replace_files
+from exoid.recording.formats.delimited import is_own, legible, sheet_of_text
+from exoid.recording.formats.sheets import TEXTS, read_sheet, require
+from exoid.recording.recording import BadSample, Recording, Segment, Subject
+from exoid.recording.sidecar import no_keys, read_columns, read_keys, sidecar_text
+from exoid.recording.tables.assemble import Named, assemble
+from exoid.recording.tables.columns import CHANNELS, IN_DEGREES, NUMERIC
+from exoid.recording.tables.flat import flat
+from exoid.recording.tables.sheet import Cells, Place
+from exoid.recording.text_file import Notes, naming, near, replace_files
 
-Cells = np.ndarray | tuple[str, ...]  # a known column as numbers, an unknown one as its text
-
-CHANNELS = {entry.metadata["column"]: entry.name for entry in known(Segment)}
-IN_DEGREES = {name.replace("_rad", "_deg"): name for name in CHANNELS if "_rad" in name}
-NUMERIC = {*CHANNELS, *IN_DEGREES, "segment"}
 NUMBER = r"(?:[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)?"
 NUMBERS = re.compile(f"{NUMBER}(?:,{NUMBER})*", re.ASCII)
 NOT_IN_NUMBERS = re.compile(r"[^0-9+\-.eE,\n]")  # no letters but e: `nan` and `inf` are not read
+WRITTEN = (".csv", ".parquet")
 FIRST_LINE = 2  # the line of the first sample; the header is line 1
 
 
-def read_table(path: str | Path) -> tuple[Recording, Notes]:
+def read_table(
+    path: str | Path, columns: Mapping[str, str] | None = None
+) -> tuple[Recording, Notes]:
     """The recording in NAME.csv and NAME.toml, and what its owner should be told.
 
     A missing NAME.toml means that nothing is known of subject, protocol and sensors. Unknown
     columns (as text) and keys are kept and named in the notes, with the known name they resemble.
+    `columns` maps exoid's columns to those of a table in other words; [columns] in NAME.toml does
+    the same. Such a table may also be of another format, and the notes say how it was understood.
 
     **Raises** `ValueError` (one line: file, line or key, what to do) for anything else.
     """
@@ -49,32 +48,58 @@ def read_table(path: str | Path) -> tuple[Recording, Notes]:
     sidecar = path.with_suffix(".toml")
     if path == sidecar:
         raise ValueError(f"{path}: this is the sidecar. Name the .csv beside it.")
+    known = sidecar.exists()
+    chosen = {**(read_columns(sidecar) if known else {}), **(columns or {})}
+    tables, extra, key_notes = read_keys(sidecar) if known else no_keys()
     with naming(path):
-        columns, column_notes = parse_table(read_text(path))
-        starts = segment_starts(columns)
-    tables, extra, key_notes = read_keys(sidecar) if sidecar.exists() else no_keys()
-    with naming(path):
-        samples = build(columns, starts, Subject(kind=tables["subject"].kind))
+        named = named_columns(path, chosen, tables["sensors"].sample_rate)
+        starts = segment_starts(named.columns, named.place)
+        samples = build(named, starts, Subject(kind=tables["subject"].kind))
     with naming(sidecar):  # what fails now, with all samples sound, fails by a key
         recording = replace(samples, **tables, extra_tables=extra)
-    if not sidecar.exists():
+    if not known:
         key_notes = (f"{sidecar} does not exist: subject, protocol and sensors are unknown.",)
-    notes = column_notes + late_starts(recording)
+    notes = named.notes + late_starts(recording)
     return recording, tuple(f"{path}: {note}" for note in notes) + key_notes
 
 
+def named_columns(path: Path, chosen: Mapping[str, str], rate: float | None) -> Named:
+    """The columns of a table in exoid's own words, or of one in anybody else's."""
+    if path.suffix.lower() not in TEXTS:
+        return assemble(read_sheet(path, chosen.values()), chosen, rate)
+    text = legible(path)
+    if chosen or not is_own(text):
+        return assemble(sheet_of_text(text), chosen, rate)
+    columns, notes = parse_table(text)
+    degrees = {
+        IN_DEGREES[name]: f"{name}: read as degrees" for name in columns if name in IN_DEGREES
+    }
+    return Named(columns, Place("line", FIRST_LINE), degrees, notes)
+
+
 def write_table(recording: Recording, path: str | Path) -> None:
-    """Writes NAME.csv and NAME.toml, such that `load` gives back every number and key.
+    """Writes NAME.csv or NAME.parquet, and NAME.toml, such that `load` gives back every number.
 
     Both are first written in full beside their targets and then moved into place: a failure
     leaves the files that were there as they were.
     """
     path = Path(path)
-    if path.suffix.lower() != ".csv":
-        raise ValueError(f"{path}: a recording is written to a name that ends in .csv.")
+    if path.suffix.lower() not in WRITTEN:
+        raise ValueError(f"{path}: a recording is written to a name that ends in .csv or .parquet.")
     tables = (recording.subject, recording.protocol, recording.sensors)
     sidecar = sidecar_text(*tables, recording.extra_tables)
-    replace_files({path.with_suffix(".toml"): [sidecar], path: table_lines(recording)})
+    samples = table_lines(recording) if path.suffix.lower() == ".csv" else parquet_of(recording)
+    replace_files({path.with_suffix(".toml"): [sidecar], path: samples})
+
+
+def parquet_of(recording: Recording) -> bytes:
+    """The same table as Parquet."""
+    require("pyarrow", "a Parquet file is written")
+    from exoid.recording.formats.parquet import as_parquet
+
+    columns = flat(recording)
+    check_names([*columns])
+    return as_parquet(columns)
 
 
 def parse_table(text: str) -> tuple[dict[str, Cells], Notes]:
@@ -97,12 +122,6 @@ def parse_table(text: str) -> tuple[dict[str, Cells], Notes]:
 
 def header(line: str) -> list[str]:
     """The names of the columns, refused where they cannot be a recording's."""
-    if not line.strip():
-        raise ValueError("line 1 is empty; it must name the columns, time_s and angle_rad first.")
-    if "," not in line and (";" in line or "\t" in line):
-        raise ValueError(
-            "line 1 separates columns by semicolons or tabs. Export with commas and decimal points."
-        )
     try:
         names = [name.strip() for name in next(csv.reader([line], skipinitialspace=True))]
     except csv.Error as error:
@@ -197,7 +216,7 @@ def bad_row(names: list[str], row: list[str]) -> str | None:
     return None
 
 
-def segment_starts(columns: dict[str, Cells]) -> np.ndarray:
+def segment_starts(columns: Mapping[str, Cells], place: Place) -> np.ndarray:
     """The row at which each segment begins; without a column `segment` there is one."""
     if "segment" not in columns:
         return np.zeros(1, int)
@@ -208,15 +227,16 @@ def segment_starts(columns: dict[str, Cells]) -> np.ndarray:
         at = int(starts[wrong[0]])
         value = "empty" if np.isnan(number[at]) else f"{number[at]:g}"
         raise ValueError(
-            f"line {at + FIRST_LINE}, column segment: {value}, where {wrong[0]}"
+            f"{place(at)}, column segment: {value}, where {wrong[0]}"
             f"{f' or {wrong[0] - 1}' if wrong[0] else ''} is expected. Segments count 0, 1, 2, ... "
             "and the rows of each stand together: renumber or sort them."
         )
     return starts
 
 
-def build(columns: dict[str, Cells], starts: np.ndarray, subject: Subject) -> Recording:
+def build(named: Named, starts: np.ndarray, subject: Subject) -> Recording:
     """The samples, checked by the recording's own rules; a bad one is named by its line as well."""
+    columns = named.columns
     stops = [*starts[1:], len(columns["time_s"])]
     segments = tuple(
         cut(columns, slice(start, stop)) for start, stop in zip(starts, stops, strict=True)
@@ -224,10 +244,10 @@ def build(columns: dict[str, Cells], starts: np.ndarray, subject: Subject) -> Re
     try:
         return Recording(segments, subject)
     except BadSample as error:
-        line = starts[error.segment] + error.sample + FIRST_LINE
-        converted = [name for name in columns if name in IN_DEGREES]
-        hint = f" ({', '.join(converted)}: read as degrees.)" if converted else ""
-        raise ValueError(f"line {line}: {error}{hint}") from error
+        place = named.place(int(starts[error.segment]) + error.sample)
+        words = [source for own, source in named.sources.items() if str(error).startswith(own)]
+        hint = f" ({', '.join(words)}.)" if words else ""
+        raise ValueError(f"{place}: {error}{hint}") from error
 
 
 def late_starts(recording: Recording) -> Notes:
@@ -239,7 +259,7 @@ def late_starts(recording: Recording) -> Notes:
     return (f"time_s starts at {start:g} s, not at 0, in segment {late[0]}. It is kept as it is.",)
 
 
-def cut(columns: dict[str, Cells], rows: slice) -> Segment:
+def cut(columns: Mapping[str, Cells], rows: slice) -> Segment:
     """One segment. A channel that is empty throughout it was not measured in it."""
     channels = {}
     for name in columns:
@@ -253,27 +273,15 @@ def cut(columns: dict[str, Cells], rows: slice) -> Segment:
 
 
 def table_lines(recording: Recording) -> Iterable[str]:
-    """The CSV, segment by segment: numbers as short as they are exact, missing samples empty."""
-    names = [
-        column
-        for column, field in CHANNELS.items()
-        if any(getattr(segment, field) is not None for segment in recording.segments)
-    ]
-    extra = list(dict.fromkeys(chain(*(segment.extra_columns for segment in recording.segments))))
-    header = [names[0], "segment", *names[1:], *extra]
-    check_names(header)
-    yield as_csv([header])
-    for number, segment in enumerate(recording.segments):
-        blank = [""] * segment.time.size
-        cells = [as_cells(getattr(segment, CHANNELS[name]), blank) for name in names]
-        cells.insert(1, [str(number)] * segment.time.size)
-        cells += [segment.extra_columns.get(name, blank) for name in extra]
-        yield as_csv(zip(*cells, strict=True))
+    """The CSV: numbers as short as they are exact, missing samples empty."""
+    columns = flat(recording)
+    check_names([*columns])
+    yield as_csv([columns])
+    cells = [as_cells(each) if isinstance(each, np.ndarray) else each for each in columns.values()]
+    yield as_csv(zip(*cells, strict=True))
 
 
-def as_cells(samples: np.ndarray | None, blank: list[str]) -> list[str]:
-    if samples is None:
-        return blank
+def as_cells(samples: np.ndarray) -> list[str]:
     return [repr(value) if value == value else "" for value in samples.tolist()]
 
 

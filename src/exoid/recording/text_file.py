@@ -19,12 +19,7 @@ def naming(path: Path):
 
 def read_text(path: Path) -> str:
     """The text of a file, with plain line ends and without a byte order mark."""
-    if path.is_dir():
-        raise ValueError("this is a directory. Name the file in it.")
-    try:
-        content = path.read_bytes()
-    except OSError as error:
-        raise ValueError(f"cannot be read: {error.strerror}. Check the name.") from error
+    content = content_of(path)
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
@@ -32,6 +27,20 @@ def read_text(path: Path) -> str:
             f"is not UTF-8 text (byte {content[error.start]:#04x} at {error.start}). "
             "Export it as CSV in UTF-8."
         ) from error
+    return plain_lines(text)
+
+
+def content_of(path: Path) -> bytes:
+    if path.is_dir():
+        raise ValueError("this is a directory. Name the file in it.")
+    try:
+        return path.read_bytes()
+    except OSError as error:
+        raise ValueError(f"cannot be read: {error.strerror}. Check the name.") from error
+
+
+def plain_lines(text: str) -> str:
+    """With plain line ends. **Raises** `ValueError` where it is no text after all."""
     if "\0" in text:
         raise ValueError("holds binary data, not text. Export it as CSV in UTF-8.")
     return text.replace("\r\n", "\n").replace("\r", "\n")
@@ -45,13 +54,14 @@ def near(name: str, names: Iterable[str]) -> str:
     return f" Did you mean {alike[0]}?" if alike else ""
 
 
-def replace_files(contents: Mapping[Path, Iterable[str]]) -> None:
+def replace_files(contents: Mapping[Path, Iterable[str] | bytes]) -> None:
     """Writes every file beside its target, and only when all are complete puts them in place."""
     beside = {path: path.with_name(f".{path.name}.{os.getpid()}.part") for path in contents}
     try:
         for path, parts in contents.items():
-            with beside[path].open("w", encoding="utf-8", newline="") as file:
-                file.writelines(parts)
+            with beside[path].open("wb") as file:
+                binary = isinstance(parts, bytes)
+                file.writelines([parts] if binary else (each.encode() for each in parts))
                 file.flush()
                 os.fsync(file.fileno())
         for path, part in beside.items():

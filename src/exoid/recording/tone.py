@@ -85,12 +85,12 @@ def without_tone(time: Samples, signal: Samples, tone: Tone) -> Samples:
     )
 
 
-def coefficients(time: Samples, signal: Samples, frequency: float) -> NDArray[np.float64]:
+def coefficients(time: Samples, signal: Samples, frequency: float) -> Samples:
     """Of cosine and sine, beside a motion that is free to do what is slower."""
     columns = np.column_stack([signal, waves(time, frequency)])
     left = columns - motion(time, columns)
-    found: NDArray[np.float64] = np.linalg.lstsq(left[:, 1:], left[:, 0], rcond=None)[0]
-    return found
+    found = np.linalg.lstsq(left[:, 1:], left[:, 0], rcond=None)[0]
+    return np.asarray(found, dtype=np.float64)
 
 
 def waves(time: Samples, frequency: float) -> NDArray[np.float64]:

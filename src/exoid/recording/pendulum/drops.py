@@ -6,6 +6,7 @@ import numpy as np
 
 from exoid.recording.clean import clean
 from exoid.recording.condition import classify
+from exoid.recording.given import Given, named_recordings
 from exoid.recording.pendulum.catalogue import MEASURES, measures
 from exoid.recording.pendulum.landmarks import find_landmarks
 from exoid.recording.pendulum.measure import Measure, NotAllowed
@@ -56,14 +57,14 @@ class PendulumTest:
     left_out: list[str]  # drops with another added mass
 
 
-def measure_drops(recordings: list[tuple[str, Recording]] | Recording) -> PendulumTest:
+def measure_drops(recordings: Given) -> PendulumTest:
     """Read the pendulum-test measures off every passive segment, and average them.
 
-    `recordings` are (name, recording) pairs, or one recording; all are of one leg. The definitions
-    are in `exoid.recording.pendulum.definitions`. What a recording does not allow has no value, and
-    a reason. Nothing here is a diagnosis.
+    `recordings` are of one leg, given as to `fit_leg`. The definitions are in
+    `exoid.recording.pendulum.definitions`. What a recording does not allow has no value, and a
+    reason. Nothing here is a diagnosis.
     """
-    named = [("", recordings)] if isinstance(recordings, Recording) else recordings
+    named = named_recordings(recordings, alone="")
     drops = [
         drop(recording, number, f"{name} {number}" if len(named) > 1 else str(number))
         for name, recording in named
