@@ -16,7 +16,7 @@ from multiprocessing import get_context
 from pathlib import Path
 
 from . import release
-from .ask import answer_path, ask_all, load
+from .ask import answer_of, ask_all
 from .score import mark_diagnosis, mark_fit
 from .summary import HEAD, Marked, aligned, line, markdown, rows
 from .write import make
@@ -81,7 +81,7 @@ def truth_of(table: Path) -> dict:
 
 def marked(table: Path, commands: list[str], folder: Path) -> Marked:
     truth = truth_of(table)
-    answers = {each: load(answer_path(folder, table.stem, each)) for each in commands}
+    answers = {each: answer_of(folder, table.stem, each) for each in commands}
     fit, diagnosis = answers.get("fit"), answers.get("diagnose")
     judge = fit is not None and truth["effect"] == "none"
     return Marked(

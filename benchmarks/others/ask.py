@@ -6,25 +6,35 @@ The document is the one that `exoid fit FILE --json OUT` and `exoid diagnose FIL
 import io
 import json
 import signal
+import time
+from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from contextlib import redirect_stderr, redirect_stdout
+from dataclasses import dataclass
 from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
 
 LIMIT = 900  # s of one answer
 TASKS = 30  # answers of one worker, before it gives its memory back
+CRASHED = 3
 
 
-def answer_path(folder: Path, name: str, command: str) -> Path:
-    return folder / f"{name}.{command}.json"
+@dataclass(frozen=True)
+class Answer:
+    """How a command ended; `document` is its JSON, where it wrote one."""
+
+    code: int  # its exit code; 3: it crashed
+    said: str  # its last line, where the code is not 0
+    seconds: float
+    document: dict[str, Any] | None
 
 
-def ask_all(tables: list[Path], commands: list[str], folder: Path, workers: int):
+def ask_all(tables: list[Path], commands: list[str], folder: Path, workers: int) -> Iterator[Path]:
     """Yields each table when its answers are there; those of an earlier run are kept."""
     folder.mkdir(parents=True, exist_ok=True)
-    pool = ProcessPoolExecutor(workers, mp_context=get_context("spawn"), max_tasks_per_child=TASKS)
-    with pool:
+    context = get_context("spawn")
+    with ProcessPoolExecutor(workers, mp_context=context, max_tasks_per_child=TASKS) as pool:
         jobs = {pool.submit(ask, table, commands, folder): table for table in tables}
         for job in as_completed(jobs):
             job.result()
@@ -32,18 +42,30 @@ def ask_all(tables: list[Path], commands: list[str], folder: Path, workers: int)
 
 
 def ask(table: Path, commands: list[str], folder: Path) -> None:
+    """Writes NAME.COMMAND.json as the command does, .txt with all it printed, .end with its end."""
     for command in commands:
-        target = answer_path(folder, table.stem, command)
-        if not target.exists():
-            said, fault = run(command, table, target)
-            target.with_suffix(".txt").write_text(said, encoding="utf-8")
-            if fault is not None and not target.exists():
-                target.write_text(json.dumps({"refused": fault}) + "\n", encoding="utf-8")
+        target = folder / f"{table.stem}.{command}.json"
+        ended = target.with_suffix(".end")
+        if ended.exists():
+            continue
+        began = time.monotonic()
+        code, printed = run(command, table, target)
+        last = (printed.strip().splitlines() or [""])[-1][:300] if code else ""
+        target.with_suffix(".txt").write_text(printed, encoding="utf-8")
+        end = {"code": code, "said": last, "seconds": round(time.monotonic() - began, 2)}
+        ended.write_text(json.dumps(end) + "\n", encoding="utf-8")
 
 
-def run(command: str, table: Path, target: Path) -> tuple[str, str | None]:
-    """All that was printed, and why there is no answer."""
-    from exoid.cli import explain, silence_libraries
+def answer_of(folder: Path, name: str, command: str) -> Answer:
+    target = folder / f"{name}.{command}.json"
+    end = json.loads(target.with_suffix(".end").read_text(encoding="utf-8"))
+    written = target.exists()
+    return Answer(**end, document=json.loads(target.read_text("utf-8")) if written else None)
+
+
+def run(command: str, table: Path, target: Path) -> tuple[int, str]:
+    """The exit code, and all that was printed."""
+    from exoid.cli import silence_libraries
     from exoid.cli.app import app
 
     silence_libraries()
@@ -54,26 +76,22 @@ def run(command: str, table: Path, target: Path) -> tuple[str, str | None]:
         try:
             code = app([command, str(table), "--json", str(target)], standalone_mode=False) or 0
         except (Exception, SystemExit) as fault:
-            code = explained(explain, fault)
+            code = explained(fault)
         finally:
             signal.alarm(0)
-    lines = said.getvalue().strip().splitlines() or [""]
-    return said.getvalue(), None if code == 0 else f"{code}: {lines[-1][:300]}"
+    return code, said.getvalue()
 
 
-def explained(explain, fault: BaseException) -> int:
+def explained(fault: BaseException) -> int:
     """The exit code; what the command line does not expect is a crash."""
+    from exoid.cli import explain
+
     try:
         return explain(fault)
     except Exception as crash:
-        print(f"crash: {type(crash).__name__}: {crash}")
-        return 3
+        print(f"crash: {type(crash).__name__}: {' '.join(str(crash).split())}")
+        return CRASHED
 
 
 def give_up(*_: Any) -> None:
     raise TimeoutError(f"no answer within {LIMIT} s")
-
-
-def load(path: Path) -> dict[str, Any] | None:
-    """An answer, {"refused": why}, or None where nobody asked."""
-    return json.loads(path.read_text(encoding="utf-8")) if path.exists() else None

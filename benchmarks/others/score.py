@@ -8,6 +8,8 @@ everywhere; sensors' errors that are there may be named.
 from dataclasses import dataclass
 from typing import Any
 
+from .ask import Answer
+
 RIGHT = {"gravity_over_inertia": 0.02}  # relative
 ELSE_RIGHT = 0.15
 BOUNDS = 3.0  # smallest errors that are right as well
@@ -15,6 +17,7 @@ CERTAIN = 2.576  # standard errors: 99 %
 UNSEEN = 5.0  # noise levels: an effect that changes less than this nobody sees
 SENSORS = frozenset({"angle_offset", "gyro_scale", "gyro_bias", "sensor_skew", "encoder_gain"})
 DRIFT = frozenset({"gyro_bias", "gyro_scale", "sensor_skew", "fatigue"})
+SEEN_BIAS = 0.05  # of the gyro's noise: a bias that some hundred samples show
 EQUAL = {  # names that are as right, since no drop tells them apart
     "stiffness_rest_angle": {"torque_bias", "angle_offset"},
     "coulomb_friction": {"stribeck_friction"},
@@ -29,6 +32,7 @@ class FitMark:
     """Of one fit of a leg that obeys Eq. 9; empty where it was refused."""
 
     refused: str | None
+    warned: bool = False  # it says itself that it failed
     right: bool = False
     undetermined: tuple[str, ...] = ()
     covered: tuple[bool, ...] = ()  # by the 99 % interval, of each ratio that has an error
@@ -45,10 +49,10 @@ class Mark:
     said: str
 
 
-def mark_fit(truth: dict[str, Any], answer: dict[str, Any]) -> FitMark:
-    if "refused" in answer:
-        return FitMark(answer["refused"])
-    found = answer["ratios"]
+def mark_fit(truth: dict[str, Any], answer: Answer) -> FitMark:
+    if answer.document is None:
+        return FitMark(answer.said)
+    found = answer.document["ratios"]
     known = {k: v for k, v in truth["ratios"].items() if found[k]["value"] is not None}
     right = len(known) == len(truth["ratios"]) and all(
         abs(found[k]["value"] - v) <= max(RIGHT.get(k, ELSE_RIGHT) * v, BOUNDS * truth["bound"][k])
@@ -58,6 +62,7 @@ def mark_fit(truth: dict[str, Any], answer: dict[str, Any]) -> FitMark:
     away = tuple(abs(found[k]["value"] - v) / found[k]["standard_error"] for k, v in sure.items())
     return FitMark(
         None,
+        answer.code != 0,
         right,
         tuple(k for k in truth["ratios"] if k not in known),
         tuple(each <= CERTAIN for each in away),
@@ -67,23 +72,32 @@ def mark_fit(truth: dict[str, Any], answer: dict[str, Any]) -> FitMark:
     )
 
 
-def mark_diagnosis(truth: dict[str, Any], answer: dict[str, Any]) -> Mark:
-    if "refused" in answer:
-        return Mark("refused", answer["refused"])
-    names = set(answer["selected"] or ()) if answer["verdict"] == "mismatch" else set()
-    said = answer["verdict"] + (": " + "+".join(sorted(names)) if names else "")
-    said += " novel" if answer["novel"] else ""
-    loud = answer["verdict"] == "mismatch" or bool(answer["novel"])
-    allowed = (SENSORS if truth["systematic"] else frozenset()) | (
-        DRIFT if truth["trouble"] == "drift" else frozenset()
-    )
+def mark_diagnosis(truth: dict[str, Any], answer: Answer) -> Mark:
+    found = answer.document
+    if found is None:
+        return Mark("refused", answer.said)
+    names = set(found["selected"] or ()) if found["verdict"] == "mismatch" else set()
+    said = found["verdict"] + (": " + "+".join(sorted(names)) if names else "")
+    said += " novel" if found["novel"] else ""
+    loud = found["verdict"] == "mismatch" or bool(found["novel"])
     if truth["effect"] == "none":
-        sensor = bool(names) and names <= allowed and not answer["novel"]
+        sensor = bool(names) and names <= present(truth) and not found["novel"]
         return Mark("quiet" if not loud else "sensor" if sensor else "alarm", said)
     if names & ({truth["effect"]} | EQUAL.get(truth["effect"], set())):
         return Mark("named", said)
     if not loud:
         unseen = truth["visible"] < UNSEEN
-        unsure = answer["verdict"] != "none"
+        unsure = found["verdict"] != "none"
         return Mark("unseen" if unseen else "unsure" if unsure else "missed", said)
     return Mark("wrong", said)
+
+
+def present(truth: dict[str, Any]) -> frozenset[str]:
+    """Errors of the sensors that are there although the leg obeys Eq. 9."""
+    noise = truth["velocity_noise_rad_s"]
+    biased = noise is not None and abs(truth["errors"]["bias"]) > SEEN_BIAS * noise
+    return (
+        (SENSORS if truth["systematic"] else frozenset())
+        | (DRIFT if truth["trouble"] == "drift" else frozenset())
+        | (frozenset({"gyro_bias"}) if biased else frozenset())
+    )

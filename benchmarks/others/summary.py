@@ -12,7 +12,7 @@ from .score import FitMark, Mark
 GROUPS = ("person", "device", "trouble", "effect")
 NULL, EFFECT = ("quiet", "sensor", "alarm"), ("named", "unsure", "unseen", "missed", "wrong")
 HEAD = (
-    "group", "cases", "fits", "right", "cover 99 %", "error/bound", "90 %", "nulls", "alarms",
+    "group", "cases", "fits", "right", "warned", "cover 99 %", "error/bound", "90 %", "nulls", "alarms",
     "effects", "named", "unsure", "unseen", "missed", "wrong", "refused",
 )  # fmt: skip
 
@@ -49,6 +49,7 @@ def fit_words(mark: FitMark) -> str:
     ratio = " ".join(f"{r:.1f}" for r in mark.error_over_bound)
     lost = f" undetermined {','.join(mark.undetermined)}" if mark.undetermined else ""
     verdict = "right" if mark.right else "NOT RIGHT"
+    verdict += " (it says so)" * mark.warned
     return f"{verdict} {away} | {errors} errors | error/bound {ratio}{lost}"
 
 
@@ -72,7 +73,7 @@ def row(name: str, cases: list[Marked]) -> tuple[str, ...]:
     refused = words["refused"] + sum(f.refused is not None for f in fits)
     middle, high = (f"{np.percentile(ratios, q):.2f}" if ratios else "-" for q in (50, 90))
     return (
-        name, str(len(cases)), str(len(fits)), str(sum(f.right for f in fits)),
+        name, str(len(cases)), str(len(fits)), str(sum(f.right for f in fits)), str(sum(f.warned for f in fits)),
         share(covered), middle, high,
         str(sum(words[each] for each in NULL)), str(words["alarm"]),
         str(sum(words[each] for each in EFFECT)), *(str(words[each]) for each in EFFECT),
