@@ -12,8 +12,8 @@ from .score import FitMark, Mark
 GROUPS = ("person", "device", "trouble", "effect")
 NULL, EFFECT = ("quiet", "sensor", "alarm"), ("named", "unsure", "unseen", "missed", "wrong")
 HEAD = (
-    "group", "cases", "fits", "right", "warned", "cover 99 %", "error/bound", "90 %", "nulls", "alarms",
-    "effects", "named", "unsure", "unseen", "missed", "wrong", "refused",
+    "group", "cases", "fits", "right", "warned", "cover 99 %", "error/bound", "90 %",
+    "nulls", "alarms", "effects", *EFFECT, "refused",
 )  # fmt: skip
 
 
@@ -73,7 +73,8 @@ def row(name: str, cases: list[Marked]) -> tuple[str, ...]:
     refused = words["refused"] + sum(f.refused is not None for f in fits)
     middle, high = (f"{np.percentile(ratios, q):.2f}" if ratios else "-" for q in (50, 90))
     return (
-        name, str(len(cases)), str(len(fits)), str(sum(f.right for f in fits)), str(sum(f.warned for f in fits)),
+        name, str(len(cases)),
+        str(len(fits)), str(sum(f.right for f in fits)), str(sum(f.warned for f in fits)),
         share(covered), middle, high,
         str(sum(words[each] for each in NULL)), str(words["alarm"]),
         str(sum(words[each] for each in EFFECT)), *(str(words[each]) for each in EFFECT),
