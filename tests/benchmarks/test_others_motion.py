@@ -45,9 +45,7 @@ def test_a_swing_is_that_of_another_integrator():
 
     motion = swing_freely(leg, START, 6.0, TICK)
     time = np.linspace(0, 6, 301)
-    other = solve_ivp(
-        slope, (0, 6), (*START, 0.0), "DOP853", t_eval=time, rtol=1e-11, atol=1e-12
-    ).y
+    other = solve_ivp(slope, (0, 6), (*START, 0.0), "DOP853", t_eval=time, rtol=1e-11, atol=1e-12).y
     # both are far better than any sensor; |rate| has a kink at every turn
     np.testing.assert_allclose(motion.angle_at(time), other[0], atol=1e-8)
     np.testing.assert_allclose(motion.rate_at(time), other[1], atol=1e-7)
