@@ -13,10 +13,11 @@ from .leg import Physics
 from .motion import swing_freely
 
 ZERO_KNOWN = np.radians(1.0)  # rad, one standard deviation
-TICK = 1e-3  # s, of the simulation
+TICK = 2e-3  # s, of the simulation: order four leaves 1e-8 rad
 PROBE = 1e-4  # of the unknowns, relative or in rad and rad/s
 RATIOS = ("gravity_over_inertia", "stiffness_over_inertia", "damping_over_inertia")
 ROUNDS = 8  # of Gauss and Newton, at most
+ENOUGH = 1e-3  # of the sum of squares: less gain ends them
 
 
 @dataclass(frozen=True)
@@ -130,7 +131,7 @@ def refit(ratios: dict[str, float], swings: Sequence[Swing], levels: Levels) -> 
             break
         gain = rest @ rest - trial @ trial
         point, rest = point + share * change, trial
-        if gain < 1e-3:
+        if gain < ENOUGH * (1 + rest @ rest):
             break
     found = dict(zip(RATIOS, point[:3].tolist(), strict=False))
     return Refit(found, float(np.sqrt(rest @ rest)))
