@@ -101,6 +101,7 @@ GYROS: dict[str, Recipe] = {
     "gyro_bias": gyro_bias,
     "sensor_skew": gyro_delay,
 }
+SENSORS_SHARE = 2.0  # of one sensor's error against one torque: not every device can have it
 
 
 def draw_effect(leg: Leg, *, encoder: bool, gyro: bool, rng: Generator) -> Effect:
@@ -109,6 +110,7 @@ def draw_effect(leg: Leg, *, encoder: bool, gyro: bool, rng: Generator) -> Effec
         return NOTHING
     sensors = (ENCODERS if encoder else {}) | (GYROS if gyro else {})
     recipes = TORQUES | sensors
-    name = str(rng.choice(list(recipes)))
+    shares = np.array([SENSORS_SHARE if each in sensors else 1.0 for each in recipes])
+    name = str(rng.choice(list(recipes), p=shares / shares.sum()))
     size = {key: float(value) for key, value in recipes[name](leg, rng).items()}
     return Effect(name, sensor=size) if name in sensors else Effect(name, torque=size)
