@@ -13,7 +13,8 @@ from .ask import Answer
 RIGHT = {"gravity_over_inertia": 0.02}  # relative
 ELSE_RIGHT = 0.15
 BOUNDS = 3.0  # smallest errors that are right as well
-CERTAIN = 2.576  # standard errors: 99 %
+CERTAIN, LIKELY = 2.576, 1.960  # standard errors: 99 %, 95 %
+LEG = ("mass", "inertia", "com_distance", "damping", "stiffness")
 UNSEEN = 5.0  # noise levels: an effect that changes less than this nobody sees
 SENSORS = frozenset({"angle_offset", "gyro_scale", "gyro_bias", "sensor_skew", "encoder_gain"})
 DRIFT = frozenset({"gyro_bias", "gyro_scale", "sensor_skew", "fatigue"})
@@ -35,7 +36,10 @@ class FitMark:
     warned: bool = False  # it says itself that it failed
     right: bool = False
     undetermined: tuple[str, ...] = ()
-    covered: tuple[bool, ...] = ()  # by the 99 % interval, of each ratio that has an error
+    covered: tuple[
+        bool, ...
+    ] = ()  # by the 99 % interval, of each ratio; without an error it is not
+    leg_covered: tuple[bool, ...] = ()  # by the 95 % interval, of each parameter that is told
     away: tuple[float, ...] = ()  # standard errors
     deviation: tuple[float, ...] = ()  # relative
     error_over_bound: tuple[float, ...] = ()
@@ -59,17 +63,28 @@ def mark_fit(truth: dict[str, Any], answer: Answer) -> FitMark:
         for k, v in known.items()
     )
     sure = {k: v for k, v in known.items() if found[k]["standard_error"]}
-    away = tuple(abs(found[k]["value"] - v) / found[k]["standard_error"] for k, v in sure.items())
+    told = {k: each for k, each in answer.document["parameters"].items() if k in LEG}
     return FitMark(
         None,
         answer.code != 0,
         right,
         tuple(k for k in truth["ratios"] if k not in known),
-        tuple(each <= CERTAIN for each in away),
-        away,
+        tuple(away(found[k], v) <= CERTAIN for k, v in known.items()),
+        tuple(
+            away(each, truth["leg"][k]) <= LIKELY
+            for k, each in told.items()
+            if each["value"] is not None
+        ),
+        tuple(away(found[k], v) for k, v in sure.items()),
         tuple(found[k]["value"] / v - 1 for k, v in known.items()),
         tuple(found[k]["standard_error"] / truth["bound"][k] for k in sure),
     )
+
+
+def away(estimate: dict[str, Any], true: float) -> float:
+    """In standard errors; a value without one is never near enough."""
+    error = estimate["standard_error"]
+    return abs(estimate["value"] - true) / error if error else float("inf")
 
 
 def mark_diagnosis(truth: dict[str, Any], answer: Answer) -> Mark:

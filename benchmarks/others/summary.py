@@ -12,7 +12,7 @@ from .score import FitMark, Mark
 GROUPS = ("person", "device", "trouble", "effect")
 NULL, EFFECT = ("quiet", "sensor", "alarm"), ("named", "unsure", "unseen", "missed", "wrong")
 HEAD = (
-    "group", "cases", "fits", "right", "warned", "cover 99 %", "error/bound", "90 %",
+    "group", "cases", "fits", "right", "warned", "cover 99 %", "leg 95 %", "error/bound", "90 %",
     "nulls", "alarms", "effects", *EFFECT, "refused",
 )  # fmt: skip
 
@@ -75,7 +75,7 @@ def row(name: str, cases: list[Marked]) -> tuple[str, ...]:
     return (
         name, str(len(cases)),
         str(len(fits)), str(sum(f.right for f in fits)), str(sum(f.warned for f in fits)),
-        share(covered), middle, high,
+        share(covered), share([x for f in fits for x in f.leg_covered]), middle, high,
         str(sum(words[each] for each in NULL)), str(words["alarm"]),
         str(sum(words[each] for each in EFFECT)), *(str(words[each]) for each in EFFECT),
         str(refused),

@@ -26,6 +26,7 @@ TRUTH = {
     "table": False,
     "visible": None,
     "errors": {"bias": 0.0},
+    "leg": {"mass": 4.8, "inertia": 0.45, "damping": 0.35},
     "ratios": dict(zip(NAMES, (26.0, 6.0, 0.8), strict=True)),
     "bound": dict(zip(NAMES, (0.01, 0.02, 0.001), strict=True)),
 }
@@ -34,7 +35,9 @@ TRUTH = {
 def fit(values=(26.0, 6.0, 0.8), errors=(0.01, 0.02, 0.001), code=0):
     pairs = zip(NAMES, values, errors, strict=True)
     ratios = {name: {"value": v, "standard_error": e} for name, v, e in pairs}
-    return Answer(code, "", 1.0, {"ratios": ratios})
+    leg = {"mass": {"value": 4.5, "standard_error": 0.3}, "torque_amplitude": {"value": None}}
+    leg |= {"inertia": {"value": 0.5, "standard_error": 0.02}, "damping": {"value": None}}
+    return Answer(code, "", 1.0, {"ratios": ratios, "parameters": leg})
 
 
 def diagnosis(verdict, *selected, novel=False):
@@ -59,6 +62,17 @@ def test_intervals_and_errors_are_counted_for_each_ratio():
     assert mark.covered == (True, False, True)
     assert mark.error_over_bound == pytest.approx((2.0, 1.0, 1.0))
     assert mark.away == pytest.approx((1.0, 3.0, 0.0))
+
+
+def test_a_value_without_an_error_is_not_covered():
+    mark = mark_fit(TRUTH, fit(errors=(0.01, None, 0.001)))
+    assert mark.covered == (True, False, True)
+    assert mark.away == (0.0, 0.0)
+    assert mark.right
+
+
+def test_intervals_of_the_leg_are_counted_where_they_are_told():
+    assert mark_fit(TRUTH, fit()).leg_covered == (True, False)
 
 
 def test_what_is_not_determined_is_not_right_and_not_covered():
@@ -153,7 +167,7 @@ def test_answers_are_those_of_the_command_line(tmp_path):
     assert set(ask_all(tables, ["drops"], tmp_path, workers=1)) == set(tables)
     for table in tables:
         here = answer_of(tmp_path, table.stem, "drops")
-        file = tmp_path / "there.json"
+        file = tmp_path / f"{table.stem}.there.json"
         command = [sys.executable, "-c", "from exoid.cli import main; main()", "drops", str(table)]
         there = subprocess.run([*command, "--json", str(file)], capture_output=True, check=False)
         assert here.code == there.returncode
