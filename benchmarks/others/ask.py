@@ -33,12 +33,17 @@ class Answer:
 def ask_all(tables: list[Path], commands: list[str], folder: Path, workers: int) -> Iterator[Path]:
     """Yields each table when its answers are there; those of an earlier run are kept."""
     folder.mkdir(parents=True, exist_ok=True)
-    context = get_context("spawn")
-    with ProcessPoolExecutor(workers, mp_context=context, max_tasks_per_child=TASKS) as pool:
-        jobs = {pool.submit(ask, table, commands, folder): table for table in tables}
-        for job in as_completed(jobs):
-            job.result()
-            yield jobs[job]
+    for some in batched(tables, TASKS * workers):
+        with ProcessPoolExecutor(workers, mp_context=get_context("spawn")) as pool:
+            jobs = {pool.submit(ask, table, commands, folder): table for table in some}
+            for job in as_completed(jobs):
+                job.result()
+                yield jobs[job]
+
+
+def batched(tables: list[Path], size: int) -> Iterator[list[Path]]:
+    for first in range(0, len(tables), size):
+        yield tables[first : first + size]
 
 
 def ask(table: Path, commands: list[str], folder: Path) -> None:
