@@ -47,6 +47,7 @@ def truth_of(case: Case, session: Session, segments: tuple[Segment, ...]) -> dic
         "tilt_rad": case.physics.tilt,
         "errors": asdict(case.errors),
         "table": case.protocol.table,
+        "tremor_rad": [drop.tremor.size for drop in case.protocol.drops],
         "motionless_segments": [0] if case.protocol.hanging and not case.protocol.table else [],
         "drops": drops,
     }
