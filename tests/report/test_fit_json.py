@@ -128,7 +128,7 @@ def test_document_is_json_without_nan_although_a_start_failed():
     assert np.isinf(result.multistart.loss).any()
     found = document(result)
     assert json.loads(json.dumps(found, allow_nan=False)) == found
-    assert all(type(leaf) in (str, int, float, type(None)) for leaf in leaves(found))
+    assert all(type(leaf) in (str, int, float, bool, type(None)) for leaf in leaves(found))
     assert found["multistart"]["loss"][-1] is None
 
 
