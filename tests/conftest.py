@@ -1,7 +1,9 @@
 """Every test runs in float64, with the shapes and types annotated in `exoid` checked as it runs."""
 
+import ctypes
 import gc
 import os
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
 
@@ -28,6 +30,8 @@ gc.set_threshold(100_000, 20, 100)
 hypothesis.settings.register_profile("exoid", derandomize=True, deadline=None, database=None)
 hypothesis.settings.load_profile("exoid")
 
+FULL = 1.2e9  # bytes; one test adds up to 0.4e9, and a worker stays below 2e9
+
 SHARED = Path(__file__).parents[2] / "shared" / "data"
 
 
@@ -37,6 +41,32 @@ def shared():
     if not SHARED.is_dir():
         pytest.skip(f"{SHARED} is absent: it holds recordings that are not in the repository")
     return SHARED
+
+
+@pytest.fixture(scope="session")
+def programs(tmp_path_factory):
+    """Where the commands that this worker runs keep what they compile."""
+    return tmp_path_factory.mktemp("programs")
+
+
+@pytest.fixture(autouse=True)
+def _forgetting():
+    """What was compiled for past tests goes, once there is much of it."""
+    yield
+    if resident() > FULL:
+        jax.clear_caches()
+        gc.collect()
+        with suppress(AttributeError, OSError):  # glibc alone keeps what was freed, and can give it
+            ctypes.CDLL(None).malloc_trim(0)
+
+
+def resident() -> float:
+    """The memory of this process [bytes], as far as the system tells."""
+    try:
+        pages = Path("/proc/self/statm").read_text().split()[1]
+    except OSError:
+        return float("inf")
+    return int(pages) * os.sysconf("SC_PAGESIZE")
 
 
 @pytest.fixture

@@ -117,17 +117,11 @@ def pattern_of(line: str) -> str:
     return r"\s*".join(parts)
 
 
-@pytest.fixture(scope="module")
-def cache(tmp_path_factory):
-    """Compiled programs, kept from page to page."""
-    return tmp_path_factory.mktemp("cache")
-
-
 @pytest.mark.parametrize("page", PAGES)
-def test_what_a_page_shows_runs(page, cache, tmp_path, monkeypatch):
+def test_what_a_page_shows_runs(page, programs, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.syspath_prepend(tmp_path)
-    monkeypatch.setenv("XDG_CACHE_HOME", str(cache))
+    monkeypatch.setenv("XDG_CACHE_HOME", str(programs))
     monkeypatch.setenv("COLUMNS", "90")
     reader = Reader(tmp_path)
     for block in blocks_of(page):

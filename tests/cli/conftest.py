@@ -9,9 +9,9 @@ from exoid.recording.table import write_table
 
 
 @pytest.fixture(scope="session")
-def command(tmp_path_factory):
+def command(programs):
     """The console script, with its cache in a folder of this run."""
-    return Command(tmp_path_factory.mktemp("cache"))
+    return Command(programs)
 
 
 @pytest.fixture(scope="session")

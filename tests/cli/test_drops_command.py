@@ -27,7 +27,7 @@ def test_a_drop_is_read_into_table_figure_and_document(command, folder, tmp_path
     assert "relaxation index" in done.stdout
     assert figure.read_bytes().startswith(b"<?xml")
     found = json.loads(document.read_text())
-    assert found["recordings"][0].keys() == {"path", "sha256", "segments"}
+    assert found["recordings"][0].keys() == {"path", "sha256", "segments", "subject"}
     period = found["drops"][0]["measures"]["period"]
     assert abs(period["value"] - Oscillator().period) < 4.5 * period["standard_error"]
 

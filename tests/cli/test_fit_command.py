@@ -65,7 +65,7 @@ def test_document_names_everything_it_rests_on(example):
         "notes",
     ]
     (recording,) = document["recordings"]
-    assert recording.keys() == {"path", "sha256", "segments"}
+    assert recording.keys() == {"path", "sha256", "segments", "subject"}
     assert recording["segments"] == len(document["segments"]) == 10
     assert document["settings"] == {
         "lambda": 1.0,
@@ -149,7 +149,12 @@ def test_slsqp_finds_the_same_leg(command, recordings, fitted, tmp_path):
 
 
 def test_the_reading_of_the_torque_frequency_can_be_chosen(command, example, tmp_path):
-    document = command.document("--torque-frequency", "2/T", folder=tmp_path)
+    path = tmp_path / "fit.json"
+    done = command("fit", "--torque-frequency", "2/T", "--json", path)
+    assert done.returncode == 1  # no leg of the example moves by the other reading
+    assert "This fit does not follow its recording" in done.stdout.splitlines()[2]
+    document = json.loads(path.read_text(encoding="utf-8"))
+    assert not document["fit"]["follows_recording"]
     assert document["fit"]["torque_frequency"] == "2/T"
     _, chosen = example
     assert chosen["fit"]["torque_frequency"] == "1/T"

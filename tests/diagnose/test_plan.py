@@ -29,7 +29,7 @@ def carried_out(proposed, seed):
         made = record(model, motions, jax.random.key(seed), subject=BODY)
         subject = made.subject
         if subject.added_mass is not None:
-            subject = replace(subject, added_mass_distance=None)
+            subject = replace(subject, added_mass_distance=None, added_mass_gyration=None)
         each.append((f"new {tilt:.1f}", replace(made, subject=subject)))
     return each
 

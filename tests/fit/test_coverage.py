@@ -2,12 +2,22 @@
 
 from dataclasses import replace
 
+import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
 
 from exoid.fit.estimate import fit
+from exoid.fit.systematics import (
+    GYRATION,
+    GYRO_BIAS,
+    GYRO_SCALE,
+    PLACED,
+    TILT,
+    WEIGHED,
+    ZERO,
+)
 from exoid.physics.leg import GRAVITY, LegModel, LegParameters
 from exoid.physics.simulate import simulate
 from exoid.physics.state import LegState
@@ -32,11 +42,11 @@ SMOOTH = 0.1
 
 
 @jax.jit
-def swing(leg, start, missing, amplitude):
+def swing(leg, start, missing, amplitude, tilt):
     """Angle and angular velocity of a release with a torque that the model does not know."""
     unknown = MeasuredTorque(jnp.asarray(TIME), missing)
     cycle = CycleTorque(amplitude, *(jnp.asarray(x) for x in (PERIOD, 1 / PERIOD, 0.0)))
-    model = LegModel(leg, TorqueSum((cycle, unknown)))
+    model = LegModel(leg, TorqueSum((cycle, unknown)), tilt)
     motion = simulate(model, LegState(start, jnp.zeros(())), jnp.asarray(TIME))
     return motion.angle, motion.angular_velocity
 
@@ -49,19 +59,32 @@ def smooth_noise(rng):
     return np.convolve(white, shape / np.sqrt(np.sum(shape**2)), "valid")
 
 
+def with_body(leg, mass, distance, extent):
+    """The leg with a body of this squared radius of gyration."""
+    loaded = leg.with_added_mass(jnp.asarray(mass), jnp.asarray(distance))
+    return eqx.tree_at(lambda at: at.inertia, loaded, loaded.inertia + mass * extent)
+
+
 def person(rng, missed):
-    """A leg, its recording, and the truth of everything that this recording can tell."""
+    """A leg, its recording, and the truth of everything that this recording can tell.
+
+    Sensors, seat and mass are as little known as nothing declared of them says; the clock is exact.
+    """
     inertia = rng.uniform(0.32, 0.52)
     gravity, stiffness, damping = rng.uniform((25.0, 4.5, 0.5), (27.5, 7.5, 1.1))
     mass, torque = rng.uniform(3.6, 5.0), -rng.uniform(4.0, 9.0)
     values = (mass, inertia, gravity * inertia / mass / GRAVITY)
     leg = LegParameters(*map(jnp.asarray, (*values, damping * inertia, stiffness * inertia)))
     segments = []
+    zero, tilt, scale, bias = rng.normal(size=4) * (ZERO, TILT, GYRO_SCALE, GYRO_BIAS)
+    weighed, place = rng.normal(size=2) * (WEIGHED, PLACED)
+    extent = (GYRATION * rng.normal()) ** 2
     for angle, load, voluntary in SEGMENTS:
-        loaded = leg.with_added_mass(jnp.asarray(load), jnp.asarray(DISTANCE))
+        loaded = with_body(leg, load * np.exp(weighed), DISTANCE + place, extent)
         start = jnp.asarray(np.radians(angle + rng.uniform(-4, 4)))
         unknown = jnp.asarray(missed * smooth_noise(rng))
-        motion = swing(loaded, start, unknown, jnp.asarray(torque * voluntary))
+        motion = swing(loaded, start, unknown, jnp.asarray(torque * voluntary), jnp.asarray(tilt))
+        motion = (motion[0] + zero, (1 + scale) * motion[1] + bias)
         sizes = (NOISE.angle_noise, NOISE.velocity_noise)
         seen = [
             np.asarray(m) + s * rng.normal(size=TIME.size)
@@ -79,7 +102,7 @@ def person(rng, missed):
             cycle_period=tuple(PERIOD if voluntary else np.nan for *_, voluntary in SEGMENTS),
             torque_frequency="1/T",
         ),
-        NOISE,
+        replace(NOISE, clock_uncertainty=0.0),
     )
     truth = {
         "inertia": inertia,

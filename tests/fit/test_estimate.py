@@ -277,12 +277,15 @@ def test_real_recordings_are_fitted_as_well_as_a_wide_search_did(name, shared):
 def test_that_the_simulation_does_not_follow_the_recording_is_said_first():
     # The paper's expected damping of 30 N m s/rad, weighed as its Eq. 11 does, lets no leg swing.
     lost = fit(recorded(DROP), multistart=4, misfit="paper", prior="paper")
+    assert not lost.follows
     assert "does not follow the recording" in lost.notes[0]
-    assert not any("not follow" in note for note in fit(recorded(DROP), multistart=4).notes)
+    found = fit(recorded(DROP), multistart=4)
+    assert found.follows
+    assert not any("not follow" in note for note in found.notes)
 
 
 def test_an_angle_that_counts_the_other_way_is_named():
     drop = recorded(DROP).segments[0]
     turned = Segment(drop.time, raw_angle=-np.asarray(drop.raw_angle))
-    notes = fit(one(turned), multistart=4).notes
-    assert any("gravity comes out upwards" in note for note in notes)
+    with pytest.raises(ValueError, match=r"gravity comes out upwards .* --flip angle"):
+        fit(one(turned), multistart=4)

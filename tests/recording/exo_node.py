@@ -1,8 +1,10 @@
 """The node as it appears on the bus: frames of exoid.dbc from a motion, with a clock of its own."""
 
 from dataclasses import dataclass, field
+from datetime import datetime
 from functools import cache
 from pathlib import Path
+from unittest.mock import patch
 
 import can
 import cantools
@@ -122,13 +124,17 @@ WRITERS = {
 
 def write_log(path: Path, messages) -> Path:
     """The messages as a log file, in the format of the suffix."""
-    if path.suffix == ".mf4":
-        from can.io.mf4 import MF4Writer
-
-        writer = MF4Writer(path)
-    else:
-        writer = WRITERS[path.suffix](path)
+    writer = mf4_writer(path) if path.suffix == ".mf4" else WRITERS[path.suffix](path)
     for each in messages:
         writer.on_message_received(each)
     writer.stop()
     return path
+
+
+def mf4_writer(path: Path):
+    """A file that begins when the messages do; the writer's own clock would change its bytes."""
+    from can.io.mf4 import MF4Writer
+
+    with patch("can.io.mf4.datetime") as clock:
+        clock.now.return_value = datetime.fromtimestamp(EPOCH)
+        return MF4Writer(path)

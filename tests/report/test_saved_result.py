@@ -186,6 +186,12 @@ def test_a_file_that_is_not_whole_is_refused_in_one_line(tmp_path, whole, damage
         load_result(path)
 
 
+def test_a_file_that_sends_its_library_round_for_ever_is_refused(shared, monkeypatch):
+    monkeypatch.setattr("exoid.recording.foreign.SECONDS", 5.0)
+    with pytest.raises(ValueError, match=r"hang_hdf5\.nc: this is no result .* not whole"):
+        load_result(shared / "faults" / "hang_hdf5.nc")
+
+
 def test_another_netcdf_file_and_another_layout_are_named(tmp_path, monkeypatch):
     import xarray
 

@@ -1,4 +1,4 @@
-"""The words that options of `exoid fit` can take."""
+"""The words that options can take."""
 
 from enum import StrEnum
 from typing import Annotated
@@ -6,14 +6,24 @@ from typing import Annotated
 import typer
 
 
-class Prior(StrEnum):
+class Table(StrEnum):
     """Where the expected parameters come from."""
 
+    auto = "auto"
     de_leva = "de_leva"
     winter = "winter"
     dumas = "dumas"
+    child = "child"
+    heavy = "heavy"
     paper = "paper"
     none = "none"
+
+
+class Bounds(StrEnum):
+    """Between which limits a fit searches."""
+
+    body = "body"
+    paper = "paper"
 
 
 class Method(StrEnum):

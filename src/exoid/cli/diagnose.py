@@ -7,14 +7,15 @@ from typing import Annotated
 import typer
 
 from exoid.cli.analysis import ask, prepare
+from exoid.cli.assumptions import Bound, BoundsOption, Fix, Prior, assumed
 from exoid.cli.body import BodyMass, Height, given_body
-from exoid.cli.choices import FlipOption, ZeroOption
+from exoid.cli.choices import Bounds, FlipOption, ZeroOption
 from exoid.cli.destination import check_apart, check_destination
 from exoid.cli.fit import EXAMPLE, FIGURES
 from exoid.cli.origin import inputs, origin_of
 from exoid.cli.own_terms import own_terms
 from exoid.cli.page import PAGES, planned, sources_of, write_report
-from exoid.cli.reading import Columns, take
+from exoid.cli.reading import Columns, as_told, take
 from exoid.cli.results import described, end, introduce, keep
 from exoid.cli.waiting import in_phases, patiently
 
@@ -26,6 +27,10 @@ def diagnose(
             help="Tables or CAN logs of one leg, analysed together. Without one, the example."
         ),
     ] = None,
+    prior: Prior = None,
+    bounds: BoundsOption = Bounds.body,
+    fix: Fix = None,
+    bound: Bound = None,
     body_mass: BodyMass = None,
     height: Height = None,
     terms: Annotated[
@@ -75,6 +80,7 @@ def diagnose(
     check_destination(report, PAGES)
     check_apart([plot, json, save, report], paths)
     body = given_body(body_mass=body_mass, height=height)
+    options = {"seed": seed, **assumed(prior, bounds, fix, bound)}
     own = own_terms(terms) if terms is not None else ()
     if not recordings:
         typer.echo("No recording given: this is the example that comes with exoid.")
@@ -83,21 +89,21 @@ def diagnose(
     for path, one in zip(paths, taken, strict=True):
         loaded = one.recording
         named.append((path.name, replace(loaded, subject=replace(loaded.subject, **body))))
-    found = in_phases(lambda told: diagnosed(named, own, {"seed": seed}, told))
+    found = in_phases(lambda told: diagnosed(named, own, options, told))
     introduce(named)
     show(found)
     if plot is not None:
         patiently(lambda: draw(found, plot), "drawing")
         typer.echo(f"wrote {plot}", err=True)
     if json is not None:
-        settings = {"seed": seed, "terms": terms, "flip": flip, "zero": zero}
+        settings = {**options, "terms": terms, **as_told(flip, zero)}
         write(found, described(zip(paths, named, strict=True)), settings, json)
         typer.echo(f"wrote {json}", err=True)
     if save is None and report is None:
         end(found.follows)
         return
-    asked = {"seed": seed, "terms": terms, **body, "signal": signal, **told}
-    asked |= {"dbc": dbc and str(dbc)}
+    asked = {**options, "terms": terms, **body, "signal": signal, "dbc": dbc and str(dbc)}
+    asked |= {"column": column, **as_told(flip, zero)}
     origin = origin_of(inputs(paths, dbc, Path(terms) if terms else None), asked)
     more = patiently(lambda: further(found, named[0][1].subject), "planning what to record next")
     if save is not None:

@@ -63,6 +63,12 @@ def take(
     return loaded
 
 
+def as_told(flip: Flip | None, zero: Zero | None) -> dict[str, str]:
+    """Sign and zero, where options told of them, as settings keep them."""
+    each = {"flip": flip, "zero": zero}
+    return {name: said.value for name, said in each.items() if said is not None}
+
+
 def signal_map(signal: list[str] | None) -> dict[str, str] | None:
     """CHANNEL=MESSAGE.SIGNAL pairs as a map."""
     return pairs("--signal", signal, "CHANNEL=MESSAGE.SIGNAL")

@@ -7,15 +7,16 @@ from typing import Annotated, Any
 import typer
 
 from exoid.cli.analysis import ask, compute
+from exoid.cli.assumptions import Bound, BoundsOption, Fix, Prior, assumed
 from exoid.cli.body import BodyMass, Height, given_body
-from exoid.cli.choices import FlipOption, ZeroOption
+from exoid.cli.choices import Bounds, FlipOption, ZeroOption
 from exoid.cli.destination import check_apart, check_destination
 from exoid.cli.diagnose import diagnosed
 from exoid.cli.fit import EXAMPLE
 from exoid.cli.origin import inputs, origin_of
 from exoid.cli.own_terms import own_terms
 from exoid.cli.page import PAGES, planned, sources_of, write_report
-from exoid.cli.reading import Columns, take
+from exoid.cli.reading import Columns, as_told, take
 from exoid.cli.results import end
 from exoid.cli.retell import SAVED, retell
 from exoid.cli.waiting import in_phases, patiently
@@ -34,6 +35,10 @@ def report(
     output: Annotated[
         Path, typer.Option("--output", "-o", help="Page to write (.html).", metavar="FILE")
     ] = Path("report.html"),
+    prior: Prior = None,
+    bounds: BoundsOption = Bounds.body,
+    fix: Fix = None,
+    bound: Bound = None,
     body_mass: BodyMass = None,
     height: Height = None,
     multistart: Annotated[int, typer.Option(min=1, max=100_000, help="Number of starts.")] = STARTS,
@@ -71,6 +76,10 @@ def report(
     check_apart([output], paths)
     if any(path.suffix.lower() == SAVED for path in paths):
         given = {
+            "--prior": bool(prior),
+            "--bounds": bounds is not Bounds.body,
+            "--fix": bool(fix),
+            "--bound": bool(bound),
             "--body-mass": body_mass is not None,
             "--height": height is not None,
             "--multistart": multistart != STARTS,
@@ -86,6 +95,7 @@ def report(
         retell(paths, output, [option for option, asked in given.items() if asked])
         return
     body = given_body(body_mass=body_mass, height=height)
+    by_hand = assumed(prior, bounds, fix, bound)
     if terms is not None and not diagnosis:
         raise ValueError("--terms are causes for the diagnosis: leave out --no-diagnosis.")
     own = own_terms(terms) if terms is not None else ()
@@ -97,12 +107,12 @@ def report(
         (path.name, replace(one.recording, subject=replace(one.recording.subject, **body)))
         for path, one in zip(paths, taken, strict=True)
     ]
-    options = {"multistart": multistart, "seed": seed}
+    options = {"multistart": multistart, "seed": seed, **by_hand}
     tested = own if diagnosis else None
     result, found = in_phases(lambda told: analysed(named, options, tested, told))
     script = Path(terms) if terms is not None else None
     settings = {**options, "terms": terms, "diagnosis": diagnosis, **body, "signal": signal}
-    settings |= {"dbc": dbc and str(dbc), **told}
+    settings |= {"dbc": dbc and str(dbc), "column": column, **as_told(flip, zero)}
     origin = origin_of(inputs(paths, dbc, script), settings)
     sources = sources_of(taken, named)
     patiently(lambda: write_report(output, sources, result, origin, **found), "writing the page")

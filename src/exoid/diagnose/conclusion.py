@@ -67,6 +67,9 @@ def concluded(
     if bias is not None and verdict != "cannot_tell":
         verdict = "mismatch"
         selected = [*selected, BIAS]
+    zero = usual_zero(bench, selected, best)
+    if verdict == "mismatch" and zero is not None:
+        verdict, reasons, selected = "none", [zero], []
     equal = [] if formula or not best.candidate.terms else equivalents(found, best)
     parameters = size(best)
     measure = found.yardstick
@@ -101,6 +104,21 @@ def concluded(
         fit=result,
         advice=advice(found, equal, verdict, formula),
         workings=Workings(bench, found, best),
+    )
+
+
+def usual_zero(bench: Bench, selected: list[str], best: Settled) -> str | None:
+    """What to say of an encoder zero that is all that was found, and no surprise: a fit takes it
+    for an unknown.
+    """
+    if selected != ["angle_offset"]:
+        return None
+    offset = float(best.candidate.values[0][0])
+    if abs(offset) > min(each.systematics.zero for each in bench.problem.movements):
+        return None
+    return (
+        f"the encoder's zero is off by {np.degrees(offset):.2g} deg, no more than is to be "
+        "expected; the fit estimates it"
     )
 
 

@@ -107,7 +107,7 @@ class Design:
             own = [self.told[n] for n in chosen if self.options[n].thigh_angle == seat]
             total = total + eliminated(self.mounting + sum(own), LEG)
         gradient = self.known.gradients[GOALS.index(self.goal)]
-        information = Information(total, np.zeros_like(total), np.zeros((0, LEG)))
+        information = Information(total, np.zeros_like(total), self.known.fixed)
         return information.standard_error(gradient)
 
     def greedy(self) -> list[int]:

@@ -132,8 +132,11 @@ def lacking(
     torque = averaged(rough, width)
     band = reference.smoother.spread(width) / float(eq.torque)
     name = bench.problem.movements[number].name
-    motion = (time, reference.angle, reference.angular_velocity)
-    return Missing(name, *motion, torque, band, modelled, width)
+    weighs = np.asarray(seen.angle_weight[number]) + np.asarray(seen.velocity_weight[number]) > 0
+    free = slice(int(np.argmax(weighs)), size)  # before it a hand was on the leg
+    motion = (time[free], reference.angle[free], reference.angular_velocity[free])
+    modelled = None if modelled is None else modelled[free]
+    return Missing(name, *motion, torque[free], band, modelled, width)
 
 
 def averaged(torque: np.ndarray, width: int) -> np.ndarray:

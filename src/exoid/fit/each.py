@@ -5,8 +5,9 @@ from dataclasses import replace
 import jax
 import numpy as np
 
+from exoid.fit.assumptions import Assumptions, by_hand
 from exoid.fit.belief import NAMES, Belief, believe
-from exoid.fit.constraint import constraint_names, violations
+from exoid.fit.constraint import NEVER, constraint_names, violations
 from exoid.fit.estimate import PLAIN_SCALE, fit, left_out, movements_of, segments_of
 from exoid.fit.estimates import parameter_estimate, with_reasons
 from exoid.fit.local import derivative
@@ -18,6 +19,7 @@ from exoid.recording.given import Given, named_recordings
 from exoid.recording.recording import Recording
 
 COMMON = ("gravity_over_inertia", "stiffness_over_inertia", "damping_over_inertia")
+SIZES = ("mass", "inertia", "com_distance")
 SMALLEST_ERROR = 1e-6  # relative, of a ratio: nothing is known better than that
 MIXED = (
     "some cycles fit better with f = 1/T, some with 2/T (Eq. 4), and tau / J is a mean over both: "
@@ -48,7 +50,10 @@ def fit_each(given: Given, **options) -> FitResult:
         ratios["torque_over_inertia"] = averaged(torques)
     plain = options.get("misfit") == "paper"
     weight = options.get("weight", 1.0) * (PLAIN_SCALE**2 if plain else 1.0)
-    belief = believe(recordings[0][1].subject, options.get("prior", "de_leva"), weight, plain)
+    hand = by_hand(recordings, *(options.get(name) for name in ("fix", "bound", "expect")))
+    names = options.get("prior", "auto"), options.get("bounds", "body")
+    assumed = Assumptions(names[0], weight, plain, names[1], hand)
+    belief = believe(recordings[0][1].subject, assumed)
     said = dict.fromkeys(note for each in results for note in each.notes)
     lost = [each.notes[0] for each in results if not each.follows][:1]
     readings = {each.torque_frequency for each in results} - {None}
@@ -135,9 +140,12 @@ def settled_parameters(belief: Belief, ratios: dict[str, Estimate]) -> dict[str,
     from scipy.optimize import minimize
 
     values = np.array([ratios[name].value for name in COMMON], dtype=float)
-    errors = np.array([ratios[name].standard_error for name in COMMON], dtype=float)
-    errors = np.maximum(errors, SMALLEST_ERROR * np.abs(values))
-    limits = belief.limits
+    errors = np.array([ratios[name].standard_error or 0.0 for name in COMMON])
+    errors = np.maximum(errors, SMALLEST_ERROR * (1 + np.abs(values)))
+    limits, fixed = belief.limits, belief.by_hand.fix
+    ends = [name in fixed for name in constraint_names(0)]
+    # Where the ratio is 0 as well, nothing moves; with J fixed, d and c follow from their ratios.
+    movable = [name for name in fixed if name in SIZES or (fixed[name] and "inertia" not in fixed)]
 
     def leg(logs):
         mass, inertia = np.exp(logs[:2])
@@ -150,7 +158,12 @@ def settled_parameters(belief: Belief, ratios: dict[str, Estimate]) -> dict[str,
 
     def violation(logs):
         no_torque = np.zeros((0, *np.shape(logs)[1:]))
-        return violations(limits, leg(logs), no_torque, np)
+        found = violations(limits, leg(logs), no_torque, np)
+        return np.where(np.reshape(ends, (-1, *[1] * np.ndim(logs[0]))), NEVER, found)
+
+    def held(logs):
+        values = leg(logs)
+        return np.array([getattr(values, name) - fixed[name] for name in movable])
 
     def at(logs):
         return np.concatenate([logs, values])
@@ -159,14 +172,19 @@ def settled_parameters(belief: Belief, ratios: dict[str, Estimate]) -> dict[str,
         lambda logs: float(by_prior(at(logs)) @ by_prior(at(logs))) / 2,
         np.log(first_guess(belief)),
         method="SLSQP",
-        constraints={"type": "ineq", "fun": lambda logs: -violation(at(logs))},
+        constraints=[
+            {"type": "ineq", "fun": lambda logs: -violation(at(logs))},
+            *([{"type": "eq", "fun": lambda logs: held(at(logs))}] if movable else []),
+        ],
     )
     point = at(found.x)
     active = violation(point) > -HOLDS
     prior = derivative(by_prior, point)
     data = np.diag([0.0, 0.0, *errors**-2.0])
     gradients = derivative(lambda logs: np.stack(jax.tree.leaves(leg(logs))), point)
-    information = Information(data, prior.T @ prior, derivative(violation, point)[active])
+    rows = gradients[[NAMES.index(name) for name in fixed]]
+    bound = np.concatenate([derivative(violation, point)[active], rows])
+    information = Information(data, prior.T @ prior, bound, rows)
     at_bound = {name for name, holds in zip(constraint_names(0), active, strict=True) if holds}
     return {
         name: parameter_estimate(name, belief, float(value), information, gradient, at_bound)
@@ -176,6 +194,5 @@ def settled_parameters(belief: Belief, ratios: dict[str, Estimate]) -> dict[str,
 
 def first_guess(belief: Belief) -> np.ndarray:
     """m [kg] and J [kg m^2]: what anatomy expects, else those of a middling leg."""
-    if belief.expected is not None:
-        return np.array([belief.expected.mass.value, belief.expected.inertia.value])
-    return np.array([4.0, 0.4])
+    typical = belief.typical
+    return np.array([typical.get("mass", 4.0), typical.get("inertia", 0.4)])

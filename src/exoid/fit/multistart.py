@@ -1,11 +1,12 @@
 """The fit: many starts, brought to the data first, then to what anatomy and bounds allow."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import jax
 import numpy as np
 
 from exoid.fit.coordinates import TYPICAL, Coordinates, Shared, scaled
+from exoid.fit.imposed import imposed
 from exoid.fit.kinds import FINE, alone, explained, explained_apart
 from exoid.fit.local import Local, penalties, weighed
 from exoid.fit.problem import BATCH, Problem, advance, around, finite, left, take, task
@@ -22,6 +23,7 @@ TETHERS = (60.0, 15.0)  # rad/s, of the first stage and the second; then free
 STIFF = 0.6  # greatest tether times step: Runge-Kutta carries it with room for the leg
 COARSE = 10.0  # tolerance, in units of noise, as FINE
 LIMITED = 1e-3  # the same with limits: a multiplier of ten makes it 1e-3 of half a sum of squares
+LOOKING = np.inf  # the same of a solver that is not to leave its point
 TOLD = 0.5  # relative error of an inertia from which on the data do not tell it
 FEASIBLE = 1e-4  # relative violation that is rounding of the multiplier method
 
@@ -51,16 +53,21 @@ def search(problem: Problem, starts: np.ndarray) -> tuple[Problem, Ended]:
     begin = coordinates(starts, problem.movements, greatest)
     first = np.searchsorted(np.asarray(problem.observation.time)[0], FIRST_HORIZON)
     horizon = min(max(int(first), 50), problem.steps)
-    tied = advance(problem, begin, task(problem, tether, horizon, COARSE))
+    declared = as_declared(problem)
+    tied = advance(declared, begin, task(problem, tether, horizon, COARSE))
     rows, member, failures = basins(problem, tied)
     gathered = without_thrust(take(tied.coordinates, rows))
     weaker = min(TETHERS[1], tether / 2)
-    looser = advance(problem, gathered, task(problem, weaker, problem.steps, COARSE)).coordinates
+    looser = advance(declared, gathered, task(problem, weaker, problem.steps, COARSE)).coordinates
     free = advance(problem, without_thrust(looser), task(problem, 0.0, problem.steps, FINE))
     member, failures = without_lost(free, member, failures)
     problem, free = with_tilted_seats(problem, free)
     free, disturbance = weighed_by_kind(problem, free)
     best = settle(problem, free, begin, disturbance)
+    if problem.belief.by_hand.fix or problem.belief.by_hand.bound:
+        # What no free leg would leave, but this one does.
+        disturbance = left(problem, best, 0, disturbance)
+        best = settle(problem, free, begin, disturbance)
     local = around(problem, best, disturbance)
     doubted = with_doubted_clocks(problem, best, local)
     if doubted is not None:
@@ -94,6 +101,17 @@ def replaced(tree, row: int, new):
     rows = jax.tree.map(np.array, tree)
     jax.tree.map(lambda leaf, one: leaf.__setitem__(row, one), rows, new)
     return rows
+
+
+def as_declared(problem: Problem) -> Problem:
+    """The same, recordings as they are declared: what differs is small, but far from the leg it may
+    pass for anything.
+    """
+    known = problem.known.copy()
+    for column, name in enumerate(problem.owned, start=4):
+        if name != "log_distance":
+            known[:, column] = 1.0
+    return replace(problem, known=known)
 
 
 def without_thrust(at: Coordinates) -> Coordinates:
@@ -155,13 +173,18 @@ def settle(problem: Problem, free: Solved, begin: Coordinates, found: Disturbanc
     local = weighed(around(problem, free, row=best), found.scale)
     others = np.resize(np.arange(begin.log_mass.size), lanes)
     inertia, mass = (leaf[others].copy() for leaf in (begin.shared.log_inertia, begin.log_mass))
-    if problem.belief.expected is not None:
-        expected = problem.belief.prior.expected
-        inertia[0], mass[0] = np.log(expected.inertia), np.log(expected.mass)
+    typical = problem.belief.typical
+    inertia[0] = np.log(typical["inertia"]) if "inertia" in typical else inertia[0]
+    mass[0] = np.log(typical["mass"]) if "mass" in typical else mass[0]
     if scale_told(local.data + local.declared):
         inertia = one.shared.log_inertia
     shared = Shared(inertia, one.shared.gravity, one.shared.stiffness, one.shared.damping)
     starts = Coordinates(shared, mass, one.mounting, one.own)
+    fixed = problem.belief.by_hand.fix
+    if fixed:  # how the data resist is asked where the point will be
+        starts = imposed(starts, fixed)
+        there = advance(problem, starts, task(problem, 0.0, problem.steps, LOOKING))
+        local = weighed(around(problem, there), found.scale)
     asked = task(problem, 0.0, problem.steps, LIMITED, penalties(local))
     ended = advance(problem, starts, asked, found.scale * found.weighing(problem.kinds))
     feasible = np.where(ended.violation < FEASIBLE, finite(ended.loss), np.inf)

@@ -1,6 +1,6 @@
 """The objective of a fit as a plain function of the raw parameters of Eq. 13, for SciPy."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from typing import Any
 
@@ -9,8 +9,9 @@ import jax.numpy as jnp
 import numpy as np
 from jaxtyping import Array, Float
 
+from exoid.fit.belief import NAMES
 from exoid.fit.chain import Chain
-from exoid.fit.constraint import SIZE, SIZE_TORQUE, violations
+from exoid.fit.constraint import NEVER, SIZE, SIZE_TORQUE, constraint_names, violations
 from exoid.fit.coordinates import (
     TYPICAL,
     Coordinates,
@@ -21,7 +22,7 @@ from exoid.fit.coordinates import (
     torque_amplitudes,
 )
 from exoid.fit.observation import Observation
-from exoid.fit.prior import Prior, prior_residual
+from exoid.fit.prior import Prior, mounting_residual, prior_residual
 from exoid.fit.problem import Problem
 from exoid.fit.residual import Stage, predict, residual
 from exoid.fit.starts import first_state, usual_mounting
@@ -35,7 +36,10 @@ POSITIVE = 1e-3  # of its typical size: mass and inertia have a logarithm
 
 @dataclass(frozen=True, eq=False)
 class Objective:
-    """What SLSQP sees: functions of (m, J, l, d, c, tau, states), each over its typical size."""
+    """What SLSQP sees: functions of (m, J, l, d, c, tau, states), each over its typical size.
+
+    After them comes what the recording owns, as far as it is not known.
+    """
 
     problem: Problem
     scale: float  # the noise is this much larger than the sensors'
@@ -45,8 +49,10 @@ class Objective:
         """Half the sum of squares of data and prior."""
         stage = Stage(np.asarray(0.0), np.asarray(self.problem.steps))
         prior = self.problem.belief.prior
-        data, belief = squares(self.point(vector), self.seen, prior, stage, self.problem.chain)
-        return float(data / self.scale**2 + self.bounded * belief) / 2
+        point = self.point(vector)
+        data, belief = squares(point, self.seen, prior, stage, self.problem.chain)
+        declared = float(np.sum(mounting_residual(prior, point.mounting, np) ** 2))
+        return float(data / self.scale**2 + self.bounded * belief + declared) / 2
 
     def slack(self, vector: np.ndarray) -> np.ndarray:
         """What is left of every limit, negative where it is violated."""
@@ -55,7 +61,20 @@ class Objective:
             return positive
         limits, point = self.problem.belief.limits, self.point(vector)
         limit = violations(limits, leg_parameters(point, np), torque_amplitudes(point, np), np)
-        return np.concatenate([-limit, positive])
+        held = [name in self.fixed for name in constraint_names(len(self.problem.movements))]
+        return np.concatenate([-np.where(held, NEVER, limit), positive])
+
+    @cached_property
+    def fixed(self) -> dict[str, float]:
+        """What does not move."""
+        return dict(self.problem.belief.by_hand.fix) if self.bounded else {}
+
+    @cached_property
+    def axes(self) -> np.ndarray:
+        """The directions in which a vector may move: (entry, direction)."""
+        free = np.ones(self.sizes.size, dtype=bool)
+        free[[NAMES.index(name) for name in self.fixed]] = False
+        return np.eye(free.size)[:, free]
 
     @cached_property
     def samples(self) -> int:
@@ -77,12 +96,19 @@ class Objective:
         segments = len(self.problem.movements)
         torques = [SIZE_TORQUE] * len(self.voluntary)
         states = [TYPICAL.own.angle] * segments + [TYPICAL.own.angular_velocity] * segments
-        return np.array([*jax.tree.leaves(SIZE), *torques, *states], dtype=float)
+        owned = [getattr(TYPICAL.mounting, name) for name in self.owned]
+        return np.array([*jax.tree.leaves(SIZE), *torques, *states, *owned], dtype=float)
+
+    @cached_property
+    def owned(self) -> list[str]:
+        """The unknowns of the one recording's mounting."""
+        known = self.problem.known[:, 4:-3].min(axis=0)
+        return [name for name, at in zip(self.problem.owned, known, strict=True) if not at]
 
     def point(self, vector: np.ndarray) -> Coordinates:
         """The vector in the coordinates in which the misfit is written."""
         segments = len(self.problem.movements)
-        values = vector * self.sizes
+        values, owned = np.split(vector * self.sizes, [vector.size - len(self.owned)])
         mass, inertia, com_distance, damping, stiffness = (np.asarray(v) for v in values[:LEG])
         log_mass, log_inertia = logarithms(mass, inertia)
         torque = np.zeros(segments)
@@ -94,13 +120,17 @@ class Objective:
             damping=damping / inertia,
         )
         own = Own(torque / inertia, values[-2 * segments : -segments], values[-segments:])
-        return Coordinates(shared, log_mass, usual_mounting(self.problem.movements), own)
+        usual = usual_mounting(self.problem.movements, owned=self.problem.owned)
+        mounting = replace(usual, **dict(zip(self.owned, owned[:, None], strict=True)))
+        return Coordinates(shared, log_mass, mounting, own)
 
     def vector(self, start: np.ndarray) -> np.ndarray:
         """The start (m, J, l, d, c, tau), every movement from its first measured state."""
         states = np.array([first_state(each) for each in self.problem.movements])
         torques = [start[LEG]] * len(self.voluntary)
-        return np.array([*start[:LEG], *torques, *states[:, 0], *states[:, 1]]) / self.sizes
+        leg = [self.fixed.get(name, value) for name, value in zip(NAMES, start, strict=False)]
+        owned = np.zeros(len(self.owned))
+        return np.array([*leg, *torques, *states[:, 0], *states[:, 1], *owned]) / self.sizes
 
     def flat(self, vector: np.ndarray) -> np.ndarray:
         """The coordinates of `point` as the fit scales and orders them."""

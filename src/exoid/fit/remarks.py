@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from exoid.fit.belief import Belief
 from exoid.fit.disturbance import CORRELATED, Missed
 from exoid.fit.kinds import NOISY
 from exoid.fit.multistart import FEASIBLE, Ended, scale_told
@@ -137,14 +138,15 @@ def of_missed(found: Missed, where: str, gravity: float, inertia: float | None) 
 def of_bounds(problem: Problem, at_bound: set[str]) -> list[str]:
     """Which limits decided."""
     said = []
-    limits = problem.belief.limits
+    belief = problem.belief
+    limits = belief.limits
     for name, declared in declarations(LegParameters):
         if name in at_bound and np.isfinite(limits.reach):
             low, high = (float(getattr(each, name)) for each in (limits.lower, limits.upper))
             said.append(
-                f"{declared.symbol} ran into its limits of {low:g} to {high:g} {declared.unit} "
-                "(Eq. 13). Absolute values that go with it follow from that limit, not from the "
-                "recording: use the ratios."
+                f"{declared.symbol} ran into its limits of {low:.3g} to {high:.3g} {declared.unit} "
+                f"({whose(belief, name)}). Absolute values that go with it follow from that limit, "
+                "not from the recording: use the ratios."
             )
     for rule in RULES:
         if rule in at_bound:
@@ -162,3 +164,12 @@ def limits_met(problem: Problem, at_bound: set[str]) -> list[str]:
         if name in at_bound and name != "damping"
     ]
     return [*held, *(rule for rule in RULES if rule in at_bound)]
+
+
+def whose(belief: Belief, name: str) -> str:
+    """Where a limit comes from."""
+    if name in belief.by_hand.bound:
+        return "yours"
+    if belief.bounds == "paper":
+        return "Eq. 13"
+    return "any human's" if belief.expected is None else "what a leg of this body can have"

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from jaxtyping import Float
 
-from exoid.fit.disturbance import Missed, whitening
+from exoid.fit.disturbance import ROUNDING, Missed, whitening
 from exoid.fit.gram import CAUSES, Cause, Gram, modes
 
 KINDS = ("passive", "measured", "active")  # of segments; the last leans on a form of its torque
@@ -88,6 +88,7 @@ def spoiled(found: Disturbance, grams: list[Gram], kinds: Sequence[str], size: i
     basis, unit = whitening(plain)
     inside = basis.T @ ((white + excess) / np.outer(unit, unit)) @ basis
     grown, axes = np.linalg.eigh(inside)
+    grown = np.maximum(grown, ROUNDING)
     back = np.linalg.pinv(basis).T @ axes * unit[:, None]
     information = (back / grown) @ back.T
     return replace(found, information=information, widening=np.sqrt(grown))

@@ -10,6 +10,7 @@ from exoid.recording.recording import Samples, Segment
 WINDOW = 0.4  # s, a third of a swing
 STRIDE = 0.05  # s between windows
 FEWEST = 8  # samples of a window
+MOST = 400  # windows, of however long a recording
 LEAST = 6  # windows
 MOVING = 0.15  # of how far the leg moves at all, that it moves within a window
 
@@ -65,7 +66,8 @@ def weak_form(segment: Segment) -> NDArray[np.float64]:
     time, angle = segment.time[seen], measured[seen]
     reach = float(np.ptp(angle)) if angle.size else 0.0
     rows = []
-    for begin in np.arange(time[0], time[-1] - WINDOW, STRIDE) if angle.size else ():
+    stride = max(STRIDE, (time[-1] - time[0]) / MOST) if angle.size else STRIDE
+    for begin in np.arange(time[0], time[-1] - WINDOW, stride) if angle.size else ():
         part = slice(*np.searchsorted(time, [begin, begin + WINDOW]))
         if part.stop - part.start >= FEWEST and np.ptp(angle[part]) > MOVING * reach:
             rows.append(window(time[part] - begin, angle[part]))
@@ -79,9 +81,6 @@ def window(time: Samples, angle: Samples) -> list[float]:
     slope = 3 * s**2 * (1 - s) ** 2 * (1 - 2 * s) / WINDOW
     bend = 6 * s * (1 - s) * (1 - 5 * s + 5 * s**2) / WINDOW**2
     apart = angle - angle.mean()
-    return [
-        float(np.trapezoid(bend * apart, time)),
-        -float(np.trapezoid(psi * np.cos(angle), time)),
-        -float(np.trapezoid(psi * np.sin(angle), time)),
-        float(np.trapezoid(slope * apart, time)),
-    ]
+    each = (bend * apart, -psi * np.cos(angle), -psi * np.sin(angle), slope * apart)
+    whole = np.concatenate([[0.0], time, [WINDOW]])  # at its ends all of them are 0
+    return [float(np.trapezoid(np.pad(values, 1), whole)) for values in each]

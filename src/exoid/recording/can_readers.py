@@ -1,9 +1,9 @@
 """Reading a log file, whatever its format.
 
-BLF is read by blf.py; every other format by the reader of python-can, whose faults end here.
+BLF is read by blf.py and MF4 by mf4.py; every other format by the reader of python-can, whose
+faults end here.
 """
 
-import gc
 import importlib
 import warnings
 from collections.abc import Callable, Iterable
@@ -24,7 +24,9 @@ from exoid.recording.can_frames import (
     Frames,
     Log,
 )
+from exoid.recording.foreign import ForeignError, read_apart
 from exoid.recording.library_faults import plain, quiet
+from exoid.recording.mf4 import read_frames
 
 READERS = {
     ".asc": "ASCReader",
@@ -67,17 +69,15 @@ def read_log(path: Path) -> Log:
 
 
 def read_mf4(path: Path) -> Log:
-    """The frames of an MF4 file; asammdf reads all of it or nothing."""
+    """The frames of an MF4 file, which asammdf parses in a process of its own."""
     if find_spec("asammdf") is None:
         raise CanLogError(f'{path}: MF4 needs asammdf: pip install "exoid[mf4]"')
-    from can.io.mf4 import MF4Reader
-
-    rows: list[Row] = []
-    with path.open("rb") as source, quiet("asammdf"):
-        fault = collect(lambda: MF4Reader(source), rows)
-        if fault:
-            gc.collect()  # what is left of asammdf's reader fails once more as it is freed: here
-    return Log(path, frames_of(rows), fault)
+    try:
+        columns = read_apart(read_frames, path, "Export it again, as MF4 or as BLF.")
+    except ForeignError as fault:
+        raise CanLogError(str(fault)) from fault
+    stopped = str(columns.pop("stopped")) or None
+    return Log(path, Frames(**columns), stopped)
 
 
 def read_text(path: Path, kind: str) -> Log:

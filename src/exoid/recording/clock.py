@@ -11,7 +11,7 @@ SLOWEST = 0.2  # s between samples; a leg's swing takes about a second
 UNITS = (  # and the steps [of that unit] up to which a sampled leg has it
     ("milliseconds", "Then name the column time_ms", 300.0),
     ("microseconds", "Then name the column time_us", 3e5),
-    ("nanoseconds", "Divide it by 1e9", np.inf),
+    ("nanoseconds", "Then name the column time_ns", np.inf),
 )
 BRIEFEST = 6e-4  # s between samples: 30 Hz, told in minutes
 LAG = 8  # steps over which a speed is taken there

@@ -37,7 +37,8 @@ def read_apart(reader: Callable[[Path], Arrays], path: Path, advice: str) -> Arr
     """What `reader(path)` gives, from a process of its own; it starts in the time of its imports.
 
     `reader` is a function of a module, which imports the library inside, and no more of exoid than
-    it needs: the process imports it anew. `advice` says what to do with a file that is damaged.
+    it needs: the process imports it anew. Its arrays hold no Python objects, so texts have a fixed
+    length. `advice` says what to do with a file that is damaged.
 
     **Raises** `ForeignError` where the reader fails, is not done in time, or runs out of memory;
     `OSError` when the file cannot be opened.
@@ -48,7 +49,7 @@ def read_apart(reader: Callable[[Path], Arrays], path: Path, advice: str) -> Arr
     task = [reader.__module__, reader.__name__, str(path), seconds, memory]
     try:
         done = subprocess.run(
-            [sys.executable, "-P", "-m", __name__, json.dumps(task)],
+            [sys.executable, "-P", "-W", "ignore", "-m", __name__, json.dumps(task)],
             env=os.environ | {"PYTHONPATH": os.pathsep.join(sys.path), "OPENBLAS_NUM_THREADS": "1"},
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
@@ -96,12 +97,14 @@ def serve(module: str, name: str, path: str, seconds: float, memory: int) -> Non
 def limit(seconds: float, memory: int) -> None:
     """End this process at a limit, with the one that started it, and at once by Ctrl-C."""
     signal.signal(signal.SIGINT, signal.SIG_DFL)
-    faulthandler.dump_traceback_later(seconds, exit=True)  # hears nothing of locks and loops in C
-    with suppress(ImportError):  # Windows; there and on macOS time alone is limited
+    faulthandler.dump_traceback_later(seconds, exit=True)  # even out of a loop in C
+    with suppress(ImportError):  # Windows; there and on macOS only time is limited
         import resource
 
-        resource.setrlimit(resource.RLIMIT_DATA, (memory, memory))
-        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+        for kind, most in ((resource.RLIMIT_DATA, memory), (resource.RLIMIT_CORE, 0)):
+            hard = resource.getrlimit(kind)[1]
+            most = most if hard == resource.RLIM_INFINITY else min(most, hard)
+            resource.setrlimit(kind, (most, most))
     if sys.platform == "linux":
         import ctypes
 

@@ -1,14 +1,14 @@
 """Any recording file: a table or a CAN log, with the sidecar beside it, cut into its movements."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from exoid.recording.can_quality import LogQuality
 from exoid.recording.formats.sheets import is_table
 from exoid.recording.motion.split import cut_apart, cut_table
 from exoid.recording.recording import Protocol, Recording, Sensors, Subject
-from exoid.recording.sidecar import read_sidecar
+from exoid.recording.sidecar import no_keys, read_keys, read_sidecar
 from exoid.recording.table import read_table
 from exoid.recording.text_file import naming
 from exoid.recording.understand import understand
@@ -67,6 +67,7 @@ def load(
         protocol=protocol,
         sensors=sensors,
     )
+    recording = replace(recording, extra_tables=further_tables(path))
     with naming(path):
         recording, more = understand(recording, cut_apart, whole=whole, flip=flip, zero=zero)
     return Loaded(recording, (*notes, *more), quality)
@@ -99,3 +100,9 @@ def beside(path: Path) -> tuple[Subject, Protocol, Sensors | None, tuple[str, ..
         return Subject(), Protocol(), None, (note,)
     subject, protocol, sensors, notes = read_sidecar(sidecar)
     return subject, protocol, None if sensors == Sensors() else sensors, notes
+
+
+def further_tables(path: Path):
+    """The tables of the sidecar that describe no recording, such as [fit]."""
+    sidecar = path.with_suffix(".toml")
+    return (read_keys(sidecar) if sidecar.exists() else no_keys())[1]

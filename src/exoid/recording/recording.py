@@ -52,6 +52,7 @@ class Subject:
     session: str | None = text("session")
     body_mass: float | None = ranged("body_mass_kg", "kg", 2.0, 400.0)
     height: float | None = ranged("height_m", "m", 0.4, 2.6)
+    age: float | None = ranged("age_years", "years", 0.0, 130.0)
     shank_length: float | None = ranged("shank_length_m", "m", 0.05, 0.8)
     shank_radius: float | None = ranged("shank_radius_m", "m", 0.01, 0.2)
     shank_foot_mass: float | None = ranged("shank_foot_mass_kg", "kg", 0.05, 40.0)
@@ -259,7 +260,9 @@ def check_channel(number: int, entry, samples: Samples | None, size: int) -> Non
     if bad.any():
         at = int(np.flatnonzero(bad)[0])
         hint = (
-            " Is it in degrees? Then call the column by its `_deg` name." if "_rad" in name else ""
+            f" Is it in degrees? Then name the column {name.replace('_rad', '_deg')}."
+            if "_rad" in name
+            else ""
         )
         raise bad_sample(
             number,

@@ -13,6 +13,7 @@ from exoid.recording.text_file import Notes, naming, near, read_text, replace_fi
 
 TABLES = {"subject": Subject, "protocol": Protocol, "sensors": Sensors}
 COLUMNS = "columns"  # what the columns of the table beside it are called: [columns]
+FOR_FITS = "fit"  # the table of what is fixed, bounded or expected; a fit reads and checks it
 
 
 def read_sidecar(path: str | Path) -> tuple[Subject, Protocol, Sensors, Notes]:
@@ -48,6 +49,7 @@ def read_keys(path: Path) -> tuple[dict[str, Any], dict[str, Any], Notes]:
         notes = [
             f"unknown [{name}] is kept, but not used.{near(name, (*TABLES, COLUMNS))}"
             for name in extra
+            if name != FOR_FITS
         ]
         for name, table in tables.items():
             notes += [

@@ -89,7 +89,8 @@ def coefficients(time: Samples, signal: Samples, frequency: float) -> NDArray[np
     """Of cosine and sine, beside a motion that is free to do what is slower."""
     columns = np.column_stack([signal, waves(time, frequency)])
     left = columns - motion(time, columns)
-    return np.linalg.lstsq(left[:, 1:], left[:, 0], rcond=None)[0]
+    found: NDArray[np.float64] = np.linalg.lstsq(left[:, 1:], left[:, 0], rcond=None)[0]
+    return found
 
 
 def waves(time: Samples, frequency: float) -> NDArray[np.float64]:
@@ -116,4 +117,4 @@ def motion(time: Samples, signal: NDArray[np.float64]) -> NDArray[np.float64]:
     places = np.linspace(0, time.size - 1, count + 1)[1:-1]  # as dense as the samples, gaps too
     inner = np.interp(places, np.arange(time.size), time)
     knots = np.concatenate([[time[0]] * 4, inner, [time[-1]] * 4])
-    return np.array(make_lsq_spline(time, signal, knots)(time), dtype=np.float64)
+    return np.asarray(make_lsq_spline(time, signal, knots)(time))

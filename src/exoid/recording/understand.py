@@ -30,6 +30,8 @@ def understand(
 ) -> tuple[Recording, Notes]:
     """The recording by exoid's convention, `cut` into its movements unless it stays `whole`.
 
+    `cut` gives the movements, and what it noticed.
+
     `flip` and `zero` replace what the sidecar says. **Raises** `ValueError` with the likely cause
     and what mends it.
     """
@@ -41,9 +43,9 @@ def understand(
     movements = found.recording
     refuse(wrong_convention(movements, cut=movements is not recording or not whole))
     refuse(wrong_sign(recording))
+    noticed = () if whole else (*found.notes, *another_leg(movements))
     recording, more = settled(recording if whole else movements, movements)
-    left = () if whole else found.notes
-    return recording, (*notes, *left, *more, *another_leg(movements))
+    return recording, (*notes, *more, *noticed)
 
 
 def cut_up(recording: Recording, cut: Callable[[Recording], Split], *, whole: bool) -> Split:

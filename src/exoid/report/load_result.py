@@ -15,6 +15,7 @@ from exoid.fit.sandwich import Disturbance
 from exoid.report.case import Origin
 from exoid.report.estimate_table import Groups, Table, from_table, known
 from exoid.report.groups import from_groups
+from exoid.report.read_groups import read_groups
 from exoid.report.save_result import SAMPLES, SEGMENT
 from exoid.report.saved_result import FORMAT, FORMAT_VERSION, SavedResult
 from exoid.report.told_groups import from_told
@@ -32,12 +33,12 @@ def load_result(path: str | Path) -> SavedResult:
     path = Path(path)
     if path.is_dir():
         raise ValueError(f"{path}: this is a directory. Name the file in it.")
-    with path.open("rb"):  # a missing or locked file is not a damaged one
-        pass
     try:
         return restored(read(path))
     except WrongFile as fault:
         raise ValueError(f"{path}: {fault}") from fault
+    except OSError:  # a missing or locked file is not a damaged one
+        raise
     except Exception as fault:  # whatever a file may raise that is cut off or of another kind
         raise ValueError(
             f"{path}: this is no result of {WRITERS}, or it is not whole. Save it again."
@@ -49,12 +50,8 @@ class WrongFile(ValueError):
 
 
 def read(path: Path) -> Groups:
-    """The groups of the file, in memory; nothing is scaled, masked or turned into dates."""
-    import xarray
-
-    with xarray.open_datatree(path, engine="h5netcdf", decode_cf=False) as tree:
-        each = {node.path.strip("/"): node.to_dataset(inherit=False) for node in tree.subtree}
-        groups = {path or "/": table.load() for path, table in each.items()}
+    """The groups of a file that is a result."""
+    groups = read_groups(path)
     about = groups["/"].attrs
     if about.get("format") != FORMAT:
         raise WrongFile(f"this netCDF file is no result of {WRITERS}. Name another.")

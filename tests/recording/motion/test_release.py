@@ -29,7 +29,7 @@ def test_the_release_is_found_within_its_error_and_the_hand_is_out_of_the_fit(de
     extent, release, time = found(knee, Hand(fade=fade, soft=False), device, seed=3)
     # An even fade acts like a release in its middle, but that the leg turns meanwhile: 3 ms.
     assert extent.release == pytest.approx(release + fade / 2, abs=3 * extent.release_error + 3e-3)
-    assert time[extent.held_until] <= release + fade / 4
+    assert time[extent.held_until] <= release + fade / 2
     assert time[extent.free] > release + fade - 0.005
     assert time[extent.free] < release + fade + 0.3
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.recording.motion.extent import Extent, first_movement, moving, nearest, released
-from exoid.recording.motion.limits import TURN_OF_HOLD
+from exoid.recording.motion.limits import TURN_OF_HOLD, WILFUL
 from exoid.recording.motion.signal import Signal, Speed, signal_of, speed_of
 from exoid.recording.recording import Segment, Sensors
 
@@ -32,13 +32,13 @@ def find_cycle(segment: Segment, sensors: Sensors, period: float | None = None) 
     start = nearest(time, onset)
     why = "the leg is back at rest" if stop < time.size else "the recording stops"
     held = None if onset == time[0] else max(start - 1, 0)
-    return Extent(held, onset, error, start, start, stop, "returned", why, ended - onset)
+    return Extent(held, onset, error, start, start, stop, None, "returned", why, ended - onset)
 
 
 def edge(signal: Signal, speed: Speed, first: int) -> tuple[float, float]:
     """When the leg that first moves at sample `first` left its rest [s], and its error."""
     about = float(signal.time[first])
-    found = released(signal, speed, first)
+    found = released(signal, speed, first, WILFUL)
     if found is None:
         return float(signal.time[0]), 0.0
     if abs(found.release - about) > TURN_OF_HOLD + speed.width:

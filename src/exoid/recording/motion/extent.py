@@ -7,7 +7,7 @@ import numpy as np
 
 from exoid.recording.condition import interpolated, local_line, runs
 from exoid.recording.motion.hand import free_end
-from exoid.recording.motion.letting_go import LettingGo, begun_free, let_go
+from exoid.recording.motion.letting_go import Case, LettingGo, begun_free, let_go
 from exoid.recording.motion.limits import (
     BEGUN,
     CLEAR,
@@ -15,6 +15,7 @@ from exoid.recording.motion.limits import (
     HELD,
     HOLD,
     MARKED,
+    ODD,
     ODDS,
     REST,
     TRAVEL,
@@ -40,6 +41,7 @@ class Extent:
     start: int  # the sample nearest to the release
     free: int  # the first sample that surely is free of the hand
     stop: int  # one past the last free sample
+    hand: int | None  # the first sample after it at which a hand may be on the leg again
     ended: Literal["at rest", "caught", "recording stopped", "returned"]
     why: str
     duration: float = np.nan  # s, of a voluntary cycle
@@ -55,20 +57,24 @@ def find_extent(
 
     **Raises** `Motionless` where nothing moves.
     """
-    signal = signal_of(segment, sensors)
+    return find_free(signal_of(segment, sensors), handled=handled)
+
+
+def find_free(signal: Signal, *, handled: bool = True) -> Extent:
+    """The same of a signal."""
     speed = speed_of(signal)
     first, _ = first_movement(signal, speed)
     found = released(signal, speed, first)
-    start = 0 if found is None else nearest(signal.time, found.release)
-    end = free_end(signal, speed, start, handled=handled)
+    start = free = 0
+    if found is not None:
+        start = nearest(signal.time, found.release)
+        free = int(np.searchsorted(signal.time, found.gone))
+    end = free_end(signal, speed, start, free, handled=handled)
+    how = {"stop": end.stop, "hand": end.hand, "ended": end.ended, "why": end.why}
     if found is None:
-        begin = float(signal.time[0])
-        return Extent(None, begin, 0.0, 0, 0, end.stop, end.ended, end.why)
-    free = int(np.searchsorted(signal.time, found.gone))
+        return Extent(None, float(signal.time[0]), 0.0, 0, 0, **how)
     held = int(np.searchsorted(signal.time, found.begin, side="right")) - 1
-    return Extent(
-        max(held, 0), found.release, found.error, start, free, end.stop, end.ended, end.why
-    )
+    return Extent(max(held, 0), found.release, found.error, start, free, **how)
 
 
 def first_movement(signal: Signal, speed: Speed) -> tuple[int, int]:
@@ -99,20 +105,23 @@ def moving(time: Samples, speed: Speed) -> list[tuple[int, int]]:
     return runs(moves)
 
 
-def released(signal: Signal, speed: Speed, first: int) -> LettingGo | None:
+def released(
+    signal: Signal, speed: Speed, first: int, room: tuple[float, ...] = ODD
+) -> LettingGo | None:
     """How the leg that first moves at `first` was let go; None where it begins free."""
     time = signal.time
     if first == 0:
         return None
     about = float(time[first])
     early = HOLD + speed.width
-    window = (about - early - HELD, about + FALL)
-    low = max(about - early, float(time[0]))
-    found = let_go(signal, low, about + speed.width / 2, window)
+    last = min(int(np.searchsorted(time, about + FALL)), time.size - 1)
+    pull = abs(float(speed.velocity[last])) / FALL
+    case = Case(signal, (about - early - HELD, about + FALL), pull, room)
+    found = let_go(case, max(about - early, float(time[0])), about + speed.width / 2)
     if found.release - time[0] < MARKED:
         return None
     if found.release - time[0] < BEGUN:
-        free = begun_free(signal, window)
+        free = begun_free(case)
         if free < found.chi_square + ODDS * max(1.0, found.misfit):
             return None
     return found

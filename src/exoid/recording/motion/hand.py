@@ -10,6 +10,7 @@ from typing import Literal
 import numpy as np
 
 from exoid.recording.condition import interpolated, local_line, runs
+from exoid.recording.motion.acceleration import free_until
 from exoid.recording.motion.limits import (
     BEYOND,
     CLEAR,
@@ -36,6 +37,7 @@ class End:
     stop: int  # one past its last sample
     ended: Ending
     why: str
+    hand: int | None = None  # the first sample at which a hand may be on the leg
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,14 +49,14 @@ class Swings:
     error: float  # rad
 
 
-def free_end(signal: Signal, speed: Speed, begin: int, *, handled: bool) -> End:
-    """Where the motion that begins freely at sample `begin` ends; `handled` by a person at all."""
+def free_end(signal: Signal, speed: Speed, begin: int, free: int, *, handled: bool) -> End:
+    """Where the motion from `begin` on, free from `free` on, ends; `handled`: by a person."""
     smooth, noise = smoothed(signal, speed.width)
     size = signal.time.size
     rest = rest_after(signal, speed, smooth, begin, noise)
     seen = swings(smooth, begin, size, noise, rest)
     if handled:
-        hand = hand_in(signal, seen, smooth, rest)
+        hand = hand_in(signal, seen, free, rest)
         if hand is not None:
             return hand
     if rest is None:
@@ -94,22 +96,31 @@ def rest_after(
     return None
 
 
-def hand_in(signal: Signal, seen: Swings, smooth: Samples, rest: Rest | None) -> End | None:
+def hand_in(signal: Signal, seen: Swings, free: int, rest: Rest | None) -> End | None:
     """The first trace of a hand."""
     place = outside(seen)
     if place is not None:
-        return End(seen.at[max(place - 2, 1)] + 1, "caught", said(signal, seen.at[place - 1]))
+        sure = seen.at[max(place - 2, 1)]
+        return caught(signal, slice(free, sure + 1), seen.at[place])
     if rest is None:
         return None
-    *turns, end = seen.at
     if cut_short(seen.angle.tolist()):
-        stop = turns[-1] if len(turns) > 1 else fastest(smooth, turns[0], end)
-        return End(stop + 1, "caught", said(signal, stop))
+        *turns, end = seen.at
+        sure = turns[-1 if len(turns) == 2 else -2] if len(turns) > 1 else (free + end) // 2
+        return caught(signal, slice(free, max(sure, free) + 1), end)
     if rest[1] < signal.time.size:
         left = int(np.searchsorted(signal.time, signal.time[rest[1] - 1] - LATE))
         kept = int(np.searchsorted(signal.time, signal.time[rest[0]] + KEPT, side="right"))
-        return End(max(min(left, kept), rest[0]), "at rest", "the leg came to rest, then was moved")
+        stop = max(min(left, kept), rest[0])
+        return End(stop, "at rest", "the leg came to rest, then was moved", left)
     return None
+
+
+def caught(signal: Signal, free: slice, limit: int) -> End:
+    """Where a hand ended what was free for sure in the samples `free`, before `limit`."""
+    stop = free_until(signal, free, limit)
+    since = float(signal.time[stop - 1])
+    return End(stop, "caught", f"stopped or lifted after {since:.2f} s, as by a hand", stop)
 
 
 def outside(seen: Swings) -> int | None:
@@ -138,11 +149,3 @@ def cut_short(ends: list[float]) -> bool:
         return bool(2 * abs(last - rest) - abs(before - rest) > SHORT)
     lost = max(abs(before - ends[-4]) - swing, 0.0)
     return bool(swing - lost - abs(rest - last) > SHORT)
-
-
-def fastest(smooth: Samples, begin: int, stop: int) -> int:
-    return begin + int(np.argmax(np.abs(np.diff(smooth[begin : stop + 1])))) + 1
-
-
-def said(signal: Signal, at: int) -> str:
-    return f"a hand is on the leg after {signal.time[min(at, signal.time.size - 1)]:.2f} s"

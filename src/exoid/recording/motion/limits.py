@@ -10,13 +10,19 @@ WIDTHS = (0.05, 0.075, 0.1, 0.15, 0.2, 0.3)  # s; a leg's half swing takes 0.5 s
 
 # Letting go. A hand takes 20 to 100 ms; the leg then falls freely.
 WINDOWS = np.linspace(0.0, 0.12, 9)  # s, tried durations of letting go
-FALL = 0.25  # s after the release that are followed by a polynomial of order 5
+FALL = 0.25  # s after the release that are followed
 HELD = 0.5  # s of the hold in front that are compared with it
-TRIED = (0.001, 0.002)  # s between the tried instants, a quarter of a sample within
-BENDS = (0.6, 0.5, 0.3)  # rad, at FALL, of what a leg can do in x^3, x^4, x^5: 30 rad/s^2 at first,
-# then damping and swing of up to 8 1/s
+COARSE = 0.008  # s between the instants that are tried at first
+TRIED = (5e-4, 4e-3)  # s between them in the end, a sixtieth of those that remain within
+LEGS = [(k, d) for k in (2.0, 20.0, 45.0, 75.0) for d in (0.0, 2.5, 6.0, 10.0)]  # 1/s^2, 1/s:
+# what turns a fall, from a leg above the horizontal to a stiff one; healthy to spastic damping
+GREATEST = 30.0  # rad/s^2, the first acceleration of a leg that is let go level
+ODD = (0.03, 0.02, 0.01)  # rad, at FALL, in x^3, x^4, x^5: what such a leg does between these legs
+WILFUL = (0.6, 0.5, 0.3)  # the same of a voluntary movement: its torque grows while it begins
+SHAPE = 0.0015  # s by which hands that let go in other ways move the release
 GONE = 0.99  # probability with which the hand is off the leg at the first free sample
-TAIL = 0.25  # of the time of letting go that a hand may take longer than its ramp
+MARGIN = 0.01  # s that are left to what no model of a hand and a leg has
+TAIL = 0.4  # of the time of letting go that a hand may take longer than its ramp
 
 # A recording that begins free. A leg whose hold is shorter than this was marked at its release:
 # play and compliance keep the sensors at rest for 45 to 65 ms, and no hand waits that short.
@@ -36,8 +42,11 @@ CLEAR = 6.0  # times the noise of a smoothed angle
 BEYOND = np.radians(2.0)  # rad by which a turning point may lie outside the one before
 SHARE = 0.05  # of that swing
 SHORT = np.radians(5.0)  # rad by which a last swing may be shorter than its forerunners say
-LATE = 0.1  # s before a hand is seen that it may have begun
+LATE = 0.08  # s before a hand is seen that it may have begun
 KEPT = 3.0  # s at rest that are kept: more tells nothing but the sensor's drift
+PUSH = 0.12  # of the greatest free acceleration, below which a hand is not told from a leg's own
+ROUGH = 3.5  # times what the free part itself leaves: friction, a reflex
+BLUR = (0.05, 0.1, 0.15, 0.2, 0.3)  # s over which accelerations are smoothed
 
 # A voluntary cycle. Its onset may be as soft as the begin of a cosine.
 TURN_OF_HOLD = 0.15  # s by which the onset may be before the leg is clear of its rest

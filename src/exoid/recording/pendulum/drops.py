@@ -85,7 +85,8 @@ def drop(recording: Recording, number: int, name: str) -> Drop:
     try:
         if kind != "passive":
             raise NotAllowed(REFUSED[kind])
-        found = find_landmarks(track_of(segment, cleaned.angle.level))
+        track = track_of(segment, cleaned.angle.level)
+        found = find_landmarks(track, recording.subject.kind != "rig")
     except NotAllowed as why:
         return Drop(name, segment, mass, {}, None, str(why))
     return Drop(name, segment, mass, measures(found), found.curve)

@@ -1,16 +1,19 @@
 """The places of a drop that its measures are read from, each found or refused with the reason."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypeVar
 
 import numpy as np
 
+from exoid.recording.motion.extent import Extent, Motionless, find_free
+from exoid.recording.motion.signal import Signal
+from exoid.recording.motion.turning import reversals
 from exoid.recording.pendulum.measure import NotAllowed
 from exoid.recording.pendulum.release import Release, find_release
 from exoid.recording.pendulum.rest import Rest, find_rest
 from exoid.recording.pendulum.swing import Curve, back, curve, turns
-from exoid.recording.pendulum.track import HALF, Peak, Track, local, peak
+from exoid.recording.pendulum.track import FEWEST, HALF, Peak, Track, local, peak
 
 SHARE = 0.6  # of its greatest acceleration with which a leg that is let go falls at first
 SURE = 3.0  # standard errors
@@ -73,9 +76,13 @@ class Landmarks:
         return peak(self.track, near, order, float(self.curve.time[0]))
 
 
-def find_landmarks(track: Track) -> Landmarks:
-    """Everything that can be found on a drop."""
-    released = attempt(lambda: find_release(track))
+def find_landmarks(track: Track, handled: bool = True) -> Landmarks:
+    """Everything that can be found on a drop; `handled` by a person, who may catch or lift the leg.
+
+    **Raises** `NotAllowed` where nothing moves, or what moves does not fall.
+    """
+    track, extent = freely(track, handled)
+    released = attempt(lambda: find_release(track, extent))
     free = None if isinstance(released, NotAllowed) else released
     begin = float(track.time[0]) if free is None else free.start.time
     found = turns(track, begin)
@@ -87,9 +94,36 @@ def find_landmarks(track: Track) -> Landmarks:
         curve(track, free),
         found,
         released,
-        attempt(lambda: find_rest(track, found if free is None else [free.start, *found])),
+        attempt(lambda: rested(track, extent, found if free is None else [free.start, *found])),
         None if free is None else held(track, free, found),
     )
+
+
+def freely(track: Track, handled: bool) -> tuple[Track, Extent]:
+    """The track up to where a hand caught or lifted the leg, and its movement."""
+    signal = Signal(track.time, track.angle, track.noise, None, np.inf)
+    try:
+        extent = find_free(signal, handled=handled)
+    except Motionless as fault:
+        raise NotAllowed(f"no fall: {fault}") from fault
+    first = 0 if handled else first_top(track)
+    kept = slice(first, extent.hand and max(extent.hand, FEWEST))
+    return replace(
+        track, sample=track.sample[kept], time=track.time[kept], angle=track.angle[kept]
+    ), extent
+
+
+def first_top(track: Track) -> int:
+    """Where a rig that is let go below its rest swings back for the first time; else 0."""
+    turns = reversals(track.angle, back(track))
+    return turns[0] if turns and track.angle[turns[0]] > track.angle[0] else 0
+
+
+def rested(track: Track, extent: Extent, turns: list[Peak]) -> Rest:
+    """The rest that a drop ends with, where no hand ended it."""
+    if extent.ended == "caught":
+        raise NotAllowed(f"caught: {extent.why}. Leave it alone until it hangs still")
+    return find_rest(track, turns)
 
 
 def held(track: Track, release: Release, found: list[Peak]) -> NotAllowed | None:

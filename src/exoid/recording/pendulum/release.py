@@ -10,13 +10,16 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from exoid.recording.condition import MOTION_SPEED, REST_SPEED, SMOOTHING, local_line
+from exoid.recording.condition import MOTION_SPEED
+from exoid.recording.motion.extent import Extent
 from exoid.recording.pendulum.measure import NotAllowed
 from exoid.recording.pendulum.track import HALF, Peak, Track, local, nearest
 from exoid.recording.recording import Samples
 
 FALL = 0.35  # s of the fall that are followed: to 1 in 100 of its first acceleration
 LATE = 0.025  # s by which the first sample may come after the release
+NEAR, LATER = 0.03, 0.03  # s around the release that are tried; play hides the first of a fall
+SURE = 3.0  # standard errors
 STEP = 0.001  # s between the tried times of release
 POWERS = np.array([0, 2, 3, 4, 5])
 FEWEST = 8  # samples of the fall
@@ -45,38 +48,31 @@ class Release:
         return after, *self.derivative(2, after)
 
 
-def find_release(track: Track) -> Release:
-    """The release of a drop.
+def find_release(track: Track, extent: Extent) -> Release:
+    """The release of a drop whose movement is known.
 
-    **Raises** `NotAllowed` where the leg never falls, or the recording begins after its release.
+    **Raises** `NotAllowed` where the recording begins after its release.
     """
-    begin, lowest = about(track)
-    tried = begin + np.arange(max(-0.03, lowest - begin), 0.06, STEP)
+    begin, lowest, reach = about(track, extent)
+    tried = np.arange(max(begin - reach, lowest), begin + reach + LATER, STEP)
     misfits = [misfit(track, each) for each in tried.tolist()]
     best = float(tried[int(np.argmin(misfits))])
     step = refined(track, best)[1]
     return refined(track, best + float(np.clip(step, -STEP, STEP)))[0]
 
 
-def about(track: Track) -> tuple[float, float]:
-    """Near which time it was let go, and before which it was not [s]."""
-    speed = local_line(track.time, track.angle, SMOOTHING)[1]
-    falling = np.flatnonzero(speed < -MOTION_SPEED)
-    if not falling.size:
-        raise NotAllowed(
-            f"no fall: the knee never flexes faster than {np.degrees(MOTION_SPEED):.0f} deg/s"
-        )
-    still = np.flatnonzero(np.abs(speed[: falling[0]]) < REST_SPEED)
+def about(track: Track, extent: Extent) -> tuple[float, float, float]:
+    """Near which time it was let go, before which it was not, and how near [s]."""
     first = float(track.time[0])
-    if still.size:
-        return float(track.time[still[-1]]), first
-    begun, _ = local(track, first).derivative(1)
-    if abs(begun) > MOTION_SPEED:
+    if extent.held_until is not None:
+        return extent.release, first, NEAR + SURE * extent.release_error
+    begun, error = local(track, first).derivative(1)
+    if abs(begun) > MOTION_SPEED + SURE * error:
         raise NotAllowed(
             f"begins in motion, at {abs(np.degrees(begun)):.0f} deg/s: the release was not "
             "recorded. Hold the leg still for a second before you let go"
         )
-    return first, first - LATE
+    return first, first - LATE, NEAR
 
 
 def fall_row(x: Samples | float, order: int = 0) -> Samples:

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from exoid.recording.motion.turning import reversals
 from exoid.recording.pendulum.release import Release
 from exoid.recording.pendulum.track import HALF, Peak, Track, local, peak
 from exoid.recording.recording import Samples
@@ -35,24 +36,6 @@ def turns(track: Track, begin: float) -> list[Peak]:
 def back(track: Track) -> float:
     """By how much a leg must swing back [rad]."""
     return max(SMALLEST, CLEAR * track.noise)
-
-
-def reversals(angle: Samples, least: float) -> list[int]:
-    """Where a sequence turns around by at least `least`: the extremes between such turns."""
-    found: list[int] = []
-    low = high = 0
-    falling: bool | None = None
-    for at, value in enumerate(angle.tolist()):
-        low, high = (at if value < angle[low] else low), (at if value > angle[high] else high)
-        if falling is not False and value - angle[low] >= least:
-            if falling:
-                found.append(low)
-            falling, high = False, at
-        elif falling is not True and angle[high] - value >= least:
-            if falling is False:
-                found.append(high)
-            falling, low = True, at
-    return found
 
 
 def curve(track: Track, release: Release | None) -> Curve:

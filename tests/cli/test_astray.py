@@ -1,0 +1,70 @@
+"""A fit that does not follow its recording says so first, on every path, and ends with 1."""
+
+import json
+
+import pytest
+
+from exoid.recording.table import write_table
+from legs import drop, recording
+
+FIRST = "This fit does not follow its recording"
+
+
+@pytest.fixture(scope="module")
+def lost(command, tmp_path_factory):
+    """A long slow pendulum as a leg, J/(m l) 0.68 m, which Eq. 13 does not allow (Eq. 15)."""
+    folder = tmp_path_factory.mktemp("lost")
+    write_table(recording(drop((14.4, 1.2, 0.6), -0.3, duration=4.0)), folder / "slow.csv")
+    out = {name: folder / f"out.{name}" for name in ("json", "png", "nc", "html")}
+    done = command(
+        "fit",
+        folder / "slow.csv",
+        "--multistart",
+        4,
+        *("--json", out["json"], "--plot", out["png"]),
+        *("--save", out["nc"], "--report", out["html"]),
+    )
+    return done, out
+
+
+def test_it_is_the_first_thing_that_is_said(lost):
+    done, _ = lost
+    assert done.returncode == 1, done.stderr
+    assert done.stdout.splitlines()[1] == FIRST
+    assert done.stdout.count("does not follow the recording") == 1  # and not again in the notes
+    assert "reduction" not in done.stderr
+
+
+def test_all_that_was_asked_for_is_written(lost):
+    done, out = lost
+    assert all(path.is_file() for path in out.values()), done.stderr
+    assert out["png"].read_bytes().startswith(b"\x89PNG")
+
+
+def test_the_document_says_so(lost):
+    document = json.loads(lost[1]["json"].read_text())
+    assert document["fit"]["follows_recording"] is False
+    assert "it misses the angle by" in document["fit"]["astray"]
+
+
+def test_the_page_begins_with_it_and_calls_nothing_good(lost):
+    page = lost[1]["html"].read_text()
+    first = page.index('class="card ')
+    assert page[first:].startswith('class="card open">')
+    assert "No. Do not use the numbers below." in page[first : first + 400]
+    cards = page[first : page.index("</section>", first)]
+    assert "Is the recording good?" not in cards
+
+
+def test_a_saved_one_still_says_so(command, lost, tmp_path):
+    done = command("report", lost[1]["nc"], "-o", tmp_path / "again.html")
+    assert done.returncode == 1
+    assert "No. Do not use the numbers below." in (tmp_path / "again.html").read_text()
+    compared = command("compare", lost[1]["nc"], lost[1]["nc"])
+    assert compared.stdout.count("does not follow the recording") == 2
+
+
+def test_a_fit_that_follows_ends_with_0(command, recordings):
+    done = command("fit", recordings / "drop.csv")
+    assert done.returncode == 0
+    assert FIRST not in done.stdout

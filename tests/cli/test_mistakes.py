@@ -1,0 +1,143 @@
+"""What a user got wrong is refused in every command alike, with what mends it; the commands run in
+this process: only reading happens before they refuse.
+"""
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from command_line import refusal
+
+from exoid.cli.choices import Flip, Zero
+from exoid.cli.convert import convert
+from exoid.cli.diagnose import diagnose
+from exoid.cli.drops import drops
+from exoid.cli.fit import fit
+from exoid.cli.plan import plan
+from exoid.cli.report import report
+from exoid.recording.load import load
+from exoid.recording.recording import Segment, Subject
+from exoid.recording.table import write_table
+from legs import CHILD, drop, recording
+
+RIGHT = drop(duration=4.0)
+OUT = Path("out.csv")
+COMMANDS = {
+    "fit": lambda path: fit([path]),
+    "diagnose": lambda path: diagnose([path]),
+    "drops": lambda path: drops([path]),
+    "report": lambda path: report([path], OUT.with_suffix(".html")),
+    "plan": lambda path: plan([path]),
+    "convert": lambda path: convert(path, OUT),
+}
+MISTAKES = {
+    "milliseconds": ({"time": RIGHT.time * 1e3}, "in milliseconds? Then name the column time_ms"),
+    "microseconds": ({"time": RIGHT.time * 1e6}, "in microseconds? Then name the column time_us"),
+    "flexion": (
+        {"raw_angle": -RIGHT.raw_angle, "raw_angular_velocity": -RIGHT.raw_angular_velocity},
+        "Is flexion positive in this file? Then say --flip all",
+    ),
+    "flexion of the encoder": ({"raw_angle": -RIGHT.raw_angle}, "Then say --flip angle"),
+    "hanging": ({"raw_angle": RIGHT.raw_angle + np.pi / 2}, "Then say --zero hanging"),
+    "straight": ({"raw_angle": RIGHT.raw_angle + np.pi}, "angle_zero_deg = 180"),
+    "degrees": (
+        {"raw_angle": np.degrees(RIGHT.raw_angle)},
+        "Is it in degrees? Then name the column raw_angle_deg",
+    ),
+    "radians as degrees": ({"raw_angle": np.radians(RIGHT.raw_angle)}, "Is it in radians?"),
+    "gyro in degrees": (
+        {"raw_angular_velocity": np.degrees(RIGHT.raw_angular_velocity) / 4},
+        "Is raw_velocity_rad_s in degrees? Then name the column raw_velocity_deg_s",
+    ),
+    "gyro of the other sign": (
+        {"raw_angular_velocity": -RIGHT.raw_angular_velocity},
+        "say --flip gyro",
+    ),
+}
+
+
+def written(path, mistake):
+    """A table with a mistake, as it stands on disk: read back before anything is checked."""
+    wrong, _ = MISTAKES[mistake]
+    columns = {**RIGHT.channels(), **wrong}
+    if mistake == "gyro in degrees":  # a slow drop; a fast one is beyond what a gyro can say
+        slow = drop(start=-1.1, duration=4.0)
+        columns = {**slow.channels(), "raw_angular_velocity": np.degrees(slow.raw_angular_velocity)}
+    names = ("time", "raw_angle", "raw_angular_velocity")
+    lines = [
+        ",".join(map(repr, row)) for row in zip(*(columns[n].tolist() for n in names), strict=True)
+    ]
+    header = "time_s,raw_angle_rad,raw_velocity_rad_s"
+    path.write_text("\n".join([header, *lines]) + "\n")
+    path.with_suffix(".toml").write_text('[subject]\nkind = "leg"\n[protocol]\nkind = "passive"\n')
+    return path
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+@pytest.mark.parametrize("mistake", MISTAKES)
+def test_every_command_says_what_is_wrong_and_what_mends_it(
+    tmp_path, monkeypatch, mistake, command
+):
+    monkeypatch.chdir(tmp_path)
+    path = written(tmp_path / "knee.csv", mistake)
+    with pytest.raises(ValueError, match=r"knee\.csv: ") as caught:
+        COMMANDS[command](path)
+    assert MISTAKES[mistake][1] in str(caught.value)
+    assert sorted(each.name for each in tmp_path.iterdir()) == ["knee.csv", "knee.toml"]
+
+
+def test_it_is_one_line_and_exit_code_2(command, tmp_path):
+    line = refusal(command("drops", written(tmp_path / "knee.csv", "flexion")))
+    assert line.endswith("say --flip all. If 0 is right, say --zero extended.")
+
+
+@pytest.mark.parametrize(
+    ("mistake", "options"),
+    [
+        ("flexion", {"flip": Flip.all}),
+        ("flexion of the encoder", {"flip": Flip.angle}),
+        ("gyro of the other sign", {"flip": Flip.gyro}),
+        ("hanging", {"zero": Zero.hanging}),
+    ],
+)
+def test_the_option_that_is_named_mends_the_file_for_good(tmp_path, mistake, options):
+    path = written(tmp_path / "knee.csv", mistake)
+    convert(path, tmp_path / "mended.csv", **options)
+    (found,) = load(tmp_path / "mended.csv").recording.segments
+    np.testing.assert_allclose(found.raw_angle, RIGHT.raw_angle, atol=1e-12)
+    np.testing.assert_array_equal(found.raw_angular_velocity, RIGHT.raw_angular_velocity)
+
+
+def test_a_drop_of_another_leg_is_named_in_the_same_words(tmp_path, capsys):
+    mixed = recording(RIGHT, drop(start=-0.5), drop(CHILD, -0.3))
+    write_table(mixed, tmp_path / "knee.csv")
+    drops([tmp_path / "knee.csv"])
+    assert "segment 2 is drawn to rest by" in capsys.readouterr().err
+
+
+# Who it is, and which leg
+
+
+def named(path, **who) -> None:
+    right = recording(RIGHT, subject=Subject(kind="leg", **who))
+    write_table(replace(right, segments=(Segment(**RIGHT.channels()),)), path)
+
+
+def test_drops_say_who_it_is(tmp_path, capsys):
+    named(tmp_path / "knee.csv", id="P07", side="left", session="March")
+    document = tmp_path / "drops.json"
+    drops([tmp_path / "knee.csv"], json=document)
+    assert capsys.readouterr().out.startswith("P07, left leg, session March\n")
+    (source,) = json.loads(document.read_text())["recordings"]
+    assert source["subject"] == {"id": "P07", "side": "left", "session": "March"}
+
+
+@pytest.mark.parametrize("key", ["id", "side"])
+def test_two_people_or_two_sides_are_not_fitted_together(tmp_path, key):
+    paths = [tmp_path / "a.csv", tmp_path / "b.csv"]
+    for path, value in zip(paths, ("left", "right"), strict=True):
+        named(path, **{key: value})
+    with pytest.raises(ValueError, match=rf"a\.csv is of {key} left, b\.csv of {key} right"):
+        fit(paths)
