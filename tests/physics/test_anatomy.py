@@ -167,7 +167,7 @@ def test_what_two_tables_disagree_about_is_scatter():
 
 @pytest.mark.parametrize("height", [1.10, 1.30, 1.50])
 def test_a_childs_inertia_goes_with_about_the_fifth_power_of_height(height):
-    """Lebiedowska & Polisiakiewicz 1997, 5-18 years; legs grow more than the rest, by up to J ~ H^0.8
+    """Lebiedowska & Polisiakiewicz 1997, 5-18 years; legs grow more than the rest: up to H^0.8
     at the smallest (sitting heights).
     """
     low, high = (
