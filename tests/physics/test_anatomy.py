@@ -132,12 +132,12 @@ def test_all_tables_of_adults_agree_about_inertia_over_moment():
 @pytest.mark.parametrize(
     ("body_mass", "height", "age", "spoken"),
     [
-        (77.0, 1.80, None, "table de_leva"),
+        (77.0, 1.80, None, "tables de_leva, winter and dumas"),
         (20.0, 1.12, None, "table child"),
-        (35.0, 1.40, None, "tables child and de_leva"),  # a child, or a small adult
+        (35.0, 1.40, None, "tables child, de_leva, winter and dumas"),  # a child, or a small adult
         (35.0, 1.40, 11.0, "table child"),
-        (45.0, 1.40, 40.0, "table de_leva"),
-        (95.0, 1.75, None, "tables heavy and de_leva"),
+        (45.0, 1.40, 40.0, "tables de_leva, winter and dumas"),
+        (95.0, 1.75, None, "tables heavy, de_leva, winter and dumas"),
         (140.0, 1.75, None, "table heavy"),
     ],
 )
@@ -166,12 +166,14 @@ def test_what_two_tables_disagree_about_is_scatter():
 
 
 @pytest.mark.parametrize("height", [1.10, 1.30, 1.50])
-def test_a_childs_inertia_goes_with_the_fifth_power_of_height(height):
-    """Lebiedowska & Polisiakiewicz 1997, 5-18 years, at the body mass index of the middle."""
+def test_a_childs_inertia_goes_with_about_the_fifth_power_of_height(height):
+    """Lebiedowska & Polisiakiewicz 1997, 5-18 years; legs grow more than the rest: up to H^0.8
+    at the smallest (sitting heights).
+    """
     low, high = (
         expected_leg(16.5 * h**3 / 1.3, h, age=10.0).inertia.value for h in (height, 1.05 * height)
     )
-    assert np.log(high / low) / np.log(1.05) == pytest.approx(5.0, abs=0.05)
+    assert 4.95 < np.log(high / low) / np.log(1.05) < 5.8
 
 
 def test_of_a_heavy_body_a_smaller_share_hangs_below_the_knee():
@@ -188,7 +190,9 @@ def test_the_scatter_of_m_l_and_j_goes_together():
 
 
 def test_a_leg_of_unknown_sex_has_the_mean_mass():
-    female, male, unknown = (expected_leg(*SUBJECT, sex=sex) for sex in ("female", "male", None))
+    female, male, unknown = (
+        expected_leg(*SUBJECT, table="de_leva", sex=sex) for sex in ("female", "male", None)
+    )
     assert unknown.mass.value == pytest.approx((female.mass.value + male.mass.value) / 2)
     assert female.mass.value > male.mass.value
 

@@ -34,7 +34,7 @@ from exoid.fit.result import Basis
 from exoid.fit.solve import mountings
 
 UNDETERMINED = 1e-3  # information per typical step squared, too little to sample along
-NARROW = 1e-3  # relative width of what a user fixed: chains cannot move along a surface
+NARROW = 2e-4  # relative width of what a user fixed: chains cannot move along a surface
 UNIFORM = 12.0  # squared width over variance of a uniform density
 
 
