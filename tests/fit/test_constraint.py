@@ -6,14 +6,16 @@ import jax
 import numpy as np
 import pytest
 
-from exoid.fit.belief import leg_limits, rig_limits
+from exoid.fit.belief import leg_limits, limits_of, paper_bounds, rig_limits
 from exoid.fit.constraint import NEVER, constraint_names, violations
+from exoid.physics.anatomy import reach
 from exoid.physics.leg import LegParameters
 from exoid.physics.parameter import declarations
+from exoid.recording.recording import Subject
 from fit_cases import leg
 
 NAMES = [entry.name for entry in fields(LegParameters)]
-LIMITS = leg_limits(1.80)
+LIMITS = limits_of(paper_bounds(), 250.0, reach(1.80))  # Eq. 13, and the reach of its subject
 NO_TORQUE = np.zeros(1)
 
 
@@ -59,6 +61,38 @@ def test_the_papers_result_is_no_leg():
     paper = leg(mass=4.929, inertia=0.736, com_distance=0.221, stiffness=1.6)
     assert exceeded(paper)["J <= reach m l"] > 0
     assert exceeded(paper)["m l^2 <= J"] < 0
+
+
+def test_eq_13_as_printed_takes_the_papers_result_for_a_leg():
+    """It knows no reach: `--bounds paper` brings it back."""
+    paper = leg(mass=4.929, inertia=0.736, com_distance=0.221, damping=0.162, stiffness=2.127)
+    assert max(exceeded(paper, limits=leg_limits(Subject(), "paper")).values()) < 0
+
+
+@pytest.mark.parametrize(
+    ("body", "parameters"),
+    [
+        ((4.0, 0.55), (0.22, 0.0017, 0.075, 0.003, 0.02)),  # an infant
+        ((20.0, 1.12), (1.2, 0.045, 0.16, 0.04, 0.3)),  # a child of six
+        ((77.0, 1.80), (4.5, 0.44, 0.265, 8.0, 60.0)),  # a stiff and spastic knee
+        ((200.0, 1.70), (11.0, 0.95, 0.25, 1.0, 8.0)),
+        ((None, None), (0.22, 0.0017, 0.075, 0.003, 0.02)),
+        ((None, None), (14.0, 1.6, 0.28, 8.0, 200.0)),
+    ],
+)
+def test_limits_leave_room_for_every_human(body, parameters):
+    person = Subject(kind="leg", body_mass=body[0], height=body[1])
+    found = exceeded(leg(*parameters), limits=leg_limits(person))
+    assert max(found.values()) < 0
+
+
+def test_d_and_c_are_not_made_small_by_a_leg_without_inertia():
+    """At one d / J a hundredth of the inertia leaves the limit as far away, however small d is."""
+    limits = replace(LIMITS, upper=replace(LIMITS.upper, damping=np.asarray(0.0)))
+    whole, light = (
+        exceeded(leg(inertia=j, damping=j), limits=limits)["damping+"] for j in (0.4, 0.004)
+    )
+    assert whole == pytest.approx(light)
 
 
 def test_a_torque_is_limited_either_way_in_every_segment():

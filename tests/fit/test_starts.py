@@ -4,12 +4,15 @@ import jax
 import numpy as np
 import pytest
 
+from exoid.fit.belief import leg_limits, limits_by_hand
+from exoid.fit.by_hand import ByHand
+from exoid.fit.constraint import constraint_names, violations
 from exoid.fit.coordinates import leg_parameters, torque_amplitudes
 from exoid.fit.movement import movement
 from exoid.fit.starts import coordinates, draw, first_state
 from exoid.physics.leg import LegModel, LegParameters
-from exoid.physics.parameter import declarations
 from exoid.physics.torque import NoTorque
+from exoid.recording.recording import Subject
 from fit_cases import cycle_torque, exact, leg, one, state
 
 TIME = np.arange(120) * 0.01
@@ -24,15 +27,42 @@ def cycle():
     return movement(one(segment, "active", cycle_period=1.19), 0, "cycle")
 
 
-def test_starts_fill_the_bounds_of_eq_13():
-    starts = draw(2000, seed=1)
-    declared = [said for _, said in declarations(LegParameters)]
-    lower = np.array([*(said.lower for said in declared), -250.0])
-    upper = np.array([*(said.upper for said in declared), 250.0])
-    share = (starts - lower) / (upper - lower)
-    assert share.min() >= 0
-    assert share.max() <= 1
-    assert np.abs(share.mean(axis=0) - 0.5).max() < 0.03  # 4 sigma of 2000 uniform draws is 0.026
+PEOPLE = {
+    "adult": Subject(kind="leg", body_mass=77.0, height=1.80),
+    "infant": Subject(kind="leg", body_mass=4.0, height=0.55),
+    "heavy": Subject(kind="leg", body_mass=200.0, height=1.70),
+    "anybody": Subject(kind="leg"),
+}
+
+
+@pytest.mark.parametrize("person", PEOPLE)
+@pytest.mark.parametrize("bounds", ["body", "paper"])
+def test_every_start_is_a_leg_within_the_limits_in_force(person, bounds):
+    limits = leg_limits(PEOPLE[person], bounds)
+    starts = draw(500, 1, limits)
+    leg = LegParameters(*starts[:, :5].T)
+    found = violations(limits, leg, starts[None, :, 5], np)
+    rules = constraint_names(1)
+    if bounds == "paper":  # Eq. 12 has no room in some corners of Eq. 13
+        found = found[[n for n, name in enumerate(rules) if name != "m l^2 <= J"]]
+    assert found.max() < 1e-9
+
+
+def test_starts_fill_every_decade_alike():
+    limits = leg_limits(PEOPLE["adult"])
+    mass = np.log(draw(2000, 1, limits)[:, 0])
+    low, high = (np.log(float(each.mass)) for each in (limits.lower, limits.upper))
+    share = (mass - low) / (high - low)
+    assert abs(share.mean() - 0.5) < 0.026  # 4 sigma of 2000 uniform draws
+    assert abs(share.std() - 12**-0.5) < 0.015  # likewise
+
+
+def test_a_fixed_parameter_starts_where_it_is_fixed():
+    hand = ByHand(fix={"c": 0.0, "J": 0.4})
+    limits = limits_by_hand(leg_limits(PEOPLE["adult"]), hand)
+    starts = draw(50, 1, limits)
+    assert np.all(starts[:, 4] == 0.0)
+    assert starts[:, 1] == pytest.approx(0.4)
 
 
 def test_a_seed_gives_one_draw_whose_beginning_does_not_depend_on_its_length():

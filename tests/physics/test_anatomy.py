@@ -7,9 +7,6 @@ import pytest
 from scipy.integrate import quad
 
 from exoid.physics.anatomy import (
-    COM_DISTANCE_SCATTER,
-    INERTIA_SCATTER,
-    MASS_SCATTER,
     PAPER,
     capsule_inertia,
     expected_leg,
@@ -119,10 +116,75 @@ def test_every_expected_leg_is_a_possible_body(table, sex):
 
 def test_mass_grows_with_body_mass_and_inertia_with_height_squared():
     mass, com, inertia = values(expected_leg(60.0, 1.60))
-    heavier = values(expected_leg(72.0, 1.60))
+    heavier = values(expected_leg(69.0, 1.60))
     taller = values(expected_leg(60.0, 1.76))
-    assert heavier == pytest.approx((1.2 * mass, com, 1.2 * inertia))
+    assert heavier == pytest.approx((1.15 * mass, com, 1.15 * inertia))
     assert taller == pytest.approx((mass, 1.1 * com, 1.21 * inertia))
+
+
+def test_all_tables_of_adults_agree_about_inertia_over_moment():
+    """J / (m l) at 1.80 m is 0.36-0.38 m: the combination that a drop tells by itself."""
+    for table in ("de_leva", "winter", "dumas"):
+        mass, com, inertia = values(expected_leg(*SUBJECT, table=table))
+        assert 0.36 <= inertia / (mass * com) <= 0.38
+
+
+@pytest.mark.parametrize(
+    ("body_mass", "height", "age", "spoken"),
+    [
+        (77.0, 1.80, None, "table de_leva"),
+        (20.0, 1.12, None, "table child"),
+        (35.0, 1.40, None, "tables child and de_leva"),  # a child, or a small adult
+        (35.0, 1.40, 11.0, "table child"),
+        (45.0, 1.40, 40.0, "table de_leva"),
+        (95.0, 1.75, None, "tables heavy and de_leva"),
+        (140.0, 1.75, None, "table heavy"),
+    ],
+)
+def test_the_body_chooses_its_table(body_mass, height, age, spoken):
+    assert expected_leg(body_mass, height, age=age).source == f"anatomy, {spoken}"
+
+
+def test_tables_hand_over_without_a_step():
+    """Over 1 % of body mass or height an expectation moves by a few percent, never more."""
+    for height in np.arange(0.9, 1.9, 0.015):
+        near = [values(expected_leg(21.0 * h**2, h)) for h in (height, 1.01 * height)]
+        assert np.all(np.abs(np.log(near[1]) - np.log(near[0])) < 0.09)  # J ~ H^5
+    for mass in np.arange(60.0, 200.0, 3.0):
+        near = [values(expected_leg(m, 1.75)) for m in (mass, 1.01 * mass)]
+        assert np.all(np.abs(np.log(near[1]) - np.log(near[0])) < 0.02)
+
+
+def test_what_two_tables_disagree_about_is_scatter():
+    small, grown = (expected_leg(35.0, 1.40, age=age).mass for age in (11.0, 40.0))
+    unknown = expected_leg(35.0, 1.40).mass
+    assert small.value > grown.value
+    assert min(small.value, grown.value) < unknown.value < max(small.value, grown.value)
+    assert unknown.standard_deviation / unknown.value > (
+        min(one.standard_deviation / one.value for one in (small, grown))
+    )
+
+
+@pytest.mark.parametrize("height", [1.10, 1.30, 1.50])
+def test_a_childs_inertia_goes_with_the_fifth_power_of_height(height):
+    """Lebiedowska & Polisiakiewicz 1997, 5-18 years, at the body mass index of the middle."""
+    low, high = (
+        expected_leg(16.5 * h**3 / 1.3, h, age=10.0).inertia.value for h in (height, 1.05 * height)
+    )
+    assert np.log(high / low) / np.log(1.05) == pytest.approx(5.0, abs=0.05)
+
+
+def test_of_a_heavy_body_a_smaller_share_hangs_below_the_knee():
+    shares = [expected_leg(m, 1.75).mass.value / m for m in (75.0, 110.0, 150.0)]
+    assert shares[0] > shares[1] > shares[2]
+
+
+def test_the_scatter_of_m_l_and_j_goes_together():
+    leg = expected_leg(*SUBJECT)
+    covariance = np.array(leg.covariance)
+    assert np.linalg.eigvalsh(covariance).min() > 0
+    by_parts = np.sqrt(covariance.sum())  # log J = log m + log l + log J / (m l)
+    assert leg.inertia.standard_deviation / leg.inertia.value == pytest.approx(by_parts)
 
 
 def test_a_leg_of_unknown_sex_has_the_mean_mass():
@@ -146,16 +208,15 @@ def test_scatter_is_at_least_the_disagreement_of_the_tables():
         ]
     )
     spread = tables.std(axis=0, ddof=1) / tables.mean(axis=0)
-    scatter = np.array([MASS_SCATTER, COM_DISTANCE_SCATTER, INERTIA_SCATTER])
-    assert (spread <= scatter).all()
+    leg = expected_leg(*SUBJECT, table="de_leva", sex="male")
+    each = (leg.mass, leg.com_distance, leg.inertia)
+    assert (spread <= [one.standard_deviation / one.value for one in each]).all()
 
 
 def test_a_relaxed_knee_is_that_of_the_healthy_pendulum_test():
     leg = expected_leg(*SUBJECT)
     assert 2.6 <= leg.stiffness.value <= 3.2
-    assert 0.32 <= leg.damping.value <= 0.41
-    for part in (leg.stiffness, leg.damping):
-        assert part.standard_deviation == pytest.approx(0.6 * part.value)
+    assert 0.31 <= leg.damping.value <= 0.41
 
 
 def test_reach_is_knee_to_toe_and_grows_with_height():

@@ -1,16 +1,26 @@
-"""The words that options of `exoid fit` can take."""
+"""The words that options can take."""
 
 from enum import StrEnum
 
 
-class Prior(StrEnum):
+class Table(StrEnum):
     """Where the expected parameters come from."""
 
+    auto = "auto"
     de_leva = "de_leva"
     winter = "winter"
     dumas = "dumas"
+    child = "child"
+    heavy = "heavy"
     paper = "paper"
     none = "none"
+
+
+class Bounds(StrEnum):
+    """Between which limits a fit searches."""
+
+    body = "body"
+    paper = "paper"
 
 
 class Method(StrEnum):

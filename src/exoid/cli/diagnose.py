@@ -7,7 +7,9 @@ from typing import Annotated
 import typer
 
 from exoid.cli.analysis import ask, prepare
+from exoid.cli.assumptions import Bound, BoundsOption, Fix, Prior, assumed
 from exoid.cli.body import BodyMass, Height, given_body
+from exoid.cli.choices import Bounds
 from exoid.cli.destination import check_apart, check_destination
 from exoid.cli.fit import EXAMPLE, FIGURES
 from exoid.cli.origin import inputs, origin_of
@@ -25,6 +27,10 @@ def diagnose(
             help="Tables or CAN logs of one leg, analysed together. Without one, the example."
         ),
     ] = None,
+    prior: Prior = None,
+    bounds: BoundsOption = Bounds.body,
+    fix: Fix = None,
+    bound: Bound = None,
     body_mass: BodyMass = None,
     height: Height = None,
     terms: Annotated[
@@ -71,6 +77,7 @@ def diagnose(
     check_destination(report, PAGES)
     check_apart([plot, json, save, report], paths)
     body = given_body(body_mass=body_mass, height=height)
+    options = {"seed": seed, **assumed(prior, bounds, fix, bound)}
     own = own_terms(terms) if terms is not None else ()
     if not recordings:
         typer.echo("No recording given: this is the example that comes with exoid.")
@@ -78,18 +85,18 @@ def diagnose(
     for path, one in zip(paths, taken, strict=True):
         loaded = one.recording
         named.append((path.name, replace(loaded, subject=replace(loaded.subject, **body))))
-    found = in_phases(lambda told: diagnosed(named, own, {"seed": seed}, told))
+    found = in_phases(lambda told: diagnosed(named, own, options, told))
     show(found)
     if plot is not None:
         patiently(lambda: draw(found, plot), "drawing")
         typer.echo(f"wrote {plot}", err=True)
     if json is not None:
-        settings = {"seed": seed, "terms": terms}
+        settings = {**options, "terms": terms}
         write(found, described(zip(paths, named, strict=True)), settings, json)
         typer.echo(f"wrote {json}", err=True)
     if save is None and report is None:
         return
-    asked = {"seed": seed, "terms": terms, **body, "signal": signal, "dbc": dbc and str(dbc)}
+    asked = {**options, "terms": terms, **body, "signal": signal, "dbc": dbc and str(dbc)}
     origin = origin_of(inputs(paths, dbc, Path(terms) if terms else None), asked)
     more = patiently(lambda: further(found, named[0][1].subject), "planning what to record next")
     if save is not None:

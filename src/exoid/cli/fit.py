@@ -7,8 +7,9 @@ from typing import Annotated
 import typer
 
 from exoid.cli.analysis import ask, check_posterior, compute, profiled, write_posterior
+from exoid.cli.assumptions import Bound, BoundsOption, Fix, Prior, assumed
 from exoid.cli.body import BodyMass, Height, given_body
-from exoid.cli.choices import Method, Misfit, Prior, Reading
+from exoid.cli.choices import Bounds, Method, Misfit, Reading
 from exoid.cli.destination import check_apart, check_destination
 from exoid.cli.origin import inputs, origin_of
 from exoid.cli.page import PAGES, sources_of, write_report
@@ -31,11 +32,14 @@ def fit(
     ] = None,
     multistart: Annotated[int, typer.Option(min=1, max=100_000, help="Number of starts.")] = 64,
     seed: Annotated[int, typer.Option(min=0, help="Of the starts; same seed, same result.")] = 0,
-    prior: Annotated[Prior, typer.Option(help="Anatomical table.")] = Prior.de_leva,
+    prior: Prior = None,
     weight: Annotated[
         float,
         typer.Option("--lambda", min=0.0, max=HEAVIEST_PRIOR, help="Weight of the prior, Eq. 11."),
     ] = 1.0,
+    bounds: BoundsOption = Bounds.body,
+    fix: Fix = None,
+    bound: Bound = None,
     body_mass: BodyMass = None,
     height: Height = None,
     each: Annotated[
@@ -90,6 +94,7 @@ def fit(
       exoid fit drop.csv --multistart 64          one recording
       exoid fit bare.blf loaded.blf --plot a.pdf  two recordings of one leg, with a figure
       exoid fit drop.csv --save drop.nc           kept in a file, to compare with another
+      exoid fit drop.csv --fix stiffness=0 --bound damping=0:20 --prior damping=3+-1
       exoid fit log.asc --dbc my.dbc --signal raw_angle=Knee.Angle --body-mass 77 --height 1.8
     """
     paths = recordings or [EXAMPLE]
@@ -102,6 +107,7 @@ def fit(
     if posterior is not None:
         check_posterior(each)
     body = given_body(body_mass=body_mass, height=height)
+    by_hand = assumed(prior, bounds, fix, bound)
     if not recordings:
         typer.echo(
             "No recording given: this is the example that comes with exoid, a simulated leg."
@@ -117,7 +123,7 @@ def fit(
     options = {
         "multistart": multistart,
         "seed": seed,
-        "prior": prior.value,
+        **by_hand,
         "weight": weight,
         "method": method.value,
         "smooth": smooth,

@@ -8,7 +8,9 @@ from typing import Annotated
 import typer
 
 from exoid.cli.analysis import compute, prepare
+from exoid.cli.assumptions import Bound, BoundsOption, Fix, Prior, assumed
 from exoid.cli.body import BodyMass, Height, given_body
+from exoid.cli.choices import Bounds
 from exoid.cli.destination import check_apart, check_destination
 from exoid.cli.reading import read
 from exoid.cli.waiting import patiently
@@ -35,6 +37,10 @@ def plan(
         ),
     ] = None,
     goal: Annotated[Goal, typer.Option(help="What to narrow.")] = Goal.inertia,
+    prior: Prior = None,
+    bounds: BoundsOption = Bounds.body,
+    fix: Fix = None,
+    bound: Bound = None,
     body_mass: BodyMass = None,
     height: Height = None,
     multistart: Annotated[int, typer.Option(min=1, max=100_000, help="Starts of the fit.")] = 64,
@@ -61,7 +67,7 @@ def plan(
         loaded = read(path, None, None, False)
         named.append((path.name, replace(loaded, subject=replace(loaded.subject, **body))))
     subject = named[0][1].subject if named else replace(Subject(kind="leg"), **body)
-    options = {"multistart": multistart, "seed": seed}
+    options = {"multistart": multistart, "seed": seed, **assumed(prior, bounds, fix, bound)}
     found = patiently(
         lambda: planned(named, subject, goal.value, options),
         "planning; the first run of a new shape compiles for some seconds",
@@ -84,5 +90,13 @@ def planned(named, subject, goal: str, options: dict):
 
     if not named:
         prepare()
-        return make(None, subject, goal)
+        return make(None, subject, goal, assumed=assumptions(options))
     return make(compute(named, False, options), subject, goal)
+
+
+def assumptions(options: dict):
+    """What a plan takes for granted before any fit."""
+    from exoid.fit.assumptions import Assumptions, by_hand
+
+    said = by_hand([], *(options.get(name) for name in ("fix", "bound", "expect")))
+    return Assumptions(prior=options["prior"], bounds=options["bounds"], by_hand=said)

@@ -7,7 +7,9 @@ from typing import Annotated
 import typer
 
 from exoid.cli.analysis import ask, compute
+from exoid.cli.assumptions import Bound, BoundsOption, Fix, Prior, assumed
 from exoid.cli.body import BodyMass, Height, given_body
+from exoid.cli.choices import Bounds
 from exoid.cli.destination import check_apart, check_destination
 from exoid.cli.diagnose import diagnosed
 from exoid.cli.fit import EXAMPLE
@@ -32,6 +34,10 @@ def report(
     output: Annotated[
         Path, typer.Option("--output", "-o", help="Page to write (.html).", metavar="FILE")
     ] = Path("report.html"),
+    prior: Prior = None,
+    bounds: BoundsOption = Bounds.body,
+    fix: Fix = None,
+    bound: Bound = None,
     body_mass: BodyMass = None,
     height: Height = None,
     multistart: Annotated[int, typer.Option(min=1, max=100_000, help="Number of starts.")] = STARTS,
@@ -66,6 +72,10 @@ def report(
     check_apart([output], paths)
     if any(path.suffix.lower() == SAVED for path in paths):
         given = {
+            "--prior": bool(prior),
+            "--bounds": bounds is not Bounds.body,
+            "--fix": bool(fix),
+            "--bound": bool(bound),
             "--body-mass": body_mass is not None,
             "--height": height is not None,
             "--multistart": multistart != STARTS,
@@ -78,6 +88,7 @@ def report(
         retell(paths, output, [option for option, asked in given.items() if asked])
         return
     body = given_body(body_mass=body_mass, height=height)
+    by_hand = assumed(prior, bounds, fix, bound)
     if terms is not None and not diagnosis:
         raise ValueError("--terms are causes for the diagnosis: leave out --no-diagnosis.")
     own = own_terms(terms) if terms is not None else ()
@@ -88,7 +99,7 @@ def report(
         (path.name, replace(one.recording, subject=replace(one.recording.subject, **body)))
         for path, one in zip(paths, taken, strict=True)
     ]
-    options = {"multistart": multistart, "seed": seed}
+    options = {"multistart": multistart, "seed": seed, **by_hand}
     tested = own if diagnosis else None
     result, found = in_phases(lambda told: analysed(named, options, tested, told))
     script = Path(terms) if terms is not None else None

@@ -92,21 +92,29 @@ class Design:
 
     @cached_property
     def start(self) -> np.ndarray:
-        """What data and prior tell of the leg, and the prior of a new mounting."""
-        total = np.diag(np.append(np.zeros(LEG), mounting_prior(self.known)))
-        total[:LEG, :LEG] = self.known.information + self.known.prior
-        return total
+        """What data and prior tell of the leg."""
+        return self.known.information + self.known.prior
+
+    @cached_property
+    def mounting(self) -> np.ndarray:
+        """What is believed of a new recording's mounting."""
+        return np.diag(np.append(np.zeros(LEG), mounting_prior(self.known)))
 
     def error(self, chosen: Sequence[int]) -> float:
-        """The standard error of the goal with these candidates as one new recording."""
-        total = self.start + sum(self.told[number] for number in chosen)
-        gradient = np.zeros(total.shape[0])
-        gradient[:LEG] = self.known.gradients[GOALS.index(self.goal)]
-        information = Information(total, np.zeros_like(total), np.zeros((0, total.shape[0])))
+        """The standard error of the goal with these candidates, a recording for every seat."""
+        total = self.start
+        for seat in {self.options[number].thigh_angle for number in chosen}:
+            own = [self.told[n] for n in chosen if self.options[n].thigh_angle == seat]
+            total = total + eliminated(self.mounting + sum(own), LEG)
+        gradient = self.known.gradients[GOALS.index(self.goal)]
+        information = Information(total, np.zeros_like(total), self.known.fixed)
         return information.standard_error(gradient)
 
     def greedy(self) -> list[int]:
         """Segment after segment, the simplest of the best, while each is worth its time.
+
+        One movement that nothing checks is never enough, whatever its error: a model that is wrong
+        bends to it. A bare drop is the least that can contradict it.
 
         Two together may tell what neither does, a loaded drop and a bare one: pairs are tried where
         no single segment is worth it. Voluntary cycles are never proposed: what they tell rests on
@@ -115,12 +123,18 @@ class Design:
         single = [[n] for n, option in enumerate(self.options) if not option.voluntary]
         pairs = [a + b for a in single for b in single if a <= b]
         chosen: list[int] = []
-        while len(chosen) < MOST and not self.error(chosen) < ENOUGH * abs(self.value):
+        if self.enough(chosen) and not self.known.checked:
+            return min(single, key=lambda each: self.options[each[0]].effort)
+        while len(chosen) < MOST and not self.enough(chosen):
             more = self.worthwhile(chosen, single) or ([] if chosen else self.worthwhile([], pairs))
             if not more:
                 break
             chosen = chosen + more
         return chosen
+
+    def enough(self, chosen: Sequence[int]) -> bool:
+        """Is the goal then known as well as legs stay the same?"""
+        return self.error(chosen) < ENOUGH * abs(self.value)
 
     def worthwhile(self, chosen: list[int], sets: list[list[int]]) -> list[int]:
         """The set of least effort among those that are worth it and nearly the best; else none."""

@@ -8,6 +8,7 @@ import jax.numpy as jnp
 import numpy as np
 from jaxtyping import Float
 
+from exoid.fit.assumptions import Assumptions
 from exoid.fit.belief import NAMES, Belief, believe
 from exoid.fit.coordinates import Coordinates, Mounting, Own, Shared, leg_parameters
 from exoid.fit.local import prior_information, quantity_gradients
@@ -38,6 +39,7 @@ class Known:
     sensors: Sensors
     gyro: bool
     torque: float  # N m, amplitude of voluntary cycles; 0 where none is known
+    checked: bool  # do several movements rest on no form of a torque, one against the other
 
     @property
     def point(self) -> Coordinates:
@@ -57,13 +59,17 @@ class Known:
         """d (m, J, l, d, c, m l g / J, c / J, d / J) by the leg's coordinates."""
         return quantity_gradients(self.point)
 
+    @property
+    def fixed(self) -> np.ndarray:
+        """Those of what the user fixed."""
+        return self.gradients[[NAMES.index(name) for name in self.belief.by_hand.fix]]
 
-def from_anatomy(subject: Subject) -> Known:
+
+def from_anatomy(subject: Subject, assumed: Assumptions | None = None) -> Known:
     """Of nobody in particular where body mass or height is unknown."""
-    belief = believe(subject, "de_leva", 1.0)
-    leg = ANYBODY
-    if belief.expected is not None:
-        leg = LegParameters(*(np.asarray(getattr(belief.expected, n).value) for n in NAMES))
+    belief = believe(subject, assumed)
+    expected = dict(zip(NAMES, jax.tree.leaves(ANYBODY), strict=True)) | belief.typical
+    leg = LegParameters(*(np.asarray(expected[name]) for name in NAMES))
     gravity = leg.mass * leg.com_distance * GRAVITY
     ratios = (np.asarray(each / leg.inertia) for each in (gravity, leg.stiffness, leg.damping))
     kit = SensorKit()
@@ -81,6 +87,7 @@ def from_anatomy(subject: Subject) -> Known:
         ),
         gyro=True,
         torque=0.0,
+        checked=False,
     )
 
 
@@ -110,6 +117,7 @@ def from_result(result: FitResult) -> Known:
         ),
         gyro=gyro,
         torque=(ratio.value or 0.0) * float(np.exp(best.shared.log_inertia)) if ratio else 0.0,
+        checked=sum(not each.voluntary for each in basis.problem.movements) > 1,
     )
 
 

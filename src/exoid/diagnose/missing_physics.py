@@ -1,6 +1,7 @@
 """What physics was left out: the whole diagnosis of recordings of one leg."""
 
 from collections.abc import Callable
+from typing import Any
 
 from exoid.diagnose.bench import Bench
 from exoid.diagnose.conclusion import Chosen, concluded
@@ -32,19 +33,21 @@ def diagnose(
     multistart: int = 64,
     seed: int = 0,
     told: Callable[[str], None] = lambda phase: None,
+    **assumed: Any,
 ) -> Diagnosis:
     """Find where simulation and recordings part, which physics was left out, and prove it.
 
     `recordings` are (name, recording) pairs of one leg, or one recording. `terms` are tested beside
-    the library. The baseline is fitted from `multistart` starts. `told` hears the name of every
-    phase.
+    the library. The baseline is fitted from `multistart` starts, with `assumed` being `prior`,
+    `bounds`, `fix`, `bound` and `expect` as in `fit_leg`; the search for what it misses moves its
+    parameters freely. `told` hears the name of every phase.
 
     **Raises** `ValueError` where a recording cannot be fitted or gravity comes out upwards,
     `ArithmeticError` where no start of the baseline's fit succeeded.
     """
     named = [("recording", recordings)] if isinstance(recordings, Recording) else recordings
     told("fitting the baseline")
-    result = fit(named, multistart=multistart, seed=seed)
+    result = fit(named, multistart=multistart, seed=seed, **assumed)
     if UPWARDS in result.notes:
         raise ValueError(UPWARDS)
     bench, base = prepare(result, named, terms)

@@ -6,6 +6,7 @@ from exoid.diagnose.candidate import Candidate, candidates
 from exoid.diagnose.design import ENOUGH, GOALS, Design, informations
 from exoid.diagnose.known import Known, from_anatomy, from_result
 from exoid.diagnose.legs import strangers
+from exoid.fit.assumptions import Assumptions
 from exoid.fit.estimates import MASS_AND_DISTANCE, RATIOS
 from exoid.fit.result import FitResult
 from exoid.physics.leg import LegParameters
@@ -36,19 +37,30 @@ class Plan:
     sentences: list[str]
 
 
-def plan(result: FitResult | None, subject: Subject, goal: str = "inertia") -> Plan:
+def plan(
+    result: FitResult | None,
+    subject: Subject,
+    goal: str = "inertia",
+    *,
+    assumed: Assumptions | None = None,
+) -> Plan:
     """The segments to record next for `goal`, after `result`, or with nothing yet.
 
     The goal is a parameter of the leg, or the ratio to the inertia of its gravity, stiffness or
     damping, such as "damping_over_inertia".
 
-    **Raises** `ValueError` where the goal is no quantity of a leg, or the subject is a rig.
+    Before any fit the prior is `assumed`, by default that of the body.
+
+    **Raises** `ValueError` where the goal is no quantity of a leg, is fixed, or the subject is a
+    rig.
     """
     if goal not in GOALS:
         raise ValueError(f"the goal is {goal!r}; it can be {', '.join(GOALS)}.")
     if subject.kind == "rig":
         raise ValueError("plans are made for legs; a rig can be taken apart and weighed.")
-    known = from_anatomy(subject) if result is None else from_result(result)
+    known = from_anatomy(subject, assumed) if result is None else from_result(result)
+    if goal in known.belief.by_hand.fix:
+        raise ValueError(f"{goal} is fixed by you: there is nothing to narrow.")
     options = candidates(subject.height, known.torque)
     design = Design(known, goal, options, informations(known, options))
     chosen = design.greedy()
@@ -67,7 +79,7 @@ def plan(result: FitResult | None, subject: Subject, goal: str = "inertia") -> P
         options=sorted(single, key=lambda option: option.error),
         sentences=[
             *([] if result is None else strangers(result)),
-            *advice(goal, known, proposed, enough=before < ENOUGH * abs(design.value)),
+            *advice(goal, known, proposed, enough=design.enough([])),
         ],
     )
 
@@ -89,7 +101,12 @@ def advice(goal: str, known: Known, proposed: list[Candidate], *, enough: bool) 
             "body mass and height are unknown, so the plan is made for a typical adult and "
             "absolute values have no prior: give --body-mass KG and --height M."
         )
-    if enough:
+    if enough and not known.checked:
+        said.append(
+            f"its error is below {ENOUGH:.1%} already, but it rests on one movement that nothing "
+            "checks: a second one shows whether the first can be believed."
+        )
+    elif enough:
         said.append(f"it is known to better than {ENOUGH:.1%} already: nothing more is needed.")
     elif goal in ("mass", "com_distance"):
         said.append(f"{MASS_AND_DISTANCE}: a drop narrows {goal} only as far as the prior goes.")

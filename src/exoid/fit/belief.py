@@ -1,34 +1,31 @@
 """What is believed of this leg before it moves: the prior and the limits of a fit."""
 
-from dataclasses import dataclass
-from typing import Literal
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from exoid.fit.assumptions import Assumptions, BoundsName, PriorName
+from exoid.fit.by_hand import ByHand
 from exoid.fit.constraint import Limits
-from exoid.fit.prior import Prior
+from exoid.fit.prior import Prior, joint_prior, no_prior, own_units, with_own
 from exoid.physics.anatomy import (
-    COM_DISTANCE_SCATTER,
-    INERTIA_SCATTER,
-    KNEE_DAMPING,
-    KNEE_SCATTER,
-    KNEE_STIFFNESS,
-    MASS_SCATTER,
-    Expected,
+    Body,
     ExpectedLeg,
     expected_leg,
+    measured_leg,
     paper_prior,
     reach,
 )
+from exoid.physics.anatomy.limits import Allowed, allowed, anybody, strongest
 from exoid.physics.leg import LegParameters
 from exoid.physics.parameter import declarations
 from exoid.recording.recording import Subject
 
-PriorName = Literal["de_leva", "winter", "dumas", "paper", "none"]
-PRIORS: tuple[PriorName, ...] = ("de_leva", "winter", "dumas", "paper", "none")
 NAMES = [name for name, _ in declarations(LegParameters)]
-INERTIA_OVER_MOMENT = 0.375  # m, J / (m l) of all anthropometric tables, within 5 %
 TALL = 2.0  # m; the reach of a leg whose height is unknown
+DECADES = "d and c: a twentieth to twenty times a relaxed knee's"
+TORQUE = 250.0  # N m, of Eq. 13
+NO_REACH = 1e3  # m: Eq. 12 and 13 have none; an infinite one marks a rig
 
 
 @dataclass(frozen=True)
@@ -41,29 +38,51 @@ class Belief:
     limits: Limits
     note: str
     raw: bool = False  # are the prior's standard deviations a weighting, and no belief
+    bounds: BoundsName = "body"
+    by_hand: ByHand = field(default_factory=ByHand)
+
+    @property
+    def typical(self) -> dict[str, float]:
+        """Where to begin: what was said by hand, else what is expected; empty where nothing is."""
+        said = {name: value for name, (value, _) in self.by_hand.prior.items()}
+        said |= dict(self.by_hand.fix)
+        if self.expected is None:
+            return said
+        return {name: getattr(self.expected, name).value for name in NAMES} | said
 
 
-def believe(subject: Subject, name: PriorName, weight: float, raw: bool = False) -> Belief:
+def believe(subject: Subject, assumed: Assumptions | None = None) -> Belief:
     """Expected parameters from body mass and height, else from a measured mass and COM distance.
 
-    A rig has neither prior nor limits but that it does not make energy. `raw` takes every
-    standard deviation as 1 in the parameter's own unit, the paper's Eq. 11.
+    A rig has neither prior nor limits but that it does not make energy, and what is said by hand.
     """
+    assumed = Assumptions() if assumed is None else assumed
+    hand = assumed.by_hand
     if subject.kind == "rig":
-        return Belief("none", None, no_prior(), rig_limits(), "a rig: no anatomy is assumed")
-    expected, note = expectation(subject, name)
-    limits = leg_limits(subject.height)
-    if expected is None:
-        return Belief("none", None, no_prior(), limits, note)
-    each = [getattr(expected, parameter) for parameter in NAMES]
-    prior = Prior(
-        expected=LegParameters(*(np.asarray(one.value) for one in each)),
-        standard_deviation=LegParameters(
-            *(np.asarray(1.0 if raw else one.standard_deviation) for one in each)
-        ),
-        weight=np.asarray(float(weight)),
+        found = Belief("none", None, no_prior(), rig_limits(), "a rig: no anatomy is assumed")
+    else:
+        expected, note = expectation(subject, assumed.prior)
+        limits = leg_limits(subject, assumed.bounds)
+        name = "none" if expected is None else assumed.prior
+        prior = prior_of(expected, assumed)
+        found = Belief(name, expected, prior, limits, note, assumed.raw and expected is not None)
+    return replace(
+        found,
+        prior=with_own(found.prior, hand.prior, assumed.weight),
+        limits=limits_by_hand(found.limits, hand),
+        note="; ".join([found.note, *(f"yours: {words}" for words in hand.words)]),
+        bounds=assumed.bounds,
+        by_hand=hand,
     )
-    return Belief(name, expected, prior, limits, note, raw)
+
+
+def prior_of(expected: ExpectedLeg | None, assumed: Assumptions) -> Prior:
+    """The prior around what is expected: joint in logarithms, or one by one in own units."""
+    if expected is None:
+        return no_prior()
+    if assumed.raw or expected.covariance is None:
+        return own_units(expected, assumed.weight, unit=assumed.raw)
+    return joint_prior(expected, assumed.weight)
 
 
 def expectation(subject: Subject, name: PriorName) -> tuple[ExpectedLeg | None, str]:
@@ -74,11 +93,12 @@ def expectation(subject: Subject, name: PriorName) -> tuple[ExpectedLeg | None, 
     if body_mass is not None and height is not None:
         if name == "paper":
             return paper_prior(body_mass, height), "Eq. 14 of the original paper, scaled"
-        leg = expected_leg(body_mass, height, table=name, shank_length=subject.shank_length)
-        return leg, f"{leg.source}, {body_mass:g} kg and {height:g} m"
+        length, age = subject.shank_length, subject.age
+        leg = expected_leg(body_mass, height, table=name, age=age, shank_length=length)
+        return leg, f"{leg.source}, {body_mass:g} kg and {height:g} m; {DECADES}"
     mass, distance = subject.shank_foot_mass, subject.com_distance
     if mass is not None and distance is not None:
-        return measured_leg(mass, distance), "shank_foot_mass_kg and com_distance_m"
+        return measured_leg(mass, distance), f"shank_foot_mass_kg and com_distance_m; {DECADES}"
     known = {"body mass": body_mass, "height": height}
     missing = " and ".join(name for name, value in known.items() if value is None)
     return None, (
@@ -86,39 +106,68 @@ def expectation(subject: Subject, name: PriorName) -> tuple[ExpectedLeg | None, 
     )
 
 
-def measured_leg(mass: float, distance: float) -> ExpectedLeg:
-    """What to expect where mass and COM distance were given: J / (m l) as all tables have it."""
-    inertia = INERTIA_OVER_MOMENT * mass * distance
-    return ExpectedLeg(
-        mass=Expected(mass, MASS_SCATTER * mass),
-        inertia=Expected(inertia, INERTIA_SCATTER * inertia),
-        com_distance=Expected(distance, COM_DISTANCE_SCATTER * distance),
-        damping=Expected(KNEE_DAMPING, KNEE_SCATTER * KNEE_DAMPING),
-        stiffness=Expected(KNEE_STIFFNESS, KNEE_SCATTER * KNEE_STIFFNESS),
-        source="measured mass and distance",
-    )
+def leg_limits(subject: Subject, bounds: BoundsName = "body") -> Limits:
+    """What this body's leg can be, any human's where the body is unknown; or Eq. 13 as printed.
+
+    The reach is that of the height; Eq. 13 has none.
+    """
+    if bounds == "paper":
+        return limits_of(paper_bounds(), TORQUE, NO_REACH)
+    body = body_of(subject)
+    mass, distance = subject.shank_foot_mass, subject.com_distance
+    if body is not None:
+        leg = expected_leg(body.mass, body.height, age=body.age, shank_length=subject.shank_length)
+        each = allowed(leg)
+    elif mass is not None and distance is not None:
+        each = allowed(measured_leg(mass, distance))
+    else:
+        each = anybody()
+    tall = TALL if subject.height is None else subject.height
+    return limits_of(each, strongest(body), reach(tall))
 
 
-def no_prior() -> Prior:
-    nothing = [np.asarray(1.0) for _ in NAMES]
-    infinite = [np.asarray(np.inf) for _ in NAMES]
-    return Prior(LegParameters(*nothing), LegParameters(*infinite), np.asarray(1.0))
+def body_of(subject: Subject) -> Body | None:
+    """None where mass or height is unknown."""
+    if subject.body_mass is None or subject.height is None:
+        return None
+    return Body(subject.body_mass, subject.height, age=subject.age)
 
 
-def leg_limits(height: float | None) -> Limits:
-    """The bounds of Eq. 13 and the reach of a leg of this height."""
-    declared = [each for _, each in declarations(LegParameters)]
+def paper_bounds() -> dict[str, Allowed]:
+    """Eq. 13, as `LegParameters` declares it."""
+    return {name: Allowed(each.lower, each.upper) for name, each in declarations(LegParameters)}
+
+
+def limits_of(each: dict[str, Allowed], torque: float, furthest: float) -> Limits:
     return Limits(
-        lower=LegParameters(*(np.asarray(each.lower) for each in declared)),
-        upper=LegParameters(*(np.asarray(each.upper) for each in declared)),
-        torque=np.asarray(250.0),
-        reach=np.asarray(reach(TALL if height is None else height)),
+        lower=LegParameters(*(np.asarray(each[name].lower) for name in NAMES)),
+        upper=LegParameters(*(np.asarray(each[name].upper) for name in NAMES)),
+        torque=np.asarray(torque),
+        reach=np.asarray(furthest),
     )
 
 
 def rig_limits() -> Limits:
     """Damping cannot be negative; nothing else is known of a rig."""
-    lower = {name: np.asarray(-np.inf) for name in NAMES} | {"damping": np.asarray(0.0)}
-    upper = [np.asarray(np.inf) for _ in NAMES]
-    infinite = np.asarray(np.inf)
-    return Limits(LegParameters(**lower), LegParameters(*upper), infinite, infinite)
+    free = Allowed(-np.inf, np.inf)
+    return limits_of(dict.fromkeys(NAMES, free) | {"damping": Allowed(0.0, np.inf)}, np.inf, np.inf)
+
+
+def limits_by_hand(limits: Limits, hand: ByHand) -> Limits:
+    """The limits with the ends that were said; a fixed parameter has nothing between them."""
+    each = {
+        name: Allowed(float(getattr(limits.lower, name)), float(getattr(limits.upper, name)))
+        for name in NAMES
+    }
+    for name, (low, high) in hand.bound.items():
+        ends = Allowed(
+            each[name].lower if low is None else low, each[name].upper if high is None else high
+        )
+        if ends.lower >= ends.upper:
+            raise ValueError(
+                f"bound of {name}: {ends.lower:g} to {ends.upper:g} leaves nothing, one end being "
+                "what a leg of this body can have at most. Give both ends, or check the body."
+            )
+        each[name] = ends
+    each |= {name: Allowed(value, value) for name, value in hand.fix.items()}
+    return limits_of(each, float(limits.torque), float(limits.reach))

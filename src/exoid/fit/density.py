@@ -1,5 +1,6 @@
 """The density that a posterior is drawn from, in coordinates of unit scale around the best fit."""
 
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -10,6 +11,7 @@ import numpy as np
 from jax.flatten_util import ravel_pytree
 from jaxtyping import Array, Float
 
+from exoid.fit.belief import Belief
 from exoid.fit.chain import Chain
 from exoid.fit.condense import condense, linear_model, weighed
 from exoid.fit.constraint import SIZE, Limits, violations
@@ -23,15 +25,16 @@ from exoid.fit.coordinates import (
     unscaled,
 )
 from exoid.fit.disturbance import whitening
-from exoid.fit.local import columns
+from exoid.fit.local import columns, prior_information
 from exoid.fit.observation import Observation
-from exoid.fit.prior import Prior, mounting_residual, prior_residual
+from exoid.fit.prior import Prior, log_jacobian, mounting_residual, prior_residual
 from exoid.fit.problem import around, take
 from exoid.fit.residual import Stage
 from exoid.fit.result import Basis
 from exoid.fit.solve import mountings
 
 UNDETERMINED = 1e-3  # information per typical step squared, too little to sample along
+NARROW = 1e-3  # relative width of what a user fixed: chains cannot move along a surface
 UNIFORM = 12.0  # squared width over variance of a uniform density
 
 
@@ -53,8 +56,9 @@ class Target(eqx.Module):
 def posed(basis: Basis) -> tuple[Target, np.ndarray]:
     """The density, and the directions (coordinate, direction) that nothing determines."""
     problem, ended = basis.problem, basis.ended
-    local, limits = ended.local, problem.belief.limits
-    total = local.data + local.prior
+    local = ended.local
+    prior, limits = without_fixed(problem.belief)
+    total = local.data + prior_information(take(ended.best.coordinates, 0), prior)
     values, vectors = np.linalg.eigh(total)
     loose = vectors[:, values < UNDETERMINED]
     bounds = (limits.lower, limits.upper, SIZE)
@@ -72,10 +76,31 @@ def posed(basis: Basis) -> tuple[Target, np.ndarray]:
         observation=problem.observation,
         known=problem.known,
         stage=Stage(np.asarray(0.0), np.asarray(problem.steps)),
-        prior=problem.belief.prior,
+        prior=prior,
         limits=limits,
     )
     return target, vectors[:, ~kept]
+
+
+def without_fixed(belief: Belief) -> tuple[Prior, Limits]:
+    """What was fixed as a narrow belief, in the place of limits that leave nothing between them."""
+    fixed, limits = belief.by_hand.fix, belief.limits
+    if not fixed:
+        return belief.prior, limits
+    weight = float(belief.prior.weight) or 1.0
+    size = {name: abs(value) or float(getattr(SIZE, name)) for name, value in fixed.items()}
+    width = {name: np.asarray(NARROW * one * np.sqrt(weight)) for name, one in size.items()}
+    prior = replace(
+        belief.prior,
+        own=replace(belief.prior.own, **{name: np.asarray(one) for name, one in fixed.items()}),
+        own_deviation=replace(belief.prior.own_deviation, **width),
+        weight=np.asarray(weight),
+    )
+    return prior, replace(
+        limits,
+        lower=replace(limits.lower, **dict.fromkeys(fixed, np.asarray(-np.inf))),
+        upper=replace(limits.upper, **dict.fromkeys(fixed, np.asarray(np.inf))),
+    )
 
 
 def curved(basis: Basis) -> tuple[np.ndarray, np.ndarray]:
@@ -116,7 +141,7 @@ def log_density(
     belief = [prior_residual(target.prior, leg), mounting_residual(target.prior, point.mounting)]
     loss = sum(jnp.sum(part**2) for part in (data, *belief)) / 2 + target.tilt @ change
     within = violations(target.limits, leg, torque_amplitudes(point)).max() <= 0
-    return jnp.where(within, -loss, -jnp.inf)
+    return jnp.where(within, log_jacobian(target.prior, leg) - loss, -jnp.inf)
 
 
 def points(target: Target, places: np.ndarray) -> Coordinates:

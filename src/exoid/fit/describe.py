@@ -34,33 +34,41 @@ def describe(
     """The numbers with their errors, units and reasons."""
     best, local = ended.best, ended.local
     names = constraint_names(len(problem.movements))
-    active = best.multiplier[0] > 0
-    data, prior = local.data + local.declared, local.prior - local.declared
-    kinds, owned = told_by_kind(problem, ended), owned_places(problem, ended)
-    information = Information(data, prior, local.constraints[active], kinds, owned)
-    at_bound = {name for name, hold in zip(names, active, strict=True) if hold}
     belief = problem.belief
+    fixed = np.array([name in belief.by_hand.fix for name in names])
+    active = (best.multiplier[0] > 0) & ~fixed
+    fixed[len(NAMES) :] = False  # both its ends are one
+    information = Information(
+        data=local.data + local.declared,
+        prior=local.prior - local.declared,
+        active=local.constraints[active | fixed],
+        fixed=local.constraints[fixed],
+        kinds=told_by_kind(problem, ended),
+        owned=owned_places(problem, ended),
+    )
+    at_bound = {name for name, hold in zip(names, active, strict=True) if hold}
     parameters = {
         name: parameter_estimate(name, belief, float(value), information, gradient, at_bound)
         for name, value, gradient in zip(NAMES, best.quantities[0], local.quantities, strict=False)
     }
+    strongest = float(belief.limits.torque)
+
+    def torque(numbers: list[int]) -> Estimate:
+        return estimate_torque(numbers, ended, information, at_bound, strongest)
+
     voluntary = [number for number, each in enumerate(problem.movements) if each.voluntary]
     torques = [
-        estimate_torque([number], ended, information, at_bound) if each.voluntary else None
+        torque([number]) if each.voluntary else None
         for number, each in enumerate(problem.movements)
     ]
-    segments = [
-        segment_fit(problem, ended, number, torque) for number, torque in enumerate(torques)
-    ]
+    segments = [segment_fit(problem, ended, number, each) for number, each in enumerate(torques)]
     ratios = estimate_ratios(problem, ended, information, at_bound)
     mountings = estimate_mountings(problem, ended, information)
     systematic = [*suspicions(problem, mountings), *limiting({**parameters, **ratios})]
     return FitResult(
         parameters=with_reasons(parameters, not np.isfinite(belief.limits.reach)),
         ratios=ratios,
-        torque_amplitude=estimate_torque(voluntary, ended, information, at_bound)
-        if voluntary
-        else None,
+        torque_amplitude=torque(voluntary) if voluntary else None,
         segments=segments,
         mountings=mountings,
         multistart=report(problem, ended),

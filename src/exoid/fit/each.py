@@ -5,6 +5,7 @@ from dataclasses import replace
 import jax
 import numpy as np
 
+from exoid.fit.assumptions import Assumptions, by_hand
 from exoid.fit.belief import NAMES, Belief, believe
 from exoid.fit.constraint import constraint_names, violations
 from exoid.fit.estimate import PLAIN_SCALE, fit
@@ -44,7 +45,10 @@ def fit_each(recordings: list[tuple[str, Recording]], **options) -> FitResult:
         ratios["torque_over_inertia"] = averaged(torques)
     plain = options.get("misfit") == "paper"
     weight = options.get("weight", 1.0) * (PLAIN_SCALE**2 if plain else 1.0)
-    belief = believe(recordings[0][1].subject, options.get("prior", "de_leva"), weight, plain)
+    hand = by_hand(recordings, *(options.get(name) for name in ("fix", "bound", "expect")))
+    names = options.get("prior", "auto"), options.get("bounds", "body")
+    assumed = Assumptions(names[0], weight, plain, names[1], hand)
+    belief = believe(recordings[0][1].subject, assumed)
     said = dict.fromkeys(note for each in results for note in each.notes)
     readings = {each.torque_frequency for each in results} - {None}
     if len(readings) > 1:
@@ -169,6 +173,5 @@ def settled_parameters(belief: Belief, ratios: dict[str, Estimate]) -> dict[str,
 
 def first_guess(belief: Belief) -> np.ndarray:
     """m [kg] and J [kg m^2]: what anatomy expects, else those of a middling leg."""
-    if belief.expected is not None:
-        return np.array([belief.expected.mass.value, belief.expected.inertia.value])
-    return np.array([4.0, 0.4])
+    typical = belief.typical
+    return np.array([typical.get("mass", 4.0), typical.get("inertia", 0.4)])

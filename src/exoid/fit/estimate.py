@@ -6,7 +6,9 @@ from typing import Literal
 import jax
 import numpy as np
 
-from exoid.fit.belief import NAMES, Belief, PriorName, believe
+from exoid.fit.assumptions import Assumptions, BoundsName, PriorName, by_hand
+from exoid.fit.belief import NAMES, Belief, believe
+from exoid.fit.by_hand import Bounds, Expectations, Fixed
 from exoid.fit.conditioning import conditioned
 from exoid.fit.describe import describe
 from exoid.fit.movement import Movement, movement
@@ -16,7 +18,7 @@ from exoid.fit.result import FitResult
 from exoid.fit.starts import draw, informed
 from exoid.recording.recording import Recording
 
-MIDDLING = (4.0, 0.4)  # kg, kg m^2: where nothing is expected
+MIDDLING = {"mass": 4.0, "inertia": 0.4}  # kg, kg m^2: where nothing is expected
 PLAIN_SCALE = 1e3  # 1/rad: the solver's tolerances are in units of noise, here 1 mrad
 READINGS = ("1/T", "2/T")  # of Eq. 4
 APART = (("body_mass", "kg", 6.0), ("height", "m", 0.03))  # by which one person's sidecars differ
@@ -27,8 +29,12 @@ def fit(
     *,
     multistart: int = 64,
     seed: int = 0,
-    prior: PriorName = "de_leva",
+    prior: PriorName = "auto",
     weight: float = 1.0,
+    bounds: BoundsName = "body",
+    fix: Fixed | None = None,
+    bound: Bounds | None = None,
+    expect: Expectations | None = None,
     method: Literal["lm", "slsqp"] = "lm",
     smooth: int = 1,
     misfit: Literal["weighted", "paper"] = "weighted",
@@ -37,10 +43,14 @@ def fit(
     """Fit one leg to all segments of the recordings (Eq. 9-13).
 
     `recordings` are (name, recording) pairs, or one recording; all are of one leg. `weight` is
-    lambda of Eq. 11 in standardised units. `smooth` is the window of Eq. 3 in samples, applied to
+    lambda of Eq. 11 in standardised units. `bounds` are what a leg of this body can have, or Eq. 13
+    as the "paper" has it. By hand, in printed units: `fix` {"stiffness": 0.0}, `bound`
+    {"damping": (0.0, 20.0)} (None leaves an end), `expect` {"damping": (3.0, 1.0)}, a value and its
+    standard deviation in the place of the table's. What the sidecar's [fit] says of other
+    parameters holds too. `smooth` is the window of Eq. 3 in samples, applied to
     data and simulation alike. `misfit` "paper" is Eq. 11 as printed: the angle alone in rad, and
     the prior in the parameters' own units. `starts`, (start, 6) in the order m, J, l, d, c, tau,
-    replace the draw from the bounds of Eq. 13 by `seed`.
+    replace the draw from the limits by `seed`.
 
     **Raises** `ValueError` where the recording cannot be fitted, `ArithmeticError` where no start
     succeeded.
@@ -49,9 +59,9 @@ def fit(
     check_one_leg(named)
     movements = movements_of(named)
     plain = misfit == "paper"
-    belief = believe(
-        named[0][1].subject, prior, weight * PLAIN_SCALE**2 if plain else weight, plain
-    )
+    weight *= PLAIN_SCALE**2 if plain else 1.0
+    hand = by_hand(named, fix, bound, expect)
+    belief = believe(named[0][1].subject, Assumptions(prior, weight, plain, bounds, hand))
     if plain:
         movements = [plainly(each) for each in movements]
     chain, movements = conditioned(movements, smooth)
@@ -121,12 +131,10 @@ def begin(
     movements: list[Movement], belief: Belief, reading: str, count: int, seed: int
 ) -> np.ndarray:
     """The starts: two informed ones, from anatomy and from inverse dynamics, the rest drawn."""
-    starts = draw(count, seed)
-    mass, inertia = MIDDLING
+    starts, typical = draw(count, seed, belief.limits), belief.typical
     if belief.expected is not None:
-        each = [getattr(belief.expected, name).value for name in NAMES]
-        mass, inertia = each[:2]
-        starts[0] = [*each, 0.0]
+        starts[0] = [*(typical[name] for name in NAMES), 0.0]
+    mass, inertia = (typical.get(*each) for each in MIDDLING.items())
     guess = informed(movements, reading, mass, inertia)
     if count > 1 and guess is not None:
         starts[1] = guess

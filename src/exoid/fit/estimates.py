@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.fit.belief import NAMES, Belief
+from exoid.fit.by_hand import Means
 from exoid.fit.coordinates import QUANTITIES
 from exoid.fit.multistart import Ended
 from exoid.fit.problem import Problem
@@ -16,6 +17,8 @@ from exoid.physics.torque import CycleTorque
 
 NO_RATIO = 1e-3  # a ratio below it, at a bound of zero, is the rounding of the bound
 ON_BOUND = "at a bound: no error is quoted"
+ON_YOUR_BOUND = "at your bound: no error is quoted"
+FIXED = "fixed by you: ± 0 is no finding, and the errors of the others hold if it is true"
 NARROWED = "follows from a bound, not from the recording: ± holds only there, see --plot for more"
 RATIOS = {  # name: symbol, title, unit
     "gravity_over_inertia": ("m l g / J", "gravity over inertia", "1/s^2"),
@@ -44,33 +47,56 @@ def parameter_estimate(
 ) -> Estimate:
     """One of m, J, l, d, c, with what determined it or why nothing did."""
     declared = dict(declarations(LegParameters))[name]
-    expected = None if belief.expected is None else getattr(belief.expected, name)
-    deviation = np.inf
-    if expected is not None:
-        given = float(getattr(belief.prior.standard_deviation, name))
-        weight = float(belief.prior.weight)
-        deviation = given / np.sqrt(weight) if weight > 0 else np.inf
-    shares = HELD if name in at_bound else information.shares(gradient)
+    by_hand = belief.by_hand.means(name)
+    held = name in at_bound or by_hand == "fix"
+    shares = HELD if held else information.shares(gradient)
     lower, upper = (
         float(getattr(limit, name)) for limit in (belief.limits.lower, belief.limits.upper)
     )
-    if name in at_bound:  # the solver meets a bound to rounding; the bound itself is meant
+    if held:  # the solver meets a bound to rounding; the bound itself is meant
         value = lower if abs(value - lower) < abs(value - upper) else upper
     quoted = shares is not None and shares != HELD
+    error = information.standard_error(gradient) if quoted else None
+    expected, deviation = expectation(belief, name)
     return Estimate(
         symbol=declared.symbol,
         title=declared.title,
         unit=declared.unit,
         value=None if shares is None else value,
-        standard_error=information.standard_error(gradient) if quoted else None,
-        expected=None if expected is None else expected.value,
-        expected_deviation=deviation if np.isfinite(deviation) and not belief.raw else None,
+        standard_error=0.0 if by_hand == "fix" else error,
+        expected=expected,
+        expected_deviation=deviation,
         lower=lower if np.isfinite(lower) else None,
         upper=upper if np.isfinite(upper) else None,
         shares=shares,
-        reason=ON_BOUND if shares == HELD else NARROWED if narrowed(shares) else None,
+        reason=why(shares, by_hand),
+        by_hand=by_hand,
         limited_by=information.limits(gradient),
     )
+
+
+def expectation(belief: Belief, name: str) -> tuple[float | None, float | None]:
+    """What is expected of a parameter, and its standard deviation where it has one."""
+    weight = float(belief.prior.weight)
+    own = belief.by_hand.prior.get(name)
+    if own is not None:
+        value, deviation = own
+    elif belief.expected is not None:
+        one = getattr(belief.expected, name)
+        value, deviation = one.value, None if belief.raw else one.standard_deviation
+    else:
+        return None, None
+    known = deviation is not None and weight > 0
+    return value, deviation / np.sqrt(weight) if known else None
+
+
+def why(shares: Shares | None, by_hand: Means | None) -> str | None:
+    """Why an error is none, or small."""
+    if by_hand == "fix":
+        return FIXED
+    if shares == HELD:
+        return ON_YOUR_BOUND if by_hand == "bound" else ON_BOUND
+    return NARROWED if narrowed(shares) else None
 
 
 def narrowed(shares: Shares | None) -> bool:
@@ -82,21 +108,25 @@ def with_reasons(parameters: dict[str, Estimate], rig: bool) -> dict[str, Estima
     """Say of every missing value why it is missing."""
     scale_known = parameters["inertia"].value is not None
 
-    def why(name: str) -> str:
+    def missing(name: str) -> str:
         if scale_known and name in ("mass", "com_distance"):
             return MASS_AND_DISTANCE
         return SCALE_FREE_RIG if rig else SCALE_FREE
 
     return {
-        name: replace(each, reason=why(name)) if each.value is None else each
+        name: replace(each, reason=missing(name)) if each.value is None else each
         for name, each in parameters.items()
     }
 
 
 def estimate_torque(
-    numbers: list[int], ended: Ended, information: Information, at_bound: set[str]
+    numbers: list[int],
+    ended: Ended,
+    information: Information,
+    at_bound: set[str],
+    strongest: float,
 ) -> Estimate:
-    """The mean of tau over these voluntary segments."""
+    """The mean of tau over these voluntary segments; `strongest` is its limit."""
     declared = dict(declarations(CycleTorque))["amplitude"]
     rows = QUANTITIES + np.array(numbers)
     gradient = ended.local.quantities[rows].mean(axis=0)
@@ -110,12 +140,17 @@ def estimate_torque(
         unit=declared.unit,
         value=float(ended.best.quantities[0, rows].mean()) if known else None,
         standard_error=information.standard_error(gradient) if quoted else None,
-        lower=declared.lower,
-        upper=declared.upper,
+        lower=-strongest if np.isfinite(strongest) else None,
+        upper=strongest if np.isfinite(strongest) else None,
         shares=shares,
         reason=None if known else SCALE_FREE,
         limited_by=information.limits(gradient),
     )
+
+
+def error_of(gradient: np.ndarray, information: Information, shares: Shares | None) -> float | None:
+    """The standard error, where one is quoted."""
+    return None if shares in (None, HELD) else information.standard_error(gradient)
 
 
 def estimate_ratios(
@@ -132,15 +167,18 @@ def estimate_ratios(
         gradients.append(ended.local.quantities[rows].mean(axis=0))
     estimates = {}
     for name, value, gradient in zip(RATIOS, values, gradients, strict=False):
-        held = name.removesuffix("_over_inertia") in at_bound & {"damping"}
+        parameter = name.removesuffix("_over_inertia")
+        held = parameter in at_bound & {"damping"}
         shares = HELD if held else information.shares(gradient)
         held = shares == HELD
+        fixed = held and parameter in problem.belief.by_hand.fix
         estimates[name] = Estimate(
             *RATIOS[name],
             value=0.0 if held and abs(value) < NO_RATIO else float(value),
-            standard_error=None if held or shares is None else information.standard_error(gradient),
+            standard_error=0.0 if fixed else error_of(gradient, information, shares),
             shares=shares,
-            reason=ON_BOUND if held else None,
+            reason=FIXED if fixed else ON_BOUND if held else None,
+            by_hand="fix" if fixed else None,
             limited_by=information.limits(gradient),
         )
     return estimates

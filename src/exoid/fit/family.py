@@ -42,6 +42,7 @@ def equally_good(problem: Problem, ended: Ended, rows: np.ndarray):
         "damping": (damping * inertia[0], damping * inertia[1]),
         "stiffness": (stiffness * inertia[0], stiffness * inertia[1]),
     }
+    family |= {name: (value, value) for name, value in problem.belief.by_hand.fix.items()}
     start = ended.starts
     each = np.clip(np.exp(start.shared.log_inertia[rows]), *inertia)
     wish = (

@@ -6,6 +6,7 @@ import jax
 import numpy as np
 
 from exoid.fit.coordinates import TYPICAL, Coordinates, Shared, scaled
+from exoid.fit.imposed import imposed
 from exoid.fit.kinds import FINE, alone, explained, explained_apart
 from exoid.fit.local import Local, penalties, weighed
 from exoid.fit.problem import BATCH, Problem, advance, around, finite, left, take, task
@@ -22,6 +23,7 @@ TETHERS = (60.0, 15.0)  # rad/s, of the first stage and the second; then free
 STIFF = 0.6  # greatest tether times step: Runge-Kutta carries it with room for the leg
 COARSE = 10.0  # tolerance, in units of noise, as FINE
 LIMITED = 1e-3  # the same with limits: a multiplier of ten makes it 1e-3 of half a sum of squares
+LOOKING = np.inf  # the same of a solver that is not to leave its point
 TOLD = 0.5  # relative error of an inertia from which on the data do not tell it
 FEASIBLE = 1e-4  # relative violation that is rounding of the multiplier method
 
@@ -62,6 +64,9 @@ def search(problem: Problem, starts: np.ndarray) -> tuple[Problem, Ended]:
     problem, free = with_tilted_seats(problem, free)
     free, disturbance = weighed_by_kind(problem, free)
     best = settle(problem, free, begin, disturbance)
+    if problem.belief.by_hand.fix or problem.belief.by_hand.bound:
+        disturbance = explained(problem, best)  # what no free leg would leave, but this one does
+        best = settle(problem, free, begin, disturbance)
     local = around(problem, best, disturbance)
     doubted = with_doubted_clocks(problem, best, local)
     if doubted is not None:
@@ -167,13 +172,18 @@ def settle(problem: Problem, free: Solved, begin: Coordinates, found: Disturbanc
     local = weighed(around(problem, free, row=best), found.scale)
     others = np.resize(np.arange(begin.log_mass.size), lanes)
     inertia, mass = (leaf[others].copy() for leaf in (begin.shared.log_inertia, begin.log_mass))
-    if problem.belief.expected is not None:
-        expected = problem.belief.prior.expected
-        inertia[0], mass[0] = np.log(expected.inertia), np.log(expected.mass)
+    typical = problem.belief.typical
+    inertia[0] = np.log(typical["inertia"]) if "inertia" in typical else inertia[0]
+    mass[0] = np.log(typical["mass"]) if "mass" in typical else mass[0]
     if scale_told(local.data + local.declared):
         inertia = one.shared.log_inertia
     shared = Shared(inertia, one.shared.gravity, one.shared.stiffness, one.shared.damping)
     starts = Coordinates(shared, mass, one.mounting, one.own)
+    fixed = problem.belief.by_hand.fix
+    if fixed:  # how the data resist is asked where the point will be
+        starts = imposed(starts, fixed)
+        there = advance(problem, starts, task(problem, 0.0, problem.steps, LOOKING))
+        local = weighed(around(problem, there), found.scale)
     asked = task(problem, 0.0, problem.steps, LIMITED, penalties(local))
     ended = advance(problem, starts, asked, found.scale * found.weighing(problem.kinds))
     feasible = np.where(ended.violation < FEASIBLE, finite(ended.loss), np.inf)

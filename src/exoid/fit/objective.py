@@ -9,8 +9,9 @@ import jax.numpy as jnp
 import numpy as np
 from jaxtyping import Array, Float
 
+from exoid.fit.belief import NAMES
 from exoid.fit.chain import Chain
-from exoid.fit.constraint import SIZE, SIZE_TORQUE, violations
+from exoid.fit.constraint import NEVER, SIZE, SIZE_TORQUE, constraint_names, violations
 from exoid.fit.coordinates import (
     TYPICAL,
     Coordinates,
@@ -60,7 +61,20 @@ class Objective:
             return positive
         limits, point = self.problem.belief.limits, self.point(vector)
         limit = violations(limits, leg_parameters(point, np), torque_amplitudes(point, np), np)
-        return np.concatenate([-limit, positive])
+        held = [name in self.fixed for name in constraint_names(len(self.problem.movements))]
+        return np.concatenate([-np.where(held, NEVER, limit), positive])
+
+    @cached_property
+    def fixed(self) -> dict[str, float]:
+        """What does not move."""
+        return dict(self.problem.belief.by_hand.fix) if self.bounded else {}
+
+    @cached_property
+    def axes(self) -> np.ndarray:
+        """The directions in which a vector may move: (entry, direction)."""
+        free = np.ones(self.sizes.size, dtype=bool)
+        free[[NAMES.index(name) for name in self.fixed]] = False
+        return np.eye(free.size)[:, free]
 
     @cached_property
     def samples(self) -> int:
@@ -115,7 +129,8 @@ class Objective:
         states = np.array([first_state(each) for each in self.problem.movements])
         torques = [start[LEG]] * len(self.voluntary)
         owned = np.zeros(len(self.owned))
-        return np.array([*start[:LEG], *torques, *states[:, 0], *states[:, 1], *owned]) / self.sizes
+        leg = [self.fixed.get(name, value) for name, value in zip(NAMES, start, strict=False)]
+        return np.array([*leg, *torques, *states[:, 0], *states[:, 1], *owned]) / self.sizes
 
     def flat(self, vector: np.ndarray) -> np.ndarray:
         """The coordinates of `point` as the fit scales and orders them."""

@@ -54,7 +54,10 @@ class Posterior:
 def sample(
     result: FitResult, *, draws: int = 1000, warmup: int = 500, chains: int = 4, seed: int = 0
 ) -> Posterior:
-    """Draw from exp(-(data + prior) / 2) within the limits, a density in the fit's coordinates.
+    """Draw from exp(-(data + prior) / 2) within the limits, a density in the prior's variables.
+
+    The draws are made in the fit's coordinates, by `prior.log_jacobian`. Where the prior says
+    nothing, the density is one in these coordinates: flat in log m and log J.
 
     `data` is the misfit over the least widening squared, taken at best + C (z - best) instead of z:
     C shrinks the directions that a disturbance widened more, so that `data` curves as the fit's

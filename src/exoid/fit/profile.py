@@ -83,7 +83,8 @@ def profiles(result: FitResult) -> dict[str, Profile]:
     begins = [begin(basis, each) for each in quests]
     starts = jax.tree.map(lambda *each: np.concatenate(each), *begins)
     problem, ended = basis.problem, basis.ended
-    penalty = penalties(weighed(around(problem, ended.free), ended.disturbance.scale))
+    seen = ended.best if problem.belief.by_hand.fix else ended.free
+    penalty = penalties(weighed(around(problem, seen), ended.disturbance.scale))
     asked = task(problem, 0.0, problem.steps, LIMITED, penalty)
     solved = advance(problem, starts, asked, aim=aim)
     reached = np.sum(aim.weights * solved.quantities, axis=1)
@@ -118,9 +119,10 @@ def posed(basis: Basis, name: str, estimate: Estimate) -> Quest | None:
     weights = weights_of(name, basis)
     gradient = weights @ basis.ended.local.quantities
     value = float(weights @ basis.ended.best.quantities[0])
-    everywhere = np.eye(gradient.size)
+    if estimate.by_hand == "fix":
+        return None  # one value alone
     # A bound may have narrowed the error on one side only: look as far as it would reach without.
-    free = spread(basis.information.unbounded, everywhere, gradient)
+    free = basis.information.without_bounds(gradient)
     step = max(estimate.standard_error or 0.0, free if np.isfinite(free) else 0.0)
     step = step or WIDE * abs(value) / REACH
     if not step > 0:

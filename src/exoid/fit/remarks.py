@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from exoid.fit.belief import Belief
 from exoid.fit.disturbance import CORRELATED, Missed
 from exoid.fit.kinds import NOISY
 from exoid.fit.multistart import FEASIBLE, Ended, scale_told
@@ -57,18 +58,34 @@ def remarks(problem: Problem, ended: Ended, at_bound: set[str]) -> list[str]:
 
 
 def strayed(segments: list[SegmentFit], raw: bool) -> list[str]:
-    """Does the simulation follow the recording at all?"""
-    missed = pooled([(each.angle_rmse, each.time.size) for each in segments])
-    moved = pooled([(float(np.nanstd(each.angle)), each.time.size) for each in segments])
-    if missed < ASTRAY * moved:
+    """Does the simulation follow the recording, or one kind of its segments, at all?"""
+    kinds = {kind: [s for s in segments if s.kind == kind] for kind in {s.kind for s in segments}}
+    lost = [each for each in sorted(kinds) if astray(kinds[each])]
+    if not lost and not astray(segments):
         return []
+    some = 0 < len(lost) < len(kinds)
+    where = f"the {' and '.join(lost)} segments" if some else "the recording"
+    numbers = f"what {where} told by 'set by'" if some else "these numbers"
+    missed, moved = missed_and_moved([s for s in segments if s.kind in lost] if some else segments)
     weighed = "; without --misfit paper every sample is weighed by its noise" if raw else ""
     return [
-        "the simulation does not follow the recording: it misses the angle by "
+        f"the simulation does not follow {where}: it misses the angle by "
         f"{np.degrees(missed):.3g} deg, where the leg moves by {np.degrees(moved):.3g} deg (both "
-        "root mean square). Do not use these numbers: 'exoid diagnose' asks what the model lacks"
+        f"root mean square). Do not use {numbers}: 'exoid diagnose' asks what the model lacks"
         f"{weighed}."
     ]
+
+
+def astray(segments: list[SegmentFit]) -> bool:
+    """Does the simulation miss much of how far the leg moves?"""
+    missed, moved = missed_and_moved(segments)
+    return not missed < ASTRAY * moved
+
+
+def missed_and_moved(segments: list[SegmentFit]) -> tuple[float, float]:
+    """Root mean squares over all samples [rad]."""
+    missed = pooled([(each.angle_rmse, each.time.size) for each in segments])
+    return missed, pooled([(float(np.nanstd(s.angle)), s.time.size) for s in segments])
 
 
 def of_kinds(found: Disturbance) -> list[str]:
@@ -131,16 +148,26 @@ def of_missed(found: Missed, where: str, gravity: float, inertia: float | None) 
 def of_bounds(problem: Problem, at_bound: set[str]) -> list[str]:
     """Which limits decided."""
     said = []
-    limits = problem.belief.limits
+    belief = problem.belief
+    limits = belief.limits
     for name, declared in declarations(LegParameters):
         if name in at_bound and np.isfinite(limits.reach):
             low, high = (float(getattr(each, name)) for each in (limits.lower, limits.upper))
             said.append(
-                f"{declared.symbol} ran into its limits of {low:g} to {high:g} {declared.unit} "
-                "(Eq. 13). Absolute values that go with it follow from that limit, not from the "
-                "recording: use the ratios."
+                f"{declared.symbol} ran into its limits of {low:.3g} to {high:.3g} {declared.unit} "
+                f"({whose(belief, name)}). Absolute values that go with it follow from that limit, "
+                "not from the recording: use the ratios."
             )
     for rule in ("m l^2 <= J", "J <= reach m l"):
         if rule in at_bound:
             said.append(f"the fit lies on the limit {rule} of a rigid leg.")
     return said
+
+
+def whose(belief: Belief, name: str) -> str:
+    """Where a limit comes from."""
+    if name in belief.by_hand.bound:
+        return "yours"
+    if belief.bounds == "paper":
+        return "Eq. 13"
+    return "any human's" if belief.expected is None else "what a leg of this body can have"

@@ -66,7 +66,7 @@ def descend(objective: Objective, start: np.ndarray) -> OptimizeResult:
     Typical sizes alone leave the cost curved a million times more along what motion fixes than
     along what only the prior does, and there SLSQP stops early.
     """
-    result = once(objective, start, np.eye(start.size) / np.sqrt(objective.samples))
+    result = once(objective, start, objective.axes / np.sqrt(objective.samples))
     for _ in range(RESTARTS):
         before = result.fun
         if not np.isfinite(before):
@@ -88,7 +88,7 @@ def once(objective: Objective, start: np.ndarray, axes: np.ndarray) -> OptimizeR
 
     result = minimize(
         lambda steps: objective.cost(at(steps)),
-        np.zeros(start.size),
+        np.zeros(axes.shape[1]),
         method="SLSQP",
         constraints={"type": "ineq", "fun": lambda steps: objective.slack(at(steps))},
         options={"ftol": PRECISION, "maxiter": ITERATIONS},
@@ -102,11 +102,11 @@ def evenly_curved(objective: Objective, vector: np.ndarray) -> np.ndarray:
     problem = objective.problem
     there = look(problem, [objective.point(vector)])
     local = weighed(around(problem, there), objective.scale)
-    by_vector = np.asarray(approx_fprime(vector, objective.flat))
+    by_vector = np.asarray(approx_fprime(vector, objective.flat)) @ objective.axes
     belief = local.declared + objective.bounded * (local.prior - local.declared)
     information = by_vector.T @ (local.data + belief) @ by_vector
     values, vectors = np.linalg.eigh(information)
-    return vectors / np.sqrt(np.maximum(values, 0) + 1)
+    return objective.axes @ vectors / np.sqrt(np.maximum(values, 0) + 1)
 
 
 def look(

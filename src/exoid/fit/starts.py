@@ -1,26 +1,45 @@
-"""Where a multi-start begins: drawn from the bounds, from anatomy, and from inverse dynamics."""
+"""Where a multi-start begins: drawn from the limits, from anatomy, and from inverse dynamics."""
 
+import jax
 import numpy as np
 
+from exoid.fit.belief import leg_limits
+from exoid.fit.constraint import Limits
 from exoid.fit.coordinates import Coordinates, Mounting, Own, Shared
 from exoid.fit.movement import Movement, smoothed_motion
 from exoid.fit.observation import cycle_torque
 from exoid.fit.systematics import OWNED
-from exoid.physics.leg import GRAVITY, LegParameters
-from exoid.physics.parameter import declarations
-from exoid.physics.torque import CycleTorque
+from exoid.physics.leg import GRAVITY
 from exoid.recording.condition import local_line
+from exoid.recording.recording import Subject
 
+FROM_NONE = 1e-3  # of the upper limit: where a draw begins whose lower limit is zero
 SLOPE_WIDTH = 0.08  # s, over which the acceleration is taken for inverse dynamics
 
 
-def draw(count: int, seed: int) -> np.ndarray:
-    """`count` vectors (m, J, l, d, c, tau), uniform within the bounds of Eq. 13."""
-    declared = [each for _, each in declarations(LegParameters)]
-    declared += [each for name, each in declarations(CycleTorque) if name == "amplitude"]
-    lower = np.array([each.lower for each in declared])
-    upper = np.array([each.upper for each in declared])
-    return np.random.default_rng(seed).uniform(lower, upper, size=(count, lower.size))
+def draw(count: int, seed: int, limits: Limits | None = None) -> np.ndarray:
+    """`count` vectors (m, J, l, d, c, tau) within the limits, by default those of Eq. 13.
+
+    Every decade alike, J between m l^2 and reach m l where there is room; tau / J between those of
+    the strongest leg of the greatest inertia.
+    """
+    limits = leg_limits(Subject(), "paper") if limits is None else limits
+    if not np.isfinite(limits.reach):  # a rig's: it has none
+        limits = leg_limits(Subject(), "paper")
+    part = np.random.default_rng(seed).uniform(size=(count, 6))
+    low, high = (np.array(jax.tree.leaves(each)) for each in (limits.lower, limits.upper))
+    low = np.maximum(low, FROM_NONE * high)
+    decades = np.log(np.divide(high, low, out=np.ones(5), where=low > 0))  # fixed at 0: none
+    mass, _, distance, damping, stiffness = (low * np.exp(decades * part[:, :5])).T
+    reach = float(limits.reach)
+    distance = np.minimum(distance, max(reach, low[2]))
+    lightest, heaviest = low[1] / (reach * distance), high[1] / distance**2  # with room for a J
+    mass = np.clip(np.clip(mass, lightest, heaviest), low[0], high[0])
+    least = np.clip(mass * distance**2, low[1], high[1])
+    most = np.clip(reach * mass * distance, low[1], high[1])
+    inertia = least * (most / least) ** part[:, 1]
+    torque = float(limits.torque) * inertia / high[1] * (2 * part[:, 5] - 1)
+    return np.stack([mass, inertia, distance, damping, stiffness, torque], axis=1)
 
 
 def coordinates(

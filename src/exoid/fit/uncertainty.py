@@ -40,8 +40,9 @@ class Information:
     """Gauss-Newton information of a fit in its own coordinates, around the end point.
 
     `data` and `prior` are (coordinate, coordinate); `active` holds the gradients of the constraints
-    that hold as equalities there, (constraint, coordinate). `kinds` has the parts of several kinds
-    of segments, in any unit that they share; `owned` the coordinates of what recordings own.
+    that hold as equalities there, (constraint, coordinate), `fixed` those that a user wanted to.
+    `kinds` has the parts of several kinds of segments, in any unit that they share; `owned` the
+    coordinates of what recordings own.
     """
 
     def __init__(
@@ -49,13 +50,15 @@ class Information:
         data: np.ndarray,
         prior: np.ndarray,
         active: np.ndarray,
+        fixed: np.ndarray | None = None,
         kinds: dict[str, np.ndarray] | None = None,
         owned: dict[str, np.ndarray] | None = None,
     ):
+        self.open = np.eye(data.shape[0]) if fixed is None else null_space(fixed, data.shape[0])
         self.free = null_space(active, data.shape[0])
         self.posterior = decomposed(self.free.T @ (data + prior) @ self.free)
         self.likelihood = decomposed(self.free.T @ data @ self.free)
-        self.unbounded = decomposed(data + prior)
+        self.unbounded = decomposed(self.open.T @ (data + prior) @ self.open)
         self.parts = (data, prior)
         self.kinds = {} if kinds is None else kinds
         self.owned = {} if owned is None else owned
@@ -68,6 +71,10 @@ class Information:
         """The standard error without any prior; inf where motion cannot tell."""
         return spread(self.likelihood, self.free, gradient)
 
+    def without_bounds(self, gradient: Float[np.ndarray, " coordinate"]) -> float:
+        """The standard error if no bound held, only what the user fixed."""
+        return spread(self.unbounded, self.open, gradient)
+
     def shares(self, gradient: Float[np.ndarray, " coordinate"]) -> Shares | None:
         """Who made the error as small as it is; None where nothing did.
 
@@ -79,8 +86,7 @@ class Information:
             return HELD
         if not np.isfinite(error):
             return None
-        free = spread(self.unbounded, np.eye(gradient.size), gradient)
-        bound = max(0.0, 1 - (error / free) ** 2)
+        bound = max(0.0, 1 - (error / self.without_bounds(gradient)) ** 2)
         pull = inverse_times(self.posterior, self.free.T @ gradient)
         data, prior = (pull @ (self.free.T @ part @ self.free) @ pull for part in self.parts)
         rest = (1 - bound) / (data + prior)

@@ -1,12 +1,12 @@
 """Any recording file: a table or a CAN log, with the sidecar beside it, cut into its movements."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from exoid.recording.can_quality import LogQuality
 from exoid.recording.condition import split
 from exoid.recording.recording import Protocol, Recording, Sensors, Subject
-from exoid.recording.sidecar import read_sidecar
+from exoid.recording.sidecar import no_keys, read_keys, read_sidecar
 from exoid.recording.table import read_table
 from exoid.recording.text_file import naming
 
@@ -56,6 +56,7 @@ def load(
         protocol=protocol,
         sensors=sensors,
     )
+    recording = replace(recording, extra_tables=further_tables(path))
     with naming(path):
         return Loaded(recording if whole else split(recording), notes, quality)
 
@@ -87,6 +88,12 @@ def beside(path: Path) -> tuple[Subject, Protocol, Sensors | None, tuple[str, ..
         return Subject(), Protocol(), None, (note,)
     subject, protocol, sensors, notes = read_sidecar(sidecar)
     return subject, protocol, None if sensors == Sensors() else sensors, notes
+
+
+def further_tables(path: Path):
+    """The tables of the sidecar that describe no recording, such as [fit]."""
+    sidecar = path.with_suffix(".toml")
+    return (read_keys(sidecar) if sidecar.exists() else no_keys())[1]
 
 
 def with_movements(recording: Recording) -> Recording:

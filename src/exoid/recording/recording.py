@@ -49,6 +49,7 @@ class Subject:
     session: str | None = text("session")
     body_mass: float | None = ranged("body_mass_kg", "kg", 2.0, 400.0)
     height: float | None = ranged("height_m", "m", 0.4, 2.6)
+    age: float | None = ranged("age_years", "years", 0.0, 130.0)
     shank_length: float | None = ranged("shank_length_m", "m", 0.05, 0.8)
     shank_radius: float | None = ranged("shank_radius_m", "m", 0.01, 0.2)
     shank_foot_mass: float | None = ranged("shank_foot_mass_kg", "kg", 0.05, 40.0)

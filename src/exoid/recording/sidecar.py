@@ -12,6 +12,7 @@ from exoid.recording.recording import Protocol, Sensors, Subject, check_entry, k
 from exoid.recording.text_file import Notes, naming, near, read_text, replace_files
 
 TABLES = {"subject": Subject, "protocol": Protocol, "sensors": Sensors}
+FOR_FITS = "fit"  # the table of what is fixed, bounded or expected; a fit reads and checks it
 
 
 def read_sidecar(path: str | Path) -> tuple[Subject, Protocol, Sensors, Notes]:
@@ -47,7 +48,11 @@ def read_keys(path: Path) -> tuple[dict[str, Any], dict[str, Any], Notes]:
             raise ValueError(f"is not valid TOML: {error}.") from error
         tables = {name: parse_keys(name, document.get(name, {})) for name in TABLES}
         extra = {name: value for name, value in document.items() if name not in TABLES}
-        notes = [f"unknown [{name}] is kept, but not used.{near(name, TABLES)}" for name in extra]
+        notes = [
+            f"unknown [{name}] is kept, but not used.{near(name, TABLES)}"
+            for name in extra
+            if name != FOR_FITS
+        ]
         for name, table in tables.items():
             notes += [
                 f"unknown {key} in [{name}] is kept, but not used.{place(key)}"

@@ -12,7 +12,7 @@ from exoid.fit.uncertainty import Shares
 Table = Any  # an xarray.Dataset; to import xarray here would slow the start of every fit
 Groups = Mapping[str, Table]
 
-TEXTS = ("symbol", "title", "unit", "reason")
+TEXTS = ("symbol", "title", "unit", "reason", "by_hand")
 NUMBERS = ("value", "standard_error", "expected", "expected_deviation", "lower", "upper")
 SHARES = ("data", "prior", "bound")
 
@@ -43,12 +43,12 @@ def from_table(table: Table) -> dict[str, Estimate]:
     for row, name in enumerate(columns["name"]):
         shares = [columns[f"share_{part}"][row] for part in SHARES]
         values: dict[str, Any] = {key: known(columns[key][row]) for key in NUMBERS}
-        values |= {key: columns[key][row] for key in TEXTS}
+        values |= {key: columns[key][row] for key in TEXTS if key in columns}
         values["shares"] = (
-            None if np.isnan(shares[0]) else Shares(*shares, columns["told_by"][row] or None)
+            None if np.isnan(shares[0]) else Shares(*shares, kind=columns["told_by"][row] or None)
         )
-        values["reason"] = values["reason"] or None
         values["limited_by"] = json.loads(columns["limited_by"][row] or "null")
+        values |= {key: values.get(key) or None for key in ("reason", "by_hand")}
         found[name] = Estimate(**values)
     return found
 

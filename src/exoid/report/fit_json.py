@@ -72,7 +72,7 @@ def entry(each: Estimate) -> dict[str, Any]:
         "expected_deviation": each.expected_deviation,
         "lower": each.lower,
         "upper": each.upper,
-        "determined_by": each.determined_by,
+        "determined_by": each.set_by,
         "shares": None if each.shares is None else asdict(each.shares),
         "limited_by": each.limited_by,
         "reason": each.reason,

@@ -83,8 +83,8 @@ def set_by(each: Estimate) -> str:
     data = round(BAR * each.shares.data)
     bound = round(BAR * each.shares.bound)
     bar = DATA * data + PRIOR * (BAR - data - bound) + BOUND * bound
-    source = each.shares.source
-    return f"{bar} {each.shares.kind or source if source == 'data' else source}"
+    of_data = each.set_by == "data" and each.shares.kind
+    return f"{bar} {of_data or each.set_by}"
 
 
 def print_ratios(result: FitResult, console: Console) -> None:

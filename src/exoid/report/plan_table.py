@@ -19,7 +19,7 @@ def print_plan(plan: Plan, console: Console) -> None:
     say(console, f"Now:   {stated(plan, plan.before)}")
     if plan.proposed:
         say(console, f"After: {stated(plan, plan.after)}, expected with what follows")
-        heading(console, "Record, as segments of one file")
+        heading(console, f"Record, as segments of {files(plan)}")
         for number, (words, count) in enumerate(steps(plan), start=1):
             times = f"{count} times: " if count > 1 else ""
             say(console, f"{number}. {times}{words}.", hanging=3)
@@ -49,6 +49,12 @@ def print_options(plan: Plan, console: Console) -> None:
         f"error [{plan.unit}]": [f"{option.error:.2g}" for option in known],
     }
     console.print(table(columns))
+
+
+def files(plan: Plan) -> str:
+    """A seat that is tilted anew is a recording of its own: it owns the error of its angle."""
+    seats = {each.thigh_angle for each in plan.proposed}
+    return "one file" if len(seats) < 2 else "one file for each tilt of the seat"
 
 
 def steps(plan: Plan) -> list[tuple[str, int]]:

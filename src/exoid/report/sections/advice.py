@@ -5,7 +5,7 @@ from typing import ClassVar
 
 from exoid.diagnose.plan import Plan
 from exoid.report.case import Case
-from exoid.report.plan_table import stated, steps
+from exoid.report.plan_table import files, stated, steps
 from exoid.report.sections.section import Section
 from exoid.report.text import counted
 
@@ -59,6 +59,6 @@ def tasks_of(plan: Plan) -> tuple[str, ...]:
 def goal(plan: Plan) -> str:
     """What the steps are for."""
     return (
-        f"Now {stated(plan, plan.before)}. After the following, as segments of one more recording, "
+        f"Now {stated(plan, plan.before)}. After the following, as segments of {files(plan)}, "
         f"expect {stated(plan, plan.after)}:"
     )

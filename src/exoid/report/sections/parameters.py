@@ -102,6 +102,8 @@ def set_by(each: Estimate) -> str:
     """The parts of the precision in words, the largest first."""
     if each.shares is None:
         return "nothing"
+    if each.by_hand == "fix":
+        return str(each.set_by)
     parts = {source: getattr(each.shares, source) for source in ("data", "prior", "bound")}
     kind = each.shares.kind
     said = [
@@ -109,4 +111,5 @@ def set_by(each: Estimate) -> str:
         for source, part in sorted(parts.items(), key=lambda item: -item[1])
         if round(part, 2) > 0
     ]
-    return ", ".join(said)
+    yours = [] if each.set_by == each.determined_by else [str(each.set_by)]
+    return ": ".join([*yours, ", ".join(said)])

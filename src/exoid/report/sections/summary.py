@@ -21,6 +21,10 @@ BELIEF = {
     "prior": "rests on what anatomy expects of this body: use the ratios",
     "both": "partly measured, partly what anatomy expects",
     "bound": "held by a limit: do not use it",
+    "fixed by you": "fixed by you: no finding",
+    "your bound": "held by a limit of yours: do not use it",
+    "your prior": "rests on what you expect",
+    "both, your prior": "partly measured, partly what you expect",
     None: "not determined",
 }
 INCOMPLETE = "measured, but with a model that misses something: ± is not complete"
@@ -132,7 +136,7 @@ def believed(fit: FitResult) -> Table:
         "quantity": [name.replace("_", " ") for name in quantities],
         "symbol": [one.symbol for one in each],
         "value": [quantity(one) for one in each],
-        "how far to believe it": [words[one.determined_by] for one in each],
+        "how far to believe it": [words[one.set_by] for one in each],
     }
     return Table("The leg in numbers; ± is one standard error", columns)
 
