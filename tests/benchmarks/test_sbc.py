@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-
 from benchmarks.sbc.ranks import DRAWS, Ranks, ranked
 
 pytest.importorskip("blackjax")

@@ -12,11 +12,12 @@ from dataclasses import replace
 import jax
 import numpy as np
 
+from exoid.fit.approach import approach
 from exoid.fit.coordinates import flattened
 from exoid.fit.disturbance import CLEAR, Missed, explain
 from exoid.fit.gram import CAUSES, Cause, Gram
 from exoid.fit.observation import Observation
-from exoid.fit.problem import Problem, advance, declared_at, grams_at, left, take, task
+from exoid.fit.problem import Problem, declared_at, grams_at, left, take
 from exoid.fit.sandwich import KINDS, Disturbance, common, spoiled
 from exoid.fit.task import Solved
 
@@ -26,7 +27,6 @@ NOISY = 1.1  # over the declared noise, from where on it is worth a word
 # lean on a form of their torque and are short, miss less than the others, takes more.
 DIFFERENT = {"passive": CLEAR, "measured": CLEAR, "active": 2 * CLEAR}
 BLIND = 1e8  # what the residual of a segment is divided by that is not to count
-FINE = 1e-2  # tolerance, in units of noise
 
 Grams = dict[Cause, list[Gram]]
 
@@ -75,11 +75,14 @@ def explained_apart(problem: Problem, at: Solved, row: int, alike: Disturbance) 
 
 
 def alone(problem: Problem, at: Solved, row: int, kinds: list[str]) -> Solved:
-    """Where a fit to the segments of each of these kinds alone ends: one lane a kind."""
+    """Where a fit to the segments of each of these kinds alone ends: one lane a kind.
+
+    It begins with everything as declared: what bad segments made of seat and zero leads astray.
+    """
     counts = np.array([[kind == own for own in problem.kinds] for kind in kinds])
     starts = take(at.coordinates, [row] * len(kinds))
-    asked = task(problem, 0.0, problem.steps, FINE)
-    return advance(problem, starts, asked, np.where(counts, 1.0, BLIND))
+    starts = replace(starts, mounting=jax.tree.map(np.zeros_like, starts.mounting))
+    return approach(problem, starts, np.where(counts, 1.0, BLIND))
 
 
 def of_kind(problem: Problem, kind: str, grams: Grams) -> Grams:
