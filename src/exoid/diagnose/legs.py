@@ -5,10 +5,11 @@ from dataclasses import dataclass, replace
 import equinox as eqx
 import numpy as np
 
+from exoid.fit.approach import FINE
 from exoid.fit.belief import NAMES
 from exoid.fit.coordinates import QUANTITIES
 from exoid.fit.estimates import RATIOS
-from exoid.fit.kinds import FINE, explained
+from exoid.fit.kinds import explained
 from exoid.fit.problem import Problem, advance, around, take, task
 from exoid.fit.result import FitResult
 from exoid.fit.starts import usual_mounting

@@ -110,8 +110,7 @@ def curved(basis: Basis) -> tuple[np.ndarray, np.ndarray]:
     white, unit = whitening(plain)
     inward, outward = white / unit[:, None], np.linalg.pinv(white).T * unit[:, None]
     values, axes = np.linalg.eigh(inward.T @ basis.ended.local.data @ inward)
-    # Beyond 1 by rounding, where all directions are widened alike.
-    root = np.sqrt(np.clip(values, 0.0, 1.0))
+    root = np.sqrt(np.maximum(values, 0.0))  # beyond 1 where a kind was held for worse than it is
     change = (axes * root) @ axes.T - np.eye(root.size)
     shrink = np.eye(len(plain)) + inward @ change @ outward.T
     one, slope = take(best, 0), np.zeros(len(plain))

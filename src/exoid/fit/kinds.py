@@ -3,8 +3,8 @@
 Eq. 9 may hold to the noise where a leg swings by itself, and miss how it is moved at will; or the
 other way round. One process for all segments would then spoil what the good ones tell. So each kind
 is also fitted alone: where processes of their own explain what is left much better than one for
-all, every kind's residual is divided by the largest factor by which its errors are widened. A kind
-then counts for no more than it carries in any direction.
+all, every kind's residual is divided by the largest factor by which its errors are widened, and
+that of all but the best by ten times as much. None then counts for more than it carries.
 """
 
 from dataclasses import replace
@@ -12,11 +12,12 @@ from dataclasses import replace
 import jax
 import numpy as np
 
+from exoid.fit.approach import FINE, approach
 from exoid.fit.coordinates import flattened
 from exoid.fit.disturbance import CLEAR, Missed, explain
 from exoid.fit.gram import CAUSES, Cause, Gram
 from exoid.fit.observation import Observation
-from exoid.fit.problem import Problem, advance, declared_at, grams_at, left, take, task
+from exoid.fit.problem import Problem, advance, declared_at, finite, grams_at, left, take, task
 from exoid.fit.sandwich import KINDS, Disturbance, common, spoiled
 from exoid.fit.task import Solved
 
@@ -25,8 +26,8 @@ NOISY = 1.1  # over the declared noise, from where on it is worth a word
 # Gain of log likelihood below which all kinds miss the same. To hold that movements at will, which
 # lean on a form of their torque and are short, miss less than the others, takes more.
 DIFFERENT = {"passive": CLEAR, "measured": CLEAR, "active": 2 * CLEAR}
+DOUBT = 10.0  # a process only stands for what is missed: the others are held for this much worse
 BLIND = 1e8  # what the residual of a segment is divided by that is not to count
-FINE = 1e-2  # tolerance, in units of noise
 
 Grams = dict[Cause, list[Gram]]
 
@@ -70,16 +71,26 @@ def explained_apart(problem: Problem, at: Solved, row: int, alike: Disturbance) 
     least = min(widened, key=widened.__getitem__)
     if gain < DIFFERENT[least]:
         return alike
-    scales = {kind: each / widened[least] for kind, each in widened.items()}
+    scales = {kind: DOUBT * each / widened[least] for kind, each in widened.items()}
+    scales[least] = 1.0
     return replace(alike, kinds=own, scales=scales)
 
 
 def alone(problem: Problem, at: Solved, row: int, kinds: list[str]) -> Solved:
-    """Where a fit to the segments of each of these kinds alone ends: one lane a kind."""
+    """Where a fit to the segments of each of these kinds alone ends: one lane a kind.
+
+    It begins where all together ended, and once more tied to the measured motion with everything
+    as declared: what bad segments made of seat and zero leads astray.
+    """
     counts = np.array([[kind == own for own in problem.kinds] for kind in kinds])
     starts = take(at.coordinates, [row] * len(kinds))
-    asked = task(problem, 0.0, problem.steps, FINE)
-    return advance(problem, starts, asked, np.where(counts, 1.0, BLIND))
+    scale = np.where(counts, 1.0, BLIND)
+    near = advance(problem, starts, task(problem, 0.0, problem.steps, FINE), scale)
+    anew = replace(starts, mounting=jax.tree.map(np.zeros_like, starts.mounting))
+    tied = approach(problem, anew, scale)
+    both = jax.tree.map(lambda *each: np.stack(each), near, tied)
+    better = np.argmin([finite(near.loss), finite(tied.loss)], axis=0)
+    return jax.tree.map(lambda leaf: leaf[better, np.arange(len(kinds))], both)
 
 
 def of_kind(problem: Problem, kind: str, grams: Grams) -> Grams:

@@ -5,9 +5,10 @@ from dataclasses import dataclass, replace
 import jax
 import numpy as np
 
+from exoid.fit.approach import COARSE, FINE, tethers, without_thrust
 from exoid.fit.coordinates import TYPICAL, Coordinates, Shared, scaled
 from exoid.fit.imposed import imposed
-from exoid.fit.kinds import FINE, alone, explained, explained_apart
+from exoid.fit.kinds import alone, explained, explained_apart
 from exoid.fit.local import Local, penalties, weighed
 from exoid.fit.problem import BATCH, Problem, advance, around, finite, left, take, task
 from exoid.fit.sandwich import Disturbance
@@ -19,9 +20,6 @@ from exoid.fit.uncertainty import decomposed, spread
 BASIN = 0.2  # typical steps within which tied starts have come together
 SAME_LOSS = 1e-3  # relative; other minima lie orders of magnitude higher
 FIRST_HORIZON = 1.0  # s of every segment that a start sees first
-TETHERS = (60.0, 15.0)  # rad/s, of the first stage and the second; then free
-STIFF = 0.6  # greatest tether times step: Runge-Kutta carries it with room for the leg
-COARSE = 10.0  # tolerance, in units of noise, as FINE
 LIMITED = 1e-3  # the same with limits: a multiplier of ten makes it 1e-3 of half a sum of squares
 LOOKING = np.inf  # the same of a solver that is not to leave its point
 TOLD = 0.5  # relative error of an inertia from which on the data do not tell it
@@ -48,7 +46,7 @@ def search(problem: Problem, starts: np.ndarray) -> tuple[Problem, Ended]:
     have come together are carried on by the best of them. The best free fit then meets prior
     and limits. Also the problem, its priors wider where a seat or a clock is unusual (`seldom.py`).
     """
-    tether = min(TETHERS[0], STIFF / problem.longest_step)
+    tether, weaker = tethers(problem)
     greatest = 2 / problem.longest_step - 2 * tether
     begin = coordinates(starts, problem.movements, greatest)
     first = np.searchsorted(np.asarray(problem.observation.time)[0], FIRST_HORIZON)
@@ -57,14 +55,12 @@ def search(problem: Problem, starts: np.ndarray) -> tuple[Problem, Ended]:
     tied = advance(declared, begin, task(problem, tether, horizon, COARSE))
     rows, member, failures = basins(problem, tied)
     gathered = without_thrust(take(tied.coordinates, rows))
-    weaker = min(TETHERS[1], tether / 2)
     looser = advance(declared, gathered, task(problem, weaker, problem.steps, COARSE)).coordinates
     free = advance(
         without_scale(problem), without_thrust(looser), task(problem, 0.0, problem.steps, FINE)
     )
     member, failures = without_lost(free, member, failures)
-    problem, free = with_tilted_seats(problem, free)
-    free, disturbance = weighed_by_kind(problem, free)
+    problem, free, disturbance = with_what_is_missed(problem, free)
     best = settle(problem, free, begin, disturbance)
     if problem.belief.by_hand.fix or problem.belief.by_hand.bound:
         disturbance = explained(problem, best)  # what no free leg would leave, but this one does
@@ -76,6 +72,20 @@ def search(problem: Problem, starts: np.ndarray) -> tuple[Problem, Ended]:
         best = settle(problem, free, begin, disturbance)
         local = around(problem, best, disturbance)
     return problem, Ended(free, member, failures, best, disturbance, begin, local)
+
+
+def with_what_is_missed(problem: Problem, free: Solved) -> tuple[Problem, Solved, Disturbance]:
+    """The free fits by what every kind of segment misses, on seats that are tilted if need be.
+
+    Where one kind is explained by itself, others that are not say nothing of the seat.
+    """
+    again, found = weighed_by_kind(problem, free)
+    if found.apart and found.kinds[found.trusted].cause is None:
+        return problem, again, found
+    wide, tilted = with_tilted_seats(problem, free)
+    if wide is problem:
+        return problem, again, found
+    return wide, *weighed_by_kind(wide, tilted)
 
 
 def weighed_by_kind(problem: Problem, free: Solved) -> tuple[Solved, Disturbance]:
@@ -126,15 +136,6 @@ def as_declared(problem: Problem) -> Problem:
         if name != "log_distance":
             known[:, column] = 1.0
     return replace(problem, known=known)
-
-
-def without_thrust(at: Coordinates) -> Coordinates:
-    """No negative damping: it would run away once the tether that held it is loosened."""
-    shared = at.shared
-    damped = Shared(
-        shared.log_inertia, shared.gravity, shared.stiffness, np.maximum(shared.damping, 0.0)
-    )
-    return Coordinates(damped, at.log_mass, at.mounting, at.own)
 
 
 def basins(problem: Problem, tied: Solved) -> tuple[np.ndarray, np.ndarray, dict[str, int]]:

@@ -146,7 +146,8 @@ def matching(basis: Basis, gradient: np.ndarray, error: float | None) -> float:
     if error is None:
         return found.scale
     plain = weighed(around(basis.problem, basis.ended.best), 1 / found.scale).data
-    free, low, high = basis.information.free, 0.0, float(np.log(found.widening.max())) + 1e-6
+    free, least = basis.information.free, min(1.0, float(found.widening.min()))
+    low, high = float(np.log(least)), float(np.log(found.widening.max())) + 1e-6
     for _ in range(HALVINGS):
         middle = (low + high) / 2
         total = free.T @ (plain / np.exp(2 * middle) + local.prior) @ free

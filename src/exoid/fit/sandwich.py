@@ -54,9 +54,9 @@ class Disturbance:
         """By how much all errors at least are wider than the declared noise makes them.
 
         The weight of the data against the prior goes by it: where the two disagree, the fit stays
-        with the data.
+        with the data. A kind that is weighed less than it tells by itself is none to go by.
         """
-        return float(self.widening.min())
+        return float(max(self.widening.min(), self.noise))
 
     def weighing(self, kinds: Sequence[str]) -> Float[np.ndarray, " segment"]:
         """What the residuals of segments of these kinds are divided by, one against the other."""
