@@ -43,7 +43,8 @@ def fit_each(given: Given, **options) -> FitResult:
         if name in moved
     ]
     if len(results) < 2:
-        return results[0]
+        notes = [*left_out(recordings, moving), *results[0].notes]
+        return replace(results[0], notes=notes)
     ratios = {name: averaged([each.ratios[name] for each in results]) for name in COMMON}
     torques = [r.ratios["torque_over_inertia"] for r in results if len(r.ratios) > len(COMMON)]
     if torques:
