@@ -42,7 +42,7 @@ def rich():
     return replace(
         plain,
         segments=segments,
-        mountings=[MountingFit("b.csv", None, zero(), zero(), None)],
+        mountings=[MountingFit("b.csv", zero=zero(), gyro_scale=zero())],
         disturbance=Disturbance(
             {"active": Missed("encoder", 0.1, ODD[0], 1.0, ODD[1]), "passive": missed()},
             {"active": ODD[2], "passive": 1.0},

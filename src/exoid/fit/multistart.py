@@ -51,12 +51,14 @@ def search(problem: Problem, starts: np.ndarray) -> tuple[Problem, Ended]:
     begin = coordinates(starts, problem.movements, greatest)
     first = np.searchsorted(np.asarray(problem.observation.time)[0], FIRST_HORIZON)
     horizon = min(max(int(first), 50), problem.steps)
-    declared = as_declared(problem)
+    declared = as_declared(without_scale(problem))
     tied = advance(declared, begin, task(problem, tether, horizon, COARSE))
     rows, member, failures = basins(problem, tied)
     gathered = without_thrust(take(tied.coordinates, rows))
     looser = advance(declared, gathered, task(problem, weaker, problem.steps, COARSE)).coordinates
-    free = advance(problem, without_thrust(looser), task(problem, 0.0, problem.steps, FINE))
+    free = advance(
+        without_scale(problem), without_thrust(looser), task(problem, 0.0, problem.steps, FINE)
+    )
     member, failures = without_lost(free, member, failures)
     problem, free, disturbance = with_what_is_missed(problem, free)
     best = settle(problem, free, begin, disturbance)
@@ -110,6 +112,19 @@ def replaced(tree, row: int, new):
     rows = jax.tree.map(np.array, tree)
     jax.tree.map(lambda leaf, one: leaf.__setitem__(row, one), rows, new)
     return rows
+
+
+def without_scale(problem: Problem) -> Problem:
+    """The same, the inertia of a start kept where nothing can tell it: the same mass was on the leg
+    in every segment. Along what is flat a search may go anywhere.
+    """
+    each = problem.movements
+    loads = {(one.added_mass, None if one.unplaced else one.added_mass_distance) for one in each}
+    if len(loads) > 1 or any(one.kind == "measured" for one in each):
+        return problem
+    known = problem.known.copy()
+    known[:, 0] = 1.0
+    return replace(problem, known=known)
 
 
 def as_declared(problem: Problem) -> Problem:
@@ -186,7 +201,8 @@ def settle(problem: Problem, free: Solved, begin: Coordinates, found: Disturbanc
         there = advance(problem, starts, task(problem, 0.0, problem.steps, LOOKING))
         local = weighed(around(problem, there), found.scale)
     asked = task(problem, 0.0, problem.steps, LIMITED, penalties(local))
-    ended = advance(problem, starts, asked, found.scale * found.weighing(problem.kinds))
+    bounded = problem if problem.belief.typical else without_scale(problem)
+    ended = advance(bounded, starts, asked, found.scale * found.weighing(problem.kinds))
     feasible = np.where(ended.violation < FEASIBLE, finite(ended.loss), np.inf)
     chosen = feasible if np.isfinite(feasible).any() else finite(ended.loss)
     return take(ended, [int(np.argmin(chosen))])

@@ -128,8 +128,8 @@ class Objective:
         """The start (m, J, l, d, c, tau), every movement from its first measured state."""
         states = np.array([first_state(each) for each in self.problem.movements])
         torques = [start[LEG]] * len(self.voluntary)
-        leg = [self.fixed.get(name, value) for name, value in zip(NAMES, start, strict=False)]
         owned = np.zeros(len(self.owned))
+        leg = [self.fixed.get(name, value) for name, value in zip(NAMES, start, strict=False)]
         return np.array([*leg, *torques, *states[:, 0], *states[:, 1], *owned]) / self.sizes
 
     def flat(self, vector: np.ndarray) -> np.ndarray:

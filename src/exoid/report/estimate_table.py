@@ -45,7 +45,7 @@ def from_table(table: Table) -> dict[str, Estimate]:
         values: dict[str, Any] = {key: known(columns[key][row]) for key in NUMBERS}
         values |= {key: columns[key][row] for key in TEXTS if key in columns}
         values["shares"] = (
-            None if np.isnan(shares[0]) else Shares(*shares, columns["told_by"][row] or None)
+            None if np.isnan(shares[0]) else Shares(*shares, kind=columns["told_by"][row] or None)
         )
         values["limited_by"] = json.loads(columns["limited_by"][row] or "null")
         values |= {key: values.get(key) or None for key in ("reason", "by_hand")}
