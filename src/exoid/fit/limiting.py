@@ -14,8 +14,8 @@ WORDS = {
     "gyro_bias": "the gyro's bias",
     "clock": "the clock",
     "added_mass": "the weight of the added mass",
-    "added_mass_distance": "its distance from the knee",
-    "added_mass_gyration": "its extent",
+    "added_mass_distance": "the distance of the added mass",
+    "added_mass_gyration": "the extent of the added mass",
 }
 ADVICE = {
     "zero": "say how well the encoder's zero is known (angle_zero_uncertainty_deg)",

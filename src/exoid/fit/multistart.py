@@ -1,6 +1,6 @@
 """The fit: many starts, brought to the data first, then to what anatomy and bounds allow."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import jax
 import numpy as np
@@ -13,6 +13,7 @@ from exoid.fit.local import Local, penalties, weighed
 from exoid.fit.problem import BATCH, Problem, advance, around, finite, left, take, task
 from exoid.fit.sandwich import Disturbance
 from exoid.fit.seldom import with_doubted_clocks, with_tilted_seats
+from exoid.fit.simpler import as_declared, without_scale
 from exoid.fit.starts import coordinates
 from exoid.fit.task import Solved
 from exoid.fit.uncertainty import decomposed, spread
@@ -68,8 +69,7 @@ def search(problem: Problem, starts: np.ndarray) -> tuple[Problem, Ended]:
     local = around(problem, best, disturbance)
     doubted = with_doubted_clocks(problem, best, local)
     if doubted is not None:
-        problem = doubted
-        best = settle(problem, free, begin, disturbance)
+        problem = doubted  # the suspicion widens errors, and moves no value
         local = around(problem, best, disturbance)
     return problem, Ended(free, member, failures, best, disturbance, begin, local)
 
@@ -112,30 +112,6 @@ def replaced(tree, row: int, new):
     rows = jax.tree.map(np.array, tree)
     jax.tree.map(lambda leaf, one: leaf.__setitem__(row, one), rows, new)
     return rows
-
-
-def without_scale(problem: Problem) -> Problem:
-    """The same, the inertia of a start kept where nothing can tell it: the same mass was on the leg
-    in every segment. Along what is flat a search may go anywhere.
-    """
-    each = problem.movements
-    loads = {(one.added_mass, None if one.unplaced else one.added_mass_distance) for one in each}
-    if len(loads) > 1 or any(one.kind == "measured" for one in each):
-        return problem
-    known = problem.known.copy()
-    known[:, 0] = 1.0
-    return replace(problem, known=known)
-
-
-def as_declared(problem: Problem) -> Problem:
-    """The same, recordings as they are declared: what differs is small, but far from the leg it may
-    pass for anything.
-    """
-    known = problem.known.copy()
-    for column, name in enumerate(problem.owned, start=4):
-        if name != "log_distance":
-            known[:, column] = 1.0
-    return replace(problem, known=known)
 
 
 def basins(problem: Problem, tied: Solved) -> tuple[np.ndarray, np.ndarray, dict[str, int]]:
