@@ -13,6 +13,7 @@ from exoid.report.sections.quality import appraisals
 from exoid.report.sections.section import Section
 from exoid.report.sections.table import Table, quantity
 from exoid.report.text import capital, counted, in_degrees
+from exoid.report.typeset import formula
 
 State = Literal["good", "care", "open"]
 
@@ -138,7 +139,7 @@ def believed(fit: FitResult) -> Table:
     words = BELIEF if fit.disturbance.cause is None else BELIEF | {"data": INCOMPLETE}
     columns = {
         "quantity": [name.replace("_", " ") for name in quantities],
-        "symbol": [one.symbol for one in each],
+        "symbol": [formula(one.symbol) for one in each],
         "value": [quantity(one) for one in each],
         "how far to believe it": [words[one.set_by] for one in each],
     }

@@ -1,11 +1,13 @@
 """A table of the report."""
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from exoid.fit.result import Estimate
 from exoid.report.text import written
 
 DIMENSIONLESS = ("-", "1")
+NARROW = 3  # columns that a phone has room for
 
 
 @dataclass(frozen=True)
@@ -16,11 +18,16 @@ class Table:
     """
 
     caption: str
-    columns: dict[str, list[str]]
+    columns: Mapping[str, Sequence[str]]
 
     @property
     def heads(self) -> list[str]:
         return [head for head, cells in self.columns.items() if any(cells)]
+
+    @property
+    def shape(self) -> str:
+        """`broad`: a phone shows its rows as cards, paper gives it the whole width."""
+        return "broad" if len(self.heads) > NARROW else ""
 
     @property
     def rows(self) -> list[tuple[str, ...]]:
