@@ -147,7 +147,12 @@ def draw_spans(drop: Drop, axes: Axes) -> None:
     if period:
         count = round((period[1].time - period[0].time) / (drop.measures["period"].value or 1.0))
         low = float(np.degrees(period[0].value)) - BELOW
-        length(axes, (period[0].time, period[1].time), low, mathtext(f"{count} T" if count > 1 else "T"))
+        length(
+            axes,
+            (period[0].time, period[1].time),
+            low,
+            mathtext(f"{count} T" if count > 1 else "T"),
+        )
     if rest:
         high = float(np.degrees(rest[0].value)) + BELOW
         length(axes, (rest[0].time, rest[1].time), high, "time to rest")

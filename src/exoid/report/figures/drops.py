@@ -74,7 +74,9 @@ def draw_height(drawing: Drawing, ends: tuple[Mark, ...], symbol: str) -> None:
     arrow = {"axref": "x", "ayref": "y", "arrowside": "end+start", "arrowhead": 2}
     drawing.add_annotation(text="", arrowcolor=GREY, arrowwidth=1, **at, **arrow)
     middle = {"x": ends[1].time, "y": (top + bottom) / 2}
-    drawing.add_annotation(text=formula(symbol), showarrow=False, xanchor="left", xshift=4, **middle)
+    drawing.add_annotation(
+        text=formula(symbol), showarrow=False, xanchor="left", xshift=4, **middle
+    )
 
 
 def alternative(drop: Drop) -> str:

@@ -37,7 +37,10 @@ def draw_family(result: FitResult, pair: tuple[str, str]) -> Figure:
         if x is not None and y is not None:
             put(drawing, mark, ([x], [y]), (dx, dy), hovertemplate=hover)
     views = [view(marked(each), row) for each, row in zip(both, points, strict=True)]
-    titles = [tidy(f"{in_words(n)} {formula(e.symbol)} [{e.unit}]") for n, e in zip(pair, both, strict=True)]
+    titles = [
+        tidy(f"{in_words(n)} {formula(e.symbol)} [{e.unit}]")
+        for n, e in zip(pair, both, strict=True)
+    ]
     drawing.update_xaxes(range=views[0], title_text=titles[0])
     drawing.update_yaxes(range=views[1], title_text=titles[1])
     names = " and ".join(map(in_words, pair)).capitalize()
@@ -53,4 +56,6 @@ def draw_family(result: FitResult, pair: tuple[str, str]) -> Figure:
 def hovering(both: list[Estimate]) -> str:
     """What is told of a point."""
     parts = zip("xy", both, strict=True)
-    return tidy(", ".join(f"{formula(each.symbol)} %{{{axis}:.4g}} {each.unit}" for axis, each in parts))
+    return tidy(
+        ", ".join(f"{formula(each.symbol)} %{{{axis}:.4g}} {each.unit}" for axis, each in parts)
+    )

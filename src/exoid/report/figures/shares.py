@@ -16,9 +16,7 @@ def draw_shares(result: FitResult) -> Figure:
     """One bar per parameter and ratio."""
     each = [estimate for _, estimate in named(result)]
     drawing = blank(ROW * len(each) + REST, barmode="stack")
-    labels = [
-        f"{formula(one.symbol)}{'' if one.shares else f', {NOT_DETERMINED}'}" for one in each
-    ]
+    labels = [f"{formula(one.symbol)}{'' if one.shares else f', {NOT_DETERMINED}'}" for one in each]
     for source, look in SHARE_LOOK.items():
         parts = [0.0 if one.shares is None else getattr(one.shares, source) for one in each]
         drawing.add_trace(

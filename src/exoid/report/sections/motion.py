@@ -15,6 +15,7 @@ from exoid.report.text import in_degrees
 
 PRINTED = 4  # segments on paper
 
+
 @dataclass(frozen=True, eq=False)
 class Motion(Section):
     """A figure for every segment, or for those that fit worst; all of them in a table."""

@@ -7,7 +7,7 @@ from exoid.fit.result import Estimate
 from exoid.report.text import written
 
 DIMENSIONLESS = ("-", "1")
-NARROW = 3  # columns that a phone has room for
+STACKED, SPANNING = 3, 6  # columns that a phone has room for, and half a sheet of paper
 
 
 @dataclass(frozen=True)
@@ -26,8 +26,9 @@ class Table:
 
     @property
     def shape(self) -> str:
-        """`broad`: a phone shows its rows as cards, paper gives it the whole width."""
-        return "broad" if len(self.heads) > NARROW else ""
+        """`stack`: a phone shows its rows below each other; `span`: paper gives it both columns."""
+        many = len(self.heads)
+        return " ".join(["stack"] * (many > STACKED) + ["span"] * (many > SPANNING))
 
     @property
     def rows(self) -> list[tuple[str, ...]]:

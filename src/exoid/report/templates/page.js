@@ -1,6 +1,6 @@
 "use strict";
 
-const PRINTED = { width: 490, flat: 0.8, tall: 400 }; // pixels of a figure on A4, and of its height
+const PRINTED = { width: 490, flat: 0.8, low: 420, tall: 560 }; // pixels on A4, low figures flattened
 const SHRUNK = 0.7; // of that size it is printed at: two columns of A4, letters of 6 pt
 const BUTTONS = 30; // pixels above a figure that are free for its buttons
 const touch = matchMedia("(pointer: coarse)").matches;
@@ -90,7 +90,8 @@ function fitToPaper() {
     if (!plot.layout) continue;
     const { height: all, margin } = plot.layout;
     plot.dataset.height = all;
-    const height = Math.min(PRINTED.flat * (all - BUTTONS), PRINTED.tall);
+    const shown = all - BUTTONS;
+    const height = shown <= PRINTED.low ? PRINTED.flat * shown : Math.min(shown, PRINTED.tall);
     const top = { "margin.t": margin.t - BUTTONS, "legend.y": 1 };
     Plotly.relayout(plot, { width: PRINTED.width, height, ...top });
     scale(plot, SHRUNK, height);
