@@ -23,6 +23,7 @@ from exoid.report.load_result import load_result
 from exoid.report.page import SECTIONS, build_page, write_page
 from exoid.report.save_result import save_result
 from exoid.report.text import in_degrees, with_error
+from exoid.report.sections.summary import LOST
 from exoid.report.tidy import tidy
 
 LARGEST = 6_000_000  # bytes
@@ -177,6 +178,34 @@ def test_the_file_is_small_however_long_the_recording(diagnosed):
     one = traces(parse(long), "motion-0")["measured"]
     assert decoded(one["x"]).size <= MOST
     assert "One sample in 3 is drawn" in parse(long).by_id("motion-0").text
+
+
+def test_a_fit_that_does_not_follow_says_so_first_and_calls_nothing_good():
+    case = made_up()
+    lost = replace(case.fit, astray="the simulated leg does not move as the measured one")
+    lost = replace(lost, notes=["the model does not follow this recording", *lost.notes])
+    summary = parse(build_page(replace(case, fit=lost))).by_id("summary")
+    cards = summary.of_class("card")
+    assert "Do not use the numbers below" in cards[0].text
+    assert not summary.of_class("good")
+    assert "good" not in summary.text
+    assert {row["how far to believe it"] for row in rows(summary.all("table")[0])} == {LOST}
+
+
+def test_title_and_every_table_say_who_it_is_and_which_side():
+    case = made_up()
+    (source,) = case.sources
+    known = replace(source.recording.subject, id="P07", side="right", session="2026-03-02")
+    named = replace(source, recording=replace(source.recording, subject=known))
+    page, who = (
+        parse(build_page(replace(case, sources=(named,)))),
+        "P07, right leg, session 2026-03-02",
+    )
+    assert who in page.all("title")[0].text
+    assert who in page.all("h1")[0].text
+    captions = [each.text for each in page.all("caption")]
+    assert captions
+    assert all(each.startswith(f"{who}: ") for each in captions)
 
 
 def test_parameters_and_ratios_are_those_of_the_json(diagnosed):

@@ -28,6 +28,7 @@ BELIEF = {
     "both, your prior": "partly measured, partly what you expect",
     None: "not determined",
 }
+LOST = "do not use it: the model does not follow the recording"
 INCOMPLETE = "measured, but with a model that misses something: ± is not complete"
 
 
@@ -119,6 +120,8 @@ def missing(found: Diagnosis) -> Card:
 def numbers(fit: FitResult) -> Card:
     """Whose numbers they are."""
     question = "Which numbers come from this recording?"
+    if not fit.follows:
+        return Card(question, "open", "None that can be used.", sentence(LOST))
     groups: dict[str | None, list[str]] = {}
     for each in {**parameters_of(fit), **fit.ratios}.values():
         groups.setdefault(each.determined_by, []).append(each.symbol)
@@ -137,6 +140,7 @@ def believed(fit: FitResult) -> Table:
     quantities = {**parameters_of(fit), **fit.ratios}
     each = list(quantities.values())
     words = BELIEF if fit.disturbance.cause is None else BELIEF | {"data": INCOMPLETE}
+    words = words if fit.follows else dict.fromkeys(BELIEF, LOST)
     columns = {
         "quantity": [name.replace("_", " ") for name in quantities],
         "symbol": [formula(one.symbol) for one in each],
