@@ -13,6 +13,7 @@ from html_tree import parse, rows
 from page_cases import made_up, of_friction, of_length, of_nothing
 from test_saved_result import check_same
 
+from exoid.fit.uncertainty import Shares
 from exoid.recording.pendulum.drops import measure_drops
 from exoid.report.case import Case
 from exoid.report.diagnosis_json import diagnosis_document
@@ -190,6 +191,20 @@ def test_a_fit_that_does_not_follow_says_so_first_and_calls_nothing_good():
     assert not summary.of_class("good")
     assert "good" not in summary.text
     assert {row["how far to believe it"] for row in rows(summary.all("table")[0])} == {LOST}
+
+
+@pytest.mark.parametrize("by_hand", [None, "prior", "bound"])
+def test_what_one_kind_of_segment_told_is_measured(by_hand):
+    case = made_up()
+    told = Shares(data=0.99, prior=0.01, bound=0.0, kind="passive")
+    ratios = {
+        name: replace(each, shares=told, by_hand=by_hand) for name, each in case.fit.ratios.items()
+    }
+    page = parse(build_page(replace(case, fit=replace(case.fit, ratios=ratios))))
+    shown = {row["symbol"]: row for row in rows(page.by_id("summary").all("table")[0])}
+    assert "measured" in shown["m l g / J"]["how far to believe it"]
+    set_by = {row["symbol"]: row for row in rows(page.by_id("parameters").all("table")[1])}
+    assert set_by["m l g / J"]["set by"] == "data (passive) 99%, prior 1%"
 
 
 def test_title_and_every_table_say_who_it_is_and_which_side():

@@ -112,5 +112,5 @@ def set_by(each: Estimate) -> str:
         for source, part in sorted(parts.items(), key=lambda item: -item[1])
         if round(part, 2) > 0
     ]
-    yours = [] if each.set_by == each.determined_by else [str(each.set_by)]
+    yours = [] if each.determined_by in ("data", each.set_by) else [str(each.set_by)]
     return ": ".join([*yours, ", ".join(said)])

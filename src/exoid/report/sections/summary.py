@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import ClassVar, Literal
 
 from exoid.diagnose.diagnosis import Diagnosis
-from exoid.fit.result import FitResult
+from exoid.fit.result import Estimate, FitResult
 from exoid.report.case import Case
 from exoid.report.diagnosis_words import named
 from exoid.report.plot_diagnosis import title as verdict
@@ -145,9 +145,15 @@ def believed(fit: FitResult) -> Table:
         "quantity": [name.replace("_", " ") for name in quantities],
         "symbol": [formula(one.symbol) for one in each],
         "value": [quantity(one) for one in each],
-        "how far to believe it": [words[one.set_by] for one in each],
+        "how far to believe it": [words[decided(one)] for one in each],
     }
     return Table("The leg in numbers; ± is one standard error", columns)
+
+
+def decided(each: Estimate) -> str | None:
+    """Who determined it; the kind of segment that told it is told with the parameters."""
+    by_data = each.determined_by == "data" and each.by_hand != "fix"
+    return "data" if by_data else each.set_by
 
 
 def sentence(words: str) -> str:
