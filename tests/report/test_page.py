@@ -23,8 +23,8 @@ from exoid.report.fit_json import fit_document
 from exoid.report.load_result import load_result
 from exoid.report.page import SECTIONS, build_page, write_page
 from exoid.report.save_result import save_result
-from exoid.report.text import in_degrees, with_error
 from exoid.report.sections.summary import LOST
+from exoid.report.text import in_degrees, with_error
 from exoid.report.tidy import tidy
 
 LARGEST = 6_000_000  # bytes

@@ -262,7 +262,7 @@ def test_flat_profile_of_a_quantity_with_an_error_is_not_said_to_be_untold():
 
 def test_narrow_profile_is_drawn_as_deviation_from_its_value():
     axes = panel(plot_fit(fitted(), profiled()), f"{mathtext('m l g / J')}\n")
-    assert axes.get_xlabel() == "m l g / J - 26.1880 [1e-3 1/s^2]"
+    assert axes.get_xlabel() == f"{mathtext('m l g / J')} - 26.1880 [1e-3 1/s²]"
     low, high = axes.get_xlim()
     assert -10 < low < -6.9
     assert 6.9 < high < 10

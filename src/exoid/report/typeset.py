@@ -15,9 +15,10 @@ ATOM = re.compile(
 )
 NAMED = r"(?:(?:tau|phi|omega)(?:_[a-z]+)?|[mJldcTr](?:_[a-z])?|[awt]_[a-z]|A[01]|D\d)"
 CHAIN = rf"{NAMED}(?: (?:{NAMED}|g)(?!\w))*"
+UNIT = r"[A-Za-z][A-Za-z²³^0-9]*"
 PROSE = re.compile(
     r"(?P<kept>\[[^\]]*\]"  # a unit in brackets
-    r"|(?:(?<=\d )|\b(?:in|per) |\bN )[A-Za-z][A-Za-z²³^0-9]*(?:[ /][A-Za-z][A-Za-z²³^0-9]*)?(?!\w))"
+    rf"|(?:(?<=\d )|\b(?:in|per) |\bN ){UNIT}(?:[ /]{UNIT})?(?!\w))"
     rf"|(?<![\w;'./\\:-])(?P<formula>{CHAIN}(?: / {CHAIN})?)(?![\w'/\\=&-]|\.\w)"
 )
 
