@@ -13,7 +13,7 @@ from exoid.report.sections.section import Section
 from exoid.report.sections.table import Table
 from exoid.report.text import in_degrees
 
-PRINTED = 4  # segments on paper
+PRINTED = 2  # segments on paper
 
 
 @dataclass(frozen=True, eq=False)

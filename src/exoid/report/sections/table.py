@@ -7,7 +7,7 @@ from exoid.fit.result import Estimate
 from exoid.report.text import written
 
 DIMENSIONLESS = ("-", "1")
-STACKED, SPANNING = 3, 6  # columns that a phone has room for, and half a sheet of paper
+STACKED, SPANNING = 3, 5  # columns that a phone has room for, and half a sheet of paper
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,6 @@
 "use strict";
 
-const PRINTED = { width: 490, flat: 0.8, low: 420, tall: 560 }; // pixels on A4, low figures flattened
+const PRINTED = { width: 490, flat: 0.7, low: 345, tall: 490 }; // pixels on A4, low figures flattened
 const SHRUNK = 0.7; // of that size it is printed at: two columns of A4, letters of 6 pt
 const BUTTONS = 30; // pixels above a figure that are free for its buttons
 const touch = matchMedia("(pointer: coarse)").matches;
