@@ -13,6 +13,7 @@ from html_tree import parse, rows
 from page_cases import made_up, of_friction, of_length, of_nothing
 from test_saved_result import check_same
 
+from exoid.fit.uncertainty import Shares
 from exoid.recording.pendulum.drops import measure_drops
 from exoid.report.case import Case
 from exoid.report.diagnosis_json import diagnosis_document
@@ -22,6 +23,7 @@ from exoid.report.fit_json import fit_document
 from exoid.report.load_result import load_result
 from exoid.report.page import SECTIONS, build_page, write_page
 from exoid.report.save_result import save_result
+from exoid.report.sections.summary import LOST
 from exoid.report.text import in_degrees, with_error
 from exoid.report.tidy import tidy
 
@@ -177,6 +179,48 @@ def test_the_file_is_small_however_long_the_recording(diagnosed):
     one = traces(parse(long), "motion-0")["measured"]
     assert decoded(one["x"]).size <= MOST
     assert "One sample in 3 is drawn" in parse(long).by_id("motion-0").text
+
+
+def test_a_fit_that_does_not_follow_says_so_first_and_calls_nothing_good():
+    case = made_up()
+    lost = replace(case.fit, astray="the simulated leg does not move as the measured one")
+    lost = replace(lost, notes=["the model does not follow this recording", *lost.notes])
+    summary = parse(build_page(replace(case, fit=lost))).by_id("summary")
+    cards = summary.of_class("card")
+    assert "Do not use the numbers below" in cards[0].text
+    assert not summary.of_class("good")
+    assert "good" not in summary.text
+    assert {row["how far to believe it"] for row in rows(summary.all("table")[0])} == {LOST}
+
+
+@pytest.mark.parametrize("by_hand", [None, "prior", "bound"])
+def test_what_one_kind_of_segment_told_is_measured(by_hand):
+    case = made_up()
+    told = Shares(data=0.99, prior=0.01, bound=0.0, kind="passive")
+    ratios = {
+        name: replace(each, shares=told, by_hand=by_hand) for name, each in case.fit.ratios.items()
+    }
+    page = parse(build_page(replace(case, fit=replace(case.fit, ratios=ratios))))
+    shown = {row["symbol"]: row for row in rows(page.by_id("summary").all("table")[0])}
+    assert "measured" in shown["m l g / J"]["how far to believe it"]
+    set_by = {row["symbol"]: row for row in rows(page.by_id("parameters").all("table")[1])}
+    assert set_by["m l g / J"]["set by"] == "data (passive) 99%, prior 1%"
+
+
+def test_title_and_every_table_say_who_it_is_and_which_side():
+    case = made_up()
+    (source,) = case.sources
+    known = replace(source.recording.subject, id="P07", side="right", session="2026-03-02")
+    named = replace(source, recording=replace(source.recording, subject=known))
+    page, who = (
+        parse(build_page(replace(case, sources=(named,)))),
+        "P07, right leg, session 2026-03-02",
+    )
+    assert who in page.all("title")[0].text
+    assert who in page.all("h1")[0].text
+    captions = [each.text for each in page.all("caption")]
+    assert captions
+    assert all(each.startswith(f"{who}: ") for each in captions)
 
 
 def test_parameters_and_ratios_are_those_of_the_json(diagnosed):

@@ -5,6 +5,7 @@ browsers are not used. Screenshots are kept, and their paths are printed.
 """
 
 import os
+import re
 import shutil
 import sys
 import tempfile
@@ -19,11 +20,13 @@ from exoid.report.page import SECTIONS, write_page
 pytestmark = pytest.mark.slow
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
-DESKTOP, PHONE = {"width": 1280, "height": 900}, {"width": 360, "height": 740}
+DESKTOP, PHONE = {"width": 1280, "height": 900}, {"width": 390, "height": 844}
+SMALLEST = {"width": 360, "height": 740}
+SHEETS = 5  # of A4
 PATIENCE = 60_000  # ms, for a machine that does other things as well
 OPENED = 2.0  # s
 LOADS = 5  # at most: one that is fast enough tells what the page needs
-PAPER = 680  # pixels between the margins of A4
+PAPER = 703  # pixels between the margins of A4
 RANGE = "document.querySelector('#motion-0 .plot').layout.xaxis.range"
 FIRST_FIGURE = """() => new Promise((resolve) => {
   const drawn = () => document.querySelector(".plot .main-svg") && resolve(performance.now());
@@ -196,9 +199,74 @@ def test_on_paper_no_figure_is_wider_than_the_page(browser, report):
         assert said == []
 
 
-def test_a_phone_never_scrolls_sideways(browser, report, screenshots, capfd):
-    with opened(browser, report, PHONE, is_mobile=True, has_touch=True) as (page, said, _):
-        assert page.evaluate("document.documentElement.scrollWidth") <= PHONE["width"]
+def test_it_prints_on_five_pages(browser, report, tmp_path):
+    with opened(browser, report, DESKTOP) as (page, _, _):
+        page.pdf(path=tmp_path / "report.pdf", prefer_css_page_size=True)
+    printed = (tmp_path / "report.pdf").read_bytes()
+    assert 1 <= len(re.findall(rb"/Type\s*/Page\b", printed)) <= SHEETS
+
+
+@pytest.fixture(scope="module", params=[True, False], ids=["touch", "mouse"])
+def phone(request, browser, report):
+    """As wide as a phone; with a mouse it is a narrow window."""
+    with opened(browser, report, PHONE, is_mobile=request.param, has_touch=request.param) as found:
+        yield found
+
+
+def boxes(page, selector):
+    """Left, top, right and bottom of all that is seen of these elements [pixels of the page]."""
+    return page.evaluate(
+        "(each) => [...document.querySelectorAll(each)].map((one) => one.getBoundingClientRect())"
+        ".filter((box) => box.width && box.height)"
+        ".map((box) => [box.left, box.top + scrollY, box.right, box.bottom + scrollY])",
+        selector,
+    )
+
+
+def overlap(one, other):
+    return one[0] < other[2] and other[0] < one[2] and one[1] < other[3] and other[1] < one[3]
+
+
+def test_a_phone_never_scrolls_sideways(phone):
+    page, said, _ = phone
+    assert page.evaluate("document.scrollingElement.scrollWidth") <= PHONE["width"]
+    assert said == []
+
+
+@pytest.mark.parametrize("selector", [".plot", ".plot .main-svg", ".xtick text", ".legendtext"])
+def test_nothing_of_a_figure_is_cut_at_the_edge_of_a_phone(phone, selector):
+    page, _, _ = phone
+    found = boxes(page, selector)
+    assert len(found) >= 7
+    assert max(right for _, _, right, _ in found) <= PHONE["width"] + 0.5  # rounding
+    assert min(left for left, *_ in found) >= -0.5
+
+
+def test_buttons_of_a_figure_cover_neither_its_legend_nor_its_panels(phone):
+    page, _, _ = phone
+    for figure in page.locator("figure").all():
+        name = figure.get_attribute("id")
+        buttons = boxes(page, f"#{name} .modebar-group")
+        shown = boxes(page, f"#{name} .legend .legendtext, #{name} .legend .legendpoints path")
+        shown += boxes(page, f"#{name} .nsewdrag")
+        assert buttons
+        assert not [one for one in shown for button in buttons if overlap(one, button)], name
+
+
+def test_a_phone_shows_every_value_of_every_table_without_scrolling(phone):
+    page, _, _ = phone
+    page.evaluate("document.querySelectorAll('details').forEach((each) => (each.open = true))")
+    for table in page.locator(".wide").all():
+        inner, outer = table.evaluate("(each) => [each.scrollWidth, each.clientWidth]")
+        assert inner <= outer
+    values = boxes(page, "#drops td")
+    assert len(values) >= 20
+    assert max(right for _, _, right, _ in values) <= PHONE["width"]
+
+
+def test_the_smallest_phone_never_scrolls_sideways(browser, report, screenshots, capfd):
+    with opened(browser, report, SMALLEST, is_mobile=True, has_touch=True) as (page, said, _):
+        assert page.evaluate("document.documentElement.scrollWidth") <= SMALLEST["width"]
         assert said == []
         keep(page, screenshots / f"{report.stem}-phone.png", capfd)
 

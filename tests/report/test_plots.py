@@ -18,6 +18,7 @@ from exoid.report.plot_motion import SHOWN, chosen_segments
 from exoid.report.plot_profiles import digits
 from exoid.report.plot_style import SHARE
 from exoid.report.plots import plot_fit, save_figure
+from exoid.report.typeset import mathtext
 
 SIGNATURES = {"pdf": b"%PDF-", "svg": b"<?xml", "png": b"\x89PNG"}
 DATA, PRIOR, BOTH = Shares(1.0, 0.0, 0.0), Shares(0.0, 1.0, 0.0), Shares(0.25, 0.65, 0.1)
@@ -157,7 +158,7 @@ def test_axes_carry_units():
     assert all("[" in label for label in labels)
     for expected in ("angle\n[deg]", "angular velocity\n[deg/s]", "time [s]"):
         assert expected in labels
-    assert "stiffness c [N m/rad]" in labels
+    assert "stiffness $c$ [N m/rad]" in labels
 
 
 def test_panels_show_degrees_and_their_rmse():
@@ -199,7 +200,7 @@ def test_shares_of_every_determined_quantity_fill_its_bar():
     widths = [source[row].get_width() for source in (data, prior, bound)]
     np.testing.assert_allclose(widths, [BOTH.data, BOTH.prior, BOTH.bound])
     assert [label.get_text() for label in bars.texts] == ["not determined"]
-    symbols = [each[0] for each in (*LEG.values(), ("tau",), *RATIOS.values())]
+    symbols = [mathtext(each[0]) for each in (*LEG.values(), ("tau",), *RATIOS.values())]
     assert [label.get_text() for label in bars.get_yticklabels()] == symbols
 
 
@@ -210,7 +211,7 @@ def test_shares_are_told_apart_without_colour():
 
 def test_shaded_interval_is_that_of_the_profile():
     each = profile("inertia")
-    axes = panel(plot_fit(fitted(), {"inertia": each}), "inertia J\n0.451")
+    axes = panel(plot_fit(fitted(), {"inertia": each}), "inertia $J$\n0.451")
     (shaded,) = axes.patches
     ends = shaded.get_x(), shaded.get_x() + shaded.get_width()
     np.testing.assert_allclose(ends, (each.lower, each.upper))
@@ -218,7 +219,7 @@ def test_shaded_interval_is_that_of_the_profile():
 
 def test_without_a_lower_limit_all_smaller_values_are_shaded():
     each = profile("damping", lower=None)
-    axes = panel(plot_fit(fitted(), {"damping": each}), "damping d\n")
+    axes = panel(plot_fit(fitted(), {"damping": each}), "damping $d$\n")
     (shaded,) = axes.patches
     ends = shaded.get_x(), shaded.get_x() + shaded.get_width()
     np.testing.assert_allclose(ends, (each.value[0], each.upper))
@@ -226,7 +227,7 @@ def test_without_a_lower_limit_all_smaller_values_are_shaded():
 
 
 def test_profile_of_a_quadratic_loss_lies_on_the_parabola_of_its_error():
-    axes = panel(plot_fit(fitted(), profiled()), "com distance l\n")
+    axes = panel(plot_fit(fitted(), profiled()), "com distance $l$\n")
     curves = {line.get_label(): line for line in axes.lines}
     parabola = curves["parabola of the standard error"]
     drawn = curves["profile (all else refitted)"]
@@ -249,19 +250,19 @@ def test_ends_are_written_to_the_second_digit_of_the_interval(end, width, words)
 
 
 def test_flat_profile_is_named_flat_and_has_no_parabola():
-    axes = panel(plot_fit(fitted(), profiled()), "mass m\n")
+    axes = panel(plot_fit(fitted(), profiled()), "mass $m$\n")
     assert axes.get_title(loc="left").endswith("not determined\nflat: nothing tells")
     assert "parabola of the standard error" not in [line.get_label() for line in axes.lines]
 
 
 def test_flat_profile_of_a_quantity_with_an_error_is_not_said_to_be_untold():
-    axes = panel(plot_fit(fitted(), {"inertia": profile("inertia", None, None)}), "inertia J\n0")
+    axes = panel(plot_fit(fitted(), {"inertia": profile("inertia", None, None)}), "inertia $J$\n0")
     assert axes.get_title(loc="left").endswith("flat as far as was looked")
 
 
 def test_narrow_profile_is_drawn_as_deviation_from_its_value():
-    axes = panel(plot_fit(fitted(), profiled()), "m l g / J\n")
-    assert axes.get_xlabel() == "m l g / J - 26.1880 [1e-3 1/s^2]"
+    axes = panel(plot_fit(fitted(), profiled()), f"{mathtext('m l g / J')}\n")
+    assert axes.get_xlabel() == f"{mathtext('m l g / J')} - 26.1880 [1e-3 1/s²]"
     low, high = axes.get_xlim()
     assert -10 < low < -6.9
     assert 6.9 < high < 10
@@ -303,7 +304,7 @@ def test_members_far_away_are_counted_instead_of_shown():
     result = agreeing()
     far = {name: np.append(each, 100.0) for name, each in result.multistart.members.items()}
     figure = plot_fit(replace(result, multistart=replace(result.multistart, members=far)))
-    axes = panel(figure, "J and d (2 sets outside)")
+    axes = panel(figure, "$J$ and $d$ (2 sets outside)")
     assert axes.get_xlim()[0] < 0.446 - 0.067
     assert 0.45104 + 0.0405 < axes.get_xlim()[1] < 1.0
     assert axes.get_ylim()[0] < 0.36 - 0.216

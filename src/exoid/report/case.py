@@ -46,8 +46,12 @@ class Case:
     absent: tuple[str, ...] = ()  # recordings that are not at hand
 
     @property
+    def who(self) -> str:
+        """Person, side and session, as the sidecars say; empty where they do not."""
+        return people(source.recording.subject for source in self.sources)
+
+    @property
     def title(self) -> str:
         """Who it is, where that is said, and the names of the recordings."""
-        who = people(source.recording.subject for source in self.sources)
         names = ", ".join((*(source.name for source in self.sources), *self.absent))
-        return f"{who}: {names}" if who else names
+        return f"{self.who}: {names}" if self.who else names

@@ -24,6 +24,7 @@ from exoid.report.sections.section import Section
 from exoid.report.sections.summary import Summary
 from exoid.report.sections.told import Told
 from exoid.report.tidy import tidy
+from exoid.report.typeset import typeset
 
 SECTIONS: tuple[type[Section], ...] = (
     Summary,
@@ -69,6 +70,7 @@ def templates() -> Environment:
         lstrip_blocks=True,
     )
     made.filters["tidy"] = tidy
+    made.filters["typeset"] = typeset
     return made
 
 

@@ -14,6 +14,7 @@ from exoid.recording.pendulum.measure import Mark
 from exoid.recording.pendulum.rest import BAND
 from exoid.recording.pendulum.track import HALF
 from exoid.report.plot_style import TEXT, entries
+from exoid.report.typeset import mathtext
 
 ACROSS = 3  # drops side by side
 SHOWN = 12  # drops; the first ones
@@ -139,14 +140,19 @@ def draw_spans(drop: Drop, axes: Axes) -> None:
     """A1 and A0 as heights, T and the time to rest as lengths."""
     first, plateau = marks(drop, "first_flexion_amplitude"), marks(drop, "plateau_amplitude")
     if first:
-        height(axes, first[1].time, first, "A1")
+        height(axes, first[1].time, first, mathtext("A1"))
     if plateau:
-        height(axes, plateau[1].time, plateau, "A0")
+        height(axes, plateau[1].time, plateau, mathtext("A0"))
     period, rest = marks(drop, "period"), marks(drop, "time_to_rest")
     if period:
         count = round((period[1].time - period[0].time) / (drop.measures["period"].value or 1.0))
         low = float(np.degrees(period[0].value)) - BELOW
-        length(axes, (period[0].time, period[1].time), low, f"{count} T" if count > 1 else "T")
+        length(
+            axes,
+            (period[0].time, period[1].time),
+            low,
+            mathtext(f"{count} T" if count > 1 else "T"),
+        )
     if rest:
         high = float(np.degrees(rest[0].value)) + BELOW
         length(axes, (rest[0].time, rest[1].time), high, "time to rest")

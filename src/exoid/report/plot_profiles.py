@@ -18,6 +18,8 @@ from exoid.report.plot_style import (
     name_all,
 )
 from exoid.report.text import MOST_DECIMALS, NOT_DETERMINED, exponent, written
+from exoid.report.tidy import tidy
+from exoid.report.typeset import mathtext
 
 MOST = 6  # panels side by side
 TOP = 9.5  # of the rise: three standard errors, and a little
@@ -60,7 +62,7 @@ def draw_profile(axes: Axes, profile: Profile) -> None:
     across = np.clip((best(profile) - seen[0]) / (seen[1] - seen[0]), 0.15, 0.85)
     axes.text(across, RISE, "95 %", ha="center", va="bottom", transform=axes.get_yaxis_transform())
     axes.set(xlim=tuple(scale.of(seen)), ylim=(FOOT, TOP), yticks=[0, 3, 6, 9])
-    axes.set_xlabel(scale.label(profile.estimate.symbol, profile.estimate.unit))
+    axes.set_xlabel(scale.label(mathtext(profile.estimate.symbol), tidy(profile.estimate.unit)))
     axes.set_title(title(profile), loc="left")
     tick(axes.xaxis, 4)
 
@@ -121,8 +123,9 @@ def mark_expected(axes: Axes, profile: Profile, scale: Scale, seen: Range) -> No
 def title(profile: Profile) -> str:
     """Name, value with its error, and the 95 % interval or what is there instead."""
     each = profile.estimate
-    value = NOT_DETERMINED if each.value is None else f"{written(each)} {each.unit}"
-    name = each.symbol if profile.name in RATIOS else f"{in_words(profile.name)} {each.symbol}"
+    value = NOT_DETERMINED if each.value is None else f"{written(each)} {tidy(each.unit)}"
+    symbol = mathtext(each.symbol)
+    name = symbol if profile.name in RATIOS else f"{in_words(profile.name)} {symbol}"
     return f"{name}\n{value}\n{limits(profile)}"
 
 

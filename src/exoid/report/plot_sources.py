@@ -16,6 +16,8 @@ from exoid.fit.result import Estimate, FitResult, MultistartReport
 from exoid.report.plot_axis import tick, view
 from exoid.report.plot_style import CHOSEN, EXPECTED, MEMBER, SHARE, head, in_words, name_all
 from exoid.report.text import NOT_DETERMINED, counted, on_bound
+from exoid.report.tidy import tidy
+from exoid.report.typeset import mathtext
 
 PAIRS = (("mass", "com_distance"), ("inertia", "stiffness"), ("inertia", "damping"))
 NO_REASON = "the recording does not tell"
@@ -84,7 +86,7 @@ def draw_shares(axes: Axes, result: FitResult) -> None:
     for row, estimate in zip(rows, each, strict=True):
         if estimate.shares is None:
             axes.text(0.02, row, NOT_DETERMINED, va="center", style="italic")
-    axes.set_yticks(rows, [estimate.symbol for estimate in each])
+    axes.set_yticks(rows, [mathtext(estimate.symbol) for estimate in each])
     axes.tick_params(axis="y", length=0)
     axes.invert_yaxis()
     axes.set_xlim(0, 1)
@@ -111,9 +113,10 @@ def draw_family(axes: Axes, result: FitResult, across: str, up: str) -> None:
         for at, each in enumerate(both)
     ]
     axes.set(xlim=views[0], ylim=views[1])
-    axes.set_xlabel(f"{in_words(across)} {both[0].symbol} [{both[0].unit}]")
-    axes.set_ylabel(f"{in_words(up)} {both[1].symbol} [{both[1].unit}]")
-    axes.set_title(f"{both[0].symbol} and {both[1].symbol}{outside(points, views)}", loc="left")
+    axes.set_xlabel(f"{in_words(across)} {mathtext(both[0].symbol)} [{tidy(both[0].unit)}]")
+    axes.set_ylabel(f"{in_words(up)} {mathtext(both[1].symbol)} [{tidy(both[1].unit)}]")
+    names = " and ".join(mathtext(each.symbol) for each in both)
+    axes.set_title(f"{names}{outside(points, views)}", loc="left")
     tick(axes.xaxis, 5)
     tick(axes.yaxis, 5)
 

@@ -12,6 +12,7 @@ from exoid.report.figures.marks import Mark as Look
 from exoid.report.figures.marks import put
 from exoid.report.figures.style import BAND, GREY, MEASURED_LINE, blank, curve
 from exoid.report.plot_drops import AT_REST, CAME, CURVE, FLEXION, RELEASE, RESTING, marks
+from exoid.report.typeset import formula
 
 HEIGHT = 340  # pixels
 LOOKS = {
@@ -73,7 +74,9 @@ def draw_height(drawing: Drawing, ends: tuple[Mark, ...], symbol: str) -> None:
     arrow = {"axref": "x", "ayref": "y", "arrowside": "end+start", "arrowhead": 2}
     drawing.add_annotation(text="", arrowcolor=GREY, arrowwidth=1, **at, **arrow)
     middle = {"x": ends[1].time, "y": (top + bottom) / 2}
-    drawing.add_annotation(text=symbol, showarrow=False, xanchor="left", xshift=4, **middle)
+    drawing.add_annotation(
+        text=formula(symbol), showarrow=False, xanchor="left", xshift=4, **middle
+    )
 
 
 def alternative(drop: Drop) -> str:

@@ -11,6 +11,7 @@ from exoid.report.plot_sources import PAIRS, drawable, marked, outside
 from exoid.report.plot_style import in_words
 from exoid.report.text import on_bound
 from exoid.report.tidy import tidy
+from exoid.report.typeset import formula
 
 HEIGHT = 340  # pixels
 
@@ -36,7 +37,10 @@ def draw_family(result: FitResult, pair: tuple[str, str]) -> Figure:
         if x is not None and y is not None:
             put(drawing, mark, ([x], [y]), (dx, dy), hovertemplate=hover)
     views = [view(marked(each), row) for each, row in zip(both, points, strict=True)]
-    titles = [tidy(f"{in_words(n)} {e.symbol} [{e.unit}]") for n, e in zip(pair, both, strict=True)]
+    titles = [
+        tidy(f"{in_words(n)} {formula(e.symbol)} [{e.unit}]")
+        for n, e in zip(pair, both, strict=True)
+    ]
     drawing.update_xaxes(range=views[0], title_text=titles[0])
     drawing.update_yaxes(range=views[1], title_text=titles[1])
     names = " and ".join(map(in_words, pair)).capitalize()
@@ -52,4 +56,6 @@ def draw_family(result: FitResult, pair: tuple[str, str]) -> Figure:
 def hovering(both: list[Estimate]) -> str:
     """What is told of a point."""
     parts = zip("xy", both, strict=True)
-    return tidy(", ".join(f"{each.symbol} %{{{axis}:.4g}} {each.unit}" for axis, each in parts))
+    return tidy(
+        ", ".join(f"{formula(each.symbol)} %{{{axis}:.4g}} {each.unit}" for axis, each in parts)
+    )

@@ -12,6 +12,7 @@ from exoid.report.plot_sources import marked
 from exoid.report.plot_style import in_words
 from exoid.report.text import on_bound
 from exoid.report.tidy import tidy
+from exoid.report.typeset import formula
 
 ROW, REST = 92, 52  # pixels for each parameter, and for the legend
 GAP = 0.55  # of a row, between two
@@ -32,7 +33,7 @@ def draw_parameters(parameters: dict[str, Estimate]) -> Figure | None:
         across = {"range": seen, "anchor": f"y{row}", "nticks": 6}
         up = {"range": [0, 1], "domain": place, "visible": False, "fixedrange": True}
         drawing.update_layout({f"xaxis{row}": across, f"yaxis{row}": up})
-        entitle(drawing, tidy(f"{in_words(name)} {each.symbol} [{each.unit}]"), place[1])
+        entitle(drawing, tidy(f"{in_words(name)} {formula(each.symbol)} [{each.unit}]"), place[1])
         draw_row(drawing, each, seen, row, named)
     return Figure(
         "parameters-figure",

@@ -7,6 +7,7 @@ from exoid.fit.result import FitResult
 from exoid.report.figures.figure import Figure
 from exoid.report.figures.style import SHARE_LOOK, blank
 from exoid.report.text import NOT_DETERMINED
+from exoid.report.typeset import formula
 
 ROW, REST = 30, 90  # pixels for each quantity, and for legend and axis
 
@@ -15,7 +16,7 @@ def draw_shares(result: FitResult) -> Figure:
     """One bar per parameter and ratio."""
     each = [estimate for _, estimate in named(result)]
     drawing = blank(ROW * len(each) + REST, barmode="stack")
-    labels = [one.symbol if one.shares else f"{one.symbol}, {NOT_DETERMINED}" for one in each]
+    labels = [f"{formula(one.symbol)}{'' if one.shares else f', {NOT_DETERMINED}'}" for one in each]
     for source, look in SHARE_LOOK.items():
         parts = [0.0 if one.shares is None else getattr(one.shares, source) for one in each]
         drawing.add_trace(

@@ -11,6 +11,7 @@ from exoid.report.figures.figure import Figure
 from exoid.report.sections.section import Section
 from exoid.report.sections.table import Table
 from exoid.report.text import counted
+from exoid.report.typeset import formula
 
 SHOWN = 4  # drops that are drawn; the first ones
 AVERAGE = "mean ± sd"
@@ -55,7 +56,7 @@ def table_of(read: list[Drop], test: PendulumTest) -> Table:
     first = [each[0] for each in known.values()]
     columns = {
         "measure": [one.title for one in first],
-        "symbol": [one.symbol for one in first],
+        "symbol": [formula(one.symbol) for one in first],
         "unit": [shown_unit(one.unit) for one in first],
     }
     if len(read) > 1:

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import ClassVar
 
-from exoid.fit.result import FitResult
+from exoid.fit.result import FitResult, SegmentFit
 from exoid.report.case import Case
 from exoid.report.figures.figure import Figure
 from exoid.report.figures.motion import draw_motion
@@ -12,6 +12,8 @@ from exoid.report.plot_motion import chosen_segments
 from exoid.report.sections.section import Section
 from exoid.report.sections.table import Table
 from exoid.report.text import in_degrees
+
+PRINTED = 2  # segments on paper
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,6 +25,7 @@ class Motion(Section):
 
     figures: tuple[tuple[str, Figure], ...]  # with their titles
     left_out: int
+    printed: tuple[str, ...]  # names of the figures that paper has room for
     table: Table
     reading: str  # of Eq. 4; empty without cycles
 
@@ -36,9 +39,16 @@ class Motion(Section):
         return cls(
             figures=drawn,
             left_out=len(fit.segments) - len(chosen),
+            printed=tuple(drawn[number][1].name for number in largest(chosen)),
             table=misfits(fit),
             reading="" if fit.torque_frequency is None else reading(fit),
         )
+
+
+def largest(chosen: list[SegmentFit]) -> list[int]:
+    """Where the residual is largest, the worst first."""
+    ranked = sorted(range(len(chosen)), key=lambda at: -chosen[at].angle_rmse)
+    return ranked[:PRINTED]
 
 
 def misfits(fit: FitResult) -> Table:

@@ -12,6 +12,7 @@ from exoid.report.fit_table import MOUNTED, bounds, expectation, limited_by, rem
 from exoid.report.sections.section import Section
 from exoid.report.sections.table import Table, quantity
 from exoid.report.text import in_unit
+from exoid.report.typeset import formula
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,7 +52,7 @@ def table_of(quantities: dict[str, Estimate]) -> Table:
     each = list(quantities.values())
     columns = {
         "parameter": [name.replace("_", " ") for name in quantities],
-        "symbol": [one.symbol for one in each],
+        "symbol": [formula(one.symbol) for one in each],
         "value": [quantity(one) for one in each],
         "expected": [with_unit(expectation(one), one.unit) for one in each],
         "limits": [with_unit(bounds(one), one.unit) for one in each],
@@ -64,7 +65,7 @@ def ratios_of(fit: FitResult) -> Table:
     each = list(fit.ratios.values())
     columns = {
         "ratio": [one.title for one in each],
-        "symbol": [one.symbol for one in each],
+        "symbol": [formula(one.symbol) for one in each],
         "value": [quantity(one) for one in each],
         "set by": [set_by(one) for one in each],
         "limited by": [limited_by(one) for one in each],
@@ -111,5 +112,5 @@ def set_by(each: Estimate) -> str:
         for source, part in sorted(parts.items(), key=lambda item: -item[1])
         if round(part, 2) > 0
     ]
-    yours = [] if each.set_by == each.determined_by else [str(each.set_by)]
+    yours = [] if each.determined_by in ("data", each.set_by) else [str(each.set_by)]
     return ": ".join([*yours, ", ".join(said)])

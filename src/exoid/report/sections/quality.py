@@ -30,7 +30,7 @@ class Quality(Section):
     """Segments with their samples, gaps, saturations and noise; what the readers noticed."""
 
     name: ClassVar[str] = "quality"
-    title: ClassVar[str] = "Is the recording good?"
+    title: ClassVar[str] = "The recording"
 
     table: Table
     logs: tuple[Log, ...]

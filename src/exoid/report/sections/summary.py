@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import ClassVar, Literal
 
 from exoid.diagnose.diagnosis import Diagnosis
-from exoid.fit.result import FitResult
+from exoid.fit.result import Estimate, FitResult
 from exoid.report.case import Case
 from exoid.report.diagnosis_words import named
 from exoid.report.plot_diagnosis import title as verdict
@@ -13,6 +13,7 @@ from exoid.report.sections.quality import appraisals
 from exoid.report.sections.section import Section
 from exoid.report.sections.table import Table, quantity
 from exoid.report.text import capital, counted, in_degrees
+from exoid.report.typeset import formula
 
 State = Literal["good", "care", "open"]
 
@@ -27,6 +28,7 @@ BELIEF = {
     "both, your prior": "partly measured, partly what you expect",
     None: "not determined",
 }
+LOST = "do not use it: the model does not follow the recording"
 INCOMPLETE = "measured, but with a model that misses something: ± is not complete"
 
 
@@ -118,6 +120,8 @@ def missing(found: Diagnosis) -> Card:
 def numbers(fit: FitResult) -> Card:
     """Whose numbers they are."""
     question = "Which numbers come from this recording?"
+    if not fit.follows:
+        return Card(question, "open", "None that can be used.", sentence(LOST))
     groups: dict[str | None, list[str]] = {}
     for each in {**parameters_of(fit), **fit.ratios}.values():
         groups.setdefault(each.determined_by, []).append(each.symbol)
@@ -136,13 +140,20 @@ def believed(fit: FitResult) -> Table:
     quantities = {**parameters_of(fit), **fit.ratios}
     each = list(quantities.values())
     words = BELIEF if fit.disturbance.cause is None else BELIEF | {"data": INCOMPLETE}
+    words = words if fit.follows else dict.fromkeys(BELIEF, LOST)
     columns = {
         "quantity": [name.replace("_", " ") for name in quantities],
-        "symbol": [one.symbol for one in each],
+        "symbol": [formula(one.symbol) for one in each],
         "value": [quantity(one) for one in each],
-        "how far to believe it": [words[one.set_by] for one in each],
+        "how far to believe it": [words[decided(one)] for one in each],
     }
     return Table("The leg in numbers; ± is one standard error", columns)
+
+
+def decided(each: Estimate) -> str | None:
+    """Who determined it; the kind of segment that told it is told with the parameters."""
+    by_data = each.determined_by == "data" and each.by_hand != "fix"
+    return "data" if by_data else each.set_by
 
 
 def sentence(words: str) -> str:

@@ -1,11 +1,13 @@
 """A table of the report."""
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from exoid.fit.result import Estimate
 from exoid.report.text import written
 
 DIMENSIONLESS = ("-", "1")
+STACKED, SPANNING = 3, 5  # columns that a phone has room for, and half a sheet of paper
 
 
 @dataclass(frozen=True)
@@ -16,11 +18,17 @@ class Table:
     """
 
     caption: str
-    columns: dict[str, list[str]]
+    columns: Mapping[str, Sequence[str]]
 
     @property
     def heads(self) -> list[str]:
         return [head for head, cells in self.columns.items() if any(cells)]
+
+    @property
+    def shape(self) -> str:
+        """`stack`: a phone shows its rows below each other; `span`: paper gives it both columns."""
+        many = len(self.heads)
+        return " ".join(["stack"] * (many > STACKED) + ["span"] * (many > SPANNING))
 
     @property
     def rows(self) -> list[tuple[str, ...]]:

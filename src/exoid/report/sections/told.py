@@ -9,6 +9,7 @@ from exoid.report.figures.figure import Figure
 from exoid.report.figures.shares import draw_shares
 from exoid.report.sections.section import Section
 from exoid.report.sections.table import Table, quantity
+from exoid.report.typeset import formula
 
 ALONE = "Every segment was fitted alone, so there is no one fit to ask what the data determine."
 
@@ -48,7 +49,7 @@ def combinations(told: Identifiability | None) -> Table:
     each = [] if told is None else list(told.combinations.values())
     columns = {
         "quantity": [one.title for one in each],
-        "symbol": [one.symbol for one in each],
+        "symbol": [formula(one.symbol) for one in each],
         "value": [quantity(one) for one in each],
     }
     return Table("From the data alone", columns)

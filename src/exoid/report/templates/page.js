@@ -1,8 +1,8 @@
 "use strict";
 
-const PRINTED = { wide: 680, half: 430, tall: 540 }; // pixels of a figure on A4, alone or in pairs
-const SHRUNK = 0.75; // of its size, that one of a pair is printed at
-const TOUCHED = 30; // pixels above a figure for buttons that are always seen
+const PRINTED = { width: 490, flat: 0.7, low: 345, tall: 490 }; // pixels on A4, low figures flattened
+const SHRUNK = 0.7; // of that size it is printed at: two columns of A4, letters of 6 pt
+const BUTTONS = 30; // pixels above a figure that are free for its buttons
 const touch = matchMedia("(pointer: coarse)").matches;
 const STEP = 0.1; // of what is seen, that an arrow key moves by
 const config = {
@@ -30,15 +30,13 @@ async function load() {
 function draw(plot) {
   const figure = JSON.parse(plot.parentElement.querySelector("script").textContent);
   const { layout } = figure;
-  if (touch) {
-    // A finger on a figure scrolls the page; the figure's buttons zoom.
-    layout.dragmode = false;
-    layout.margin = { ...layout.template.layout.margin, ...layout.margin };
-    layout.margin.t += TOUCHED;
-    layout.height += TOUCHED;
-    layout.legend = { y: 1 - TOUCHED / layout.height };
-    plot.style.height = `${layout.height}px`;
-  }
+  // A finger on a figure scrolls the page; the figure's buttons zoom.
+  if (touch) layout.dragmode = false;
+  layout.margin = { ...layout.template.layout.margin, ...layout.margin };
+  layout.margin.t += BUTTONS;
+  layout.height += BUTTONS;
+  layout.legend = { ...layout.legend, y: 1 - BUTTONS / layout.height };
+  plot.style.height = `${layout.height}px`;
   return Plotly.newPlot(plot, figure.data, layout, config);
 }
 
@@ -90,11 +88,13 @@ function fitToPaper() {
   for (const details of document.querySelectorAll("details")) details.open = true;
   for (const plot of plots) {
     if (!plot.layout) continue;
-    const paired = plot.closest(".grid")?.children.length > 1;
-    plot.dataset.height = plot.layout.height;
-    const height = paired ? Math.min(plot.layout.height, PRINTED.tall) : plot.layout.height;
-    Plotly.relayout(plot, { width: paired ? PRINTED.half : PRINTED.wide, height });
-    scale(plot, paired ? SHRUNK : 1, height);
+    const { height: all, margin } = plot.layout;
+    plot.dataset.height = all;
+    const shown = all - BUTTONS;
+    const height = shown <= PRINTED.low ? PRINTED.flat * shown : Math.min(shown, PRINTED.tall);
+    const top = { "margin.t": margin.t - BUTTONS, "legend.y": 1 };
+    Plotly.relayout(plot, { width: PRINTED.width, height, ...top });
+    scale(plot, SHRUNK, height);
   }
 }
 
@@ -103,7 +103,8 @@ function fitToScreen() {
     if (!plot.layout) continue;
     const height = Number(plot.dataset.height);
     scale(plot, 1, height);
-    Plotly.relayout(plot, { width: null, height, autosize: true });
+    const top = { "margin.t": plot.layout.margin.t + BUTTONS, "legend.y": 1 - BUTTONS / height };
+    Plotly.relayout(plot, { width: null, height, autosize: true, ...top });
   }
 }
 
