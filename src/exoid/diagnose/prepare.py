@@ -12,7 +12,7 @@ from exoid.diagnose.hypothesis import Hypothesis
 from exoid.diagnose.scene import Clock
 from exoid.diagnose.settle import Settled, settle_free
 from exoid.fit.conditioning import conditioned
-from exoid.fit.coordinates import Coordinates
+from exoid.fit.coordinates import Coordinates, Mounting
 from exoid.fit.estimate import movements_of
 from exoid.fit.movement import Movement
 from exoid.fit.observation import Observation
@@ -39,9 +39,11 @@ def prepare(
     owned = between(movements)
     problem = compared(pose(movements, basis.problem.belief, reading, chain, owned=owned))
     sensors = consistency(problem.observation)
+    best = take(basis.ended.best, 0).coordinates
     observation = without_edges(problem.observation, sensors)
+    observation = with_masses(observation, best.mounting, owned)
     problem = replace(problem, observation=observation)
-    fitted = released(take(basis.ended.best, 0).coordinates, problem)
+    fitted = released(best, problem)
     inertia = float(fitted.shared.log_inertia)
     rig = any(recording.subject.kind == "rig" for _, recording in recordings)
     tested, cycles = (*library(), *terms), clock(movements, reading)
@@ -60,6 +62,25 @@ def without_edges(seen: Observation, sensors: Consistency) -> Observation:
     shown = time - delay
     inside = (shown >= time[:, :1]) & (shown <= last)
     return eqx.tree_at(lambda seen: seen.velocity_weight, seen, np.where(inside, weight, 0.0))
+
+
+def with_masses(seen: Observation, fitted: Mounting, owned: tuple[str, ...]) -> Observation:
+    """Added masses as the fit has them, in weight, place and extent: their small errors are no
+    missing physics. What a diagnosis itself leaves free stays.
+    """
+    seat = np.asarray(seen.seat)
+
+    def own(name: str) -> np.ndarray | float:
+        entries = np.asarray(getattr(fitted, name))
+        return entries[seat] if entries.size and name not in owned else 0.0
+
+    moved = np.exp(np.asarray(seen.added_mass_moves) * own("log_distance"))
+    return replace(
+        seen,
+        added_mass=seen.added_mass * np.exp(own("log_added")),
+        added_mass_distance=seen.added_mass_distance * moved,
+        added_mass_extent=seen.added_mass_extent + own("extent"),
+    )
 
 
 def clock(movements: list[Movement], reading: str) -> Clock:
