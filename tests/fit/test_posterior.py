@@ -15,6 +15,7 @@ from exoid.fit.density import log_density, posed
 from exoid.fit.disturbance import whitening
 from exoid.fit.estimate import fit
 from exoid.fit.posterior import Posterior, ess, r_hat, sample, to_netcdf
+from exoid.fit.systematics import WEIGHED
 from exoid.physics.leg import GRAVITY
 from exoid.recording.recording import Subject
 from fit_cases import CYCLE, DROP, LOADED, recorded
@@ -80,8 +81,10 @@ def test_mean_and_deviation_are_the_fits_value_and_standard_error(fitted, drawn)
         each = (fitted.parameters | fitted.ratios)[name]
         mean, deviation, count = monte_carlo(drawn.samples[name])
         assert abs(mean - each.value) < CHANCE * each.standard_error / np.sqrt(count)
-        # A standard deviation is known to 1 / sqrt(2 n) of itself.
-        assert deviation == pytest.approx(each.standard_error, rel=CHANCE / np.sqrt(2 * count))
+        # A standard deviation is known to 1 / sqrt(2 n) of itself. Draws that alternate around the
+        # mean tell it better than as many independent ones, and the deviation no better.
+        spread = float(arviz.ess(drawn.samples[name], method="sd"))
+        assert deviation == pytest.approx(each.standard_error, rel=CHANCE / np.sqrt(2 * spread))
 
 
 def test_the_chains_agree(drawn):
@@ -91,7 +94,7 @@ def test_the_chains_agree(drawn):
 
 
 def test_mass_and_distance_stay_within_their_limits_and_agree_in_their_product(fitted, drawn):
-    """Anatomy tells m to about 5 %, two drops m l far better."""
+    """Anatomy tells m to about 4 %, two drops m l as well as the added mass is weighed."""
     mass, distance = drawn.samples["mass"], drawn.samples["com_distance"]
     for name, draws in (("mass", mass), ("com_distance", distance)):
         each = fitted.parameters[name]
@@ -99,7 +102,9 @@ def test_mass_and_distance_stay_within_their_limits_and_agree_in_their_product(f
         assert draws.max() <= each.upper
     moment = mass * distance
     assert moment.mean() == pytest.approx(4.5 * 0.26, rel=0.01)
-    assert moment.std() / moment.mean() < 0.1 * mass.std() / mass.mean()
+    # Every other systematic has less than a tenth of the variance of what goes by the scale.
+    assert moment.std() / moment.mean() == pytest.approx(WEIGHED, rel=0.1)
+    assert moment.std() / moment.mean() < 0.2 * mass.std() / mass.mean()
     expected = drawn.samples["gravity_over_inertia"] * drawn.samples["inertia"] / GRAVITY
     assert np.allclose(moment, expected, rtol=1e-12)
 
@@ -188,11 +193,12 @@ def test_arviz_reads_what_was_written(drawn, tmp_path):
         pytest.param(LOADED, (*DETERMINED, *RATIOS), marks=pytest.mark.slow),
     ],
 )
-def test_of_a_rig_only_what_motion_determines_is_reported(movement, names):
+def test_of_a_rigs_leg_only_what_motion_determines_is_reported(movement, names):
+    """What the recording owns is determined by what is known of sensors and seats."""
     rig = recorded(DROP, movement, subject=Subject(kind="rig"))
     drawn = sample(fit(rig, multistart=8), draws=5, warmup=5)
-    assert sorted(drawn.names) == sorted(names)
-    assert sorted(drawn.units) == sorted(names)
+    assert sorted(name for name in drawn.names if "[" not in name) == sorted(names)
+    assert sorted(drawn.units) == sorted(drawn.names)
 
 
 @pytest.mark.slow

@@ -23,7 +23,9 @@ TIME = np.arange(120) * 0.01
 UNEVEN = TIME + 0.003 * np.sin(17 * TIME)  # s, still increasing
 TORQUE = 1.5 * np.sin(9 * TIME)  # N m
 FREE = 0.0
-LOAD = Subject(kind="leg", added_mass=1.2, added_mass_distance=0.35)
+LOAD = Subject(
+    kind="leg", added_mass=1.2, added_mass_distance=0.35, added_mass_gyration=0.0
+)  # a point: what says nothing of its extent has 5 cm
 
 
 def seen_by_the_fit(recording: Recording, reading="1/T"):

@@ -46,12 +46,12 @@ class Noise:
         """Is the declaration off by more than a factor of two?"""
         if self.declared is None or self.measured is None:
             return False
-        return not 1 / AGREE <= self.measured / self.declared <= AGREE
+        return not bool(1 / AGREE <= self.measured / self.declared <= AGREE)
 
     @property
     def heavy(self) -> bool:
         """Are large errors more frequent than in a normal distribution?"""
-        return self.heaviness > HEAVY
+        return bool(self.heaviness > HEAVY)
 
 
 def declared_angle_noise(sensors: Sensors) -> float | None:
