@@ -43,9 +43,15 @@ def test_the_example_gives_back_the_leg_that_made_it(example):
     found = {name: each["value"] for name, each in document["parameters"].items()}
     error = {name: each["standard_error"] for name, each in document["parameters"].items()}
     moment = found["mass"] * found["com_distance"]
-    assert moment == pytest.approx(LEG["mass"] * LEG["com_distance"], rel=2e-3)  # J's own error
-    for name in ("inertia", "damping", "stiffness"):
-        assert document["parameters"][name]["determined_by"] == "data"
+    # m l g / J is known to 0.03 %, so that J's own error is that of m l. It is 1 %: the example
+    # does not say how well the distance and the extent of its added mass are known.
+    scale = LIKELY * error["inertia"] / found["inertia"]
+    assert moment == pytest.approx(LEG["mass"] * LEG["com_distance"], rel=scale)
+    assert error["inertia"] / found["inertia"] < 0.02
+    # Passive drops alone tell J and d; c is told by both kinds of segments.
+    told = {"inertia": "passive", "damping": "passive", "stiffness": "data"}
+    for name, source in told.items():
+        assert document["parameters"][name]["determined_by"] == source
         assert abs(found[name] - LEG[name]) < LIKELY * error[name]
 
 
@@ -76,6 +82,7 @@ def test_document_names_everything_it_rests_on(example):
         "method": "lm",
         "smooth": 1,
         "misfit": "weighted",
+        "clip": "free",
         "each": False,
     }
 

@@ -35,12 +35,12 @@ def table(path, angle, column="raw_angle_rad", known=True):
         ("noise.asc", bytes(range(256)) * 9, "holds no CAN frame"),
         ("noise.trc", bytes(range(256)) * 9, "holds no CAN frame"),
         ("noise.log", bytes(range(256)) * 9, "holds no CAN frame"),
-        ("noise.xyz", bytes(range(256)), "a recording is a table (.csv, with the column time_s)"),
+        ("noise.xyz", bytes(range(256)), "a recording is a table (.csv "),
         ("header.csv", b"time_s,raw_angle_rad\n", "holds a header but no samples"),
         ("one.csv", b"time_s,raw_angle_rad\n0.0,-0.1\n", "at least 2 are needed"),
         ("nan.csv", b"time_s,raw_angle_rad\n0.0,nan\n0.1,nan\n", "'nan' is not a number"),
         ("gap.csv", b"time_s,raw_angle_rad\n0.0,\n0.1,\n", "has no angle"),
-        ("other.csv", b"timestamp,angle\n0.0,1\n0.1,1\n", "Name the time in seconds time_s"),
+        ("other.csv", b"number,angle\n0.0,1\n0.1,1\n", 'Name it: --column time_s="..."'),
         ("frames.csv", CAN_CSV.encode(), "holds no CAN frame"),
         ("side.toml", b"[subject]\n", "Name the table or log beside it"),
     ],
@@ -62,7 +62,7 @@ def test_a_directory_is_refused(command, tmp_path):
     ("angle", "column", "said"),
     [
         (np.degrees(SWING), "raw_angle_rad", "line 2: raw_angle_rad in segment 0, sample 0"),
-        (np.full(200, -1.5), "raw_angle_rad", "there is no movement"),
+        (np.full(200, -1.5), "raw_angle_rad", "nothing moves: no movement goes farther than"),
         (SWING[:8], "raw_angle_rad", "in 8 samples; 10 are the least"),
     ],
 )

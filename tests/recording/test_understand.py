@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from exoid.recording.condition import split
 from exoid.recording.load import load
+from exoid.recording.motion.split import Split, cut_apart
 from exoid.recording.mount import REST_SPREAD, RESTS
 from exoid.recording.recording import Protocol, Recording, Segment, Sensors, Subject
 from exoid.recording.table import write_table
@@ -18,7 +18,7 @@ RATES = ("raw_angular_velocity", "angular_velocity")
 
 
 def understood(wrong: Recording, **options):
-    return understand(wrong, lambda log: (log, ()), **options)
+    return understand(wrong, lambda log: Split(log, ()), **options)
 
 
 def changed(right: Recording, change) -> Recording:
@@ -252,7 +252,7 @@ def test_a_continuous_log_of_flexion_is_named_though_no_drop_is_found_in_it(tmp_
     angle = -np.concatenate([still, swing, np.full(300, swing[-1])])
     log = recording(Segment(time, raw_angle=angle), protocol=Protocol())
     with pytest.raises(ValueError, match="--flip angle"):
-        understand(log, lambda each: (split(each), ()))
+        understand(log, cut_apart)
 
 
 @pytest.mark.parametrize("folder", ["real", "audit", "others", "concealed"])

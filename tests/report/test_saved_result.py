@@ -18,6 +18,7 @@ from exoid.fit.result import Estimate, MountingFit
 from exoid.fit.sandwich import Disturbance
 from exoid.report.comparison import compare
 from exoid.report.comparison_table import comparison_document, print_comparison
+from exoid.report.estimate_table import from_table, to_table
 from exoid.report.fit_json import fit_document
 from exoid.report.fit_table import print_fit
 from exoid.report.load_result import load_result
@@ -122,6 +123,13 @@ def test_a_fit_without_voluntary_segments_comes_back(tmp_path):
     back = load_result(tmp_path / "drop.nc")
     check_same(result, back.result)
     assert (back.recordings, back.settings, back.told) == ([], {}, None)
+
+
+@pytest.mark.parametrize("limits", [None, {}, {"clock": 0.3}])
+def test_what_limits_a_number_comes_back(limits):
+    """Nothing known, nothing that limits it, and one that does, beside a number that has one."""
+    each = {"a": replace(zero(), limited_by=limits), "b": replace(zero(), limited_by={"zero": 1.0})}
+    assert from_table(to_table(each)) == each
 
 
 def test_tables_and_document_of_a_saved_fit_are_those_of_the_fit(tmp_path):

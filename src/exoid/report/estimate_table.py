@@ -28,7 +28,8 @@ def to_table(estimates: Mapping[str, Estimate]) -> Table:
         f"share_{name}": numbers([one.shares and getattr(one.shares, name) for one in each])
         for name in SHARES
     }
-    columns["limited_by"] = texts([one.limited_by and json.dumps(one.limited_by) for one in each])
+    limits = [one.limited_by for one in each]
+    columns["limited_by"] = texts([None if one is None else json.dumps(one) for one in limits])
     columns["told_by"] = texts([one.shares and one.shares.kind for one in each])
     return xarray.Dataset(
         {name: ("name", column) for name, column in columns.items()},

@@ -51,20 +51,23 @@ def cut_apart(recording: Recording) -> Split:
 
 
 def cut_table(recording: Recording) -> Split:
-    """A table is cut as a log is, where it holds more than one movement of a person's leg."""
+    """A table is cut as a log is, where it holds more than one movement of a person's leg.
+
+    Otherwise it is returned as it is.
+    """
     protocol = recording.protocol
     if len(recording.segments) > 1 or protocol.segment_start is not None:
         return cut_apart(recording)
-    recording = for_all(recording)
-    kind = recording.protocol.kind
-    if kind == "measured" or recording.subject.kind == "rig":
+    said = for_all(recording)
+    kind = said.protocol.kind
+    if kind == "measured" or said.subject.kind == "rig":
         return Split(recording, ())
-    log = recording.segments[0]
-    pieces = find_pieces(log, recording.sensors, kind)
+    log = said.segments[0]
+    pieces = find_pieces(log, said.sensors, kind)
     parts = kept_parts(log, pieces)
     if not parts or len(pieces) < 2 or (kind == "active" and len(parts) < 2):
         return Split(recording, ())
-    return Split(of_parts(recording, parts), notes_of(log, pieces))
+    return Split(of_parts(said, parts), notes_of(log, pieces))
 
 
 def for_all(recording: Recording) -> Recording:
