@@ -27,6 +27,7 @@ def test_it_holds_four_drops_and_six_cycles(example):
     kinds = [example.kind(number) for number in range(len(example.segments))]
     assert kinds == ["passive"] * 4 + ["active"] * 6
     assert [example.added_mass(number) for number in range(5)] == [0.0, 0.0, 0.0, 1.0, 0.0]
+    assert example.subject.added_mass_gyration == 0.0  # the twin's mass is a point
     assert all(1.1 < example.cycle_period(number) < 1.4 for number in range(4, 10))
 
 
