@@ -27,9 +27,9 @@ def clean(recording: Recording) -> Cleaned:
     What the firmware's filter gave is left as it is: neither can be seen in it.
     """
     angle, velocity = fitted_channels(recording)
-    recording, angle_noise = clean_channel(
-        recording, angle, declared_angle_noise(recording.sensors)
-    )
+    signals = [getattr(each, angle) for each in recording.segments]
+    declared = declared_angle_noise(recording.sensors, signals)
+    recording, angle_noise = clean_channel(recording, angle, declared)
     velocity_noise = None
     if velocity is not None:
         declared = recording.sensors.velocity_noise

@@ -12,10 +12,10 @@ NEIGHBOURS = 3  # on either side: a quintic, from which a leg departs by 1e-5 ra
 REACH = 2 * NEIGHBOURS + 1
 FAR = 5.0  # standard deviations of a spike: of clean samples one in 1.7 million
 SMALLEST = 1e-3  # rad or rad/s, of a spike: smaller ones change nothing, and a release has them
-CLUSTER = 5  # samples, among which more than two spikes are no spikes but an event
+CLUSTER = 5  # samples, among which more than one spike are no spikes but an event
 ROUNDS = 30  # each takes the worst sample of every neighbourhood
 AGREE = 2.0  # factor between measured and declared noise, from which on it is worth a word
-MORE = 1.1  # times the declared noise: samples that scatter by more are believed
+MORE = 1.5  # times the declared noise: samples that scatter by more are believed; jumps make 1.4
 FEWEST = 30  # samples that tell a noise to 15 %
 HEAVY = 1.15  # root mean square over robust deviation, from which on tails are worth a word
 NORMAL = 0.6745  # median of |x| over the standard deviation
@@ -54,11 +54,15 @@ class Noise:
         return bool(self.heaviness > HEAVY)
 
 
-def declared_angle_noise(sensors: Sensors) -> float | None:
-    """What the sidecar says [rad], with what the encoder's steps add; None where it is silent."""
+def declared_angle_noise(sensors: Sensors, signals: list[Samples]) -> float | None:
+    """What the sidecar says [rad], with what the encoder's steps add; None where it is silent.
+
+    Steps that nobody declared are seen in the samples.
+    """
     if sensors.angle_noise is None:
         return None
-    step = 0.0 if sensors.encoder_counts is None else 2 * np.pi / sensors.encoder_counts
+    counts = sensors.encoder_counts
+    step = quantum(signals) if counts is None else 2 * np.pi / counts
     return float(np.hypot(sensors.angle_noise, step / np.sqrt(12)))
 
 
@@ -111,7 +115,7 @@ def find_spikes(time: Samples, samples: Samples, least: float = 0.0) -> NDArray[
     what the noise is at least.
 
     Where the sample is taken away its neighbours agree with each other. A jump that lasts (a stop
-    that is hit, play that ends) leaves more than two in a row: that is motion, and stays.
+    that is hit, play that ends) leaves more than one in a row: that is motion, and stays.
     """
     found = np.zeros(samples.size, dtype=bool)
     errors = interpolation_errors(time, samples)
@@ -146,7 +150,7 @@ def pardoned(
 
 def alone(found: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Without crowds."""
-    crowd = np.convolve(found, np.ones(CLUSTER), mode="same") > 2
+    crowd = np.convolve(found, np.ones(CLUSTER), mode="same") > 1
     return found & ~(np.convolve(crowd, np.ones(CLUSTER), mode="same") > 0)
 
 

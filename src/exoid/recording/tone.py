@@ -20,7 +20,8 @@ FALSE = 1e-4  # chance that noise alone shows a tone in a recording
 FINER = 0.05  # of the search's own step, to which a frequency is refined
 SMALLEST = 5e-4  # rad or rad/s, of a tone: smaller ones change nothing
 MATTERS = 0.3  # of the noise
-STEADY = 0.5  # of its mean size, that a tone has in the middle one of all halves of segments
+STEADY = 0.4  # of its size, that a tone has in three of four pieces
+PIECE, FEW = 0.3, 24  # s, and samples, of a piece at least
 FEWEST = 64  # samples of a segment that can tell a tone
 
 
@@ -29,7 +30,7 @@ class Tone:
     """A tone that was found."""
 
     frequency: float  # Hz, as sampled
-    amplitude: float  # of the signal, median over the segments
+    amplitude: float  # of the signal, median over pieces of the recording
 
 
 def find_tone(times: list[Samples], signals: list[Samples], noise: float = 0.0) -> Tone | None:
@@ -60,19 +61,22 @@ def find_tone(times: list[Samples], signals: list[Samples], noise: float = 0.0) 
         return None
     near = grid[grid >= SLOWEST][top] + grid[1] * np.arange(-1, 1, FINER)
     frequency = float(near[np.argmax(sum(powers(*each, near) for each in rest))])
-    size = typical_size(parts, frequency, 1)
-    steady = typical_size(parts, frequency, 2) > STEADY * size
+    sizes = np.concatenate([piecewise(*each, frequency) for each in parts])
+    size = float(np.median(sizes))
+    steady = np.quantile(sizes, 0.25) > STEADY * size
     return Tone(frequency, size) if steady and size > max(SMALLEST, MATTERS * noise) else None
 
 
-def typical_size(parts: list[tuple[Samples, Samples]], frequency: float, pieces: int) -> float:
-    """The median amplitude over all segments, each cut into so many pieces."""
-    each = [
-        np.hypot(*coefficients(*piece, frequency))
-        for time, signal in parts
-        for piece in zip(np.array_split(time, pieces), np.array_split(signal, pieces), strict=True)
-    ]
-    return float(np.median(each))
+def piecewise(time: Samples, signal: Samples, frequency: float) -> Samples:
+    """The amplitude in every piece of 0.3 s: jumps that come back have lines, but pauses too."""
+    left = without_motion(time, signal, frequency)
+    count = max(min(int((time[-1] - time[0]) / PIECE), time.size // FEW), 1)
+    return np.array(
+        [
+            np.hypot(*np.linalg.lstsq(piece[:, 1:], piece[:, 0], rcond=None)[0])
+            for piece in np.array_split(left, count)
+        ]
+    )
 
 
 def without_tone(time: Samples, signal: Samples, tone: Tone) -> Samples:
@@ -87,10 +91,15 @@ def without_tone(time: Samples, signal: Samples, tone: Tone) -> Samples:
 
 def coefficients(time: Samples, signal: Samples, frequency: float) -> Samples:
     """Of cosine and sine, beside a motion that is free to do what is slower."""
-    columns = np.column_stack([signal, waves(time, frequency)])
-    left = columns - motion(time, columns)
+    left = without_motion(time, signal, frequency)
     found = np.linalg.lstsq(left[:, 1:], left[:, 0], rcond=None)[0]
     return np.asarray(found, dtype=np.float64)
+
+
+def without_motion(time: Samples, signal: Samples, frequency: float) -> NDArray[np.float64]:
+    """Signal, cosine and sine, each without what a motion could be."""
+    columns = np.column_stack([signal, waves(time, frequency)])
+    return columns - motion(time, columns)
 
 
 def waves(time: Samples, frequency: float) -> NDArray[np.float64]:

@@ -50,7 +50,7 @@ def signal_of(segment: Segment, sensors: Sensors) -> Signal:
     if segment.raw_angular_velocity is not None:
         velocity = segment.raw_angular_velocity
     assert angle is not None  # a Segment has one or the other
-    angle, noise = credible(segment.time, angle, declared_angle_noise(sensors))
+    angle, noise = credible(segment.time, angle, declared_angle_noise(sensors, [angle]))
     if velocity is None:
         return Signal(segment.time, angle, noise, None, np.inf)
     return Signal(
