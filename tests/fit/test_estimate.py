@@ -251,9 +251,9 @@ def test_every_member_of_the_family_moves_as_the_best_and_meets_the_limits():
     assert np.ptp(members["inertia"]) > 0.1  # a family, not a point
 
 
-REAL = {  # name: least and greatest angle RMSE in deg, and range of m l g / J in 1/s^2
+REAL = {  # name: least and greatest angle RMSE in deg, and range of m l g / J in 1/s^2, if any
     "knee-drop": (0.9, 1.25, (24, 36)),
-    "motor-ringing": (2.4, 2.85, (12, 19)),
+    "motor-ringing": (2.4, 2.85, None),  # most of what it does is friction, and the fit says so
     "motor-swing": (0.7, 0.95, (14, 19)),
     "servo-drop": (0.8, 1.5, (55, 85)),
 }
@@ -265,9 +265,13 @@ def test_real_recordings_are_fitted_as_well_as_a_wide_search_did(name, shared):
     """That search had 1.21, 2.75, 0.88 and 1.43 deg; clipping leaves out what is at rest."""
     recording, _ = read_table(shared / "real" / f"{name}.csv")
     result = fit(recording, multistart=16)
-    least, greatest, (low, high) = REAL[name]
+    least, greatest, gravity = REAL[name]
     assert least < np.degrees(result.angle_rmse) < greatest
-    assert low < result.ratios["gravity_over_inertia"].value < high
+    if gravity is None:
+        assert not result.follows
+    else:
+        assert gravity[0] < result.ratios["gravity_over_inertia"].value < gravity[1]
+    assert not any("tilted" in note for note in result.notes)  # friction makes no seat lie
     assert result.ratios["damping_over_inertia"].value > -1e-3
     assert result.multistart.at_best == 16
     # Dry friction is not in the model, nor what a knee's muscle, or a marker, did.
