@@ -54,6 +54,16 @@ def subject(generator: np.random.Generator) -> tuple[Subject, dict[str, float]]:
     return Subject(kind="leg", body_mass=mass, height=height), values
 
 
+def declared_exact(made: Recording) -> Recording:
+    """The virtual exoskeleton's zero, seat and clock are exact: its sidecar may say so."""
+    exact = {f"{name}_uncertainty": 0.0 for name in ("angle_zero", "gyro_scale", "clock")}
+    return replace(
+        made,
+        sensors=replace(made.sensors, **exact),
+        protocol=replace(made.protocol, thigh_angle_uncertainty=0.0),
+    )
+
+
 @pytest.mark.slow
 def test_the_ratios_of_twenty_subjects_are_found_within_their_errors():
     """Of 80 ratios 95.4 % lie within two errors if the errors are true; fewer than the 1 % quantile
@@ -65,7 +75,8 @@ def test_the_ratios_of_twenty_subjects_are_found_within_their_errors():
         drop = Movement(np.radians(generator.uniform(-25, -5)), 2.3)
         amplitude = generator.uniform(-6, -3)
         cycle = Movement(np.radians(generator.uniform(-12, -2)), 1.19, amplitude=amplitude)
-        result = fit(recorded(drop, cycle, seed=seed, subject=body, **values), multistart=8)
+        made = declared_exact(recorded(drop, cycle, seed=seed, subject=body, **values))
+        result = fit(made, multistart=8)
         all_errors += errors(result, true_ratios(leg(**values), amplitude))
         assert result.multistart.at_best == 8
     within = int(np.sum(np.abs(all_errors) < 2))
@@ -206,9 +217,10 @@ def test_missing_samples_and_gaps_do_not_hurt():
     whole, result = fit(recording, multistart=8), fit(broken, multistart=8)
     assert result.segments[0].time.size < whole.segments[0].time.size
     assert max(np.abs(errors(result, true_ratios(leg())))) < 4
+    # The noise is told from the samples that are left, 300 of a channel: to 1 / sqrt(2 n) = 4 %.
     for name in RATIOS:
         assert (
-            whole.ratios[name].standard_error
+            0.92 * whole.ratios[name].standard_error
             < result.ratios[name].standard_error
             < 1.5 * whole.ratios[name].standard_error
         )
@@ -251,9 +263,9 @@ def test_every_member_of_the_family_moves_as_the_best_and_meets_the_limits():
     assert np.ptp(members["inertia"]) > 0.1  # a family, not a point
 
 
-REAL = {  # name: least and greatest angle RMSE in deg, and range of m l g / J in 1/s^2
+REAL = {  # name: least and greatest angle RMSE in deg, and range of m l g / J in 1/s^2, if any
     "knee-drop": (0.9, 1.25, (24, 36)),
-    "motor-ringing": (2.4, 2.85, (12, 19)),
+    "motor-ringing": (2.4, 2.85, None),  # most of what it does is friction, and the fit says so
     "motor-swing": (0.7, 0.95, (14, 19)),
     "servo-drop": (0.8, 1.5, (55, 85)),
 }
@@ -265,9 +277,13 @@ def test_real_recordings_are_fitted_as_well_as_a_wide_search_did(name, shared):
     """That search had 1.21, 2.75, 0.88 and 1.43 deg; clipping leaves out what is at rest."""
     recording, _ = read_table(shared / "real" / f"{name}.csv")
     result = fit(recording, multistart=16)
-    least, greatest, (low, high) = REAL[name]
+    least, greatest, gravity = REAL[name]
     assert least < np.degrees(result.angle_rmse) < greatest
-    assert low < result.ratios["gravity_over_inertia"].value < high
+    if gravity is None:
+        assert not result.follows
+    else:
+        assert gravity[0] < result.ratios["gravity_over_inertia"].value < gravity[1]
+    assert not any("tilted" in note for note in result.notes)  # friction makes no seat lie
     assert result.ratios["damping_over_inertia"].value > -1e-3
     assert result.multistart.at_best == 16
     # Dry friction is not in the model, nor what a knee's muscle, or a marker, did.

@@ -106,7 +106,10 @@ def test_bad_cycles_neither_move_nor_widen_what_a_good_drop_tells(torque, sensor
         # Three standard errors: once in 370, and nothing here is drawn anew.
         assert abs(found.value - truth) < 3 * found.standard_error, name
         assert found.shares.kind == "passive"
-    assert both.ratios["torque_over_inertia"].shares.kind == "active"
+    # Of tau / J cycles tell most; where a camera leaves the zero open, a drop tells the fifth of it
+    # that goes with c / J, and no one kind is named.
+    named = ("active",) if sensors is NOISE else ("active", None)
+    assert both.ratios["torque_over_inertia"].shares.kind in named
     assert both.disturbance.kinds["passive"].cause is None
     assert both.disturbance.kinds["active"].cause is not None
     assert any("divided by" in note and "active" in note for note in both.notes)

@@ -46,12 +46,22 @@ def test_both_methods_agree_on_a_cycle():
     assert other.multistart.at_best == len(STARTS)
 
 
-def test_both_methods_agree_where_the_inertia_is_as_small_as_a_rigid_leg_allows():
-    """m l^2 <= J (Eq. 12) holds as an equality: body mass and height say so, against the motion."""
+def test_both_methods_agree_where_the_leg_is_none_of_the_tables():
+    """m l^2 > J there: the tables, in which m, l and J go together, make it one that can be."""
     one, other = both(recorded(CYCLE, inertia=0.30, com_distance=0.28))
     agree(one, other)
-    for result in (one, other):
-        assert any("m l^2 <= J" in note for note in result.notes)
+    chosen = {name: each.value for name, each in one.parameters.items()}
+    assert chosen["mass"] * chosen["com_distance"] ** 2 < chosen["inertia"]
+
+
+def test_the_inertia_is_as_small_as_a_rigid_leg_allows_where_a_sure_distance_asks_for_less():
+    """m l^2 <= J (Eq. 12) then holds as an equality."""
+    sure = {"com_distance": (0.28, 0.002)}  # m; by its motion, J / (m l) is 0.24 m
+    found = fit(recorded(CYCLE, inertia=0.30, com_distance=0.28), multistart=8, expect=sure)
+    chosen = {name: each.value for name, each in found.parameters.items()}
+    least = chosen["mass"] * chosen["com_distance"] ** 2
+    assert chosen["inertia"] == pytest.approx(least, rel=1e-5)  # multipliers stop within 1e-6
+    assert any("m l^2 <= J" in note for note in found.notes)
 
 
 def test_both_methods_agree_where_a_parameter_is_at_its_bound():

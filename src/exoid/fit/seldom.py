@@ -19,6 +19,7 @@ from exoid.fit.task import Solved
 
 CONVINCING = 3.0  # gain of log likelihood from which on a seat is held for tilted
 STEEPEST = np.radians(20.0)  # standard deviation of its tilt
+LYING = 2.0  # times it: a fit with a seat that is tilted by more takes it for something else
 FINE = 1e-2  # tolerance, in units of noise
 DISAGREE = 5.0  # standard errors from which on encoder and gyro clearly disagree in scale
 SUSPECTED = 0.6  # of that disagreement: about the root mean square of any part of it
@@ -53,7 +54,9 @@ def with_tilted_seats(problem: Problem, free: Solved) -> tuple[Problem, Solved]:
     again = advance(wide, lanes, task(wide, 0.0, wide.steps, FINE))
     gain = likelihood(explained(wide, again, 0)) - likelihood(explained(problem, free, row))
     price = np.log(deviation_of(wide, "tilt") / deviation_of(problem, "tilt")).sum()
-    if not gain - price > CONVINCING:
+    best = int(np.argmin(finite(again.loss)))
+    steepest = float(np.abs(again.coordinates.mounting.tilt[best]).max())
+    if steepest > LYING * STEEPEST or not gain - price > CONVINCING:
         return problem, free
     return wide, advance(wide, free.coordinates, task(wide, 0.0, wide.steps, FINE))
 
