@@ -12,9 +12,12 @@ FIRST = "This fit does not follow its recording"
 
 @pytest.fixture(scope="module")
 def lost(command, tmp_path_factory):
-    """A long slow pendulum as a leg, J/(m l) 0.68 m, which Eq. 13 does not allow (Eq. 15)."""
+    """A long slow pendulum as a leg, J/(m l) 1.4 m, which Eq. 13 does not allow (Eq. 15).
+
+    One of 0.68 m is followed within 0.5 deg: a clock 6 % wrong and a zero 8 deg off make up for it.
+    """
     folder = tmp_path_factory.mktemp("lost")
-    write_table(recording(drop((14.4, 1.2, 0.6), -0.3, duration=4.0)), folder / "slow.csv")
+    write_table(recording(drop((7.0, 1.2, 0.6), -0.3, duration=4.0)), folder / "slow.csv")
     out = {name: folder / f"out.{name}" for name in ("json", "png", "nc", "html")}
     done = command(
         "fit",
