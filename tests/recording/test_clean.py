@@ -37,13 +37,6 @@ def test_white_noise_has_no_tone():
     assert found == [None] * 60
 
 
-def test_jumps_that_come_back_are_no_tone():
-    """A gyro behind play jumps at every turn of a swing: its harmonics are lines, too."""
-    time, angle = sampled(100, NOISE)
-    jumps = np.sign(np.sin(2 * np.pi * 0.95 * time)) * np.exp(-0.3 * time)
-    assert find_tone([time], [angle + 0.03 * jumps], NOISE) is None
-
-
 def test_a_tone_is_taken_out_of_uneven_samples_too():
     time, angle = sampled(100, NOISE, jitter=0.5)
     angle = angle + 3 * NOISE * np.sin(2 * np.pi * 30 * time)
