@@ -61,7 +61,8 @@ def test_a_bare_drop_leaves_the_two_directions_that_every_leg_has(bare):
 def test_a_known_mass_closes_the_scale_but_never_m_against_l(both):
     assert [pattern(both, 0)] == [[1, 0, -1, 0, 0]]
     assert len(both.null_directions) == 1
-    assert both.combinations["inertia"].standard_error < 1e-3
+    # A mass that is weighed to 0.5 %, as nobody declared better, tells J to as much.
+    assert both.combinations["inertia"].standard_error < 0.006 * both.combinations["inertia"].value
     assert both.sentences == [both.null_directions[0].words]
 
 
@@ -116,8 +117,11 @@ def skewed(time, period):
 
 
 def test_a_controlled_cycle_is_not_believed():
-    """The fit of it is sub-degree, d is at zero and J is free to be wrong by a factor of two."""
-    result = fit(cycled(raised_cosine), multistart=4)
+    """Within Eq. 13 it is sub-degree, d is at zero and J is free to be wrong by a factor of two;
+    the limits of a body forbid that, and the fit does not follow.
+    """
+    assert not fit(cycled(raised_cosine), multistart=4).follows
+    result = fit(cycled(raised_cosine), multistart=4, bounds="paper", prior="none")
     said = " ".join(identify(result).sentences)
     assert "the same forwards and backwards in time" in said
     assert "record a drop" in said

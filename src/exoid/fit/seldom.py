@@ -18,7 +18,7 @@ from exoid.fit.sandwich import Disturbance
 from exoid.fit.task import Solved
 
 CONVINCING = 3.0  # gain of log likelihood from which on a seat is held for tilted
-STEEPEST = np.radians(20.0)  # standard deviation of its tilt
+STEEPEST = np.radians(5.0)  # standard deviation of its tilt
 LYING = 2.0  # times it: a fit with a seat that is tilted by more takes it for something else
 FINE = 1e-2  # tolerance, in units of noise
 DISAGREE = 5.0  # standard errors from which on encoder and gyro clearly disagree in scale
