@@ -19,7 +19,9 @@ AROUND = 101  # frequencies, half the width of a line apart, that a tone stands 
 FALSE = 1e-4  # chance that noise alone shows a tone in a recording
 FINER = 0.05  # of the search's own step, to which a frequency is refined
 SMALLEST = 5e-4  # rad or rad/s, of a tone: smaller ones change nothing
-MATTERS = 0.3  # of the noise
+MATTERS = 0.5  # of the noise
+SEEN = 0.6  # of a tone, that is left beside a motion that is free to do what is slower
+EDGE = 5  # frequencies beside the slowest, where a motion's kinks still show
 STEADY = 0.4  # of its size, that a tone has in three of four pieces
 PIECE, FEW = 0.3, 24  # s, and samples, of a piece at least
 FEWEST = 64  # samples of a segment that can tell a tone
@@ -57,10 +59,12 @@ def find_tone(times: list[Samples], signals: list[Samples], noise: float = 0.0) 
         return None
     around = median_filter(power, AROUND, mode="mirror") / chi2.median(freedom)
     top = int(np.argmax(power / around))
-    if power.size * chi2.sf(power[top] / around[top], freedom) > FALSE:
+    if top < EDGE or power.size * chi2.sf(power[top] / around[top], freedom) > FALSE:
         return None
     near = grid[grid >= SLOWEST][top] + grid[1] * np.arange(-1, 1, FINER)
     frequency = float(near[np.argmax(sum(powers(*each, near) for each in rest))])
+    if min(visible(time, frequency) for time, _ in parts) < SEEN:
+        return None
     sizes = np.concatenate([piecewise(*each, frequency) for each in parts])
     size = float(np.median(sizes))
     steady = np.quantile(sizes, 0.25) > STEADY * size
@@ -94,6 +98,13 @@ def coefficients(time: Samples, signal: Samples, frequency: float) -> Samples:
     left = without_motion(time, signal, frequency)
     found = np.linalg.lstsq(left[:, 1:], left[:, 0], rcond=None)[0]
     return np.asarray(found, dtype=np.float64)
+
+
+def visible(time: Samples, frequency: float) -> float:
+    """The share of a tone that no motion follows."""
+    columns = waves(time, frequency)
+    left = columns - motion(time, columns)
+    return float(np.linalg.norm(left) / np.linalg.norm(columns))
 
 
 def without_motion(time: Samples, signal: Samples, frequency: float) -> NDArray[np.float64]:
