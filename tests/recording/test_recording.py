@@ -74,7 +74,7 @@ ANGLE = np.linspace(-0.1, -1.5, 5)
         (Segment(TIME, angle=changed(ANGLE, 4, np.inf)), 4, r"is inf rad, beyond \+-14"),
         (Segment(TIME, angle=changed(ANGLE, 1, -90.0)), 1, "Is it in degrees"),
         (Segment(TIME, angle=changed(ANGLE, 1, 3.7)), 1, "which no knee reaches"),
-        (Segment(TIME, angle=ANGLE, angular_velocity=2e3 * ANGLE), 0, "`_deg` name"),
+        (Segment(TIME, angle=ANGLE, angular_velocity=2e3 * ANGLE), 0, "velocity_deg_s"),
         (Segment(TIME, angle=ANGLE, applied_torque=np.full(5, 2e3)), 0, "torque_nm"),
     ],
 )

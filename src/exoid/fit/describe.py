@@ -12,13 +12,13 @@ from exoid.fit.estimates import (
     with_reasons,
 )
 from exoid.fit.family import equally_good
-from exoid.fit.following import astray, believed
+from exoid.fit.following import astray, believed, of_the_rest
 from exoid.fit.limiting import limiting, suspicions
 from exoid.fit.local import columns, told
 from exoid.fit.mountings import FIELDS, estimate_mountings, known
 from exoid.fit.multistart import SAME_LOSS, Ended
 from exoid.fit.problem import Problem, finite, take
-from exoid.fit.remarks import limits_met, of_astray, of_others, remarks
+from exoid.fit.remarks import limits_met, of_astray, remarks
 from exoid.fit.result import (
     Basis,
     Estimate,
@@ -81,7 +81,7 @@ def describe(
         prior=problem.belief.note,
         notes=[
             *of_astray(why, belief.raw),
-            *of_others(segments, ended.disturbance),
+            *of_the_rest(segments, ended.disturbance),
             *remarks(problem, ended, at_bound),
             *systematic,
         ],

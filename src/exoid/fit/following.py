@@ -39,6 +39,20 @@ def believed(segments: Sequence[SegmentFit], found: Disturbance) -> list[Segment
     return [each for each in segments if not found.apart or found.scales[each.kind] == 1.0]
 
 
+def of_the_rest(segments: list[SegmentFit], found: Disturbance) -> list[str]:
+    """That the simulation does not follow segments that were not believed."""
+    kept = {each.kind for each in believed(segments, found)}
+    others = [each for each in segments if each.kind not in kept]
+    why = astray(others) if others else None
+    if why is None:
+        return []
+    kinds = " and ".join(sorted({each.kind for each in others}))
+    return [
+        f"the simulation does not follow the {kinds} segments: {why}. They told hardly anything, "
+        "because the others are explained: do not use what is 'set by' them."
+    ]
+
+
 def roughly(error: float, segments: Sequence[SegmentFit]) -> bool:
     """Does a model that misses the angle by `error` [rad] follow these segments?"""
     return error < ASTRAY * pooled([(motion(each), each.time.size) for each in segments])

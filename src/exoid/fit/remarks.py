@@ -4,12 +4,10 @@ import numpy as np
 
 from exoid.fit.belief import Belief
 from exoid.fit.disturbance import CORRELATED, Missed
-from exoid.fit.following import astray, believed
 from exoid.fit.kinds import NOISY
 from exoid.fit.multistart import FEASIBLE, Ended, scale_told
 from exoid.fit.noise_remarks import noise_remarks
 from exoid.fit.problem import Problem
-from exoid.fit.result import SegmentFit
 from exoid.fit.sandwich import Disturbance
 from exoid.physics.leg import LegParameters
 from exoid.physics.parameter import declarations
@@ -66,20 +64,6 @@ def upwards(problem: Problem, ended: Ended) -> bool:
         and bool(np.isfinite(problem.belief.limits.reach))
         and all(each.kind == "passive" for each in problem.movements)
     )
-
-
-def of_others(segments: list[SegmentFit], found: Disturbance) -> list[str]:
-    """That the simulation does not follow segments that were not believed."""
-    kept = {each.kind for each in believed(segments, found)}
-    others = [each for each in segments if each.kind not in kept]
-    why = astray(others) if others else None
-    if why is None:
-        return []
-    kinds = " and ".join(sorted({each.kind for each in others}))
-    return [
-        f"the simulation does not follow the {kinds} segments: {why}. They told hardly anything, "
-        "because the others are explained: do not use what is 'set by' them."
-    ]
 
 
 def of_astray(why: str | None, raw: bool) -> list[str]:

@@ -5,6 +5,7 @@ from math import degrees
 from rich.console import Console
 
 from exoid.diagnose.identifiability import Identifiability
+from exoid.fit.following import of_the_rest
 from exoid.fit.limiting import chief
 from exoid.fit.result import Estimate, FitResult, SegmentFit
 from exoid.report.text import (
@@ -55,10 +56,13 @@ def print_fit(result: FitResult, console: Console, told: Identifiability | None 
 
 
 def print_astray(result: FitResult, console: Console) -> None:
-    """That the fit does not follow its recording, before any number."""
+    """That the fit does not follow its recording, or some of it, before any number."""
     if not result.follows:
         heading(console, "This fit does not follow its recording")
         say(console, f"{capital(result.notes[0])}")
+    for sentence in of_the_rest(result.segments, result.disturbance):
+        heading(console, "This fit follows a part of its recording only")
+        say(console, f"{capital(sentence)}")
 
 
 def print_parameters(result: FitResult, console: Console) -> None:
@@ -245,7 +249,8 @@ def remarks(result: FitResult) -> list[str]:
                 f"tau of segment {each.name}"
             )
     missing = [f"{', '.join(names)}: {reason}." for reason, names in reasons.items()]
-    return [*missing, *(result.notes if result.follows else result.notes[1:])]
+    said = {*result.notes[: not result.follows], *of_the_rest(result.segments, result.disturbance)}
+    return [*missing, *(note for note in result.notes if note not in said)]
 
 
 def expectation(each: Estimate) -> str:

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import ClassVar, Literal
 
 from exoid.diagnose.diagnosis import Diagnosis
+from exoid.fit.following import of_the_rest
 from exoid.fit.result import Estimate, FitResult
 from exoid.report.case import Case
 from exoid.report.diagnosis_words import named
@@ -56,7 +57,9 @@ class Summary(Section):
     def of(cls, case: Case) -> "Summary":
         asked = () if case.diagnosis is None else (missing(case.diagnosis),)
         read = (recording(case),) if case.sources else ()
-        told = (*read, agreement(case.fit)) if case.fit.follows else (agreement(case.fit), *read)
+        told = (*read, agreement(case.fit))
+        if not case.fit.follows or of_the_rest(case.fit.segments, case.fit.disturbance):
+            told = (agreement(case.fit), *read)
         return cls((*told, *asked, numbers(case.fit)), believed(case.fit))
 
 
@@ -96,6 +99,9 @@ def agreement(fit: FitResult) -> Card:
     question = "Does the simulated leg move as the measured one?"
     if not fit.follows:
         return Card(question, "open", "No. Do not use the numbers below.", sentence(fit.notes[0]))
+    partly = of_the_rest(fit.segments, fit.disturbance)
+    if partly:
+        return Card(question, "open", "A part of it only.", sentence(partly[0]))
     if fit.disturbance.cause is None:
         return Card(question, "good", "Yes, within the noise.", because)
     answer = "Not entirely: something is in the recording that the model does not have."
