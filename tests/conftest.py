@@ -11,6 +11,8 @@ from machine_code import QUICK
 
 # Tests compile far more than they run: most of their time would go into optimising machine code.
 os.environ["XLA_FLAGS"] = f"{os.environ.get('XLA_FLAGS', '')} {QUICK}"
+# Several processes keep programs in one folder: with a limit of size [bytes] JAX locks it.
+os.environ.setdefault("JAX_COMPILATION_CACHE_MAX_SIZE", str(8 << 30))
 # Set for the workers of xdist, which inherit it: in this process NumPy is loaded already. Two
 # threads of the linear algebra library take forty times as long over a small matrix as one.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
@@ -45,8 +47,22 @@ def shared():
 
 @pytest.fixture(scope="session")
 def programs(tmp_path_factory):
-    """Where the commands that this worker runs keep what they compile."""
-    return tmp_path_factory.mktemp("programs")
+    """Where all workers, and the commands that they run, keep what they compile: most of it serves
+    many tests.
+    """
+    workers = "PYTEST_XDIST_WORKER" in os.environ
+    base = tmp_path_factory.getbasetemp()
+    folder = (base.parent if workers else base) / "programs"
+    folder.mkdir(exist_ok=True)
+    return folder
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _keeping(programs):
+    """What the tests of this process compile is kept as the commands keep it."""
+    from exoid.fit.program import keep_programs_in
+
+    keep_programs_in(programs / "exoid" / "programs")
 
 
 @pytest.fixture(autouse=True)

@@ -26,11 +26,13 @@ SETTINGS = (
 def _as_before():
     """JAX and the program as they were, whatever a test has set."""
     before = {name: getattr(jax.config, name) for name in SETTINGS}
+    folder = list(program._folder)
+    program._folder.clear()
     yield
     for name, value in before.items():
         jax.config.update(name, value)
     begin_anew()
-    program._folder.clear()
+    program._folder[:] = folder
 
 
 def begin_anew():

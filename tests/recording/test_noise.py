@@ -67,6 +67,17 @@ def test_a_jump_that_lasts_is_motion():
     assert not find_spikes(time, rate).any()
 
 
+@pytest.mark.parametrize("at", range(200, 210))
+def test_a_gyro_that_begins_to_turn_has_no_spike(at):
+    """Its bend where a leg is let go stands out of both sides, but only one of them is at rest."""
+    time = np.arange(400) * 0.01
+    rate = -25 * np.maximum(time - time[at] + 0.004, 0.0)
+    rate += 0.0012 * np.random.default_rng(at).normal(size=time.size)
+    assert not find_spikes(time, rate).any()
+    rate[100] += 0.02  # one while it is held
+    assert np.flatnonzero(find_spikes(time, rate)).tolist() == [100]
+
+
 def test_tails_are_counted_by_their_root_mean_square():
     """Student's t with 3 degrees of freedom has 1.73 times its scale; less what was left out."""
     time, angle = sampled(100, 0.0, duration=60.0)

@@ -15,7 +15,7 @@ from exoid.fit.family import equally_good
 from exoid.fit.following import astray, believed, of_the_rest
 from exoid.fit.limiting import limiting, suspicions
 from exoid.fit.local import columns, told
-from exoid.fit.mountings import FIELDS, estimate_mountings, known
+from exoid.fit.mountings import FIELDS, beyond_belief, estimate_mountings, known
 from exoid.fit.multistart import SAME_LOSS, Ended
 from exoid.fit.problem import Problem, finite, take
 from exoid.fit.remarks import limits_met, of_astray, remarks
@@ -64,6 +64,7 @@ def describe(
     ]
     segments = [segment_fit(problem, ended, number, each) for number, each in enumerate(torques)]
     why = astray(believed(segments, ended.disturbance), limits_met(problem, at_bound))
+    why = beyond_belief(problem, ended) if why is None else why
     ratios = estimate_ratios(problem, ended, information, at_bound)
     mountings = estimate_mountings(problem, ended, information)
     systematic = [*suspicions(problem, mountings), *limiting({**parameters, **ratios})]

@@ -14,6 +14,9 @@ from exoid.fit.seldom import widened
 from exoid.fit.systematics import OWNED
 from exoid.fit.task import Solved
 
+ROUNDING = 1e-9  # relative, of a precision
+TINY = 1e-300
+
 Less = dict[str, np.ndarray]  # of every leaf of the mounting: how much wider, at least 1
 
 
@@ -22,28 +25,24 @@ def less_told(problem: Problem, at: Solved, row: int, found: Disturbance) -> Les
 
     Each as all but its own declaration tells it.
     """
-    local = around(problem, at, row=row)
-    point = take(at.coordinates, row)
+    local, point = around(problem, at, row=row), take(at.coordinates, row)
     places = unflattened(np.arange(flattened(point).size), point).mounting
-    white, true = (total + local.prior for total in (local.data, found.information))
-    return {
-        name: np.array([widening(problem, white, true, name, *each) for each in enumerate(place)])
-        for name, place in ((name, getattr(places, name)) for name in OWNED)
-    }
+    precisions = [precision(each + local.prior) for each in (local.data, found.information)]
+
+    def of(name: str) -> np.ndarray:
+        deviation = getattr(problem.belief.prior.mounting, name)
+        own = (getattr(TYPICAL.mounting, name) / deviation) ** 2
+        entries = getattr(places, name)
+        white, true = (np.maximum(each[entries] - own, 0.0) for each in precisions)
+        return np.sqrt(np.maximum(white / np.maximum(true, ROUNDING * white + TINY), 1.0))
+
+    return {name: of(name) for name in OWNED}
 
 
-def widening(
-    problem: Problem, white: np.ndarray, true: np.ndarray, name: str, entry: int, place: int
-) -> float:
-    """Of one of them, from the information with noise only, and with what is missed."""
-    deviation = getattr(problem.belief.prior.mounting, name)[entry]
-    own = (getattr(TYPICAL.mounting, name) / deviation) ** 2
-    told = [max(1 / inverse(total)[place, place] - own, 0.0) for total in (white, true)]
-    return float(np.sqrt(max(told[0] / max(told[1], 1e-9 * told[0]), 1.0))) if told[0] else 1.0
-
-
-def inverse(total: np.ndarray) -> np.ndarray:
-    return np.linalg.inv(total + 1e-9 * np.diag(1 + np.diag(total)))
+def precision(information: np.ndarray) -> np.ndarray:
+    """Of every coordinate, the others unknown."""
+    diagonal = np.diag(information)
+    return 1 / np.diag(np.linalg.inv(information + ROUNDING * np.diag(1 + diagonal)))
 
 
 def held(problem: Problem, less: Less, scale: float = 1.0) -> Problem:

@@ -3,6 +3,7 @@
 import numpy as np
 
 from exoid.fit.coordinates import TYPICAL, flattened, unflattened
+from exoid.fit.limiting import WORDS
 from exoid.fit.multistart import Ended
 from exoid.fit.problem import Problem, take
 from exoid.fit.result import Estimate, MountingFit
@@ -23,6 +24,7 @@ FIELDS = dict(zip(("log_distance", "log_added", "extent"), list(MOUNTING)[:3], s
     name: name for name in OWNED[3:]
 }  # of a Mounting: as it is called outside
 STEP = 1e-6  # of a coordinate, for the slope of what is told
+BEYOND = 8.0  # standard deviations of what is declared, from which on nobody believes it
 TOLD = 0.7  # of its prior's error: below it the recording has told something
 
 
@@ -62,6 +64,33 @@ def estimate_mountings(
 
     found = [mounting(entry) for entry in range(int(seat.max()) + 1)]
     return [each for each in found if each.known]
+
+
+def beyond_belief(problem: Problem, ended: Ended) -> str | None:
+    """Which recording the fit takes for what nobody declares, if it does."""
+    point, prior = take(ended.best.coordinates, 0), problem.belief.prior.mounting
+    furthest, why = BEYOND, None
+    for field in problem.owned:
+        values, deviations = getattr(point.mounting, field), getattr(prior, field)
+        for entry in range(values.size):
+            away = abs(float(values[entry] / deviations[entry]))
+            if away > furthest and not known(problem, field, entry):
+                unit = MOUNTING[FIELDS[field]][2]
+                value, usual = (
+                    told_as(field, float(each[entry]), unit) for each in (values, deviations)
+                )
+                furthest = away
+                why = (
+                    f"it takes {WORDS[FIELDS[field]]} to be off by {value}, where {usual} is usual"
+                )
+    return why
+
+
+def told_as(field: str, value: float, unit: str) -> str:
+    """In a unit that people read."""
+    if unit.startswith("rad"):
+        return f"{np.degrees(value):.2g} {unit.replace('rad', 'deg')}"
+    return f"{value:.2g} m^2" if field == "extent" else f"{100 * value:.2g} %"
 
 
 def known(problem: Problem, field: str, entry: int) -> bool:

@@ -12,6 +12,7 @@ NEIGHBOURS = 3  # on either side: a quintic, from which a leg departs by 1e-5 ra
 REACH = 2 * NEIGHBOURS + 1
 FAR = 5.0  # standard deviations of a spike: of clean samples one in 1.7 million
 SMALLEST = 1e-3  # rad or rad/s, of a spike: smaller ones change nothing, and a release has them
+STILL, MOVING = 1.0, 2.0  # range of seven samples, over what a spike departs by at least
 CLUSTER = 5  # samples, among which more than one spike are no spikes but an event
 ROUNDS = 30  # each takes the worst sample of every neighbourhood
 AGREE = 2.0  # factor between measured and declared noise, from which on it is worth a word
@@ -131,7 +132,20 @@ def find_spikes(time: Samples, samples: Samples, least: float = 0.0) -> NDArray[
             break
         found |= worst
         errors = interpolation_errors(time, np.where(found, np.nan, samples))
-    return alone(pardoned(time, samples, found, limit))
+    found = alone(pardoned(time, samples, found, limit))
+    for at in np.flatnonzero(found):
+        found[at] = not begins_or_ends(samples, int(at), limit)
+    return found
+
+
+def begins_or_ends(samples: Samples, at: int, limit: float) -> bool:
+    """Is the signal still on one side of this sample only? A gyro bends where a leg is let go."""
+    before = samples[max(at - REACH, 0) : at]
+    after = samples[at + 1 : at + 1 + REACH]
+    if np.isnan(before).all() or np.isnan(after).all():
+        return False
+    still, moving = sorted(np.nanmax(each) - np.nanmin(each) for each in (before, after))
+    return bool(still <= STILL * limit and moving > MOVING * limit)
 
 
 def pardoned(
