@@ -17,7 +17,7 @@ SOMEWHERE = 0.35  # m, of a mass on the shank of which no more is known
 ANYWHERE = 0.5  # of its logarithm
 
 # Where nothing is declared, one standard deviation:
-ZERO = radians(1.5)  # a sensor aligned along a leg by eye or by goniometer
+ZERO = radians(1.2)  # a sensor aligned along a leg by eye or by goniometer
 ZERO_OF_RIG = radians(5.0)
 TILT = radians(0.2)  # a seat that looks level; one that is not is followed (`seldom.py`)
 GYRO_SCALE = 0.015  # LSM6DS3 data sheet: sensitivity within 1 %, and its change with temperature

@@ -9,7 +9,6 @@ from exoid.recording.condition import interpolated, local_line, runs
 from exoid.recording.motion.hand import free_end
 from exoid.recording.motion.letting_go import Case, LettingGo, begun_free, let_go
 from exoid.recording.motion.limits import (
-    BEGUN,
     CLEAR,
     FALL,
     HELD,
@@ -88,11 +87,22 @@ def first_movement(signal: Signal, speed: Speed) -> tuple[int, int]:
     least = max(TRAVEL, CLEAR * signal.angle_noise / np.sqrt(count))
     for first, last in moving(signal.time, speed):
         if np.ptp(smooth[max(first - 1, 0) : last + 2]) > least:
-            return first, last
+            return departure(smooth[: last + 1], speed, first, least), last
     raise Motionless(
         f"nothing moves: no movement goes farther than {np.degrees(least):.2g} deg at more than "
         f"{np.degrees(speed.still):.2g} deg/s, which the noise allows to tell."
     )
+
+
+def departure(smooth: Samples, speed: Speed, first: int, least: float) -> int:
+    """From when on it moves one way until it is gone; a hand that trembles goes both ways."""
+    gone = np.abs(smooth[first:] - smooth[first]) > least
+    if not gone.any():
+        return first
+    there = first + int(np.argmax(gone))
+    ahead = np.sign(smooth[there] - smooth[first]) * speed.velocity[first : there + 1]
+    back = np.flatnonzero(ahead < speed.still)
+    return first + int(back[-1]) + 1 if back.size else first
 
 
 def moving(time: Samples, speed: Speed) -> list[tuple[int, int]]:
@@ -110,9 +120,9 @@ def released(
 ) -> LettingGo | None:
     """How the leg that first moves at `first` was let go; None where it begins free."""
     time = signal.time
-    if first == 0:
-        return None
-    about = float(time[first])
+    # Within half a window from the first sample nobody sees whether it moves.
+    seen = first > 0
+    about = float(time[first]) if seen else float(time[0]) + speed.width / 2
     early = HOLD + speed.width
     last = min(int(np.searchsorted(time, about + FALL)), time.size - 1)
     pull = abs(float(speed.velocity[last])) / FALL
@@ -120,10 +130,8 @@ def released(
     found = let_go(case, max(about - early, float(time[0])), about + speed.width / 2)
     if found.release - time[0] < MARKED:
         return None
-    if found.release - time[0] < BEGUN:
-        free = begun_free(case)
-        if free < found.chi_square + ODDS * max(1.0, found.misfit):
-            return None
+    if not seen and begun_free(case) < found.chi_square + ODDS * max(1.0, found.misfit):
+        return None
     return found
 
 

@@ -27,8 +27,7 @@ TAIL = 0.4  # of the time of letting go that a hand may take longer than its ram
 # A recording that begins free. A leg whose hold is shorter than this was marked at its release:
 # play and compliance keep the sensors at rest for 45 to 65 ms, and no hand waits that short.
 MARKED = 0.075  # s
-BEGUN = 0.3  # s, of a hold that may also be the first part of a fall
-ODDS = 9.0  # chi-square by which a hold must be better than no hold
+ODDS = 4.0  # chi-square by which a hold that nobody saw must be better than none
 
 # A rest. At a turning point a leg is slow for a moment only.
 REST = 0.3  # s, longer than any turning point of a swing of 3 degrees

@@ -53,9 +53,16 @@ def signal_of(segment: Segment, sensors: Sensors) -> Signal:
     angle, noise = credible(segment.time, angle, declared_angle_noise(sensors, [angle]))
     if velocity is None:
         return Signal(segment.time, angle, noise, None, np.inf)
+    velocity, scatter = credible(segment.time, velocity, sensors.velocity_noise)
     return Signal(
-        segment.time, angle, noise, *credible(segment.time, velocity, sensors.velocity_noise)
+        segment.time, angle, noise, velocity - bias(segment.time, angle, velocity), scatter
     )
+
+
+def bias(time: Samples, angle: Samples, velocity: Samples) -> float:
+    """Of a gyro, beside the slope of the angle [rad/s]: it is no movement."""
+    slope = local_line(time, interpolated(time, angle), max(WIDTHS))[1]
+    return float(np.nanmedian(velocity - slope))
 
 
 def credible(time: Samples, samples: Samples, declared: float | None) -> tuple[Samples, float]:
