@@ -7,34 +7,76 @@ by least squares over the free part. Where it differs later, a hand is on the le
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from exoid.recording.condition import interpolated, local_line
-from exoid.recording.motion.limits import BLUR, LATE, PUSH, ROUGH
+from exoid.recording.motion.limits import BLUR, LATE, LEAN, PUSH, ROUGH
 from exoid.recording.motion.signal import Signal
 from exoid.recording.recording import Samples
 
+SURE = 3.0  # errors of a law
 FEWEST = 8  # samples of the free part, for four numbers
 
 
 def free_until(signal: Signal, free: slice, limit: int) -> int:
     """One past the last sample that is as free as those of `free`, and not beyond `limit`."""
-    seen = derivatives(signal)
-    time, width, acceleration = signal.time, seen.width, seen.acceleration
-    first = int(np.searchsorted(time, time[free.start] + width / 2))
-    last = int(np.searchsorted(time, time[free.stop - 1] - width / 2, side="right"))
-    if last - first < FEWEST:
+    left = unexplained(signal, free)
+    if left is None:
         return free.stop
-    table = np.stack([np.ones(time.size), np.cos(seen.angle), seen.angle, seen.speed], axis=1)
-    known = np.linalg.lstsq(table[first:last], acceleration[first:last], rcond=None)[0]
-    left = acceleration - table @ known
-    usual = float(np.sqrt(np.mean(left[first:last] ** 2)))
-    greatest = float(np.abs(acceleration[first:last]).max())
-    pushed = np.abs(left[last:limit]) > max(ROUGH * usual, PUSH * greatest)
+    pushed = np.abs(left.acceleration[left.last : limit]) > left.clear(PUSH)
     if not pushed.any():
         return limit
-    since = float(time[last + int(np.argmax(pushed))])
-    stop = int(np.searchsorted(time, since - width / 2 - LATE))
+    since = float(signal.time[left.last + int(np.argmax(pushed))])
+    stop = int(np.searchsorted(signal.time, since - left.width / 2 - LATE))
     return max(stop, free.stop)
+
+
+def kept_there(signal: Signal, free: slice, rest: slice) -> bool:
+    """Is something needed to keep the leg where it rests, if it is as in the samples `free`?"""
+    left = unexplained(signal, free)
+    if left is None:
+        return False
+    inside = slice(int(np.searchsorted(signal.time, signal.time[rest.start] + LATE)), rest.stop)
+    needed = left.acceleration[inside]
+    if not needed.size:
+        return False
+    where = left.table[inside].mean(axis=0)
+    unsure = float(np.sqrt(where @ left.scatter @ where))
+    return bool(abs(float(np.mean(needed))) > left.clear(LEAN) + SURE * unsure)
+
+
+@dataclass(frozen=True, eq=False)
+class Unexplained:
+    """What a law of acceleration leaves that was told by a free part."""
+
+    acceleration: Samples  # rad/s^2
+    table: NDArray[np.float64]  # (sample, number of the law)
+    scatter: NDArray[np.float64]  # covariance of its numbers
+    usual: float  # rad/s^2, in the free part
+    greatest: float  # rad/s^2, acceleration there
+    last: int  # one past the free samples that told it
+    width: float  # s, of the smoothing
+
+    def clear(self, share: float) -> float:
+        """From where on it is no free leg's; `share` of the greatest at least."""
+        return max(ROUGH * self.usual, share * self.greatest)
+
+
+def unexplained(signal: Signal, free: slice) -> Unexplained | None:
+    """None where the free part is too short to tell a law."""
+    seen, time = derivatives(signal), signal.time
+    first = int(np.searchsorted(time, time[free.start] + seen.width / 2))
+    last = int(np.searchsorted(time, time[free.stop - 1] - seen.width / 2, side="right"))
+    if last - first < FEWEST:
+        return None
+    table = np.stack([np.ones(time.size), np.cos(seen.angle), seen.angle, seen.speed], axis=1)
+    known = np.linalg.lstsq(table[first:last], seen.acceleration[first:last], rcond=None)[0]
+    left = seen.acceleration - table @ known
+    usual = float(np.sqrt(np.mean(left[first:last] ** 2)))
+    greatest = float(np.abs(seen.acceleration[first:last]).max())
+    alike = max(seen.width / signal.step, 1.0)  # smoothed samples share their noise
+    scatter = alike * usual**2 * np.linalg.pinv(table[first:last].T @ table[first:last])
+    return Unexplained(left, table, scatter, usual, greatest, last, seen.width)
 
 
 @dataclass(frozen=True, eq=False)

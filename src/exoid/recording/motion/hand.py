@@ -10,9 +10,10 @@ from typing import Literal
 import numpy as np
 
 from exoid.recording.condition import interpolated, local_line, runs
-from exoid.recording.motion.acceleration import free_until
+from exoid.recording.motion.acceleration import free_until, kept_there
 from exoid.recording.motion.limits import (
     BEYOND,
+    BRIEF,
     CLEAR,
     KEPT,
     LATE,
@@ -57,6 +58,7 @@ def free_end(signal: Signal, speed: Speed, begin: int, free: int, *, handled: bo
     seen = swings(smooth, begin, size, noise, rest)
     if handled:
         hand = hand_in(signal, seen, free, rest)
+        hand = holding(signal, speed, seen, free, rest) if hand is None else hand
         if hand is not None:
             return hand
     if rest is None:
@@ -105,15 +107,36 @@ def hand_in(signal: Signal, seen: Swings, free: int, rest: Rest | None) -> End |
     if rest is None:
         return None
     if cut_short(seen.angle.tolist()):
-        *turns, end = seen.at
-        sure = turns[-1 if len(turns) == 2 else -2] if len(turns) > 1 else (free + end) // 2
-        return caught(signal, slice(free, max(sure, free) + 1), end)
+        return caught(signal, surely_free(seen, free), seen.at[-1])
     if rest[1] < signal.time.size:
         left = int(np.searchsorted(signal.time, signal.time[rest[1] - 1] - LATE))
         kept = int(np.searchsorted(signal.time, signal.time[rest[0]] + KEPT, side="right"))
         stop = max(min(left, kept), rest[0])
         return End(stop, "at rest", "the leg came to rest, then was moved", left)
     return None
+
+
+def holding(signal: Signal, speed: Speed, seen: Swings, free: int, rest: Rest | None) -> End | None:
+    """A hand that keeps a leg where it would not stay by itself."""
+    size = signal.time.size
+    if rest is None:
+        still = runs(np.abs(speed.velocity) < speed.still)
+        if not still or still[-1][1] < size - 1:
+            return None
+        rest = (still[-1][0], size)
+        if signal.time[-1] - signal.time[rest[0]] < BRIEF:
+            return None
+    sure = surely_free(seen, free)
+    if sure.stop > rest[0] or not kept_there(signal, sure, slice(*rest)):
+        return None
+    return caught(signal, sure, rest[0])
+
+
+def surely_free(seen: Swings, free: int) -> slice:
+    """The samples in which no hand can have ended the last swing."""
+    *turns, end = seen.at
+    sure = turns[-1 if len(turns) == 2 else -2] if len(turns) > 1 else (free + end) // 2
+    return slice(free, max(sure, free) + 1)
 
 
 def caught(signal: Signal, free: slice, limit: int) -> End:
