@@ -51,7 +51,7 @@ class Unexplained:
 
     acceleration: Samples  # rad/s^2
     table: NDArray[np.float64]  # (sample, number of the law)
-    scatter: NDArray[np.float64]  # covariance of its numbers
+    scatter: NDArray[np.floating]  # covariance of its numbers
     usual: float  # rad/s^2, in the free part
     greatest: float  # rad/s^2, acceleration there
     last: int  # one past the free samples that told it
