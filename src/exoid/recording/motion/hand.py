@@ -43,7 +43,7 @@ class End:
 
 @dataclass(frozen=True, eq=False)
 class Swings:
-    """The release, the turning points after it and the last sample, in turn."""
+    """The release, where there was one, the turning points after it and the last sample."""
 
     at: list[int]
     angle: Samples  # rad, there
@@ -56,6 +56,8 @@ def free_end(signal: Signal, speed: Speed, begin: int, free: int, *, handled: bo
     size = signal.time.size
     rest = rest_after(signal, speed, smooth, begin, noise)
     seen = swings(smooth, begin, size, noise, rest)
+    if begin == 0 and abs(speed.velocity[0]) > speed.still and len(seen.at) > 2:
+        seen = Swings(seen.at[1:], seen.angle[1:], seen.error)  # it began within a swing
     if handled:
         hand = hand_in(signal, seen, free, rest)
         hand = holding(signal, speed, seen, free, rest) if hand is None else hand
