@@ -123,13 +123,13 @@ def segments_of(
 
 
 def left_out(named: list[tuple[str, Recording]], movements: list[Movement]) -> list[str]:
-    """A note of the segments in which nothing moves."""
+    """A note of the segments in which nothing moves that could be fitted."""
     moved = {each.name for each in movements}
     still = [name for name, *_ in segments_of(named) if name not in moved]
     if not still:
         return []
     which = f"segment {still[0]} was" if len(still) == 1 else f"segments {', '.join(still)} were"
-    return [f"{which} left out: nothing moves in there"]
+    return [f"{which} left out: nothing moves freely in there, or hardly ever"]
 
 
 def check_one_leg(named: list[tuple[str, Recording]]) -> None:

@@ -75,8 +75,8 @@ def movement(
     `belongs` counts the recordings that are fitted together. What a hand does while it lets go is
     NaN in `angle` and `angular_velocity`: it weighs nothing.
 
-    **Raises** `Motionless` where nothing moves, `ValueError` where a torque is missing or too few
-    samples are left.
+    **Raises** `Motionless` where nothing moves or too few samples are left, `ValueError` where a
+    torque is missing.
     """
     cleaned = clean(recording)
     recording = cleaned.recording

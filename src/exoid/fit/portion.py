@@ -48,7 +48,7 @@ def portion(recording: Recording, number: int, kind: str, clip: Clip, name: str)
     except ValueError as fault:
         raise ValueError(f"segment {name}: {fault}") from fault
     if part.stop - part.free < FEWEST:
-        raise ValueError(
+        raise Motionless(
             f"segment {name} moves freely in {max(part.stop - part.free, 0)} samples; {FEWEST} are "
             "the least. Check its marks, its period and its units."
         )
