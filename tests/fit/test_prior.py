@@ -11,9 +11,9 @@ from scipy.stats import multivariate_normal
 from exoid.fit.assumptions import Assumptions
 from exoid.fit.belief import NAMES, believe
 from exoid.fit.estimate import fit
-from exoid.fit.prior import joint_prior, prior_residual, with_own
+from exoid.fit.prior import joint_prior, log_jacobian, prior_residual, with_own
 from exoid.physics.anatomy import expected_leg
-from exoid.physics.leg import LegParameters
+from exoid.physics.leg import GRAVITY, LegParameters
 from fit_cases import BODY, DROP, leg, recorded
 
 EXPECTED = expected_leg(74.0, 1.78)
@@ -36,6 +36,26 @@ def test_it_is_the_joint_normal_of_the_logarithms():
     for at in np.random.default_rng(0).multivariate_normal(np.zeros(3), covariance, 20):
         square = np.sum(prior_residual(prior, drawn(at), np) ** 2)
         assert square == pytest.approx(2 * (density.logpdf(np.zeros(3)) - density.logpdf(at)), 2e-3)
+
+
+def of_draws(row):
+    """The leg of log m, log J, m l g / J, d / J, c / J, in which a posterior is drawn."""
+    mass, inertia = jnp.exp(row[0]), jnp.exp(row[1])
+    distance = row[2] * inertia / (mass * GRAVITY)
+    return LegParameters(mass, inertia, distance, row[3] * inertia, row[4] * inertia)
+
+
+def test_draws_are_weighed_by_the_jacobian_of_the_priors_own_variables():
+    """A density in log m, log l, log J / (m l), d / J and c / J, as one of what is drawn."""
+    prior = joint_prior(EXPECTED, 1.0)
+    slopes = jax.jacfwd(lambda row: prior_residual(prior, of_draws(row))[:5])
+    legs = np.random.default_rng(0).uniform((0.5, -2.0, 15, 0.2, 1), (2.5, 0.0, 40, 3, 20), (20, 5))
+    true = np.array([np.linalg.slogdet(slopes(jnp.asarray(row)))[1] for row in legs])
+    said = np.array([float(log_jacobian(prior, of_draws(row))) for row in legs])
+    np.testing.assert_allclose(
+        said - said[0], true - true[0], atol=0.01
+    )  # of m, l: lines below TINY
+    assert np.ptp(true) > 1  # without it legs would count several times as much as others
 
 
 @pytest.mark.parametrize("knee", KNEES)
