@@ -9,6 +9,7 @@ from exoid.diagnose.legs import strangers
 from exoid.fit.assumptions import Assumptions
 from exoid.fit.estimates import MASS_AND_DISTANCE, RATIOS
 from exoid.fit.result import FitResult
+from exoid.fit.systematics import PLACED, WEIGHED
 from exoid.physics.leg import LegParameters
 from exoid.physics.parameter import declarations
 from exoid.recording.recording import Subject
@@ -116,8 +117,9 @@ def advice(goal: str, known: Known, proposed: list[Candidate], *, enough: bool) 
         said.append("no recording of this kind would narrow it noticeably.")
     if any(each.motion.added_mass for each in proposed):
         said.append(
-            "an error of 1 % in the added mass is one of 1 % in J, c and d, and no fit shows it: "
-            "weigh it to 0.5 %. Its place need not be measured; it is estimated."
+            "J, c and d are as wrong as the added mass, and no fit shows it: the errors allow for "
+            f"{WEIGHED:.1%} of its weight and {1e3 * PLACED:.0f} mm of its distance, unless the "
+            "sidecar says how well it was weighed and placed."
         )
     if known.disturbance is not None and known.disturbance.cause is not None:
         said.append(
