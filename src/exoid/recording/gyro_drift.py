@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import block_diag
-from scipy.stats import chi2
+from scipy.special import chdtrc
 
 from exoid.recording.recording import Samples
 
@@ -61,7 +61,7 @@ def gyro_drift(
     gain = left_over(steady, excess) - left
     zeros = np.linalg.lstsq(wandering, excess, rcond=None)[0][motion.shape[1] :]
     explained = left < EXPLAINED * (excess.size - wandering.shape[1])
-    if chi2.sf(gain, freedom) > FALSE or np.std(zeros) < MATTERS * noise[1] or not explained:
+    if chdtrc(freedom, gain) > FALSE or np.std(zeros) < MATTERS * noise[1] or not explained:
         return None
     split = np.split(zeros - np.mean(zeros), np.cumsum([hat.shape[1] for hat in hats])[:-1])
     return [

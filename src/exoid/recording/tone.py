@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import make_lsq_spline
 from scipy.ndimage import median_filter
-from scipy.stats import chi2
+from scipy.special import chdtrc, chdtri  # not scipy.stats: half a second of every command
 
 from exoid.recording.recording import Samples
 
@@ -57,9 +57,9 @@ def find_tone(times: list[Samples], signals: list[Samples], noise: float = 0.0) 
     freedom = 2 * len(rest)
     if power.size < FEWEST or not power.all():
         return None
-    around = median_filter(power, AROUND, mode="mirror") / chi2.median(freedom)
+    around = median_filter(power, AROUND, mode="mirror") / chdtri(freedom, 0.5)
     top = int(np.argmax(power / around))
-    if top < EDGE or power.size * chi2.sf(power[top] / around[top], freedom) > FALSE:
+    if top < EDGE or power.size * chdtrc(freedom, power[top] / around[top]) > FALSE:
         return None
     near = grid[grid >= SLOWEST][top] + grid[1] * np.arange(-1, 1, FINER)
     frequency = float(near[np.argmax(sum(powers(*each, near) for each in rest))])
