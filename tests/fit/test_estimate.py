@@ -129,6 +129,15 @@ def test_a_measured_torque_gives_absolute_values():
         assert "product m l" in result.parameters[name].reason
 
 
+def test_an_inertia_that_nothing_tells_stays_where_a_start_had_it():
+    """A logged torque of nothing: along what is flat a search had gone to J = 254 kg m^2."""
+    motion = recorded(DROP).segments[0]
+    rig = replace(motion, applied_torque=np.zeros(motion.time.size))
+    result = fit(one(rig, "measured", RIG), multistart=8)
+    assert result.parameters["inertia"].value is None
+    assert 0.01 < float(result.basis.ended.best.leg.inertia[0]) < 10
+
+
 @pytest.mark.parametrize("recording", [rigged(torque=False), None], ids=["a rig", "no prior"])
 def test_without_scale_there_are_ratios_but_no_absolute_values(recording):
     if recording is None:

@@ -14,7 +14,7 @@ from exoid.fit.local import Local, penalties, weighed
 from exoid.fit.problem import BATCH, Problem, advance, around, finite, left, take, task
 from exoid.fit.sandwich import Disturbance
 from exoid.fit.seldom import with_doubted_clocks, with_tilted_seats
-from exoid.fit.simpler import as_declared, without_scale
+from exoid.fit.simpler import as_declared, with_inertia_kept, without_scale
 from exoid.fit.starts import coordinates
 from exoid.fit.task import Solved
 from exoid.fit.uncertainty import decomposed, spread
@@ -195,7 +195,8 @@ def settle(problem: Problem, free: Solved, begin: Coordinates, found: Disturbanc
     typical = problem.belief.typical
     inertia[0] = np.log(typical["inertia"]) if "inertia" in typical else inertia[0]
     mass[0] = np.log(typical["mass"]) if "mass" in typical else mass[0]
-    if scale_told(local.data + local.declared):
+    told = scale_told(local.data + local.declared)
+    if told:
         inertia = one.shared.log_inertia
     shared = Shared(inertia, one.shared.gravity, one.shared.stiffness, one.shared.damping)
     starts = Coordinates(shared, mass, one.mounting, one.own)
@@ -205,7 +206,7 @@ def settle(problem: Problem, free: Solved, begin: Coordinates, found: Disturbanc
         there = advance(problem, starts, task(problem, 0.0, problem.steps, LOOKING))
         local = weighed(around(problem, there), found.scale)
     asked = task(problem, 0.0, problem.steps, LIMITED, penalties(local))
-    bounded = problem if problem.belief.typical else without_scale(problem)
+    bounded = problem if told or problem.belief.typical else with_inertia_kept(problem)
     ended = advance(bounded, starts, asked, found.scale * found.weighing(problem.kinds))
     feasible = np.where(ended.violation < FEASIBLE, finite(ended.loss), np.inf)
     chosen = feasible if np.isfinite(feasible).any() else finite(ended.loss)

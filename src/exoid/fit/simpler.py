@@ -13,6 +13,11 @@ def without_scale(problem: Problem) -> Problem:
     loads = {(one.added_mass, None if one.unplaced else one.added_mass_distance) for one in each}
     if len(loads) > 1 or any(one.kind == "measured" for one in each):
         return problem
+    return with_inertia_kept(problem)
+
+
+def with_inertia_kept(problem: Problem) -> Problem:
+    """The same, every start's inertia where it is."""
     known = problem.known.copy()
     known[:, 0] = 1.0
     return replace(problem, known=known)
