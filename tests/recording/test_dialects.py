@@ -54,6 +54,15 @@ def test_what_a_german_excel_exports_is_read(write, encoding, ends):
     assert "Zeit (s) as time_s (in s); Kniewinkel (°) as raw_angle_rad (in °)" in said
 
 
+@pytest.mark.parametrize("decimal", [".", ","])
+def test_one_column_alone_is_read_with_the_rate_of_its_sidecar(write, decimal):
+    rows = ["Kniewinkel links (Grad)", *lines((ANGLE,), ";", decimal)]
+    rate = float(1 / np.diff(TIME).mean())
+    path = write("\n".join(rows), sidecar=f"[sensors]\nsample_rate_hz = {rate!r}\n")
+    _, said = check(path)
+    assert "Kniewinkel links (Grad) as raw_angle_rad (in deg)" in said
+
+
 @st.composite
 def dialects(draw):
     """A way of writing the table, and whether its numbers can be told from its separators."""

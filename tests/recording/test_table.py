@@ -284,7 +284,7 @@ def refusal(path):
         (b"time_s,angle_rad\n\n\n", "holds a header but no samples"),
         (b"x" * 200_000, "holds no table of numbers"),
         (b"time_s," + b"x" * 200_000, "holds no table of numbers"),
-        (b"angle_rad\n0\n", "holds no table of numbers"),
+        (b"angle_rad\n0\n", "has no time"),
         (b"0,-0.1\n1,-0.2\n", "has no time. It holds: 1, 2. Name it: --column time_s="),
         (b"time_s,velocity_rad_s\n0,1\n", "has no angle"),
         (b"time_s,angle_rad\n0,0,-0,1\n0,1,-0,2\n", "line 2 has 4 cells, but the header names 2"),

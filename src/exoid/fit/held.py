@@ -15,7 +15,7 @@ from exoid.fit.systematics import OWNED
 from exoid.fit.task import Solved
 
 ROUNDING = 1e-9  # relative, of a precision
-TINY = 1e-300
+NOTHING = 1e-6  # of what is declared, that is told: below it white noise tells nothing either
 
 Less = dict[str, np.ndarray]  # of every leaf of the mounting: how much wider, at least 1
 
@@ -34,7 +34,7 @@ def less_told(problem: Problem, at: Solved, row: int, found: Disturbance) -> Les
         own = (getattr(TYPICAL.mounting, name) / deviation) ** 2
         entries = getattr(places, name)
         white, true = (np.maximum(each[entries] - own, 0.0) for each in precisions)
-        return np.sqrt(np.maximum(white / np.maximum(true, ROUNDING * white + TINY), 1.0))
+        return np.sqrt(np.maximum(white / (true + NOTHING * own), 1.0))
 
     return {name: of(name) for name in OWNED}
 

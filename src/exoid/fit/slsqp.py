@@ -8,6 +8,7 @@ import numpy as np
 from scipy.optimize import OptimizeResult, approx_fprime, minimize
 
 from exoid.fit.coordinates import Coordinates
+from exoid.fit.held import held, less_told
 from exoid.fit.kinds import explained
 from exoid.fit.local import weighed
 from exoid.fit.multistart import FEASIBLE, Ended
@@ -45,10 +46,12 @@ def search_slsqp(problem: Problem, starts: np.ndarray) -> Ended:
     cost = finite(np.where(arrived, [each.fun for each in found], np.inf))
     nearest = found[int(np.argmin(cost))].x
     alone = descend(replace(objective, bounded=False), nearest)
-    disturbance = explained(problem, look(problem, [objective.point(alone.x)]))
-    chosen = descend(replace(objective, scale=disturbance.scale), nearest)
+    free = look(problem, [objective.point(alone.x)])
+    disturbance = explained(problem, free)
+    tight = held(problem, less_told(problem, free, 0, disturbance), disturbance.scale)
+    chosen = descend(replace(objective, problem=tight, scale=disturbance.scale), nearest)
     point = objective.point(chosen.x)
-    best = under_limits(problem, point, disturbance.scale, chosen.multipliers)
+    best = under_limits(tight, point, disturbance.scale, chosen.multipliers)
     return Ended(
         free=look(problem, [objective.point(each.x) for each in found]),
         member=np.where(arrived, np.arange(arrived.size), -1),

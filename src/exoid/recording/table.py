@@ -58,7 +58,10 @@ def read_table(
     with naming(sidecar):  # what fails now, with all samples sound, fails by a key
         recording = replace(samples, **tables, extra_tables=extra)
     if not known:
-        key_notes = (f"{sidecar} does not exist: subject, protocol and sensors are unknown.",)
+        key_notes = (
+            f"{sidecar} does not exist: of subject, protocol and sensors only what options say is "
+            "known.",
+        )
     notes = named.notes + late_starts(recording)
     return recording, tuple(f"{path}: {note}" for note in notes) + key_notes
 

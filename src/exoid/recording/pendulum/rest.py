@@ -86,13 +86,34 @@ def check_free(ends: list[float], angle: float, turns: list[Peak]) -> None:
 
 
 def entered(track: Track, resting: Peak, smooth: np.ndarray, slope: np.ndarray) -> Peak:
-    """When the angle came within the band of the resting angle and stayed there."""
-    outside = np.flatnonzero(np.abs(smooth - resting.value) > BAND)
-    if not outside.size:
+    """When the angle came within the band of the resting angle and stayed there.
+
+    A swing that just reaches out of the band, or just does not, makes half a period: the error
+    holds how far the time goes with a band that is wider or narrower by an error of the angle.
+    """
+    at, time = last_outside(track.time, smooth, resting.value, BAND)
+    if at < 0:
         raise NotAllowed("at rest all the time")
-    at = int(outside[-1])
     edge = resting.value + np.copysign(BAND, smooth[at] - resting.value)
-    share = (edge - smooth[at]) / (smooth[at + 1] - smooth[at])
-    time = float(track.time[at] + share * (track.time[at + 1] - track.time[at]))
     error = np.hypot(track.noise, resting.error) / max(abs(slope[at]), 1e-3)
-    return Peak(nearest(track, time), time, float(min(error, SHORTEST)), float(edge), resting.error)
+    samples = max(SMOOTHING / float(np.median(np.diff(track.time))), 1.0)
+    unsure = np.hypot(track.noise / np.sqrt(samples), resting.error)
+    others = (
+        last_outside(track.time, smooth, resting.value, BAND + by) for by in (-unsure, unsure)
+    )
+    swung = max(abs(other - time) for _, other in others) / 2
+    error = min(max(error, swung), SHORTEST)
+    return Peak(nearest(track, time), time, float(error), float(edge), resting.error)
+
+
+def last_outside(
+    time: np.ndarray, smooth: np.ndarray, rest: float, band: float
+) -> tuple[int, float]:
+    """The last sample farther than `band` from rest, and when it comes within; -1 for none."""
+    outside = np.flatnonzero(np.abs(smooth - rest) > band)
+    if not outside.size:
+        return -1, float(time[0])
+    at = min(int(outside[-1]), time.size - 2)
+    edge = rest + np.copysign(band, smooth[at] - rest)
+    share = float(np.clip((edge - smooth[at]) / (smooth[at + 1] - smooth[at]), 0.0, 1.0))
+    return at, float(time[at] + share * (time[at + 1] - time[at]))

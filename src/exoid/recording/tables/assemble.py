@@ -151,7 +151,7 @@ def converted(match: Match, place: Place) -> tuple[Cells, str]:
     if match.size is not None:
         return numbers * match.size if match.size != 1.0 else numbers, ""
     size, unit = found_size(match, numbers)
-    return numbers * size if size != 1.0 else numbers, unit
+    return numbers * size if size != 1.0 else numbers, unit.replace("grad", "deg")
 
 
 def in_numbers(column: Column, place: Place) -> np.ndarray:

@@ -66,11 +66,24 @@ def sniffed(lines: list[str]) -> Dialect:
     full = [line for line in lines if line.strip()]
     begin = max(0, len(full) // 2 - PROBED // 2)
     middle = full[begin : begin + PROBED]
+    alone = single(full[: 2 * PROBED])
+    if alone is not None:
+        return alone
     shares = {dialect: share(middle, dialect) for dialect in DIALECTS}
     best = max(DIALECTS, key=shares.__getitem__)
     if shares[best] < LEAST:
         raise ValueError(NO_TABLE)
     return best
+
+
+def single(lines: list[str]) -> Dialect | None:
+    """The dialect of one column alone: titles without a comma, then a number in every line."""
+    for decimal, number in NUMBERS.items():
+        alone = [number.fullmatch(line.strip()) is not None for line in lines]
+        first = alone.index(True) if any(alone) else 0
+        if first and all(alone[first:]) and not any("," in line for line in lines[:first]):
+            return Dialect(";", decimal)
+    return None
 
 
 def share(lines: list[str], dialect: Dialect) -> float:

@@ -10,7 +10,7 @@ from exoid.recording.tables.columns import NUMERIC
 from exoid.recording.tables.sheet import Column
 from exoid.recording.tables.units import parted
 
-SIDE = r"(?:left|right|l|r)"
+SIDE = r"(?:left|right|links|rechts|l|r)"
 # Quantity: what its names look like, the surest first. Names are in lower case, their words apart.
 NAMES: dict[str, tuple[str, ...]] = {
     "time": (
