@@ -66,15 +66,16 @@ def upwards(problem: Problem, ended: Ended) -> bool:
     )
 
 
-def of_astray(why: str | None, raw: bool) -> list[str]:
+def of_astray(why: str | None, raw: bool, several: bool) -> list[str]:
     """That the simulation does not follow the recording, and what to do."""
     if why is None:
         return []
+    masses = ", and what mass was on the leg in each" if several else ""
     weighed = "; without --misfit paper every sample is weighed by its noise" if raw else ""
     return [
         f"the simulation does not follow the recording: {why}. Do not use these numbers: check "
-        "units, signs, zero and marks of the recording; 'exoid diagnose' asks what the model "
-        f"lacks{weighed}."
+        f"units, signs, zero and marks of the recording{masses}; 'exoid diagnose' asks what the "
+        f"model lacks{weighed}."
     ]
 
 
