@@ -7,17 +7,46 @@ looks. Each is therefore held to what is declared by as much more as the data te
 
 import numpy as np
 
+from exoid.fit.approach import FINE
 from exoid.fit.coordinates import TYPICAL, flattened, unflattened
-from exoid.fit.problem import Problem, around, take
+from exoid.fit.kinds import explained, explained_apart
+from exoid.fit.problem import Problem, advance, around, finite, take, task
 from exoid.fit.sandwich import Disturbance
 from exoid.fit.seldom import widened
 from exoid.fit.systematics import OWNED
 from exoid.fit.task import Solved
 
+EXCUSED = 1.3  # widening of an error below which holding it to what is declared changes little
+ROUNDS = 3  # of holding it, each by what the one before made of the residual
 ROUNDING = 1e-9  # relative, of a precision
 NOTHING = 1e-6  # of what is declared, that is told: below it white noise tells nothing either
 
 Less = dict[str, np.ndarray]  # of every leaf of the mounting: how much wider, at least 1
+
+
+def without_excuses(
+    problem: Problem, free: Solved, found: Disturbance
+) -> tuple[Solved, Disturbance, Less]:
+    """All free fits, recordings held to what is declared by as much more as they tell less."""
+    asked = task(problem, 0.0, problem.steps, FINE)
+    row = int(np.argmin(finite(free.loss)))
+    less = less_told(problem, free, row, found)
+    for _ in range(ROUNDS):
+        if worst(less) < EXCUSED:
+            break
+        tight = held(problem, less)
+        free = advance(tight, free.coordinates, asked, found.weighing(problem.kinds))
+        before, row = less, int(np.argmin(finite(free.loss)))
+        found = explained_apart(problem, free, row, explained(problem, free, row))
+        less = less_told(problem, free, row, found)
+        if worst(less) < EXCUSED * worst(before):
+            break
+    return free, found, less
+
+
+def worst(less: Less) -> float:
+    """The greatest of them."""
+    return max((each.max() for each in less.values() if each.size), default=1.0)
 
 
 def less_told(problem: Problem, at: Solved, row: int, found: Disturbance) -> Less:

@@ -7,7 +7,7 @@ import numpy as np
 
 from exoid.fit.approach import COARSE, FINE, tethers, without_thrust
 from exoid.fit.coordinates import TYPICAL, Coordinates, Shared, scaled
-from exoid.fit.held import Less, held, less_told
+from exoid.fit.held import held, without_excuses
 from exoid.fit.imposed import imposed
 from exoid.fit.kinds import alone, explained, explained_apart
 from exoid.fit.local import Local, penalties, weighed
@@ -23,8 +23,6 @@ BASIN = 0.2  # typical steps within which tied starts have come together
 SAME_LOSS = 1e-3  # relative; other minima lie orders of magnitude higher
 FIRST_HORIZON = 1.0  # s of every segment that a start sees first
 LIMITED = 1e-3  # the same with limits: a multiplier of ten makes it 1e-3 of half a sum of squares
-EXCUSED = 1.3  # widening of an error below which holding it to what is declared changes little
-ROUNDS = 3  # of holding it, each by what the one before made of the residual
 LOOKING = np.inf  # the same of a solver that is not to leave its point
 TOLD = 0.5  # relative error of an inertia from which on the data do not tell it
 FEASIBLE = 1e-4  # relative violation that is rounding of the multiplier method
@@ -90,30 +88,6 @@ def with_what_is_missed(problem: Problem, free: Solved) -> tuple[Problem, Solved
     if wide is problem:
         return problem, again, found
     return wide, *weighed_by_kind(wide, tilted)
-
-
-def without_excuses(
-    problem: Problem, free: Solved, found: Disturbance
-) -> tuple[Solved, Disturbance, Less]:
-    """All free fits, recordings held to what is declared by as much more as they tell less."""
-    asked = task(problem, 0.0, problem.steps, FINE)
-    row = int(np.argmin(finite(free.loss)))
-    less = less_told(problem, free, row, found)
-    for _ in range(ROUNDS):
-        if worst(less) < EXCUSED:
-            break
-        tight = held(problem, less)
-        free = advance(tight, free.coordinates, asked, found.weighing(problem.kinds))
-        before, row = less, int(np.argmin(finite(free.loss)))
-        found = explained_apart(problem, free, row, explained(problem, free, row))
-        less = less_told(problem, free, row, found)
-        if worst(less) < EXCUSED * worst(before):
-            break
-    return free, found, less
-
-
-def worst(less: Less) -> float:
-    return max((each.max() for each in less.values() if each.size), default=1.0)
 
 
 def weighed_by_kind(problem: Problem, free: Solved) -> tuple[Solved, Disturbance]:
