@@ -27,8 +27,8 @@ from fit_cases import BODY, NOISE
 
 pytestmark = pytest.mark.slow
 
-LEGS = 200
-COVERED = (0.92, 0.98)  # of 200 legs; their share scatters by 1.5 % about 95 %
+LEGS = 120
+COVERED = (0.90, 0.99)  # of 120 legs; their share scatters by 2 % about 95 %
 INTERVAL = 1.96  # standard errors
 PERIOD = 1.3  # s
 TIME = np.arange(240) * 0.01
