@@ -59,9 +59,10 @@ def programs(tmp_path_factory):
 
 @pytest.fixture(scope="session", autouse=True)
 def _keeping(programs):
-    """What the tests of this process compile is kept as the commands keep it."""
+    """What the tests of this process compile is kept as the commands keep it, and nowhere else."""
     from exoid.fit.program import keep_programs_in
 
+    os.environ["XDG_CACHE_HOME"] = str(programs)
     keep_programs_in(programs / "exoid" / "programs")
 
 

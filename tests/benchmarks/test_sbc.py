@@ -5,7 +5,7 @@ import pytest
 from benchmarks.sbc.ranks import DRAWS, Ranks, ranked
 
 pytest.importorskip("blackjax")
-RECORDINGS = 20
+RECORDINGS = 8
 
 
 def test_even_ranks_are_uniform_and_crowded_ones_are_not():

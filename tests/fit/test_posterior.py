@@ -125,7 +125,9 @@ def test_where_only_limits_tell_the_mass_its_logarithm_is_uniform_between_them(w
     assert abs(mean - (lowest + highest) / 2) < CHANCE * uniform / np.sqrt(count)
     # A uniform density's variance scatters by sqrt(0.8 / n), its deviation by half of that.
     assert deviation == pytest.approx(uniform, rel=CHANCE * np.sqrt(0.8 / count) / 2)
-    edge = 0.002  # of log m, by which J and m l scatter
+    # By how far the lower end itself scatters, with the weight and the place of the added mass.
+    ends = 2 * np.log(samples["mass"] * samples["com_distance"]) - np.log(samples["inertia"])
+    edge = 4 * ends.std()
     assert lowest - edge < draws.min() < lowest + 0.1 * (highest - lowest)
     assert highest - 0.1 * (highest - lowest) < draws.max() <= highest
 
