@@ -10,11 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exoid.recording.condition import interpolated, local_line
-from exoid.recording.motion.limits import BLUR, LATE, LEAN, PUSH, ROUGH
+from exoid.recording.motion.limits import BLUR, LATE, LEAN, PUSH, ROUGH, SURE
 from exoid.recording.motion.signal import Signal
 from exoid.recording.recording import Samples
 
-SURE = 3.0  # errors of a law
 FEWEST = 8  # samples of the free part, for four numbers
 
 

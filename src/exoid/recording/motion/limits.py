@@ -45,6 +45,7 @@ LATE = 0.08  # s before a hand is seen that it may have begun
 KEPT = 3.0  # s at rest that are kept: more tells nothing but the sensor's drift
 PUSH = 0.12  # of the greatest free acceleration, below which a hand is not told from a leg's own
 LEAN = 0.04  # the same of a leg at rest: its mean is surer; dry friction holds less than that
+SURE = 3.0  # errors that its mean must also be away, by how well the free part told the law
 BRIEF = 0.15  # s, of a rest at the end of a record
 ROUGH = 3.5  # times what the free part itself leaves: friction, a reflex
 BLUR = (0.05, 0.1, 0.15, 0.2, 0.3)  # s over which accelerations are smoothed
