@@ -85,8 +85,8 @@ def motion(knee: Knee, hand: Hand, time, release: float):
     before = time <= release
     parts = [np.stack([np.full(before.sum(), hand.start), np.zeros(before.sum())])]
     begin, state = release, np.array([hand.start, 0.0])
-    for edge in (release + hand.fade, release + hand.lift, release + hand.stop, time[-1] + 1e-6):
-        end = min(edge, time[-1] + 1e-6)
+    for edge in (*sorted((hand.fade, hand.lift, hand.stop)), np.inf):
+        end = min(release + edge, time[-1] + 1e-6)
         if end > begin:
             caught[0] = state[0]
             part, state = run(begin, end, state)

@@ -95,6 +95,9 @@ RECIPES = {
     "encoder_eccentricity": Recipe(
         0.5 * DEGREE, 1.5 * DEGREE, {"sine": EITHER_SIGN, "cosine": EITHER_SIGN}
     ),
+    "encoder_second_harmonic": Recipe(
+        0.3 * DEGREE, 1.0 * DEGREE, {"sine": EITHER_SIGN, "cosine": EITHER_SIGN}
+    ),
     "encoder_gain": Recipe(0.01, 0.04, {"gain": EXACTLY}, signed=True),
     "end_range_stiffening": Recipe(
         0.01,

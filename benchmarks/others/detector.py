@@ -1,13 +1,15 @@
 """exoid's own detector of free movements, as `--release` asks it."""
 
+from dataclasses import replace
 from pathlib import Path
 
 from exoid.recording.condition import cut
 from exoid.recording.load import load
-from exoid.recording.motion.extent import Motionless, find_extent
+from exoid.recording.motion.drops import find_drops
+from exoid.recording.motion.extent import Extent
 from exoid.recording.motion.pieces import find_pieces
 from exoid.recording.motion.split import kept_parts
-from exoid.recording.recording import Segment, Sensors
+from exoid.recording.recording import Recording
 
 Interval = tuple[float, float]  # s
 
@@ -15,21 +17,25 @@ Interval = tuple[float, float]  # s
 def free_movements(table: Path) -> list[list[Interval]]:
     """Of each segment of a table; a continuous one is cut into its movements first."""
     recording = load(table, whole=True).recording
-    sensors = recording.sensors
     if len(recording.segments) > 1:
-        return [movements(each, sensors, [slice(None)]) for each in recording.segments]
+        return [[each] if each else [] for each in movements(recording)]
     log = recording.segments[0]
-    return [movements(log, sensors, kept_parts(log, find_pieces(log, sensors, "passive")))]
+    parts = kept_parts(log, find_pieces(log, recording.sensors, "passive"))
+    drops = replace(recording, segments=tuple(cut(log, part) for part in parts))
+    offsets = [
+        float(log.time[part][0]) - float(drop.time[0])
+        for part, drop in zip(parts, drops.segments, strict=True)
+    ]
+    found = zip(movements(drops), offsets, strict=True)
+    return [[(each[0] + offset, each[1] + offset) for each, offset in found if each]]
 
 
-def movements(segment: Segment, sensors: Sensors, parts: list[slice]) -> list[Interval]:
-    """From where a leg is surely free to its last free sample."""
-    found = []
-    for part in parts:
-        try:
-            extent = find_extent(cut(segment, part), sensors)
-        except Motionless:
-            continue
-        time = segment.time[part]
-        found.append((float(time[extent.free]), float(time[extent.stop - 1])))
-    return found
+def movements(recording: Recording) -> list[Interval | None]:
+    """From where a leg is surely free to its last free sample; None where nothing moves."""
+    found = find_drops(recording)
+    return [
+        (float(segment.time[each.free]), float(segment.time[each.stop - 1]))
+        if isinstance(each := found[number], Extent)
+        else None
+        for number, segment in enumerate(recording.segments)
+    ]

@@ -41,6 +41,7 @@ NAMES = {
     "fatigue",
     "encoder_eccentricity",
     "encoder_gain",
+    "encoder_second_harmonic",
     "gyro_scale",
     "gyro_bias",
     "sensor_skew",

@@ -210,6 +210,7 @@ def test_a_stop_is_sought_where_a_leg_in_the_middle_of_its_range_does_not_touch_
 # Where absence is not the first parameter at zero.
 ABSENT = {
     "encoder_eccentricity": {"sine": 0.0, "cosine": 0.0},
+    "encoder_second_harmonic": {"sine": 0.0, "cosine": 0.0},
     "end_range_stiffening": {"extension": 0.0, "flexion": 0.0},
     "fatigue": {"damping_drift": 0.0, "fade": 0.0},
     "hard_stop": {"contact_time": np.inf},  # the longer a bounce, the softer the stop
@@ -919,11 +920,16 @@ def eccentric(term, angle, velocity):
     return angle + term.sine * np.sin(angle) + term.cosine * np.cos(angle), velocity
 
 
+def elliptic(term, angle, velocity):
+    return angle + term.sine * np.sin(2 * angle) + term.cosine * np.cos(2 * angle), velocity
+
+
 # What encoder and gyro show.
 SHOWN = {
     "angle_offset": lambda term, angle, velocity: (angle + term.offset, velocity),
     "encoder_eccentricity": eccentric,
     "encoder_gain": lambda term, angle, velocity: ((1 + term.gain) * angle, velocity),
+    "encoder_second_harmonic": elliptic,
     "gyro_bias": lambda term, angle, velocity: (angle, velocity + term.bias),
     "gyro_scale": lambda term, angle, velocity: (angle, (1 + term.scale) * velocity),
 }

@@ -54,6 +54,27 @@ def test_single_spikes_are_found_and_nothing_else():
     assert not find_spikes(time, clean).any()
 
 
+@pytest.mark.parametrize("apart", [1, 2, 3])
+def test_two_spikes_beside_each_other_are_found(apart):
+    """Of five in a thousand every fiftieth is that close to another."""
+    time, angle = sampled(100, NOISE)
+    wild = [100, 100 + apart]
+    angle[wild] += [30 * NOISE, 40 * NOISE]
+    assert np.flatnonzero(find_spikes(time, angle)).tolist() == wild
+
+
+def test_a_spike_where_a_swing_turns_is_found():
+    """Still on one side, moving on the other, as where a leg is let go; but far from both."""
+    time = np.arange(600) / 60.0
+    angle = np.radians(30) * np.cos(2 * np.pi * time / 1.1)
+    angle += np.radians(0.5) * np.random.default_rng(0).normal(size=time.size)
+    turns = np.flatnonzero(np.diff(np.sign(np.diff(np.cos(2 * np.pi * time / 1.1)))))[1:-1:3]
+    for shift in range(-4, 5):
+        disturbed = angle.copy()
+        disturbed[turns + shift] += np.radians(20)
+        assert np.flatnonzero(find_spikes(time, disturbed)).tolist() == (turns + shift).tolist()
+
+
 def test_clean_samples_are_hardly_ever_called_spikes():
     """Five deviations: 0.06 of 100,000 to be expected, and a few more by chance."""
     found = [find_spikes(*sampled(100, NOISE, seed, duration=100.0)).sum() for seed in range(10)]

@@ -83,7 +83,7 @@ def concluded(
         reasons=reasons,
         findings=findings(selected, best) if verdict == "mismatch" else [],
         ranking=ranked(found, selected, formula),
-        equivalent=[name for one in equal for name in one_name(one)] if verdict != "none" else [],
+        equivalent=named_alike(equal, best) if verdict != "none" else [],
         novel=novel,
         formula=formula and NovelTorque(formula.words, formula.explained, formula.known),
         parameters=[*parameters_of(best, measure, formula), *([bias] if bias else [])],
@@ -150,8 +150,13 @@ def named_terms(best: Settled, formula: Formula | None) -> list[str]:
     return [] if formula else names(best)
 
 
-def one_name(one: Settled) -> list[str]:
-    return [" + ".join(names(one))]
+def named_alike(equal: list[Settled], best: Settled) -> list[str]:
+    """What this recording cannot tell from the best, itself included: names joined by " + "."""
+    known = [names(one) for one in equal]
+    for term in best.candidate.terms if equal else ():
+        if term.twin:
+            known.append([term.twin if name == name_of(term) else name for name in names(best)])
+    return [" + ".join(each) for each in known]
 
 
 def judge(bench: Bench, found: Found, best: Settled, shown: Proof) -> tuple[Verdict, list[str]]:

@@ -66,7 +66,7 @@ def look(bench: Bench, base: Settled, told: Told) -> Found:
     near = [one for one in ranked[:SHORT] if one.square < REACH * ranked[0].square]
     told("simulating the best of them")
     singles = [polished(bench, one) for one in near]
-    singles += [*twins(bench, singles), *nested(bench, singles)]
+    singles += [*twins(bench, singles, singles), *nested(bench, singles)]
     measure = yardstick(bench, min([base, *singles], key=lambda one: one.square))
     singles = by_evidence(singles, base, measure)
     pinned = {one.candidate.terms[0]: one.square for one in ranked}
@@ -83,6 +83,7 @@ def look(bench: Bench, base: Settled, told: Told) -> Found:
     singles += nested(bench, singles)
     measure = yardstick(bench, min([base, *singles, *joint], key=lambda one: one.square))
     joint = by_evidence(joint, base, measure)
+    joint = by_evidence([*joint, *twins(bench, joint[:1], joint)], base, measure)
     return Found(base, by_evidence(singles, base, measure), joint, pinned, failed, measure)
 
 
@@ -120,19 +121,21 @@ def ordered(settled: list[Settled]) -> list[Settled]:
 
 
 def by_evidence(settled: list[Settled], base: Settled, measure: Yardstick) -> list[Settled]:
+    """The best first; of those that are alike the simplest first."""
     known = list(best_of([one for one in settled if sound(one)]).values())
     known.sort(key=lambda one: measure.evidence(base.square, one.square, size(one)), reverse=True)
-    if not known or measure.explains(known[0].square):
-        return known
-    alike = [one for one in known if one.square < ALIKE * known[0].square]
-    return sorted(known, key=lambda one: size(one) if one in alike else np.inf)
+    return sorted(known, key=lambda one: size(one) if alike(one, known[0], measure) else np.inf)
+
+
+def alike(one: Settled, best: Settled, measure: Yardstick) -> bool:
+    """Can this recording not tell a candidate from the best?"""
+    if not measure.explains(best.square):
+        return one.square < ALIKE * best.square
+    return measure.evidence(one.square, best.square, size(best) - size(one)) < APART
 
 
 def equivalents(found: Found, best: Settled) -> list[Settled]:
     """The candidates that this recording cannot tell from the best, itself included."""
     rivals = found.pairs if len(best.candidate.terms) > 1 else found.singles
-    if not found.yardstick.explains(best.square):
-        least = min(one.square for one in rivals)
-        return [one for one in rivals if one is best or one.square < ALIKE * least]
-    top = found.evidence(best)
-    return [one for one in rivals if top - found.evidence(one) < APART]
+    top = max(rivals, key=found.evidence)
+    return [one for one in rivals if one is best or alike(one, top, found.yardstick)]

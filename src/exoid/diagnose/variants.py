@@ -1,6 +1,7 @@
 """What a search tries beside single terms: the same running free, twins, simpler forms, pairs."""
 
 from dataclasses import replace
+from itertools import permutations
 
 import equinox as eqx
 import numpy as np
@@ -12,9 +13,12 @@ from exoid.diagnose.settle import Settled, settle_free
 from exoid.fit.observation import Observation
 from exoid.physics.library import name_of
 from exoid.physics.parameter import declarations
+from exoid.physics.term import Term
 
 PAIRED = 3  # first terms of a pair
 FREE_ROUNDS = 25
+TWINS = ("torque_bias", "stiffness_rest_angle")
+SOFTEST = 1e-3  # N m/rad, of a leg that has a rest angle
 
 
 def polished(bench: Bench, one: Settled) -> Settled:
@@ -44,23 +48,34 @@ def reduced(bench: Bench, joint: list[Settled]) -> list[Settled]:
     ]
 
 
-def twins(bench: Bench, singles: list[Settled]) -> list[Settled]:
+def twins(bench: Bench, some: list[Settled], known: list[Settled]) -> list[Settled]:
     """What is exactly the same torque under another name: a rest angle, and a constant torque."""
-    known = {name_of(one.candidate.terms[0]): one for one in singles}
-    terms = {name_of(term): term for term in bench.library}
-    pair = ("torque_bias", "stiffness_rest_angle")
-    missing = [name for name in pair if name not in known]
-    if len(missing) != 1:
-        return []
-    one = known[next(name for name in pair if name in known)]
-    coordinates = bench.coordinates(one.candidate)
-    stiffness = float(coordinates.shared.stiffness * np.exp(coordinates.shared.log_inertia))
-    value = one.candidate.values[0]
-    other = value / max(stiffness, 1e-3) if missing[0] == pair[1] else value * stiffness
-    declared = next(each for _, each in declarations(terms[missing[0]]))
-    start = np.clip(other, declared.lower, declared.upper)
-    moved = Hypothesis((terms[missing[0]],), (start,), one.candidate.point, one.candidate.zero)
-    return [settle_free(bench, [moved], rounds=FREE_ROUNDS)[0]]
+    pair = [term for term in bench.library if name_of(term) in TWINS]
+    done = {frozenset(one.candidate.terms) for one in known}
+    found = []
+    for one in some:
+        for mine, twin in permutations(pair, 2):
+            wanted = [twin if term is mine else term for term in one.candidate.terms]
+            if mine in one.candidate.terms and frozenset(wanted) not in done:
+                start = renamed(bench, one.candidate, mine, twin)
+                found.append(settle_free(bench, [start], rounds=FREE_ROUNDS)[0])
+    return found
+
+
+def renamed(bench: Bench, candidate: Hypothesis, mine: type[Term], twin: type[Term]) -> Hypothesis:
+    """The candidate with the twin of one of its terms, as large: c phi_0 is the torque."""
+    shared = bench.coordinates(candidate).shared
+    stiffness = max(float(shared.stiffness * np.exp(shared.log_inertia)), SOFTEST)
+    factor = 1 / stiffness if name_of(mine) == TWINS[0] else stiffness
+    declared = next(each for _, each in declarations(twin))
+    moved = [
+        (twin, np.clip(value * factor, declared.lower, declared.upper))
+        if term is mine
+        else (term, value)
+        for term, value in zip(candidate.terms, candidate.values, strict=True)
+    ]
+    terms, values = zip(*moved, strict=True)
+    return replace(candidate, terms=terms, values=values, linear=None)
 
 
 def nested(bench: Bench, singles: list[Settled]) -> list[Settled]:

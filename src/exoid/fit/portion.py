@@ -7,7 +7,8 @@ import numpy as np
 
 from exoid.recording.condition import best_velocity, clip
 from exoid.recording.motion.cycle import find_cycle
-from exoid.recording.motion.extent import Extent, Motionless, find_extent
+from exoid.recording.motion.drops import find_drop
+from exoid.recording.motion.extent import Extent, Motionless
 from exoid.recording.recording import Recording, Segment
 
 Clip = Literal["free", "paper"]
@@ -56,10 +57,10 @@ def portion(recording: Recording, number: int, kind: str, clip: Clip, name: str)
 
 
 def found_in(recording: Recording, number: int, kind: str) -> Extent:
-    segment, sensors = recording.segments[number], recording.sensors
     if kind == "active":
-        return find_cycle(segment, sensors, recording.cycle_period(number))
-    return find_extent(segment, sensors, handled=recording.subject.kind != "rig")
+        segment = recording.segments[number]
+        return find_cycle(segment, recording.sensors, recording.cycle_period(number))
+    return find_drop(recording, number)
 
 
 def clock(recording: Recording, number: int, kind: str, found: Extent) -> tuple[float, float]:

@@ -41,6 +41,7 @@ class Term(eqx.Module):
     explanation: eqx.AbstractClassVar[str]  # one sentence for the user
     isolate: eqx.AbstractClassVar[str]  # the recording that would show it apart from others
 
+    twin: ClassVar[str] = ""  # what looks the same in every recording and is no term itself
     memory_size: ClassVar[int] = 0  # of a state of its own
     jumps: ClassVar[bool] = False  # does the gyro's reading jump
     substeps: ClassVar[int] = 1  # of a time step, where the term is faster than the leg

@@ -116,7 +116,8 @@ def find_spikes(time: Samples, samples: Samples, least: float = 0.0) -> NDArray[
     what the noise is at least.
 
     Where the sample is taken away its neighbours agree with each other. A jump that lasts (a stop
-    that is hit, play that ends) leaves more than one in a row: that is motion, and stays.
+    that is hit, play that ends) leaves more than one in a row: that is motion, and stays. Two close
+    to each other go where both are beyond all around them.
     """
     found = np.zeros(samples.size, dtype=bool)
     errors = interpolation_errors(time, samples)
@@ -132,16 +133,27 @@ def find_spikes(time: Samples, samples: Samples, least: float = 0.0) -> NDArray[
             break
         found |= worst
         errors = interpolation_errors(time, np.where(found, np.nan, samples))
-    found = alone(pardoned(time, samples, found, limit))
+    found = pardoned(time, samples, found, limit)
+    kept = np.where(found, np.nan, samples)
+    single, pair = alone(found, 1), alone(found, 2)
     for at in np.flatnonzero(found):
-        found[at] = not begins_or_ends(samples, int(at), limit)
+        before, after = kept[max(at - REACH, 0) : at], kept[at + 1 : at + 1 + REACH]
+        bend = begins_or_ends(before, after, limit)
+        wild = stands_out(samples[at], before, after, limit)
+        found[at] = pair[at] if wild else single[at] and not bend
     return found
 
 
-def begins_or_ends(samples: Samples, at: int, limit: float) -> bool:
-    """Is the signal still on one side of this sample only? A gyro bends where a leg is let go."""
-    before = samples[max(at - REACH, 0) : at]
-    after = samples[at + 1 : at + 1 + REACH]
+def stands_out(sample: float, before: Samples, after: Samples, limit: float) -> bool:
+    """Is it beyond all that is around it? Where the signal jumps or bends it lies between."""
+    around = np.concatenate([before, after])
+    if np.isnan(around).all():
+        return False
+    return not np.nanmin(around) - limit < sample < np.nanmax(around) + limit
+
+
+def begins_or_ends(before: Samples, after: Samples, limit: float) -> bool:
+    """Is the signal still on one side only? A gyro bends where a leg is let go."""
     if np.isnan(before).all() or np.isnan(after).all():
         return False
     still, moving = sorted(np.nanmax(each) - np.nanmin(each) for each in (before, after))
@@ -162,9 +174,9 @@ def pardoned(
     return found
 
 
-def alone(found: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Without crowds."""
-    crowd = np.convolve(found, np.ones(CLUSTER), mode="same") > 1
+def alone(found: NDArray[np.bool_], most: int) -> NDArray[np.bool_]:
+    """Without crowds of more than `most`: what jumps and stays leaves many in a row."""
+    crowd = np.convolve(found, np.ones(CLUSTER), mode="same") > most
     return found & ~(np.convolve(crowd, np.ones(CLUSTER), mode="same") > 0)
 
 

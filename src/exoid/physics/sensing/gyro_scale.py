@@ -10,7 +10,11 @@ from exoid.physics.term import Memory, Reading, SensorTerm, reading
 
 
 class GyroScale(SensorTerm):
-    """The gyro shows (1 + s) phi'."""
+    """The gyro shows (1 + s) phi'.
+
+    So it does where all times are told a factor 1 + s too long: by such a clock the leg still
+    obeys Eq. 9, with other ratios to J.
+    """
 
     title: ClassVar[str] = "scale of the gyro"
     reference: ClassVar[str] = "Arduino_LSM6DS3 issue 64: 61.04 for 70 mdps per count, 12.8 % low"
@@ -18,7 +22,11 @@ class GyroScale(SensorTerm):
         "Counts are converted to deg/s by a wrong factor, or the gyro's axis is not that of the "
         "knee."
     )
-    isolate: ClassVar[str] = "the exoskeleton turned by a known right angle, at any speed"
+    isolate: ClassVar[str] = (
+        "the exoskeleton turned by a known right angle, at any speed; a recording of some minutes "
+        "beside a watch shows whether it is the clock"
+    )
+    twin: ClassVar[str] = "clock_rate"
 
     scale: Float[Any, ""] = parameter("s", "1", -0.3, 0.3, "scale error", (0.01,))
 

@@ -1,7 +1,8 @@
 """How long a leg accelerates as it did while it surely was free.
 
 Free, its acceleration is a function of angle and speed: phi'' = k0 + k1 cos(phi) + k2 phi + k3 phi'
-by least squares over the free part. Where it differs later, a hand is on the leg.
+by least squares over the free part, or over those of all drops of this leg. Where it differs later,
+a hand is on the leg.
 """
 
 from dataclasses import dataclass
@@ -10,72 +11,105 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exoid.recording.condition import interpolated, local_line
-from exoid.recording.motion.limits import BLUR, LATE, LEAN, PUSH, ROUGH, SURE
+from exoid.recording.motion.limits import BLUR, GRIP, LATE, LEAN, PUSH, ROUGH, SEIZED, SURE
 from exoid.recording.motion.signal import Signal
 from exoid.recording.recording import Samples
 
 FEWEST = 8  # samples of the free part, for four numbers
-
-
-def free_until(signal: Signal, free: slice, limit: int) -> int:
-    """One past the last sample that is as free as those of `free`, and not beyond `limit`."""
-    left = unexplained(signal, free)
-    if left is None:
-        return free.stop
-    pushed = np.abs(left.acceleration[left.last : limit]) > left.clear(PUSH)
-    if not pushed.any():
-        return limit
-    since = float(signal.time[left.last + int(np.argmax(pushed))])
-    stop = int(np.searchsorted(signal.time, since - left.width / 2 - LATE))
-    return max(stop, free.stop)
-
-
-def kept_there(signal: Signal, free: slice, rest: slice) -> bool:
-    """Is something needed to keep the leg where it rests, if it is as in the samples `free`?"""
-    left = unexplained(signal, free)
-    if left is None:
-        return False
-    inside = slice(int(np.searchsorted(signal.time, signal.time[rest.start] + LATE)), rest.stop)
-    needed = left.acceleration[inside]
-    if not needed.size:
-        return False
-    where = left.table[inside].mean(axis=0)
-    unsure = float(np.sqrt(where @ left.scatter @ where))
-    return bool(abs(float(np.mean(needed))) > left.clear(LEAN) + SURE * unsure)
+WITHIN, WITHIN_ERRORS = 0.95, 1.96  # the share of what a law leaves that counts, in deviations
 
 
 @dataclass(frozen=True, eq=False)
-class Unexplained:
-    """What a law of acceleration leaves that was told by a free part."""
+class Law:
+    """What free parts told of a leg."""
 
-    acceleration: Samples  # rad/s^2
-    table: NDArray[np.float64]  # (sample, number of the law)
-    scatter: NDArray[np.floating]  # covariance of its numbers
-    usual: float  # rad/s^2, in the free part
+    numbers: NDArray[np.floating]  # k0, k1 [rad/s^2], k2 [1/s^2], k3 [1/s]
+    scatter: NDArray[np.floating]  # their covariance
+    usual: float  # rad/s^2, what it leaves in the free parts
     greatest: float  # rad/s^2, acceleration there
-    last: int  # one past the free samples that told it
-    width: float  # s, of the smoothing
 
     def clear(self, share: float) -> float:
-        """From where on it is no free leg's; `share` of the greatest at least."""
+        """From where on an acceleration is no free leg's; `share` of the greatest at least."""
         return max(ROUGH * self.usual, share * self.greatest)
 
 
-def unexplained(signal: Signal, free: slice) -> Unexplained | None:
-    """None where the free part is too short to tell a law."""
-    seen, time = derivatives(signal), signal.time
-    first = int(np.searchsorted(time, time[free.start] + seen.width / 2))
-    last = int(np.searchsorted(time, time[free.stop - 1] - seen.width / 2, side="right"))
-    if last - first < FEWEST:
+Part = tuple[Signal, slice]  # a signal, and its samples in which the leg is free
+
+
+def law_of(parts: list[Part]) -> Law | None:
+    """None where the free parts are too short to tell one."""
+    tables, accelerations, alike = [], [], []
+    for signal, free in parts:
+        seen = derivatives(signal)
+        inside = within(signal, free, seen.width)
+        if inside.stop - inside.start < FEWEST:
+            continue
+        tables.append(seen.table[inside])
+        accelerations.append(seen.acceleration[inside])
+        alike.append(max(seen.width / signal.step, 1.0))  # smoothed samples share their noise
+    if not tables:
         return None
-    table = np.stack([np.ones(time.size), np.cos(seen.angle), seen.angle, seen.speed], axis=1)
-    known = np.linalg.lstsq(table[first:last], seen.acceleration[first:last], rcond=None)[0]
-    left = seen.acceleration - table @ known
-    usual = float(np.sqrt(np.mean(left[first:last] ** 2)))
-    greatest = float(np.abs(seen.acceleration[first:last]).max())
-    alike = max(seen.width / signal.step, 1.0)  # smoothed samples share their noise
-    scatter = alike * usual**2 * np.linalg.pinv(table[first:last].T @ table[first:last])
-    return Unexplained(left, table, scatter, usual, greatest, last, seen.width)
+    table, acceleration = np.concatenate(tables), np.concatenate(accelerations)
+    numbers = np.linalg.lstsq(table, acceleration, rcond=None)[0]
+    usual = float(np.quantile(np.abs(acceleration - table @ numbers), WITHIN)) / WITHIN_ERRORS
+    scatter = max(alike) * usual**2 * np.linalg.pinv(table.T @ table)
+    return Law(numbers, scatter, usual, float(np.abs(acceleration).max()))
+
+
+def within(signal: Signal, free: slice, width: float) -> slice:
+    """The samples around which a whole window of `width` s is free."""
+    first = np.searchsorted(signal.time, signal.time[free.start] + width / 2)
+    last = np.searchsorted(signal.time, signal.time[free.stop - 1] - width / 2, side="right")
+    return slice(int(first), max(int(first), int(last)))
+
+
+def free_until(signal: Signal, free: slice, limit: int, law: Law | None = None) -> int:
+    """One past the last sample that is as free as those of `free`, and not beyond `limit`.
+
+    Without a `law` that part tells its own.
+    """
+    law = law_of([(signal, free)]) if law is None else law
+    if law is None:
+        return free.stop
+    at = pushed_at(signal, free, limit, law, law.clear(PUSH))
+    if at is None:
+        return limit
+    since, width = float(signal.time[at]), derivatives(signal).width
+    return max(int(np.searchsorted(signal.time, since - width / 2 - LATE)), free.stop)
+
+
+def gripped_at(signal: Signal, free: slice, limit: int, law: Law) -> int | None:
+    """The first sample after those of `free` at which a hand surely slows the leg down."""
+    return pushed_at(signal, free, limit, law, max(SEIZED * law.usual, GRIP * law.greatest))
+
+
+def pushed_at(signal: Signal, free: slice, limit: int, law: Law, least: float) -> int | None:
+    """The first sample from `free` to `limit` that is `least` rad/s^2 from the law for sure."""
+    seen = derivatives(signal)
+    last = within(signal, free, seen.width).stop
+    unsure = SURE * np.sqrt(np.einsum("ti,ij,tj->t", seen.table, law.scatter, seen.table))
+    pushed = (np.abs(unexplained(seen, law)) > least + unsure)[last:limit]
+    return last + int(np.argmax(pushed)) if pushed.any() else None
+
+
+def kept_there(signal: Signal, free: slice, rest: slice, law: Law | None = None) -> bool:
+    """Is something needed to keep the leg where it rests, if it is as in the samples `free`?"""
+    law = law_of([(signal, free)]) if law is None else law
+    if law is None:
+        return False
+    inside = slice(int(np.searchsorted(signal.time, signal.time[rest.start] + LATE)), rest.stop)
+    seen = derivatives(signal)
+    needed = unexplained(seen, law)[inside]
+    if not needed.size:
+        return False
+    where = seen.table[inside].mean(axis=0)
+    unsure = float(np.sqrt(where @ law.scatter @ where))
+    return bool(abs(float(np.mean(needed))) > law.clear(LEAN) + SURE * unsure)
+
+
+def unexplained(seen: "Derivatives", law: Law) -> Samples:
+    """The acceleration that a law does not have [rad/s^2]."""
+    return seen.acceleration - seen.table @ law.numbers
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,6 +121,11 @@ class Derivatives:
     acceleration: Samples  # rad/s^2
     error: float  # rad/s^2
     width: float  # s
+
+    @property
+    def table(self) -> NDArray[np.float64]:
+        """The columns of the law: (sample, number)."""
+        return np.stack([np.ones(self.angle.size), np.cos(self.angle), self.angle, self.speed], 1)
 
     @property
     def clear(self) -> bool:

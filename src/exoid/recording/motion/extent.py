@@ -59,11 +59,11 @@ def find_extent(
     return find_free(signal_of(segment, sensors), handled=handled)
 
 
-def find_free(signal: Signal, *, handled: bool = True) -> Extent:
-    """The same of a signal."""
+def find_free(signal: Signal, *, handled: bool = True, shortest: float = MARKED) -> Extent:
+    """The same of a signal. What was held for less than `shortest` s is said to begin free."""
     speed = speed_of(signal)
     first, _ = first_movement(signal, speed)
-    found = released(signal, speed, first)
+    found = released(signal, speed, first, shortest=shortest)
     start = free = 0
     if found is not None:
         start = nearest(signal.time, found.release)
@@ -116,7 +116,11 @@ def moving(time: Samples, speed: Speed) -> list[tuple[int, int]]:
 
 
 def released(
-    signal: Signal, speed: Speed, first: int, room: tuple[float, ...] = ODD
+    signal: Signal,
+    speed: Speed,
+    first: int,
+    room: tuple[float, ...] = ODD,
+    shortest: float = MARKED,
 ) -> LettingGo | None:
     """How the leg that first moves at `first` was let go; None where it begins free."""
     time = signal.time
@@ -128,7 +132,7 @@ def released(
     pull = abs(float(speed.velocity[last])) / FALL
     case = Case(signal, (about - early - HELD, about + FALL), pull, room)
     found = let_go(case, max(about - early, float(time[0])), about + speed.width / 2)
-    if found.release - time[0] < MARKED:
+    if found.release - time[0] < shortest:
         return None
     if not seen and begun_free(case) < found.chi_square + ODDS * max(1.0, found.misfit):
         return None

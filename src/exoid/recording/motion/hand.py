@@ -10,7 +10,7 @@ from typing import Literal
 import numpy as np
 
 from exoid.recording.condition import interpolated, local_line, runs
-from exoid.recording.motion.acceleration import free_until, kept_there
+from exoid.recording.motion.acceleration import Law, free_until, gripped_at, kept_there
 from exoid.recording.motion.limits import (
     BEYOND,
     BRIEF,
@@ -50,23 +50,37 @@ class Swings:
     error: float  # rad
 
 
-def free_end(signal: Signal, speed: Speed, begin: int, free: int, *, handled: bool) -> End:
-    """Where the motion from `begin` on, free from `free` on, ends; `handled`: by a person."""
-    smooth, noise = smoothed(signal, speed.width)
-    size = signal.time.size
-    rest = rest_after(signal, speed, smooth, begin, noise)
-    seen = swings(smooth, begin, size, noise, rest)
-    if begin == 0 and abs(speed.velocity[0]) > speed.still and len(seen.at) > 2:
-        seen = Swings(seen.at[1:], seen.angle[1:], seen.error)  # it began within a swing
+def free_end(
+    signal: Signal, speed: Speed, begin: int, free: int, *, handled: bool, law: Law | None = None
+) -> End:
+    """Where the motion from `begin` on, free from `free` on, ends; `handled`: by a person.
+
+    A `law` is what other drops of this leg have told of it.
+    """
+    seen, rest = swung(signal, speed, begin)
     if handled:
         hand = hand_in(signal, seen, free, rest)
-        hand = holding(signal, speed, seen, free, rest) if hand is None else hand
+        hand = hand or holding(signal, speed, seen, free, rest, None)
+        if hand is None and law is not None:
+            hand = holding(signal, speed, seen, free, rest, law)
+            hand = hand or gripping(signal, seen, free, rest, law)
         if hand is not None:
             return hand
     if rest is None:
+        size = signal.time.size
         return End(size, "recording stopped", "the recording stops while the leg moves")
     stop = int(np.searchsorted(signal.time, signal.time[rest[0]] + KEPT, side="right"))
     return End(min(stop, rest[1]), "at rest", "the leg came to rest by itself")
+
+
+def swung(signal: Signal, speed: Speed, begin: int) -> tuple[Swings, Rest | None]:
+    """The swings from `begin` on, and the rest that ends them."""
+    smooth, noise = smoothed(signal, speed.width)
+    rest = rest_after(signal, speed, smooth, begin, noise)
+    seen = swings(smooth, begin, signal.time.size, noise, rest)
+    if begin == 0 and abs(speed.velocity[0]) > speed.still and len(seen.at) > 2:
+        seen = Swings(seen.at[1:], seen.angle[1:], seen.error)  # it began within a swing
+    return seen, rest
 
 
 def smoothed(signal: Signal, width: float) -> tuple[Samples, float]:
@@ -118,7 +132,9 @@ def hand_in(signal: Signal, seen: Swings, free: int, rest: Rest | None) -> End |
     return None
 
 
-def holding(signal: Signal, speed: Speed, seen: Swings, free: int, rest: Rest | None) -> End | None:
+def holding(
+    signal: Signal, speed: Speed, seen: Swings, free: int, rest: Rest | None, law: Law | None
+) -> End | None:
     """A hand that keeps a leg where it would not stay by itself."""
     size = signal.time.size
     if rest is None:
@@ -129,9 +145,16 @@ def holding(signal: Signal, speed: Speed, seen: Swings, free: int, rest: Rest | 
         if signal.time[-1] - signal.time[rest[0]] < BRIEF:
             return None
     sure = surely_free(seen, free)
-    if sure.stop > rest[0] or not kept_there(signal, sure, slice(*rest)):
+    if sure.stop > rest[0] or not kept_there(signal, sure, slice(*rest), law):
         return None
-    return caught(signal, sure, rest[0])
+    return caught(signal, sure, rest[0], law)
+
+
+def gripping(signal: Signal, seen: Swings, free: int, rest: Rest | None, law: Law) -> End | None:
+    """A hand that slows the leg down as no free leg of this `law` does."""
+    sure = surely_free(seen, free)
+    at = gripped_at(signal, sure, signal.time.size if rest is None else rest[0], law)
+    return None if at is None else caught(signal, sure, at, law)
 
 
 def surely_free(seen: Swings, free: int) -> slice:
@@ -141,9 +164,9 @@ def surely_free(seen: Swings, free: int) -> slice:
     return slice(free, max(sure, free) + 1)
 
 
-def caught(signal: Signal, free: slice, limit: int) -> End:
+def caught(signal: Signal, free: slice, limit: int, law: Law | None = None) -> End:
     """Where a hand ended what was free for sure in the samples `free`, before `limit`."""
-    stop = free_until(signal, free, limit)
+    stop = free_until(signal, free, limit, law)
     since = float(signal.time[stop - 1])
     return End(stop, "caught", f"stopped or lifted after {since:.2f} s, as by a hand", stop)
 

@@ -27,6 +27,7 @@ TAIL = 0.4  # of the time of letting go that a hand may take longer than its ram
 # A recording that begins free. A leg whose hold is shorter than this was marked at its release:
 # play and compliance keep the sensors at rest for 45 to 65 ms, and no hand waits that short.
 MARKED = 0.075  # s
+SHORTEST = 0.02  # s, the same where other drops of a recording show a hold: the hand's letting go
 ODDS = 4.0  # chi-square by which a hold that nobody saw must be better than none
 
 # A rest. At a turning point a leg is slow for a moment only.
@@ -44,7 +45,9 @@ SHORT = np.radians(5.0)  # rad by which a last swing may be shorter than its for
 LATE = 0.08  # s before a hand is seen that it may have begun
 KEPT = 3.0  # s at rest that are kept: more tells nothing but the sensor's drift
 PUSH = 0.12  # of the greatest free acceleration, below which a hand is not told from a leg's own
-LEAN = 0.04  # the same of a leg at rest: its mean is surer; dry friction holds less than that
+GRIP, SEIZED = 0.35, 5.0  # of that acceleration, and times what the free parts leave: a hand that
+# stops a leg within 0.15 s does more, and noise does not in 10^4 recordings
+LEAN = 0.04  # of it, of a leg at rest: its mean is surer; dry friction holds less than that
 SURE = 3.0  # errors that its mean must also be away, by how well the free part told the law
 BRIEF = 0.15  # s, of a rest at the end of a record
 ROUGH = 3.5  # times what the free part itself leaves: friction, a reflex

@@ -1,0 +1,83 @@
+"""The free movements of all drops of a recording: what one tells shows a hand in another.
+
+By itself a drop that was caught in its first swings hardly tells where the leg would have come to
+rest.
+"""
+
+from dataclasses import replace
+from functools import lru_cache
+
+from exoid.recording.condition import classify
+from exoid.recording.motion.acceleration import Law, law_of
+from exoid.recording.motion.extent import Extent, Motionless, find_free
+from exoid.recording.motion.hand import free_end, surely_free, swung
+from exoid.recording.motion.limits import MARKED, SHORTEST
+from exoid.recording.motion.signal import Signal, signal_of, speed_of
+from exoid.recording.recording import Recording
+
+Setup = tuple[float, float | None, float]  # added mass [kg], its distance [m], thigh's angle [rad]
+
+
+def find_drop(recording: Recording, number: int) -> Extent:
+    """The free movement of one segment, in view of the others of its kind.
+
+    **Raises** `Motionless` where nothing moves in it.
+    """
+    found = find_drops(recording)[number]
+    if isinstance(found, Motionless):
+        raise found
+    return found
+
+
+@lru_cache(maxsize=8)  # every segment of a recording asks for it
+def find_drops(recording: Recording) -> dict[int, Extent | Motionless]:
+    """Of every passive segment, by its number."""
+    passive = [n for n in range(len(recording.segments)) if passively(recording, n)]
+    signals = {n: signal_of(recording.segments[n], recording.sensors) for n in passive}
+    handled = recording.subject.kind != "rig"
+    found = {n: free_or_not(signal, handled, MARKED) for n, signal in signals.items()}
+    moved = {n: each for n, each in found.items() if isinstance(each, Extent)}
+    if not handled or len(moved) < 2:
+        return found
+    at_once = [n for n, each in moved.items() if each.held_until is None]
+    if len(at_once) < len(moved) / 2:  # nobody marked this recording at its releases
+        again = {n: free_or_not(signals[n], handled, SHORTEST) for n in at_once}
+        moved |= {n: each for n, each in again.items() if isinstance(each, Extent)}
+    for setup in dict.fromkeys(setup_of(recording, n) for n in moved):
+        alike = {n: each for n, each in moved.items() if setup_of(recording, n) == setup}
+        law = law_of([(signals[n], sure(signals[n], each)) for n, each in alike.items()])
+        moved |= {n: ended(signals[n], each, law) for n, each in alike.items()}
+    return found | moved
+
+
+def passively(recording: Recording, number: int) -> bool:
+    said = recording.kind(number) or classify(recording.segments[number]) or "passive"
+    return said == "passive"
+
+
+def setup_of(recording: Recording, number: int) -> Setup:
+    return (
+        recording.added_mass(number),
+        recording.added_mass_distance(number),
+        recording.thigh_angle(number),
+    )
+
+
+def free_or_not(signal: Signal, handled: bool, shortest: float) -> Extent | Motionless:
+    try:
+        return find_free(signal, handled=handled, shortest=shortest)
+    except Motionless as fault:
+        return fault
+
+
+def sure(signal: Signal, extent: Extent) -> slice:
+    """The samples in which no hand can have been on the leg."""
+    seen, _ = swung(signal, speed_of(signal), extent.start)
+    free = surely_free(seen, extent.free)
+    return slice(free.start, max(min(free.stop, extent.stop), free.start + 1))
+
+
+def ended(signal: Signal, extent: Extent, law: Law | None) -> Extent:
+    """The same movement with its end by a law that all drops have told."""
+    end = free_end(signal, speed_of(signal), extent.start, extent.free, handled=True, law=law)
+    return replace(extent, stop=end.stop, hand=end.hand, ended=end.ended, why=end.why)
