@@ -45,6 +45,8 @@ def find_drops(recording: Recording) -> dict[int, Extent | Motionless]:
         moved |= {n: each for n, each in again.items() if isinstance(each, Extent)}
     for setup in dict.fromkeys(setup_of(recording, n) for n in moved):
         alike = {n: each for n, each in moved.items() if setup_of(recording, n) == setup}
+        if len(alike) == 1:
+            continue
         law = law_of([(signals[n], sure(signals[n], each)) for n, each in alike.items()])
         moved |= {n: ended(signals[n], each, law) for n, each in alike.items()}
     return found | moved
