@@ -23,7 +23,9 @@ import pytest
 from jaxtyping import install_import_hook
 
 jax.config.update("jax_enable_x64", True)
-install_import_hook("exoid", "beartype.beartype")  # works only before the first import of exoid
+# Works only before the first import of exoid. Typer gives commands what it does not declare.
+FLOORS = [f"exoid.{name}" for name in ("recording", "physics", "fit", "twin", "diagnose", "report")]
+install_import_hook(FLOORS, "beartype.beartype")
 
 # Tracing makes millions of objects that stay: looking for garbage among them takes a tenth of it.
 gc.set_threshold(100_000, 20, 100)

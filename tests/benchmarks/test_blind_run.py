@@ -39,7 +39,7 @@ def answer(shared, programs, tmp_path_factory):
     return lambda name: answers(ROWS[name])[name]
 
 
-@pytest.mark.slow
+@pytest.mark.proof
 @pytest.mark.parametrize("name", PASSIVE + ACTIVE)
 def test_what_is_concealed_is_the_first_name(name, answer, shared):
     listed = json.loads((shared / "concealed" / "truth.json").read_text(encoding="utf-8"))
@@ -55,7 +55,7 @@ def test_what_is_concealed_is_the_first_name(name, answer, shared):
         assert given["heldout_rmse_after"] < 1.2 * floor
 
 
-@pytest.mark.slow
+@pytest.mark.proof
 def test_dry_friction_is_found_in_a_motors_ringing(answer):
     given = answer("motor-ringing")
     assert (given["verdict"], given["ranking"][0]) == ("mismatch", "coulomb_friction")

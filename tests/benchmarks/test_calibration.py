@@ -8,7 +8,7 @@ from scipy.stats import binom
 PEOPLE = 80
 
 
-@pytest.mark.slow
+@pytest.mark.proof
 @pytest.mark.usefixtures("optimised")
 def test_intervals_cover_m_l_j_d_and_c_of_all_kinds_of_people():
     """Three in a thousand such studies would find fewer than this by chance."""

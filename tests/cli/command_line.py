@@ -1,10 +1,13 @@
-"""Runs the real console script in a process of its own."""
+"""Runs commands: in this process, or as the real console script in one of its own."""
 
 import json
 import os
 import subprocess
 import sys
+from contextlib import ExitStack, chdir, redirect_stderr, redirect_stdout
+from io import StringIO
 from pathlib import Path
+from unittest.mock import patch
 
 from machine_code import OPTIMISED
 
@@ -18,7 +21,7 @@ LIMIT = 120  # s; a first compilation on a busy machine takes a quarter of it
 
 
 class Command:
-    """`exoid` with a cache folder of its own and every warning of Python shown."""
+    """`exoid`; a process of its own has the cache folder of the tests."""
 
     def __init__(self, cache: Path):
         self.environment = {
@@ -28,7 +31,25 @@ class Command:
             "XLA_FLAGS": OPTIMISED,  # what one command compiles many others run
         }
 
-    def __call__(self, *arguments, **options) -> subprocess.CompletedProcess[str]:
+    def __call__(self, *arguments, cwd=".") -> subprocess.CompletedProcess[str]:
+        """Run a command in this process, which has everything loaded."""
+        from exoid.cli import explain
+        from exoid.cli.app import app
+
+        given = list(map(str, arguments))
+        out, err = StringIO(), StringIO()
+        with ExitStack() as inside:
+            inside.enter_context(patch.object(sys, "argv", ["exoid", *given]))
+            for each in (chdir(cwd), redirect_stdout(out), redirect_stderr(err)):
+                inside.enter_context(each)
+            try:
+                code = app(given, standalone_mode=False) or 0
+            except (Exception, SystemExit) as fault:
+                code = explain(fault)
+        return subprocess.CompletedProcess(given, code, out.getvalue(), err.getvalue())
+
+    def alone(self, *arguments, **options) -> subprocess.CompletedProcess[str]:
+        """The console script itself, with every warning shown."""
         return subprocess.run(
             [SCRIPT, *map(str, arguments)],
             **{"env": self.environment, "timeout": LIMIT, **options},

@@ -81,7 +81,7 @@ def diagnosed(command, table, tmp_path_factory):
     terms.write_text(TERMS, encoding="utf-8")
     written = ("--plot", figure, "--json", document, "--report", page, "--save", kept)
     once = command.environment | {"XLA_FLAGS": QUICK}
-    done = command("diagnose", table, *written, "--terms", terms, timeout=600, env=once)
+    done = command.alone("diagnose", table, *written, "--terms", terms, timeout=600, env=once)
     assert done.returncode == 0, done.stderr
     found = json.loads(document.read_text(encoding="utf-8"))
     return Diagnosed(done, figure, found, page, kept)

@@ -223,7 +223,7 @@ def test_a_cache_that_cannot_be_made_or_read_costs_only_time(command, recordings
     (tmp_path / "file").touch()
     told = {}
     for cache in (tmp_path / "file", command.environment["XDG_CACHE_HOME"]):
-        done = command(
+        done = command.alone(
             "fit",
             recordings / "drop.csv",
             env={**command.environment, "XDG_CACHE_HOME": str(cache), "PYTHONWARNINGS": "ignore"},

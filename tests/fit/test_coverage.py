@@ -25,10 +25,10 @@ from exoid.physics.torque import CycleTorque, MeasuredTorque, TorqueSum
 from exoid.recording.recording import Protocol, Recording, Segment
 from fit_cases import BODY, NOISE
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.proof
 
-LEGS = 100
-COVERED = (0.89, 0.99)  # of 100 legs; their share scatters by 2.2 % about 95 %
+LEGS = 200
+COVERED = (0.91, 0.98)  # of 200 legs; their share scatters by 1.5 % about 95 %
 INTERVAL = 1.96  # standard errors
 PERIOD = 1.3  # s
 TIME = np.arange(240) * 0.01
