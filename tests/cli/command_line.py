@@ -32,7 +32,7 @@ class Command:
         }
 
     def __call__(self, *arguments, cwd=".") -> subprocess.CompletedProcess[str]:
-        """Run a command in this process, which has everything loaded."""
+        """Run a command in this process: all is loaded, but machine code runs slowly here."""
         from exoid.cli import explain
         from exoid.cli.app import app
 
@@ -49,7 +49,7 @@ class Command:
         return subprocess.CompletedProcess(given, code, out.getvalue(), err.getvalue())
 
     def alone(self, *arguments, **options) -> subprocess.CompletedProcess[str]:
-        """The console script itself, with every warning shown."""
+        """The console script itself, with every warning shown: for fits that take a while."""
         return subprocess.run(
             [SCRIPT, *map(str, arguments)],
             **{"env": self.environment, "timeout": LIMIT, **options},
@@ -70,7 +70,7 @@ class Command:
     def document(self, *arguments, folder: Path) -> dict:
         """What `exoid fit ... --json` writes."""
         path = folder / "fit.json"
-        done = self("fit", *arguments, "--json", path)
+        done = self.alone("fit", *arguments, "--json", path)
         assert done.returncode == 0, done.stderr
         return json.loads(path.read_text(encoding="utf-8"))
 

@@ -19,7 +19,7 @@ def lost(command, tmp_path_factory):
     folder = tmp_path_factory.mktemp("lost")
     write_table(recording(drop((7.0, 1.2, 0.6), -0.3, duration=4.0)), folder / "slow.csv")
     out = {name: folder / f"out.{name}" for name in ("json", "png", "nc", "html")}
-    done = command(
+    done = command.alone(
         "fit",
         folder / "slow.csv",
         "--multistart",

@@ -25,7 +25,7 @@ BO_ 291 Knee: 8 Knee
 def example(command, tmp_path_factory):
     """`exoid fit` without a path, with a document."""
     path = tmp_path_factory.mktemp("example") / "fit.json"
-    done = command("fit", "--json", path)
+    done = command.alone("fit", "--json", path)
     assert done.returncode == 0, done.stderr
     return done, json.loads(path.read_text(encoding="utf-8"))
 
@@ -158,7 +158,7 @@ def test_slsqp_finds_the_same_leg(command, recordings, fitted, tmp_path):
 
 def test_the_reading_of_the_torque_frequency_can_be_chosen(command, example, tmp_path):
     path = tmp_path / "fit.json"
-    done = command("fit", "--torque-frequency", "2/T", "--json", path)
+    done = command.alone("fit", "--torque-frequency", "2/T", "--json", path)
     assert done.returncode == 0  # the drops tell the leg, whatever the cycles do
     assert "This fit follows a part of its recording only" in done.stdout.splitlines()[2]
     document = json.loads(path.read_text(encoding="utf-8"))

@@ -169,7 +169,7 @@ def test_clear_friction_is_found_in_every_resample_of_the_segments(of_friction, 
     assert of_nothing.inclusion is None
 
 
-@pytest.mark.slow
+@pytest.mark.proof
 def test_of_twenty_recordings_that_lack_nothing_at_most_one_is_called_wrong():
     alarms = [diagnose(session(seed=seed)).verdict == "mismatch" for seed in range(100, 120)]
     assert sum(alarms) <= 1  # 5 %; the rate that is promised is below 0.1 %

@@ -64,7 +64,7 @@ def declared_exact(made: Recording) -> Recording:
     )
 
 
-@pytest.mark.slow
+@pytest.mark.proof
 def test_the_ratios_of_twenty_subjects_are_found_within_their_errors():
     """Of 80 ratios 95.4 % lie within two errors if the errors are true; fewer than the 1 % quantile
     of that count would be found by chance in one of a hundred such studies.

@@ -22,7 +22,7 @@ def truths(shared):
     return {each["id"]: each for each in json.loads(path.read_text(encoding="utf-8"))}
 
 
-@pytest.mark.slow
+@pytest.mark.proof
 @pytest.mark.parametrize("name", NAMES)
 def test_their_ratios_are_right_and_so_are_the_errors(name, truths, shared):
     """`bound` is the least standard error that such data allow, with a zero known to 1 degree."""

@@ -80,6 +80,6 @@ def test_both_methods_agree_where_two_limits_hold_at_once():
     assert one.parameters["mass"].value == pytest.approx(6.0, abs=1e-5)
 
 
-@pytest.mark.slow
+@pytest.mark.proof
 def test_both_methods_agree_on_two_segments_with_a_known_mass():
     agree(*both(recorded(DROP, LOADED)))

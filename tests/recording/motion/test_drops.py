@@ -7,6 +7,7 @@ import pytest
 
 from exoid.recording.motion.drops import find_drops
 from exoid.recording.motion.extent import Motionless, find_extent
+from exoid.recording.pendulum.drops import measure_drops
 from exoid.recording.recording import Segment
 from hands import Device, Hand, Knee, dropped
 
@@ -70,3 +71,12 @@ def test_a_segment_in_which_nothing_moves_does_not_keep_the_others():
     found = find_drops(replace(recording, segments=(still, *recording.segments[1:])))
     assert isinstance(found[0], Motionless)
     assert [each.ended for each in (found[1], found[2])] == ["at rest", "at rest"]
+
+
+def test_no_pendulum_measure_is_read_off_where_the_hand_holds_it():
+    recording, _ = together(GYRO, *FREE, Hand(-0.1, stop=0.8))
+    plateaus = [each.measures["plateau_angle"] for each in measure_drops(recording).drops]
+    assert [each.value is None for each in plateaus] == [False, False, False, True]
+    assert "caught" in plateaus[3].reason
+    alone = measure_drops(replace(recording, segments=recording.segments[3:])).drops[0]
+    assert alone.measures["plateau_angle"].value is not None

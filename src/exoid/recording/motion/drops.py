@@ -4,7 +4,7 @@ By itself a drop that was caught in its first swings hardly tells where the leg 
 rest.
 """
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 from exoid.recording.condition import classify
@@ -29,27 +29,45 @@ def find_drop(recording: Recording, number: int) -> Extent:
     return found
 
 
-@lru_cache(maxsize=8)  # every segment of a recording asks for it
 def find_drops(recording: Recording) -> dict[int, Extent | Motionless]:
     """Of every passive segment, by its number."""
+    return compared(recording).found
+
+
+def law_for(recording: Recording, number: int) -> Law | None:
+    """What all drops like this segment tell of the leg; None where it is the only one."""
+    return compared(recording).laws.get(number)
+
+
+@dataclass(frozen=True, eq=False)
+class Compared:
+    """Movements of passive segments, and the laws that showed where they end, by number."""
+
+    found: dict[int, Extent | Motionless]
+    laws: dict[int, Law]
+
+
+@lru_cache(maxsize=8)  # every segment of a recording asks for it
+def compared(recording: Recording) -> Compared:
     passive = [n for n in range(len(recording.segments)) if passively(recording, n)]
     signals = {n: signal_of(recording.segments[n], recording.sensors) for n in passive}
     handled = recording.subject.kind != "rig"
     found = {n: free_or_not(signal, handled, MARKED) for n, signal in signals.items()}
     moved = {n: each for n, each in found.items() if isinstance(each, Extent)}
-    if not handled or len(moved) < 2:
-        return found
+    if not handled:
+        return Compared(found, {})
     at_once = [n for n, each in moved.items() if each.held_until is None]
     if len(at_once) < len(moved) / 2:  # nobody marked this recording at its releases
         again = {n: free_or_not(signals[n], handled, SHORTEST) for n in at_once}
         moved |= {n: each for n, each in again.items() if isinstance(each, Extent)}
+    laws: dict[int, Law] = {}
     for setup in dict.fromkeys(setup_of(recording, n) for n in moved):
-        alike = {n: each for n, each in moved.items() if setup_of(recording, n) == setup}
-        if len(alike) == 1:
-            continue
-        law = law_of([(signals[n], sure(signals[n], each)) for n, each in alike.items()])
-        moved |= {n: ended(signals[n], each, law) for n, each in alike.items()}
-    return found | moved
+        alike = [n for n in moved if setup_of(recording, n) == setup]
+        law = law_of([(signals[n], sure(signals[n], moved[n])) for n in alike])
+        if len(alike) > 1 and law is not None:
+            laws |= dict.fromkeys(alike, law)
+    ends = {n: ended(signals[n], moved[n], law) for n, law in laws.items()}
+    return Compared(found | moved | ends, laws)
 
 
 def passively(recording: Recording, number: int) -> bool:
@@ -79,7 +97,7 @@ def sure(signal: Signal, extent: Extent) -> slice:
     return slice(free.start, max(min(free.stop, extent.stop), free.start + 1))
 
 
-def ended(signal: Signal, extent: Extent, law: Law | None) -> Extent:
+def ended(signal: Signal, extent: Extent, law: Law) -> Extent:
     """The same movement with its end by a law that all drops have told."""
     end = free_end(signal, speed_of(signal), extent.start, extent.free, handled=True, law=law)
     return replace(extent, stop=end.stop, hand=end.hand, ended=end.ended, why=end.why)

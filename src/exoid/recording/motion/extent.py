@@ -6,6 +6,7 @@ from typing import Literal
 import numpy as np
 
 from exoid.recording.condition import interpolated, local_line, runs
+from exoid.recording.motion.acceleration import Law
 from exoid.recording.motion.hand import free_end
 from exoid.recording.motion.letting_go import Case, LettingGo, begun_free, let_go
 from exoid.recording.motion.limits import (
@@ -59,8 +60,14 @@ def find_extent(
     return find_free(signal_of(segment, sensors), handled=handled)
 
 
-def find_free(signal: Signal, *, handled: bool = True, shortest: float = MARKED) -> Extent:
-    """The same of a signal. What was held for less than `shortest` s is said to begin free."""
+def find_free(
+    signal: Signal, *, handled: bool = True, shortest: float = MARKED, law: Law | None = None
+) -> Extent:
+    """The same of a signal.
+
+    What was held for less than `shortest` s is said to begin free. A `law` is what other drops of
+    this leg have told.
+    """
     speed = speed_of(signal)
     first, _ = first_movement(signal, speed)
     found = released(signal, speed, first, shortest=shortest)
@@ -68,7 +75,7 @@ def find_free(signal: Signal, *, handled: bool = True, shortest: float = MARKED)
     if found is not None:
         start = nearest(signal.time, found.release)
         free = int(np.searchsorted(signal.time, found.gone))
-    end = free_end(signal, speed, start, free, handled=handled)
+    end = free_end(signal, speed, start, free, handled=handled, law=law)
     how = {"stop": end.stop, "hand": end.hand, "ended": end.ended, "why": end.why}
     if found is None:
         return Extent(None, float(signal.time[0]), 0.0, 0, 0, **how)

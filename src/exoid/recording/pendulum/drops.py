@@ -7,6 +7,7 @@ import numpy as np
 from exoid.recording.clean import clean
 from exoid.recording.condition import classify
 from exoid.recording.given import Given, named_recordings
+from exoid.recording.motion.drops import law_for
 from exoid.recording.pendulum.catalogue import MEASURES, measures
 from exoid.recording.pendulum.landmarks import find_landmarks
 from exoid.recording.pendulum.measure import Measure, NotAllowed
@@ -86,7 +87,8 @@ def drop(recording: Recording, number: int, name: str) -> Drop:
         if kind != "passive":
             raise NotAllowed(REFUSED[kind])
         track = track_of(segment, cleaned.angle.level)
-        found = find_landmarks(track, recording.subject.kind != "rig")
+        law = law_for(cleaned.recording, number)
+        found = find_landmarks(track, recording.subject.kind != "rig", law)
     except NotAllowed as why:
         return Drop(name, segment, mass, {}, None, str(why))
     return Drop(name, segment, mass, measures(found), found.curve)

@@ -6,6 +6,7 @@ from typing import TypeVar
 
 import numpy as np
 
+from exoid.recording.motion.acceleration import Law
 from exoid.recording.motion.extent import Extent, Motionless, find_free
 from exoid.recording.motion.signal import Signal
 from exoid.recording.motion.turning import reversals
@@ -76,12 +77,14 @@ class Landmarks:
         return peak(self.track, near, order, float(self.curve.time[0]))
 
 
-def find_landmarks(track: Track, handled: bool = True) -> Landmarks:
+def find_landmarks(track: Track, handled: bool = True, law: Law | None = None) -> Landmarks:
     """Everything that can be found on a drop; `handled` by a person, who may catch or lift the leg.
+
+    A `law` is what other drops of this leg have told of it.
 
     **Raises** `NotAllowed` where nothing moves, or what moves does not fall.
     """
-    track, extent = freely(track, handled)
+    track, extent = freely(track, handled, law)
     released = attempt(lambda: find_release(track, extent))
     free = None if isinstance(released, NotAllowed) else released
     begin = float(track.time[0]) if free is None else free.start.time
@@ -99,11 +102,11 @@ def find_landmarks(track: Track, handled: bool = True) -> Landmarks:
     )
 
 
-def freely(track: Track, handled: bool) -> tuple[Track, Extent]:
+def freely(track: Track, handled: bool, law: Law | None) -> tuple[Track, Extent]:
     """The track up to where a hand caught or lifted the leg, and its movement."""
     signal = Signal(track.time, track.angle, track.noise, None, np.inf)
     try:
-        extent = find_free(signal, handled=handled)
+        extent = find_free(signal, handled=handled, law=law)
     except Motionless as fault:
         raise NotAllowed(f"no fall: {fault}") from fault
     first = 0 if handled else first_top(track)
