@@ -5,12 +5,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from exoid.diagnose.bench import Bench
+from exoid.diagnose.consistency import BIAS
 from exoid.diagnose.diagnosis import Diagnosis, Finding, NovelTorque, Verdict
 from exoid.diagnose.formula import Formula
 from exoid.diagnose.honesty import too_little, unsure
 from exoid.diagnose.locate import Location
 from exoid.diagnose.numbers import (
-    BIAS,
     FORMULA,
     booked,
     gyro_bias,

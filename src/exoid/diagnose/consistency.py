@@ -11,7 +11,8 @@ from jaxtyping import Float
 from exoid.diagnose.reference import JERKS, Reference, Samples, Smoother, smooth, smoothed
 from exoid.fit.observation import Observation
 
-ERRORS = ("gyro_scale", "gyro_bias", "sensor_skew")  # in the order of the columns
+BIAS = "gyro_bias"
+ERRORS = ("gyro_scale", BIAS, "sensor_skew")  # in the order of the columns
 UNITS = ("1", "rad/s", "s")
 ROUNDS = 3  # a late gyro is shifted by what the last round found
 CLEAR = 25.0  # sum of squares that an error must explain to be one: 5 standard deviations

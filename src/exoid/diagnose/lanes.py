@@ -93,11 +93,12 @@ def run(bench: Bench, batch, candidates, courses, observation) -> Pinned:
         grouped((bench.course, observation, bench.problem.known, bench.clock), GROUP),
         strict=True,
     )
-    static, steps = (bench.library, bench.problem.chain), np.asarray(bench.problem.steps)
+    static = (bench.library, bench.problem.chain)
+    steps, used = np.asarray(bench.problem.steps), np.asarray(len(batch))
     found = []
     for effect, (own, course), around in parts:
         of_lanes = (asked, replace(known, effect=effect), replace(points, own=own), zero, course)
-        arguments = (*of_lanes, *around, steps)
+        arguments = (*of_lanes, *around, steps, used)
         found.append(called("exoid.diagnose.pinned:evaluate", arguments, static, PINNED))
     return joined(found, bench.segments)
 

@@ -3,6 +3,7 @@
 import numpy as np
 
 from exoid.diagnose.bench import Bench
+from exoid.diagnose.consistency import BIAS
 from exoid.diagnose.diagnosis import Booked, Parameter, Tested
 from exoid.diagnose.evidence import Yardstick
 from exoid.diagnose.formula import Formula
@@ -11,7 +12,6 @@ from exoid.diagnose.settle import Settled
 from exoid.physics.library import name_of
 from exoid.physics.parameter import declarations
 
-BIAS = "gyro_bias"
 FORMULA = "formula"  # the name of a term that has none
 CERTAIN = 5.0  # standard deviations
 BIASED = np.radians(0.1)  # rad/s, from which on a gyro's bias is worth a word

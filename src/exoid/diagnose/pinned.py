@@ -25,7 +25,7 @@ from exoid.physics.library import MOST_PARAMETERS
 from exoid.physics.step import Drive
 from exoid.physics.term import Term
 
-BATCH = 64  # lanes and segments at once
+AT_ONCE = 16  # lanes and segments
 
 
 class Pinned(eqx.Module):
@@ -63,12 +63,14 @@ def evaluate(
     known: Float[Array, "segment unknown"],
     clock: Clock,
     steps: Int[Array, ""],
+    used: Int[Array, ""],
     static: tuple[tuple[type[Term], ...], Chain],
 ) -> Pinned:
     """Every lane's misfit and its derivatives.
 
     `courses` are where the lanes were last, `measured` is what the sensors show. The requests are
-    those of each term in `static`; a lane's first term may be `given`.
+    those of each term in `static`; a lane's first term may be `given`. Only the first `used` lanes
+    are worked out, and requests of others are none.
     """
     terms, chain = static
     asked = list(zip(terms, requests, strict=True))
@@ -80,9 +82,9 @@ def evaluate(
     effects = nothing(observation, zero.shape[0], 2)
     effects = jax.tree.map(lambda all, new: all.at[:, 0].set(new), effects, first)
     for term, request in asked:
-        found = jax.vmap(partial(columns, term))(request.values, of_lanes(seen, request))
-        at = (request.lane, request.slot)
-        effects = jax.tree.map(lambda all, new, at=at: all.at[at].add(new), effects, found)
+        effects = jax.lax.cond(
+            jnp.any(request.lane < used), partial(added, term, request, seen), same, effects
+        )
     mounting = jax.vmap(jax.vmap(seated, in_axes=(None, 0)), in_axes=(0, None))
     summed = jax.tree.map(lambda leaf: jnp.moveaxis(together(leaf), 2, 1), effects)
     own = (points.shared, mounting(points.mounting, observation.seat), points.own, courses)
@@ -93,10 +95,35 @@ def evaluate(
         own, summed, zero = lane
         return by_segment(*own, observation, known, summed.push, summed.shown, zero)
 
-    lanes_at_once = max(1, BATCH // observation.time.shape[0])
-    gram = jax.lax.map(lane, (own, summed, zero), batch_size=lanes_at_once)
+    lanes_at_once = max(1, AT_ONCE // observation.time.shape[0])
+    gram = first_of(used, lane, (own, summed, zero), lanes_at_once)
     kept = given.effect.shown.shape[0]
     return Pinned(gram, courses, jax.tree.map(lambda leaf: leaf[:kept, 0], effects))
+
+
+def added(term: type[Term], request: Requests, seen: Scene, effects: Effect) -> Effect:
+    """With what a term does in the lanes that ask."""
+    found = jax.vmap(partial(columns, term))(request.values, of_lanes(seen, request))
+    at = (request.lane, request.slot)
+    return jax.tree.map(lambda all, new: all.at[at].add(new), effects, found)
+
+
+def same(effects: Effect) -> Effect:
+    return effects
+
+
+def first_of(count: Int[Array, ""], task, given, at_once: int):
+    """`task` of the first `count` rows of what is given, so many at once; zero for the others."""
+    size = jax.tree.leaves(given)[0].shape[0]
+    many = jax.vmap(task)
+
+    def part(number, found):
+        first = jnp.minimum(number * at_once, size - at_once)
+        rows = jax.tree.map(lambda leaf: jax.lax.dynamic_slice_in_dim(leaf, first, at_once), given)
+        return jax.lax.dynamic_update_slice_in_dim(found, many(rows), first, 0)
+
+    room = jax.eval_shape(many, given)
+    return jax.lax.fori_loop(0, -(-count // at_once), part, jnp.zeros(room.shape, room.dtype))
 
 
 def recalled(given: Given, leaf: Array) -> Array:

@@ -9,7 +9,7 @@ from exoid.diagnose.bench import Bench
 from exoid.diagnose.evidence import ALIKE, APART, Yardstick, yardstick
 from exoid.diagnose.hypothesis import Hypothesis
 from exoid.diagnose.settle import Settled, settle
-from exoid.diagnose.variants import nested, pairs, polished, reduced, twins
+from exoid.diagnose.variants import nested, pairs, polished, reduced, sensors_alone, twins
 from exoid.physics.library import name_of
 from exoid.physics.term import Term
 
@@ -79,6 +79,7 @@ def look(bench: Bench, base: Settled, told: Told) -> Found:
     both = ordered([one for one in pairs_at_best.values() if sound(one)])
     told("simulating the best pairs")
     joint = [polished(bench, one) for one in both[:SHORT] if one.square < REACH * both[0].square]
+    joint += sensors_alone(bench, base)
     singles = by_evidence([*singles, *reduced(bench, ordered(joint)[:1])], base, measure)
     singles += nested(bench, singles)
     measure = yardstick(bench, min([base, *singles, *joint], key=lambda one: one.square))

@@ -16,6 +16,7 @@ DAMPING = 1e-3  # of the first step, relative to the curvature
 EASIER, HARDER = 0.1, 8.0
 CAREFUL = 1e-2  # damping beyond which a small step says little
 STEADY = 1e-2  # expected gain of a sum of squares below which a candidate rests
+NEARLY = 0.5  # the same while it is pinned, for it goes on running free
 WEAK = 1e-9  # relative curvature of what nothing tells
 PASSES = 4  # in which bounds that a step runs into are found
 
@@ -41,7 +42,8 @@ def settle(bench: Bench, candidates: list[Hypothesis], *, rounds: int = ROUNDS) 
     def evaluate(candidates, courses):
         return lanes.evaluate(bench, candidates, courses, bench.seen)
 
-    return descend(bench, candidates, [bench.course] * len(candidates), evaluate, rounds)
+    courses = [bench.course] * len(candidates)
+    return descend(bench, candidates, courses, evaluate, rounds, NEARLY)
 
 
 def settle_free(
@@ -57,11 +59,11 @@ def settle_free(
     def evaluate(candidates, _):
         return release(bench, candidates, seen)
 
-    return descend(bench, candidates, [None] * len(candidates), evaluate, rounds)
+    return descend(bench, candidates, [None] * len(candidates), evaluate, rounds, STEADY)
 
 
-def descend(bench, candidates, courses, evaluate, rounds) -> list[Settled]:
-    """Steps of all candidates together, until each rests."""
+def descend(bench, candidates, courses, evaluate, rounds, steady) -> list[Settled]:
+    """Steps of all candidates together, until each expects to gain less than `steady`."""
     found = evaluate(candidates, courses)
     at = [
         Settled(candidate, products, course)
@@ -75,17 +77,19 @@ def descend(bench, candidates, courses, evaluate, rounds) -> list[Settled]:
         moved = [candidate for candidate, _ in steps]
         found = evaluate(moved, [at[number].course for number in moving])
         for number, (candidate, gain), (products, course) in zip(moving, steps, found, strict=True):
-            at[number] = judged(at[number], candidate, gain, products, course)
+            at[number] = judged(at[number], candidate, gain, products, course, steady)
     return at
 
 
-def judged(before: Settled, candidate: Hypothesis, gain: float, products, course) -> Settled:
+def judged(
+    before: Settled, candidate: Hypothesis, gain: float, products, course, steady: float
+) -> Settled:
     """Where a candidate stands after a step: there, or where it was and more careful."""
     careful = before.damping > CAREFUL
-    if not products.square < before.square + STEADY:
-        return replace(before, damping=before.damping * HARDER, resting=gain < STEADY)
+    if not products.square < before.square + steady:
+        return replace(before, damping=before.damping * HARDER, resting=gain < steady)
     easier = before.damping * EASIER
-    return Settled(candidate, products, course, easier, resting=gain < STEADY and not careful)
+    return Settled(candidate, products, course, easier, resting=gain < steady and not careful)
 
 
 def step(bench: Bench, at: Settled) -> tuple[Hypothesis, float]:

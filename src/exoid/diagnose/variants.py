@@ -7,6 +7,7 @@ import equinox as eqx
 import numpy as np
 
 from exoid.diagnose.bench import Bench
+from exoid.diagnose.consistency import BIAS
 from exoid.diagnose.hypothesis import Hypothesis
 from exoid.diagnose.lanes import linear
 from exoid.diagnose.settle import Settled, settle_free
@@ -18,6 +19,8 @@ from exoid.physics.term import Term
 PAIRED = 3  # first terms of a pair
 FREE_ROUNDS = 25
 TWINS = ("torque_bias", "stiffness_rest_angle")
+ZERO = "angle_offset"
+MANY = 3  # terms at once that no pair has
 SOFTEST = 1e-3  # N m/rad, of a leg that has a rest angle
 
 
@@ -76,6 +79,21 @@ def renamed(bench: Bench, candidate: Hypothesis, mine: type[Term], twin: type[Te
     ]
     terms, values = zip(*moved, strict=True)
     return replace(candidate, terms=terms, values=values, linear=None)
+
+
+def sensors_alone(bench: Bench, base: Settled) -> list[Settled]:
+    """Everything at once that the sensors surely say of each other, and an encoder's zero: a sensor
+    that is wrong in one way is seldom right in all others.
+    """
+    sure = [error.name for error in bench.sensors.errors if error.clear]
+    wanted = [name for name in (*sure, ZERO) if name != BIAS]  # a bias is free anyway
+    named = {name_of(term): term for term in bench.library}
+    terms = tuple(named[name] for name in wanted if name in named)
+    if len(terms) < MANY:
+        return []
+    values = tuple(bench.starts(term)[0] for term in terms)
+    start = replace(base.candidate, terms=terms, values=values)
+    return [settle_free(bench, [start], rounds=FREE_ROUNDS)[0]]
 
 
 def nested(bench: Bench, singles: list[Settled]) -> list[Settled]:

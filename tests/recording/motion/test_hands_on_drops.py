@@ -66,7 +66,7 @@ def test_drops_with_another_mass_tell_nothing_of_this_leg():
 def test_a_segment_in_which_nothing_moves_does_not_keep_the_others():
     recording, _ = together(GYRO, *FREE)
     first = recording.segments[0]
-    still = Segment(first.time, raw_angle=np.full(first.time.size, -0.3) + 0 * first.time)
+    still = Segment(first.time, raw_angle=np.full(first.time.size, -0.3))
     still = replace(still, raw_angular_velocity=0 * first.time)
     found = find_drops(replace(recording, segments=(still, *recording.segments[1:])))
     assert isinstance(found[0], Motionless)
