@@ -13,7 +13,6 @@ RIGHT = (
     "kal_phase_3",
     "und_R1_0",
     "R2_0",
-    "offset2deg_0",
     "poor_drop",
 )
 WRONG = {  # what is known to be wrong with it: one answer, or one of those that are alike
