@@ -11,12 +11,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exoid.recording.condition import interpolated, local_line
-from exoid.recording.motion.limits import BLUR, GRIP, LATE, LEAN, PUSH, ROUGH, SEIZED, SURE
+from exoid.recording.motion.limits import (
+    BLUR,
+    FEWEST,
+    GRIP,
+    LATE,
+    LEAN,
+    PUSH,
+    ROUGH,
+    SEIZED,
+    SURE,
+    USUAL,
+)
 from exoid.recording.motion.signal import Signal
 from exoid.recording.recording import Samples
-
-FEWEST = 8  # samples of the free part, for four numbers
-WITHIN, WITHIN_ERRORS = 0.95, 1.96  # the share of what a law leaves that counts, in deviations
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,7 +59,8 @@ def law_of(parts: list[Part]) -> Law | None:
         return None
     table, acceleration = np.concatenate(tables), np.concatenate(accelerations)
     numbers = np.linalg.lstsq(table, acceleration, rcond=None)[0]
-    usual = float(np.quantile(np.abs(acceleration - table @ numbers), WITHIN)) / WITHIN_ERRORS
+    share, deviations = USUAL
+    usual = float(np.quantile(np.abs(acceleration - table @ numbers), share)) / deviations
     scatter = max(alike) * usual**2 * np.linalg.pinv(table.T @ table)
     return Law(numbers, scatter, usual, float(np.abs(acceleration).max()))
 

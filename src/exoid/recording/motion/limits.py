@@ -51,6 +51,8 @@ LEAN = 0.04  # of it, of a leg at rest: its mean is surer; dry friction holds le
 SURE = 3.0  # errors that its mean must also be away, by how well the free part told the law
 BRIEF = 0.15  # s, of a rest at the end of a record
 ROUGH = 3.5  # times what the free part itself leaves: friction, a reflex
+FEWEST = 8  # samples of a free part, for the four numbers of its law
+USUAL = (0.95, 1.96)  # the share of what a law leaves that counts, in deviations
 BLUR = (0.05, 0.1, 0.15, 0.2, 0.3)  # s over which accelerations are smoothed
 
 # A voluntary cycle. Its onset may be as soft as the begin of a cosine.
