@@ -4,7 +4,6 @@ import ctypes
 import gc
 import os
 from contextlib import suppress
-from functools import cache
 from pathlib import Path
 
 from machine_code import QUICK
@@ -86,20 +85,3 @@ def resident() -> float:
     except OSError:
         return float("inf")
     return int(pages) * os.sysconf("SC_PAGESIZE")
-
-
-@pytest.fixture
-def optimised(monkeypatch):
-    """Machine code worth a second more of compilation, for tests that run it hundreds of times."""
-    from exoid.fit import program
-
-    monkeypatch.setattr(program, "program", optimised_program)
-
-
-@cache
-def optimised_program(name, structure, shapes, static):
-    """What `exoid.fit.program.program` gives, of another optimisation."""
-    from exoid.fit.program import traceable
-
-    function = traceable(name, structure, static)
-    return jax.jit(function, compiler_options={"xla_backend_optimization_level": 1})

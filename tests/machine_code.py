@@ -1,5 +1,3 @@
-"""How far XLA optimises what the tests compile, for the variable XLA_FLAGS."""
+"""How far XLA optimises what the tests compile beside exoid's own programs (XLA_FLAGS)."""
 
 QUICK = "--xla_backend_optimization_level=0 --xla_cpu_use_fusion_emitters=false"
-# Half as long again to compile, and a third of the time to run.
-OPTIMISED = "--xla_backend_optimization_level=1 --xla_cpu_use_fusion_emitters=false"

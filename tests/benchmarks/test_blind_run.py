@@ -12,8 +12,6 @@ import pytest
 from benchmarks.blind.answer import Answer
 from benchmarks.blind.score import SOUND, mark
 
-from machine_code import OPTIMISED
-
 ROOT = Path(__file__).parents[2]
 # Single effects and nothing. Each row has one shape, which is compiled once, and of that shape the
 # cases that take the least time.
@@ -32,7 +30,7 @@ def answer(shared, programs, tmp_path_factory):
         folder = tmp_path_factory.mktemp("blind")
         cases = [word for name in row for word in ("--case", name)]
         command = [sys.executable, "-m", "benchmarks.blind", *cases, "--to", str(folder)]
-        environment = os.environ | {"XDG_CACHE_HOME": str(programs), "XLA_FLAGS": OPTIMISED}
+        environment = os.environ | {"XDG_CACHE_HOME": str(programs)}
         subprocess.run(command, cwd=ROOT, env=environment, check=True, capture_output=True)
         return json.loads((folder / "answers.json").read_text(encoding="utf-8"))
 

@@ -9,7 +9,6 @@ PEOPLE = 80
 
 
 @pytest.mark.proof
-@pytest.mark.usefixtures("optimised")
 def test_intervals_cover_m_l_j_d_and_c_of_all_kinds_of_people():
     """Three in a thousand such studies would find fewer than this by chance."""
     z = np.concatenate(list(scores(PEOPLE, 3, drops=(2,)).values()))

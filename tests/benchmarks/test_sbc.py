@@ -19,7 +19,6 @@ def test_even_ranks_are_uniform_and_crowded_ones_are_not():
 
 
 @pytest.mark.proof
-@pytest.mark.usefixtures("optimised")
 def test_ranks_of_legs_that_the_prior_has_are_uniform():
     """`python -m benchmarks.sbc` ranks 300.
 

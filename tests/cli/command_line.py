@@ -9,8 +9,6 @@ from io import StringIO
 from pathlib import Path
 from unittest.mock import patch
 
-from machine_code import OPTIMISED
-
 SCRIPT = Path(sys.executable).with_name("exoid")
 # A job that a shell runs in the background ignores Ctrl-C, and so would what it starts.
 HEEDING = (
@@ -28,11 +26,10 @@ class Command:
             **{name: value for name, value in os.environ.items() if name != "COLUMNS"},
             "XDG_CACHE_HOME": str(cache),
             "PYTHONWARNINGS": "default",
-            "XLA_FLAGS": OPTIMISED,  # what one command compiles many others run
         }
 
     def __call__(self, *arguments, cwd=".") -> subprocess.CompletedProcess[str]:
-        """Run a command in this process: all is loaded, but machine code runs slowly here."""
+        """Run a command in this process, where all is loaded."""
         from exoid.cli import explain
         from exoid.cli.app import app
 

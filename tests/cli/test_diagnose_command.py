@@ -12,7 +12,6 @@ from command_line import refusal
 
 from exoid.recording.recording import Protocol, Recording, Segment, Sensors, Subject
 from exoid.recording.table import write_table
-from machine_code import QUICK
 
 TERMS = '''
 from typing import Any, ClassVar
@@ -80,8 +79,7 @@ def diagnosed(command, table, tmp_path_factory):
     terms = folder / "mine.py"
     terms.write_text(TERMS, encoding="utf-8")
     written = ("--plot", figure, "--json", document, "--report", page, "--save", kept)
-    once = command.environment | {"XLA_FLAGS": QUICK}
-    done = command.alone("diagnose", table, *written, "--terms", terms, timeout=600, env=once)
+    done = command.alone("diagnose", table, *written, "--terms", terms, timeout=600)
     assert done.returncode == 0, done.stderr
     found = json.loads(document.read_text(encoding="utf-8"))
     return Diagnosed(done, figure, found, page, kept)

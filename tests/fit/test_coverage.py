@@ -135,7 +135,6 @@ def scores(missed):
 
 
 @pytest.mark.parametrize("missed", [0.0, MISSED], ids=["exact model", "one noise level missed"])
-@pytest.mark.usefixtures("optimised")
 def test_intervals_cover_the_truth_of_everything_that_the_data_tell(missed):
     covered = {name: float(np.mean(np.abs(z) < INTERVAL)) for name, z in scores(missed).items()}
     assert min(covered.values()) >= COVERED[0], covered

@@ -181,3 +181,9 @@ def test_a_program_with_a_class_typed_into_a_notebook_is_not_kept(tmp_path, monk
     kept = program.program("builtins:divmod", leaf, (number,), (space["Typed"],))
     assert callable(kept)
     assert not list(tmp_path.iterdir())
+
+
+def test_options_that_xla_does_not_know_cost_nothing_but_time():
+    assert program.understood((("no_such_option", 1),)) == {}
+    for options in (program.LEAN, program.BROAD):
+        assert program.understood(options) == dict(options)

@@ -5,6 +5,10 @@ import pytest
 from diagnosis_by_hand import doubtful, found, nothing
 from test_fit_json import fitted
 
+from exoid.recording.pendulum.catalogue import MEASURES
+from exoid.recording.pendulum.drops import measure_drops
+from exoid.recording.recording import Protocol, Recording, Segment, Subject
+
 
 def test_a_fit_is_shown_a_line_for_each_quantity():
     result = fitted()
@@ -35,3 +39,31 @@ def test_a_diagnosis_is_shown_in_few_lines(diagnosis):
         assert each.title in repr(diagnosis)
         assert each.title in diagnosis._repr_html_()
     assert "ndarray" not in repr(diagnosis)
+
+
+@pytest.fixture(scope="module")
+def pendulum():
+    """A drop, and a segment that is none: it ends where it began."""
+    time = np.arange(0.0, 8.0, 0.01)
+    swing = np.radians(-90 + 70 * np.exp(-0.6 * time) * np.cos(5 * time))
+    rise = np.radians(-90 + 40 * (1 - np.cos(2 * np.pi * time / 8)))
+    segments = tuple(Segment(time, raw_angle=angle) for angle in (swing, rise))
+    return measure_drops(Recording(segments, Subject(kind="leg"), Protocol(kind="passive")))
+
+
+def test_a_pendulum_test_is_shown_a_line_for_each_average(pendulum):
+    lines = repr(pendulum).splitlines()
+    assert lines[0] == "PendulumTest: 1 of 2 segments read"
+    assert len(lines) == 1 + len(pendulum.average)
+    assert all(one.title in pendulum._repr_html_() for one in pendulum.average.values())
+
+
+def test_a_pendulum_test_is_a_data_frame_with_a_row_for_every_measure_of_every_drop(pendulum):
+    pytest.importorskip("pandas")
+    frame = pendulum.to_dataframe().set_index(["drop", "measure"])
+    assert len(frame) == 2 * len(MEASURES)
+    assert frame.loc["0"]["value"].dtype == np.float64
+    for name, each in pendulum.drops[0].measures.items():
+        value = np.nan if each.value is None else each.value
+        np.testing.assert_equal(frame.loc[("0", name), "value"], value)
+    assert set(frame.loc["1"]["reason"]) == {pendulum.drops[1].reason}

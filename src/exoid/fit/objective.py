@@ -15,6 +15,7 @@ from exoid.fit.constraint import NEVER, SIZE, SIZE_TORQUE, constraint_names, vio
 from exoid.fit.coordinates import (
     TYPICAL,
     Coordinates,
+    Mounting,
     Own,
     Shared,
     leg_parameters,
@@ -47,10 +48,9 @@ class Objective:
 
     def cost(self, vector: np.ndarray) -> float:
         """Half the sum of squares of data and prior."""
-        stage = Stage(np.asarray(0.0), np.asarray(self.problem.steps))
         prior = self.problem.belief.prior
         point = self.point(vector)
-        data, belief = squares(point, self.seen, prior, stage, self.problem.chain)
+        data, belief = squares(point, self.seen, prior, self.stage, self.problem.chain)
         declared = float(np.sum(mounting_residual(prior, point.mounting, np) ** 2))
         return float(data / self.scale**2 + self.bounded * belief + declared) / 2
 
@@ -87,6 +87,14 @@ class Objective:
         return jax.device_put(self.problem.observation)
 
     @cached_property
+    def stage(self) -> Stage:
+        return Stage(np.asarray(0.0), np.asarray(self.problem.steps))
+
+    @cached_property
+    def usual(self) -> Mounting:
+        return usual_mounting(self.problem.movements, owned=self.problem.owned)
+
+    @cached_property
     def voluntary(self) -> list[int]:
         return [n for n, each in enumerate(self.problem.movements) if each.voluntary]
 
@@ -120,8 +128,7 @@ class Objective:
             damping=damping / inertia,
         )
         own = Own(torque / inertia, values[-2 * segments : -segments], values[-segments:])
-        usual = usual_mounting(self.problem.movements, owned=self.problem.owned)
-        mounting = replace(usual, **dict(zip(self.owned, owned[:, None], strict=True)))
+        mounting = replace(self.usual, **dict(zip(self.owned, owned[:, None], strict=True)))
         return Coordinates(shared, log_mass, mounting, own)
 
     def vector(self, start: np.ndarray) -> np.ndarray:

@@ -16,7 +16,7 @@ from functools import cache
 from importlib import import_module
 from importlib.metadata import version
 from pathlib import Path
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import jax
 import jax.export
@@ -35,6 +35,11 @@ SOURCES = (
     *(f"diagnose/{name}.py" for name in ("formula", "dictionary")),
 )  # whose code is in the program
 LIBRARIES = ("jax", "jaxlib", "equinox", "lineax", "optimistix")  # likewise
+# How far XLA optimises: as fast machine code as by default, and less to wait for it. One of its two
+# generators of loops takes half the time over a solver, the other one over many terms at once.
+LEAN = (("xla_backend_optimization_level", 1), ("xla_cpu_use_fusion_emitters", False))
+BROAD = (("xla_backend_optimization_level", 1), ("xla_cpu_use_fusion_emitters", True))
+OPTIONS = {"exoid.diagnose.pinned:evaluate": BROAD}  # all others are LEAN
 DIGEST = 32  # bytes of the checksum before a kept program
 UNREADABLE = "Error reading persistent compilation cache"  # what XLA's Python side says of it
 Result = TypeVar("Result")
@@ -112,14 +117,27 @@ def program(name: str, structure, shapes, static):
 
     A class typed into a notebook has no file by which a later program could know it again.
     """
+    options = understood(OPTIONS.get(name, LEAN))
     if not _folder or None in own_sources(static):
-        return jax.jit(traceable(name, structure, static))
+        return jax.jit(traceable(name, structure, static), compiler_options=options)
     path = _folder[0] / f"{fingerprint(name, structure, shapes, static)}.stablehlo"
     exported = load(path)
     if exported is None:
         exported = jax.export.export(jax.jit(traceable(name, structure, static)))(*shapes)
         store(path, exported.serialize())
-    return jax.jit(exported.call)
+    return jax.jit(exported.call, compiler_options=options)
+
+
+@cache
+def understood(options: tuple[tuple[str, Any], ...]) -> dict[str, Any]:
+    """The options, where they are for this machine and this version of XLA knows them."""
+    if jax.default_backend() != "cpu":
+        return {}
+    try:
+        jax.jit(lambda: np.zeros(()), compiler_options=dict(options)).lower().compile()
+    except jax.errors.JaxRuntimeError:
+        return {}
+    return dict(options)
 
 
 def traceable(name: str, structure, static):

@@ -1,6 +1,7 @@
 """The pendulum test: every passive drop of one leg with its measures, and their averages."""
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -8,6 +9,7 @@ from exoid.recording.clean import clean
 from exoid.recording.condition import classify
 from exoid.recording.given import Given, named_recordings
 from exoid.recording.motion.drops import law_for
+from exoid.recording.pendulum import summary
 from exoid.recording.pendulum.catalogue import MEASURES, measures
 from exoid.recording.pendulum.landmarks import find_landmarks
 from exoid.recording.pendulum.measure import Measure, NotAllowed
@@ -49,13 +51,23 @@ class Average:
     drops: tuple[str, ...]  # that it was read off
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class PendulumTest:
     """The drops of one leg. `average` is over those with the least added mass."""
 
     drops: list[Drop]
     average: dict[str, Average]
     left_out: list[str]  # drops with another added mass
+
+    def __repr__(self) -> str:
+        return summary.lines(self)
+
+    def _repr_html_(self) -> str:
+        return summary.page(self)
+
+    def to_dataframe(self) -> Any:
+        """Every measure of every drop for pandas: a row each, with error, unit and reason."""
+        return summary.frame(self)
 
 
 def measure_drops(recordings: Given) -> PendulumTest:
