@@ -55,7 +55,7 @@ def candidates(height: float | None, amplitude: float | None) -> list[Candidate]
     ]
     loaded = [
         Candidate(
-            f"{mass:g} kg at the ankle from {angle:.0f} deg",
+            f"{mass:g} kg at the ankle, {ankle:.2f} m from the knee, from {angle:.0f} deg",
             Movement(radians(angle), SWING, None, mass, ankle),
         )
         for mass in MASSES

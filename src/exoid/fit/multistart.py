@@ -1,5 +1,6 @@
 """The fit: many starts, brought to the data first, then to what anatomy and bounds allow."""
 
+from collections import Counter
 from dataclasses import dataclass
 
 import jax
@@ -20,6 +21,7 @@ from exoid.fit.task import Solved
 from exoid.fit.uncertainty import decomposed, spread
 
 BASIN = 0.2  # typical steps within which tied starts have come together
+HOPELESS = 1e5  # times the best loss, of a tied start that leads nowhere
 SAME_LOSS = 1e-3  # relative; other minima lie orders of magnitude higher
 FIRST_HORIZON = 1.0  # s of every segment that a start sees first
 LIMITED = 1e-3  # the same with limits: a multiplier of ten makes it 1e-3 of half a sum of squares
@@ -44,8 +46,8 @@ class Ended:
 def search(problem: Problem, starts: np.ndarray) -> tuple[Problem, Ended]:
     """Fit from every start (m, J, l, d, c, tau).
 
-    Tied to the measured motion over its first second, then over all of it, then free; starts that
-    have come together are carried on by the best of them. The best free fit then meets prior
+    Tied to the measured motion over its first second, then over all of it, then free. Each time
+    starts that have come together are carried on by the best of them; its free fit meets prior
     and limits. Also the problem, its priors wider where a seat or a clock is unusual (`seldom.py`).
     """
     tether, weaker = tethers(problem)
@@ -57,10 +59,12 @@ def search(problem: Problem, starts: np.ndarray) -> tuple[Problem, Ended]:
     tied = advance(declared, begin, task(problem, tether, horizon, COARSE))
     rows, member, failures = basins(problem, tied)
     gathered = without_thrust(take(tied.coordinates, rows))
-    looser = advance(declared, gathered, task(problem, weaker, problem.steps, COARSE)).coordinates
-    free = advance(
-        without_scale(problem), without_thrust(looser), task(problem, 0.0, problem.steps, FINE)
-    )
+    looser = advance(declared, gathered, task(problem, weaker, problem.steps, COARSE))
+    rows, again, lost = basins(problem, looser)
+    member = np.where(member < 0, -1, again[member])
+    failures = dict(Counter(failures) + Counter(lost))
+    gathered = without_thrust(take(looser.coordinates, rows))
+    free = advance(without_scale(problem), gathered, task(problem, 0.0, problem.steps, FINE))
     member, failures = without_lost(free, member, failures)
     problem, free, disturbance = with_what_is_missed(problem, free)
     free, disturbance, less = without_excuses(problem, free, disturbance)
@@ -118,7 +122,9 @@ def replaced(tree, row: int, new):
 
 def basins(problem: Problem, tied: Solved) -> tuple[np.ndarray, np.ndarray, dict[str, int]]:
     """The best start of every basin, each start's basin, and why starts were lost."""
-    lost = ~np.isfinite(tied.loss)
+    broken = ~np.isfinite(tied.loss)
+    away = ~broken & (tied.loss > HOPELESS * finite(tied.loss).min())
+    lost = broken | away
     place = data_coordinates(problem, tied.coordinates)
     cell = np.where(lost[:, None], np.inf, np.round(place / BASIN))
     order = np.lexsort((finite(tied.loss),))
@@ -128,7 +134,14 @@ def basins(problem: Problem, tied: Solved) -> tuple[np.ndarray, np.ndarray, dict
     back[order] = member.ravel()
     good = ~lost[rows]
     renumbered = np.cumsum(good) - 1
-    failures = {"its motion could not be simulated": int(lost.sum())} if lost.any() else {}
+    failures = {
+        reason: int(which.sum())
+        for reason, which in (
+            ("its motion could not be simulated", broken),
+            ("it left the measured motion although tied to it", away),
+        )
+        if which.any()
+    }
     if not good.any():
         raise ArithmeticError("no start could be simulated: is the recording what it says it is?")
     return rows[good], np.where(lost, -1, renumbered[back]), failures
@@ -139,7 +152,7 @@ def data_coordinates(problem: Problem, at: Coordinates) -> np.ndarray:
     unit = scaled(at)
     shared = [unit.shared.gravity, unit.shared.stiffness, unit.shared.damping]
     if (problem.known[:, 0] == 0).any():
-        shared.append(unit.shared.log_inertia)
+        shared.append(unit.shared.log_inertia * BASIN)  # hardly told by now: a cell is a step wide
     return np.concatenate([np.stack(shared, axis=1), unit.own.torque], axis=1)
 
 

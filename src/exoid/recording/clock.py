@@ -9,9 +9,9 @@ from exoid.recording.recording import Recording, Samples, Segment
 
 SLOWEST = 0.2  # s between samples; a leg's swing takes about a second
 UNITS = (  # and the steps [of that unit] up to which a sampled leg has it
-    ("milliseconds", "Then name the column time_ms", 300.0),
-    ("microseconds", "Then name the column time_us", 3e5),
-    ("nanoseconds", "Then name the column time_ns", np.inf),
+    ("milliseconds", "Then name the column time_ms, or say --column time_ms=NAME", 300.0),
+    ("microseconds", "Then name the column time_us, or say --column time_us=NAME", 3e5),
+    ("nanoseconds", "Then name the column time_ns, or say --column time_ns=NAME", np.inf),
 )
 BRIEFEST = 6e-4  # s between samples: 30 Hz, told in minutes
 LAG = 8  # steps over which a speed is taken there

@@ -126,7 +126,7 @@ def described(found: Swing) -> str:
     high, low = (np.degrees(each) for each in (found.highest, found.lowest))
     about = "" if found.balance is None else f" about {np.degrees(found.balance.angle):.0f} deg"
     return (
-        f"the angle goes from {high:.0f} down to {low:.0f} deg{about}: no leg hangs like that, "
+        f"the angle lies between {low:.0f} and {high:.0f} deg{about}: no leg hangs like that, "
         f"where 0 is the extended knee, -90 deg hanging, extension positive"
     )
 

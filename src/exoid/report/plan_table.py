@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 from rich.console import Console
 
+from exoid.diagnose.candidate import SWING
 from exoid.diagnose.plan import Plan
 from exoid.fit.result import FitResult
 from exoid.recording.recording import Subject
@@ -29,9 +30,9 @@ def print_plan(plan: Plan, console: Console) -> None:
         say(
             console,
             "Angles are of the knee, 0 straight, -90 hanging. Each time: hold still for 2 s, let "
-            "go without a push, hands off until the leg hangs still (about 10 s). The person "
-            "relaxes. Stop where knee or seat do not allow the swing. Then fit it together with "
-            "what there is: exoid fit OLD NEW.",
+            f"go without a push, hands off until the leg hangs still, {SWING:g} s at least. The "
+            "person relaxes. Stop where knee or seat do not allow the swing. Then fit it together "
+            "with what there is: exoid fit OLD NEW.",
         )
         print_options(plan, console)
     if plan.sentences:

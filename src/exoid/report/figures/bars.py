@@ -13,6 +13,7 @@ from exoid.report.figures.style import FOUND_LINE, GREY, blank
 ROW, REST = 34, 80  # pixels for each cause, and for the axis
 OTHERS = "#e3e3e3"
 FINE = 20.0  # times the noise, up to which there is room for ticks between powers of ten
+TICKS = (0.5, 1, 2, 5, 10, 20)
 LARGE = 1000.0  # times the noise, from which on three digits would be a power of ten
 ROOM = 1.25  # times the longest bar, for the number beside it
 
@@ -39,7 +40,7 @@ def draw_bars(found: Diagnosis) -> Figure:
     drawing.update_xaxes(
         type="log",
         title_text="mean square left / noise",
-        dtick="D2" if most < FINE else 1,
+        **({"tickvals": TICKS} if most < FINE else {"dtick": 1}),
         range=[log10(LEAST), log10(LEAST) + ROOM * log10(most / LEAST)],
     )
     least = min(rows[1:], key=lambda row: row.left, default=rows[0])
