@@ -43,6 +43,7 @@ def bare():
     return recording, fit(recording, multistart=2)
 
 
+@pytest.mark.proof
 @pytest.mark.parametrize("goal", ["inertia", "damping", "stiffness"])
 def test_the_proposed_recording_reaches_the_promised_error(bare, goal):
     recording, result = bare
@@ -57,6 +58,7 @@ def test_the_proposed_recording_reaches_the_promised_error(bare, goal):
     assert found.after < found.before
 
 
+@pytest.mark.proof
 def test_a_first_session_reaches_what_is_promised_of_it():
     found = plan(None, BODY, "inertia")
     assert any(option.motion.added_mass for option in found.proposed)
@@ -97,6 +99,7 @@ def test_a_bare_drop_is_proposed_where_only_a_loaded_one_was_recorded():
     assert any(option.motion.added_mass == 0 for option in found.proposed)
 
 
+@pytest.mark.proof
 def test_voluntary_cycles_are_compared_but_never_proposed():
     cycle = Movement(np.radians(-6), 1.19, amplitude=-4.0)
     result = fit(recorded(DROP, cycle), multistart=2)

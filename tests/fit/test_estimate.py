@@ -280,7 +280,7 @@ REAL = {  # name: least and greatest angle RMSE in deg, and range of m l g / J i
 }
 
 
-@pytest.mark.slow
+@pytest.mark.proof
 @pytest.mark.parametrize("name", REAL)
 def test_real_recordings_are_fitted_as_well_as_a_wide_search_did(name, shared):
     """That search had 1.21, 2.75, 0.88 and 1.43 deg; clipping leaves out what is at rest."""

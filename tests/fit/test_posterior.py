@@ -114,6 +114,7 @@ def without_prior():
     return sample(fit(recorded(DROP, LOADED), multistart=8, prior="none", bounds="paper"), **FEW)
 
 
+@pytest.mark.proof
 def test_where_only_limits_tell_the_mass_its_logarithm_is_uniform_between_them(without_prior):
     """m l and J are known, so m l^2 <= J is m >= (m l)^2 / J; the other end is 6 kg (Eq. 13)."""
     samples = without_prior.samples

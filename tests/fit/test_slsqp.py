@@ -64,6 +64,7 @@ def test_the_inertia_is_as_small_as_a_rigid_leg_allows_where_a_sure_distance_ask
     assert any("m l^2 <= J" in note for note in found.notes)
 
 
+@pytest.mark.proof
 def test_both_methods_agree_where_a_parameter_is_at_its_bound():
     one, other = both(recorded(CYCLE, stiffness=4.6), prior="paper", bounds="paper")
     agree(one, other)
@@ -72,6 +73,7 @@ def test_both_methods_agree_where_a_parameter_is_at_its_bound():
         assert result.parameters["stiffness"].determined_by == "bound"
 
 
+@pytest.mark.proof
 def test_both_methods_agree_where_two_limits_hold_at_once():
     one, other = both(
         recorded(CYCLE, inertia=0.30, com_distance=0.28), prior="paper", bounds="paper"
