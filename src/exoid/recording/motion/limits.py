@@ -62,3 +62,4 @@ TURN_OF_HOLD = 0.15  # s by which the onset may be before the leg is clear of it
 REST_KEPT = 0.5  # s of rest in front of each movement
 MINOR = 0.2  # of the farthest movement, below which one is a twitch or the last of a swing
 ABOVE = 0.3  # of its travel by which a drop or a cycle rises above where it began at most
+RINGING, SWINGS = 0.1, 2  # of its travel that a swing goes, and how many of them no hand makes

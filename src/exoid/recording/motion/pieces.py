@@ -7,8 +7,9 @@ import numpy as np
 from exoid.recording.condition import classify, cut
 from exoid.recording.motion.extent import moving
 from exoid.recording.motion.hand import smoothed
-from exoid.recording.motion.limits import ABOVE, CLEAR, MINOR, TRAVEL
+from exoid.recording.motion.limits import ABOVE, CLEAR, MINOR, RINGING, SWINGS, TRAVEL
 from exoid.recording.motion.signal import signal_of, speed_of
+from exoid.recording.motion.turning import reversals
 from exoid.recording.recording import Kind, Samples, Segment, Sensors
 
 
@@ -42,11 +43,23 @@ def piece(log: Segment, smooth: Samples, part: slice, told: Kind | tuple | None)
     """What a movement is, by where it ends and whether it rises above where it began."""
     kind, angle = classify(cut(log, part)), smooth[part]
     name = {"passive": "a drop", "active": "a movement to and fro", None: "a lift"}[kind]
+    if kind is None and rings(angle):
+        kind, name = "passive", "a drop upwards"  # for the check of signs to see
     above = float(angle.max() - angle[0]) > ABOVE * float(np.ptp(angle))
     if kind == "active" and above:
         kind, name = None, "shaking"
-    if kind == "passive" and above:
+    if name == "a drop" and above:
         kind, name = None, "a push"
     if told in ("passive", "active") and kind != told:
         kind = None
     return Piece(part.start, part.stop, kind, name)
+
+
+def rings(angle: Samples) -> bool:
+    """Does a lift end in ever smaller swings? No hand does that: it is a leg that was let go, in a
+    file that counts the angle otherwise.
+    """
+    middle = int(np.argmax(angle > (angle[0] + angle[-1]) / 2))
+    turns = angle[middle:][reversals(angle[middle:], RINGING * float(np.ptp(angle)))]
+    swings = np.abs(np.diff(turns))
+    return swings.size >= SWINGS and bool((np.diff(swings) < 0).all())
