@@ -5,7 +5,7 @@ from typing import ClassVar, Literal
 
 from exoid.diagnose.diagnosis import Diagnosis
 from exoid.fit.following import of_the_rest
-from exoid.fit.result import Estimate, FitResult
+from exoid.fit.result import Estimate
 from exoid.report.case import Case
 from exoid.report.diagnosis_words import named
 from exoid.report.plot_diagnosis import title as verdict
@@ -57,10 +57,10 @@ class Summary(Section):
     def of(cls, case: Case) -> "Summary":
         asked = () if case.diagnosis is None else (missing(case.diagnosis),)
         read = (recording(case),) if case.sources else ()
-        told = (*read, agreement(case.fit))
+        told = (*read, agreement(case))
         if not case.fit.follows or of_the_rest(case.fit.segments, case.fit.disturbance):
-            told = (agreement(case.fit), *read)
-        return cls((*told, *asked, numbers(case.fit)), believed(case.fit))
+            told = (agreement(case), *read)
+        return cls((*told, *asked, numbers(case)), believed(case))
 
 
 def recording(case: Case) -> Card:
@@ -89,8 +89,9 @@ def recording(case: Case) -> Card:
     return Card("Is the recording good?", "care" if lost else "good", answer, because)
 
 
-def agreement(fit: FitResult) -> Card:
+def agreement(case: Case) -> Card:
     """How far the simulated leg is from the measured one."""
+    fit = case.fit
     rmse, noise = fit.angle_rmse, fit.angle_noise
     because = (
         f"They differ by {in_degrees(rmse)} deg (RMSE of the angle), {rmse / noise:.3g} times the "
@@ -104,8 +105,21 @@ def agreement(fit: FitResult) -> Card:
         return Card(question, "open", "A part of it only.", sentence(partly[0]))
     if fit.disturbance.cause is None:
         return Card(question, "good", "Yes, within the noise.", because)
+    if unnamed(case):
+        answer = "Nearly. What is left is little and has no cause that is known; ± allows for it."
+        return Card(question, "good", answer, because)
     answer = "Not entirely: something is in the recording that the model does not have."
     return Card(question, "care", answer, because)
+
+
+def unnamed(case: Case) -> bool:
+    """Does a diagnosis find nothing behind what the fit leaves beyond the noise?"""
+    return case.diagnosis is not None and case.diagnosis.verdict == "none"
+
+
+def misses(case: Case) -> bool:
+    """Does the model lack something by which all numbers may be moved?"""
+    return case.fit.disturbance.cause is not None and not unnamed(case)
 
 
 def missing(found: Diagnosis) -> Card:
@@ -123,8 +137,9 @@ def missing(found: Diagnosis) -> Card:
     return Card(question, "care", answer, f"{sentence('; '.join(named(found)))} {proof}".strip())
 
 
-def numbers(fit: FitResult) -> Card:
+def numbers(case: Case) -> Card:
     """Whose numbers they are."""
+    fit = case.fit
     question = "Which numbers come from this recording?"
     if not fit.follows:
         return Card(question, "open", "None that can be used.", sentence(LOST))
@@ -135,17 +150,18 @@ def numbers(fit: FitResult) -> Card:
     others = [each for source, symbols in groups.items() if source != "data" for each in symbols]
     because = f"Not, or not alone: {', '.join(others)}. " if others else ""
     told = all(each.determined_by == "data" for each in fit.ratios.values())
-    whole = fit.disturbance.cause is None
+    whole = not misses(case)
     doubt = "" if whole else "The model misses something, so no error bar is complete."
     answer = f"{', '.join(measured) or 'None'}."
     return Card(question, "good" if told and whole else "care", answer, f"{because}{doubt}")
 
 
-def believed(fit: FitResult) -> Table:
+def believed(case: Case) -> Table:
     """Every number, and how far to believe it."""
+    fit = case.fit
     quantities = {**parameters_of(fit), **fit.ratios}
     each = list(quantities.values())
-    words = BELIEF if fit.disturbance.cause is None else BELIEF | {"data": INCOMPLETE}
+    words = BELIEF | {"data": INCOMPLETE} if misses(case) else BELIEF
     words = words if fit.follows else dict.fromkeys(BELIEF, LOST)
     columns = {
         "quantity": [name.replace("_", " ") for name in quantities],
