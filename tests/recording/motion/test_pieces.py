@@ -4,9 +4,11 @@ import numpy as np
 import pytest
 
 from exoid.recording.motion.pieces import find_pieces
+from exoid.recording.motion.split import kept_parts
 from exoid.recording.recording import Segment, Sensors
 
 STEP = 0.01  # s
+LIFTED = 15.0  # s, when a hand begins to lift the leg
 REST, HELD = np.radians(-76.0), np.radians(-12.0)
 
 
@@ -20,9 +22,12 @@ def session(rng: np.random.Generator) -> np.ndarray:
     return angle + np.radians(0.1) * rng.normal(size=angle.size)
 
 
+def log_of(angle):
+    return Segment(STEP * np.arange(angle.size), raw_angle=angle)
+
+
 def pieces_of(angle):
-    time = STEP * np.arange(angle.size)
-    return [each.name for each in find_pieces(Segment(time, raw_angle=angle), Sensors(), None)]
+    return [each.name for each in find_pieces(log_of(angle), Sensors(), None)]
 
 
 @pytest.mark.parametrize("seed", range(3))
@@ -35,3 +40,10 @@ def test_a_drop_of_the_other_sign_is_no_hands_lift(seed):
     """What rings was let go, whichever way it went; only a check of the signs may judge it."""
     names = pieces_of(REST - session(np.random.default_rng(seed)))
     assert [each for each in names if each == "a drop upwards"] == ["a drop upwards"] * 2
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_a_drop_ends_before_the_hand_that_lifts_the_leg_softly(seed):
+    log = log_of(session(np.random.default_rng(seed)))
+    first, _ = kept_parts(log, find_pieces(log, Sensors(), None))
+    assert LIFTED - 1.0 < log.time[first.stop - 1] <= LIFTED

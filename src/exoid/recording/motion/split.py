@@ -7,7 +7,7 @@ import numpy as np
 from exoid.recording.condition import classify, cut
 from exoid.recording.motion.cycle import find_cycle
 from exoid.recording.motion.extent import Motionless
-from exoid.recording.motion.limits import REST_KEPT
+from exoid.recording.motion.limits import REST_KEPT, TAKEN
 from exoid.recording.motion.pieces import Piece, find_pieces
 from exoid.recording.recording import Protocol, Recording, Segment, Sensors, known
 
@@ -83,7 +83,9 @@ def for_all(recording: Recording) -> Recording:
 
 
 def kept_parts(log: Segment, pieces: list[Piece]) -> list[slice]:
-    """Every drop and cycle with the rest before it; a drop lasts until the next movement."""
+    """Every drop and cycle with the rest before it; a drop lasts until a hand takes the leg for the
+    next movement.
+    """
     parts = []
     for number, piece in enumerate(pieces):
         if piece.kind is None:
@@ -92,7 +94,10 @@ def kept_parts(log: Segment, pieces: list[Piece]) -> list[slice]:
         rest = int(np.searchsorted(log.time, log.time[piece.start] - REST_KEPT))
         stop = piece.stop
         if piece.kind == "passive":
-            stop = pieces[number + 1].start if number + 1 < len(pieces) else log.time.size
+            stop = log.time.size
+            if number + 1 < len(pieces):
+                taken = log.time[pieces[number + 1].start] - TAKEN
+                stop = max(piece.stop, int(np.searchsorted(log.time, taken)))
         parts.append(slice(max(rest, before), stop))
     return parts
 
