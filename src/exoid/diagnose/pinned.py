@@ -115,7 +115,7 @@ def same(effects: Effect) -> Effect:
 def first_of(count: Int[Array, ""], task, given, at_once: int):
     """`task` of the first `count` rows of what is given, so many at once; zero for the others."""
     size = jax.tree.leaves(given)[0].shape[0]
-    many = jax.vmap(task)
+    at_once, many = min(at_once, size), jax.vmap(task)
 
     def part(number, found):
         first = jnp.minimum(number * at_once, size - at_once)
