@@ -40,7 +40,8 @@ def draw_bars(found: Diagnosis) -> Figure:
     drawing.update_xaxes(
         type="log",
         title_text="mean square left / noise",
-        **({"tickvals": TICKS} if most < FINE else {"dtick": 1}),
+        tickvals=TICKS if most < FINE else None,
+        dtick=None if most < FINE else 1,
         range=[log10(LEAST), log10(LEAST) + ROOM * log10(most / LEAST)],
     )
     least = min(rows[1:], key=lambda row: row.left, default=rows[0])
