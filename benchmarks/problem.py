@@ -133,6 +133,7 @@ thigh_angle_uncertainty_rad = 0.0
 encoder_counts = {ENCODER_COUNTS}
 angle_noise_rad = {ANGLE_NOISE}
 velocity_noise_rad_s = {VELOCITY_NOISE}
+sample_rate_hz = {1 / TIME_STEP:.1f}
 angle_zero_uncertainty_rad = 0.0
 gyro_scale_uncertainty = 0.0
 clock_uncertainty = 0.0

@@ -88,7 +88,7 @@ def test_mean_and_deviation_are_the_fits_value_and_standard_error(fitted, drawn)
 
 
 def test_the_chains_agree(drawn):
-    """Means of four chains that hold 100 draws' worth scatter: 1.02 is usual, 1.07 one in 100."""
+    """The greatest was 1.020 to 1.034 over seeds and compilers; with 1000 draws, below 1.005."""
     assert max(r_hat(drawn).values()) < 1.05
     assert min(ess(drawn).values()) > 100
     assert not drawn.diverging.any()
