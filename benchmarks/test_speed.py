@@ -1,4 +1,4 @@
-"""The times that should not grow unnoticed: `pytest benchmarks --no-cov`."""
+"""The times that should not grow unnoticed: `pytest benchmarks -n 0`, with `exoid[bench]`."""
 
 import subprocess
 import sys
@@ -11,7 +11,8 @@ import pytest
 
 from exoid.diagnose.identifiability import identify
 from exoid.fit.estimate import fit
-from exoid.fit.problem import around, explained
+from exoid.fit.kinds import explained
+from exoid.fit.problem import around
 from exoid.fit.profile import profiles
 from exoid.recording.dbc import exoid_messages
 from exoid.recording.kalman import filter
