@@ -66,13 +66,18 @@ def span(text: str) -> tuple[int, int]:
 
 def judged(tables: list[Path], options: argparse.Namespace) -> Iterator[Marked]:
     """Each case when it is answered; a fit of a leg that lacks something is not asked for."""
-    commands = [options.only] if options.only else COMMANDS
-    if commands == ["fit"]:
-        tables = [table for table in tables if truth_of(table)["effect"] == "none"]
-    for table in ask_all(tables, commands, options.answers, options.workers):
-        case = marked(table, commands, options.answers)
+    asked = [options.only] if options.only else COMMANDS
+    questions = {table: wanted(table, asked) for table in tables}
+    for table in ask_all(questions, options.answers, options.workers):
+        case = marked(table, questions[table], options.answers)
         print(line(case), flush=True)
         yield case
+
+
+def wanted(table: Path, commands: list[str]) -> list[str]:
+    """The commands whose answers can be judged."""
+    plain = truth_of(table)["effect"] == "none"
+    return [each for each in commands if plain or each != "fit"]
 
 
 def truth_of(table: Path) -> dict:
@@ -83,10 +88,9 @@ def marked(table: Path, commands: list[str], folder: Path) -> Marked:
     truth = truth_of(table)
     answers = {each: answer_of(folder, table.stem, each) for each in commands}
     fit, diagnosis = answers.get("fit"), answers.get("diagnose")
-    judge = fit is not None and truth["effect"] == "none"
     return Marked(
         truth,
-        mark_fit(truth, fit) if judge else None,
+        mark_fit(truth, fit) if fit is not None else None,
         mark_diagnosis(truth, diagnosis) if diagnosis is not None else None,
     )
 

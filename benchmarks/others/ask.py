@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 LIMIT = 900  # s of one answer
-TASKS = 8  # answers of one worker, before it gives the memory of their programs back
+TASKS = 40  # answers of one worker, before it gives the memory of their programs back
 CRASHED = 3
 
 
@@ -30,12 +30,15 @@ class Answer:
     document: dict[str, Any] | None
 
 
-def ask_all(tables: list[Path], commands: list[str], folder: Path, workers: int) -> Iterator[Path]:
-    """Yields each table when its answers are there; those of an earlier run are kept."""
+def ask_all(questions: dict[Path, list[str]], folder: Path, workers: int) -> Iterator[Path]:
+    """Asks the commands of each table, and yields it when its answers are there; those of an
+    earlier run are kept.
+    """
     folder.mkdir(parents=True, exist_ok=True)
+    tables = [table for table, commands in questions.items() if commands]
     for some in batched(tables, TASKS * workers):
         with ProcessPoolExecutor(workers, mp_context=get_context("spawn")) as pool:
-            jobs = {pool.submit(ask, table, commands, folder): table for table in some}
+            jobs = {pool.submit(ask, table, questions[table], folder): table for table in some}
             for job in as_completed(jobs):
                 job.result()
                 yield jobs[job]
