@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 LIMIT = 900  # s of one answer
-TASKS = 40  # answers of one worker, before it gives the memory of their programs back
+TASKS = 16  # answers of one worker, before it gives the memory of their programs back
 CRASHED = 3
 
 
