@@ -28,6 +28,8 @@ from exoid.fit.result import (
 )
 from exoid.fit.uncertainty import Information
 
+UNSETTLED = "the search was still moving when its steps ran out"
+
 
 def describe(
     problem: Problem, ended: Ended, reading: str | None, other_rmse: float | None
@@ -65,6 +67,7 @@ def describe(
     segments = [segment_fit(problem, ended, number, each) for number, each in enumerate(torques)]
     why = astray(believed(segments, ended.disturbance), limits_met(problem, at_bound))
     why = beyond_belief(problem, ended) if why is None else why
+    why = UNSETTLED if why is None and best.exhausted[0] else why
     ratios = estimate_ratios(problem, ended, information, at_bound)
     mountings = estimate_mountings(problem, ended, information)
     systematic = [*suspicions(problem, mountings), *limiting({**parameters, **ratios})]
