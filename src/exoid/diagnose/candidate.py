@@ -84,7 +84,7 @@ def candidates(height: float | None, amplitude: float | None) -> list[Candidate]
 def moving(
     options: list[Candidate], leg: LegParameters, sensors: Sensors, gyro: bool
 ) -> dict[Candidate, Observed]:
-    """Every candidate as the fit would see it, without noise; the mass' place is not told.
+    """Every candidate as the fit would see it, without noise.
 
     Those are left out from which this leg hardly moves: a stiff one rests high.
     """
@@ -108,5 +108,5 @@ def imagine(
         segment if gyro else replace(segment, raw_angular_velocity=None)
         for segment in made.segments
     )
-    subject = replace(made.subject, kind="leg", added_mass_distance=None)
+    subject = replace(made.subject, kind="leg")
     return replace(made, segments=segments, subject=subject, sensors=sensors)

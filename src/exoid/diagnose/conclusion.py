@@ -8,7 +8,7 @@ from exoid.diagnose.bench import Bench
 from exoid.diagnose.consistency import BIAS
 from exoid.diagnose.diagnosis import Diagnosis, Finding, NovelTorque, Verdict
 from exoid.diagnose.formula import Formula
-from exoid.diagnose.honesty import too_little, unsure
+from exoid.diagnose.honesty import late, too_little, unsure
 from exoid.diagnose.locate import Location
 from exoid.diagnose.numbers import (
     FORMULA,
@@ -164,8 +164,8 @@ def judge(bench: Bench, found: Found, best: Settled, shown: Proof) -> tuple[Verd
     little = too_little(bench, found)
     if best is found.base:
         left = found.base.square / found.yardstick.samples
-        if little:
-            return "cannot_tell", little
+        if little or late(bench):
+            return "cannot_tell", [*little, *late(bench)]
         if not found.yardstick.explains(found.base.square):
             return "cannot_tell", [
                 f"simulation and recording differ by {left**0.5:.2g} times the noise, but no cause "

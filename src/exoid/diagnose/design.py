@@ -16,14 +16,14 @@ from exoid.diagnose.candidate import Candidate
 from exoid.diagnose.known import LEG, Known, eliminated
 from exoid.fit.belief import NAMES
 from exoid.fit.chain import Raw
-from exoid.fit.coordinates import TYPICAL, Coordinates, Mounting, Own
+from exoid.fit.coordinates import TYPICAL, Coordinates, Own
 from exoid.fit.estimates import RATIOS
 from exoid.fit.gram import CAUSES, gram, pushes
 from exoid.fit.movement import Movement
 from exoid.fit.problem import Problem, pose, sensed
 from exoid.fit.sandwich import common, spoiled
 from exoid.fit.starts import first_state, usual_mounting
-from exoid.fit.systematics import ANYWHERE, OWNED, SOMEWHERE
+from exoid.fit.systematics import OWNED
 from exoid.fit.uncertainty import Information
 
 GOALS = (*NAMES, *list(RATIOS)[:3])
@@ -40,8 +40,7 @@ def informations(known: Known, options: dict[Candidate, Movement]) -> list[np.nd
     states = np.array([first_state(each) for each in movements])
     torque = np.array([option.motion.amplitude or 0.0 for option in options])
     own = Own(torque / np.exp(known.shared.log_inertia), *states.T.copy())
-    mounting = placed(usual_mounting(movements), list(options))
-    point = Coordinates(known.shared, known.log_mass, mounting, own)
+    point = Coordinates(known.shared, known.log_mass, usual_mounting(movements), own)
     return [without_own(each) for each in segments_told(known, problem, point)]
 
 
@@ -60,13 +59,6 @@ def segments_told(known: Known, problem: Problem, point: Coordinates) -> list[np
         each = gram(response, seen, segment, duration, missed.cause or CAUSES[0], place)
         told.append(spoiled(common(missed, [kind]), [each], [kind], place.size).information)
     return told
-
-
-def placed(mounting: Mounting, options: list[Candidate]) -> Mounting:
-    """The new recording's mass where the candidates carry it."""
-    distance = max(option.motion.added_mass_distance for option in options)
-    at = np.full_like(mounting.log_distance, np.log(distance / SOMEWHERE))
-    return replace(mounting, log_distance=at)
 
 
 def without_own(segment: np.ndarray) -> np.ndarray:
@@ -98,7 +90,7 @@ class Design:
     @cached_property
     def mounting(self) -> np.ndarray:
         """What is believed of a new recording's mounting."""
-        return np.diag(np.append(np.zeros(LEG), mounting_prior(self.known)))
+        return np.diag(np.append(np.zeros(LEG), mounting_prior(self.known, self.options)))
 
     def error(self, chosen: Sequence[int]) -> float:
         """The standard error of the goal with these candidates, a recording for every seat."""
@@ -147,8 +139,10 @@ class Design:
         return sets[min(near, key=lambda n: (effort[n], after[n]))]
 
 
-def mounting_prior(known: Known) -> np.ndarray:
-    """What is believed of a new mounting: its mass' place is not told, all else as before."""
-    each = {name: getattr(known.systematics, name, ANYWHERE) for name in OWNED}
+def mounting_prior(known: Known, options: Sequence[Candidate]) -> np.ndarray:
+    """What is believed of a new mounting: the mass sits where the candidates have it, by tape."""
+    systematics = known.systematics
+    distance = max(option.motion.added_mass_distance for option in options)
+    each = {name: getattr(systematics, name, systematics.distance / distance) for name in OWNED}
     sizes = {name: float(getattr(TYPICAL.mounting, name)) for name in OWNED}
     return np.array([(sizes[name] / (each[name] or sizes[name])) ** 2 for name in OWNED])

@@ -30,6 +30,20 @@ def too_little(bench: Bench, found: Found) -> list[str]:
     return reasons
 
 
+def late(bench: Bench) -> list[str]:
+    """That nobody can say why the first instants of a movement differ from the rest."""
+    counted = [each for each in bench.problem.movements if each.late]
+    if not counted:
+        return []
+    longest = max(float(each.segment.time[each.late]) for each in counted)
+    names = ", ".join(each.name for each in counted)
+    return [
+        f"nothing is missing but in the first {longest:.2f} s of segment {names}: the recording "
+        "begins as the leg is let go, and a hand, soft cuffs and play all begin like this. Record "
+        "from 0.3 s before the release on"
+    ]
+
+
 def unsure(bench: Bench, best: Settled, proof: Proof) -> list[str]:
     """Why what was found must not be claimed."""
     reasons = []

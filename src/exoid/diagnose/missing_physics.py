@@ -3,10 +3,12 @@
 from collections.abc import Callable
 from typing import Any
 
+import numpy as np
+
 from exoid.diagnose.bench import Bench
 from exoid.diagnose.conclusion import Chosen, concluded
 from exoid.diagnose.diagnosis import Diagnosis
-from exoid.diagnose.evidence import SURE
+from exoid.diagnose.evidence import SURE, misfits
 from exoid.diagnose.formula import Formula, term_of
 from exoid.diagnose.hypothesis import Hypothesis
 from exoid.diagnose.locate import locate
@@ -16,13 +18,17 @@ from exoid.diagnose.proof import improves, predict
 from exoid.diagnose.search import Found, look
 from exoid.diagnose.settle import Settled, settle_free
 from exoid.fit.estimate import fit
+from exoid.fit.movement import Movement
+from exoid.fit.result import FitResult
 from exoid.physics.term import Term
 from exoid.recording.given import Given, named_recordings
+from exoid.recording.recording import Recording
 
 REMAINS = 1.1  # mean square over the noise, from which on a formula is looked for
 LEFT = 0.5  # of what the library leaves, that a formula may leave to take its place
 KNOWN = 0.5  # share of a formula that a term of the library is, up to which it is new
 ROUNDS = 25
+AT_ONCE = 1.5  # mean square over the noise that a cause may leave of a movement's first instants
 
 
 def diagnose(
@@ -47,6 +53,25 @@ def diagnose(
     named = named_recordings(recordings)
     told("fitting the baseline")
     result = fit(named, multistart=multistart, seed=seed, **assumed)
+    if result.basis is None or not any(each.late for each in result.basis.problem.movements):
+        return asked(result, named, terms, seed, told)
+    at_once = fit(named, multistart=multistart, seed=seed, at_once=True, **assumed)
+    whole = asked(at_once, named, terms, seed, told)
+    if names_it(whole) and from_the_first(whole, result.basis.problem.movements):
+        return whole
+    later = asked(result, named, terms, seed, told)
+    settled = names_it(later) or not later.changed
+    return later if settled or not names_it(whole) else whole
+
+
+def asked(
+    result: FitResult,
+    named: list[tuple[str, Recording]],
+    terms: tuple[type[Term], ...],
+    seed: int,
+    told: Callable[[str], None],
+) -> Diagnosis:
+    """What is missing in a fit."""
     bench, base = prepare(result, named, terms)
     found = look(bench, base, told)
     told("proving it on held-out data")
@@ -59,6 +84,26 @@ def diagnose(
     location = locate(bench, base.candidate, chosen.best)
     declared = all(recording.sensors.angle_noise is not None for _, recording in named)
     return concluded(result, bench, found, chosen, formula, location, declared, seed)
+
+
+def names_it(found: Diagnosis) -> bool:
+    """Is something missing that the library has?"""
+    return found.verdict == "mismatch" and not found.novel
+
+
+def from_the_first(found: Diagnosis, movements: list[Movement]) -> bool:
+    """Does what was found explain the first instants, too, down to the noise? What a hand does is
+    no other cause by chance.
+    """
+    work = found.workings
+    assert work is not None  # it was just made
+    each = misfits(work.bench.seen, work.best.course)
+    early = [
+        one[: movement.late]
+        for channels, movement in zip(each, movements, strict=True)
+        for one in channels
+    ]
+    return float(np.mean(np.concatenate(early) ** 2)) < AT_ONCE
 
 
 def choose(bench: Bench, found: Found) -> Chosen:

@@ -11,9 +11,7 @@ from exoid.diagnose.consistency import Consistency, consistency
 from exoid.diagnose.hypothesis import Hypothesis
 from exoid.diagnose.scene import Clock
 from exoid.diagnose.settle import Settled, settle_free
-from exoid.fit.conditioning import conditioned
 from exoid.fit.coordinates import Coordinates, Mounting
-from exoid.fit.estimate import movements_of
 from exoid.fit.movement import Movement
 from exoid.fit.observation import Observation
 from exoid.fit.problem import Problem, pose, take
@@ -35,7 +33,7 @@ def prepare(
     basis = result.basis
     assert basis is not None  # a joint fit has one
     reading = result.torque_frequency or "1/T"
-    chain, movements = conditioned(movements_of(recordings), 1)
+    chain, movements = basis.problem.chain, basis.problem.movements
     owned = between(movements)
     problem = compared(pose(movements, basis.problem.belief, reading, chain, owned=owned))
     sensors = consistency(problem.observation)

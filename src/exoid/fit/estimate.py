@@ -11,6 +11,7 @@ from exoid.fit.belief import NAMES, Belief, believe
 from exoid.fit.by_hand import Bounds, Expectations, Fixed
 from exoid.fit.conditioning import conditioned
 from exoid.fit.describe import describe
+from exoid.fit.first_instants import differ, disturbed, without_first_instants
 from exoid.fit.movement import Movement, movement
 from exoid.fit.multistart import Ended, search
 from exoid.fit.portion import Clip
@@ -44,6 +45,7 @@ def fit(
     smooth: int = 1,
     misfit: Literal["weighted", "paper"] = "weighted",
     clip: Clip = "free",
+    at_once: bool = False,
     starts: np.ndarray | None = None,
 ) -> FitResult:
     """Fit one leg to all segments of the recordings (Eq. 9-13).
@@ -58,7 +60,9 @@ def fit(
     data and simulation alike. `misfit` "paper" is Eq. 11 as printed: the angle alone in rad, and
     the prior in the parameters' own units. `starts`, (start, 6) in the order m, J, l, d, c, tau,
     replace the draw from the limits by `seed`. `clip` "paper" keeps what lies between the first and
-    the last sample faster than 20 deg/s (Eq. 3-4), in place of what moved freely.
+    the last sample faster than 20 deg/s (Eq. 3-4), in place of what moved freely. `at_once` says
+    that where a recording begins with its release, no hand is on the leg from the first sample on;
+    else its first instants count where they fit to the rest.
 
     **Raises** `ValueError` where the recording cannot be fitted or gravity comes out upwards in
     passive segments, `ArithmeticError` where no start
@@ -74,16 +78,19 @@ def fit(
     if plain:
         movements = [plainly(each) for each in movements]
     chain, movements = conditioned(movements, smooth)
-    tried = {
-        reading: solved(
-            pose(movements, belief, reading, chain),
-            begin(movements, belief, reading, multistart, seed) if starts is None else starts,
-            method,
-        )
-        for reading in readings(named, movements)
-    }
+
+    def search_of(movements: list[Movement], reading: str) -> tuple[Problem, Ended]:
+        given = begin(movements, belief, reading, multistart, seed) if starts is None else starts
+        return solved(pose(movements, belief, reading, chain), given, method)
+
+    tried = {reading: search_of(movements, reading) for reading in readings(named, movements)}
     best = min(tried, key=lambda reading: float(tried[reading][1].best.misfit[0]))
     problem, ended = tried[best]
+    rest = movements if at_once else without_first_instants(movements)
+    if any(each.late for each in rest) and disturbed(ended):
+        later = search_of(rest, best)
+        if differ(movements, ended, rest, later[1]):
+            problem, ended = later
     if upwards(problem, ended):
         raise ValueError(UPWARDS)
     others = [

@@ -36,6 +36,9 @@ class Movement:
     recording: int = 0  # of those that are fitted together
     extent: Extent | None = None  # how it began and ended; None where the whole segment is kept
     systematics: Systematics = DECLARED_NOTHING  # how well what is declared is known
+    late: int = (
+        0  # samples from the first that weigh nothing, though nobody was seen to hold the leg
+    )
 
     @property
     def angle_noise(self) -> float:

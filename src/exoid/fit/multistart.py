@@ -24,6 +24,7 @@ BASIN = 0.2  # typical steps within which tied starts have come together
 HOPELESS = 1e5  # times the best loss, of a tied start that leads nowhere
 SAME_LOSS = 1e-3  # relative; other minima lie orders of magnitude higher
 FIRST_HORIZON = 1.0  # s of every segment that a start sees first
+PATIENCE = 5  # times that a search with limits may run out of steps: some valleys are long
 LIMITED = 1e-3  # the same with limits: a multiplier of ten makes it 1e-3 of half a sum of squares
 LOOKING = np.inf  # the same of a solver that is not to leave its point
 TOLD = 0.5  # relative error of an inertia from which on the data do not tell it
@@ -194,10 +195,19 @@ def settle(problem: Problem, free: Solved, begin: Coordinates, found: Disturbanc
         local = weighed(around(problem, there), found.scale)
     asked = task(problem, 0.0, problem.steps, LIMITED, penalties(local))
     bounded = problem if told or problem.belief.typical else with_inertia_kept(problem)
-    ended = advance(bounded, starts, asked, found.scale * found.weighing(problem.kinds))
+    for _ in range(PATIENCE):
+        ended = advance(bounded, starts, asked, found.scale * found.weighing(problem.kinds))
+        best = least(ended)
+        if not ended.exhausted[best]:
+            break
+        starts = ended.coordinates
+    return take(ended, [best])
+
+
+def least(ended: Solved) -> int:
+    """The best that keeps the limits, or the best."""
     feasible = np.where(ended.violation < FEASIBLE, finite(ended.loss), np.inf)
-    chosen = feasible if np.isfinite(feasible).any() else finite(ended.loss)
-    return take(ended, [int(np.argmin(chosen))])
+    return int(np.argmin(feasible if np.isfinite(feasible).any() else finite(ended.loss)))
 
 
 def scale_told(data: np.ndarray) -> bool:

@@ -30,6 +30,7 @@ def remarks(problem: Problem, ended: Ended, at_bound: set[str]) -> list[str]:
     if guessed:
         each = ", ".join(f"{one.name} {one.kind}" for one in guessed)
         said.append(f"the sidecar does not say how the leg was moved; by its motion: {each}.")
+    said += of_late(problem)
     said += noise_remarks(problem.movements)
     gravity = float(ended.best.coordinates.shared.gravity[0])
     told = scale_told(ended.local.data + ended.local.prior)
@@ -55,6 +56,19 @@ def remarks(problem: Problem, ended: Ended, at_bound: set[str]) -> list[str]:
             "tau and tau / J are means over the voluntary segments, each with its own effort."
         )
     return said
+
+
+def of_late(problem: Problem) -> list[str]:
+    """Which movements begin to count late, though nobody was seen to hold the leg."""
+    late = [each for each in problem.movements if each.late]
+    if not late:
+        return []
+    longest = max(float(each.segment.time[each.late]) for each in late)
+    return [
+        f"the first {longest:.2f} s of segment {', '.join(each.name for each in late)} weigh "
+        "nothing: the recording begins as the leg is let go, and they do not fit to the rest, as "
+        "where a hand lets go slowly. Record from 0.3 s before the release on."
+    ]
 
 
 def upwards(problem: Problem, ended: Ended) -> bool:

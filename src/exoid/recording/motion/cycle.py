@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.recording.motion.extent import Extent, first_movement, moving, nearest, released
-from exoid.recording.motion.limits import TURN_OF_HOLD, WILFUL
+from exoid.recording.motion.limits import MARKED, TURN_OF_HOLD, WILFUL
 from exoid.recording.motion.signal import Signal, Speed, signal_of, speed_of
 from exoid.recording.recording import Segment, Sensors
 
@@ -39,7 +39,7 @@ def edge(signal: Signal, speed: Speed, first: int) -> tuple[float, float]:
     """When the leg that first moves at sample `first` left its rest [s], and its error."""
     about = float(signal.time[first])
     found = released(signal, speed, first, WILFUL)
-    if found is None:
+    if found is None or found.release - signal.time[0] < MARKED:
         return float(signal.time[0]), 0.0
     if abs(found.release - about) > TURN_OF_HOLD + speed.width:
         return about, speed.width

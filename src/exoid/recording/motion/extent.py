@@ -45,6 +45,7 @@ class Extent:
     ended: Literal["at rest", "caught", "recording stopped", "returned"]
     why: str
     duration: float = np.nan  # s, of a voluntary cycle
+    doubted: int = 0  # the first sample that surely is free, if a hand was on a leg said to be free
 
 
 def find_extent(
@@ -70,17 +71,19 @@ def find_free(
     """
     speed = speed_of(signal)
     first, _ = first_movement(signal, speed)
-    found = released(signal, speed, first, shortest=shortest)
-    start = free = 0
+    found = released(signal, speed, first)
+    held = found is not None and found.release - signal.time[0] >= shortest
+    start = free = gone = 0
     if found is not None:
-        start = nearest(signal.time, found.release)
-        free = int(np.searchsorted(signal.time, found.gone))
+        gone = int(np.searchsorted(signal.time, found.gone))
+    if held:
+        start, free = nearest(signal.time, found.release), gone
     end = free_end(signal, speed, start, free, handled=handled, law=law)
     how = {"stop": end.stop, "hand": end.hand, "ended": end.ended, "why": end.why}
-    if found is None:
-        return Extent(None, float(signal.time[0]), 0.0, 0, 0, **how)
-    held = int(np.searchsorted(signal.time, found.begin, side="right")) - 1
-    return Extent(max(held, 0), found.release, found.error, start, free, **how)
+    if not held:
+        return Extent(None, float(signal.time[0]), 0.0, 0, 0, **how, doubted=gone)
+    last = int(np.searchsorted(signal.time, found.begin, side="right")) - 1
+    return Extent(max(last, 0), found.release, found.error, start, free, **how)
 
 
 def first_movement(signal: Signal, speed: Speed) -> tuple[int, int]:
@@ -123,13 +126,9 @@ def moving(time: Samples, speed: Speed) -> list[tuple[int, int]]:
 
 
 def released(
-    signal: Signal,
-    speed: Speed,
-    first: int,
-    room: tuple[float, ...] = ODD,
-    shortest: float = MARKED,
+    signal: Signal, speed: Speed, first: int, room: tuple[float, ...] = ODD
 ) -> LettingGo | None:
-    """How the leg that first moves at `first` was let go; None where it begins free."""
+    """How the leg that first moves at `first` was let go; None where it begins in motion."""
     time = signal.time
     # Within half a window from the first sample nobody sees whether it moves.
     seen = first > 0
@@ -139,8 +138,6 @@ def released(
     pull = abs(float(speed.velocity[last])) / FALL
     case = Case(signal, (about - early - HELD, about + FALL), pull, room)
     found = let_go(case, max(about - early, float(time[0])), about + speed.width / 2)
-    if found.release - time[0] < shortest:
-        return None
     if not seen and begun_free(case) < found.chi_square + ODDS * max(1.0, found.misfit):
         return None
     return found

@@ -1,0 +1,52 @@
+"""The first instants of a leg whose recording begins with its release: was it let go at once?
+
+A hand that lets go within a tenth of a second, soft cuffs and play all make the sensors begin late.
+Where the rest of the movement fits without these instants and they do not, they tell of nothing.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+
+from exoid.fit.kinds import NOISY
+from exoid.fit.movement import Movement
+from exoid.fit.multistart import Ended
+
+WORSE = 3.0  # times what is missed elsewhere, a sample
+
+
+def without_first_instants(movements: list[Movement]) -> list[Movement]:
+    """The same, where a hand may be on a leg that seems to begin free nothing weighs."""
+    return [masked(each) for each in movements]
+
+
+def masked(each: Movement) -> Movement:
+    count = 0 if each.extent is None else each.extent.doubted
+    if not count:
+        return each
+    angle, velocity = (hidden(one, count) for one in (each.angle, each.angular_velocity))
+    return replace(each, angle=angle, angular_velocity=velocity, late=count)
+
+
+def hidden(samples, count: int):
+    return None if samples is None else np.concatenate([np.full(count, np.nan), samples[count:]])
+
+
+def disturbed(ended: Ended) -> bool:
+    """Is there more in the residual than noise?"""
+    found = ended.disturbance.kinds[ended.disturbance.trusted]
+    return found.cause is not None or found.noise > NOISY
+
+
+def told(each: Movement) -> int:
+    """Numbers that its sensors tell."""
+    channels = [one for one in (each.angle, each.angular_velocity) if one is not None]
+    return sum(int(np.sum(~np.isnan(one))) for one in channels)
+
+
+def differ(whole: list[Movement], of_whole: Ended, rest: list[Movement], of_rest: Ended) -> bool:
+    """Do the first instants miss more than the rest does?"""
+    left, every = (sum(map(told, each)) for each in (rest, whole))
+    usual = max(1.0, float(of_rest.best.misfit[0]) / left)
+    missed = float(of_whole.best.misfit[0] - of_rest.best.misfit[0])
+    return missed > WORSE * usual * (every - left)
