@@ -24,7 +24,7 @@ BASIN = 0.2  # typical steps within which tied starts have come together
 HOPELESS = 1e5  # times the best loss, of a tied start that leads nowhere
 SAME_LOSS = 1e-3  # relative; other minima lie orders of magnitude higher
 FIRST_HORIZON = 1.0  # s of every segment that a start sees first
-PATIENCE = 5  # times that a search with limits may run out of steps: some valleys are long
+PATIENCE = 4  # times that a search with limits goes on where its steps ran out: a long valley
 LIMITED = 1e-3  # the same with limits: a multiplier of ten makes it 1e-3 of half a sum of squares
 LOOKING = np.inf  # the same of a solver that is not to leave its point
 TOLD = 0.5  # relative error of an inertia from which on the data do not tell it
@@ -195,13 +195,13 @@ def settle(problem: Problem, free: Solved, begin: Coordinates, found: Disturbanc
         local = weighed(around(problem, there), found.scale)
     asked = task(problem, 0.0, problem.steps, LIMITED, penalties(local))
     bounded = problem if told or problem.belief.typical else with_inertia_kept(problem)
+    scale = found.scale * found.weighing(problem.kinds)
+    ended = advance(bounded, starts, asked, scale)
     for _ in range(PATIENCE):
-        ended = advance(bounded, starts, asked, found.scale * found.weighing(problem.kinds))
-        best = least(ended)
-        if not ended.exhausted[best]:
+        if not ended.exhausted[least(ended)]:
             break
-        starts = ended.coordinates
-    return take(ended, [best])
+        ended = advance(bounded, ended.coordinates, asked, scale)
+    return take(ended, [least(ended)])
 
 
 def least(ended: Solved) -> int:

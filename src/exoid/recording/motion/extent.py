@@ -72,18 +72,15 @@ def find_free(
     speed = speed_of(signal)
     first, _ = first_movement(signal, speed)
     found = released(signal, speed, first)
-    held = found is not None and found.release - signal.time[0] >= shortest
-    start = free = gone = 0
-    if found is not None:
-        gone = int(np.searchsorted(signal.time, found.gone))
-    if held:
-        start, free = nearest(signal.time, found.release), gone
+    gone = 0 if found is None else int(np.searchsorted(signal.time, found.gone))
+    held = None if found is None or found.release - signal.time[0] < shortest else found
+    start, free = (0, 0) if held is None else (nearest(signal.time, held.release), gone)
     end = free_end(signal, speed, start, free, handled=handled, law=law)
     how = {"stop": end.stop, "hand": end.hand, "ended": end.ended, "why": end.why}
-    if not held:
+    if held is None:
         return Extent(None, float(signal.time[0]), 0.0, 0, 0, **how, doubted=gone)
-    last = int(np.searchsorted(signal.time, found.begin, side="right")) - 1
-    return Extent(max(last, 0), found.release, found.error, start, free, **how)
+    last = int(np.searchsorted(signal.time, held.begin, side="right")) - 1
+    return Extent(max(last, 0), held.release, held.error, start, free, **how)
 
 
 def first_movement(signal: Signal, speed: Speed) -> tuple[int, int]:
