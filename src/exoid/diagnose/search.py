@@ -70,16 +70,16 @@ def look(bench: Bench, base: Settled, told: Told) -> Found:
     measure = yardstick(bench, min([base, *singles], key=lambda one: one.square))
     singles = by_evidence(singles, base, measure)
     pinned = {one.candidate.terms[0]: one.square for one in ranked}
-    found = Found(base, singles, [], pinned, failed, measure)
+    sensors = sensors_alone(bench, base)
     if min(base, *singles, key=lambda one: one.square).square < FLOOR * measure.samples:
-        return found
+        return Found(base, singles, sensors, pinned, failed, measure)
     told("testing pairs")
     seconds = pairs(bench, ranked, singles)
     pairs_at_best = best_of(settle(bench, seconds, rounds=PAIR_ROUNDS))
     both = ordered([one for one in pairs_at_best.values() if sound(one)])
     told("simulating the best pairs")
     joint = [polished(bench, one) for one in both[:SHORT] if one.square < REACH * both[0].square]
-    joint += sensors_alone(bench, base)
+    joint += sensors
     singles = by_evidence([*singles, *reduced(bench, ordered(joint)[:1])], base, measure)
     singles += nested(bench, singles)
     measure = yardstick(bench, min([base, *singles, *joint], key=lambda one: one.square))

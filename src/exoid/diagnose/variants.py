@@ -20,7 +20,6 @@ PAIRED = 3  # first terms of a pair
 FREE_ROUNDS = 25
 TWINS = ("torque_bias", "stiffness_rest_angle")
 ZERO = "angle_offset"
-MANY = 3  # terms at once that no pair has
 SOFTEST = 1e-3  # N m/rad, of a leg that has a rest angle
 
 
@@ -89,7 +88,7 @@ def sensors_alone(bench: Bench, base: Settled) -> list[Settled]:
     wanted = [name for name in (*sure, ZERO) if name != BIAS]  # a bias is free anyway
     named = {name_of(term): term for term in bench.library}
     terms = tuple(named[name] for name in wanted if name in named)
-    if len(terms) < MANY:
+    if len(terms) < 2:
         return []
     values = tuple(bench.starts(term)[0] for term in terms)
     start = replace(base.candidate, terms=terms, values=values)
