@@ -172,7 +172,8 @@ def judge(bench: Bench, found: Found, best: Settled, shown: Proof) -> tuple[Verd
                 "explains it clearly better than another"
             ]
         return "none", []
-    doubts = [*little, *unsure(bench, best, shown)]
+    explained = found.yardstick.explains(best.square)
+    doubts = [*little, *unsure(bench, best, shown, explained=explained)]
     return ("cannot_tell", doubts) if doubts else ("mismatch", [])
 
 

@@ -44,9 +44,20 @@ def late(bench: Bench) -> list[str]:
     ]
 
 
-def unsure(bench: Bench, best: Settled, proof: Proof) -> list[str]:
+def unremembered(bench: Bench) -> list[str]:
+    """That a leg which begins in motion may remember what nobody recorded."""
+    begun = [one.name for one in bench.problem.movements if one.extent and one.extent.in_motion]
+    if bench.rig or not begun:
+        return []
+    return [
+        f"no cause explains it down to the noise, and segment {', '.join(begun)} begins in motion: "
+        "what tissue and reflexes still do of the time before is unknown. Record from a hold on"
+    ]
+
+
+def unsure(bench: Bench, best: Settled, proof: Proof, *, explained: bool) -> list[str]:
     """Why what was found must not be claimed."""
-    reasons = []
+    reasons = [] if explained else unremembered(bench)
     sensors_only = all(issubclass(term, SensorTerm) for term in best.candidate.terms)
     if not proof.holds:
         where = "the recording's own end" if proof.in_time else "held-out segments"

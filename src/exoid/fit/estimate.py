@@ -11,7 +11,7 @@ from exoid.fit.belief import NAMES, Belief, believe
 from exoid.fit.by_hand import Bounds, Expectations, Fixed
 from exoid.fit.conditioning import conditioned
 from exoid.fit.describe import describe
-from exoid.fit.first_instants import differ, disturbed, without_first_instants
+from exoid.fit.first_instants import differ, doubtful, without_first_instants
 from exoid.fit.movement import Movement, movement
 from exoid.fit.multistart import Ended, search
 from exoid.fit.portion import Clip
@@ -87,7 +87,7 @@ def fit(
     best = min(tried, key=lambda reading: float(tried[reading][1].best.misfit[0]))
     problem, ended = tried[best]
     rest = movements if at_once else without_first_instants(movements)
-    if any(each.late for each in rest) and disturbed(ended):
+    if any(each.late for each in rest) and doubtful(problem, ended):
         later = search_of(rest, best)
         if differ(movements, ended, rest, later[1]):
             problem, ended = later

@@ -11,8 +11,10 @@ import numpy as np
 from exoid.fit.kinds import NOISY
 from exoid.fit.movement import Movement
 from exoid.fit.multistart import Ended
+from exoid.fit.problem import Problem
 
 WORSE = 3.0  # times what is missed elsewhere, a sample
+CLEAR = 4.0  # deviations of a chi-square; noise does it in 1 of 1000, and then little is lost
 
 
 def without_first_instants(movements: list[Movement]) -> list[Movement]:
@@ -32,10 +34,32 @@ def hidden(samples, count: int):
     return None if samples is None else np.concatenate([np.full(count, np.nan), samples[count:]])
 
 
-def disturbed(ended: Ended) -> bool:
-    """Is there more in the residual than noise?"""
+def doubtful(problem: Problem, ended: Ended) -> bool:
+    """Is there more in the residual than noise, or in the first instants of a movement?"""
     found = ended.disturbance.kinds[ended.disturbance.trusted]
-    return found.cause is not None or found.noise > NOISY
+    if found.cause is not None or found.noise > NOISY:
+        return True
+    return any(starts_off(problem, ended, number) for number in range(len(problem.movements)))
+
+
+def starts_off(problem: Problem, ended: Ended, number: int) -> bool:
+    """Do the first instants of a movement that seems to begin free miss more than noise does?"""
+    each, seen = problem.movements[number], problem.observation
+    count = 0 if each.extent is None else each.extent.doubted
+    best, rows = ended.best, np.searchsorted(np.asarray(seen.time[number]), each.segment.time)
+    channels = (
+        (each.angle, best.angle, seen.angle_weight),
+        (each.angular_velocity, best.angular_velocity, seen.velocity_weight),
+    )
+    left = [
+        (measured[:count] - simulated[0, number][rows[:count]])
+        * np.asarray(weight[number])[rows[:count]]
+        for measured, simulated, weight in channels
+        if measured is not None
+    ]
+    square = np.concatenate(left) ** 2
+    known = int(np.sum(~np.isnan(square)))
+    return bool(np.nansum(square) > known + CLEAR * np.sqrt(2 * known))
 
 
 def told(each: Movement) -> int:

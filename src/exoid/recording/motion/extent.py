@@ -47,6 +47,11 @@ class Extent:
     duration: float = np.nan  # s, of a voluntary cycle
     doubted: int = 0  # the first sample that surely is free, if a hand was on a leg said to be free
 
+    @property
+    def in_motion(self) -> bool:
+        """Was the leg already moving when the recording began?"""
+        return self.held_until is None and not self.doubted
+
 
 def find_extent(
     segment: Segment,
