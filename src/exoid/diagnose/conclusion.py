@@ -8,7 +8,7 @@ from exoid.diagnose.bench import Bench
 from exoid.diagnose.consistency import BIAS
 from exoid.diagnose.diagnosis import Diagnosis, Finding, NovelTorque, Verdict
 from exoid.diagnose.formula import Formula
-from exoid.diagnose.honesty import late, too_little, unsure
+from exoid.diagnose.honesty import hands, too_little, unsure
 from exoid.diagnose.locate import Location
 from exoid.diagnose.numbers import (
     FORMULA,
@@ -164,14 +164,15 @@ def judge(bench: Bench, found: Found, best: Settled, shown: Proof) -> tuple[Verd
     little = too_little(bench, found)
     if best is found.base:
         left = found.base.square / found.yardstick.samples
-        if little or late(bench):
-            return "cannot_tell", [*little, *late(bench)]
+        if little:
+            return "cannot_tell", little
         if not found.yardstick.explains(found.base.square):
             return "cannot_tell", [
                 f"simulation and recording differ by {left**0.5:.2g} times the noise, but no cause "
                 "explains it clearly better than another"
             ]
-        return "none", []
+        doubts = hands(bench)
+        return ("cannot_tell", doubts) if doubts else ("none", [])
     explained = found.yardstick.explains(best.square)
     doubts = [*little, *unsure(bench, best, shown, explained=explained)]
     return ("cannot_tell", doubts) if doubts else ("mismatch", [])

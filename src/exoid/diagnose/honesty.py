@@ -30,18 +30,25 @@ def too_little(bench: Bench, found: Found) -> list[str]:
     return reasons
 
 
-def late(bench: Bench) -> list[str]:
-    """That nobody can say why the first instants of a movement differ from the rest."""
-    counted = [each for each in bench.problem.movements if each.late]
-    if not counted:
-        return []
-    longest = max(float(each.segment.time[each.late]) for each in counted)
-    names = ", ".join(each.name for each in counted)
-    return [
-        f"nothing is missing but in the first {longest:.2f} s of segment {names}: the recording "
-        "begins as the leg is let go, and a hand, soft cuffs and play all begin like this. Record "
-        "from 0.3 s before the release on"
-    ]
+def hands(bench: Bench) -> list[str]:
+    """That nobody can say why begins and ends of movements differ from the rest."""
+    late = [each for each in bench.problem.movements if each.late]
+    kept = [each.name for each in bench.problem.movements if each.kept is not None]
+    reasons = []
+    if late:
+        longest = max(float(each.segment.time[each.late]) for each in late)
+        names = ", ".join(each.name for each in late)
+        reasons.append(
+            f"nothing is missing but in the first {longest:.2f} s of segment {names}: the "
+            "recording begins as the leg is let go, and a hand, soft cuffs and play all begin like "
+            "this. Record from 0.3 s before the release on"
+        )
+    if kept:
+        reasons.append(
+            f"nothing is missing but at the end of segment {', '.join(kept)}, where a hand may "
+            "have stopped the leg, or friction. Leave it alone until it hangs still"
+        )
+    return reasons
 
 
 def unremembered(bench: Bench) -> list[str]:

@@ -11,7 +11,6 @@ from exoid.fit.belief import NAMES, Belief, believe
 from exoid.fit.by_hand import Bounds, Expectations, Fixed
 from exoid.fit.conditioning import conditioned
 from exoid.fit.describe import describe
-from exoid.fit.first_instants import differ, doubtful, without_first_instants
 from exoid.fit.movement import Movement, movement
 from exoid.fit.multistart import Ended, search
 from exoid.fit.portion import Clip
@@ -19,6 +18,7 @@ from exoid.fit.problem import Problem, pose
 from exoid.fit.remarks import UPWARDS, upwards
 from exoid.fit.result import FitResult
 from exoid.fit.starts import draw, informed
+from exoid.fit.unseen_hands import without_unseen_hands
 from exoid.recording.given import Given, named_recordings
 from exoid.recording.motion.extent import Motionless
 from exoid.recording.noise import Noise
@@ -79,18 +79,21 @@ def fit(
         movements = [plainly(each) for each in movements]
     chain, movements = conditioned(movements, smooth)
 
-    def search_of(movements: list[Movement], reading: str) -> tuple[Problem, Ended]:
-        given = begin(movements, belief, reading, multistart, seed) if starts is None else starts
+    def search_of(movements, reading: str, count: int = multistart) -> tuple[Problem, Ended]:
+        given = begin(movements, belief, reading, count, seed) if starts is None else starts
         return solved(pose(movements, belief, reading, chain), given, method)
 
     tried = {reading: search_of(movements, reading) for reading in readings(named, movements)}
     best = min(tried, key=lambda reading: float(tried[reading][1].best.misfit[0]))
     problem, ended = tried[best]
-    rest = movements if at_once else without_first_instants(movements)
-    if any(each.late for each in rest) and doubtful(problem, ended):
-        later = search_of(rest, best)
-        if differ(movements, ended, rest, later[1]):
-            problem, ended = later
+    if method == "lm" and clip == "free" and not plain:
+        problem, ended = without_unseen_hands(
+            problem,
+            ended,
+            lambda kept, count: search_of(kept, best, count),
+            multistart,
+            at_once=at_once,
+        )
     if upwards(problem, ended):
         raise ValueError(UPWARDS)
     others = [

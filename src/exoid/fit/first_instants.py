@@ -36,10 +36,15 @@ def hidden(samples, count: int):
 
 def doubtful(problem: Problem, ended: Ended) -> bool:
     """Is there more in the residual than noise, or in the first instants of a movement?"""
+    return disturbed(ended) or any(
+        starts_off(problem, ended, number) for number in range(len(problem.movements))
+    )
+
+
+def disturbed(ended: Ended) -> bool:
+    """Is there more in the residual than noise?"""
     found = ended.disturbance.kinds[ended.disturbance.trusted]
-    if found.cause is not None or found.noise > NOISY:
-        return True
-    return any(starts_off(problem, ended, number) for number in range(len(problem.movements)))
+    return found.cause is not None or found.noise > NOISY
 
 
 def starts_off(problem: Problem, ended: Ended, number: int) -> bool:

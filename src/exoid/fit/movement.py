@@ -36,9 +36,8 @@ class Movement:
     recording: int = 0  # of those that are fitted together
     extent: Extent | None = None  # how it began and ended; None where the whole segment is kept
     systematics: Systematics = DECLARED_NOTHING  # how well what is declared is known
-    late: int = (
-        0  # samples from the first that weigh nothing, though nobody was seen to hold the leg
-    )
+    late: int = 0  # samples from the first that weigh nothing, though nobody was seen to hold it
+    kept: int | None = None  # samples after which a hand holds it that only a fit has seen
 
     @property
     def angle_noise(self) -> float:

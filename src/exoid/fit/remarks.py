@@ -31,6 +31,7 @@ def remarks(problem: Problem, ended: Ended, at_bound: set[str]) -> list[str]:
         each = ", ".join(f"{one.name} {one.kind}" for one in guessed)
         said.append(f"the sidecar does not say how the leg was moved; by its motion: {each}.")
     said += of_late(problem)
+    said += of_kept(problem)
     said += noise_remarks(problem.movements)
     gravity = float(ended.best.coordinates.shared.gravity[0])
     told = scale_told(ended.local.data + ended.local.prior)
@@ -68,6 +69,17 @@ def of_late(problem: Problem) -> list[str]:
         f"the first {longest:.2f} s of segment {', '.join(each.name for each in late)} weigh "
         "nothing: the recording begins as the leg is let go, and they do not fit to the rest, as "
         "where a hand lets go slowly. Record from 0.3 s before the release on."
+    ]
+
+
+def of_kept(problem: Problem) -> list[str]:
+    """Which movements count only up to where a hand seems to keep the leg."""
+    return [
+        f"segment {each.name} counts only up to {each.segment.time[each.kept]:.2f} s after its "
+        "release: then it leaves the motion that all drops tell, as where a hand stops the leg and "
+        "keeps it. Leave it alone until it hangs still."
+        for each in problem.movements
+        if each.kept is not None
     ]
 
 

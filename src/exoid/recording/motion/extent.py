@@ -7,7 +7,7 @@ import numpy as np
 
 from exoid.recording.condition import interpolated, local_line, runs
 from exoid.recording.motion.acceleration import Law
-from exoid.recording.motion.hand import free_end
+from exoid.recording.motion.hand import free_end, surely_free, swung
 from exoid.recording.motion.letting_go import Case, LettingGo, begun_free, let_go
 from exoid.recording.motion.limits import (
     CLEAR,
@@ -45,6 +45,7 @@ class Extent:
     ended: Literal["at rest", "caught", "recording stopped", "returned"]
     why: str
     duration: float = np.nan  # s, of a voluntary cycle
+    sure: int = 0  # one past the last sample before which no hand can have ended a swing unseen
     doubted: int = 0  # the first sample that surely is free, if a hand was on a leg said to be free
 
     @property
@@ -81,7 +82,8 @@ def find_free(
     held = None if found is None or found.release - signal.time[0] < shortest else found
     start, free = (0, 0) if held is None else (nearest(signal.time, held.release), gone)
     end = free_end(signal, speed, start, free, handled=handled, law=law)
-    how = {"stop": end.stop, "hand": end.hand, "ended": end.ended, "why": end.why}
+    sure = surely_free(swung(signal, speed, start)[0], free).stop
+    how = {"stop": end.stop, "hand": end.hand, "ended": end.ended, "why": end.why, "sure": sure}
     if held is None:
         return Extent(None, float(signal.time[0]), 0.0, 0, 0, **how, doubted=gone)
     last = int(np.searchsorted(signal.time, held.begin, side="right")) - 1
