@@ -9,7 +9,7 @@ from exoid.diagnose.bench import Bench
 from exoid.diagnose.evidence import ALIKE, APART, Yardstick, yardstick
 from exoid.diagnose.hypothesis import Hypothesis
 from exoid.diagnose.settle import Settled, settle
-from exoid.diagnose.variants import nested, pairs, polished, reduced, sensors_alone, twins
+from exoid.diagnose.variants import nested, pairs, polished, reduced, twins, with_sure_sensors
 from exoid.physics.library import name_of
 from exoid.physics.term import Term
 
@@ -70,7 +70,7 @@ def look(bench: Bench, base: Settled, told: Told) -> Found:
     measure = yardstick(bench, min([base, *singles], key=lambda one: one.square))
     singles = by_evidence(singles, base, measure)
     pinned = {one.candidate.terms[0]: one.square for one in ranked}
-    sensors = sensors_alone(bench, base)
+    sensors = with_sure_sensors(bench, base, singles)
     if min(base, *singles, key=lambda one: one.square).square < FLOOR * measure.samples:
         return Found(base, singles, sensors, pinned, failed, measure)
     told("testing pairs")

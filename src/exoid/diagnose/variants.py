@@ -20,6 +20,7 @@ PAIRED = 3  # first terms of a pair
 FREE_ROUNDS = 25
 TWINS = ("torque_bias", "stiffness_rest_angle")
 ZERO = "angle_offset"
+BESIDE = 2  # of the best single terms are tried beside what the sensors surely say
 SOFTEST = 1e-3  # N m/rad, of a leg that has a rest angle
 
 
@@ -80,19 +81,30 @@ def renamed(bench: Bench, candidate: Hypothesis, mine: type[Term], twin: type[Te
     return replace(candidate, terms=terms, values=values, linear=None)
 
 
-def sensors_alone(bench: Bench, base: Settled) -> list[Settled]:
-    """Everything at once that the sensors surely say of each other, and an encoder's zero: a sensor
-    that is wrong in one way is seldom right in all others.
+def with_sure_sensors(bench: Bench, base: Settled, singles: list[Settled]) -> list[Settled]:
+    """Everything at once that the sensors surely say of each other, with an encoder's zero and with
+    each of the best single terms: a sensor that is wrong in one way is seldom right in all others,
+    and what it does wrong stays, whatever else is missing.
     """
-    sure = [error.name for error in bench.sensors.errors if error.clear]
-    wanted = [name for name in (*sure, ZERO) if name != BIAS]  # a bias is free anyway
-    named = {name_of(term): term for term in bench.library}
-    terms = tuple(named[name] for name in wanted if name in named)
-    if len(terms) < 2:
+    known = {name_of(term): term for term in bench.library}
+    sure = [each for each in bench.sensors.errors if each.clear and each.name in known]
+    sure = [each for each in sure if each.name != BIAS]  # a bias is free anyway
+    terms = tuple(known[each.name] for each in sure)
+    others = [one.candidate for one in singles[:BESIDE] if one.candidate.terms[0] not in terms]
+    zero = known.get(ZERO)
+    if not terms or zero is None:
         return []
-    values = tuple(bench.starts(term)[0] for term in terms)
-    start = replace(base.candidate, terms=terms, values=values)
-    return [settle_free(bench, [start], rounds=FREE_ROUNDS)[0]]
+    values = tuple(np.array([each.value]) for each in sure)
+    start = replace(base.candidate, terms=(zero,), values=(bench.starts(zero)[0],))
+    starts = [start, *(one for one in others if one.terms != start.terms)]
+    return [
+        settle_free(
+            bench,
+            [replace(one, terms=(*terms, *one.terms), values=(*values, *one.values), linear=None)],
+            rounds=FREE_ROUNDS,
+        )[0]
+        for one in starts
+    ]
 
 
 def nested(bench: Bench, singles: list[Settled]) -> list[Settled]:
