@@ -25,7 +25,7 @@ COMMANDS = get_command(app).commands  # type: ignore[attr-defined]
 DOCS = Path(__file__).parents[1] / "docs"
 SLOW = ("tutorial.md",)  # it diagnoses
 PAGES = [
-    pytest.param(page, marks=pytest.mark.slow) if page in SLOW else page
+    pytest.param(page, marks=pytest.mark.proof) if page in SLOW else page
     for page in sorted(each.relative_to(DOCS).as_posix() for each in DOCS.rglob("*.md"))
 ]
 FENCE = re.compile(r"^```(?:\{code-block\} )?(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)

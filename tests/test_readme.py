@@ -27,7 +27,7 @@ def folder_with_a_drop(tmp_path, monkeypatch):
     return tmp_path
 
 
-@pytest.mark.slow
+@pytest.mark.proof
 def test_the_library_examples_run(folder_with_a_drop):
     assert len(BLOCKS) == 3
     for block in BLOCKS:

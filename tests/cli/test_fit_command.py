@@ -156,6 +156,7 @@ def test_slsqp_finds_the_same_leg(command, recordings, fitted, tmp_path):
     assert max(apart(fitted["ratios"], document["ratios"]).values()) < 0.1
 
 
+@pytest.mark.proof
 def test_the_reading_of_the_torque_frequency_can_be_chosen(command, example, tmp_path):
     path = tmp_path / "fit.json"
     done = command.alone("fit", "--torque-frequency", "2/T", "--json", path)

@@ -106,6 +106,7 @@ def test_a_term_that_cannot_be_differentiated_is_left_out_by_name():
     assert found.selected == ["coulomb_friction"]
 
 
+@pytest.mark.proof
 def test_what_no_term_describes_is_called_novel_and_gets_a_formula():
     found = diagnose(session(Detent(jnp.asarray(0.3))))
     assert found.verdict == "mismatch"
