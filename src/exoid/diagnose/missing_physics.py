@@ -20,6 +20,7 @@ from exoid.diagnose.settle import Settled, settle_free
 from exoid.fit.estimate import fit
 from exoid.fit.movement import Movement
 from exoid.fit.result import FitResult
+from exoid.physics.library import name_of
 from exoid.physics.term import Term
 from exoid.recording.given import Given, named_recordings
 from exoid.recording.recording import Recording
@@ -28,6 +29,7 @@ REMAINS = 1.1  # mean square over the noise, from which on a formula is looked f
 LEFT = 0.5  # of what the library leaves, that a formula may leave to take its place
 KNOWN = 0.5  # share of a formula that a term of the library is, up to which it is new
 ROUNDS = 25
+USUAL = {"gyro_scale", "sensor_skew", "angle_offset"}
 AT_ONCE = 1.5  # mean square over the noise that a cause may leave of a movement's first instants
 
 
@@ -115,12 +117,20 @@ def choose(bench: Bench, found: Found) -> Chosen:
     before = predict(bench, found.base)
     chosen = Chosen(found.base, before, before)
     whole = [one for one in found.pairs[:1] if found.yardstick.explains(one.square)]
-    for better in (*found.singles[:1], *whole):
+    single = found.singles[:1]
+    if single and whole and only_sensors(whole[0]):  # no more is asked of what is usual
+        single = [max(*single, *whole, key=found.evidence)]
+    for better in (*single, *whole):
         if found.clear(chosen.best, better):
             after = predict(bench, better)
             if improves(chosen.after, after) or chosen.best is found.base:
                 chosen = Chosen(better, before, after)
     return chosen
+
+
+def only_sensors(one: Settled) -> bool:
+    """Is it what sensors usually do: a scale, a delay, a zero?"""
+    return all(name_of(term) in USUAL for term in one.candidate.terms)
 
 
 def formulated(bench: Bench, found: Found, chosen: Chosen) -> tuple[Chosen, Formula | None]:
