@@ -23,6 +23,7 @@ MATTERS = 0.5  # of the noise
 SEEN = 0.6  # of a tone, that is left beside a motion that is free to do what is slower
 EDGE = 5  # frequencies beside the slowest, where a motion's kinks still show
 STEADY = 0.4  # of its size, that a tone has in three of four pieces
+IN_PHASE = 0.6  # of its size, that is left of the middle of its pieces: noise has any phase
 PIECE, FEW = 0.3, 24  # s, and samples, of a piece at least
 FEWEST = 64  # samples of a segment that can tell a tone
 
@@ -65,22 +66,25 @@ def find_tone(times: list[Samples], signals: list[Samples], noise: float = 0.0) 
     frequency = float(near[np.argmax(sum(powers(*each, near) for each in rest))])
     if min(visible(time, frequency) for time, _ in parts) < SEEN:
         return None
-    sizes = np.concatenate([piecewise(*each, frequency) for each in parts])
+    pieces = [piecewise(*each, frequency) for each in parts]
+    sizes = np.concatenate([np.hypot(*each.T) for each in pieces])
     size = float(np.median(sizes))
     steady = np.quantile(sizes, 0.25) > STEADY * size
-    return Tone(frequency, size) if steady and size > max(SMALLEST, MATTERS * noise) else None
+    in_phase = [float(np.hypot(*np.median(each, axis=0))) for each in pieces]
+    one = np.average(in_phase, weights=[len(each) for each in pieces]) > IN_PHASE * size
+    loud = size > max(SMALLEST, MATTERS * noise)
+    return Tone(frequency, size) if steady and one and loud else None
 
 
-def piecewise(time: Samples, signal: Samples, frequency: float) -> Samples:
-    """The amplitude in every piece of 0.3 s: jumps that come back have lines, but pauses too."""
+def piecewise(time: Samples, signal: Samples, frequency: float) -> NDArray[np.float64]:
+    """Cosine's and sine's amplitude in every piece of 0.3 s: jumps that come back have lines, but
+    pauses too, and a kink is no tone elsewhere.
+    """
     left = without_motion(time, signal, frequency)
     count = max(min(int((time[-1] - time[0]) / PIECE), time.size // FEW), 1)
-    return np.array(
-        [
-            np.hypot(*np.linalg.lstsq(piece[:, 1:], piece[:, 0], rcond=None)[0])
-            for piece in np.array_split(left, count)
-        ]
-    )
+    each = np.array_split(left, count)
+    found = [np.linalg.lstsq(piece[:, 1:], piece[:, 0], rcond=None)[0] for piece in each]
+    return np.array(found, dtype=np.float64)
 
 
 def without_tone(time: Samples, signal: Samples, tone: Tone) -> Samples:
@@ -94,10 +98,10 @@ def without_tone(time: Samples, signal: Samples, tone: Tone) -> Samples:
 
 
 def coefficients(time: Samples, signal: Samples, frequency: float) -> Samples:
-    """Of cosine and sine, beside a motion that is free to do what is slower."""
-    left = without_motion(time, signal, frequency)
-    found = np.linalg.lstsq(left[:, 1:], left[:, 0], rcond=None)[0]
-    return np.asarray(found, dtype=np.float64)
+    """Of cosine and sine, beside a motion that is free to do what is slower: the middle of all
+    pieces, which no kink moves.
+    """
+    return np.median(piecewise(time, signal, frequency), axis=0)
 
 
 def visible(time: Samples, frequency: float) -> float:
