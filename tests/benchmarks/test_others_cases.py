@@ -16,7 +16,9 @@ from benchmarks.others.troubles import TROUBLES, disturb
 from benchmarks.others.write import make
 from scipy.integrate import solve_ivp
 
+import exoid
 from exoid.recording import kalman
+from exoid.recording.clean import clean
 
 SEED, DRAWN = 7, 300
 CASES = [draw_case(SEED, number) for number in range(DRAWN)]
@@ -159,3 +161,9 @@ def test_troubles_are_on_top_of_noise_of_the_told_size(trouble):
     lost = 1 - np.mean(noise.kept)
     assert lost == pytest.approx(0.03 * (trouble == "lost"), abs=0.006)
     assert (np.abs(noise.angle).max() > 9e-3) == (trouble in ("spikes", "heavy_tails"))
+
+
+def test_a_leg_that_is_let_go_and_caught_has_no_tone(tmp_path):
+    """Its kinks make lines, but nowhere else the phase of a tone."""
+    recording = exoid.load(make(0, 172, tmp_path)).recording
+    assert clean(recording).velocity.tone is None

@@ -4,10 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from benchmarks.others.write import make
 from test_noise import NOISE, sampled, swing
 
-import exoid
 from exoid.recording.clean import clean
 from exoid.recording.recording import Recording, Segment, Sensors
 from exoid.recording.tone import find_tone, without_tone
@@ -37,12 +35,6 @@ def test_white_noise_has_no_tone():
     """One in 10,000 is allowed to."""
     found = [clean(recording(rate, seed)).angle.tone for rate in (30, 100) for seed in range(30)]
     assert found == [None] * 60
-
-
-def test_a_leg_that_is_let_go_and_caught_has_no_tone(tmp_path):
-    """Its kinks make lines, but nowhere else the phase of a tone."""
-    recording = exoid.load(make(0, 172, tmp_path)).recording
-    assert clean(recording).velocity.tone is None
 
 
 def test_a_tone_is_taken_out_of_uneven_samples_too():
