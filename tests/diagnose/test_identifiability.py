@@ -140,6 +140,7 @@ def test_cycles_beside_drops_need_no_warning():
     assert "Eq. 10" not in said
 
 
+@pytest.mark.proof
 def test_a_mirrored_movement_that_is_called_passive_is_questioned():
     recording = cycled(raised_cosine)
     passive = replace(recording, protocol=replace(recording.protocol, kind="passive"))

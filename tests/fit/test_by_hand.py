@@ -131,6 +131,7 @@ def test_segment_by_segment_it_is_fixed_too():
     assert result.parameters["inertia"].set_by == "fixed by you"
 
 
+@pytest.mark.proof
 def test_slsqp_holds_it_as_well():
     fixed = {"stiffness": 2.9}
     one, other = (

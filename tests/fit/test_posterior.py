@@ -134,6 +134,7 @@ def test_where_only_limits_tell_the_mass_its_logarithm_is_uniform_between_them(w
     assert highest - 0.1 * (highest - lowest) < draws.max() <= highest
 
 
+@pytest.mark.proof
 def test_walls_that_chains_meet_are_no_divergences(without_prior):
     assert without_prior.diverging.mean() < 0.01
 
@@ -169,6 +170,7 @@ def test_the_fit_is_the_mode(fitted):
     assert np.abs(gradient).max() < 0.05
 
 
+@pytest.mark.proof
 def test_the_same_seed_gives_the_same_draws_and_another_gives_others(fitted, drawn):
     again, other = sample(fitted, **FEW), sample(fitted, **FEW, seed=1)
     for name in drawn.names:

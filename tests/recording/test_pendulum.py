@@ -118,6 +118,7 @@ def test_marks_lie_on_the_curve_that_was_measured(exact):
                 assert mark.value == pytest.approx(near, abs=BAND / 2)  # at rest it still swings
 
 
+@pytest.mark.proof
 def test_errors_are_as_large_as_the_scatter_over_noise():
     true = {name: each.value for name, each in only(drop(lasting=7.5)).items()}
     scores = {name: [] for name in true}

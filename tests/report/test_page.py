@@ -171,6 +171,7 @@ def test_the_library_of_figures_is_there_once(diagnosed):
     assert len(packed) == 1
 
 
+@pytest.mark.proof
 def test_the_file_is_small_however_long_the_recording(diagnosed):
     case, _ = diagnosed
     stretched = of_length(replace(case, told=None), samples=4_000, segments=20)

@@ -141,6 +141,7 @@ def segment_fit(problem: Problem, ended: Ended, number: int, torque: Estimate | 
         angular_velocity=gyro,
         simulated_angle=angle,
         simulated_velocity=velocity,
+        begins=each.segment.begins,
     )
 
 

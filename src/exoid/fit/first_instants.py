@@ -4,12 +4,10 @@ A hand that lets go within a tenth of a second, soft cuffs and play all make the
 Where the rest of the movement fits without these instants and they do not, they tell of nothing.
 """
 
-from dataclasses import replace
-
 import numpy as np
 
 from exoid.fit.kinds import NOISY
-from exoid.fit.movement import Movement
+from exoid.fit.movement import Movement, weightless
 from exoid.fit.multistart import Ended
 from exoid.fit.problem import Problem
 
@@ -26,12 +24,7 @@ def masked(each: Movement) -> Movement:
     count = 0 if each.extent is None else each.extent.doubted
     if not count:
         return each
-    angle, velocity = (hidden(one, count) for one in (each.angle, each.angular_velocity))
-    return replace(each, angle=angle, angular_velocity=velocity, late=count)
-
-
-def hidden(samples, count: int):
-    return None if samples is None else np.concatenate([np.full(count, np.nan), samples[count:]])
+    return weightless(each, np.arange(each.angle.size) < count, late=count)
 
 
 def doubtful(problem: Problem, ended: Ended) -> bool:

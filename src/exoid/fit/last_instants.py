@@ -5,12 +5,11 @@ drops tell before their last swing, each must follow to its end.
 """
 
 from collections.abc import Callable
-from dataclasses import replace
 
 import numpy as np
 
 from exoid.fit.first_instants import disturbed
-from exoid.fit.movement import Movement
+from exoid.fit.movement import Movement, weightless
 from exoid.fit.multistart import LOOKING, Ended
 from exoid.fit.problem import Problem, advance, take, task
 from exoid.fit.task import Solved
@@ -61,12 +60,7 @@ def ended(each: Movement, count: int) -> Movement:
     """What comes after so many samples weighs nothing."""
     if count >= each.angle.size:
         return each
-    angle, velocity = (until(one, count) for one in (each.angle, each.angular_velocity))
-    return replace(each, angle=angle, angular_velocity=velocity, kept=count)
-
-
-def until(samples, count: int):
-    return None if samples is None else np.where(np.arange(samples.size) < count, samples, np.nan)
+    return weightless(each, np.arange(each.angle.size) >= count, kept=count)
 
 
 def simulated(whole: Problem, found: Ended) -> Solved:

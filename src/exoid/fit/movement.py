@@ -1,8 +1,10 @@
 """A segment as it enters the fit: its channels, its extent, its clock, its noise."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from exoid.fit.portion import Clip, Portion, portion
 from exoid.fit.systematics import DECLARED_NOTHING, Systematics, systematics
@@ -119,6 +121,17 @@ def without_hand(samples: Samples, part: Portion) -> Samples:
     """NaN where a hand may still be on the leg."""
     count = part.free - part.start
     return np.concatenate([np.full(count, np.nan), samples[count:]])
+
+
+def weightless(each: Movement, these: NDArray[np.bool_], **changed: Any) -> Movement:
+    """The same movement, in which these samples weigh nothing."""
+    angle, rate = each.angle, each.angular_velocity
+    return replace(
+        each,
+        angle=np.where(these, np.nan, angle),
+        angular_velocity=None if rate is None else np.where(these, np.nan, rate),
+        **changed,
+    )
 
 
 def check_sense(segment: Segment, angle: Samples, velocity: Samples | None, name: str) -> None:

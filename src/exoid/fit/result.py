@@ -70,6 +70,7 @@ class SegmentFit:
     angular_velocity: Float[np.ndarray, " sample"] | None  # rad/s, measured
     simulated_angle: Float[np.ndarray, " sample"]  # rad
     simulated_velocity: Float[np.ndarray, " sample"]  # rad/s
+    begins: float = 0.0  # s, its first fitted sample on the clock of the recording
 
     def __repr__(self) -> str:
         return f"<SegmentFit {self.name}: {self.kind}, {self.time.size} samples>"

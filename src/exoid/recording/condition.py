@@ -45,7 +45,8 @@ def window_time(time: Signal, window: int, *, centred: bool) -> Signal:
 def average_segment(segment: Segment, window: int, *, centred: bool) -> Segment:
     """Eq. 3 applied to every channel of a segment."""
     averaged = {name: moving_average(s, window) for name, s in segment.channels().items()}
-    return Segment(**averaged | {"time": window_time(segment.time, window, centred=centred)})
+    averaged["time"] = window_time(segment.time, window, centred=centred)
+    return Segment(**averaged, begins=segment.begins)
 
 
 def clip(angular_velocity: Samples, threshold: float = MOTION_SPEED) -> slice:
@@ -66,7 +67,9 @@ def cut(segment: Segment, part: slice) -> Segment:
     """The samples in `part`, with the time starting at 0 again."""
     kept = {name: samples[part] for name, samples in segment.channels().items()}
     extra = {name: cells[part] for name, cells in segment.extra_columns.items()}
-    return Segment(**kept | {"time": kept["time"] - kept["time"][0]}, extra_columns=extra)
+    first = float(kept["time"][0])
+    kept["time"] = kept["time"] - first
+    return Segment(**kept, extra_columns=extra, begins=segment.begins + first)
 
 
 def best_velocity(segment: Segment) -> Samples:

@@ -140,6 +140,7 @@ class Segment:
     raw_acceleration_z: Samples | None = channel("raw_acceleration_z_m_s2", "m/s^2", 1000.0)
     applied_torque: Samples | None = channel("torque_nm", "N m", 1000.0)
     extra_columns: Mapping[str, tuple[str, ...]] = extra()
+    begins: float = 0.0  # s, where its time 0 lies on the clock of what it was cut from
 
     def channels(self) -> dict[str, Samples]:
         """The channels that were measured, by field name, `time` first."""

@@ -29,6 +29,7 @@ def drop(each: Drop) -> dict[str, Any]:
     return {
         "segment": each.name,
         "added_mass_kg": each.added_mass,
+        "begins_s": each.segment.begins,
         "reason": each.reason,
         "measures": {name: measure(one) for name, one in each.measures.items()},
     }

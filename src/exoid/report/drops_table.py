@@ -36,7 +36,8 @@ def print_drops(test: PendulumTest, console: Console) -> None:
 def print_drop(drop: Drop, console: Console) -> None:
     """One drop: what was read, and why the rest was not."""
     loaded = f", {drop.added_mass:.3g} kg added" if drop.added_mass else ""
-    heading(console, f"Drop of segment {drop.name}{loaded}")
+    begins = f", which begins at {drop.segment.begins:.2f} s" if drop.segment.begins else ""
+    heading(console, f"Drop of segment {drop.name}{begins}{loaded}")
     read = [each for each in drop.measures.values() if each.value is not None]
     columns = {
         "measure": [each.title for each in read],

@@ -178,6 +178,7 @@ def segment(each: SegmentFit) -> dict[str, Any]:
         "torque_amplitude_standard_error": None if torque is None else torque.standard_error,
         "torque_amplitude_determined_by": None if torque is None else torque.determined_by,
         "added_mass_kg": each.added_mass,
+        "begins_s": each.begins,
         "angle_rmse_rad": each.angle_rmse,
         "velocity_rmse_rad_s": each.velocity_rmse,
         "angle_noise_rad": each.angle_noise,

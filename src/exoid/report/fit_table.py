@@ -147,6 +147,7 @@ def print_segments(result: FitResult, console: Console) -> None:
     each = result.segments
     columns = {
         "kind": [one.kind for one in each],
+        "from\n[s]": [f"{one.begins:.2f}" for one in each],
         "T [s]": ["" if one.period is None else f"{one.period:.4g}" for one in each],
         "tau [N m]": [torque(one) for one in each],
         "added\n[kg]": [f"{one.added_mass:.3g}" if one.added_mass else "" for one in each],

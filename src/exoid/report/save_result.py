@@ -31,6 +31,7 @@ SAMPLES = {  # of all segments, one after the other
 SEGMENT = {
     "period": "s",
     "added_mass": "kg",
+    "begins": "s",
     "angle_rmse": "rad",
     "velocity_rmse": "rad/s",
     "angle_noise": "rad",
