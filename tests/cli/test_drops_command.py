@@ -45,7 +45,8 @@ def test_without_a_path_it_reads_the_example(command):
     done = command("drops")
     assert done.returncode == 0
     assert done.stdout.startswith("No recording given: this is the example")
-    assert "Drop of segment 3, 1 kg added" in done.stdout
+    assert "Drop of segment 3, which begins at" in done.stdout
+    assert "s, 1 kg added" in done.stdout
     assert "a voluntary movement" in " ".join(done.stdout.split())
 
 

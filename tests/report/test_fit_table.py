@@ -46,7 +46,7 @@ def test_value_that_a_bound_set_is_printed_as_the_bound_without_error():
     [
         r"gravity_over_inertia +m l g / J +26\.1880 ± 0\.0023 +1/s\^2",
         r"damping_over_inertia +d / J +0\.77780 ± 0\.00035 +1/s",
-        r"leg 1 +active +2 +-9\.50 ± 0\.86 +0\.0573 +0\.0458",
+        r"leg 1 +active +0\.00 +2 +-9\.50 ± 0\.86 +0\.0573 +0\.0458",
         r"T \[s\] +tau \[N m\]",
         r"angle RMSE +0\.0573 deg, 1\.25 times the noise floor of 0\.0458 deg",
         r"velocity RMSE +0\.172 deg/s",
