@@ -15,13 +15,16 @@ from exoid.fit.problem import Problem, advance, take, task
 from exoid.fit.task import Solved
 from exoid.recording.motion.limits import LATE, REST
 
+LOUD = 2.0  # times the noise that a drop misses by, where a hand kept its leg
 FOLLOWS = 1.5  # times the noise that a drop may miss where no hand is on it
 KEPT = 0.5  # of the drops, at most, may be kept by a hand: what most of them do is the leg's
 
 Fitted = tuple[Problem, Ended]
 
 
-def without_hands(whole: Problem, fit: Callable[[list[Movement]], Fitted]) -> Fitted | None:
+def without_hands(
+    whole: Problem, of_whole: Ended, fit: Callable[[list[Movement]], Fitted]
+) -> Fitted | None:
     """The fit without what a hand did at the end of some drops; None where no hand explains it.
 
     Ends are taken back one after another, the one that fits best first, each only where all that is
@@ -29,9 +32,12 @@ def without_hands(whole: Problem, fit: Callable[[list[Movement]], Fitted]) -> Fi
     """
     movements = whole.movements
     drops = [number for number, each in enumerate(movements) if each.kind == "passive"]
+    loud = [n for n in drops if np.nanmean(misses(whole, of_whole.best, n) ** 2) > LOUD**2]
+    if len(drops) < 2 or not loud:
+        return None
     kept = [ended(each, sure_until(each)) for each in movements]
     problem, found = fit(kept)
-    if len(drops) < 2 or disturbed(found):
+    if disturbed(found):
         return None
     there = simulated(whole, found)
     for number in sorted(drops, key=lambda number: missed_at_end(whole, there, number)):

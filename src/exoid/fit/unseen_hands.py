@@ -33,7 +33,7 @@ def without_unseen_hands(
             problem, ended = later
     handled = bool(np.isfinite(problem.belief.limits.reach))  # not a rig
     if handled and disturbed(ended):
-        freed = without_hands(problem, lambda kept: search_of(kept, FEW))
+        freed = without_hands(problem, ended, lambda kept: search_of(kept, FEW))
         if freed is not None:
             problem, ended = search_of(freed[0].movements, starts)
     return problem, ended
