@@ -28,10 +28,8 @@ def masked(each: Movement) -> Movement:
 
 
 def doubtful(problem: Problem, ended: Ended) -> bool:
-    """Is there more in the residual than noise, or in the first instants of a movement?"""
-    return disturbed(ended) or any(
-        starts_off(problem, ended, number) for number in range(len(problem.movements))
-    )
+    """Do the first instants of any movement miss more than noise does?"""
+    return any(starts_off(problem, ended, number) for number in range(len(problem.movements)))
 
 
 def disturbed(ended: Ended) -> bool:
@@ -41,7 +39,7 @@ def disturbed(ended: Ended) -> bool:
 
 
 def starts_off(problem: Problem, ended: Ended, number: int) -> bool:
-    """Do the first instants of a movement that seems to begin free miss more than noise does?"""
+    """Those of a movement that seems to begin free."""
     each, seen = problem.movements[number], problem.observation
     count = 0 if each.extent is None else each.extent.doubted
     best, rows = ended.best, np.searchsorted(np.asarray(seen.time[number]), each.segment.time)
