@@ -134,6 +134,7 @@ def scores(missed):
     return dict(zip(truth, np.array(each).T, strict=True))
 
 
+@pytest.mark.timeout(1800)  # 200 fits, each looked at twice where it misses something
 @pytest.mark.parametrize("missed", [0.0, MISSED], ids=["exact model", "one noise level missed"])
 def test_intervals_cover_the_truth_of_everything_that_the_data_tell(missed):
     covered = {name: float(np.mean(np.abs(z) < INTERVAL)) for name, z in scores(missed).items()}
