@@ -23,7 +23,7 @@ from exoid.fit.movement import Movement
 from exoid.fit.problem import Problem, pose, sensed
 from exoid.fit.sandwich import common, spoiled
 from exoid.fit.starts import first_state, usual_mounting
-from exoid.fit.systematics import OWNED
+from exoid.fit.systematics import OWNED, SOMEWHERE
 from exoid.fit.uncertainty import Information
 
 GOALS = (*NAMES, *list(RATIOS)[:3])
@@ -141,8 +141,8 @@ class Design:
 
 def mounting_prior(known: Known, options: Sequence[Candidate]) -> np.ndarray:
     """What is believed of a new mounting: the mass sits where the candidates have it, by tape."""
-    systematics = known.systematics
-    distance = max(option.motion.added_mass_distance for option in options)
-    each = {name: getattr(systematics, name, systematics.distance / distance) for name in OWNED}
+    distance = max((option.motion.added_mass_distance for option in options), default=0.0)
+    placed = known.systematics.distance / (distance or SOMEWHERE)
+    each = {name: getattr(known.systematics, name, placed) for name in OWNED}
     sizes = {name: float(getattr(TYPICAL.mounting, name)) for name in OWNED}
     return np.array([(sizes[name] / (each[name] or sizes[name])) ** 2 for name in OWNED])

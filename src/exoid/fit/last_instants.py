@@ -24,8 +24,9 @@ Fitted = tuple[Problem, Ended]
 
 def without_hands(
     whole: Problem, of_whole: Ended, fit: Callable[[list[Movement]], Fitted]
-) -> Fitted | None:
-    """The fit without what a hand did at the end of some drops; None where no hand explains it.
+) -> list[Movement] | None:
+    """The movements without what a hand did at the end of some drops; None where no hand explains
+    what a fit of all leaves.
 
     Ends are taken back one after another, the one that fits best first, each only where all that is
     left is noise.
@@ -36,23 +37,23 @@ def without_hands(
     if len(drops) < 2 or not loud:
         return None
     kept = [ended(each, sure_until(each)) for each in movements]
-    problem, found = fit(kept)
+    found = fit(kept)[1]
     if disturbed(found):
         return None
     there = simulated(whole, found)
     for number in sorted(drops, key=lambda number: missed_at_end(whole, there, number)):
         trial = [*kept[:number], movements[number], *kept[number + 1 :]]
-        more = fit(trial)
-        if not disturbed(more[1]):
-            kept, (problem, found) = trial, more
+        more = fit(trial)[1]
+        if not disturbed(more):
+            kept, found = trial, more
     hands = [number for number in drops if kept[number].kept is not None]
     if not 0 < len(hands) <= KEPT * len(drops):
         return None
     there = simulated(whole, found)
+    longer = list(kept)
     for number in hands:
-        kept[number] = ended(movements[number], follows_until(whole, there, number))
-    longer = fit(kept)
-    return (problem, found) if disturbed(longer[1]) else longer
+        longer[number] = ended(movements[number], follows_until(whole, there, number))
+    return kept if disturbed(fit(longer)[1]) else longer
 
 
 def sure_until(each: Movement) -> int:

@@ -35,5 +35,5 @@ def without_unseen_hands(
     if handled and disturbed(ended):
         freed = without_hands(problem, ended, lambda kept: search_of(kept, FEW))
         if freed is not None:
-            problem, ended = search_of(freed[0].movements, starts)
+            problem, ended = search_of(freed, starts)
     return problem, ended
