@@ -128,3 +128,15 @@ def test_the_papers_prior_is_weighed_in_own_units():
     found = prior_residual(belief.prior, at, np)
     by_hand = [getattr(at, name) - getattr(belief.expected, name).value for name in NAMES]
     assert np.sum(found**2) == pytest.approx(np.sum(np.square(by_hand)))
+
+
+@pytest.mark.parametrize(("radius", "strange"), [(1.0, False), (0.95, False), (0.78, True)])
+def test_a_leg_that_moves_as_none_of_its_body_is_told(radius, strange):
+    """J / (m l) is what motion tells at once, and tables know it to 3.5 %: 22 % off is no scatter."""
+    one = {name: getattr(EXPECTED, name).value for name in NAMES}
+    result = fit(recorded(DROP, **{**one, "inertia": radius * one["inertia"]}), multistart=2)
+    found = [each for each in result.notes if "J / (m l) =" in each]
+    assert bool(found) == strange
+    if strange:
+        told = one["inertia"] / (one["mass"] * one["com_distance"])
+        assert f"= {radius * told:.3g} m, and anatomy expects {told:.3g} +-" in found[0]

@@ -9,7 +9,7 @@ from exoid.fit.multistart import FEASIBLE, Ended, scale_told
 from exoid.fit.noise_remarks import noise_remarks
 from exoid.fit.problem import Problem
 from exoid.fit.sandwich import Disturbance
-from exoid.physics.leg import LegParameters
+from exoid.physics.leg import GRAVITY, LegParameters
 from exoid.physics.parameter import declarations
 
 UPWARDS = (
@@ -19,6 +19,7 @@ UPWARDS = (
     "the hanging leg? Then say --zero hanging."
 )
 RULES = ("m l^2 <= J", "J <= reach m l")
+STRANGE = 3.29  # standard deviations from what anatomy expects: one leg in a thousand
 INCOMPLETE = "no error bar of a model that misses something is complete"
 
 
@@ -34,6 +35,7 @@ def remarks(problem: Problem, ended: Ended, at_bound: set[str]) -> list[str]:
     said += of_kept(problem)
     said += noise_remarks(problem.movements)
     gravity = float(ended.best.coordinates.shared.gravity[0])
+    said += of_anatomy(problem.belief, gravity)
     told = scale_told(ended.local.data + ended.local.prior)
     inertia = float(ended.best.leg.inertia[0]) if told else None
     said += of_kinds(ended.disturbance)
@@ -80,6 +82,24 @@ def of_kept(problem: Problem) -> list[str]:
         "keeps it. Leave it alone until it hangs still."
         for each in problem.movements
         if each.kept is not None
+    ]
+
+
+def of_anatomy(belief: Belief, gravity: float) -> list[str]:
+    """That the leg's motion and its body's tables contradict each other; `gravity` as m l g / J."""
+    expected = belief.expected
+    if expected is None or expected.covariance is None or belief.by_hand.words or gravity <= 0:
+        return []
+    length = expected.inertia.value / (expected.mass.value * expected.com_distance.value)
+    scatter = float(np.sqrt(expected.covariance[2][2]))
+    seen = GRAVITY / gravity
+    if abs(np.log(seen / length)) < STRANGE * scatter:
+        return []
+    return [
+        f"by its motion this leg has J / (m l) = {seen:.3g} m, and anatomy expects {length:.3g} +- "
+        f"{scatter * length:.2g} m of this body: fewer than one leg in a thousand are as far off. "
+        "Check body mass, height and age, the encoder's zero, and that every mass on the leg is "
+        "declared. m, J, l, d and c lean on anatomy; --prior none shows what the motion tells."
     ]
 
 
