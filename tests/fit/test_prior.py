@@ -132,7 +132,7 @@ def test_the_papers_prior_is_weighed_in_own_units():
 
 @pytest.mark.parametrize(("radius", "strange"), [(1.0, False), (0.95, False), (0.78, True)])
 def test_a_leg_that_moves_as_none_of_its_body_is_told(radius, strange):
-    """J / (m l) is what motion tells at once, and tables know it to 3.5 %: 22 % off is no scatter."""
+    """J / (m l) is what motion tells at once; tables know it to 3.5 %: 22 % is no scatter."""
     one = {name: getattr(EXPECTED, name).value for name in NAMES}
     result = fit(recorded(DROP, **{**one, "inertia": radius * one["inertia"]}), multistart=2)
     found = [each for each in result.notes if "J / (m l) =" in each]
