@@ -54,6 +54,15 @@ def test_a_warning_names_the_line_that_called_exoid(tmp_path):
 
 def test_a_keyword_may_name_a_column():
     check(exoid.recording({"b": ANGLE, "time_s": TIME}, raw_angle_deg="b"))
+    check(exoid.recording({"b": ANGLE, "time_s": TIME}, columns={"raw_angle_deg": "b"}))
+
+
+@pytest.mark.filterwarnings("ignore:recording. the")
+def test_what_an_angle_means_is_told_as_to_load():
+    check(exoid.recording(time=TIME, raw_angle_deg=-ANGLE, flip="angle"))
+    check(exoid.recording(time=TIME, raw_angle_deg=ANGLE + 90, zero="hanging"))
+    with pytest.raises(ValueError, match="--flip angle"):
+        exoid.recording(time=TIME, raw_angle_deg=-ANGLE)
 
 
 def test_segments_are_told_apart_by_a_column():

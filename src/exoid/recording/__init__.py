@@ -5,7 +5,8 @@
 `time_s`, `raw_angle_deg`, `segment`, or a channel in SI (`time`, `angle`, `raw_angular_velocity`);
 its value is an array, a list, a Series, or the name of a column of the data. What no keyword names
 is taken where its name is a common one, with a warning that says how it was understood. `subject`,
-`protocol` and `sensors` are those classes, or mappings of their fields or of a sidecar's keys.
+`protocol` and `sensors` are those classes, or mappings of their fields or of a sidecar's keys;
+`whole`, `flip`, `zero` and `columns` mean what they do in `exoid.load`.
 
 This is also the folder of all that reads recordings, which can be called: a package hides any
 function of its name.

@@ -38,6 +38,9 @@ def recording_of(
     protocol: Protocol | Mapping[str, Any] | None = None,
     sensors: Sensors | Mapping[str, Any] | None = None,
     whole: bool = False,
+    flip: str | None = None,
+    zero: str | None = None,
+    columns: Mapping[str, str] | None = None,
     **channels: Any,
 ) -> Recording:
     """A recording from a data frame, from a mapping of arrays, or from arrays by keyword.
@@ -52,29 +55,27 @@ def recording_of(
     **Raises** `ValueError` (one line) for what cannot be a recording.
     """
     chosen = {name: each for name, each in channels.items() if isinstance(each, str)}
+    chosen |= columns or {}
     tables = (
         table_of(Subject, "subject", subject),
         table_of(Protocol, "protocol", protocol),
         table_of(Sensors, "sensors", sensors),
     )
     if isinstance(data, str | PathLike):
-        return from_file(Path(data), chosen, tables, whole)
+        loaded = load(Path(data), columns=chosen, whole=whole, flip=flip, zero=zero)
+        tell(loaded.notes)
+        return described(loaded.recording, tables)
     with naming(Path("recording")):
         arrays = {own_name(name): each for name, each in channels.items() if name not in chosen}
         sheet = sheet_of({**arrays_of(data), **arrays}, [*arrays])
         named = assemble(sheet, chosen, None if tables[2] is None else tables[2].sample_rate)
         starts = segment_starts(named.columns, named.place)
         samples = build(named, starts, Subject(kind=None if tables[0] is None else tables[0].kind))
-        recording, more = understand(described(samples, tables), cut_table, whole=whole)
+        recording, more = understand(
+            described(samples, tables), cut_table, whole=whole, flip=flip, zero=zero
+        )
     tell(f"recording: {note}" for note in (*named.notes, *late_starts(recording), *more))
     return recording
-
-
-def from_file(path: Path, chosen: Mapping[str, str], tables: Tables, whole: bool) -> Recording:
-    """What is in a file, and what is known besides."""
-    loaded = load(path, columns=chosen, whole=whole)
-    tell(loaded.notes)
-    return described(loaded.recording, tables)
 
 
 def described(recording: Recording, tables: Tables) -> Recording:
