@@ -139,4 +139,4 @@ def test_the_encoder_leads_past_the_jumps_of_the_gyro():
     assert found.candidate.values[0][0] == pytest.approx(0.005, rel=0.02)
     samples = count(bench.seen)
     assert abs(found.square - samples) < 4 * np.sqrt(2 * samples)
-    assert walled.square > 1.3 * samples
+    assert walled.square > found.square + 100  # no noise makes such a difference

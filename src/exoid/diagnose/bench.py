@@ -1,6 +1,6 @@
 """A recording ready for candidates: what was seen, by which sensors, and where a search begins."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import product
 
@@ -14,10 +14,13 @@ from exoid.fit.coordinates import TYPICAL, Coordinates, flattened, scaled, unfla
 from exoid.fit.local import columns
 from exoid.fit.observation import Observation
 from exoid.fit.problem import Problem
+from exoid.fit.systematics import deviations
 from exoid.physics.library import name_of
 from exoid.physics.parameter import Declaration, declarations
 from exoid.physics.term import Term
 
+OUTERMOST = 3.0  # standard deviations of a seat's tilt: one that is farther off is a cause
+LARGEST_ZERO = 0.4  # rad, of an encoder on a leg
 FARTHEST = 5.0  # typical steps of the inertia from the fit: a factor of four
 
 
@@ -30,7 +33,8 @@ class Bench:
     library: tuple[type[Term], ...]
     clock: Clock
     log_inertia: float  # log(J / kg m^2) of the baseline's fit
-    rig: bool  # whose encoder has its zero anywhere
+    rig: bool
+    zero: float  # rad, standard deviation of the encoder's: infinite on a rig, 0 where it is known
 
     @property
     def segments(self) -> int:
@@ -56,6 +60,22 @@ class Bench:
         """Which coordinate every baseline unknown of a segment is."""
         like = self.like
         return columns(like, self.seen.seat)
+
+    @cached_property
+    def usual(self) -> np.ndarray:
+        """One over the standard deviation of what is known to be about nothing, though no leg need
+        explain it: of every coordinate the tilts of seats, and of the two zeros the encoder's.
+        """
+        known = 1 / self.zero if 0 < self.zero < np.inf else 0.0
+        return np.array([*self.tilts, 0.0, known])
+
+    @cached_property
+    def tilts(self) -> np.ndarray:
+        """One over the standard deviation of every seat's tilt, 0 at other coordinates."""
+        nothing = jax.tree.map(np.zeros_like, self.like)
+        spread = deviations(self.problem.movements, self.problem.owned).tilt
+        mounting = replace(nothing.mounting, tilt=TYPICAL.mounting.tilt / spread)
+        return flattened(replace(nothing, mounting=mounting))
 
     @cached_property
     def like(self) -> Coordinates:
@@ -106,8 +126,10 @@ class Bench:
             declared for term in candidate.terms for _, declared in declarations(term)
         ]
         first = candidate.point.size + 2
-        if not self.rig:
-            lower[first - 1] = upper[first - 1] = 0.0
+        tilts = np.flatnonzero(self.tilts)
+        upper[tilts] = OUTERMOST / self.tilts[tilts]
+        upper[first - 1] = np.inf if self.rig else LARGEST_ZERO * (self.zero > 0)
+        lower[tilts], lower[first - 1] = -upper[tilts], -upper[first - 1]
         lower[first:] = [declared.lower for declared in each]
         upper[first:] = [declared.upper for declared in each]
         return lower, upper

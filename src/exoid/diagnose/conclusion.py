@@ -23,6 +23,7 @@ from exoid.diagnose.proof import Prediction, Proof, proof
 from exoid.diagnose.resample import inclusion
 from exoid.diagnose.search import Found, equivalents, names, size
 from exoid.diagnose.settle import Settled
+from exoid.diagnose.unusual_zero import Zero, zero_of
 from exoid.diagnose.workings import Workings
 from exoid.fit.result import FitResult
 from exoid.physics.library import library, name_of
@@ -67,9 +68,9 @@ def concluded(
     if bias is not None and verdict != "cannot_tell":
         verdict = "mismatch"
         selected = [*selected, BIAS]
-    zero = usual_zero(bench, selected, best)
-    if verdict == "mismatch" and zero is not None:
-        verdict, reasons, selected = "none", [zero], []
+    zero = zero_of(bench, found, best)
+    if verdict == "none" and zero is not None and zero.clear:
+        reasons = [of_usual_zero(zero)]
     equal = [] if formula or not best.candidate.terms else equivalents(found, best)
     parameters = size(best)
     measure = found.yardstick
@@ -86,7 +87,7 @@ def concluded(
         equivalent=named_alike(equal, best) if verdict != "none" else [],
         novel=novel,
         formula=formula and NovelTorque(formula.words, formula.explained, formula.known),
-        parameters=[*parameters_of(best, measure, formula), *([bias] if bias else [])],
+        parameters=[*parameters_of(bench, best, measure, formula), *([bias] if bias else [])],
         inertia=inertia_of(bench, best),
         booked=booked(bench, found.base, best),
         location=location,
@@ -107,17 +108,10 @@ def concluded(
     )
 
 
-def usual_zero(bench: Bench, selected: list[str], best: Settled) -> str | None:
-    """What to say of an encoder zero that is all that was found, and no surprise: a fit takes it
-    for an unknown.
-    """
-    if selected != ["angle_offset"]:
-        return None
-    offset = float(best.candidate.values[0][0])
-    if abs(offset) > min(each.systematics.zero for each in bench.problem.movements):
-        return None
+def of_usual_zero(zero: Zero) -> str:
+    """What to say of an encoder's zero that is no surprise."""
     return (
-        f"the encoder's zero is off by {np.degrees(offset):.2g} deg, no more than is to be "
+        f"the encoder's zero is off by {np.degrees(zero.value):.2g} deg, no more than is to be "
         "expected; the fit estimates it"
     )
 

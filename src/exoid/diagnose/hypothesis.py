@@ -43,26 +43,34 @@ class Hypothesis:
 
 @dataclass(frozen=True, eq=False)
 class Products:
-    """(J, r)'(J, r) of a candidate: over all its unknowns, of every segment."""
+    """(J, r)'(J, r) of a candidate: over all its unknowns, of every segment and of what is usual
+    of sensors and seat.
+    """
 
     each: Float[np.ndarray, "segment column column"]
+    usual: Float[np.ndarray, "column column"]
 
     @cached_property
     def total(self) -> np.ndarray:
-        return self.each.sum(axis=0)
+        return self.each.sum(axis=0) + self.usual
 
     @property
     def square(self) -> float:
-        """The sum of squares of the residual over its noise."""
+        """The sum of squares of the residual over its noise, and of what is unusual."""
         return float(self.total[-1, -1])
 
 
 def spread(
-    candidate: Hypothesis, places: np.ndarray, gram: np.ndarray, rows: list[int]
+    candidate: Hypothesis,
+    places: np.ndarray,
+    usual: np.ndarray,
+    gram: np.ndarray,
+    rows: list[int],
 ) -> Products:
     """The `rows` of every segment's products at their places among all unknowns.
 
-    `places` says which coordinate every baseline unknown of a segment is.
+    `places` says which coordinate every baseline unknown of a segment is, `usual` is one over the
+    standard deviation of the first unknowns, 0 where they may be anything.
     """
     total = candidate.unknowns.size + 1
     others = range(candidate.point.size, total)
@@ -70,4 +78,7 @@ def spread(
     for segment, place in enumerate(places):
         at = np.array([*place, *others])
         each[segment][np.ix_(at, at)] = gram[segment][np.ix_(rows, rows)]
-    return Products(each)
+    table = np.zeros((total - 1, total))
+    table[range(usual.size), range(usual.size)] = usual
+    table[: usual.size, -1] = usual * candidate.unknowns[: usual.size]
+    return Products(each, table.T @ table)

@@ -163,4 +163,4 @@ def placed(bench: Bench, candidate: Hypothesis, gram: np.ndarray) -> Products:
     for slot, value in enumerate(candidate.values):
         first = base + 2 + slot * MOST_PARAMETERS
         rows += range(first, first + value.size)
-    return spread(candidate, bench.places, gram, [*rows, gram.shape[-1] - 1])
+    return spread(candidate, bench.places, bench.usual, gram, [*rows, gram.shape[-1] - 1])

@@ -17,6 +17,7 @@ from exoid.diagnose.prepare import prepare
 from exoid.diagnose.proof import improves, predict
 from exoid.diagnose.search import Found, look
 from exoid.diagnose.settle import Settled, settle_free
+from exoid.diagnose.unusual_zero import as_a_term, zero_of
 from exoid.fit.estimate import fit
 from exoid.fit.movement import Movement
 from exoid.fit.result import FitResult
@@ -29,7 +30,7 @@ REMAINS = 1.1  # mean square over the noise, from which on a formula is looked f
 LEFT = 0.5  # of what the library leaves, that a formula may leave to take its place
 KNOWN = 0.5  # share of a formula that a term of the library is, up to which it is new
 ROUNDS = 25
-USUAL = {"gyro_scale", "sensor_skew", "angle_offset"}
+USUAL = {"gyro_scale", "sensor_skew"}
 AT_ONCE = 1.5  # mean square over the noise that a cause may leave of a movement's first instants
 
 
@@ -82,8 +83,12 @@ def asked(
     if chosen.best.square > REMAINS * found.yardstick.samples:
         told("looking for a formula")
         chosen, formula = formulated(bench, found, chosen)
+    zero = zero_of(bench, found, chosen.best)
+    if formula is None and zero is not None and zero.unusual:
+        bench, found, best = as_a_term(bench, found, chosen.best)
+        chosen = Chosen(best, predict(bench, found.base), predict(bench, best))
     told("locating the mismatch")
-    location = locate(bench, base.candidate, chosen.best)
+    location = locate(bench, found.base.candidate, chosen.best)
     declared = all(recording.sensors.angle_noise is not None for _, recording in named)
     return concluded(result, bench, found, chosen, formula, location, declared, seed)
 
@@ -129,7 +134,7 @@ def choose(bench: Bench, found: Found) -> Chosen:
 
 
 def only_sensors(one: Settled) -> bool:
-    """Is it what sensors usually do: a scale, a delay, a zero?"""
+    """Is it what sensors usually do: a scale, a delay?"""
     return all(name_of(term) in USUAL for term in one.candidate.terms)
 
 

@@ -48,21 +48,31 @@ def gyro_bias(best: Settled, measure: Yardstick) -> Parameter | None:
     return Parameter(f"{BIAS}.bias", value, "rad/s", error)
 
 
-def parameters_of(best: Settled, measure: Yardstick, formula: Formula | None) -> list[Parameter]:
-    """Values and errors of the terms' parameters, for the inertia that the fit took."""
-    candidate = best.candidate
-    normal = best.products.total[:-1, :-1].copy()
-    normal[0], normal[:, 0] = 0.0, 0.0
+def covariance(bench: Bench, one: Settled) -> np.ndarray:
+    """Of all unknowns, for the inertia that the fit took; 0 of what is fixed or not told."""
+    normal = one.products.total[:-1, :-1].copy()
+    lower, upper = bench.bounds(one.candidate)
+    fixed = lower == upper
+    fixed[0] = True
+    normal[fixed], normal[:, fixed] = 0.0, 0.0
     size_of = np.sqrt(np.diag(normal))
     unit = np.where(size_of > 0, size_of, 1.0)
-    inverse = np.linalg.pinv(normal / np.outer(unit, unit), hermitian=True)
-    errors = np.sqrt(np.maximum(np.diag(inverse), 0.0) * measure.scale) / unit
+    return np.linalg.pinv(normal / np.outer(unit, unit), hermitian=True) / np.outer(unit, unit)
+
+
+def parameters_of(
+    bench: Bench, best: Settled, measure: Yardstick, formula: Formula | None
+) -> list[Parameter]:
+    """Values and errors of the terms' parameters, for the inertia that the fit took."""
+    candidate = best.candidate
+    variance = np.maximum(np.diag(covariance(bench, best)), 0.0) * measure.scale
+    told = np.diag(best.products.total)[:-1] > 0
     found, at = [], candidate.point.size + 2
     for term, values in zip(candidate.terms, candidate.values, strict=True):
         owner = FORMULA if formula else name_of(term)
         for (name, declared), value in zip(declarations(term), values, strict=True):
-            known = bool(size_of[at] > 0) and declared.lower < value < declared.upper
-            error = float(errors[at]) if known else None
+            known = bool(told[at]) and declared.lower < value < declared.upper
+            error = float(np.sqrt(variance[at])) if known else None
             found.append(Parameter(f"{owner}.{name}", float(value), declared.unit, error))
             at += 1
     return found

@@ -17,11 +17,13 @@ from exoid.fit.observation import Observation
 from exoid.fit.problem import Problem, pose, take
 from exoid.fit.result import FitResult
 from exoid.fit.starts import first_state, usual_mounting
-from exoid.fit.systematics import OF_THE_GYRO
+from exoid.fit.systematics import OF_THE_GYRO, OWNED
 from exoid.physics.library import library
 from exoid.physics.term import Term
 from exoid.recording.condition import torque_frequencies
 from exoid.recording.recording import Recording
+
+ABSOLUTE = ("log_distance", "tilt")  # what a recording owns by itself, not compared with the first
 
 
 def prepare(
@@ -34,7 +36,8 @@ def prepare(
     assert basis is not None  # a joint fit has one
     reading = result.torque_frequency or "1/T"
     chain, movements = basis.problem.chain, basis.problem.movements
-    owned = between(movements)
+    rig = any(recording.subject.kind == "rig" for _, recording in recordings)
+    owned = unknown(movements, rig=rig)
     problem = compared(pose(movements, basis.problem.belief, reading, chain, owned=owned))
     sensors = consistency(problem.observation)
     best = take(basis.ended.best, 0).coordinates
@@ -43,11 +46,12 @@ def prepare(
     problem = replace(problem, observation=observation)
     fitted = released(best, problem)
     inertia = float(fitted.shared.log_inertia)
-    rig = any(recording.subject.kind == "rig" for _, recording in recordings)
     tested, cycles = (*library(), *terms), clock(movements, reading)
-    bench = Bench(problem, sensors, tested, cycles, inertia, rig)
-    point = bench.point(fitted)
-    return bench, settle_free(bench, [Hypothesis((), (), point)])[0]
+    zero = float("inf") if rig else movements[0].systematics.zero
+    bench = Bench(problem, sensors, tested, cycles, inertia, rig, zero)
+    zeros = np.zeros(2)
+    start = Hypothesis((), (), bench.point(fitted), zeros)
+    return bench, settle_free(bench, [start])[0]
 
 
 def without_edges(seen: Observation, sensors: Consistency) -> Observation:
@@ -91,14 +95,19 @@ def clock(movements: list[Movement], reading: str) -> Clock:
     return Clock(periods, frequencies * voluntary, onsets, numbers)
 
 
-def between(movements: list[Movement]) -> tuple[str, ...]:
-    """What of the mountings a diagnosis leaves free: where a mass of unknown distance sat, and how
-    the sensors sat compared with the first recording. What else differs from what is declared is
-    asked for by its candidates.
+def unknown(movements: list[Movement], *, rig: bool) -> tuple[str, ...]:
+    """What of the mountings a diagnosis leaves free: where a mass of unknown distance sat, the tilt
+    of a leg's seat, and how the sensors sat compared with the first recording. Its own encoder's
+    zero and gyro's bias are free, too (`Hypothesis.zero`); what else differs from what is declared
+    is asked for by its candidates.
     """
-    placed = ("log_distance",) if any(each.unplaced for each in movements) else ()
     several = len({each.recording for each in movements}) > 1
-    return (*placed, *(("zero", *OF_THE_GYRO) if several else ()))
+    wanted = {
+        "log_distance": any(each.unplaced for each in movements),
+        "tilt": not rig,
+        **dict.fromkeys(("zero", *OF_THE_GYRO), several),
+    }
+    return tuple(name for name in OWNED if wanted.get(name, False))
 
 
 def compared(problem: Problem) -> Problem:
@@ -107,7 +116,7 @@ def compared(problem: Problem) -> Problem:
     for column, name in enumerate(problem.owned, start=4):
         if name == "log_distance":
             known[:, column] = [not each.unplaced for each in problem.movements]
-        else:
+        elif name != "tilt":
             known[np.asarray(problem.observation.seat) == 0, column] = 1.0
     return replace(problem, known=known)
 
@@ -120,8 +129,6 @@ def released(at: Coordinates, problem: Problem) -> Coordinates:
         lambda own: (own.angle, own.angular_velocity), at.own, (first[:, 0], first[:, 1])
     )
     entries = {name: getattr(at.mounting, name) for name in problem.owned}
-    moved = {
-        name: each - (0.0 if name == "log_distance" else each[0]) for name, each in entries.items()
-    }
+    moved = {name: each - (0.0 if name in ABSOLUTE else each[0]) for name, each in entries.items()}
     at = jax.tree.map(np.asarray, at)
     return Coordinates(at.shared, at.log_mass, replace(mounting, **moved), own)

@@ -40,7 +40,7 @@ def release_one(
         arguments = (candidate.values, point, candidate.zero, *surroundings, steps)
         found.append(called("exoid.diagnose.free:release", arguments, static, RELEASED))
     gram, shown = (np.concatenate(each)[: bench.segments] for each in zip(*found, strict=True))
-    products = spread(candidate, bench.places, gram, list(range(gram.shape[-1])))
+    products = spread(candidate, bench.places, bench.usual, gram, list(range(gram.shape[-1])))
     return products, shown[:, :size]
 
 

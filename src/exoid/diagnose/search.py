@@ -70,7 +70,10 @@ def look(bench: Bench, base: Settled, told: Told) -> Found:
     measure = yardstick(bench, min([base, *singles], key=lambda one: one.square))
     singles = by_evidence(singles, base, measure)
     pinned = {one.candidate.terms[0]: one.square for one in ranked}
-    sensors = with_sure_sensors(bench, base, singles)
+    found = with_sure_sensors(bench, base, singles)
+    sensors = [one for one in found if len(one.candidate.terms) > 1]
+    alone = [one for one in found if len(one.candidate.terms) == 1]
+    singles = by_evidence([*singles, *alone], base, measure)
     if min(base, *singles, key=lambda one: one.square).square < FLOOR * measure.samples:
         return Found(base, singles, sensors, pinned, failed, measure)
     told("testing pairs")
@@ -95,7 +98,7 @@ def applies(bench: Bench, term: type[Term]) -> bool:
     if term.voluntary:
         return any(each.voluntary for each in bench.problem.movements)
     name = name_of(term)
-    if name == "gyro_bias" or (name == "angle_offset" and bench.rig):
+    if name in ("gyro_bias", "angle_offset"):
         return False  # it is free in every fit
     if name in ("gyro_scale", "sensor_skew"):
         return bool((bench.seen.velocity_weight > 0).any())

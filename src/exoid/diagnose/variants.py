@@ -19,7 +19,6 @@ from exoid.physics.term import Term
 PAIRED = 3  # first terms of a pair
 FREE_ROUNDS = 25
 TWINS = ("torque_bias", "stiffness_rest_angle")
-ZERO = "angle_offset"
 BESIDE = 2  # of the best single terms are tried beside what the sensors surely say
 SOFTEST = 1e-3  # N m/rad, of a leg that has a rest angle
 
@@ -82,29 +81,23 @@ def renamed(bench: Bench, candidate: Hypothesis, mine: type[Term], twin: type[Te
 
 
 def with_sure_sensors(bench: Bench, base: Settled, singles: list[Settled]) -> list[Settled]:
-    """Everything at once that the sensors surely say of each other, with an encoder's zero and with
-    each of the best single terms: a sensor that is wrong in one way is seldom right in all others,
-    and what it does wrong stays, whatever else is missing.
+    """Everything at once that the sensors surely say of each other, alone and with each of the best
+    single terms: a sensor that is wrong in one way is seldom right in all others, and what it does
+    wrong stays, whatever else is missing.
     """
     known = {name_of(term): term for term in bench.library}
     sure = [each for each in bench.sensors.errors if each.clear and each.name in known]
     sure = [each for each in sure if each.name != BIAS]  # a bias is free anyway
-    terms = tuple(known[each.name] for each in sure)
-    others = [one.candidate for one in singles[:BESIDE] if one.candidate.terms[0] not in terms]
-    zero = known.get(ZERO)
-    if not terms or zero is None:
+    if not sure:
         return []
+    terms = tuple(known[each.name] for each in sure)
     values = tuple(np.array([each.value]) for each in sure)
-    start = replace(base.candidate, terms=(zero,), values=(bench.starts(zero)[0],))
-    starts = [start, *(one for one in others if one.terms != start.terms)]
-    return [
-        settle_free(
-            bench,
-            [replace(one, terms=(*terms, *one.terms), values=(*values, *one.values), linear=None)],
-            rounds=FREE_ROUNDS,
-        )[0]
-        for one in starts
+    best = [one.candidate for one in singles[:BESIDE] if one.candidate.terms[0] not in terms]
+    starts = [
+        replace(one, terms=(*terms, *one.terms), values=(*values, *one.values), linear=None)
+        for one in (base.candidate, *best)
     ]
+    return [settle_free(bench, [one], rounds=FREE_ROUNDS)[0] for one in starts]
 
 
 def nested(bench: Bench, singles: list[Settled]) -> list[Settled]:

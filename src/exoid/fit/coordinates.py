@@ -33,14 +33,14 @@ class Mounting(eqx.Module):
     A leaf without entries is no unknown of this fit: everything is as declared.
     """
 
-    log_distance: Float[Any, "*place"]  # log(distance of the added mass over the declared one)
-    log_added: Float[Any, "*place"]  # log(added mass over the declared one)
-    extent: Float[Any, "*place"]  # m^2, its squared radius of gyration less the declared one
-    zero: Float[Any, "*place"]  # rad, what the encoder shows with the knee extended
-    tilt: Float[Any, "*place"]  # rad, of the thigh beyond the declared angle
-    gyro_scale: Float[Any, "*place"]  # relative, less 1
-    gyro_bias: Float[Any, "*place"]  # rad/s
-    clock: Float[Any, "*place"]  # relative: true seconds in a recorded one, less 1
+    log_distance: Float[Any, "..."]  # log(distance of the added mass over the declared one)
+    log_added: Float[Any, "..."]  # log(added mass over the declared one)
+    extent: Float[Any, "..."]  # m^2, its squared radius of gyration less the declared one
+    zero: Float[Any, "..."]  # rad, what the encoder shows with the knee extended
+    tilt: Float[Any, "..."]  # rad, of the thigh beyond the declared angle
+    gyro_scale: Float[Any, "..."]  # relative, less 1
+    gyro_bias: Float[Any, "..."]  # rad/s
+    clock: Float[Any, "..."]  # relative: true seconds in a recorded one, less 1
 
 
 class Own(eqx.Module):

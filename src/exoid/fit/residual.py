@@ -74,7 +74,7 @@ def sensor_map(mounting: Mounting) -> Float[Array, "3"]:
     return jnp.stack([of(mounting.zero), scale, of(mounting.gyro_bias)])
 
 
-def of(leaf: Float[Any, "*entry"]) -> Float[Array, ""]:
+def of(leaf: Float[Any, "*entry"]) -> Float[Any, ""]:
     """The segment's entry of the mounting, 0 where it is no unknown."""
     return leaf[0] if leaf.size else jnp.zeros(())
 

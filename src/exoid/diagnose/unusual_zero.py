@@ -1,0 +1,80 @@
+"""An encoder's zero that is farther off than is usual: no leg explains it, and it is worth a name.
+
+Every candidate leaves the zero of the encoder free, as far as it usually is off (`Bench.usual`). A
+zero that is clearly farther off is a cause like others: here it becomes a term, beside a baseline
+that takes the zero as declared.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from exoid.diagnose.bench import Bench
+from exoid.diagnose.hypothesis import Hypothesis
+from exoid.diagnose.numbers import CERTAIN, covariance
+from exoid.diagnose.search import Found, by_evidence
+from exoid.diagnose.settle import Settled, settle_free
+from exoid.diagnose.variants import FREE_ROUNDS
+from exoid.physics.library import name_of
+from exoid.physics.term import Term
+
+OFFSET = "angle_offset"
+RIVALS = 4  # of the other causes, each with and without the zero
+
+
+@dataclass(frozen=True, eq=False)
+class Zero:
+    """Of the first recording's encoder [rad], as the best explanation has it."""
+
+    value: float
+    usual: float  # one standard deviation
+    clear: bool  # is it certainly not 0?
+
+    @property
+    def unusual(self) -> bool:
+        return self.clear and abs(self.value) > self.usual
+
+
+def zero_of(bench: Bench, found: Found, best: Settled) -> Zero | None:
+    """None where it is known, or free to be anything."""
+    if not 0 < bench.zero < np.inf:
+        return None
+    value = float(best.candidate.zero[1])
+    place = best.candidate.point.size + 1
+    variance = covariance(bench, best)[place, place] * found.yardstick.scale
+    return Zero(value, bench.zero, bool(value**2 > CERTAIN**2 * variance))
+
+
+def as_a_term(bench: Bench, found: Found, best: Settled) -> tuple[Bench, Found, Settled]:
+    """The zero as a term of the best and of its rivals, who are also tried without it, and a
+    baseline that has it as declared.
+    """
+    offset = next(term for term in bench.library if name_of(term) == OFFSET)
+    declared = replace(bench, zero=0.0)
+    rivals = [one for one in (*found.singles, *found.pairs) if one is not best][:RIVALS]
+    base, *plain = [at_rest(declared, without_zero(one.candidate)) for one in (found.base, *rivals)]
+    named = [at_rest(declared, with_term(one.candidate, offset)) for one in (best, *rivals)]
+    alone = [one for one in (*named, *plain) if len(one.candidate.terms) == 1]
+    joint = [one for one in (*named, *plain) if len(one.candidate.terms) > 1]
+    measure = found.yardstick
+    new = replace(
+        found,
+        base=base,
+        singles=by_evidence(alone, base, measure),
+        pairs=by_evidence(joint, base, measure),
+    )
+    return declared, new, named[0]
+
+
+def without_zero(candidate: Hypothesis) -> Hypothesis:
+    return replace(candidate, zero=np.array([candidate.zero[0], 0.0]), linear=None)
+
+
+def with_term(candidate: Hypothesis, offset: type[Term]) -> Hypothesis:
+    """The candidate with its zero as a term."""
+    start, value = without_zero(candidate), candidate.zero[1:]
+    return replace(start, terms=(*start.terms, offset), values=(*start.values, value))
+
+
+def at_rest(bench: Bench, candidate: Hypothesis) -> Settled:
+    return settle_free(bench, [candidate], rounds=FREE_ROUNDS)[0]
