@@ -1,5 +1,7 @@
 """The whole diagnosis, on recordings whose truth is known."""
 
+from dataclasses import replace
+
 import jax.numpy as jnp
 import numpy as np
 import pytest
@@ -8,6 +10,7 @@ from diagnosis_cases import DROPS, FRICTION, SMALL, Broken, Detent, Release, ses
 from exoid.diagnose import missing_physics
 from exoid.diagnose import prepare as preparing
 from exoid.diagnose.missing_physics import diagnose
+from exoid.physics.sensing.angle_offset import AngleOffset
 from exoid.physics.sensing.gyro_scale import GyroScale
 from exoid.physics.terms.coulomb_friction import CoulombFriction
 from exoid.physics.terms.quadratic_drag import QuadraticDrag
@@ -88,6 +91,28 @@ def test_a_wrong_gyro_is_a_sensor_and_no_torque():
     assert found.selected == ["gyro_scale"]
     value = next(each for each in found.parameters if each.name == "gyro_scale.scale")
     assert value.value == pytest.approx(-0.02, abs=0.001)
+
+
+def test_a_zero_as_it_usually_is_bends_nothing_to_it():
+    found = diagnose(session(GyroScale(jnp.asarray(-0.03)), AngleOffset(jnp.asarray(0.012))))
+    assert found.selected == ["gyro_scale"]
+
+
+def test_a_zero_that_is_certain_but_usual_is_told():
+    recording = session(AngleOffset(jnp.asarray(-0.012)))
+    level = replace(recording.protocol, thigh_angle_uncertainty=1e-4)
+    found = diagnose(replace(recording, protocol=level))
+    assert found.verdict == "none"
+    assert "zero is off by -0.7 deg, no more than is to be expected" in found.reasons[0]
+
+
+def test_a_zero_that_is_farther_off_is_named_and_proved_with_all_of_its_error():
+    found = diagnose(session(AngleOffset(jnp.asarray(0.06))))
+    assert found.selected == ["angle_offset"]
+    assert found.proof.after.total < 1.1 * found.proof.noise_floor < found.proof.before.total
+    (zero,) = found.parameters
+    assert abs(zero.value - 0.06) < 2.6 * zero.standard_error
+    assert zero.standard_error > 0.5 * np.radians(0.2)  # no drop tells it apart from a seat's tilt
 
 
 def test_two_effects_are_both_named():

@@ -15,10 +15,8 @@ from exoid.diagnose.numbers import CERTAIN, covariance
 from exoid.diagnose.search import Found, by_evidence
 from exoid.diagnose.settle import Settled, settle_free
 from exoid.diagnose.variants import FREE_ROUNDS
-from exoid.physics.library import name_of
-from exoid.physics.term import Term
+from exoid.physics.sensing.angle_offset import AngleOffset
 
-OFFSET = "angle_offset"
 RIVALS = 4  # of the other causes, each with and without the zero
 
 
@@ -49,11 +47,10 @@ def as_a_term(bench: Bench, found: Found, best: Settled) -> tuple[Bench, Found, 
     """The zero as a term of the best and of its rivals, who are also tried without it, and a
     baseline that has it as declared.
     """
-    offset = next(term for term in bench.library if name_of(term) == OFFSET)
     declared = replace(bench, zero=0.0)
     rivals = [one for one in (*found.singles, *found.pairs) if one is not best][:RIVALS]
     base, *plain = [at_rest(declared, without_zero(one.candidate)) for one in (found.base, *rivals)]
-    named = [at_rest(declared, with_term(one.candidate, offset)) for one in (best, *rivals)]
+    named = [at_rest(declared, with_term(one.candidate)) for one in (best, *rivals)]
     alone = [one for one in (*named, *plain) if len(one.candidate.terms) == 1]
     joint = [one for one in (*named, *plain) if len(one.candidate.terms) > 1]
     measure = found.yardstick
@@ -70,10 +67,10 @@ def without_zero(candidate: Hypothesis) -> Hypothesis:
     return replace(candidate, zero=np.array([candidate.zero[0], 0.0]), linear=None)
 
 
-def with_term(candidate: Hypothesis, offset: type[Term]) -> Hypothesis:
+def with_term(candidate: Hypothesis) -> Hypothesis:
     """The candidate with its zero as a term."""
     start, value = without_zero(candidate), candidate.zero[1:]
-    return replace(start, terms=(*start.terms, offset), values=(*start.values, value))
+    return replace(start, terms=(*start.terms, AngleOffset), values=(*start.values, value))
 
 
 def at_rest(bench: Bench, candidate: Hypothesis) -> Settled:
