@@ -1,6 +1,7 @@
 """What physics was left out: the whole diagnosis of recordings of one leg."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -10,7 +11,6 @@ from exoid.diagnose.conclusion import Chosen, concluded
 from exoid.diagnose.diagnosis import Diagnosis
 from exoid.diagnose.evidence import SURE, misfits
 from exoid.diagnose.formula import Formula, term_of
-from exoid.diagnose.hypothesis import Hypothesis
 from exoid.diagnose.locate import locate
 from exoid.diagnose.novel import describe
 from exoid.diagnose.prepare import prepare
@@ -88,7 +88,7 @@ def asked(
         bench, found, best = as_a_term(bench, found, chosen.best)
         chosen = Chosen(best, predict(bench, found.base), predict(bench, best))
     told("locating the mismatch")
-    location = locate(bench, found.base.candidate, chosen.best)
+    location = locate(bench, found.begin, chosen.best)
     declared = all(recording.sensors.angle_noise is not None for _, recording in named)
     return concluded(result, bench, found, chosen, formula, location, declared, seed)
 
@@ -140,12 +140,11 @@ def only_sensors(one: Settled) -> bool:
 
 def formulated(bench: Bench, found: Found, chosen: Chosen) -> tuple[Chosen, Formula | None]:
     """The best formula as a term, where it explains more than the library does."""
-    formula = describe(bench, found.base.candidate)
+    formula = describe(bench, found.begin)
     if formula.known > KNOWN:
         return chosen, None
     term = term_of(formula)
-    at = found.base.candidate
-    start = Hypothesis((term,), (formula.values,), at.point, at.zero)
+    start = replace(found.begin, terms=(term,), values=(formula.values,))
     one = settle_free(bench, [start], rounds=ROUNDS)[0]
     if better(found, one, chosen.best) and found.clear(found.base, one):
         after = predict(bench, one)

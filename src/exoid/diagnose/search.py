@@ -1,14 +1,14 @@
 """Which terms explain the mismatch: all of them pinned, the best of them free, then in pairs."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from exoid.diagnose.bench import Bench
 from exoid.diagnose.evidence import ALIKE, APART, Yardstick, yardstick
 from exoid.diagnose.hypothesis import Hypothesis
-from exoid.diagnose.settle import Settled, settle
+from exoid.diagnose.settle import Settled, settle, settle_free
 from exoid.diagnose.variants import nested, pairs, polished, reduced, twins, with_sure_sensors
 from exoid.physics.library import name_of
 from exoid.physics.term import Term
@@ -27,6 +27,7 @@ class Found:
     """What a search found, best first; `pinned` are the sums of squares of the first look."""
 
     base: Settled
+    begin: Hypothesis  # the baseline where candidates began
     singles: list[Settled]  # running free
     pairs: list[Settled]
     pinned: dict[type[Term], float]
@@ -52,11 +53,11 @@ def names(one: Settled) -> list[str]:
 
 def look(bench: Bench, base: Settled, told: Told) -> Found:
     """Every term by itself; pairs where no single one is enough."""
-    point, zero = base.candidate.point, base.candidate.zero
+    begin = beginning(bench, base)
     usable = [term for term in bench.library if applies(bench, term)]
     told(f"testing {len(usable)} candidates")
     starts = [
-        Hypothesis((term,), (value,), point, zero)
+        replace(begin, terms=(term,), values=(value,))
         for term in usable
         for value in bench.starts(term)
     ]
@@ -75,7 +76,7 @@ def look(bench: Bench, base: Settled, told: Told) -> Found:
     alone = [one for one in found if len(one.candidate.terms) == 1]
     singles = by_evidence([*singles, *alone], base, measure)
     if min(base, *singles, key=lambda one: one.square).square < FLOOR * measure.samples:
-        return Found(base, singles, sensors, pinned, failed, measure)
+        return Found(base, begin, singles, sensors, pinned, failed, measure)
     told("testing pairs")
     seconds = pairs(bench, ranked, singles)
     pairs_at_best = best_of(settle(bench, seconds, rounds=PAIR_ROUNDS))
@@ -88,7 +89,16 @@ def look(bench: Bench, base: Settled, told: Told) -> Found:
     measure = yardstick(bench, min([base, *singles, *joint], key=lambda one: one.square))
     joint = by_evidence(joint, base, measure)
     joint = by_evidence([*joint, *twins(bench, joint[:1], joint)], base, measure)
-    return Found(base, by_evidence(singles, base, measure), joint, pinned, failed, measure)
+    return Found(base, begin, by_evidence(singles, base, measure), joint, pinned, failed, measure)
+
+
+def beginning(bench: Bench, base: Settled) -> Hypothesis:
+    """Where candidates begin: at the baseline, but with no zero that only a missing cause made."""
+    at = base.candidate
+    if bench.rig or abs(at.zero[1]) <= bench.zero:
+        return at
+    declared = replace(bench, zero=0.0)
+    return settle_free(declared, [replace(at, zero=at.zero * [1.0, 0.0])])[0].candidate
 
 
 def applies(bench: Bench, term: type[Term]) -> bool:

@@ -57,6 +57,7 @@ def as_a_term(bench: Bench, found: Found, best: Settled) -> tuple[Bench, Found, 
     new = replace(
         found,
         base=base,
+        begin=base.candidate,
         singles=by_evidence(alone, base, measure),
         pairs=by_evidence(joint, base, measure),
     )
