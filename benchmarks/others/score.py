@@ -98,8 +98,9 @@ def mark_diagnosis(truth: dict[str, Any], answer: Answer) -> Mark:
     if truth["effect"] == "none":
         sensor = bool(names) and names <= present(truth) and not found["novel"]
         return Mark("quiet" if not loud else "sensor" if sensor else "alarm", said)
-    if names & ({truth["effect"]} | EQUAL.get(truth["effect"], set())):
-        return Mark("named", said)
+    right = {truth["effect"]} | EQUAL.get(truth["effect"], set())
+    if names & right:
+        return Mark("named" if names <= right | present(truth) else "wrong", said)
     if not loud:
         unseen = truth["visible"] < UNSEEN
         unsure = found["verdict"] != "none"
