@@ -99,7 +99,7 @@ def test_a_fit_may_be_refused_or_say_itself_that_it_failed():
         (TRUTH | {"trouble": "drift"}, diagnosis("mismatch", "gyro_bias"), "sensor"),
         (lacking("coulomb_friction"), diagnosis("mismatch", "coulomb_friction"), "named"),
         (lacking("stiffness_rest_angle"), diagnosis("mismatch", "torque_bias"), "named"),
-        (lacking("stiffness_rest_angle"), diagnosis("mismatch", "torque_bias", "backlash"), "wrong"),
+        (lacking("hard_stop"), diagnosis("mismatch", "hard_stop", "backlash"), "wrong"),
         (lacking("quadratic_drag"), diagnosis("cannot_tell"), "unsure"),
         (lacking("quadratic_drag"), diagnosis("none"), "missed"),
         (lacking("quadratic_drag", 2.0), diagnosis("none"), "unseen"),
