@@ -17,10 +17,10 @@ from exoid.fit.problem import Problem
 from exoid.fit.systematics import deviations
 from exoid.physics.library import name_of
 from exoid.physics.parameter import Declaration, declarations
+from exoid.physics.sensing.angle_offset import AngleOffset
 from exoid.physics.term import Term
 
 OUTERMOST = 3.0  # standard deviations of a seat's tilt: one that is farther off is a cause
-LARGEST_ZERO = 0.4  # rad, of an encoder on a leg
 FARTHEST = 5.0  # typical steps of the inertia from the fit: a factor of four
 
 
@@ -128,8 +128,14 @@ class Bench:
         first = candidate.point.size + 2
         tilts = np.flatnonzero(self.tilts)
         upper[tilts] = OUTERMOST / self.tilts[tilts]
-        upper[first - 1] = np.inf if self.rig else LARGEST_ZERO * (self.zero > 0)
+        upper[first - 1] = np.inf if self.rig else largest_zero() * (self.zero > 0)
         lower[tilts], lower[first - 1] = -upper[tilts], -upper[first - 1]
         lower[first:] = [declared.lower for declared in each]
         upper[first:] = [declared.upper for declared in each]
         return lower, upper
+
+
+def largest_zero() -> float:
+    """rad, of an encoder on a leg."""
+    (declared,) = dict(declarations(AngleOffset)).values()
+    return declared.upper

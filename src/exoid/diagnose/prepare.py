@@ -49,9 +49,8 @@ def prepare(
     tested, cycles = (*library(), *terms), clock(movements, reading)
     zero = float("inf") if rig else movements[0].systematics.zero
     bench = Bench(problem, sensors, tested, cycles, inertia, rig, zero)
-    zeros = np.zeros(2)
-    start = Hypothesis((), (), bench.point(fitted), zeros)
-    return bench, settle_free(bench, [start])[0]
+    point = bench.point(fitted)
+    return bench, settle_free(bench, [Hypothesis((), (), point)])[0]
 
 
 def without_edges(seen: Observation, sensors: Consistency) -> Observation:

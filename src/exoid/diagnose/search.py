@@ -95,7 +95,7 @@ def look(bench: Bench, base: Settled, told: Told) -> Found:
 def beginning(bench: Bench, base: Settled) -> Hypothesis:
     """Where candidates begin: at the baseline, but with no zero that only a missing cause made."""
     at = base.candidate
-    if bench.rig or abs(at.zero[1]) <= bench.zero:
+    if abs(at.zero[1]) <= bench.zero:
         return at
     declared = replace(bench, zero=0.0)
     return settle_free(declared, [replace(at, zero=at.zero * [1.0, 0.0])])[0].candidate
@@ -108,7 +108,7 @@ def applies(bench: Bench, term: type[Term]) -> bool:
     if term.voluntary:
         return any(each.voluntary for each in bench.problem.movements)
     name = name_of(term)
-    if name in ("gyro_bias", "angle_offset"):
+    if name == "gyro_bias" or (name == "angle_offset" and bench.zero > 0):
         return False  # it is free in every fit
     if name in ("gyro_scale", "sensor_skew"):
         return bool((bench.seen.velocity_weight > 0).any())
