@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from exoid.fit.condense import Sensed
-from exoid.fit.disturbance import explain
+from exoid.fit.disturbance import explain, restricted
 from exoid.fit.gram import CAUSES, gram, grams, hats, matern, node_count, pushes
 from exoid.fit.observation import Observation
 from exoid.fit.sandwich import common, spoiled
@@ -150,6 +150,15 @@ def test_what_is_left_to_another_segment_is_the_sandwich_under_the_same_process(
     again = left(found.kinds["passive"], [gram(other, SEEN, 0, DURATION, "torque", PLACE)])
     np.testing.assert_allclose(again.information, 4 * found.information, rtol=1e-6)
     np.testing.assert_allclose(again.widening, found.widening, rtol=1e-6)
+
+
+def test_what_rounding_leaves_of_nothing_is_never_the_best():
+    table = np.diag([4.0, 9.0, 25.0])
+    rows = np.stack([table, table * [1.0, 1.0, -1.0]])
+    with np.errstate(all="raise"):
+        sound, broken = restricted(rows, np.zeros(2), 100)
+    assert np.isfinite(sound)
+    assert broken == -np.inf
 
 
 def test_a_direction_without_information_stays_without():

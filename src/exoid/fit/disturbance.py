@@ -88,8 +88,11 @@ class Likelihood:
         return restricted(total, spread, self.samples)
 
 
+@np.errstate(invalid="ignore", divide="ignore")
 def restricted(total: np.ndarray, spread: np.ndarray, samples: int) -> np.ndarray:
-    """From the weighted (A, r)'(A, r) and the log determinant of the covariance, for each row."""
+    """From the weighted (A, r)'(A, r) and the log determinant of the covariance, for each row; the
+    least there is where rounding leaves less than nothing.
+    """
     size = total.shape[1] - 1
     unit = np.sqrt(np.diagonal(total[:, :size, :size], axis1=1, axis2=2))
     used = (unit > 0).all(axis=0)
@@ -102,7 +105,8 @@ def restricted(total: np.ndarray, spread: np.ndarray, samples: int) -> np.ndarra
     left = total[:, size, size] - np.sum(known * along**2 / values, axis=1)
     freedom = samples - known.sum(axis=1)
     absorbed = np.log(values).sum(axis=1) + 2 * np.log(unit).sum(axis=1)
-    return -(spread + absorbed + freedom * np.log(left / freedom)) / 2
+    found = -(spread + absorbed + freedom * np.log(left / freedom)) / 2
+    return np.where(np.isnan(found), -np.inf, found)
 
 
 def noise_beside(
