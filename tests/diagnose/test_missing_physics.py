@@ -106,6 +106,14 @@ def test_a_zero_that_is_certain_but_usual_is_told():
     assert "zero is off by -0.7 deg, no more than is to be expected" in found.reasons[0]
 
 
+def test_the_zero_of_every_recording_is_told():
+    found = diagnose([session(), session(AngleOffset(jnp.asarray(0.09)), seed=1)])
+    assert found.verdict == "none"
+    (told,) = found.reasons
+    assert "is off by 5" in told
+    assert "deg, more than is to be expected" in told
+
+
 def test_a_zero_that_is_farther_off_is_named_and_proved_with_all_of_its_error():
     found = diagnose(session(AngleOffset(jnp.asarray(0.06))))
     assert found.selected == ["angle_offset"]

@@ -11,6 +11,7 @@ from exoid.diagnose.formula import Formula
 from exoid.diagnose.honesty import hands, too_little, unsure
 from exoid.diagnose.locate import Location
 from exoid.diagnose.numbers import (
+    CERTAIN,
     FORMULA,
     booked,
     gyro_bias,
@@ -23,7 +24,6 @@ from exoid.diagnose.proof import Prediction, Proof, proof
 from exoid.diagnose.resample import inclusion
 from exoid.diagnose.search import Found, equivalents, names, size
 from exoid.diagnose.settle import Settled
-from exoid.diagnose.unusual_zero import Zero, zero_of
 from exoid.diagnose.workings import Workings
 from exoid.fit.result import FitResult
 from exoid.physics.library import library, name_of
@@ -68,9 +68,8 @@ def concluded(
     if bias is not None and verdict != "cannot_tell":
         verdict = "mismatch"
         selected = [*selected, BIAS]
-    zero = zero_of(bench, found, best)
-    if verdict == "none" and zero is not None and zero.clear:
-        reasons = [of_usual_zero(zero)]
+    if verdict == "none":
+        reasons = of_zeros(result, bench)
     equal = [] if formula or not best.candidate.terms else equivalents(found, best)
     parameters = size(best)
     measure = found.yardstick
@@ -108,12 +107,21 @@ def concluded(
     )
 
 
-def of_usual_zero(zero: Zero) -> str:
-    """What to say of an encoder's zero that is no surprise."""
-    return (
-        f"the encoder's zero is off by {np.degrees(zero.value):.2g} deg, no more than is to be "
-        "expected; the fit estimates it"
-    )
+def of_zeros(result: FitResult, bench: Bench) -> list[str]:
+    """What to say of zeros of encoders that are certainly off, and no cause of anything."""
+    usual = {each.source: each.systematics.zero for each in bench.problem.movements}
+    said = []
+    for each in result.mountings:
+        value, error = (each.zero.value, each.zero.standard_error) if each.zero else (None, None)
+        if value is None or error is None or abs(value) < CERTAIN * error:
+            continue
+        whose = f" in {each.recording}" if len(result.mountings) > 1 else ""
+        more = "more" if abs(value) > usual[each.recording] else "no more"
+        said.append(
+            f"the encoder's zero{whose} is off by {np.degrees(value):.2g} deg, {more} than is "
+            "to be expected; the fit estimates it"
+        )
+    return said
 
 
 def findings(selected: list[str], best: Settled) -> list[Finding]:
