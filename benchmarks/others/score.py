@@ -101,9 +101,12 @@ def mark_diagnosis(truth: dict[str, Any], answer: Answer) -> Mark:
     right = {truth["effect"]} | EQUAL.get(truth["effect"], set())
     if names & right:
         return Mark("named" if names <= right | present(truth) else "wrong", said)
-    if not loud:
+    alike = {name for each in found["equivalent"] for name in each.split(" + ")}
+    if alike & right and not found["novel"]:
+        return Mark("unsure", said)
+    if not loud or (names and names <= present(truth) and not found["novel"]):
         unseen = truth["visible"] < UNSEEN
-        unsure = found["verdict"] != "none"
+        unsure = found["verdict"] == "cannot_tell"
         return Mark("unseen" if unseen else "unsure" if unsure else "missed", said)
     return Mark("wrong", said)
 

@@ -40,8 +40,9 @@ def fit(values=(26.0, 6.0, 0.8), errors=(0.01, 0.02, 0.001), code=0):
     return Answer(code, "", 1.0, {"ratios": ratios, "parameters": leg})
 
 
-def diagnosis(verdict, *selected, novel=False):
+def diagnosis(verdict, *selected, novel=False, alike=()):
     found = {"verdict": verdict, "selected": list(selected), "novel": novel}
+    found["equivalent"] = [*selected, *alike]
     return Answer(0, "", 1.0, found)
 
 
@@ -105,6 +106,8 @@ def test_a_fit_may_be_refused_or_say_itself_that_it_failed():
         (lacking("quadratic_drag", 2.0), diagnosis("none"), "unseen"),
         (lacking("quadratic_drag", 2.0), diagnosis("mismatch", "backlash"), "wrong"),
         (lacking("quadratic_drag"), diagnosis("mismatch", novel=True), "wrong"),
+        (lacking("hard_stop"), diagnosis("mismatch", "backlash", alike=["hard_stop"]), "unsure"),
+        (lacking("backlash", systematic=True), diagnosis("mismatch", "gyro_scale"), "missed"),
         (TRUTH, Answer(2, "exoid: no.", 1.0, None), "refused"),
     ],
 )

@@ -128,6 +128,22 @@ def test_two_effects_are_both_named():
     assert sorted(found.selected) == ["coulomb_friction", "gyro_scale"]
 
 
+@pytest.mark.parametrize("size", [0.012, 0.018])  # rad
+def test_what_happened_in_one_segment_is_no_new_physics(size):
+    recording = session(FRICTION)
+    touched = recording.segments[1]
+    gone = np.clip(touched.time - 1.2, 0.0, 0.4) / 0.4
+    moved = replace(
+        touched,
+        raw_angle=touched.raw_angle + size * gone**2 * (3 - 2 * gone),
+        raw_angular_velocity=touched.raw_angular_velocity + 15 * size * gone * (1 - gone),
+    )
+    segments = (recording.segments[0], moved, *recording.segments[2:])
+    found = diagnose(replace(recording, segments=segments))
+    assert found.verdict == "cannot_tell"
+    assert "lies in segment 1 alone" in found.reasons[0]
+
+
 def test_a_term_of_the_users_own_is_tested_like_any_other():
     found = diagnose(session(Detent(jnp.asarray(0.2))), terms=(Detent,))
     assert found.selected == ["detent"]

@@ -8,7 +8,7 @@ from exoid.diagnose.bench import Bench
 from exoid.diagnose.consistency import BIAS
 from exoid.diagnose.diagnosis import Diagnosis, Finding, NovelTorque, Verdict
 from exoid.diagnose.formula import Formula
-from exoid.diagnose.honesty import hands, too_little, unsure
+from exoid.diagnose.honesty import hands, once, too_little, unsure
 from exoid.diagnose.locate import Location
 from exoid.diagnose.numbers import (
     CERTAIN,
@@ -75,6 +75,9 @@ def concluded(
     measure = found.yardstick
     left = declared and not measure.explains(best.square) and followed(found, best) < FOLLOWED
     novel = formula is not None or (verdict == "mismatch" and left)
+    events = once(bench, best) if novel else []
+    if events:
+        verdict, reasons, novel = "cannot_tell", events, False
     if left:
         selected = [name for name in selected if name == BIAS]
     tried = [len(list(declarations(term))) for term in found.pinned]
@@ -85,7 +88,7 @@ def concluded(
         ranking=ranked(found, selected, formula),
         equivalent=named_alike(equal, best) if verdict != "none" else [],
         novel=novel,
-        formula=formula and NovelTorque(formula.words, formula.explained, formula.known),
+        formula=described(formula) if formula and novel else None,
         parameters=[*parameters_of(bench, best, measure, formula), *([bias] if bias else [])],
         inertia=inertia_of(bench, best),
         booked=booked(bench, found.base, best),
@@ -122,6 +125,10 @@ def of_zeros(result: FitResult, bench: Bench) -> list[str]:
             "to be expected; the fit estimates it"
         )
     return said
+
+
+def described(formula: Formula) -> NovelTorque:
+    return NovelTorque(formula.words, formula.explained, formula.known)
 
 
 def findings(selected: list[str], best: Settled) -> list[Finding]:
@@ -169,7 +176,7 @@ def judge(bench: Bench, found: Found, best: Settled, shown: Proof) -> tuple[Verd
         if little:
             return "cannot_tell", little
         if not found.yardstick.explains(found.base.square):
-            return "cannot_tell", [
+            return "cannot_tell", once(bench, best) or [
                 f"simulation and recording differ by {left**0.5:.2g} times the noise, but no cause "
                 "explains it clearly better than another"
             ]

@@ -3,13 +3,15 @@
 import numpy as np
 
 from exoid.diagnose.bench import Bench
-from exoid.diagnose.proof import Proof
-from exoid.diagnose.search import Found
-from exoid.diagnose.settle import Settled
+from exoid.diagnose.evidence import UNEXPLAINED
+from exoid.diagnose.proof import Proof, masked
+from exoid.diagnose.search import FLOOR, Found
+from exoid.diagnose.settle import Settled, settle_free
 from exoid.physics.term import SensorTerm
 
 SHORTEST = 1.5  # s of movement in all, about one swing of a leg
 QUIETEST = np.radians(12.0)  # rad, of movement: less is within straps and skin
+FEW = 1 / 3  # of the segments, in which something may have happened once
 CYCLES = 3  # that a claim about the leg needs where all are voluntary
 APART = 0.05  # relative, by which the slowest must be slower than the fastest
 
@@ -59,6 +61,30 @@ def unremembered(bench: Bench) -> list[str]:
     return [
         f"no cause explains it down to the noise, and segment {', '.join(begun)} begins in motion: "
         "what tissue and reflexes still do of the time before is unknown. Record from a hold on"
+    ]
+
+
+def once(bench: Bench, best: Settled) -> list[str]:
+    """That the best explains all but a few segments: what happened there is no physics of the leg,
+    which acts in all of them.
+    """
+    seen = bench.seen
+    counts = (seen.angle_weight > 0).sum(axis=1) + (seen.velocity_weight > 0).sum(axis=1)
+    excess = best.products.each[:, -1, -1] - counts
+    few, others = np.split(np.argsort(-excess), [int(FEW * counts.size)])
+    if not few.size:
+        return []
+    kept = np.isin(np.arange(counts.size), others)
+    left = settle_free(bench, [best.candidate], masked(seen, kept[:, None]))[0].square
+    if left > FLOOR * counts[others].sum():
+        return []
+    odd = [k for k in sorted(few) if excess[k] > (UNEXPLAINED - 1) * counts[k]]
+    if not odd:
+        return []
+    names = ", ".join(bench.problem.movements[k].name for k in odd)
+    return [
+        f"what remains lies in segment {names} alone, and physics of the leg acts in all of them: "
+        "a hand may have touched it there. Leave it out, or record it again"
     ]
 
 
