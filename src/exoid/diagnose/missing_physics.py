@@ -17,7 +17,7 @@ from exoid.diagnose.prepare import prepare
 from exoid.diagnose.proof import improves, predict
 from exoid.diagnose.search import Found, look
 from exoid.diagnose.settle import Settled, settle_free
-from exoid.diagnose.unusual_zero import as_a_term, zero_of
+from exoid.diagnose.unusual_zero import as_a_term, unusual
 from exoid.fit.estimate import fit
 from exoid.fit.movement import Movement
 from exoid.fit.result import FitResult
@@ -83,8 +83,7 @@ def asked(
     if chosen.best.square > REMAINS * found.yardstick.samples:
         told("looking for a formula")
         chosen, formula = formulated(bench, found, chosen)
-    zero = zero_of(bench, found, chosen.best)
-    if formula is None and zero is not None and zero.unusual:
+    if formula is None and unusual(bench, found, chosen.best):
         bench, found, best = as_a_term(bench, found, chosen.best)
         chosen = Chosen(best, predict(bench, found.base), predict(bench, best))
     told("locating the mismatch")

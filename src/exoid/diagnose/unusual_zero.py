@@ -5,7 +5,7 @@ zero that is clearly farther off is a cause like others: here it becomes a term,
 that takes the zero as declared.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -20,27 +20,13 @@ from exoid.physics.sensing.angle_offset import AngleOffset
 RIVALS = 4  # of the other causes, each with and without the zero
 
 
-@dataclass(frozen=True, eq=False)
-class Zero:
-    """Of the first recording's encoder [rad], as the best explanation has it."""
-
-    value: float
-    usual: float  # one standard deviation
-    clear: bool  # is it certainly not 0?
-
-    @property
-    def unusual(self) -> bool:
-        return self.clear and abs(self.value) > self.usual
-
-
-def zero_of(bench: Bench, found: Found, best: Settled) -> Zero | None:
-    """None where it is known, or free to be anything."""
-    if not 0 < bench.zero < np.inf:
-        return None
-    value = float(best.candidate.zero[1])
-    place = best.candidate.point.size + 1
+def unusual(bench: Bench, found: Found, best: Settled) -> bool:
+    """Is the zero certainly off, as the best explanation has it, and by more than is usual?"""
+    if not 0 < bench.zero < np.inf:  # known, or free to be anything
+        return False
+    value, place = abs(float(best.candidate.zero[1])), best.candidate.point.size + 1
     variance = covariance(bench, best)[place, place] * found.yardstick.scale
-    return Zero(value, bench.zero, bool(value**2 > CERTAIN**2 * variance))
+    return bool(value > bench.zero and value**2 > CERTAIN**2 * variance)
 
 
 def as_a_term(bench: Bench, found: Found, best: Settled) -> tuple[Bench, Found, Settled]:
