@@ -2,8 +2,12 @@
 
 import json
 
+import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
+from scipy.signal import butter, filtfilt
 
+import exoid
 from exoid.fit.estimate import fit
 from exoid.recording.load import load
 
@@ -36,3 +40,28 @@ def test_their_ratios_are_right_and_so_are_the_errors(name, truths, shared):
         assert away < SURE * found.standard_error, ratio
         if truth["trouble"] == "none":
             assert found.standard_error < 1.5 * bound, ratio
+
+
+@pytest.mark.parametrize("cutoff", [6, 10])
+@pytest.mark.parametrize("damping", [0.8, 6.0])
+def test_an_angle_that_was_smoothed_gives_right_ratios(cutoff, damping):
+    """As motion capture is exported: white noise of 0.3 deg, Butterworth forwards and backwards."""
+    truth = {"gravity": 27.0, "stiffness": 8.0, "damping": damping}
+    time, hold = np.arange(0, 10, 0.01), 1.0
+    motion = solve_ivp(
+        lambda t, y: [y[1], -27.0 * np.cos(y[0]) - 8.0 * y[0] - damping * y[1]],
+        (0, 10),
+        [-0.2, 0.0],
+        rtol=1e-10,
+        atol=1e-12,
+        dense_output=True,
+    ).sol
+    angle = np.where(time < hold, -0.2, motion(np.maximum(time - hold, 0))[0])
+    noise = np.random.default_rng(1).normal(scale=np.radians(0.3), size=time.size)
+    smooth = filtfilt(*butter(2, cutoff / 50), angle + noise)
+    result = exoid.fit_leg(exoid.recording(time_s=time, raw_angle_rad=smooth), multistart=8)
+    assert result.follows
+    for name, value in truth.items():
+        found = result.ratios[f"{name}_over_inertia"]
+        assert abs(found.value - value) < 3 * found.standard_error
+    assert any("was smoothed or interpolated" in each for each in result.notes)

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.signal import butter, filtfilt
 
 from exoid.recording.noise import find_spikes, interpolation_errors, noise_of, quantum
 
@@ -36,6 +37,34 @@ def test_uneven_rates_and_lost_samples_cost_nothing_but_information():
     assert noise_of([time], [angle], None).level == pytest.approx(NOISE, rel=0.1)
     kept = ~np.isnan(angle)
     assert noise_of([time[kept]], [angle[kept]], None).level == pytest.approx(NOISE, rel=0.1)
+
+
+@pytest.mark.parametrize(("rate", "cutoff"), [(100, 6), (120, 6), (100, 10), (250, 8)])
+def test_a_smoothed_angle_counts_with_the_noise_it_had_before(rate, cutoff):
+    """As motion capture is exported: Butterworth, forwards and backwards."""
+    time, angle = sampled(rate, np.radians(0.3), duration=12.0)
+    smooth = filtfilt(*butter(2, cutoff / (rate / 2)), angle)
+    found = noise_of([time], [smooth], None, angle=True)
+    assert 0.4 < np.degrees(found.level) / 0.3 < 2.5
+    assert 0.04 < found.alike_over < 0.11
+
+
+def test_an_interpolated_angle_counts_with_the_noise_it_had_before():
+    time, angle = sampled(30, np.radians(0.3), duration=12.0)
+    dense = np.arange(0, time[-1], 0.01)
+    found = noise_of([dense], [np.interp(dense, time, angle)], None, angle=True)
+    # 100 samples a second with this noise tell as much as 30 with 0.3 deg
+    assert 0.5 < np.degrees(found.level) / (0.3 * np.sqrt(100 / 30)) < 2.5
+
+
+@pytest.mark.parametrize("rate", [30, 60, 100, 240, 1000])
+@pytest.mark.parametrize("degrees", [0.005, 0.3])
+def test_neighbours_that_share_nothing_are_not_called_smoothed(rate, degrees):
+    """Not for a fast swing without a rest either."""
+    time, angle = sampled(rate, np.radians(degrees), duration=3.0)
+    found = noise_of([time], [angle], None, angle=True)
+    assert found.alike_over == 0
+    assert np.degrees(found.level) == pytest.approx(degrees, rel=0.3)
 
 
 def test_a_polynomial_of_degree_five_has_no_noise():

@@ -7,6 +7,7 @@ import numpy as np
 from exoid.diagnose.bench import Bench
 from exoid.diagnose.consistency import BIAS
 from exoid.diagnose.diagnosis import Diagnosis, Finding, NovelTorque, Verdict
+from exoid.diagnose.evidence import FOLLOWED
 from exoid.diagnose.formula import Formula
 from exoid.diagnose.honesty import hands, once, too_little, unsure
 from exoid.diagnose.locate import Location
@@ -29,7 +30,6 @@ from exoid.fit.result import FitResult
 from exoid.physics.library import library, name_of
 from exoid.physics.parameter import declarations
 
-FOLLOWED = 0.97  # share of the mismatch that a term must explain to be named, where noise is known
 SUSPECT = 0.5  # share of the mismatch that a cause must explain to be worth a recording
 REPEAT = (
     "Repeat the same movement several times: what comes back each time is physics, what does not "
@@ -73,7 +73,7 @@ def concluded(
     equal = [] if formula or not best.candidate.terms else equivalents(found, best)
     parameters = size(best)
     measure = found.yardstick
-    left = declared and not measure.explains(best.square) and followed(found, best) < FOLLOWED
+    left = declared and not measure.explains(best.square) and found.followed(best) < FOLLOWED
     novel = formula is not None or (verdict == "mismatch" and left)
     events = once(bench, best) if novel else []
     if events:
@@ -136,12 +136,6 @@ def findings(selected: list[str], best: Settled) -> list[Finding]:
     known = {name_of(term): term for term in (*library(), *best.candidate.terms)}
     terms = [(name, known[name]) for name in selected]
     return [Finding(name, one.title, one.explanation, one.reference) for name, one in terms]
-
-
-def followed(found: Found, best: Settled) -> float:
-    """The share of the baseline's excess over the noise that the best explains."""
-    samples = found.yardstick.samples
-    return 1 - (best.square - samples) / max(found.base.square - samples, 1.0)
 
 
 def included(
@@ -209,7 +203,7 @@ def advice(
         return []
     if formula is not None:
         return ["Change one thing at a time (speed, angle, load) and watch which moves the torque."]
-    rivals = equal or [one for one in found.singles[:2] if followed(found, one) > SUSPECT]
+    rivals = equal or [one for one in found.singles[:2] if found.followed(one) > SUSPECT]
     if verdict == "mismatch" and len(rivals) < 2:
         return []
     terms = dict.fromkeys(term for one in rivals for term in one.candidate.terms)

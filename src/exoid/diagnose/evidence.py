@@ -13,6 +13,7 @@ SURE = 30.0  # evidence beyond its price that noise does not reach: with thirty 
 APART = 10.0  # evidence by which one candidate is better than another: odds of 150 to 1
 MATTERS = 0.02  # of the noise's sum of squares: an effect that explains less changes nothing
 UNEXPLAINED = 1.6  # mean square over the noise from which on something remains unexplained
+FOLLOWED = 0.97  # share of the mismatch that a term must explain to be named, where noise is known
 ALIKE = 1.5  # times what the best leaves: where all leave something, that little is no difference
 LONGEST_LAG = 1.0  # s, over which what is left may be correlated
 
@@ -44,6 +45,10 @@ class Yardstick:
     def explains(self, square: float) -> bool:
         """Is what is left hardly more than noise?"""
         return square < UNEXPLAINED * self.samples
+
+    def followed(self, worse: float, better: float) -> float:
+        """The share of the excess over the noise that is explained."""
+        return 1 - (better - self.samples) / max(worse - self.samples, 1.0)
 
     def false_alarm_rate(self, parameters: list[int]) -> float:
         """The chance that noise alone makes any of so many terms clear."""

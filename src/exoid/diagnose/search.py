@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from exoid.diagnose.bench import Bench
-from exoid.diagnose.evidence import ALIKE, APART, Yardstick, yardstick
+from exoid.diagnose.evidence import ALIKE, APART, FOLLOWED, Yardstick, yardstick
 from exoid.diagnose.hypothesis import Hypothesis
 from exoid.diagnose.settle import Settled, settle, settle_free
 from exoid.diagnose.variants import nested, pairs, polished, reduced, twins, with_sure_sensors
@@ -38,6 +38,10 @@ class Found:
         parameters = size(better) - size(worse)
         return self.yardstick.clear(worse.square, better.square, max(parameters, 1))
 
+    def followed(self, one: Settled) -> float:
+        """The share of the baseline's excess over the noise that it explains."""
+        return self.yardstick.followed(self.base.square, one.square)
+
     def evidence(self, one: Settled) -> float:
         return self.yardstick.evidence(self.base.square, one.square, size(one))
 
@@ -68,14 +72,21 @@ def look(bench: Bench, base: Settled, told: Told) -> Found:
     told("simulating the best of them")
     singles = [polished(bench, one) for one in near]
     singles += [*twins(bench, singles, singles), *nested(bench, singles)]
-    measure = yardstick(bench, min([base, *singles], key=lambda one: one.square))
+    measure = yardstick(bench, least(base, *singles))
     singles = by_evidence(singles, base, measure)
     pinned = {one.candidate.terms[0]: one.square for one in ranked}
     found = with_sure_sensors(bench, base, singles)
     sensors = [one for one in found if len(one.candidate.terms) > 1]
     alone = [one for one in found if len(one.candidate.terms) == 1]
     singles = by_evidence([*singles, *alone], base, measure)
-    if min(base, *singles, key=lambda one: one.square).square < FLOOR * measure.samples:
+    best = least(base, *singles).square
+    if best > FLOOR * measure.samples and measure.followed(base.square, best) < FOLLOWED:
+        told("simulating the others")
+        tried = {one.candidate.terms for one in singles}
+        others = [polished(bench, one) for one in ranked if one.candidate.terms not in tried]
+        singles = by_evidence([*singles, *others], base, measure)
+        best = least(base, *singles).square
+    if best < FLOOR * measure.samples:
         return Found(base, begin, singles, sensors, pinned, failed, measure)
     told("testing pairs")
     seconds = pairs(bench, ranked, singles)
@@ -86,7 +97,7 @@ def look(bench: Bench, base: Settled, told: Told) -> Found:
     joint += sensors
     singles = by_evidence([*singles, *reduced(bench, ordered(joint)[:1])], base, measure)
     singles += nested(bench, singles)
-    measure = yardstick(bench, min([base, *singles, *joint], key=lambda one: one.square))
+    measure = yardstick(bench, least(base, *singles, *joint))
     joint = by_evidence(joint, base, measure)
     joint = by_evidence([*joint, *twins(bench, joint[:1], joint)], base, measure)
     return Found(base, begin, by_evidence(singles, base, measure), joint, pinned, failed, measure)
@@ -128,6 +139,11 @@ def best_of(settled: list[Settled]) -> dict[tuple[type[Term], ...], Settled]:
         if terms not in best or not one.square >= best[terms].square:
             best[terms] = one
     return best
+
+
+def least(*settled: Settled) -> Settled:
+    """What leaves least."""
+    return min(settled, key=lambda one: one.square)
 
 
 def ordered(settled: list[Settled]) -> list[Settled]:

@@ -21,7 +21,7 @@ def noise_remarks(movements: list[Movement]) -> list[str]:
 
 
 def of_channel(noise: Noise, channel: str, unit: str) -> list[str]:
-    """Spikes, tones, tails and a declaration that the samples contradict, of one channel."""
+    """Spikes, tones, smoothing, tails and a declaration that the samples contradict, of one channel."""
     said = []
     if noise.spikes:
         said.append(
@@ -37,6 +37,12 @@ def of_channel(noise: Noise, channel: str, unit: str) -> list[str]:
         said.append(
             f"the zero of the {channel} wanders by {degrees(noise.drift):.2g} {unit} (root mean "
             "square); the encoder tells, and it was taken out."
+        )
+    if noise.alike_over:
+        said.append(
+            f"the {channel} was smoothed or interpolated before it came here: its errors are alike "
+            f"over about {noise.alike_over:.2g} s, and it counts as {degrees(noise.level):.2g} "
+            f"{unit} of noise. Smoothing blurs a release; give what was measured, if you have it."
         )
     if noise.heavy:
         said.append(

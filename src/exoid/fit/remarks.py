@@ -176,8 +176,9 @@ def of_missed(found: Missed, where: str, gravity: float, inertia: float | None) 
         ]
     if found.noise > NOISY:
         return [
-            f"{where} is white but {found.noise:.3g} times the declared noise, and standard "
-            "errors are widened by that: check the noise levels in the sidecar."
+            f"{where} is white but {found.noise:.3g} times the noise that is declared, or that "
+            "neighbouring samples show, and standard errors are widened by that: check noise "
+            "levels and time stamps."
         ]
     return []
 

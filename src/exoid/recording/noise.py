@@ -17,6 +17,9 @@ CLUSTER = 5  # samples, among which more than one spike are no spikes but an eve
 ROUNDS = 30  # each takes the worst sample of every neighbourhood
 AGREE = 2.0  # factor between measured and declared noise, from which on it is worth a word
 MORE = 1.5  # times the declared noise: samples that scatter by more are believed; jumps make 1.4
+SHARED = 2.0  # times white noise and motion, that wider neighbourhoods must show
+CLOSE, WIDEST = 0.051, 0.1  # s between neighbours: where smoothing shows at last, and motion does
+SWING, QUICK = 0.2, 8.0  # rad, rad/s: how much, and how fast, a leg swings most of the time
 FEWEST = 30  # samples that tell a noise to 15 %
 HEAVY = 1.15  # root mean square over robust deviation, from which on tails are worth a word
 NORMAL = 0.6745  # median of |x| over the standard deviation
@@ -41,6 +44,7 @@ class Noise:
     samples: int = 0
     tone: Tone | None = None  # taken out
     drift: float | None = None  # of a gyro's zero, root mean square; taken out
+    alike_over: float = 0.0  # s over which errors are alike, of an angle that was smoothed
 
     @property
     def contradicted(self) -> bool:
@@ -67,11 +71,14 @@ def declared_angle_noise(sensors: Sensors, signals: list[Samples]) -> float | No
     return float(np.hypot(sensors.angle_noise, step / np.sqrt(12)))
 
 
-def noise_of(times: list[Samples], signals: list[Samples], declared: float | None) -> Noise:
+def noise_of(
+    times: list[Samples], signals: list[Samples], declared: float | None, *, angle: bool = False
+) -> Noise:
     """The noise of one channel from all its segments, beside what is `declared`.
 
     A sample is compared with the quintic through its neighbours, which sees white noise whatever
-    the leg does. Errors beyond five robust deviations do not count: see `find_spikes`.
+    the leg does. Errors beyond five robust deviations do not count: see `find_spikes`. An `angle`
+    that was smoothed or interpolated has errors that neighbours share: see `smoothed`.
     """
     errors = np.concatenate(
         [interpolation_errors(*each) for each in zip(times, signals, strict=True)]
@@ -83,22 +90,49 @@ def noise_of(times: list[Samples], signals: list[Samples], declared: float | Non
     robust = robust_deviation(errors, step)
     inside = errors[np.abs(errors) <= FAR * robust]
     measured = max(float(np.sqrt(np.mean(inside**2))), step, NONE)
+    heaviness, width = measured / robust, 0.0
+    if angle:
+        measured, width = smoothed(times, signals, measured)
     level = measured if declared is None or measured > MORE * declared else declared
-    return Noise(level, measured, declared, measured / robust, samples=errors.size)
+    return Noise(level, measured, declared, heaviness, samples=errors.size, alike_over=width)
 
 
-def interpolation_errors(time: Samples, samples: Samples) -> Samples:
+def smoothed(times: list[Samples], signals: list[Samples], white: float) -> tuple[float, float]:
+    """The noise that an angle had before it was smoothed, and over how many seconds [s] its errors
+    are alike now; `white` and 0 where neighbours share nothing.
+
+    White noise shows the same beside neighbours far and near, smoothed noise ever more. As many
+    independent errors as there are such stretches tell a mean as well as white noise would that is
+    larger by the root of the samples in a stretch.
+    """
+    step = float(np.median(np.diff(times[0])))
+    level, width = white, 0.0
+    for stride in range(2, int(WIDEST / step) + 1):
+        if not width and stride * step > CLOSE:
+            break
+        errors = [interpolation_errors(*each, stride) for each in zip(times, signals, strict=True)]
+        found = np.concatenate(errors)
+        if np.count_nonzero(~np.isnan(found)) < FEWEST:
+            break
+        scatter = robust_deviation(found)
+        bend = SWING * (2 * np.sin(QUICK * stride * step / 2)) ** 6 / 20
+        if scatter > max(SHARED * np.hypot(white, bend), level / np.sqrt(max(width / step, 1.0))):
+            level, width = scatter * np.sqrt(stride), stride * step
+    return level, width
+
+
+def interpolation_errors(time: Samples, samples: Samples, stride: int = 1) -> Samples:
     """By how much every sample departs from the quintic through its three known neighbours on
-    either side, scaled to scatter as the noise does.
+    either side, `stride` samples apart, scaled to scatter as the noise does.
 
-    nan for missing samples, for the three at either end, and where there are fewer than seven.
+    nan for missing samples, for those at either end, and where there are too few.
     """
     known = np.flatnonzero(~np.isnan(samples))
     errors = np.full(samples.size, np.nan)
-    if known.size <= 2 * NEIGHBOURS:
+    if known.size <= 2 * NEIGHBOURS * stride:
         return errors
-    middle = np.arange(NEIGHBOURS, known.size - NEIGHBOURS)
-    offsets = [offset for offset in range(-NEIGHBOURS, NEIGHBOURS + 1) if offset]
+    middle = np.arange(NEIGHBOURS * stride, known.size - NEIGHBOURS * stride)
+    offsets = [offset * stride for offset in range(-NEIGHBOURS, NEIGHBOURS + 1) if offset]
     near = known[middle[:, None] + offsets]
     here, there = time[known[middle]], time[near]
     weights = np.ones_like(there)

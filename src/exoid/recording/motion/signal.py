@@ -50,10 +50,11 @@ def signal_of(segment: Segment, sensors: Sensors) -> Signal:
     if segment.raw_angular_velocity is not None:
         velocity = segment.raw_angular_velocity
     assert angle is not None  # a Segment has one or the other
-    angle, noise = credible(segment.time, angle, declared_angle_noise(sensors, [angle]))
+    declared = declared_angle_noise(sensors, [angle])
+    angle, noise = credible(segment.time, angle, declared, angle=True)
     if velocity is None:
         return Signal(segment.time, angle, noise, None, np.inf)
-    velocity, scatter = credible(segment.time, velocity, sensors.velocity_noise)
+    velocity, scatter = credible(segment.time, velocity, sensors.velocity_noise, angle=False)
     return Signal(
         segment.time, angle, noise, velocity - bias(segment.time, angle, velocity), scatter
     )
@@ -65,10 +66,12 @@ def bias(time: Samples, angle: Samples, velocity: Samples) -> float:
     return float(np.nanmedian(velocity - slope))
 
 
-def credible(time: Samples, samples: Samples, declared: float | None) -> tuple[Samples, float]:
+def credible(
+    time: Samples, samples: Samples, declared: float | None, *, angle: bool
+) -> tuple[Samples, float]:
     """The samples without spikes, and their noise."""
     kept = np.where(find_spikes(time, samples, declared or 0.0), np.nan, samples)
-    return kept, noise_of([time], [kept], declared).level
+    return kept, noise_of([time], [kept], declared, angle=angle).level
 
 
 def speed_of(signal: Signal) -> Speed:

@@ -12,7 +12,8 @@ to Bajd and Vodovnik, J Biomedical Engineering 6, 1984, which was not read. And 
 exoid's own:
 
 - at rest: within 2 deg of the resting angle, the mean over the last period of the record;
-- a swing: one that turns back by at least 1 deg (and by 6 times the noise);
+- a swing: one that turns back by at least 1 deg (and by 8 times the noise of the angle
+  smoothed over 0.1 s);
 - an oscillation: a flexion whose peak lies beyond the band of rest;
 - period: the mean time between flexion peaks, over the first three oscillations at most;
 - logarithmic decrement n: log of the n-th flexion swing over the next, each from the extension peak
@@ -22,8 +23,8 @@ exoid's own:
 
 Amplitudes are differences of knee angles. Angles are exoid's: 0 extended, flexion negative.
 Velocity and acceleration are derivatives of the angle, so that a gyro's scale and bias do not
-enter. Standard errors hold the white noise of the angle; an off-centre magnet or a cuff that slips
-is not in them. The greatest of noisy accelerations is read up to one of these errors too high.
+enter. Standard errors hold the white noise of the angle, and 5 % of the acceleration at the release
+for what the polynomial there leaves out; an off-centre magnet or a cuff that slips is not in them.
 """
 
 from dataclasses import dataclass
@@ -35,6 +36,7 @@ from exoid.recording.pendulum.rest import BAND
 from exoid.recording.pendulum.track import HALF, Peak
 
 NORM = 1.6  # of the normalised relaxation index
+SURE = 3.0  # standard errors
 CYCLES = 3  # oscillations, at most, of which a period is the mean and decrements are told
 
 
@@ -82,7 +84,7 @@ def number_of_oscillations(drop: Landmarks) -> Reading:
     rest, found = drop.rest.angle, drop.turns[::2]
     beyond = [rest.value - each.value - BAND for each in found]
     places = list(zip(found, beyond, strict=True))
-    close = any(2 * hypot(each.error, rest.error) > abs(far) for each, far in places)
+    close = any(SURE * hypot(each.error, rest.error) > abs(far) for each, far in places)
     counted = tuple(each.mark for each, far in places if far > 0)
     return Reading(float(len(counted)), float(close), counted)
 

@@ -9,12 +9,11 @@ import numpy as np
 from exoid.recording.motion.acceleration import Law
 from exoid.recording.motion.extent import Extent, Motionless, find_free
 from exoid.recording.motion.signal import Signal
-from exoid.recording.motion.turning import reversals
 from exoid.recording.pendulum.measure import NotAllowed
 from exoid.recording.pendulum.release import Release, find_release
 from exoid.recording.pendulum.rest import Rest, find_rest
-from exoid.recording.pendulum.swing import Curve, back, curve, turns
-from exoid.recording.pendulum.track import FEWEST, HALF, Peak, Track, local, peak
+from exoid.recording.pendulum.swing import Curve, back, curve, turned, turns
+from exoid.recording.pendulum.track import FEWEST, HALF, Peak, Track, local, nearest
 
 SHARE = 0.6  # of its greatest acceleration with which a leg that is let go falls at first
 SURE = 3.0  # standard errors
@@ -67,14 +66,19 @@ class Landmarks:
         return self.turns[number]
 
     def steepest(self, order: int, sign: int, begin: float, end: float) -> Peak:
-        """Where a derivative is greatest (sign 1) or least (-1) between two times."""
-        values = (self.curve.velocity, self.curve.acceleration)[order - 1]
-        inside = np.flatnonzero((self.curve.time >= begin) & (self.curve.time <= end))
+        """Where a derivative is greatest (sign 1) or least (-1) between two times.
+
+        Polynomials over twice the time say where: the place at which noise lifts it would be read
+        too high.
+        """
+        track, first = self.track, float(self.curve.time[0])
+        inside = self.curve.time[(self.curve.time >= begin) & (self.curve.time <= end)]
         if not inside.size:
             raise NotAllowed("that part of the swing was not recorded")
-        at = int(inside[np.argmax(sign * values[inside])])
-        near = int(np.argmin(np.abs(self.track.time - self.curve.time[at])))
-        return peak(self.track, near, order, float(self.curve.time[0]))
+        wide = [local(track, each, first, 2 * HALF).derivative(order)[0] for each in inside]
+        time = float(inside[np.argmax(sign * np.array(wide))])
+        value, error = local(track, time, first).derivative(order)
+        return Peak(nearest(track, time), time, HALF, value, error)
 
 
 def find_landmarks(track: Track, handled: bool = True, law: Law | None = None) -> Landmarks:
@@ -118,7 +122,7 @@ def freely(track: Track, handled: bool, law: Law | None) -> tuple[Track, Extent]
 
 def first_top(track: Track) -> int:
     """Where a rig that is let go below its rest swings back for the first time; else 0."""
-    turns = reversals(track.angle, back(track))
+    turns = turned(track)
     return turns[0] if turns and track.angle[turns[0]] > track.angle[0] else 0
 
 

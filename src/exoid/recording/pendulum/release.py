@@ -16,7 +16,8 @@ from exoid.recording.pendulum.measure import NotAllowed
 from exoid.recording.pendulum.track import HALF, Peak, Track, local, nearest
 from exoid.recording.recording import Samples
 
-FALL = 0.35  # s of the fall that are followed: to 1 in 100 of its first acceleration
+FALL = 0.3  # s of the fall that are followed
+MISSED = 0.05  # of its first acceleration, by what the polynomial leaves out of a quick leg's fall
 LATE = 0.025  # s by which the first sample may come after the release
 NEAR, LATER = 0.03, 0.03  # s around the release that are tried; play hides the first of a fall
 SURE = 3.0  # standard errors
@@ -45,7 +46,8 @@ class Release:
         """Where its first part accelerates most towards flexion: s after t0, rad/s^2, error."""
         tried = np.linspace(0.0, HALF, 11).tolist()
         after = min(tried, key=lambda each: self.derivative(2, each)[0])
-        return after, *self.derivative(2, after)
+        value, error = self.derivative(2, after)
+        return after, value, float(np.hypot(error, MISSED * value))
 
 
 def find_release(track: Track, extent: Extent) -> Release:

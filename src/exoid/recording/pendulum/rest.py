@@ -10,6 +10,9 @@ from exoid.recording.pendulum.track import Peak, Track, nearest
 
 BAND = np.radians(2.0)  # rad to either side of the resting angle within which a leg is at rest
 SHORTEST = 1.0  # s at rest by which a record must end, about one swing
+SEEN = 5.0  # times the noise of the smoothed angle that the band is, or noise leaves it at rest
+SURE = 3.0  # standard errors
+WIDEST = 0.3  # s of smoothing, a third of a swing
 FADED = 4 * np.pi * np.sqrt(2)  # by which what a swing loses in a period shifts its mean over it
 
 
@@ -28,7 +31,8 @@ def find_rest(track: Track, turns: list[Peak]) -> Rest:
     """
     lasting = max(SHORTEST, last_period(turns))
     first = int(np.searchsorted(track.time, track.time[-1] - lasting))
-    smooth, slope = local_line(track.time, track.angle, SMOOTHING)
+    width = window(track)
+    smooth, slope = local_line(track.time, track.angle, width)
     swing = float(np.ptp(smooth[first:]))
     if track.time[first] - track.time[0] < lasting or swing > 2 * BAND:
         raise NotAllowed(
@@ -43,7 +47,22 @@ def find_rest(track: Track, turns: list[Peak]) -> Rest:
     check_free([float(smooth[0]), *(each.value for each in turns)], angle, turns)
     middle = float(track.time[first:].mean())
     resting = Peak(nearest(track, middle), middle, lasting / 2, angle, error)
-    return Rest(resting, entered(track, resting, smooth, slope))
+    return Rest(resting, entered(track, resting, smooth, slope, track.smoothed_noise(width)))
+
+
+def window(track: Track) -> float:
+    """Over how much [s] the angle is smoothed, for noise not to leave the band of rest.
+
+    **Raises** `NotAllowed` where that blurs the swings.
+    """
+    samples = (SEEN * track.noise / BAND) ** 2
+    width = max(SMOOTHING, samples * float(np.median(np.diff(track.time))))
+    if width > WIDEST:
+        raise NotAllowed(
+            f"too noisy: {np.degrees(track.noise):.2g} deg of noise hide whether a leg is within "
+            f"{np.degrees(BAND):.0f} deg of its rest. Track at a higher rate, or the marker better"
+        )
+    return width
 
 
 def loss(turns: list[Peak]) -> float:
@@ -85,25 +104,27 @@ def check_free(ends: list[float], angle: float, turns: list[Peak]) -> None:
         )
 
 
-def entered(track: Track, resting: Peak, smooth: np.ndarray, slope: np.ndarray) -> Peak:
-    """When the angle came within the band of the resting angle and stayed there.
+def entered(
+    track: Track, resting: Peak, smooth: np.ndarray, slope: np.ndarray, noise: float
+) -> Peak:
+    """When the angle, whose smoothed form has such a noise, came within the band of the resting
+    angle and stayed there.
 
     A swing that just reaches out of the band, or just does not, makes half a period: the error
-    holds how far the time goes with a band that is wider or narrower by an error of the angle.
+    holds it where a band that is surely wider or narrower gives another swing.
     """
     at, time = last_outside(track.time, smooth, resting.value, BAND)
     if at < 0:
         raise NotAllowed("at rest all the time")
     edge = resting.value + np.copysign(BAND, smooth[at] - resting.value)
-    error = np.hypot(track.noise, resting.error) / max(abs(slope[at]), 1e-3)
-    samples = max(SMOOTHING / float(np.median(np.diff(track.time))), 1.0)
-    unsure = np.hypot(track.noise / np.sqrt(samples), resting.error)
-    others = (
-        last_outside(track.time, smooth, resting.value, BAND + by) for by in (-unsure, unsure)
-    )
-    swung = max(abs(other - time) for _, other in others) / 2
-    error = min(max(error, swung), SHORTEST)
-    return Peak(nearest(track, time), time, float(error), float(edge), resting.error)
+    unsure = np.hypot(noise, resting.error)
+    error = float(unsure) / max(abs(slope[at]), 1e-3)
+    far = SURE * unsure
+    others = (last_outside(track.time, smooth, resting.value, BAND + by) for by in (-far, far))
+    swung = max(abs(other - time) for _, other in others)
+    if swung > 2 * SURE * error:  # by a swing, not along the slope
+        error = swung / 2
+    return Peak(nearest(track, time), time, min(error, SHORTEST), float(edge), resting.error)
 
 
 def last_outside(

@@ -4,13 +4,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from exoid.recording.condition import local_line
 from exoid.recording.motion.turning import reversals
 from exoid.recording.pendulum.release import Release
 from exoid.recording.pendulum.track import HALF, Peak, Track, local, peak
 from exoid.recording.recording import Samples
 
 SMALLEST = np.radians(1.0)  # rad, of a swing that counts as one
-CLEAR = 6.0  # times the noise that it must be
+CLEAR = 8.0  # times the noise of the smoothed angle, which at rest spans six
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,12 +31,17 @@ def turns(track: Track, begin: float) -> list[Peak]:
     where the leg did not fall at first.
     """
     first = int(np.searchsorted(track.time, begin))
-    return [peak(track, first + at, 0, begin) for at in reversals(track.angle[first:], back(track))]
+    return [peak(track, first + at, 0, begin) for at in turned(track, first)]
+
+
+def turned(track: Track, first: int = 0) -> list[int]:
+    """The samples from `first` on at which the smoothed angle turns around."""
+    return reversals(local_line(track.time, track.angle, HALF)[0][first:], back(track))
 
 
 def back(track: Track) -> float:
     """By how much a leg must swing back [rad]."""
-    return max(SMALLEST, CLEAR * track.noise)
+    return max(SMALLEST, CLEAR * track.smoothed_noise(HALF))
 
 
 def curve(track: Track, release: Release | None) -> Curve:

@@ -12,6 +12,7 @@ from exoid.recording.recording import Samples, Segment
 
 HALF = 0.1  # s to either side that a polynomial follows, a tenth of a leg's swing
 DEGREE = 4  # the middle of a swing is then followed to 1 in 2000, its acceleration included
+BLURRED = 0.005  # s of error in time from which on an extreme is looked for more widely
 FEWEST = DEGREE + 2  # samples of a polynomial
 SLOWEST = 0.034  # s between samples: of a slower recording, a window would be a third of a swing
 
@@ -39,6 +40,10 @@ class Track:
     time: Samples  # s, on the segment's clock
     angle: Samples  # rad
     noise: float  # rad, white, of one sample
+
+    def smoothed_noise(self, width: float) -> float:
+        """What of it is left [rad] in straight lines over `width` s."""
+        return self.noise / np.sqrt(max(width / float(np.median(np.diff(self.time))), 3.0))
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,11 +91,11 @@ def derivative_row(order: int, x: float) -> Samples:
     return np.array(factors) * x ** np.maximum(powers - order, 0) / HALF**order
 
 
-def local(track: Track, centre: float, begin: float = -np.inf) -> Local:
-    """The polynomial through the samples around `centre` that are not before `begin` [s]."""
+def local(track: Track, centre: float, begin: float = -np.inf, half: float = HALF) -> Local:
+    """The polynomial through the samples `half` s around `centre` that are not before `begin`."""
     time = track.time
-    first = int(np.searchsorted(time, max(centre - HALF, begin)))
-    last = int(np.searchsorted(time, centre + HALF, side="right"))
+    first = int(np.searchsorted(time, max(centre - half, begin)))
+    last = int(np.searchsorted(time, centre + half, side="right"))
     first = min(first, max(last - FEWEST, 0))
     last = max(last, min(first + FEWEST, time.size))
     x = (time[first:last] - centre) / HALF
@@ -101,9 +106,17 @@ def local(track: Track, centre: float, begin: float = -np.inf) -> Local:
 
 
 def peak(track: Track, near: int, order: int = 0, begin: float = -np.inf) -> Peak:
-    """The extreme of a derivative next to the track's sample `near`, else its value there."""
-    found = local(track, float(track.time[near]), begin)
-    x = stationary(found.coefficients, order)
+    """The extreme of a derivative next to the track's sample `near`, else its value there.
+
+    Where noise blurs it, a polynomial over twice the time is taken.
+    """
+    sharp, wide = (stationary(track, near, order, begin, half) for half in (HALF, 2 * HALF))
+    return sharp if sharp.time_error < BLURRED else wide
+
+
+def stationary(track: Track, near: int, order: int, begin: float, half: float) -> Peak:
+    found = local(track, float(track.time[near]), begin, half)
+    x = extreme(found.coefficients, order)
     value, error = found.derivative(order, x)
     _, slope_error = found.derivative(order + 1, x)
     bend, _ = found.derivative(order + 2, x)
@@ -112,7 +125,7 @@ def peak(track: Track, near: int, order: int = 0, begin: float = -np.inf) -> Pea
     return Peak(nearest(track, time), time, min(time_error, HALF), value, error)
 
 
-def stationary(coefficients: Samples, order: int) -> float:
+def extreme(coefficients: Samples, order: int) -> float:
     """The x nearest to 0 at which a derivative has an extreme; 0 where it has none near."""
     roots = polynomial.polyroots(polynomial.polyder(coefficients, order + 1))
     real = roots[np.abs(roots.imag) < 1e-9].real
