@@ -30,6 +30,7 @@ from exoid.fit.result import FitResult
 from exoid.physics.library import library, name_of
 from exoid.physics.parameter import declarations
 
+MOSTLY = 0.9  # the same, where noise is what the samples show
 SUSPECT = 0.5  # share of the mismatch that a cause must explain to be worth a recording
 REPEAT = (
     "Repeat the same movement several times: what comes back each time is physics, what does not "
@@ -65,6 +66,9 @@ def concluded(
     selected = named_terms(best, formula)
     bias = gyro_bias(best, found.yardstick)
     verdict, reasons = judge(bench, found, best, shown)
+    if verdict == "mismatch" and formula is None and not declared:
+        doubts = partial(found, best)
+        verdict, reasons = ("cannot_tell", doubts) if doubts else (verdict, reasons)
     if bias is not None and verdict != "cannot_tell":
         verdict = "mismatch"
         selected = [*selected, BIAS]
@@ -179,6 +183,17 @@ def judge(bench: Bench, found: Found, best: Settled, shown: Proof) -> tuple[Verd
     explained = found.yardstick.explains(best.square)
     doubts = [*little, *unsure(bench, best, shown, explained=explained)]
     return ("cannot_tell", doubts) if doubts else ("mismatch", [])
+
+
+def partial(found: Found, best: Settled) -> list[str]:
+    """That the best leaves too much of the mismatch, where nobody knows how much is noise."""
+    share = found.followed(best)
+    if found.yardstick.explains(best.square) or share >= MOSTLY:
+        return []
+    return [
+        f"the best cause explains {100 * share:.0f} % of the mismatch, and nobody says how much of "
+        "the rest is noise: declare the sensors' noise in the sidecar"
+    ]
 
 
 def ranked(found: Found, selected: list[str], formula: Formula | None) -> list[str]:

@@ -70,7 +70,7 @@ def look(bench: Bench, base: Settled, told: Told) -> Found:
     ranked = ordered([one for one in first.values() if sound(one)])
     near = [one for one in ranked[:SHORT] if one.square < REACH * ranked[0].square]
     told("simulating the best of them")
-    singles = [polished(bench, one) for one in near]
+    singles = [polished(bench, one.candidate) for one in near]
     singles += [*twins(bench, singles, singles), *nested(bench, singles)]
     measure = yardstick(bench, least(base, *singles))
     singles = by_evidence(singles, base, measure)
@@ -83,8 +83,9 @@ def look(bench: Bench, base: Settled, told: Told) -> Found:
     if best > FLOOR * measure.samples and measure.followed(base.square, best) < FOLLOWED:
         told("simulating the others")
         tried = {one.candidate.terms for one in singles}
-        others = [polished(bench, one) for one in ranked if one.candidate.terms not in tried]
-        singles = by_evidence([*singles, *others], base, measure)
+        others = [one for one in ranked if one.candidate.terms not in tried]
+        singles += [simulated(bench, base, one, starts) for one in others]
+        singles = by_evidence(singles, base, measure)
         best = least(base, *singles).square
     if best < FLOOR * measure.samples:
         return Found(base, begin, singles, sensors, pinned, failed, measure)
@@ -93,7 +94,11 @@ def look(bench: Bench, base: Settled, told: Told) -> Found:
     pairs_at_best = best_of(settle(bench, seconds, rounds=PAIR_ROUNDS))
     both = ordered([one for one in pairs_at_best.values() if sound(one)])
     told("simulating the best pairs")
-    joint = [polished(bench, one) for one in both[:SHORT] if one.square < REACH * both[0].square]
+    joint = [
+        polished(bench, one.candidate)
+        for one in both[:SHORT]
+        if one.square < REACH * both[0].square
+    ]
     joint += sensors
     singles = by_evidence([*singles, *reduced(bench, ordered(joint)[:1])], base, measure)
     singles += nested(bench, singles)
@@ -101,6 +106,16 @@ def look(bench: Bench, base: Settled, told: Told) -> Found:
     joint = by_evidence(joint, base, measure)
     joint = by_evidence([*joint, *twins(bench, joint[:1], joint)], base, measure)
     return Found(base, begin, by_evidence(singles, base, measure), joint, pinned, failed, measure)
+
+
+def simulated(bench: Bench, base: Settled, one: Settled, starts: list[Hypothesis]) -> Settled:
+    """Running free from where it came pinned, or from all its `starts` where that led nowhere: what
+    acts for a few samples only, such as a stop, is not seen along a motion with noise.
+    """
+    if one.square < base.square:
+        return polished(bench, one.candidate)
+    own = [start for start in starts if start.terms == one.candidate.terms]
+    return least(*(polished(bench, start) for start in own))
 
 
 def beginning(bench: Bench, base: Settled) -> Hypothesis:
@@ -143,7 +158,7 @@ def best_of(settled: list[Settled]) -> dict[tuple[type[Term], ...], Settled]:
 
 def least(*settled: Settled) -> Settled:
     """What leaves least."""
-    return min(settled, key=lambda one: one.square)
+    return min(settled, key=lambda one: one.square if np.isfinite(one.square) else np.inf)
 
 
 def ordered(settled: list[Settled]) -> list[Settled]:

@@ -23,12 +23,11 @@ BESIDE = 2  # of the best single terms are tried beside what the sensors surely 
 SOFTEST = 1e-3  # N m/rad, of a leg that has a rest angle
 
 
-def polished(bench: Bench, one: Settled) -> Settled:
-    """Running free from where it came pinned.
+def polished(bench: Bench, start: Hypothesis) -> Settled:
+    """Running free from a start.
 
     Where a gyro's reading jumps, every sample beside a jump is a wall: the encoder leads past them.
     """
-    start = one.candidate
     if any(term.jumps for term in start.terms):
         start = settle_free(bench, [start], by_encoder(bench.seen), rounds=FREE_ROUNDS)[0].candidate
     return settle_free(bench, [start], rounds=FREE_ROUNDS)[0]
@@ -42,9 +41,7 @@ def by_encoder(seen: Observation) -> Observation:
 def reduced(bench: Bench, joint: list[Settled]) -> list[Settled]:
     """Each term of a pair alone again, from where the pair is: is the other one needed?"""
     return [
-        polished(
-            bench, replace(one, candidate=replace(one.candidate, terms=(term,), values=(value,)))
-        )
+        polished(bench, replace(one.candidate, terms=(term,), values=(value,)))
         for one in joint
         for term, value in zip(one.candidate.terms, one.candidate.values, strict=True)
     ]

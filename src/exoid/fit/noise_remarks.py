@@ -21,7 +21,7 @@ def noise_remarks(movements: list[Movement]) -> list[str]:
 
 
 def of_channel(noise: Noise, channel: str, unit: str) -> list[str]:
-    """Spikes, tones, smoothing, tails and a declaration that the samples contradict, of one channel."""
+    """Spikes, tones, smoothing, tails, and a declaration that the samples contradict."""
     said = []
     if noise.spikes:
         said.append(

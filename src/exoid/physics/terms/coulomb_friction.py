@@ -20,6 +20,7 @@ class CoulombFriction(PhysicsTerm):
         "hinge or under tight straps."
     )
     isolate: ClassVar[str] = "drops from a large and from a small angle, down to complete rest"
+    substeps: ClassVar[int] = 4  # it sticks and lets go within a step
 
     level: Float[Any, ""] = parameter("F_c", "N m", 0.0, 50.0, "friction level", (0.05,))
 

@@ -27,6 +27,7 @@ class HardStop(PhysicsTerm):
     )
     isolate: ClassVar[str] = "movements that stay away from that angle, and some that reach it"
     substeps: ClassVar[int] = 8
+    jumps: ClassVar[bool] = True
 
     contact_time: Float[Any, ""] = parameter(
         "t_c", "s", 0.008, 0.4, "how long a bounce lasts", (0.03,)

@@ -20,6 +20,7 @@ class StribeckFriction(PhysicsTerm):
         "lubricated or plastic bearings do."
     )
     isolate: ClassVar[str] = "slow movements and many turning points: drops from small angles"
+    substeps: ClassVar[int] = 4  # it sticks and lets go within a step
 
     excess: Float[Any, ""] = parameter("F_x", "N m", 0.0, 50.0, "friction beyond F_c", (0.05,))
     level: Float[Any, ""] = parameter("F_c", "N m", 0.0, 50.0, "friction at speed", (0.03,))
