@@ -135,7 +135,7 @@ def test_the_encoder_leads_past_the_jumps_of_the_gyro():
     bench, base = prepare(fit(recordings), recordings, ())
     start = Hypothesis((Backlash,), (np.array([0.008]),), base.candidate.point)
     (walled,) = settle_free(bench, [start], rounds=25)
-    found = polished(bench, walled)
+    found = polished(bench, walled.candidate)
     assert found.candidate.values[0][0] == pytest.approx(0.005, rel=0.02)
     samples = count(bench.seen)
     assert abs(found.square - samples) < 4 * np.sqrt(2 * samples)

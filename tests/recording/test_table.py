@@ -11,6 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from exoid.recording.load import load
 from exoid.recording.recording import Protocol, Recording, Segment, Sensors, Subject, known
 from exoid.recording.sidecar import read_sidecar, write_sidecar
 from exoid.recording.table import read_table, write_table
@@ -453,3 +454,12 @@ def test_a_large_table_is_read_in_c_not_in_python(write):
 def test_reading_a_file_does_not_load_jax():
     code = "import sys, exoid.recording.table; sys.exit('jax' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+def test_nan_is_a_missing_sample_as_an_empty_cell_is(tmp_path):
+    rows = ["0.0,-0.1,nan", "0.1,NaN,0.2", "0.2,-0.3, nan"]
+    path = tmp_path / "numpy.csv"
+    path.write_text("\n".join(["time_s,raw_angle_rad,raw_velocity_rad_s", *rows]) + "\n")
+    (segment,) = load(path).recording.segments
+    assert np.isnan(segment.raw_angle).tolist() == [False, True, False]
+    assert np.isnan(segment.raw_angular_velocity).tolist() == [True, False, True]

@@ -30,7 +30,7 @@ from exoid.fit.result import FitResult
 from exoid.physics.library import library, name_of
 from exoid.physics.parameter import declarations
 
-MOSTLY = 0.9  # the same, where noise is what the samples show
+MOSTLY = 0.8  # the same, where noise is what the samples show
 SUSPECT = 0.5  # share of the mismatch that a cause must explain to be worth a recording
 REPEAT = (
     "Repeat the same movement several times: what comes back each time is physics, what does not "

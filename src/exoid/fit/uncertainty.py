@@ -102,6 +102,8 @@ class Information:
             return {}
         values, vectors = self.posterior
         root = self.free @ vectors / np.sqrt(values)
+        if not np.isfinite(root).all():  # rounding left a direction without any information
+            return {}
         along, found = root.T @ gradient, {}
         for name, at in self.owned.items():
             own = root[at]

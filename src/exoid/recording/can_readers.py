@@ -25,7 +25,7 @@ from exoid.recording.can_frames import (
     Log,
 )
 from exoid.recording.foreign import ForeignError, read_apart
-from exoid.recording.library_faults import plain, quiet
+from exoid.recording.library_faults import is_ours, plain, quiet
 from exoid.recording.mf4 import read_frames
 
 READERS = {
@@ -115,7 +115,7 @@ def collect(reader: Callable[[], Iterable[Any]], rows: list[Row]) -> str | None:
                 rows.append(row_of(message))
         except Exception as fault:
             # python-can's readers have no family of exceptions: a bad file raises anything.
-            return plain(str(fault) or type(fault).__name__)
+            return plain(str(fault)) if is_ours(fault) else "no frame of this format"
     return None
 
 

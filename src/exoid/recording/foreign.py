@@ -19,7 +19,7 @@ from pathlib import Path
 
 import numpy as np
 
-from exoid.recording.library_faults import plain
+from exoid.recording.library_faults import is_ours, plain
 
 SECONDS, BYTES_PER_SECOND = 60.0, 200e3  # a tenth of what asammdf takes of compressed frames
 MEMORY, MEMORY_PER_BYTE = 2**30, 100  # bytes; the libraries themselves take 150 MB
@@ -89,7 +89,8 @@ def serve(module: str, name: str, path: str, seconds: float, memory: int) -> Non
     except MemoryError:
         content = packed({FAULT: np.array(f"it takes more than {memory / 1e9:.1f} GB of memory")})
     except Exception as fault:  # a library may raise anything over a file that is damaged
-        content = packed({FAULT: np.array(plain(str(fault) or type(fault).__name__))})
+        words = plain(str(fault)) if is_ours(fault) else "it is damaged, or not what its name says"
+        content = packed({FAULT: np.array(words)})
     with output:
         output.write(content)
 

@@ -19,3 +19,11 @@ def quiet(logger: str):
 def plain(text: str) -> str:
     """What a library says, on one line of plain characters."""
     return " ".join(text.split()).rstrip(".").encode("unicode_escape").decode()
+
+
+def is_ours(fault: BaseException) -> bool:
+    """Was this raised by a module of exoid?"""
+    frame = fault.__traceback__
+    while frame is not None and frame.tb_next is not None:
+        frame = frame.tb_next
+    return frame is not None and str(frame.tb_frame.f_globals.get("__name__")).startswith("exoid.")

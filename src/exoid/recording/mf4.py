@@ -8,7 +8,7 @@ import numpy as np
 
 from exoid.recording.can_frames import ERROR, EXTENDED, FD, REMOTE, Frames, joined
 from exoid.recording.foreign import Arrays
-from exoid.recording.library_faults import plain
+from exoid.recording.library_faults import is_ours, plain
 
 KINDS = {"CAN_DataFrame": 0, "CAN_ErrorFrame": ERROR, "CAN_RemoteFrame": REMOTE}
 CHUNK = 100_000  # frames; more at once take longer, and as much more memory
@@ -25,7 +25,7 @@ def read_frames(path: Path) -> Arrays:
             parts.append(part)
             keys.append(key)
     except Exception as fault:  # asammdf has no family of them: a bad file raises anything
-        stopped = plain(str(fault) or type(fault).__name__)
+        stopped = plain(str(fault)) if is_ours(fault) else "a block of the file is damaged"
     found = joined(parts).where(np.argsort(np.concatenate(keys), kind="stable"))
     return vars(found) | {"stopped": np.array(stopped)}
 

@@ -27,7 +27,8 @@ from exoid.recording.text_file import Notes, naming, near, replace_files
 
 NUMBER = r"(?:[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)?"
 NUMBERS = re.compile(f"{NUMBER}(?:,{NUMBER})*", re.ASCII)
-NOT_IN_NUMBERS = re.compile(r"[^0-9+\-.eE,\n]")  # no letters but e: `nan` and `inf` are not read
+NOT_IN_NUMBERS = re.compile(r"[^0-9+\-.eE,\n]")  # no letters but e: `inf` is not read
+NAN = re.compile(r"([,\n]) *nan(?=[,\n]|$)", re.IGNORECASE)
 WRITTEN = (".csv", ".parquet")
 FIRST_LINE = 2  # the line of the first sample; the header is line 1
 
@@ -111,6 +112,7 @@ def parse_table(text: str) -> tuple[dict[str, Cells], Notes]:
     names = header(first)
     body = body.rstrip("\n")
     check_lines(body)
+    body = without_nan(body)
     unknown = [name for name in names if name not in NUMERIC]
     if unknown or NOT_IN_NUMBERS.search(body):
         columns = parse_cells(names, body)
@@ -121,6 +123,13 @@ def parse_table(text: str) -> tuple[dict[str, Cells], Notes]:
     notes = [f"column {name} holds no number and is left out." for name in empty]
     notes += [f"unknown column {name} is kept as text.{near(name, NUMERIC)}" for name in unknown]
     return {name: columns[name] for name in names if name not in empty}, tuple(notes)
+
+
+def without_nan(body: str) -> str:
+    """The cells with an empty one for each `nan`, as NumPy writes a missing sample."""
+    if not NOT_IN_NUMBERS.search(body):
+        return body
+    return NAN.sub(r"\1", f"\n{body}")[1:]
 
 
 def header(line: str) -> list[str]:

@@ -1,5 +1,6 @@
 """A diagnosis in sentences: what is missing, where, the proof, and what it had been booked as."""
 
+from exoid.diagnose.consistency import BIAS
 from exoid.diagnose.diagnosis import Diagnosis, Parameter
 from exoid.report.text import in_degrees, with_error
 
@@ -94,8 +95,9 @@ def titles(found: Diagnosis) -> list[str]:
 
 def others(found: Diagnosis) -> str:
     """What it may be instead."""
-    mine = " + ".join(found.selected)
-    rest = [name for name in found.equivalent if set(name.split(" + ")) != set(mine.split(" + "))]
+    named = set(found.selected)
+    mine = (named, named - {BIAS})  # a bias is free in every candidate, and has no rival
+    rest = [name for name in found.equivalent if set(name.split(" + ")) not in mine]
     return ", or ".join(name.replace("_", " ") for name in rest)
 
 

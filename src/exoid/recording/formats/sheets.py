@@ -8,7 +8,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from exoid.recording.foreign import ForeignError
-from exoid.recording.library_faults import plain
+from exoid.recording.library_faults import is_ours
 from exoid.recording.tables.sheet import Sheet
 
 TEXTS = (".csv", ".tsv", ".txt", ".dat")
@@ -77,7 +77,8 @@ def require(package: str, what: str) -> None:
 
 
 def guarded(reader: Callable[[Path], Sheet], path: Path, called: str) -> Sheet:
-    """What the reader gives, or what its library says of a damaged file, on one line."""
+    """What the reader gives; a damaged file in one line, not in the words of its library."""
+    damaged = f"is damaged, or not {called}. Export it again."
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # the libraries' own, which say nothing about the file
@@ -89,20 +90,6 @@ def guarded(reader: Callable[[Path], Sheet], path: Path, called: str) -> Sheet:
     except ValueError as fault:
         if is_ours(fault):
             raise
-        raise ValueError(damaged(fault, called)) from fault
+        raise ValueError(damaged) from fault
     except Exception as fault:  # the libraries have no family of exceptions for a bad file
-        raise ValueError(damaged(fault, called)) from fault
-
-
-def is_ours(fault: BaseException) -> bool:
-    """Was this raised by a module of exoid?"""
-    frame = fault.__traceback__
-    while frame is not None and frame.tb_next is not None:
-        frame = frame.tb_next
-    return frame is not None and str(frame.tb_frame.f_globals.get("__name__")).startswith("exoid.")
-
-
-def damaged(fault: BaseException, called: str) -> str:
-    said = plain(str(fault))[:120]
-    why = f" ({type(fault).__name__}: {said})" if said else f" ({type(fault).__name__})"
-    return f"is damaged, or not {called}{why}. Export it again."
+        raise ValueError(damaged) from fault
