@@ -54,9 +54,9 @@ def test_a_reader_that_never_ends_is_ended(path, reader, impatient):
 @pytest.mark.parametrize(
     ("name", "reason"),
     [
-        ("broken", r"'no such block\\\\nat 0x40'"),
+        ("broken", "it is damaged, or not what its name says"),
         ("dying", r"its reader broke down \(-?\d+\)"),
-        ("pickling", "Object arrays cannot be saved"),
+        ("pickling", "it is damaged, or not what its name says"),
         ("greedy", r"it takes more than 1\.1 GB of memory"),
     ],
 )
