@@ -214,3 +214,15 @@ def test_a_leg_that_only_goes_up_is_neither_drop_nor_cycle():
 def test_a_still_segment_has_no_period():
     log, _ = log_of([hold(0.0, 3.0)])
     assert np.isnan(measure_period(log, Sensors()))
+
+
+@pytest.mark.parametrize("noise", [1e-3, 0.01])
+def test_a_drop_with_the_lift_after_it_is_no_voluntary_movement(noise):
+    time = np.arange(0, 6, 0.01)
+    swing = -1.4 + 1.2 * np.exp(-0.4 * time) * np.cos(6.2 * time)
+    lifted = np.clip(time - 4.5, 0, 1) * (-0.25 - swing[450])
+    angle = np.where(time < 4.5, swing, swing[450] + lifted)
+    angle = angle + noise * np.random.default_rng(0).normal(size=time.size)
+    assert classify(Segment(time, raw_angle=angle)) == "passive"
+    voluntary = -1.4 + 0.6 * (1 - np.cos(2 * np.pi * np.minimum(time, 2) / 2))
+    assert classify(Segment(time, raw_angle=voluntary)) == "active"

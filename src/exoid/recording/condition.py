@@ -7,11 +7,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from exoid.recording.motion.turning import reversals
 from exoid.recording.recording import Kind, Samples, Segment
 
 MOTION_SPEED = np.radians(20.0)  # rad/s, the paper's criterion of significant motion
 REST_SPEED = np.radians(5.0)  # rad/s, below it the leg is held; twitches and a gyro's bias fit in
 SMOOTHING = 0.05  # s, of the velocity that decides what moves; half a leg's swing takes 0.5 s
+RINGING, FREE, SHRINKS = 0.08, 3, 0.9  # of the range that a swing goes; how many; to what share
 NEAR = 0.35  # of the range of a movement; a drop ends at 0.5 (no damping) to 1 of it, lower
 
 Signal = Any  # a NumPy or a JAX array, time first
@@ -121,12 +123,24 @@ def runs(mask: NDArray[np.bool_]) -> list[tuple[int, int]]:
 
 
 def classify(segment: Segment) -> Kind | None:
-    """Back at its start: a voluntary cycle; ended lower: a passive drop; a lift or still: None."""
+    """Back at its start: a voluntary cycle, or a drop with the lift after it; ended lower: a
+    passive drop; a lift or still: None.
+    """
     measured = next(a for a in (segment.angle, segment.raw_angle) if a is not None)
     angle = interpolated(segment.time, measured)
     if np.ptp(angle) == 0:
         return None
     rise = (angle[-1] - angle[0]) / np.ptp(angle)
     if abs(rise) < NEAR:
-        return "active"
+        return "passive" if swings_out(segment.time, angle) else "active"
     return "passive" if rise < 0 else None
+
+
+def swings_out(time: Samples, angle: Samples) -> bool:
+    """Does it begin with a fall and ever smaller swings? No muscle moves a leg like that."""
+    smooth = local_line(time, angle, 2 * SMOOTHING)[0]
+    turns = reversals(smooth, RINGING * float(np.ptp(smooth)))
+    swings = np.diff(smooth[[0, *turns]])
+    size = np.abs(swings)
+    shrinks = (size[1:] < SHRINKS * size[:-1]).all()
+    return bool(size.size >= FREE and swings[0] < 0 and shrinks)
