@@ -457,9 +457,10 @@ def test_reading_a_file_does_not_load_jax():
 
 
 def test_nan_is_a_missing_sample_as_an_empty_cell_is(tmp_path):
-    rows = ["0.0,-0.1,nan", "0.1,NaN,0.2", "0.2,-0.3, nan"]
+    rows = ["0.0,-0.1,nan,nan", "0.1,NaN,0.2,", "0.2,-0.3, nan,so"]
     path = tmp_path / "numpy.csv"
-    path.write_text("\n".join(["time_s,raw_angle_rad,raw_velocity_rad_s", *rows]) + "\n")
+    path.write_text("\n".join(["time_s,raw_angle_rad,raw_velocity_rad_s,note", *rows]) + "\n")
     (segment,) = load(path).recording.segments
     assert np.isnan(segment.raw_angle).tolist() == [False, True, False]
     assert np.isnan(segment.raw_angular_velocity).tolist() == [True, False, True]
+    assert segment.extra_columns["note"] == ("nan", "", "so")

@@ -74,7 +74,7 @@ def clean_channel(
         for each, signal in zip(recording.segments, signals, strict=True)
     ]
     count = int(sum(each.sum() for each in spikes))
-    angle = name == "raw_angle" or name == "angle"
+    angle = name in ("raw_angle", "angle")
     noise = replace(noise_of(times, signals, declared, angle=angle), spikes=count, tone=tone)
     return replace(recording, segments=tuple(segments)), noise
 

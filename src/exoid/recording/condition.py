@@ -7,13 +7,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from exoid.recording.motion.limits import RINGING
 from exoid.recording.motion.turning import reversals
 from exoid.recording.recording import Kind, Samples, Segment
 
 MOTION_SPEED = np.radians(20.0)  # rad/s, the paper's criterion of significant motion
 REST_SPEED = np.radians(5.0)  # rad/s, below it the leg is held; twitches and a gyro's bias fit in
 SMOOTHING = 0.05  # s, of the velocity that decides what moves; half a leg's swing takes 0.5 s
-RINGING, FREE, SHRINKS = 0.08, 3, 0.9  # of the range that a swing goes; how many; to what share
+FREE, SHRINKS = 3, 0.9  # swings that no muscle makes, and to what share each shrinks
 NEAR = 0.35  # of the range of a movement; a drop ends at 0.5 (no damping) to 1 of it, lower
 
 Signal = Any  # a NumPy or a JAX array, time first

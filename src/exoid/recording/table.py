@@ -28,7 +28,7 @@ from exoid.recording.text_file import Notes, naming, near, replace_files
 NUMBER = r"(?:[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)?"
 NUMBERS = re.compile(f"{NUMBER}(?:,{NUMBER})*", re.ASCII)
 NOT_IN_NUMBERS = re.compile(r"[^0-9+\-.eE,\n]")  # no letters but e: `inf` is not read
-NAN = re.compile(r"([,\n]) *nan(?=[,\n]|$)", re.IGNORECASE)
+MISSING = ("", "nan")  # what a cell without a number holds; NumPy and pandas write the second
 WRITTEN = (".csv", ".parquet")
 FIRST_LINE = 2  # the line of the first sample; the header is line 1
 
@@ -112,7 +112,6 @@ def parse_table(text: str) -> tuple[dict[str, Cells], Notes]:
     names = header(first)
     body = body.rstrip("\n")
     check_lines(body)
-    body = without_nan(body)
     unknown = [name for name in names if name not in NUMERIC]
     if unknown or NOT_IN_NUMBERS.search(body):
         columns = parse_cells(names, body)
@@ -123,13 +122,6 @@ def parse_table(text: str) -> tuple[dict[str, Cells], Notes]:
     notes = [f"column {name} holds no number and is left out." for name in empty]
     notes += [f"unknown column {name} is kept as text.{near(name, NUMERIC)}" for name in unknown]
     return {name: columns[name] for name in names if name not in empty}, tuple(notes)
-
-
-def without_nan(body: str) -> str:
-    """The cells with an empty one for each `nan`, as NumPy writes a missing sample."""
-    if not NOT_IN_NUMBERS.search(body):
-        return body
-    return NAN.sub(r"\1", f"\n{body}")[1:]
 
 
 def header(line: str) -> list[str]:
@@ -195,9 +187,14 @@ def parse_cells(names: list[str], body: str) -> dict[str, Cells]:
 
 
 def parse_column(cells: tuple[str, ...]) -> np.ndarray:
-    if NOT_IN_NUMBERS.search("".join(cells).replace(" ", "")):
+    numbers = [cell if not missing(cell) else "" for cell in cells]
+    if NOT_IN_NUMBERS.search("".join(numbers).replace(" ", "")):
         raise ValueError("text in a column of numbers")  # which cell: first_bad_cell
-    return np.array([float(cell) if cell.strip() else np.nan for cell in cells])
+    return np.array([float(cell) if cell else np.nan for cell in numbers])
+
+
+def missing(cell: str) -> bool:
+    return cell.strip(" ").lower() in MISSING
 
 
 def first_bad_cell(names: list[str], body: str) -> ValueError | None:
@@ -220,7 +217,7 @@ def bad_row(names: list[str], row: list[str]) -> str | None:
             "Is a cell missing, or are there decimal commas?"
         )
     for name, cell in zip(names, row, strict=True):
-        if name in NUMERIC and not NUMBERS.fullmatch(cell.strip(" ")):
+        if name in NUMERIC and not (missing(cell) or NUMBERS.fullmatch(cell.strip(" "))):
             return (
                 f", column {name}: {cell[:40]!r} is not a number. "
                 "Leave the cell empty where a sample is missing."

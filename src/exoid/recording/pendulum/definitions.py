@@ -33,10 +33,9 @@ from math import hypot, log
 from exoid.recording.pendulum.landmarks import Landmarks
 from exoid.recording.pendulum.measure import Mark, NotAllowed
 from exoid.recording.pendulum.rest import BAND
-from exoid.recording.pendulum.track import HALF, Peak
+from exoid.recording.pendulum.track import HALF, SURE, Peak
 
 NORM = 1.6  # of the normalised relaxation index
-SURE = 3.0  # standard errors
 CYCLES = 3  # oscillations, at most, of which a period is the mean and decrements are told
 
 

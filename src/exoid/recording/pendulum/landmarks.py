@@ -13,10 +13,9 @@ from exoid.recording.pendulum.measure import NotAllowed
 from exoid.recording.pendulum.release import Release, find_release
 from exoid.recording.pendulum.rest import Rest, find_rest
 from exoid.recording.pendulum.swing import Curve, back, curve, turned, turns
-from exoid.recording.pendulum.track import FEWEST, HALF, Peak, Track, local, nearest
+from exoid.recording.pendulum.track import FEWEST, HALF, SURE, Peak, Track, local, nearest
 
 SHARE = 0.6  # of its greatest acceleration with which a leg that is let go falls at first
-SURE = 3.0  # standard errors
 
 Found = TypeVar("Found")
 

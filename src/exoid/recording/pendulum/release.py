@@ -13,14 +13,13 @@ from numpy.typing import NDArray
 from exoid.recording.condition import MOTION_SPEED
 from exoid.recording.motion.extent import Extent
 from exoid.recording.pendulum.measure import NotAllowed
-from exoid.recording.pendulum.track import HALF, Peak, Track, local, nearest
+from exoid.recording.pendulum.track import HALF, SURE, Peak, Track, local, nearest
 from exoid.recording.recording import Samples
 
 FALL = 0.3  # s of the fall that are followed
 MISSED = 0.05  # of its first acceleration, by what the polynomial leaves out of a quick leg's fall
 LATE = 0.025  # s by which the first sample may come after the release
 NEAR, LATER = 0.03, 0.03  # s around the release that are tried; play hides the first of a fall
-SURE = 3.0  # standard errors
 STEP = 0.001  # s between the tried times of release
 POWERS = np.array([0, 2, 3, 4, 5])
 FEWEST = 8  # samples of the fall

@@ -6,12 +6,11 @@ import numpy as np
 
 from exoid.recording.condition import SMOOTHING, local_line
 from exoid.recording.pendulum.measure import NotAllowed
-from exoid.recording.pendulum.track import Peak, Track, nearest
+from exoid.recording.pendulum.track import SURE, Peak, Track, nearest
 
 BAND = np.radians(2.0)  # rad to either side of the resting angle within which a leg is at rest
 SHORTEST = 1.0  # s at rest by which a record must end, about one swing
 SEEN = 5.0  # times the noise of the smoothed angle that the band is, or noise leaves it at rest
-SURE = 3.0  # standard errors
 WIDEST = 0.3  # s of smoothing, a third of a swing
 FADED = 4 * np.pi * np.sqrt(2)  # by which what a swing loses in a period shifts its mean over it
 

@@ -13,6 +13,7 @@ from exoid.recording.recording import Samples, Segment
 HALF = 0.1  # s to either side that a polynomial follows, a tenth of a leg's swing
 DEGREE = 4  # the middle of a swing is then followed to 1 in 2000, its acceleration included
 BLURRED = 0.005  # s of error in time from which on an extreme is looked for more widely
+SURE = 3.0  # standard errors
 FEWEST = DEGREE + 2  # samples of a polynomial
 SLOWEST = 0.034  # s between samples: of a slower recording, a window would be a third of a swing
 
@@ -110,8 +111,9 @@ def peak(track: Track, near: int, order: int = 0, begin: float = -np.inf) -> Pea
 
     Where noise blurs it, a polynomial over twice the time is taken.
     """
-    sharp, wide = (stationary(track, near, order, begin, half) for half in (HALF, 2 * HALF))
-    return sharp if sharp.time_error < BLURRED else wide
+    sharp = stationary(track, near, order, begin, HALF)
+    blurred = sharp.time_error >= BLURRED
+    return stationary(track, near, order, begin, 2 * HALF) if blurred else sharp
 
 
 def stationary(track: Track, near: int, order: int, begin: float, half: float) -> Peak:
