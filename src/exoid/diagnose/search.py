@@ -17,6 +17,7 @@ SHORT = 4  # candidates that run free, by what they explain pinned
 REACH = 3.0  # times the best, within which running free may change the order
 ROUNDS = 8  # of pinned steps; what is close by then is brought to its end running free
 PAIR_ROUNDS = 6
+FALSE = 0.5  # of the baseline's square, below which another valley makes it a false one
 FLOOR = 1.3  # mean square over the noise at which nothing more is looked for
 
 Told = Callable[[str], None]
@@ -56,7 +57,9 @@ def names(one: Settled) -> list[str]:
 
 
 def look(bench: Bench, base: Settled, told: Told) -> Found:
-    """Every term by itself; pairs where no single one is enough."""
+    """Every term by itself; pairs where no single one is enough. What explains best may show that
+    the baseline lay in a false valley: then all begins again from the leg that it found.
+    """
     begin = beginning(bench, base)
     usable = [term for term in bench.library if applies(bench, term)]
     told(f"testing {len(usable)} candidates")
@@ -72,6 +75,9 @@ def look(bench: Bench, base: Settled, told: Told) -> Found:
     told("simulating the best of them")
     singles = [polished(bench, one.candidate) for one in near]
     singles += [*twins(bench, singles, singles), *nested(bench, singles)]
+    better = polished(bench, replace(least(*singles).candidate, terms=(), values=()))
+    if better.square < FALSE * base.square:
+        return look(bench, better, told)
     measure = yardstick(bench, least(base, *singles))
     singles = by_evidence(singles, base, measure)
     pinned = {one.candidate.terms[0]: one.square for one in ranked}
