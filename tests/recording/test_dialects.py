@@ -54,6 +54,18 @@ def test_what_a_german_excel_exports_is_read(write, encoding, ends):
     assert "Zeit (s) as time_s (in s); Kniewinkel (°) as raw_angle_rad (in °)" in said
 
 
+def test_times_of_day_do_not_hide_the_semicolon(write):
+    clock = [f"2026-03-02 10:11:{12 + each:.6f}" for each in TIME]
+    check(write("\n".join(["Zeit;Kniewinkel (°)", *lines((clock, ANGLE), ";", ",")])))
+
+
+def test_points_of_thousands_are_read(write):
+    clock = [f"{1000 * each + 990:,.1f}".translate({44: ".", 46: ","}) for each in TIME]
+    rows = map(";".join, zip(clock, lines((ANGLE,), ";", ","), strict=True))
+    loaded = load(write("\n".join(["Zeit (ms);Kniewinkel (°)", *rows])))
+    np.testing.assert_allclose(loaded.recording.segments[0].time, TIME + 0.99, atol=1e-12)
+
+
 @pytest.mark.parametrize("decimal", [".", ","])
 def test_one_column_alone_is_read_with_the_rate_of_its_sidecar(write, decimal):
     rows = ["Kniewinkel links (Grad)", *lines((ANGLE,), ";", decimal)]

@@ -24,6 +24,10 @@ def seconds(cells: tuple[str, ...]) -> np.ndarray | None:
     return np.where(known, passed, np.nan)
 
 
+def is_time(cell: str) -> bool:
+    return ":" in cell and seconds((cell,)) is not None
+
+
 def moment(cell: str) -> str:
     cell = cell.strip().replace(",", ".").removesuffix("Z")
     if not cell:

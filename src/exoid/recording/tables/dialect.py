@@ -5,12 +5,15 @@ import re
 from dataclasses import dataclass
 from functools import partial
 
+from exoid.recording.tables.clock import is_time
 from exoid.recording.tables.layout import NO_TABLE, Cell, Row
 
 MISSING = {"", "nan", "na", "n/a", "#n/a", "#nv", "null", "none", "-", "--"}
 NUMBERS = {
     ".": re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII),
-    ",": re.compile(r"[+-]?(?:\d+(?:,\d+)?|,\d+)(?:[eE][+-]?\d+)?", re.ASCII),
+    ",": re.compile(
+        r"[+-]?(?:\d+(?:,\d+)?|,\d+|\d{1,3}(?:\.\d{3})+,\d+)(?:[eE][+-]?\d+)?", re.ASCII
+    ),  # 1.234,5 as well
 }
 PROBED = 50  # lines in the middle, by which the ways of writing are compared
 BLANK = " "  # stands for any number of blanks
@@ -87,7 +90,7 @@ def single(lines: list[str]) -> Dialect | None:
 
 
 def share(lines: list[str], dialect: Dialect) -> float:
-    """The share of cells that are numbers, in lines of the width that most of them have."""
+    """The share of numbers and times among the cells, in lines of the width that most have."""
     try:
         rows = list(split(lines, dialect.separator))
     except csv.Error:
@@ -97,7 +100,8 @@ def share(lines: list[str], dialect: Dialect) -> float:
         return 0.0
     width = max(set(widths), key=lambda each: (widths.count(each), each))
     cells = [cell.strip() for row in rows if len(row) == width for cell in row]
-    numbers = sum(NUMBERS[dialect.decimal].fullmatch(cell) is not None for cell in cells)
+    number = NUMBERS[dialect.decimal]
+    numbers = sum(bool(number.fullmatch(cell)) or is_time(cell) for cell in cells)
     told = sum(cell.lower() not in MISSING for cell in cells)
     alike = widths.count(width) / len(rows)
     return numbers / max(told, 1) * alike * (DOUBT if dialect.separator == BLANK else 1.0)
@@ -122,5 +126,5 @@ def value_of(cell: str, decimal: str) -> Cell:
     """A number, NaN where there is none, or the words of a cell."""
     cell = cell.strip()
     if NUMBERS[decimal].fullmatch(cell):
-        return float(cell.replace(",", ".") if decimal == "," else cell)
+        return float(cell.replace(".", "").replace(",", ".") if decimal == "," else cell)
     return float("nan") if cell.lower() in MISSING else cell
