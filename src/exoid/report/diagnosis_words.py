@@ -75,11 +75,15 @@ def scale(found: Diagnosis, parameters: list[Parameter]) -> str:
 
 
 def parameter(each: Parameter) -> str:
-    words = each.name.rpartition(".")[2].replace("_", " ")
+    return f"{each.name.rpartition('.')[2].replace('_', ' ')} {value(each)}"
+
+
+def value(each: Parameter) -> str:
+    """With its error and its unit; one without an error lies at its limit, or acts nowhere."""
     unit = "" if each.unit == "1" else f" {each.unit}"
     if each.standard_error is None:
-        return f"{words} {each.value:.3g}{unit}"
-    return f"{words} {with_error(each.value, each.standard_error)}{unit}"
+        return f"not determined (at {each.value:.3g}{unit})"
+    return f"{with_error(each.value, each.standard_error)}{unit}"
 
 
 def explanations(found: Diagnosis) -> list[str]:

@@ -6,13 +6,12 @@ from typing import ClassVar
 from exoid.diagnose.diagnosis import Diagnosis, Finding, Parameter
 from exoid.report.case import Case
 from exoid.report.diagnosis_table import candidates
-from exoid.report.diagnosis_words import sentences
+from exoid.report.diagnosis_words import sentences, value
 from exoid.report.figures.bars import draw_bars
 from exoid.report.figures.figure import Figure
 from exoid.report.plot_diagnosis import title as verdict
 from exoid.report.sections.section import Section
 from exoid.report.sections.table import Table
-from exoid.report.text import with_error
 
 SAID = (
     "Missing",
@@ -66,14 +65,6 @@ def parameters(each: list[Parameter]) -> Table:
         "value": [value(one) for one in each],
     }
     return Table("What was found in numbers; ± is one standard error", columns)
-
-
-def value(each: Parameter) -> str:
-    """With its error, where it has one, and its unit."""
-    unit = "" if each.unit == "1" else f" {each.unit}"
-    if each.standard_error is None:
-        return f"{each.value:.3g}{unit}"
-    return f"{with_error(each.value, each.standard_error)}{unit}"
 
 
 def ranked(found: Diagnosis) -> Table:
