@@ -87,6 +87,12 @@ def test_without_the_spring_the_spring_ratio_is_zero():
     assert narrow < wide  # what trades off against a spring is told better without one
 
 
+def test_what_cannot_be_followed_may_be_due_to_what_was_fixed():
+    result = fit(recorded(DROP), multistart=4, fix={"damping": 0.0})
+    assert not result.follows
+    assert any("and what you said of damping" in each for each in result.notes)
+
+
 def test_a_bound_of_your_own_holds_and_says_so():
     result = fit(spastic(), multistart=4, bound={"damping": (0.0, 2.0)})
     damping = result.parameters["damping"]

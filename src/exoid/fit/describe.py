@@ -84,7 +84,7 @@ def describe(
         other_reading_rmse=other_rmse,
         prior=problem.belief.note,
         notes=[
-            *of_astray(why, belief.raw, len({each.recording for each in problem.movements}) > 1),
+            *of_astray(why, belief, len({each.recording for each in problem.movements}) > 1),
             *of_the_rest(segments, ended.disturbance),
             *remarks(problem, ended, at_bound),
             *systematic,

@@ -112,16 +112,19 @@ def upwards(problem: Problem, ended: Ended) -> bool:
     )
 
 
-def of_astray(why: str | None, raw: bool, several: bool) -> list[str]:
+def of_astray(why: str | None, belief: Belief, several: bool) -> list[str]:
     """That the simulation does not follow the recording, and what to do."""
     if why is None:
         return []
     masses = ", and what mass was on the leg in each" if several else ""
-    weighed = "; without --misfit paper every sample is weighed by its noise" if raw else ""
+    hand = belief.by_hand
+    named = ", ".join({**hand.fix, **hand.bound, **hand.prior})
+    yours = f", and what you said of {named}" if named else ""
+    weighed = "; without --misfit paper every sample is weighed by its noise" if belief.raw else ""
     return [
         f"the simulation does not follow the recording: {why}. Do not use these numbers: check "
-        f"units, signs, zero and marks of the recording{masses}; 'exoid diagnose' asks what the "
-        f"model lacks{weighed}."
+        f"units, signs, zero and marks of the recording{masses}{yours}; 'exoid diagnose' asks "
+        f"what the model lacks{weighed}."
     ]
 
 
