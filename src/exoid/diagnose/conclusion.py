@@ -7,18 +7,20 @@ import numpy as np
 from exoid.diagnose.bench import Bench
 from exoid.diagnose.consistency import BIAS
 from exoid.diagnose.diagnosis import Diagnosis, Finding, NovelTorque, Verdict
-from exoid.diagnose.evidence import FOLLOWED
+from exoid.diagnose.evidence import FOLLOWED, Yardstick
 from exoid.diagnose.formula import Formula
 from exoid.diagnose.honesty import hands, once, too_little, unsure
 from exoid.diagnose.locate import Location
 from exoid.diagnose.numbers import (
     CERTAIN,
     FORMULA,
+    REST_ANGLE,
     booked,
     gyro_bias,
     inertia_of,
     parameters_of,
     pinned,
+    tilted,
     weighed,
 )
 from exoid.diagnose.proof import Prediction, Proof, proof
@@ -63,7 +65,7 @@ def concluded(
     is something new, and no term is named.
     """
     best, shown = chosen.best, proof(bench, chosen.before, chosen.after)
-    selected = named_terms(best, formula)
+    selected = named_terms(bench, best, found.yardstick, formula)
     bias = gyro_bias(best, found.yardstick)
     verdict, reasons = judge(bench, found, best, shown)
     if verdict == "mismatch" and formula is None and not declared:
@@ -153,8 +155,13 @@ def included(
     return inclusion(bench, best, rivals, found.yardstick, seed)
 
 
-def named_terms(best: Settled, formula: Formula | None) -> list[str]:
-    return [] if formula else names(best)
+def named_terms(
+    bench: Bench, best: Settled, measure: Yardstick, formula: Formula | None
+) -> list[str]:
+    """The terms by name; a tilted thigh is an offset whose opposite is the spring's rest angle."""
+    if formula:
+        return []
+    return [name for name in names(best) if name != REST_ANGLE or not tilted(bench, best, measure)]
 
 
 def named_alike(equal: list[Settled], best: Settled) -> list[str]:

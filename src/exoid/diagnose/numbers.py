@@ -12,6 +12,7 @@ from exoid.diagnose.settle import Settled
 from exoid.physics.library import name_of
 from exoid.physics.parameter import declarations
 
+REST_ANGLE, OFFSET = "stiffness_rest_angle", "angle_offset"
 FORMULA = "formula"  # the name of a term that has none
 CERTAIN = 5.0  # standard deviations
 BIASED = np.radians(0.1)  # rad/s, from which on a gyro's bias is worth a word
@@ -58,6 +59,18 @@ def covariance(bench: Bench, one: Settled) -> np.ndarray:
     size_of = np.sqrt(np.diag(normal))
     unit = np.where(size_of > 0, size_of, 1.0)
     return np.linalg.pinv(normal / np.outer(unit, unit), hermitian=True) / np.outer(unit, unit)
+
+
+def tilted(bench: Bench, best: Settled, measure: Yardstick) -> bool:
+    """Are a rest angle and an offset opposite, within the error of their sum?"""
+    candidate = best.candidate
+    ends = candidate.point.size + 2 + np.cumsum([value.size for value in candidate.values])
+    at = dict(zip(names(best), (int(end) - 1 for end in ends), strict=True))
+    if not {REST_ANGLE, OFFSET} <= set(at):
+        return False
+    both = [at[REST_ANGLE], at[OFFSET]]
+    variance = max(covariance(bench, best)[np.ix_(both, both)].sum(), 0.0) * measure.scale
+    return bool(abs(candidate.unknowns[both].sum()) < CERTAIN * np.sqrt(variance))
 
 
 def parameters_of(

@@ -1,4 +1,4 @@
-"""What acts for few samples, or along a motion with noise: SciPy moved these legs."""
+"""Legs that SciPy moved, each with one thing that Eq. 9 leaves out."""
 
 from dataclasses import dataclass, replace
 
@@ -37,6 +37,17 @@ class Rubbing(Knee):
         return super().pull(angle, rate) - self.friction * np.tanh(rate / 5e-3)
 
 
+@dataclass(frozen=True)
+class Tilted(Knee):
+    """On a seat whose front is higher."""
+
+    tilt: float = np.radians(8.0)
+
+    def pull(self, angle, rate):
+        level = self.gravity * (np.cos(angle + self.tilt) - np.cos(angle))
+        return super().pull(angle, rate) - level
+
+
 def session(knee: Knee, seed: int = 0):
     """Three drops of it."""
     each = [
@@ -62,3 +73,11 @@ def test_friction_is_as_finely_simulated_as_its_pairs():
     assert found.verdict == "mismatch"
     assert found.selected in (["coulomb_friction"], ["stribeck_friction"])
     assert not any("+" in each for each in found.equivalent)
+
+
+def test_a_tilted_thigh_is_one_cause_and_not_two():
+    """By itself it is an offset and a rest angle that are opposite."""
+    found = diagnose(session(Tilted()), multistart=8)
+    assert (found.verdict, found.selected) == ("mismatch", ["angle_offset"])
+    offset = {each.name: each for each in found.parameters}["angle_offset.offset"]
+    assert abs(abs(offset.value) - np.radians(8.0)) < 3 * offset.standard_error
