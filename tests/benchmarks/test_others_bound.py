@@ -28,6 +28,7 @@ def swing(ratios=TRUE, start=(-0.2, -0.3), *, gyro=False, rate=60.0, duration=5.
     return Swing(time, shown[: time.size], empty.gyro_time, shown[time.size :], start)
 
 
+@pytest.mark.proof
 def test_repeated_fits_scatter_by_the_smallest_errors():
     clean = [swing(), swing(start=(-0.7, 0.0))]
     bound = smallest_errors(TRUE, clean, NOISE)

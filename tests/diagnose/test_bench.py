@@ -128,6 +128,7 @@ def played(angle: float, seed: int) -> Segment:
     )
 
 
+@pytest.mark.proof
 def test_the_encoder_leads_past_the_jumps_of_the_gyro():
     # A sample on the wrong side of a jump costs as much as the noise of hundreds.
     segments = tuple(played(angle, seed) for seed, angle in enumerate((-0.2, -0.5, -0.8)))

@@ -30,6 +30,7 @@ def test_another_leg_is_noticed_and_named_with_what_differs(first, other, symbol
     assert symbol in sentence
 
 
+@pytest.mark.proof
 def test_the_one_that_is_of_another_leg_is_in_every_sentence(first):
     sentences = said(first, recorded(DROP, LOW, seed=1, damping=0.5), recorded(DROP, LOW, seed=2))
     assert [each[:7] for each in sentences] == ["a and b", "b and c"]

@@ -69,6 +69,7 @@ def test_a_first_session_reaches_what_is_promised_of_it():
     assert each.standard_error / each.value == pytest.approx(found.after / found.value, rel=KEPT)
 
 
+@pytest.mark.proof
 def test_mass_and_distance_are_refused_with_the_reason(bare):
     for goal in ("mass", "com_distance"):
         found = plan(bare[1], BODY, goal)
@@ -94,6 +95,7 @@ def test_a_loaded_drop_is_first_where_only_bare_ones_were_recorded(bare):
     assert found.after <= found.options[0].error * 1.3  # the simplest of the nearly best
 
 
+@pytest.mark.proof
 def test_a_bare_drop_is_proposed_where_only_a_loaded_one_was_recorded():
     found = plan(fit(recorded(LOADED), multistart=2), BODY, "inertia")
     assert any(option.motion.added_mass == 0 for option in found.proposed)
@@ -109,6 +111,7 @@ def test_voluntary_cycles_are_compared_but_never_proposed():
         assert not any(option.voluntary for option in found.proposed)
 
 
+@pytest.mark.proof
 def test_nobody_in_particular_gets_a_plan_and_is_told_so():
     found = plan(None, Subject(kind="leg"), "damping")
     assert found.before == np.inf

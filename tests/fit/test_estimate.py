@@ -129,6 +129,7 @@ def test_a_measured_torque_gives_absolute_values():
         assert "product m l" in result.parameters[name].reason
 
 
+@pytest.mark.proof
 def test_an_inertia_that_nothing_tells_stays_where_a_start_had_it():
     """A logged torque of nothing: along what is flat a search had gone to J = 254 kg m^2."""
     motion = recorded(DROP).segments[0]

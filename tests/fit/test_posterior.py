@@ -207,7 +207,7 @@ def test_of_a_rigs_leg_only_what_motion_determines_is_reported(movement, names):
     assert sorted(drawn.units) == sorted(drawn.names)
 
 
-@pytest.mark.slow
+@pytest.mark.proof
 def test_torques_and_mountings_have_a_name_for_every_segment_and_recording():
     first, second = recorded(DROP, CYCLE), recorded(DROP, seed=1)
     drawn = sample(fit([("a", first), ("b", second)], multistart=8), draws=5, warmup=5)

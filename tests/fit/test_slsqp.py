@@ -46,6 +46,7 @@ def test_both_methods_agree_on_a_cycle():
     assert other.multistart.at_best == len(STARTS)
 
 
+@pytest.mark.proof
 def test_both_methods_agree_where_the_leg_is_none_of_the_tables():
     """m l^2 > J there: the tables, in which m, l and J go together, make it one that can be."""
     one, other = both(recorded(CYCLE, inertia=0.30, com_distance=0.28))

@@ -77,6 +77,7 @@ def test_every_section_is_there_in_order_with_a_heading_and_content(diagnosed):
         assert len(each.text) > len(of.title) + 40
 
 
+@pytest.mark.proof
 def test_a_page_of_a_leg_that_lacks_nothing_has_every_section_too():
     case = of_nothing()
     assert case.diagnosis is not None
