@@ -1,4 +1,4 @@
-"""A recording from what is in memory, and back: data frames, arrays, lists."""
+"""A recording from what is in memory: data frames, arrays, lists."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -8,7 +8,6 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from exoid.recording.formats.sheets import require
 from exoid.recording.load import load
 from exoid.recording.motion.split import cut_table
 from exoid.recording.recording import Protocol, Recording, Sensors, Subject, known
@@ -17,7 +16,6 @@ from exoid.recording.table import build, late_starts, segment_starts
 from exoid.recording.tables.arrays import sheet_of_arrays
 from exoid.recording.tables.assemble import assemble
 from exoid.recording.tables.columns import NUMERIC, TARGETS
-from exoid.recording.tables.flat import flat
 from exoid.recording.tables.sheet import Place, Sheet
 from exoid.recording.tell import tell
 from exoid.recording.text_file import naming, near
@@ -83,14 +81,6 @@ def described(recording: Recording, tables: Tables) -> Recording:
     names = ("subject", "protocol", "sensors")
     known = {name: each for name, each in zip(names, tables, strict=True) if each is not None}
     return replace(recording, **known)
-
-
-def frame_of(recording: Recording) -> Any:
-    """The recording's table for pandas."""
-    require("pandas", "a data frame is made")
-    import pandas
-
-    return pandas.DataFrame(flat(recording))
 
 
 def own_name(keyword: str) -> str:

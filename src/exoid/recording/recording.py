@@ -186,7 +186,7 @@ class Recording:
 
         `exoid.recording(frame, subject=..., protocol=..., sensors=...)` makes a recording of it.
         """
-        from exoid.recording.frame import frame_of
+        from exoid.recording.tables.flat import frame_of
 
         return frame_of(self)
 

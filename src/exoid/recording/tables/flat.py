@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from exoid.recording.formats.sheets import require
 from exoid.recording.recording import Recording
 from exoid.recording.tables.columns import CHANNELS, SEGMENT
 
@@ -42,3 +43,11 @@ def flat(recording: Recording) -> dict[str, Any]:
     if twice := [name for name in texts if name in time | columns]:
         raise ValueError(f"column {twice[0]} is there twice. Delete or rename one.")
     return time | columns | texts
+
+
+def frame_of(recording: Recording) -> Any:
+    """The same as a data frame of pandas."""
+    require("pandas", "a data frame is made")
+    import pandas
+
+    return pandas.DataFrame(flat(recording))
