@@ -165,6 +165,7 @@ def test_a_detector_is_named_by_module_and_function():
     assert release.detector("json:loads") is json.loads
 
 
+@pytest.mark.proof
 def test_answers_are_those_of_the_command_line(tmp_path):
     tables = [make(3, 0, tmp_path), tmp_path / "absent.csv"]
     # in a worker of its own: the tests' checks of types do not know the command line's

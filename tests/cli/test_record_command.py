@@ -74,7 +74,7 @@ def start(command, cable, tmp_path):
         process.communicate()
 
 
-@pytest.mark.slow
+@pytest.mark.proof
 def test_a_thousand_frames_a_second_are_recorded_without_a_loss_and_fitted(
     command, start, cable, sent, tmp_path
 ):

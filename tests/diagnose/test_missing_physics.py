@@ -115,6 +115,7 @@ def test_the_zero_of_every_recording_is_told():
     assert "deg, more than is to be expected" in told
 
 
+@pytest.mark.proof
 def test_a_zero_that_is_farther_off_is_named_and_proved_with_all_of_its_error():
     found = diagnose(session(AngleOffset(jnp.asarray(0.06))))
     assert found.selected == ["angle_offset"]
@@ -129,6 +130,7 @@ def test_two_effects_are_both_named():
     assert sorted(found.selected) == ["coulomb_friction", "gyro_scale"]
 
 
+@pytest.mark.proof
 def test_what_happened_in_one_segment_is_no_new_physics():
     recording = session(FRICTION)
     touched = recording.segments[1]
@@ -149,6 +151,7 @@ def test_a_term_of_the_users_own_is_tested_like_any_other():
     assert found.selected == ["detent"]
 
 
+@pytest.mark.proof
 def test_a_term_that_cannot_be_differentiated_is_left_out_by_name():
     found = diagnose(session(FRICTION), terms=(Broken,))
     assert found.excluded == ["broken"]

@@ -77,6 +77,7 @@ def test_mass_and_distance_are_refused_with_the_reason(bare):
         assert any("only the product m l" in sentence for sentence in found.sentences)
 
 
+@pytest.mark.proof
 def test_what_is_known_well_enough_needs_nothing_more():
     result = fit(
         recorded(LONG, replace(LONG, added_mass=1.0, added_mass_distance=0.4)), multistart=2

@@ -38,7 +38,7 @@ def check_truth(result):
         assert abs(found.value - truth) < 4 * found.standard_error
 
 
-@pytest.mark.parametrize("stop", [1.6, 2.0])
+@pytest.mark.parametrize("stop", [pytest.param(1.6, marks=pytest.mark.proof), 2.0])
 def test_a_hand_that_keeps_one_leg_near_its_rest_moves_no_number(stop):
     result = fit(session(np.inf, stop, np.inf), multistart=STARTS)
     assert result.basis.problem.movements[1].extent.ended == "at rest"  # it looks like one
@@ -56,6 +56,7 @@ def test_legs_that_rest_by_themselves_keep_their_rest():
     check_truth(result)
 
 
+@pytest.mark.proof
 def test_a_single_drop_has_nobody_to_contradict_it():
     result = fit(session(2.0), multistart=STARTS)
     assert kept(result) == [None]

@@ -42,7 +42,7 @@ def test_their_ratios_are_right_and_so_are_the_errors(name, truths, shared):
             assert found.standard_error < 1.5 * bound, ratio
 
 
-@pytest.mark.parametrize("cutoff", [6, 10])
+@pytest.mark.parametrize("cutoff", [pytest.param(6, marks=pytest.mark.proof), 10])
 @pytest.mark.parametrize("damping", [0.8, 6.0])
 def test_an_angle_that_was_smoothed_gives_right_ratios(cutoff, damping):
     """As motion capture is exported: white noise of 0.3 deg, Butterworth forwards and backwards."""

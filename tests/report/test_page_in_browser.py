@@ -264,6 +264,7 @@ def test_a_phone_shows_every_value_of_every_table_without_scrolling(phone):
     assert max(right for _, _, right, _ in values) <= PHONE["width"]
 
 
+@pytest.mark.proof
 def test_the_smallest_phone_never_scrolls_sideways(browser, report, screenshots, capfd):
     with opened(browser, report, SMALLEST, is_mobile=True, has_touch=True) as (page, said, _):
         assert page.evaluate("document.documentElement.scrollWidth") <= SMALLEST["width"]
