@@ -75,9 +75,11 @@ def look(bench: Bench, base: Settled, told: Told) -> Found:
     told("simulating the best of them")
     singles = [polished(bench, one.candidate) for one in near]
     singles += [*twins(bench, singles, singles), *nested(bench, singles)]
-    better = polished(bench, replace(least(*singles).candidate, terms=(), values=()))
-    if better.square < FALSE * base.square:
-        return look(bench, better, told)
+    leader = least(*singles)
+    if leader.square < FALSE * base.square:
+        better = polished(bench, replace(leader.candidate, terms=(), values=()))
+        if better.square < FALSE * base.square:
+            return look(bench, better, told)
     measure = yardstick(bench, least(base, *singles))
     singles = by_evidence(singles, base, measure)
     pinned = {one.candidate.terms[0]: one.square for one in ranked}

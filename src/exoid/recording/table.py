@@ -187,7 +187,7 @@ def parse_cells(names: list[str], body: str) -> dict[str, Cells]:
 
 
 def parse_column(cells: tuple[str, ...]) -> np.ndarray:
-    numbers = [cell if not missing(cell) else "" for cell in cells]
+    numbers = ["" if missing(cell) else cell for cell in cells]
     if NOT_IN_NUMBERS.search("".join(numbers).replace(" ", "")):
         raise ValueError("text in a column of numbers")  # which cell: first_bad_cell
     return np.array([float(cell) if cell else np.nan for cell in numbers])
