@@ -47,13 +47,18 @@ def shared():
 
 
 @pytest.fixture(scope="session")
-def programs(tmp_path_factory):
+def common(tmp_path_factory):
+    """A folder of this run that all workers share."""
+    base = tmp_path_factory.getbasetemp()
+    return base.parent if "PYTEST_XDIST_WORKER" in os.environ else base
+
+
+@pytest.fixture(scope="session")
+def programs(common):
     """Where all workers, and the commands that they run, keep what they compile: most of it serves
     many tests.
     """
-    workers = "PYTEST_XDIST_WORKER" in os.environ
-    base = tmp_path_factory.getbasetemp()
-    folder = (base.parent if workers else base) / "programs"
+    folder = common / "programs"
     folder.mkdir(exist_ok=True)
     return folder
 

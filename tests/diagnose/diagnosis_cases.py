@@ -1,4 +1,4 @@
-"""Recordings with something missing in them, and a library small enough to compile quickly."""
+"""Recordings with something missing in them, and terms of a user's own."""
 
 from dataclasses import dataclass
 from typing import Any, ClassVar
@@ -11,17 +11,13 @@ from jaxtyping import Array, Float
 from exoid.physics.leg import LegModel
 from exoid.physics.moment import Moment
 from exoid.physics.parameter import parameter
-from exoid.physics.sensing.gyro_scale import GyroScale
 from exoid.physics.simulate import simulate
 from exoid.physics.term import Memory, PhysicsTerm
 from exoid.physics.terms.coulomb_friction import CoulombFriction
-from exoid.physics.terms.maxwell_element import MaxwellElement
-from exoid.physics.terms.quadratic_drag import QuadraticDrag
 from exoid.physics.torque import NoTorque
 from exoid.recording.recording import Protocol, Recording, Segment
 from fit_cases import BODY, NOISE, cycle_torque, leg, state
 
-SMALL = (CoulombFriction, GyroScale, MaxwellElement, QuadraticDrag)
 FRICTION = CoulombFriction(jnp.asarray(0.08))
 
 

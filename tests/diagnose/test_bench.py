@@ -4,7 +4,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
-from diagnosis_cases import FRICTION, SMALL, Detent, session
+from diagnosis_cases import FRICTION, Detent, session
 
 from exoid.diagnose import lanes
 from exoid.diagnose import prepare as preparing
@@ -24,6 +24,7 @@ from exoid.physics.terms.maxwell_element import MaxwellElement
 from exoid.physics.torque import NoTorque
 from exoid.recording.recording import Protocol, Recording, Segment
 from fit_cases import BODY, NOISE, leg, state
+from small_library import SMALL
 
 
 @pytest.fixture(scope="module")

@@ -5,7 +5,7 @@ from dataclasses import replace
 import jax.numpy as jnp
 import numpy as np
 import pytest
-from diagnosis_cases import DROPS, FRICTION, SMALL, Broken, Detent, Release, session
+from diagnosis_cases import DROPS, FRICTION, Broken, Detent, Release, session
 
 from exoid.diagnose import missing_physics
 from exoid.diagnose import prepare as preparing
@@ -15,6 +15,7 @@ from exoid.physics.sensing.gyro_scale import GyroScale
 from exoid.physics.terms.coulomb_friction import CoulombFriction
 from exoid.physics.terms.quadratic_drag import QuadraticDrag
 from exoid.recording.recording import Recording, Segment
+from small_library import SMALL
 
 
 @pytest.fixture(autouse=True, scope="module")

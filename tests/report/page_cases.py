@@ -15,9 +15,7 @@ from exoid.diagnose.missing_physics import diagnose
 from exoid.diagnose.plan import plan
 from exoid.fit.estimate import fit
 from exoid.physics.leg import LegModel
-from exoid.physics.sensing.gyro_scale import GyroScale
 from exoid.physics.terms.coulomb_friction import CoulombFriction
-from exoid.physics.terms.quadratic_drag import QuadraticDrag
 from exoid.physics.torque import NoTorque
 from exoid.recording.can_quality import FrameCounts, LogQuality
 from exoid.recording.load import load
@@ -26,9 +24,9 @@ from exoid.report.case import Case, Origin, Source
 from exoid.twin.motion import Movement
 from exoid.twin.protocols import record
 from fit_cases import BODY, leg
+from small_library import SMALL
 
 EXAMPLE = Path(prepare.__file__).parents[1] / "example" / "session.blf"
-LIBRARY = (CoulombFriction, GyroScale, QuadraticDrag)
 DROPS = [Movement(float(np.radians(angle)), 2.4) for angle in (-10, -30, -45)]
 ORIGIN = Origin(
     command="exoid report leg.csv",
@@ -57,7 +55,7 @@ def made_up(notes: str | None = None, name: str = "leg.csv") -> Case:
 
 
 def of_friction() -> Case:
-    """A leg with dry friction, diagnosed with a library of three effects."""
+    """A leg with dry friction, diagnosed with a small library."""
     return diagnosed("rubbing.csv", CoulombFriction(jnp.asarray(0.08)))
 
 
@@ -71,7 +69,7 @@ def diagnosed(name: str, *terms) -> Case:
     model = LegModel(leg(), NoTorque(), terms=terms)
     recording = record(model, DROPS, jax.random.key(0), subject=BODY)
     with pytest.MonkeyPatch.context() as patched:
-        patched.setattr(prepare, "library", lambda: LIBRARY)
+        patched.setattr(prepare, "library", lambda: SMALL)
         found = diagnose([(name, recording)])
     told, next_one = identify(found.fit), plan(found.fit, recording.subject, "inertia")
     return Case((Source(name, recording),), found.fit, ORIGIN, told, found, next_one)

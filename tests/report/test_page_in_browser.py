@@ -13,6 +13,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
+from filelock import FileLock
 from page_cases import of_example, of_friction
 
 from exoid.report.page import SECTIONS, write_page
@@ -50,11 +51,12 @@ def browser():
 
 
 @pytest.fixture(scope="module", params=["example", "friction"])
-def report(request, tmp_path_factory):
-    """The page of the bundled example, and that of a leg with dry friction."""
-    case = {"example": of_example, "friction": of_friction}[request.param]()
-    path = tmp_path_factory.mktemp("report") / f"{request.param}.html"
-    write_page(case, path)
+def report(request, common):
+    """The page of the bundled example, or that of a leg with dry friction: one worker makes it."""
+    path = common / f"{request.param}.html"
+    with FileLock(path.with_suffix(".lock")):
+        if not path.exists():
+            write_page({"example": of_example, "friction": of_friction}[request.param](), path)
     return path
 
 
