@@ -168,6 +168,16 @@ def test_what_no_term_describes_is_called_novel_and_gets_a_formula():
     assert "8 x" in found.formula.words
 
 
+@pytest.mark.proof
+def test_nothing_is_called_new_by_who_cannot_tell():
+    cycles = [Release(angle, duration=1.2, amplitude=-4.0) for angle in (-6, -8)]
+    found = diagnose(session(Detent(jnp.asarray(0.3)), movements=cycles))
+    assert (found.verdict, found.best.terms) == ("cannot_tell", ["formula"])
+    assert "cannot tell the leg from the muscles" in found.reasons[0]
+    assert not found.novel
+    assert found.formula is None
+
+
 def test_a_single_segment_is_split_in_time():
     found = diagnose(session(FRICTION, movements=DROPS[:1]))
     assert found.proof.in_time

@@ -83,7 +83,8 @@ def concluded(
     novel = formula is not None or (verdict == "mismatch" and left)
     events = once(bench, best) if novel else []
     if events:
-        verdict, reasons, novel = "cannot_tell", events, False
+        verdict, reasons = "cannot_tell", events
+    novel = novel and verdict == "mismatch"  # nothing is called new by who cannot tell
     if left:
         selected = [name for name in selected if name == BIAS]
     tried = [len(list(declarations(term))) for term in found.pinned]
