@@ -53,6 +53,12 @@ def test_version_is_that_of_the_package(command):
     assert done.stdout == f"exoid {version('exoid')}\n"
 
 
+def test_the_module_is_the_command():
+    module = [sys.executable, "-m", "exoid", "--version"]
+    done = subprocess.run(module, capture_output=True, text=True, check=True)
+    assert done.stdout == f"exoid {version('exoid')}\n"
+
+
 @pytest.mark.parametrize(("arguments", "word"), [([], "simulate"), (["fit"], "--multistart")])
 @pytest.mark.parametrize("option", ["-h", "--help"])
 def test_help_goes_to_stdout_and_names_what_there_is(command, arguments, word, option):

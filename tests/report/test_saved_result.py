@@ -43,7 +43,10 @@ def rich():
     return replace(
         plain,
         segments=segments,
-        mountings=[MountingFit("b.csv", zero=zero(), gyro_scale=zero())],
+        mountings=[
+            MountingFit("b.csv", zero=zero(), gyro_scale=zero()),
+            MountingFit("c.csv", *[zero()] * (len(fields(MountingFit)) - 1)),
+        ],
         disturbance=Disturbance(
             {"active": Missed("encoder", 0.1, ODD[0], 1.0, ODD[1]), "passive": missed()},
             {"active": ODD[2], "passive": 1.0},

@@ -1,6 +1,7 @@
 """A fit, and what else was found, back from its file, number for number."""
 
 import json
+from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +22,7 @@ from exoid.report.saved_result import FORMAT, FORMAT_VERSION, SavedResult
 from exoid.report.told_groups import from_told
 
 WRITERS = "'exoid fit --save' or 'exoid diagnose --save'"
-MOUNTED = ("added_mass_distance", "zero", "gyro_scale", "gyro_bias")
+MOUNTED = [each.name for each in fields(MountingFit)][1:]
 
 
 def load_result(path: str | Path) -> SavedResult:
