@@ -1,13 +1,21 @@
 """From what a search found to a verdict."""
 
+from dataclasses import replace
+from unittest.mock import Mock
+
 import numpy as np
 import pytest
 
+from exoid.diagnose.bench import Bench
 from exoid.diagnose.conclusion import partial
 from exoid.diagnose.evidence import Yardstick
+from exoid.diagnose.honesty import unremembered
 from exoid.diagnose.hypothesis import Hypothesis, Products
+from exoid.diagnose.missing_physics import noise_alone
 from exoid.diagnose.search import Found
 from exoid.diagnose.settle import Settled
+from exoid.physics.terms.cuff_compliance import CuffCompliance
+from exoid.physics.terms.maxwell_element import MaxwellElement
 
 SAMPLES = 1000
 NOTHING = Hypothesis((), (), np.zeros(4))
@@ -30,3 +38,25 @@ def test_a_part_is_no_cause_where_nobody_declared_the_noise(left, doubted):
     assert bool(reasons) == doubted
     if doubted:
         assert "declare the sensors' noise" in reasons[0]
+
+
+@pytest.mark.parametrize(
+    ("samples", "size", "alone"),
+    [(40, 1.0, True), (40, 1.5, False), (6, 0.9, False), (4, 0.1, False)],
+    ids=["noise", "more", "few samples", "as many parameters"],
+)
+def test_parameters_may_have_been_spent_on_a_few_first_samples(samples, size, alone):
+    """Four of them leave two of six samples to contradict them."""
+    assert noise_alone(np.full(samples, size), parameters=4) == alone
+
+
+@pytest.mark.parametrize(("term", "doubted"), [(MaxwellElement, True), (CuffCompliance, False)])
+def test_what_remembers_for_seconds_may_remember_what_nobody_recorded(term, doubted):
+    """A leg that was held for a second before the drop has not forgotten how it came there."""
+    bench = Mock(spec=Bench, rig=False, problem=Mock())
+    bench.problem.movements = [Mock(extent=None)]
+    best = leaving(9000.0)
+    best = replace(best, candidate=replace(NOTHING, terms=(term,)))
+    reasons = unremembered(bench, best)
+    assert bool(reasons) == doubted
+    assert not doubted or "Hold it still for 10 s" in reasons[0]

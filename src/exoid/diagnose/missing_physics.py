@@ -15,7 +15,7 @@ from exoid.diagnose.locate import locate
 from exoid.diagnose.novel import describe
 from exoid.diagnose.prepare import prepare
 from exoid.diagnose.proof import improves, predict
-from exoid.diagnose.search import Found, look
+from exoid.diagnose.search import Found, look, size
 from exoid.diagnose.settle import Settled, settle_free
 from exoid.diagnose.unusual_zero import as_a_term, unusual
 from exoid.fit.estimate import fit
@@ -31,7 +31,7 @@ LEFT = 0.5  # of what the library leaves, that a formula may leave to take its p
 KNOWN = 0.5  # share of a formula that a term of the library is, up to which it is new
 ROUNDS = 25
 USUAL = {"gyro_scale", "sensor_skew"}
-AT_ONCE = 1.5  # mean square over the noise that a cause may leave of a movement's first instants
+AT_ONCE = 1.5  # times the noise's that a cause may leave of a movement's first instants
 
 
 def diagnose(
@@ -109,7 +109,14 @@ def from_the_first(found: Diagnosis, movements: list[Movement]) -> bool:
         for channels, movement in zip(each, movements, strict=True)
         for one in channels
     ]
-    return float(np.mean(np.concatenate(early) ** 2)) < AT_ONCE
+    return noise_alone(np.concatenate(early), size(work.best))
+
+
+def noise_alone(left: np.ndarray, parameters: int) -> bool:
+    """Is what is left over the noise no more than that? So many parameters may have been spent on
+    these samples alone.
+    """
+    return float(left @ left) < AT_ONCE * (left.size - parameters)
 
 
 def choose(bench: Bench, found: Found) -> Chosen:

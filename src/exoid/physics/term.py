@@ -43,6 +43,7 @@ class Term(eqx.Module):
 
     twin: ClassVar[str] = ""  # what looks the same in every recording and is no term itself
     memory_size: ClassVar[int] = 0  # of a state of its own
+    lasting: ClassVar[bool] = False  # may the state outlast that the leg is held before a drop
     jumps: ClassVar[bool] = False  # does the gyro's reading jump
     substeps: ClassVar[int] = 1  # of a time step, where the term is faster than the leg
     voluntary: ClassVar[bool] = False  # does it change the torque of Eq. 10, and nothing else

@@ -21,6 +21,7 @@ class Hysteresis(PhysicsTerm):
     )
     isolate: ClassVar[str] = "small reversals, and a drop right after the leg was shaken"
     memory_size: ClassVar[int] = 1
+    lasting: ClassVar[bool] = True
     substeps: ClassVar[int] = 4
 
     level: Float[Any, ""] = parameter("F", "N m", 0.0, 50.0, "torque after yielding", (0.1,))

@@ -22,6 +22,7 @@ class MaxwellElement(PhysicsTerm):
     isolate: ClassVar[str] = "holds of 1, 10 and 60 s before the release; swings at two periods"
     living: ClassVar[bool] = True
     memory_size: ClassVar[int] = 1
+    lasting: ClassVar[bool] = True
 
     stiffness: Float[Any, ""] = parameter(
         "k_1", "N m/rad", 0.0, 30.0, "stiffness of the element", (0.5,)
