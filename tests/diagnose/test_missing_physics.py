@@ -14,7 +14,7 @@ from exoid.physics.sensing.angle_offset import AngleOffset
 from exoid.physics.sensing.gyro_scale import GyroScale
 from exoid.physics.terms.coulomb_friction import CoulombFriction
 from exoid.physics.terms.quadratic_drag import QuadraticDrag
-from exoid.recording.recording import Recording, Segment
+from exoid.recording.recording import Recording, Segment, Subject
 from small_library import SMALL
 
 
@@ -145,6 +145,15 @@ def test_what_happened_in_one_segment_is_no_new_physics():
     found = diagnose(replace(recording, segments=segments))
     assert found.verdict == "cannot_tell"
     assert "lies in segment 1 alone" in found.reasons[0]
+
+
+def test_a_leg_that_is_like_no_other_may_hide_something(of_nothing):
+    child = Subject(kind="leg", body_mass=30.0, height=1.35)
+    found = diagnose(replace(session(), subject=child))
+    assert (found.verdict, of_nothing.verdict) == ("none", "none")
+    assert "J / (m l) = 0.359 m, and anatomy expects 0.2" in found.reasons[0]
+    assert "would look like this" in found.reasons[0]
+    assert of_nothing.reasons == []
 
 
 def test_a_term_of_the_users_own_is_tested_like_any_other():

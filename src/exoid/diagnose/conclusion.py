@@ -28,6 +28,7 @@ from exoid.diagnose.resample import inclusion
 from exoid.diagnose.search import Found, equivalents, names, size
 from exoid.diagnose.settle import Settled
 from exoid.diagnose.workings import Workings
+from exoid.fit.remarks import unlike_anatomy
 from exoid.fit.result import FitResult
 from exoid.physics.library import library, name_of
 from exoid.physics.parameter import declarations
@@ -75,7 +76,7 @@ def concluded(
         verdict = "mismatch"
         selected = [*selected, BIAS]
     if verdict == "none":
-        reasons = of_zeros(result, bench)
+        reasons = [*of_zeros(result, bench), *of_what_hides(result)]
     equal = [] if formula or not best.candidate.terms else equivalents(found, best)
     parameters = size(best)
     measure = found.yardstick
@@ -132,6 +133,18 @@ def of_zeros(result: FitResult, bench: Bench) -> list[str]:
             "to be expected; the fit estimates it"
         )
     return said
+
+
+def of_what_hides(result: FitResult) -> list[str]:
+    """What a leg that is like no other may hide within the noise."""
+    basis = result.basis
+    assert basis is not None  # a joint fit has one
+    gravity = float(basis.ended.best.coordinates.shared.gravity[0])
+    return [
+        f"{each}: a spring with another rest angle, an encoder's zero or a mass that nobody "
+        "declared would look like this, and hide in it"
+        for each in unlike_anatomy(basis.problem.belief, gravity)
+    ]
 
 
 def described(formula: Formula) -> NovelTorque:

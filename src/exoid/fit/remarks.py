@@ -86,7 +86,17 @@ def of_kept(problem: Problem) -> list[str]:
 
 
 def of_anatomy(belief: Belief, gravity: float) -> list[str]:
-    """That the leg's motion and its body's tables contradict each other; `gravity` as m l g / J."""
+    """That the leg's motion and its body's tables contradict each other, and what to do."""
+    return [
+        f"{each}. Check body mass, height and age, the encoder's zero, and that every mass on the "
+        "leg is declared. m, J, l, d and c lean on anatomy; --prior none shows what the motion "
+        "tells."
+        for each in unlike_anatomy(belief, gravity)
+    ]
+
+
+def unlike_anatomy(belief: Belief, gravity: float) -> list[str]:
+    """That they contradict each other; `gravity` as m l g / J."""
     expected = belief.expected
     if expected is None or expected.covariance is None or belief.by_hand.words or gravity <= 0:
         return []
@@ -97,9 +107,7 @@ def of_anatomy(belief: Belief, gravity: float) -> list[str]:
         return []
     return [
         f"by its motion this leg has J / (m l) = {seen:.3g} m, and anatomy expects {length:.3g} +- "
-        f"{scatter * length:.2g} m of this body: fewer than one leg in a thousand are as far off. "
-        "Check body mass, height and age, the encoder's zero, and that every mass on the leg is "
-        "declared. m, J, l, d and c lean on anatomy; --prior none shows what the motion tells."
+        f"{scatter * length:.2g} m of this body: fewer than one leg in a thousand are as far off"
     ]
 
 
