@@ -58,3 +58,21 @@ def test_uneven_steps_do_no_harm():
     kept = np.random.default_rng(1).random(time.size) < 0.5
     found = smooth(time[kept], data[kept], weights[kept])
     assert np.std(found.angle - truth[kept, 0]) < 0.6 * ANGLE
+
+
+@pytest.mark.parametrize("step", [0.0025, 0.00125, 0.001], ids=["400 Hz", "800 Hz", "1 kHz"])
+def test_more_samples_of_a_motion_show_it_better(step):
+    """Half as far off as by a quarter as many, were it not for rounding at the highest rate."""
+    time, data, weights, truth = swing(step=step)
+    every = smooth(time, data, weights)
+    fewer = smooth(time[::4], data[::4], weights[::4])
+    error = np.std(every.angle - truth[:, 0])
+    assert error < 0.8 * np.std(fewer.angle - truth[::4, 0])
+    assert np.std(every.angular_acceleration - truth[:, 2]) < 0.5
+
+
+def test_a_step_that_is_much_shorter_than_others_is_no_end():
+    time, data, weights, _ = swing(step=0.0025)
+    late = np.arange(time.size) % 7 == 0
+    found = smooth(time + 0.0024 * late, data, weights)
+    assert np.isfinite(found.likelihood)

@@ -8,7 +8,15 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Float
 
-from exoid.diagnose.reference import JERKS, Reference, Samples, Smoother, smooth, smoothed
+from exoid.diagnose.reference import (
+    JERKS,
+    Reference,
+    Samples,
+    Smoother,
+    smooth,
+    smoothed,
+    smoother_of,
+)
 from exoid.fit.observation import Observation
 
 BIAS = "gyro_bias"
@@ -59,11 +67,11 @@ def consistency(seen: Observation) -> Consistency:
             (time, corrected(time, data, motion, total), weights)
             for (time, data, weights), motion in zip(segments, motions, strict=True)
         ]
-        change, covariance, misfit, jerk = compared(cleaned, motions)
+        change, covariance, misfit, smoothers = compared(cleaned, motions)
         total = total + change
         motions = [
-            smoothed(time, corrected(time, data, motion, total), weights, jerk)
-            for (time, data, weights), motion in zip(segments, motions, strict=True)
+            smoothed(smoother, corrected(time, data, motion, total))
+            for (time, data, _), motion, smoother in zip(segments, motions, smoothers, strict=True)
         ]
     errors = [
         SensorError(name, float(value), float(np.sqrt(variance)), unit)
@@ -101,14 +109,19 @@ def corrected(time: Samples, data: np.ndarray, motion: Reference, errors: np.nda
 
 def compared(
     cleaned: list[tuple[np.ndarray, ...]], motions: list[Reference]
-) -> tuple[np.ndarray, np.ndarray, float, float]:
-    """The gyro's errors by least squares, their covariance, the misfit left a sample, the jerk."""
+) -> tuple[np.ndarray, np.ndarray, float, list[Smoother]]:
+    """The gyro's errors by least squares, their covariance, the misfit left a sample, and what
+    smoothed the segments.
+    """
     best = None
     for jerk in JERKS:
+        made = [smoother_of(time, weights, float(jerk)) for time, _, weights in cleaned]
+        smoothers = [each for each in made if each is not None]
+        if len(smoothers) < len(made):
+            continue
         normal, gradient = np.zeros((3, 3)), np.zeros(3)
         square = likelihood = 0.0
-        for (time, data, weights), motion in zip(cleaned, motions, strict=True):
-            smoother = Smoother(time, weights, float(jerk))
+        for (_, data, _), motion, smoother in zip(cleaned, motions, smoothers, strict=True):
             rows = smoother.left(np.concatenate([data[:, :, None], columns(motion)], axis=2))
             product = rows.T @ rows
             square += product[0, 0]
@@ -119,11 +132,11 @@ def compared(
         change = np.linalg.solve(normal, gradient)
         likelihood -= (square - gradient @ change) / 2
         if best is None or likelihood > best[0]:
-            best = (likelihood, change, normal, square - gradient @ change, jerk)
+            best = (likelihood, change, normal, square - gradient @ change, smoothers)
     assert best is not None  # there are jerks to try
-    _, change, normal, misfit, jerk = best
+    _, change, normal, misfit, smoothers = best
     samples = sum((weights > 0).sum() for _, _, weights in cleaned) / 2
-    return change, np.linalg.inv(normal), float(misfit / samples), float(jerk)
+    return change, np.linalg.inv(normal), float(misfit / samples), smoothers
 
 
 def columns(motion: Reference) -> Float[np.ndarray, "sample 2 error"]:

@@ -8,13 +8,16 @@ from dataclasses import dataclass
 
 import numpy as np
 from jaxtyping import Float
-from scipy.linalg import cho_solve_banded, cholesky_banded
+from scipy.linalg import LinAlgError, cho_solve_banded, cholesky_banded
 from scipy.sparse import coo_array, csr_array
 
 JERKS = np.logspace(1, 5, 9)  # rad/s^3, deviations to choose from
 UNKNOWN = 3  # a sample: angle, rate, acceleration
 BAND = 2 * UNKNOWN - 1  # beside the diagonal
 SLACK = 0.05  # of a step's change by the jerk, that no quadrature need meet
+# Of the encoder's noise: where the jerk changes the angle by less in a step, rounding bends the
+# motion more than the noise does.
+ROUNDED = 5e-4
 
 Samples = Float[np.ndarray, " sample"]
 Pairs = Float[np.ndarray, "sample 2"]  # of encoder [rad] and gyro [rad/s]
@@ -107,12 +110,27 @@ class Smoother:
 
 def smooth(time: Samples, data: Pairs, weights: Pairs) -> Reference:
     """The motion of greatest likelihood; rows of weight 0 were not measured."""
-    return max((smoothed(time, data, weights, jerk) for jerk in JERKS), key=lambda r: r.likelihood)
+    made = (smoother_of(time, weights, jerk) for jerk in JERKS)
+    found = [smoothed(each, data) for each in made if each is not None]
+    return max(found, key=lambda each: each.likelihood)
 
 
-def smoothed(time: Samples, data: Pairs, weights: Pairs, jerk: float) -> Reference:
-    """The motion for one scatter of the jerk [rad/s^3]."""
-    smoother = Smoother(time, weights, jerk)
+def smoother_of(time: Samples, weights: Pairs, jerk: float) -> Smoother | None:
+    """For one scatter of the jerk [rad/s^3]; None where rounding would be larger than the noise.
+
+    The largest of `JERKS` always leaves one.
+    """
+    step, weight = float(np.median(np.diff(time))), float(weights[:, 0].max())
+    if jerk < JERKS[-1] and jerk * step**3 * weight < ROUNDED:
+        return None
+    try:
+        return Smoother(time, weights, jerk)
+    except LinAlgError:  # steps that are much shorter than most
+        return None
+
+
+def smoothed(smoother: Smoother, data: Pairs) -> Reference:
+    """The motion by a smoother."""
     motion = smoother.solve(data)
     misfit = float(np.sum(smoother.left(data) ** 2))
     spread = float(np.sum(np.log(smoother.factor[-1])))
