@@ -9,7 +9,7 @@ import pytest
 from exoid.diagnose.bench import Bench
 from exoid.diagnose.conclusion import partial
 from exoid.diagnose.evidence import Yardstick
-from exoid.diagnose.honesty import unremembered
+from exoid.diagnose.honesty import unrelaxed
 from exoid.diagnose.hypothesis import Hypothesis, Products
 from exoid.diagnose.missing_physics import noise_alone
 from exoid.diagnose.search import Found
@@ -53,10 +53,9 @@ def test_parameters_may_have_been_spent_on_a_few_first_samples(samples, size, al
 @pytest.mark.parametrize(("term", "doubted"), [(MaxwellElement, True), (CuffCompliance, False)])
 def test_what_remembers_for_seconds_may_remember_what_nobody_recorded(term, doubted):
     """A leg that was held for a second before the drop has not forgotten how it came there."""
-    bench = Mock(spec=Bench, rig=False, problem=Mock())
-    bench.problem.movements = [Mock(extent=None)]
+    bench = Mock(spec=Bench, rig=False)
     best = leaving(9000.0)
     best = replace(best, candidate=replace(NOTHING, terms=(term,)))
-    reasons = unremembered(bench, best)
+    reasons = unrelaxed(bench, best)
     assert bool(reasons) == doubted
     assert not doubted or "Hold it still for 10 s" in reasons[0]

@@ -9,7 +9,7 @@ from exoid.diagnose.consistency import BIAS
 from exoid.diagnose.diagnosis import Diagnosis, Finding, NovelTorque, Verdict
 from exoid.diagnose.evidence import FOLLOWED, Yardstick
 from exoid.diagnose.formula import Formula
-from exoid.diagnose.honesty import hands, once, too_little, unsure
+from exoid.diagnose.honesty import hands, once, too_little, unrelaxed, unsure
 from exoid.diagnose.locate import Location
 from exoid.diagnose.numbers import (
     CERTAIN,
@@ -82,9 +82,9 @@ def concluded(
     measure = found.yardstick
     left = declared and not measure.explains(best.square) and found.followed(best) < FOLLOWED
     novel = formula is not None or (verdict == "mismatch" and left)
-    events = once(bench, best) if novel else []
-    if events:
-        verdict, reasons = "cannot_tell", events
+    doubts = (once(bench, best) or unrelaxed(bench, best)) if novel else []
+    if doubts:
+        verdict, reasons = "cannot_tell", doubts
     novel = novel and verdict == "mismatch"  # nothing is called new by who cannot tell
     if left:
         selected = [name for name in selected if name == BIAS]

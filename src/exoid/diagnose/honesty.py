@@ -53,26 +53,26 @@ def hands(bench: Bench) -> list[str]:
     return reasons
 
 
-def unremembered(bench: Bench, best: Settled) -> list[str]:
-    """That a leg may remember what nobody recorded: of before it began in motion, or of before it
-    was held, where what fits best has a memory.
-    """
-    if bench.rig:
-        return []
+def unremembered(bench: Bench) -> list[str]:
+    """That a leg which begins in motion may remember what nobody recorded."""
     begun = [one.name for one in bench.problem.movements if one.extent and one.extent.in_motion]
-    if begun:
-        return [
-            f"no cause explains it down to the noise, and segment {', '.join(begun)} begins in "
-            "motion: what tissue and reflexes still do of the time before is unknown. Record from "
-            "a hold on"
-        ]
+    if bench.rig or not begun:
+        return []
+    return [
+        f"no cause explains it down to the noise, and segment {', '.join(begun)} begins in motion: "
+        "what tissue and reflexes still do of the time before is unknown. Record from a hold on"
+    ]
+
+
+def unrelaxed(bench: Bench, best: Settled) -> list[str]:
+    """That what fits best may remember how the leg came to where it was held."""
     remembering = [term.title for term in best.candidate.terms if term.lasting]
-    if remembering:
-        return [
-            f"{' and '.join(remembering)} fits best, but not down to the noise: how the leg was "
-            "moved before it was held is unknown. Hold it still for 10 s before each release"
-        ]
-    return []
+    if bench.rig or not remembering:
+        return []
+    return [
+        f"{' and '.join(remembering)} fits best, but not down to the noise: how the leg was moved "
+        "before it was held is unknown. Hold it still for 10 s before each release"
+    ]
 
 
 def once(bench: Bench, best: Settled) -> list[str]:
@@ -101,7 +101,7 @@ def once(bench: Bench, best: Settled) -> list[str]:
 
 def unsure(bench: Bench, best: Settled, proof: Proof, *, explained: bool) -> list[str]:
     """Why what was found must not be claimed."""
-    reasons = [] if explained else unremembered(bench, best)
+    reasons = [] if explained else unremembered(bench)
     sensors_only = all(issubclass(term, SensorTerm) for term in best.candidate.terms)
     if not proof.holds:
         where = "the recording's own end" if proof.in_time else "held-out segments"
