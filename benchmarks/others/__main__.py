@@ -18,7 +18,7 @@ from pathlib import Path
 from . import release
 from .ask import answer_of, ask_all
 from .score import mark_diagnosis, mark_fit
-from .summary import HEAD, Marked, aligned, line, markdown, rows
+from .summary import HEAD, Marked, aligned, line, page, rows
 from .write import make
 
 COMMANDS = ["fit", "diagnose"]
@@ -109,7 +109,7 @@ def publish(cases: list[Marked], options: argparse.Namespace) -> None:
         for case in cases
     ]
     (options.answers / "marks.json").write_text(json.dumps(marks, indent=1) + "\n")
-    (options.answers / "results.md").write_text(markdown(HEAD, body) + "\n")
+    (options.answers / "results.md").write_text(page(cases), encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -16,6 +16,13 @@ HEAD = (
     "nulls", "alarms", "effects", *EFFECT, "refused",
 )  # fmt: skip
 
+FAULTS = ("alarm", "missed", "wrong", "refused")
+ABOUT = """# Recordings as others make them
+
+What `python -m benchmarks.others` made of its cases; `benchmarks/README.md` says how they are made
+and what the columns count.
+"""
+
 
 @dataclass(frozen=True)
 class Marked:
@@ -94,6 +101,15 @@ def aligned(head: tuple[str, ...], body: list[tuple[str, ...]]) -> str:
     )
 
 
-def markdown(head: tuple[str, ...], body: list[tuple[str, ...]]) -> str:
-    lines = [head, ("---",) * len(head), *body]
-    return "\n".join(f"| {' | '.join(each)} |" for each in lines)
+def page(cases: list[Marked]) -> str:
+    """The table in Markdown, and a line for each answer that is not as it should be."""
+    lines = [HEAD, ("---",) * len(HEAD), *rows(cases)]
+    table = "\n".join(f"| {' | '.join(each)} |" for each in lines)
+    faulty = [f"- {line(case)}" for case in cases if faults(case)]
+    return "\n".join([ABOUT, table, "", "Not as they should be:", "", *(faulty or ["none"]), ""])
+
+
+def faults(case: Marked) -> bool:
+    return (case.fit is not None and not case.fit.right) or (
+        case.diagnosis is not None and case.diagnosis.word in FAULTS
+    )

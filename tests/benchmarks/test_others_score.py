@@ -10,7 +10,7 @@ from benchmarks.others import release
 from benchmarks.others.__main__ import span
 from benchmarks.others.ask import Answer, answer_of, ask_all
 from benchmarks.others.score import FitMark, mark_diagnosis, mark_fit
-from benchmarks.others.summary import HEAD, Marked, aligned, line, markdown, rows
+from benchmarks.others.summary import HEAD, Marked, aligned, line, page, rows
 from benchmarks.others.write import make
 
 NAMES = ("gravity_over_inertia", "stiffness_over_inertia", "damping_over_inertia")
@@ -130,7 +130,13 @@ def test_the_table_counts_every_case_in_its_groups():
     table = list(rows([good, missed, refused]))
     assert len({len(row) for row in table}) == 1
     assert len(aligned(HEAD, table).splitlines()) == 1 + len(table)
-    assert markdown(HEAD, table).count("\n") == 1 + len(table)
+    told = page([good, missed, refused]).splitlines()
+    assert sum(each.startswith("|") for each in told) == 2 + len(table)
+    assert [each for each in told if each.startswith("-")] == [
+        f"- {line(missed)}",
+        f"- {line(refused)}",
+    ]
+    assert page([good]).rstrip().endswith("none")
     assert "NOT RIGHT" not in line(good)
     assert "missed" in line(missed)
 
