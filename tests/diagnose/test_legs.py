@@ -22,7 +22,11 @@ def first():
 
 
 @pytest.mark.parametrize(
-    ("other", "symbol"), [({"damping": 0.5}, "d / J"), ({"stiffness": 3.4}, "c / J")]
+    ("other", "symbol"),
+    [
+        ({"damping": 0.5}, "d / J"),
+        pytest.param({"stiffness": 3.4}, "c / J", marks=pytest.mark.proof),
+    ],
 )
 def test_another_leg_is_noticed_and_named_with_what_differs(first, other, symbol):
     (sentence,) = said(first, recorded(DROP, LOW, seed=1, **other))

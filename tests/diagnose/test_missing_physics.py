@@ -75,6 +75,7 @@ def test_friction_is_named_and_proved_and_taken_out_of_the_damping(of_friction):
     assert found.power > 0.95
 
 
+@pytest.mark.proof
 def test_what_the_damping_has_swallowed_is_still_found():
     # So little friction that the baseline looks good: its angle is within twice the noise.
     found = diagnose(session(CoulombFriction(jnp.asarray(0.012))))

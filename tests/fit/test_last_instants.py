@@ -38,7 +38,8 @@ def check_truth(result):
         assert abs(found.value - truth) < 4 * found.standard_error
 
 
-@pytest.mark.parametrize("stop", [pytest.param(1.6, marks=pytest.mark.proof), 2.0])
+@pytest.mark.proof
+@pytest.mark.parametrize("stop", [1.6, 2.0])
 def test_a_hand_that_keeps_one_leg_near_its_rest_moves_no_number(stop):
     result = fit(session(np.inf, stop, np.inf), multistart=STARTS)
     assert result.basis.problem.movements[1].extent.ended == "at rest"  # it looks like one

@@ -43,7 +43,7 @@ def test_their_ratios_are_right_and_so_are_the_errors(name, truths, shared):
 
 
 @pytest.mark.parametrize("cutoff", [pytest.param(6, marks=pytest.mark.proof), 10])
-@pytest.mark.parametrize("damping", [0.8, 6.0])
+@pytest.mark.parametrize("damping", [pytest.param(0.8, marks=pytest.mark.proof), 6.0])
 def test_an_angle_that_was_smoothed_gives_right_ratios(cutoff, damping):
     """As motion capture is exported: white noise of 0.3 deg, Butterworth forwards and backwards."""
     truth = {"gravity": 27.0, "stiffness": 8.0, "damping": damping}

@@ -8,7 +8,7 @@ import pytest
 from exoid.fit.belief import believe
 from exoid.fit.chain import Raw
 from exoid.fit.estimate import movements_of
-from exoid.fit.multistart import HOPELESS, basins
+from exoid.fit.multistart import HOPELESS, basins, stands_still
 from exoid.fit.problem import pose
 from exoid.fit.starts import coordinates
 from exoid.fit.task import SOLVED
@@ -42,6 +42,16 @@ def test_starts_that_cannot_be_simulated_or_lead_nowhere_are_lost_and_told():
     assert sorted(rows) == [0, 3]
     assert [*member[1:3]] == [-1, -1]
     assert [*failures.values()] == [1, 1]
+
+
+def test_a_search_stands_still_where_neither_loss_nor_violation_changes():
+    _, before = arrived(LEG, loss=[9.0])
+    before = eqx.tree_at(lambda each: each.violation, before, np.array([0.1]))
+    better = eqx.tree_at(lambda each: each.loss, before, np.array([8.9]))
+    nearer = eqx.tree_at(lambda each: each.violation, before, np.array([0.09]))
+    assert stands_still(before, before)
+    assert not stands_still(before, better)
+    assert not stands_still(before, nearer)
 
 
 def test_where_no_start_can_be_simulated_there_is_no_fit():

@@ -192,6 +192,7 @@ def test_arviz_reads_what_was_written(drawn, tmp_path):
     assert read.posterior["inertia"].attrs["units"] == "kg m^2"
 
 
+@pytest.mark.proof
 @pytest.mark.parametrize(
     ("movement", "names"),
     [

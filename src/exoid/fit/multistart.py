@@ -200,8 +200,21 @@ def settle(problem: Problem, free: Solved, begin: Coordinates, found: Disturbanc
     for _ in range(PATIENCE):
         if not ended.exhausted[least(ended)]:
             break
-        ended = advance(bounded, ended.coordinates, asked, scale)
+        before, ended = ended, advance(bounded, ended.coordinates, asked, scale)
+        if stands_still(before, ended):
+            break
     return take(ended, [least(ended)])
+
+
+def stands_still(before: Solved, after: Solved) -> bool:
+    """Has another run of the search moved neither what is missed nor what is violated?
+
+    Limits that contradict what the data insist on leave it with steps that change nothing.
+    """
+    was, now = least(before), least(after)
+    gained = before.loss[was] - after.loss[now]
+    nearer = before.violation[was] - after.violation[now]
+    return bool(abs(gained) < LIMITED and abs(nearer) < FEASIBLE)
 
 
 def least(ended: Solved) -> int:
