@@ -197,24 +197,29 @@ def settle(problem: Problem, free: Solved, begin: Coordinates, found: Disturbanc
     bounded = problem if told or problem.belief.typical else with_inertia_kept(problem)
     scale = found.scale * found.weighing(problem.kinds)
     ended = advance(bounded, starts, asked, scale)
+    lowest = reached(ended)
     for _ in range(PATIENCE):
         if not ended.exhausted[least(ended)]:
             break
-        before, ended = ended, advance(bounded, ended.coordinates, asked, scale)
-        if stands_still(before, ended):
+        ended = advance(bounded, ended.coordinates, asked, scale)
+        if stands_still(reached(ended), lowest):
             break
+        lowest = np.minimum(lowest, reached(ended))
     return take(ended, [least(ended)])
 
 
-def stands_still(before: Solved, after: Solved) -> bool:
-    """Has another run of the search moved neither what is missed nor what is violated?
+def reached(ended: Solved) -> np.ndarray:
+    """Loss and violation of the best."""
+    row = least(ended)
+    return np.array([ended.loss[row], ended.violation[row]])
 
-    Limits that contradict what the data insist on leave it with steps that change nothing.
+
+def stands_still(now: np.ndarray, lowest: np.ndarray) -> bool:
+    """Are loss and violation both no lower than they once were?
+
+    Limits that contradict what the data insist on leave a search with steps that lead nowhere.
     """
-    was, now = least(before), least(after)
-    gained = before.loss[was] - after.loss[now]
-    nearer = before.violation[was] - after.violation[now]
-    return bool(abs(gained) < LIMITED and abs(nearer) < FEASIBLE)
+    return not np.any(lowest - now > [LIMITED, FEASIBLE])
 
 
 def least(ended: Solved) -> int:
