@@ -40,6 +40,7 @@ def test_the_one_that_is_of_another_leg_is_in_every_sentence(first):
     assert [each[:7] for each in sentences] == ["a and b", "b and c"]
 
 
+@pytest.mark.proof
 def test_a_loaded_recording_of_another_leg_is_noticed(first):
     assert len(said(first, recorded(LOADED, LOADED, seed=1, damping=0.5))) == 1
 

@@ -230,6 +230,7 @@ def test_without_a_gyro_friction_is_found_by_the_encoder_alone():
     assert found.sensors == []
 
 
+@pytest.mark.proof
 def test_samples_that_were_lost_here_and_there_change_nothing():
     rng = np.random.default_rng(1)
     recording = session(FRICTION)

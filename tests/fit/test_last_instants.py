@@ -51,6 +51,7 @@ def test_a_hand_that_keeps_one_leg_near_its_rest_moves_no_number(stop):
     check_truth(result)
 
 
+@pytest.mark.proof
 def test_legs_that_rest_by_themselves_keep_their_rest():
     result = fit(session(np.inf, np.inf), multistart=STARTS)
     assert kept(result) == [None, None]
