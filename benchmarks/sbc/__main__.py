@@ -27,7 +27,9 @@ def main() -> None:
 
 def table(found: Ranks) -> str:
     """A line a quantity: the histogram, how surprising it is, and whether ranks lean to a side."""
-    rows = [f"{'quantity':24} {'ranks in ten parts':40} {'p':>7} {'lean':>6}"]
+    count = len(next(iter(found.ranks.values())))
+    rows = [f"{count} recordings in which something moves"]
+    rows += [f"{'quantity':24} {'ranks in ten parts':40} {'p':>7} {'lean':>6}"]
     for name in found.ranks:
         counts = " ".join(f"{count:3d}" for count in found.histogram(name))
         rows.append(f"{name:24} {counts:40} {found.surprise(name):7.3f} {found.mean(name):+6.1f}")

@@ -1,5 +1,6 @@
 """Where the truth ranks among the draws, and whether ranks are uniform."""
 
+from contextlib import suppress
 from dataclasses import dataclass
 
 import jax
@@ -9,6 +10,7 @@ from scipy.stats import chi2
 from exoid.fit.estimate import fit
 from exoid.fit.posterior import sample
 from exoid.physics.leg import GRAVITY, LegParameters
+from exoid.recording.motion.extent import Motionless
 
 from .people import dropped, person
 
@@ -41,8 +43,15 @@ class Ranks:
 
 
 def ranked(recordings: int, seed: int) -> Ranks:
-    """Of so many legs, each drawn, dropped, fitted and sampled."""
-    each = [rank_one(np.random.default_rng((seed, number))) for number in range(recordings)]
+    """Of so many legs, each drawn, dropped, fitted and sampled.
+
+    A leg that is too stiff or too damped to move is refused. The posterior of the others is the
+    same without it: what was seen decides, not the truth behind it.
+    """
+    each = []
+    for number in range(recordings):
+        with suppress(Motionless):
+            each.append(rank_one(np.random.default_rng((seed, number))))
     return Ranks({name: np.array([one[name] for one in each]) for name in each[0]})
 
 

@@ -46,11 +46,11 @@ def plain_lines(text: str) -> str:
     return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
-def near(name: str, names: Iterable[str]) -> str:
+def near(name: str, names: Iterable[str], likeness: float = 0.6) -> str:
     """The known name that an unknown one resembles, as a question."""
     import difflib  # only a file with a typo pays for it
 
-    alike = difflib.get_close_matches(name.lower(), sorted(names), 1, 0.6)
+    alike = difflib.get_close_matches(name.lower(), sorted(names), 1, likeness)
     return f" Did you mean {alike[0]}?" if alike else ""
 
 

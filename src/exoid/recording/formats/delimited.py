@@ -9,6 +9,7 @@ from exoid.recording.tables.sheet import Place, Sheet
 from exoid.recording.text_file import content_of, plain_lines, read_text
 
 UTF_16 = (b"\xff\xfe", b"\xfe\xff")
+ANGLES = {"angle_rad", "raw_angle_rad", "angle_deg", "raw_angle_deg"}
 
 
 def read_delimited(path: Path) -> Sheet:
@@ -43,7 +44,7 @@ def legible(path: Path) -> str:
 
 
 def is_own(text: str) -> bool:
-    """Is this written as exoid's own table is: a header with time_s, commas, no row of units?"""
+    """Is this written as exoid's own table is: its time and angle, commas, no row of units?"""
     try:
         names, below = [
             [cell.strip() for cell in next(csv.reader([line], skipinitialspace=True), [])]
@@ -51,4 +52,4 @@ def is_own(text: str) -> bool:
         ]
     except csv.Error:
         return False
-    return "time_s" in names and not are_units(below)
+    return "time_s" in names and bool(ANGLES & {*names}) and not are_units(below)

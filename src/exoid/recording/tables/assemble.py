@@ -17,6 +17,7 @@ from exoid.recording.text_file import Notes, near
 
 LARGEST_RADIANS = {"rad": 7.0, "rad/s": 35.0}  # beyond it a number without a unit is in degrees
 DEGREE = np.pi / 180
+MISSPELT = 0.9  # two letters of a long name changed places
 
 
 @dataclass(frozen=True)
@@ -211,9 +212,10 @@ def counted(sheet: Sheet, rate: float | None) -> np.ndarray:
 
 def check_angle(columns: Mapping[str, Cells], sheet: Sheet) -> None:
     if not any(name in columns for name in ANGLES):
+        hints = (near(name, NUMERIC, MISSPELT) for name in sheet.names if name not in NUMERIC)
         raise ValueError(
-            f"has no angle. It holds: {listed(sheet.names, 40)}. Name it: "
-            f"{sheet.ask.format('raw_angle_deg')}."
+            f"has no angle. It holds: {listed(sheet.names, 40)}.{next(filter(None, hints), '')} "
+            f"Name it: {sheet.ask.format('raw_angle_deg')}."
         )
 
 
