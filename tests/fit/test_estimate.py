@@ -311,6 +311,19 @@ def test_that_the_simulation_does_not_follow_the_recording_is_said_first():
     assert not any("not follow" in note for note in found.notes)
 
 
+@pytest.mark.parametrize("seed", [0, 1])
+def test_a_limit_that_the_search_happens_to_end_on_decides_nothing(seed):
+    """Motion alone tells no mass and no place of it: seed 0 ends on m l^2 = J, seed 1 does not."""
+    drop = recorded(DROP).segments[0]
+    bare = Recording((Segment(drop.time, raw_angle=drop.raw_angle),), Subject(kind="leg"))
+    found = fit(bare, multistart=64, seed=seed)
+    for name in ("mass", "com_distance"):
+        assert found.parameters[name].value is None
+    assert not any("m l^2 <= J" in note for note in found.notes)
+    ended = found.multistart  # every start is counted once
+    assert ended.succeeded + sum(ended.failures.values()) == ended.starts
+
+
 def test_an_angle_that_counts_the_other_way_is_named():
     drop = recorded(DROP).segments[0]
     turned = Segment(drop.time, raw_angle=-np.asarray(drop.raw_angle))

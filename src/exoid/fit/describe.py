@@ -28,6 +28,10 @@ from exoid.fit.result import (
 )
 from exoid.fit.uncertainty import Information
 
+UNFINISHED = "it was still moving when its steps ran out"
+# Of half a chi-square for a typical step of what is limited: where nothing tells a value, a search
+# may end on a limit that does not hold it back.
+PRESSING = 1e-3
 UNSETTLED = "the search was still moving when its steps ran out"
 
 
@@ -39,7 +43,7 @@ def describe(
     names = constraint_names(len(problem.movements))
     belief = problem.belief
     fixed = np.array([name in belief.by_hand.fix for name in names])
-    active = (best.multiplier[0] > 0) & ~fixed
+    active = (best.multiplier[0] > PRESSING) & ~fixed
     fixed[len(NAMES) :] = False  # both its ends are one
     information = Information(
         data=local.data + local.declared,
@@ -150,19 +154,26 @@ def root_mean_square(samples: np.ndarray) -> float:
 
 
 def report(problem: Problem, ended: Ended) -> MultistartReport:
-    """How many starts arrived where, and the sets that fit as well as the chosen one."""
+    """How many starts arrived where, and the sets that fit as well as the chosen one.
+
+    Who ran out of steps short of the best cost found no minimum, and did not succeed.
+    """
     reached = ended.member >= 0
-    loss = np.where(reached, finite(ended.free.loss)[ended.member], np.inf)
-    at_best = loss <= loss.min() * (1 + SAME_LOSS)
     free = finite(ended.free.loss)
+    least = free[ended.member[reached]].min() * (1 + SAME_LOSS)
+    moving = np.asarray(ended.free.exhausted) & (free > least)
+    tired = reached & moving[ended.member]
+    loss = np.where(reached, free[ended.member], np.inf)
+    at_best = loss <= least
     family, members = equally_good(problem, ended, np.flatnonzero(at_best))
+    minima = free[np.isfinite(free) & ~moving]
     return MultistartReport(
         starts=ended.member.size,
-        succeeded=int(reached.sum()),
+        succeeded=int((reached & ~tired).sum()),
         at_best=int(at_best.sum()),
         loss=loss,
-        failures=ended.failures,
+        failures=ended.failures | ({UNFINISHED: int(tired.sum())} if tired.any() else {}),
         family=family,
         members=members,
-        distinct=len(np.unique(np.round(np.log(free[np.isfinite(free)]), 3))),
+        distinct=len(np.unique(np.round(np.log(minima), 3))),
     )

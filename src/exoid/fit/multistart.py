@@ -158,15 +158,12 @@ def data_coordinates(problem: Problem, at: Coordinates) -> np.ndarray:
 
 
 def without_lost(free: Solved, member: np.ndarray, failures: dict[str, int]):
-    """Mark the starts whose free fit was lost or did not end."""
+    """Mark the starts whose free fit was lost."""
     lost = ~np.isfinite(free.loss)
     gone = (member >= 0) & lost[member]
-    tired = (member >= 0) & ~lost[member] & free.exhausted[member]
     failures = dict(failures)
     if gone.any():
         failures["its free motion could not be simulated"] = int(gone.sum())
-    if tired.any():
-        failures["it was still moving when its steps ran out"] = int(tired.sum())
     if lost.all():
         raise ArithmeticError("no start reached a motion that can be simulated freely.")
     return np.where(gone, -1, member), failures
