@@ -1,7 +1,11 @@
 """A diagnosis in words."""
 
-from exoid.diagnose.diagnosis import Parameter
-from exoid.report.diagnosis_words import parameter
+from dataclasses import replace
+
+from diagnosis_by_hand import found
+
+from exoid.diagnose.diagnosis import Finding, Parameter
+from exoid.report.diagnosis_words import headline, parameter, sentences
 
 
 def test_a_parameter_without_an_error_is_no_measurement():
@@ -10,3 +14,19 @@ def test_a_parameter_without_an_error_is_no_measurement():
     assert parameter(Parameter("coulomb_friction.level", 0.1, "N m", 0.002)) == (
         "level 0.1000 ± 0.0020 N m"
     )
+
+
+def test_what_the_fit_estimates_anyway_is_told_as_an_error_of_a_sensor():
+    """A bias of the gyro is free in every fit: no torque is missing, and nothing gets better."""
+    one = found()
+    bias = Parameter("gyro_bias.bias", 0.012, "rad/s", 0.0001)
+    finding = Finding("gyro_bias", "bias of the gyro", "It shows a rate at rest.", "a data sheet")
+    alone = replace(one, findings=[finding], parameters=[bias], best=one.baseline)
+    assert headline(alone) == "A sensor errs; of the leg's motion nothing is missing."
+    said = sentences(alone)
+    assert said["Missing"] == "bias of the gyro, bias 0.01200 ± 0.00010 rad/s"
+    assert "Where" not in said
+    assert "without any leg model" in said["Proof"]
+    assert "chance of" not in said["Proof"]
+    assert headline(one) == "Something is missing."
+    assert "chance of" in sentences(one)["Proof"]

@@ -74,7 +74,8 @@ def describe(
     why = UNSETTLED if why is None and best.exhausted[0] else why
     ratios = estimate_ratios(problem, ended, information, at_bound)
     mountings = estimate_mountings(problem, ended, information)
-    systematic = [*suspicions(problem, mountings), *limiting({**parameters, **ratios})]
+    suspected = suspicions(problem, mountings, ended.disturbance)
+    systematic = [*suspected, *limiting({**parameters, **ratios})]
     return FitResult(
         parameters=with_reasons(parameters, not np.isfinite(belief.limits.reach)),
         ratios=ratios,

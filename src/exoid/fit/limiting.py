@@ -4,6 +4,7 @@ import numpy as np
 
 from exoid.fit.problem import Problem
 from exoid.fit.result import Estimate, MountingFit
+from exoid.fit.sandwich import Disturbance
 from exoid.fit.seldom import deviation_of
 
 WORTH = 0.3  # of a variance, from which on a systematic is named
@@ -50,12 +51,12 @@ def limiting(quantities: dict[str, Estimate]) -> list[str]:
     ]
 
 
-def suspicions(problem: Problem, mountings: list[MountingFit]) -> list[str]:
+def suspicions(problem: Problem, mountings: list[MountingFit], found: Disturbance) -> list[str]:
     """What of a recording is not as it was declared, in sentences."""
     said = []
     for each in mountings:
         where = f"{each.recording}: " if len(mountings) > 1 else ""
-        said += [f"{where}{words}" for words in (*tilted(each), *disagreeing(problem, each))]
+        said += [f"{where}{words}" for words in (*tilted(each), *disagreeing(problem, each, found))]
     return said
 
 
@@ -73,7 +74,7 @@ def tilted(each: MountingFit) -> list[str]:
     ]
 
 
-def disagreeing(problem: Problem, each: MountingFit) -> list[str]:
+def disagreeing(problem: Problem, each: MountingFit, found: Disturbance) -> list[str]:
     """An encoder and a gyro that disagree in scale."""
     scale = each.gyro_scale
     if scale is None or scale.value is None or abs(scale.value) < SCALED:
@@ -81,6 +82,11 @@ def disagreeing(problem: Problem, each: MountingFit) -> list[str]:
     doubted = deviation_of(problem, "clock").max() > SCALED / CLEAR
     if not doubted:
         return []
+    if found.cause is not None:
+        return [
+            f"gyro and encoder seem to disagree by {100 * scale.value:+.2g} % in scale, but that "
+            "may be what the model misses: 'exoid diagnose' compares the two without a model."
+        ]
     return [
         f"gyro and encoder disagree by {100 * scale.value:+.2g} % in scale. It may be the gyro, "
         "the encoder's gain or the clock, and no motion tells which. The gyro is taken, and ± "

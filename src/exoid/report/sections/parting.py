@@ -3,9 +3,10 @@
 from dataclasses import dataclass
 from typing import ClassVar
 
+from exoid.diagnose.diagnosis import Diagnosis
 from exoid.diagnose.locate import Location
 from exoid.report.case import Case
-from exoid.report.diagnosis_words import where
+from exoid.report.diagnosis_words import only_sensors, where
 from exoid.report.figures.figure import Figure
 from exoid.report.figures.plane import draw_plane
 from exoid.report.figures.torque import draw_torque
@@ -40,12 +41,17 @@ class Parting(Section):
             return None
         numbers, location = worst(found), found.location
         return cls(
-            sentence=NOTHING if found.verdict == "none" else capital(where(found)),
+            sentence=capital(where(found)) if parted(found) else NOTHING,
             figures=tuple(draw_torque(location, number) for number in numbers),
             left_out=len(location.missing) - len(numbers),
             plane=draw_plane(location),
             regions=regions(location),
         )
+
+
+def parted(found: Diagnosis) -> bool:
+    """Is a torque missing?"""
+    return found.verdict != "none" and not only_sensors(found)
 
 
 def regions(location: Location) -> Table:

@@ -7,7 +7,7 @@ from exoid.diagnose.diagnosis import Diagnosis
 from exoid.fit.following import of_the_rest
 from exoid.fit.result import Estimate
 from exoid.report.case import Case
-from exoid.report.diagnosis_words import named
+from exoid.report.diagnosis_words import named, only_sensors
 from exoid.report.plot_diagnosis import title as verdict
 from exoid.report.sections.parameters import parameters_of
 from exoid.report.sections.quality import appraisals
@@ -130,10 +130,12 @@ def missing(found: Diagnosis) -> Card:
     if found.verdict == "cannot_tell":
         return Card(question, "open", answer, sentence("; ".join(found.reasons)))
     before, after = found.proof.before.total, found.proof.after.total
-    proof = (
-        f"With it, held-out data are predicted to {in_degrees(after)} deg instead of "
-        f"{in_degrees(before)} deg."
-    )
+    proof = "Encoder and gyro show it of each other, and the fit takes it into account."
+    if not only_sensors(found):
+        proof = (
+            f"With it, held-out data are predicted to {in_degrees(after)} deg instead of "
+            f"{in_degrees(before)} deg."
+        )
     return Card(question, "care", answer, f"{sentence('; '.join(named(found)))} {proof}".strip())
 
 
