@@ -1,20 +1,24 @@
 """Programs kept between processes: found again, bitwise the same, and never a reason to fail."""
 
 import importlib.util
+import re
 import sys
 import warnings
 from pathlib import Path
 
+import grimp
 import jax
 import numpy as np
 import pytest
 
+import exoid
 from exoid.fit import program
 from exoid.fit.chain import MovingAverage, Raw
 from exoid.fit.estimate import fit
 from fit_cases import DROP, recorded
 
 KEPT = "*.stablehlo"
+PROGRAM = re.compile(r'"(exoid\.[\w.]+):\w+"')  # how a compiled function is named
 SETTINGS = (
     "jax_compilation_cache_dir",
     "jax_persistent_cache_min_compile_time_secs",
@@ -139,21 +143,27 @@ def test_the_fingerprint_tells_everything_apart_that_changes_a_program(tmp_path,
         program.fingerprint("solve", structures[0], (shape,), MovingAverage(4)),
     ]
     prints.append(program.fingerprint("sense_all", structures[0], (shape,), Raw()))
-    source = tmp_path / "exoid" / "fit" / "program.py"
     for text in ("a = 1", "a = 2"):
-        source.parent.mkdir(parents=True, exist_ok=True)
+        source = tmp_path / text / "recording" / "constants.py"
+        source.parent.mkdir(parents=True)
         source.write_text(text)
-        monkeypatch.setattr(program, "__file__", str(source))
+        monkeypatch.setattr(program, "__file__", str(tmp_path / text / "fit" / "program.py"))
         prints.append(program.fingerprint("solve", structures[0], (shape,), Raw()))
     monkeypatch.setattr(program, "version", lambda name: "0")
     prints.append(program.fingerprint("solve", structures[0], (shape,), Raw()))
     assert len(set(prints)) == len(prints)
 
 
-@pytest.mark.parametrize("name", ["fit/solve.py", "physics/simulate.py", "recording/kalman.py"])
-def test_the_code_of_a_program_is_in_its_fingerprint(name):
-    home = Path(program.__file__).parents[1]
-    assert any((home / name) in home.glob(pattern) for pattern in program.SOURCES)
+def test_all_that_a_program_imports_is_in_its_fingerprint():
+    graph = grimp.build_graph("exoid")
+    home = Path(exoid.__file__).parent
+    seen = set(program.sources(home))
+    names = {each for path in home.rglob("*.py") for each in PROGRAM.findall(path.read_text())}
+    assert names >= {each.partition(":")[0] for each in program.OPTIONS} > set()
+    for name in names:
+        for module in {name, *graph.find_upstream_modules(name)}:
+            place = home.parent / module.replace(".", "/")
+            assert {place.with_suffix(".py"), place / "__init__.py"} & seen, f"{name}: {module}"
 
 
 def test_a_kept_program_depends_on_the_code_of_a_users_own_class(tmp_path):

@@ -27,14 +27,8 @@ from exoid.fit.chain import Chain
 from exoid.fit.condense import Sensed
 from exoid.fit.task import SENSED, SOLVED, Solved
 
-SOURCES = (
-    "fit/*.py",
-    "physics/**/*.py",
-    "recording/kalman.py",
-    *(f"diagnose/{name}.py" for name in ("scene", "effect", "carry", "pinned", "free")),
-    *(f"diagnose/{name}.py" for name in ("formula", "dictionary")),
-)  # whose code is in the program
-LIBRARIES = ("jax", "jaxlib", "equinox", "lineax", "optimistix")  # likewise
+SHOWING = ("cli", "report")  # rooms that only say what was computed: no program imports them
+LIBRARIES = ("jax", "jaxlib", "equinox", "lineax", "optimistix")  # whose code is in a program
 # How far XLA optimises: as fast machine code as by default, and less to wait for it. One of its two
 # generators of loops takes half the time over a solver, the other one over many terms at once.
 LEAN = (("xla_backend_optimization_level", 1), ("xla_cpu_use_fusion_emitters", False))
@@ -153,15 +147,24 @@ def traceable(name: str, structure, static):
 
 def fingerprint(name: str, structure, shapes, static) -> str:
     """What a kept program depends on: its code, its shapes, its libraries and its platform."""
-    digest = hashlib.sha256()
-    for pattern in SOURCES:
-        for path in sorted(Path(__file__).parents[1].glob(pattern)):
-            digest.update(path.read_bytes())
+    digest = hashlib.sha256(code_of(Path(__file__).parents[1]))
     for path in sorted(path for path in own_sources(static) if path):
         digest.update(path.read_bytes())
     words = (name, platform.machine(), jax.default_backend(), str(structure), shapes, static)
     digest.update(repr((*map(version, LIBRARIES), *words)).encode())
     return digest.hexdigest()[:32]
+
+
+@cache
+def code_of(home: Path) -> bytes:
+    """The checksum of the code in the folder `home` on which a program's numbers can depend."""
+    return hashlib.sha256(b"".join(path.read_bytes() for path in sources(home))).digest()
+
+
+def sources(home: Path) -> list[Path]:
+    """All of exoid's files but those that show what was computed."""
+    found = home.rglob("*.py")
+    return sorted(path for path in found if path.relative_to(home).parts[0] not in SHOWING)
 
 
 def own_sources(static) -> set[Path | None]:
