@@ -311,6 +311,18 @@ def test_that_the_simulation_does_not_follow_the_recording_is_said_first():
     assert not any("not follow" in note for note in found.notes)
 
 
+@pytest.mark.parametrize("scatter", [0.0, 5e-3])  # rad, beside the encoder's
+def test_a_misfit_that_weighs_every_sample_alike_has_the_noise_floor_of_the_recording(scatter):
+    drop = recorded(DROP).segments[0]
+    scattered = drop.raw_angle + np.random.default_rng(1).normal(0, scatter, drop.time.size)
+    recording = Recording((Segment(drop.time, raw_angle=scattered),), BODY)
+    plain = fit(recording, multistart=4, misfit="paper", prior="none")
+    assert plain.angle_noise == fit(recording, multistart=4).angle_noise
+    assert plain.angle_noise == pytest.approx(np.hypot(scatter, NOISE.angle_noise), rel=0.2)
+    assert 0.9 < plain.angle_rmse / plain.angle_noise < 1.1
+    assert not any("is white but" in note for note in plain.notes)
+
+
 @pytest.mark.parametrize("seed", [0, 1])
 def test_a_limit_that_the_search_happens_to_end_on_decides_nothing(seed):
     """Motion alone tells no mass and no place of it: seed 0 ends on m l^2 = J, seed 1 does not."""

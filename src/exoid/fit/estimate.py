@@ -21,7 +21,6 @@ from exoid.fit.starts import draw, informed
 from exoid.fit.unseen_hands import without_unseen_hands
 from exoid.recording.given import Given, named_recordings
 from exoid.recording.motion.extent import Motionless
-from exoid.recording.noise import Noise
 from exoid.recording.recording import Recording
 
 MIDDLING = {"mass": 4.0, "inertia": 0.4}  # kg, kg m^2: where nothing is expected
@@ -203,7 +202,7 @@ def begin(
 
 def plainly(each: Movement) -> Movement:
     """Weigh every angle alike and leave the velocity out, as Eq. 11 does."""
-    return replace(each, noise=Noise(1 / PLAIN_SCALE), angular_velocity=None, gyro_noise=None)
+    return replace(each, divisor=1 / PLAIN_SCALE, angular_velocity=None, gyro_noise=None)
 
 
 def readings(named: list[tuple[str, Recording]], movements: list[Movement]) -> tuple[str, ...]:

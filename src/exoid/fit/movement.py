@@ -40,11 +40,17 @@ class Movement:
     systematics: Systematics = DECLARED_NOTHING  # how well what is declared is known
     late: int = 0  # samples from the first that weigh nothing, though nobody was seen to hold it
     kept: int | None = None  # samples after which a hand holds it that only a fit has seen
+    divisor: float | None = None  # rad, of the angle's residuals; None: its noise
 
     @property
     def angle_noise(self) -> float:
         """Standard deviation of an angle sample [rad]."""
         return self.noise.level
+
+    @property
+    def residual_unit(self) -> float:
+        """What a fit divides the angle's residuals by [rad]."""
+        return self.angle_noise if self.divisor is None else self.divisor
 
     @property
     def velocity_noise(self) -> float:

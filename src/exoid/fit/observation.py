@@ -32,7 +32,7 @@ class Observation(eqx.Module):
     time: Float[Any, "*segment time"]  # s
     angle: Float[Any, "*segment time"]  # rad
     angular_velocity: Float[Any, "*segment time"]  # rad/s
-    angle_weight: Float[Any, "*segment time"]  # 1/rad: 1/noise, 0 where nothing was measured
+    angle_weight: Float[Any, "*segment time"]  # 1/rad: 1/unit, 0 where nothing was measured
     velocity_weight: Float[Any, "*segment time"]  # s/rad
     guide_angle: Float[Any, "*segment time"]  # rad, smoothed: what a start is tied to
     guide_velocity: Float[Any, "*segment time"]  # rad/s
@@ -99,7 +99,7 @@ def one_observation(each: Movement, grid: Samples, size: int, reading: str) -> O
             value[at[known]], weight[at[known]] = samples[known], 1 / noise
         return value, weight
 
-    angle, angle_weight = placed(each.angle, each.angle_noise)
+    angle, angle_weight = placed(each.angle, each.residual_unit)
     velocity, velocity_weight = placed(each.angular_velocity, each.velocity_noise)
     guide, _ = smoothed_motion(each, GUIDE_WIDTH)
     slope = local_line(own, guide, GUIDE_WIDTH)[1]  # of the angle itself, whatever the gyro says

@@ -39,7 +39,8 @@ def remarks(problem: Problem, ended: Ended, at_bound: set[str]) -> list[str]:
     told = scale_told(ended.local.data + ended.local.prior)
     inertia = float(ended.best.leg.inertia[0]) if told else None
     said += of_kinds(ended.disturbance)
-    said += of_residual(ended.disturbance, gravity, inertia)
+    unit = np.mean([each.residual_unit / each.angle_noise for each in problem.movements])
+    said += of_residual(ended.disturbance, gravity, inertia, float(unit))
     if ended.disturbance.kinds[ended.disturbance.trusted].cause is not None and not rig:
         said.append(
             "m l g / J and c / J hold for a spring that is slack at full extension (Eq. 9). "
@@ -153,21 +154,27 @@ def of_kinds(found: Disturbance) -> list[str]:
     ]
 
 
-def of_residual(found: Disturbance, gravity: float, inertia: float | None) -> list[str]:
+def of_residual(
+    found: Disturbance, gravity: float, inertia: float | None, unit: float
+) -> list[str]:
     """What besides the declared noise is in the residuals, and what that does to the errors.
 
-    `gravity` is m l g / J [1/s^2]; `inertia` None where J is not known.
+    `gravity` is m l g / J [1/s^2]; `inertia` None where J is not known; `unit` that of the
+    residuals over the noise.
     """
     if len(set(found.kinds.values())) == 1:
-        return of_missed(next(iter(found.kinds.values())), "the residual", gravity, inertia)
+        missed = next(iter(found.kinds.values()))
+        return of_missed(missed, "the residual", gravity, inertia, unit)
     return [
         sentence
         for kind, each in found.kinds.items()
-        for sentence in of_missed(each, f"the residual of {kind} segments", gravity, inertia)
+        for sentence in of_missed(each, f"the residual of {kind} segments", gravity, inertia, unit)
     ]
 
 
-def of_missed(found: Missed, where: str, gravity: float, inertia: float | None) -> list[str]:
+def of_missed(
+    found: Missed, where: str, gravity: float, inertia: float | None, unit: float
+) -> list[str]:
     """The same of one kind of segment, or of all."""
     over = f"varying within about {found.correlation_time:g} s"
     if found.correlation_time == CORRELATED[0]:
@@ -185,10 +192,10 @@ def of_missed(found: Missed, where: str, gravity: float, inertia: float | None) 
             f"{where} is more than the sensors' noise: it is what an encoder that errs by "
             f"about {np.degrees(found.deviation):.2g} deg, {over}, would leave. {widened}"
         ]
-    if found.noise > NOISY:
+    if found.noise > max(NOISY / unit, 1.0):  # 1 where it is not larger, or is less
         return [
-            f"{where} is white but {found.noise:.3g} times the noise that is declared, or that "
-            "neighbouring samples show, and standard errors are widened by that: check noise "
+            f"{where} is white but {found.noise * unit:.3g} times the noise that is declared, or "
+            "that neighbouring samples show, and standard errors are widened by that: check noise "
             "levels and time stamps."
         ]
     return []
