@@ -61,9 +61,9 @@ class Scenario:
     def protocol(self) -> Protocol:
         """What the user notes of it."""
         if not self.active:
-            return Protocol(kind="passive", torque_known=True)
+            return Protocol(kind="passive")
         periods = tuple(each.duration for each in self.movements)
-        return Protocol("active", periods, self.reading, torque_known=False)
+        return Protocol("active", periods, self.reading)
 
     def sensors(self) -> Sensors:
         """What the data sheets say, to three digits."""

@@ -11,9 +11,9 @@ from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.torque import NoTorque
 from exoid.recording.recording import Recording, Subject
 from exoid.recording.sidecar import write_sidecar
-from exoid.twin.frames import frames
 from exoid.twin.motion import Movement
 from exoid.twin.protocols import session as perform
+from node_frames import frames
 
 LEG = {"mass": 4.5, "inertia": 0.42, "com_distance": 0.26, "damping": 0.33, "stiffness": 2.6}
 SUBJECT = Subject(kind="leg", body_mass=74.0, height=1.78)

@@ -20,8 +20,8 @@ from sessions import EPOCH, RATIOS, TWO_DROPS, session
 from exoid.recording.can_log import read_can_log
 from exoid.recording.can_readers import read_log
 from exoid.recording.config_crc import config_crc
-from exoid.twin.frames import frames
 from live_node import Cable
+from node_frames import frames
 
 FAST = 1000.0  # frames/s; the node itself sends 310
 NODE = 310.0  # frames/s

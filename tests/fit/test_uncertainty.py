@@ -48,7 +48,6 @@ def test_a_prior_adds_its_information():
     information = Information(data, prior, NONE)
     expected = 1 / np.sqrt(50 / 0.1**2 + 1 / 0.02**2)
     assert information.standard_error(FIRST) == pytest.approx(expected, rel=CLOSE)
-    assert information.data_only(FIRST) == pytest.approx(0.1 / np.sqrt(50), rel=CLOSE)
 
 
 def test_what_nothing_determines_has_an_infinite_error():

@@ -7,13 +7,11 @@ import numpy as np
 import pytest
 
 from exoid.recording.condition import (
-    average_segment,
     best_velocity,
     classify,
     clip,
     moving_average,
     torque_frequencies,
-    window_time,
 )
 from exoid.recording.motion.split import measure_period, split
 from exoid.recording.recording import Protocol, Recording, Segment, Sensors, Subject
@@ -87,28 +85,10 @@ def test_the_moving_average_takes_from_each_harmonic_what_a_window_must(
         np.testing.assert_allclose(abs(averaged), gain, atol=6e-4)
 
 
-def test_the_published_window_is_early_by_half_its_length_and_the_centred_one_is_not():
-    time, window = np.arange(0, 2, STEP), 20
-    ramp = 3.0 * time
-    averaged = moving_average(ramp, window)
-    early = averaged / 3.0 - window_time(time, window, centred=False)
-    np.testing.assert_allclose(early, (window - 1) / 2 * STEP)
-    np.testing.assert_allclose(averaged / 3.0, window_time(time, window, centred=True))
-
-
 def test_a_missing_sample_spoils_only_the_windows_that_hold_it():
     samples = np.ones(30)
     samples[12] = np.nan
     assert np.flatnonzero(np.isnan(moving_average(samples, 5))).tolist() == [8, 9, 10, 11, 12]
-
-
-def test_averaging_a_segment_averages_every_channel():
-    time = np.arange(0, 1, STEP)
-    segment = Segment(time=time, angle=2 * time, raw_angular_velocity=np.full_like(time, 2.0))
-    found = average_segment(segment, 11, centred=True)
-    np.testing.assert_allclose(found.angle, 2 * found.time)
-    np.testing.assert_allclose(found.raw_angular_velocity, 2.0)
-    assert set(found.channels()) == set(segment.channels())
 
 
 def test_a_window_longer_than_the_record_is_refused():

@@ -1,4 +1,4 @@
-"""The firmware's filter and the smoother against independent forms of the same estimate."""
+"""The firmware's filter against independent forms of the same estimate."""
 
 import jax.numpy as jnp
 import numpy as np
@@ -8,7 +8,6 @@ from exoid.recording.kalman import (
     PROCESS_NOISE,
     START_VARIANCE,
     filter,
-    smooth,
 )
 
 STEP = 0.01  # s
@@ -123,39 +122,6 @@ def test_innovations_of_the_models_own_data_are_white_with_the_predicted_varianc
     assert abs((normalised[:, 0] * normalised[:, 1]).mean()) < four_sigma
 
 
-def test_the_smoother_is_closer_to_the_truth_than_the_filter_by_what_it_claims():
-    steps, truth, measured = motion_of_the_model(2000, seed=3)
-    filtered, smoothed = filter(steps, *measured.T), smooth(steps, *measured.T)
-    inner = slice(100, -100)
-    rms = lambda found: np.sqrt(((found.state - truth)[inner] ** 2).mean(axis=0))  # noqa: E731
-    claimed = np.sqrt(np.diagonal(smoothed.covariance, axis1=1, axis2=2)[inner].mean(axis=0))
-    assert (rms(smoothed) < rms(filtered)).all()
-    np.testing.assert_allclose(rms(smoothed), claimed, rtol=0.2)
-
-
-def test_the_smoother_is_the_weighted_least_squares_solution():
-    samples = 40
-    steps, _, measured = motion_of_the_model(samples, seed=4)
-    measured[7, 0] = measured[20, 1] = np.nan
-    rows, right = [], []
-
-    def add(row, values, weight):
-        rows.append(row * weight[:, None])
-        right.append(values * weight)
-
-    eye = np.eye(3 * samples).reshape(samples, 3, 3 * samples)
-    start = 1 / np.sqrt([*MEASUREMENT_NOISE, START_VARIANCE[2]])
-    add(eye[0], np.array([*measured[0], 0.0]), start)
-    for k, step in enumerate(steps):
-        add(eye[k + 1] - transition(step) @ eye[k], np.zeros(3), 1 / np.sqrt(PROCESS_NOISE))
-        seen = ~np.isnan(measured[k + 1])
-        weight = 1 / np.sqrt(np.array(MEASUREMENT_NOISE)[seen])
-        add(eye[k + 1, :2][seen], measured[k + 1, seen], weight)
-    solution, *_ = np.linalg.lstsq(np.concatenate(rows), np.concatenate(right))
-    found = smooth(steps, *measured.T).state
-    np.testing.assert_allclose(found, solution.reshape(samples, 3), atol=1e-8)
-
-
 def test_a_missing_measurement_skips_its_own_update_only():
     steps, _, measured = motion_of_the_model(300, seed=5)
     gap = measured.copy()
@@ -166,15 +132,6 @@ def test_a_missing_measurement_skips_its_own_update_only():
     assert jnp.isfinite(holed.innovation[1:, 1]).all()
     assert holed.covariance[109, 0, 0] > 2 * whole.covariance[109, 0, 0]
     np.testing.assert_allclose(holed.state[200:], whole.state[200:], atol=1e-5)
-
-
-def test_a_record_without_gyro_still_gives_the_rate():
-    time = np.arange(0, 4, STEP)
-    angle = 0.5 * np.sin(2 * np.pi * time)
-    nothing = np.full_like(time, np.nan)
-    found = smooth(np.diff(time), angle, nothing).state
-    rate = np.pi * np.cos(2 * np.pi * time)
-    np.testing.assert_allclose(found[50:-50, 1], rate[50:-50], atol=0.02)
 
 
 def test_a_swing_at_one_hertz_lags_in_acceleration_only():

@@ -211,6 +211,19 @@ def test_unknown_columns_and_keys_are_kept_and_named_with_the_nearest_known(writ
     assert_same(recording, read_table(tmp_path / "copy.csv")[0])
 
 
+def test_keys_of_a_sidecar_that_have_no_effect_are_named_and_kept(write):
+    toml = (
+        "[subject]\nshank_length_m = 0.42\nshank_radius_m = 0.06\n[protocol]\ntorque_known = true\n"
+    )
+    recording, notes = read_table(write(f"time_s,angle_rad\n{SAMPLES}", toml))
+    assert recording.subject.shank_length == 0.42
+    assert recording.subject.extra_keys == {"shank_radius_m": 0.06}
+    assert [note.partition(": ")[2] for note in notes] == [
+        "unknown shank_radius_m in [subject] is kept, but not used.",
+        "unknown torque_known in [protocol] is kept, but not used.",
+    ]
+
+
 def test_a_clock_that_does_not_restart_is_kept_and_named(write):
     rows = "0,0,-0.1\n1,0,-0.2\n2,1,-0.1\n3,1,-0.2\n"
     recording, notes = read_table(write(f"time_s,segment,angle_rad\n{rows}", ""))
@@ -361,7 +374,6 @@ def test_a_bad_sample_of_a_later_segment_is_named_by_its_line(write):
         ("[subject]\nadded_mass_kg = []\n", "added_mass_kg in [subject] is an empty list"),
         ("[subject]\nadded_mass_distance_m = 0.3\n", "without added_mass_kg"),
         ('[protocol]\nkind = "resting"\n', "it can be passive or active or measured"),
-        ("[protocol]\ntorque_known = 1\n", "torque_known in [protocol] is 1; it must be true or"),
         ("[protocol]\ncycle_period_s = [2.0, 2.0]\n", "cycle_period_s lists 2 value(s) for 1"),
         ('[protocol]\ncycle_period_s = ["2"]\n', "cycle_period_s in [protocol] is '2'"),
         ("[protocol]\nsegment_start_s = 1.0\n", "segment_start_s in [protocol] takes a list"),

@@ -225,6 +225,13 @@ def test_a_clock_that_counts_from_a_date_begins_at_zero_without_a_word(tmp_path)
     assert load(tmp_path / "copy.csv").recording.protocol.time_origin == 1.75e9
 
 
+@pytest.mark.parametrize(("rate", "said"), [(100.0, False), (97.0, False), (200.0, True)])
+def test_a_rate_that_is_not_that_of_the_samples_is_told(rate, said):
+    _, notes = understood(recording(drop(step=0.01), sensors=Sensors(sample_rate=rate)))
+    told = "sample_rate_hz says 200, but by time_s there are 100 samples a second"
+    assert any(told in note for note in notes) == said
+
+
 def test_degrees_are_taken_wherever_the_sidecar_has_radians(tmp_path):
     write_table(recording(drop()), tmp_path / "knee.csv")
     sidecar = tmp_path / "knee.toml"

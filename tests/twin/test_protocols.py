@@ -14,10 +14,10 @@ from exoid.recording.condition import best_velocity
 from exoid.recording.dbc import EXOID_DBC
 from exoid.recording.motion.split import split
 from exoid.recording.recording import Protocol, Subject
-from exoid.twin.frames import frames
 from exoid.twin.motion import Movement, perform
 from exoid.twin.protocols import record, session
 from exoid.twin.sensors import Encoder, SensorKit
+from node_frames import frames
 
 KEY = jax.random.key(3)
 MOVEMENTS = (
@@ -113,12 +113,6 @@ def test_record_is_the_session_cut_at_its_marks(model, recording):
         record(model, MOVEMENTS, KEY).segments, split(recording).segments, strict=True
     ):
         np.testing.assert_array_equal(one.raw_angle, other.raw_angle)
-
-
-def test_passive_movements_alone_have_a_known_torque(model):
-    found = record(model, [Movement(-0.3, 2.0)], KEY)
-    assert found.protocol.torque_known
-    assert found.protocol.cycle_period is None
 
 
 def test_the_frames_decode_back_to_the_log(recording):

@@ -12,7 +12,6 @@ from exoid.recording.motion.extent import Extent, Motionless
 from exoid.recording.recording import Recording, Segment
 
 Clip = Literal["free", "paper"]
-CLIPS: tuple[Clip, ...] = ("free", "paper")
 FEWEST = 10  # samples that a movement must have to be fitted
 
 

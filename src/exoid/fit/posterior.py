@@ -154,11 +154,6 @@ def r_hat(posterior: Posterior) -> dict[str, float]:
     return {name: float(quiet_arviz().rhat(each)) for name, each in posterior.samples.items()}
 
 
-def ess(posterior: Posterior) -> dict[str, float]:
-    """How many independent draws would tell as much (bulk)."""
-    return {name: float(quiet_arviz().ess(each)) for name, each in posterior.samples.items()}
-
-
 def quiet_arviz():
     """ArviZ, whose announcement of its next version is no concern of the user."""
     with warnings.catch_warnings():

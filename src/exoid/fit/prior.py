@@ -18,7 +18,6 @@ from exoid.physics.leg import LegParameters
 SIZE = {"mass": (1.0, 0.0, 0.0), "com_distance": (0.0, 1.0, 0.0), "inertia": (1.0, 1.0, 1.0)}
 KNEE = ("damping", "stiffness")
 NAMES = [entry.name for entry in fields(LegParameters)]
-SILENT = 1e-12  # of precision, relative: none
 TINY = 0.01  # of what is expected: below it a logarithm becomes a line, which has no end
 
 

@@ -67,10 +67,6 @@ class Information:
         """Of a quantity with this gradient; inf where nothing determines it, 0 on a bound."""
         return spread(self.posterior, self.free, gradient)
 
-    def data_only(self, gradient: Float[np.ndarray, " coordinate"]) -> float:
-        """The standard error without any prior; inf where motion cannot tell."""
-        return spread(self.likelihood, self.free, gradient)
-
     def without_bounds(self, gradient: Float[np.ndarray, " coordinate"]) -> float:
         """The standard error if no bound held, only what the user fixed."""
         return spread(self.unbounded, self.open, gradient)

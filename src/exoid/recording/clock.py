@@ -6,6 +6,7 @@ import numpy as np
 
 from exoid.recording.noise import noise_of
 from exoid.recording.recording import Recording, Samples, Segment
+from exoid.recording.text_file import Notes
 
 SLOWEST = 0.2  # s between samples; a leg's swing takes about a second
 UNITS = (  # and the steps [of that unit] up to which a sampled leg has it
@@ -18,6 +19,7 @@ LAG = 8  # steps over which a speed is taken there
 FASTEST = 40.0  # rad/s; a kick reaches 20
 USUAL = 4.0  # rad/s, of a drop at its fastest
 LONGER = (("minutes", 60.0), ("hours", 3600.0), ("days", 86400.0))
+ALIKE = 0.05  # of a rate: so near it is the declared one
 SINCE = 1e8  # s, three years: no node runs so long, so this counts from a date
 
 
@@ -25,7 +27,7 @@ def wrong_clock(recording: Recording) -> str | None:
     """What to do about the time of a leg, where its motion says that it is not in seconds."""
     if recording.subject.kind == "rig":
         return None
-    step = float(np.median(np.concatenate([np.diff(each.time) for each in recording.segments])))
+    step = step_of(recording)
     if step >= SLOWEST:
         unit, mend, _ = next(each for each in UNITS if step < each[2])
         return (
@@ -58,6 +60,22 @@ def measured(segment: Segment) -> tuple[Samples, Samples]:
     assert angle is not None  # a Segment has one or the other
     seen = ~np.isnan(angle)
     return segment.time[seen], angle[seen]
+
+
+def unlike_rate(recording: Recording) -> Notes:
+    """That the samples come at another rate than the sidecar says."""
+    said, step = recording.sensors.sample_rate, step_of(recording)
+    if said is None or abs(said * step - 1) < ALIKE:
+        return ()
+    return (
+        f"sample_rate_hz says {said:g}, but by time_s there are {1 / step:.3g} samples a second; "
+        "the times count.",
+    )
+
+
+def step_of(recording: Recording) -> float:
+    """The median time between samples [s]."""
+    return float(np.median(np.concatenate([np.diff(each.time) for each in recording.segments])))
 
 
 def from_first_sample(recording: Recording) -> Recording:

@@ -12,7 +12,6 @@ from exoid.recording.motion.turning import reversals
 from exoid.recording.recording import Kind, Samples, Segment
 
 MOTION_SPEED = np.radians(20.0)  # rad/s, the paper's criterion of significant motion
-REST_SPEED = np.radians(5.0)  # rad/s, below it the leg is held; twitches and a gyro's bias fit in
 SMOOTHING = 0.05  # s, of the velocity that decides what moves; half a leg's swing takes 0.5 s
 FREE, SHRINKS = 3, 0.9  # swings that no muscle makes, and to what share each shrinks
 NEAR = 0.35  # of the range of a movement; a drop ends at 0.5 (no damping) to 1 of it, lower
@@ -23,8 +22,8 @@ Signal = Any  # a NumPy or a JAX array, time first
 def moving_average(samples: Signal, window: int) -> Signal:
     """T(i) = 1/h (phi(i) + ... + phi(i + h - 1)), Eq. 3 with h = `window`, full windows only.
 
-    The result has `window - 1` samples fewer and belongs to the times of `window_time`. It is
-    linear, takes NumPy and JAX arrays, and a missing sample spoils the windows that hold it.
+    The result has `window - 1` samples fewer. It is linear, takes NumPy and JAX arrays, and a
+    missing sample spoils the windows that hold it.
     """
     count = samples.shape[0] - window + 1
     if window < 1 or count < 1:
@@ -33,23 +32,6 @@ def moving_average(samples: Signal, window: int) -> Signal:
             f"choose a window between 1 and {samples.shape[0]}."
         )
     return sum(samples[lag : lag + count] for lag in range(window)) / window
-
-
-def window_time(time: Signal, window: int, *, centred: bool) -> Signal:
-    """The times [s] at which averaged samples are stamped.
-
-    Centred: the middle of each window, no lag. Else its first sample, as published: the motion
-    then appears (window - 1) / 2 samples early.
-    """
-    middle = moving_average(time, window)
-    return middle if centred else time[: middle.shape[0]]
-
-
-def average_segment(segment: Segment, window: int, *, centred: bool) -> Segment:
-    """Eq. 3 applied to every channel of a segment."""
-    averaged = {name: moving_average(s, window) for name, s in segment.channels().items()}
-    averaged["time"] = window_time(segment.time, window, centred=centred)
-    return Segment(**averaged, begins=segment.begins)
 
 
 def clip(angular_velocity: Samples, threshold: float = MOTION_SPEED) -> slice:

@@ -1,4 +1,4 @@
-"""The firmware's Kalman filter (Eq. 1-2) as a pure function, and the smoother that belongs to it.
+"""The firmware's Kalman filter (Eq. 1-2) as a pure function.
 
 The order of operations is the firmware's: predict, then the angle, then the rate, each a scalar
 update on the six distinct elements of P. Sums run from left to right as written, nothing is
@@ -30,13 +30,6 @@ class Filtered(eqx.Module):
     covariance: Float[Array, "time 3 3"]
     innovation: Float[Array, "time 2"]  # rad, rad/s
     innovation_variance: Float[Array, "time 2"]  # rad^2, (rad/s)^2
-
-
-class Smoothed(eqx.Module):
-    """The state given the whole record, before and after each sample."""
-
-    state: Float[Array, "time 3"]  # rad, rad/s, rad/s^2
-    covariance: Float[Array, "time 3 3"]
 
 
 @eqx.filter_jit
@@ -73,40 +66,6 @@ def filter(
     unknown = jnp.full((1, 2), jnp.nan, angle.dtype)
     innovation, variance = (jnp.concatenate([unknown, rest]) for rest in surprise)
     return Filtered(jnp.stack(state, axis=-1), symmetric(covariance), innovation, variance)
-
-
-@eqx.filter_jit
-def smooth(
-    time_step: Steps,
-    angle: Samples,
-    angular_velocity: Samples,
-    process_noise=PROCESS_NOISE,
-    measurement_noise=MEASUREMENT_NOISE,
-) -> Smoothed:
-    """Rauch-Tung-Striebel smoother over the whole record; needs float64 to be exact.
-
-    x_s = x + C (x_s,next - A x), P_s = P + C (P_s,next - A P A' - Q) C', C = P A' (A P A' + Q)^-1.
-    Rauch, Tung & Striebel, AIAA Journal 3(8), 1965.
-    """
-    known = filter(time_step, angle, angular_velocity, process_noise, measurement_noise)
-    move = transition(jnp.asarray(time_step, known.state.dtype))
-    state, covariance = known.state[:-1], known.covariance[:-1]
-    expected = (move @ state[..., None])[..., 0]
-    moved = move @ covariance
-    spread = moved @ jnp.swapaxes(move, -1, -2) + jnp.diag(jnp.asarray(process_noise, state.dtype))
-    gain = jnp.swapaxes(jnp.linalg.solve(spread, moved), -1, -2)
-
-    def step(later, here):
-        x, p, gain, expected, spread = here
-        x = x + gain @ (later[0] - expected)
-        p = p + gain @ (later[1] - spread) @ gain.T
-        return (x, p), (x, p)
-
-    last = (known.state[-1], known.covariance[-1])
-    _, earlier = jax.lax.scan(step, last, (state, covariance, gain, expected, spread), reverse=True)
-    return Smoothed(
-        *(jnp.concatenate([e, end[None]]) for e, end in zip(earlier, last, strict=True))
-    )
 
 
 def begin(angle, rate, noise) -> tuple[State, Covariance]:
@@ -161,13 +120,6 @@ def correct(state: State, covariance: Covariance, row: int, measured, noise):
     old, new = (state, covariance), (new_state, new_covariance)
     state, covariance = jax.tree.map(lambda o, n: jnp.where(missing, o, n), old, new)
     return state, covariance, [jnp.where(missing, jnp.nan, s) for s in (innovation, variance)]
-
-
-def transition(step: Float[Array, " steps"]) -> Float[Array, "steps 3 3"]:
-    """A of Eq. 1 for each step."""
-    one, zero = jnp.ones_like(step), jnp.zeros_like(step)
-    rows = [[one, step, 0.5 * step * step], [zero, one, step], [zero, zero, one]]
-    return jnp.stack([jnp.stack(row, axis=-1) for row in rows], axis=-2)
 
 
 def symmetric(covariance: Covariance) -> Float[Array, "time 3 3"]:

@@ -135,16 +135,10 @@ def parse_entry(where: str, entry, value: Any):
     return result
 
 
-def parse_value(where: str, meta: Mapping[str, Any], value: Any) -> float | str | bool:
+def parse_value(where: str, meta: Mapping[str, Any], value: Any) -> float | str:
     number = "lower" in meta
-    wanted, word = (
-        ((int, float), "a number, without quotes")
-        if number
-        else (str, "a text in quotes")
-        if "choices" in meta
-        else (bool, "true or false")
-    )
-    if not isinstance(value, wanted) or (number and isinstance(value, bool)):
+    word = "a number, without quotes" if number else "a text in quotes"
+    if not isinstance(value, (int, float) if number else str) or isinstance(value, bool):
         raise ValueError(f"{where} is {value!r:.60}; it must be {word}.")
     return float(min(max(value, -1e300), 1e300)) if number and value == value else value
 

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from exoid.recording.clock import from_first_sample, measured, wrong_clock
+from exoid.recording.clock import from_first_sample, measured, unlike_rate, wrong_clock
 from exoid.recording.convention import wrong_convention
 from exoid.recording.gyro import wrong_sign, wrong_unit
 from exoid.recording.motion.split import Split
@@ -45,7 +45,7 @@ def understand(
     refuse(wrong_sign(recording))
     noticed = () if whole else (*found.notes, *another_leg(movements))
     recording, more = settled(recording if whole else movements, movements)
-    return recording, (*notes, *more, *noticed)
+    return recording, (*unlike_rate(recording), *notes, *more, *noticed)
 
 
 def cut_up(recording: Recording, cut: Callable[[Recording], Split], *, whole: bool) -> Split:

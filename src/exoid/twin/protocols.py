@@ -105,7 +105,6 @@ def describe_protocol(
         cycle_period=periods if voluntary else None,
         torque_frequency=reading if voluntary else None,
         thigh_angle=thigh_angle or None,
-        torque_known=not voluntary,
         segment_start=starts,
         segment_end=ends,
     )

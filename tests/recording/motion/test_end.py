@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from exoid.recording.motion.extent import find_extent
+from exoid.recording.motion.extent import find_free
+from exoid.recording.motion.signal import signal_of
 from hands import ADULT, SPASTIC, Device, Hand, Knee, dropped
 
 GYRO = Device()
@@ -14,7 +15,7 @@ DAMPED = Knee(damping=2.0)
 def ended(knee, hand, device, lasting=8.0):
     recording, release = dropped(knee, hand, device, lasting=lasting)
     (segment,) = recording.segments
-    extent = find_extent(segment, recording.sensors)
+    extent = find_free(signal_of(segment, recording.sensors))
     return extent, segment.time[extent.stop - 1] - release - hand.fade, segment.time
 
 

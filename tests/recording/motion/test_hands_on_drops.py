@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from exoid.recording.motion.drops import find_drops
-from exoid.recording.motion.extent import Motionless, find_extent
+from exoid.recording.motion.extent import Motionless, find_free
+from exoid.recording.motion.signal import signal_of
 from exoid.recording.pendulum.drops import measure_drops
 from exoid.recording.recording import Segment
 from hands import Device, Hand, Knee, dropped
@@ -30,7 +31,7 @@ def test_a_leg_that_is_caught_near_its_rest_is_known_by_the_other_drops(device, 
     """Alone it seems to have come to rest."""
     recording, releases = together(device, *FREE, Hand(-0.1, stop=after))
     segment = recording.segments[3]
-    assert find_extent(segment, recording.sensors).ended == "at rest"
+    assert find_free(signal_of(segment, recording.sensors)).ended == "at rest"
     found = find_drops(recording)[3]
     assert found.ended == "caught"
     lasted = segment.time[found.stop - 1] - releases[3]
@@ -41,18 +42,20 @@ def test_a_leg_that_is_caught_near_its_rest_is_known_by_the_other_drops(device, 
 def test_what_nobody_caught_ends_as_it_does_alone(device):
     recording, _ = together(device, *FREE)
     for segment, found in zip(recording.segments, find_drops(recording).values(), strict=True):
-        assert found.stop == find_extent(segment, recording.sensors).stop
+        assert found.stop == find_free(signal_of(segment, recording.sensors)).stop
 
 
 def test_of_one_drop_it_is_the_same_answer():
     recording, _ = together(GYRO, FREE[0])
-    assert find_drops(recording)[0] == find_extent(recording.segments[0], recording.sensors)
+    assert find_drops(recording)[0] == find_free(
+        signal_of(recording.segments[0], recording.sensors)
+    )
 
 
 def test_a_short_hold_is_one_where_other_drops_were_held():
     """By itself it may be play or a soft cuff in a recording that begins at its release."""
     recording, releases = together(GYRO, *FREE, Hand(-0.4, hold=0.04))
-    assert find_extent(recording.segments[3], recording.sensors).free == 0
+    assert find_free(signal_of(recording.segments[3], recording.sensors)).free == 0
     found, time = find_drops(recording)[3], recording.segments[3].time
     assert releases[3] + 0.04 < time[found.free] < releases[3] + 0.25
 

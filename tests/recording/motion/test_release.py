@@ -5,7 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from exoid.recording.motion.extent import Motionless, find_extent
+from exoid.recording.motion.extent import Motionless, find_free
+from exoid.recording.motion.signal import signal_of
 from exoid.recording.recording import Segment, Sensors
 from hands import ADULT, SPASTIC, Device, Hand, dropped
 
@@ -19,7 +20,7 @@ FAST = Device(1000.0, 1e-4, 3e-3)
 def found(*case, **options):
     recording, release = dropped(*case, lasting=3.0, **options)
     (segment,) = recording.segments
-    return find_extent(segment, recording.sensors), release, segment.time
+    return find_free(signal_of(segment, recording.sensors)), release, segment.time
 
 
 @pytest.mark.parametrize("device", [GYRO, ENCODER, CAMERA, SLOW_CAMERA, FAST])
@@ -45,7 +46,7 @@ def test_a_gyro_that_is_off_by_its_bias_is_no_movement(device):
     recording, release = dropped(ADULT, Hand(), GYRO, lasting=3.0)
     (segment,) = recording.segments
     biased = replace(segment, raw_angular_velocity=segment.raw_angular_velocity + 0.03)
-    extent = find_extent(biased, recording.sensors)
+    extent = find_free(signal_of(biased, recording.sensors))
     assert extent.release == pytest.approx(release + 0.025, abs=0.005)
 
 
@@ -60,7 +61,7 @@ def test_of_a_recording_that_begins_in_motion_nothing_is_left_out():
     (segment,) = recording.segments
     late = segment.time > release + 0.25
     cut = Segment(segment.time[late], raw_angle=segment.raw_angle[late])
-    extent = find_extent(cut, recording.sensors)
+    extent = find_free(signal_of(cut, recording.sensors))
     assert (extent.held_until, extent.start, extent.free) == (None, 0, 0)
 
 
@@ -75,7 +76,7 @@ def test_lost_samples_an_uneven_clock_and_spikes_do_not_move_the_release():
     worse = Segment(
         segment.time[kept], raw_angle=angle, raw_angular_velocity=segment.raw_angular_velocity[kept]
     )
-    extent = find_extent(worse, recording.sensors)
+    extent = find_free(signal_of(worse, recording.sensors))
     assert extent.release == pytest.approx(release + 0.025, abs=0.006)
 
 
@@ -86,4 +87,4 @@ def test_noise_alone_is_no_movement(noise):
     for seed in range(100):
         held = noise * np.random.default_rng(seed).standard_normal(time.size)
         with pytest.raises(Motionless, match="nothing moves"):
-            find_extent(Segment(time, raw_angle=held - 0.3), Sensors())
+            find_free(signal_of(Segment(time, raw_angle=held - 0.3), Sensors()))

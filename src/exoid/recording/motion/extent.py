@@ -20,8 +20,8 @@ from exoid.recording.motion.limits import (
     REST,
     TRAVEL,
 )
-from exoid.recording.motion.signal import Signal, Speed, signal_of, speed_of
-from exoid.recording.recording import Samples, Segment, Sensors
+from exoid.recording.motion.signal import Signal, Speed, speed_of
+from exoid.recording.recording import Samples
 
 
 class Motionless(ValueError):
@@ -54,26 +54,13 @@ class Extent:
         return self.held_until is None and not self.doubted
 
 
-def find_extent(
-    segment: Segment,
-    sensors: Sensors,
-    *,
-    handled: bool = True,
-) -> Extent:
-    """The free movement of a drop. `handled`: by a person, whose hand may catch or lift the leg.
-
-    **Raises** `Motionless` where nothing moves.
-    """
-    return find_free(signal_of(segment, sensors), handled=handled)
-
-
 def find_free(
     signal: Signal, *, handled: bool = True, shortest: float = MARKED, law: Law | None = None
 ) -> Extent:
-    """The same of a signal.
+    """The free movement of a drop. `handled`: by a person, whose hand may catch or lift the leg.
 
     What was held for less than `shortest` s is said to begin free. A `law` is what other drops of
-    this leg have told.
+    this leg have told. **Raises** `Motionless` where nothing moves.
     """
     speed = speed_of(signal)
     first, _ = first_movement(signal, speed)

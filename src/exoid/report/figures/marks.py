@@ -11,8 +11,6 @@ from exoid.report.plot_style import CHOSEN as CHOSEN_PRINTED
 from exoid.report.plot_style import EXPECTED as EXPECTED_PRINTED
 from exoid.report.plot_style import MEMBER as MEMBER_PRINTED
 
-Coordinate = tuple[float, float | None]  # a value, and its error where there is one
-
 
 @dataclass(frozen=True)
 class Mark:
