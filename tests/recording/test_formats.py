@@ -7,7 +7,7 @@ import sys
 import numpy as np
 import pytest
 
-from exoid.recording.formats.sheets import EXTRAS
+from exoid.recording.extras import EXTRAS
 from exoid.recording.load import load
 from exoid.recording.recording import Protocol, Recording, Segment, Sensors, Subject
 from exoid.recording.table import write_table
@@ -231,7 +231,7 @@ def test_a_table_of_exoid_as_parquet_is_read_back_to_the_last_bit(tmp_path):
 @pytest.mark.parametrize(("name", "package"), [("leg.c3d", "ezc3d"), ("leg.xlsx", "openpyxl"),
                                                ("leg.parquet", "pyarrow")])  # fmt: skip
 def test_a_missing_package_is_named_with_its_extra(tmp_path, monkeypatch, name, package):
-    monkeypatch.setattr("exoid.recording.formats.sheets.find_spec", lambda _: None)
+    monkeypatch.setattr("exoid.recording.extras.find_spec", lambda _: None)
     (tmp_path / name).write_bytes(b"x")
     with pytest.raises(
         ValueError, match=rf'{package}, which is missing: pip install "exoid\['

@@ -55,7 +55,7 @@ def number(each: Any) -> str:
 
 def frame(result: Any) -> Any:
     """A row for each quantity, for pandas."""
-    from exoid.recording.formats.sheets import require
+    from exoid.recording.extras import require
 
     require("pandas", "a data frame is made")
     import pandas

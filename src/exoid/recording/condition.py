@@ -7,8 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from exoid.recording.motion.limits import RINGING
-from exoid.recording.motion.turning import reversals
+from exoid.recording.motion.turning import RINGING, reversals
 from exoid.recording.recording import Kind, Samples, Segment
 
 MOTION_SPEED = np.radians(20.0)  # rad/s, the paper's criterion of significant motion

@@ -16,7 +16,8 @@ import numpy as np
 
 from exoid.recording.clock import SINCE
 from exoid.recording.formats.delimited import is_own, legible, sheet_of_text
-from exoid.recording.formats.sheets import TEXTS, read_sheet, require
+from exoid.recording.extras import require
+from exoid.recording.formats.sheets import TEXTS, read_sheet
 from exoid.recording.recording import BadSample, Recording, Segment, Subject
 from exoid.recording.sidecar import no_keys, read_columns, read_keys, sidecar_text
 from exoid.recording.tables.assemble import Named, assemble

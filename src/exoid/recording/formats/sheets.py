@@ -4,9 +4,9 @@ import warnings
 from collections.abc import Callable, Collection
 from functools import partial
 from importlib import import_module
-from importlib.util import find_spec
 from pathlib import Path
 
+from exoid.recording.extras import require
 from exoid.recording.foreign import ForeignError
 from exoid.recording.library_faults import is_ours
 from exoid.recording.tables.sheet import Sheet
@@ -24,7 +24,6 @@ READERS: dict[str, tuple[str, str, str | None]] = {
     ".xlsm": ("excel", "read_excel", "openpyxl"),
     ".parquet": ("parquet", "read_parquet", "pyarrow"),
 }
-EXTRAS = {"ezc3d": "c3d", "openpyxl": "excel", "pyarrow": "parquet", "pandas": "pandas"}
 CALLED = {
     ".c3d": "a C3D file",
     ".xlsx": "an Excel workbook",
@@ -67,13 +66,6 @@ def read_sheet(path: Path, wanted: Collection[str] = ()) -> Sheet:
     if suffix == ".c3d":
         reader = partial(reader, wanted=wanted)
     return reader(path) if suffix not in CALLED else guarded(reader, path, CALLED[suffix])
-
-
-def require(package: str, what: str) -> None:
-    """**Raises** `ValueError` that says which extra to install, where a package is missing."""
-    if find_spec(package) is None:
-        extra = EXTRAS[package]
-        raise ValueError(f'{what} by {package}, which is missing: pip install "exoid[{extra}]"')
 
 
 def guarded(reader: Callable[[Path], Sheet], path: Path, called: str) -> Sheet:

@@ -63,4 +63,4 @@ REST_KEPT = 0.5  # s of rest in front of each movement
 TAKEN = 0.5  # s before a lift is seen that a hand may have taken the leg, and begun softly
 MINOR = 0.2  # of the farthest movement, below which one is a twitch or the last of a swing
 ABOVE = 0.3  # of its travel by which a drop or a cycle rises above where it began at most
-RINGING, SWINGS = 0.1, 2  # of its travel that a swing goes, and how many of them no hand makes
+SWINGS = 2  # that no hand makes

@@ -7,9 +7,9 @@ import numpy as np
 from exoid.recording.condition import classify, cut
 from exoid.recording.motion.extent import moving
 from exoid.recording.motion.hand import smoothed
-from exoid.recording.motion.limits import ABOVE, CLEAR, MINOR, RINGING, SWINGS, TRAVEL
+from exoid.recording.motion.limits import ABOVE, CLEAR, MINOR, SWINGS, TRAVEL
 from exoid.recording.motion.signal import signal_of, speed_of
-from exoid.recording.motion.turning import reversals
+from exoid.recording.motion.turning import RINGING, reversals
 from exoid.recording.recording import Kind, Samples, Segment, Sensors
 
 

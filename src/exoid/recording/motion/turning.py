@@ -2,6 +2,8 @@
 
 from exoid.recording.recording import Samples
 
+RINGING = 0.1  # of its travel: the least that a swing goes
+
 
 def reversals(angle: Samples, least: float) -> list[int]:
     """Where a sequence turns around by at least `least`: the extremes between such turns."""

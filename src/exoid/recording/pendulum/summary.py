@@ -4,7 +4,7 @@ pandas.
 
 from typing import Any
 
-from exoid.recording.formats.sheets import require
+from exoid.recording.extras import require
 from exoid.recording.pendulum.catalogue import MEASURES
 from exoid.recording.summary import html_table
 

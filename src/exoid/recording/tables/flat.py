@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from exoid.recording.formats.sheets import require
+from exoid.recording.extras import require
 from exoid.recording.recording import Recording
 from exoid.recording.tables.columns import CHANNELS, SEGMENT
 
