@@ -11,8 +11,8 @@ import argparse
 import numpy as np
 from benchmarks.people import ANGLE_NOISE, KINDS, VELOCITY_NOISE, Person, drop, person
 
-from exoid.fit.estimate import fit
-from exoid.recording.recording import Protocol, Recording, Segment, Sensors, Subject
+from exoid.fitting.estimate import fit
+from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
 
 NAMES = ("mass", "com_distance", "inertia", "damping", "stiffness")
 INTERVAL = 1.96  # standard errors
@@ -77,7 +77,7 @@ def main() -> None:
 if __name__ == "__main__":
     import jax
 
-    from exoid.fit.program import keep_programs_in
+    from exoid.fitting.solve.program_cache import keep_programs_in
 
     jax.config.update("jax_enable_x64", True)
     keep_programs_in()

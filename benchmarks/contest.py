@@ -28,8 +28,8 @@ class Contestant:
 
 def exoid_contestant(problem: Problem, table: Path) -> Contestant:
     """exoid's `fit` of the recording that it reads from `table`."""
-    from exoid.fit.estimate import fit
-    from exoid.recording.load import load
+    from exoid.fitting.estimate import fit
+    from exoid.recordings.loading.load import load
 
     write(problem, table)
     recording = load(table).recording

@@ -12,13 +12,13 @@ from pathlib import Path
 import can
 import numpy as np
 
-from exoid.recording.blf import read_blf
-from exoid.recording.can_decode import MessagePlan
-from exoid.recording.can_exo import read_exo
-from exoid.recording.can_log import read_can_log
-from exoid.recording.dbc import exoid_messages
-from exoid.recording.device_clock import PERIOD
-from exoid.recording.load import load
+from exoid.recordings.can.blf import read_blf
+from exoid.recordings.can.dbc import exoid_messages
+from exoid.recordings.can.decode import MessagePlan
+from exoid.recordings.can.device_clock import PERIOD
+from exoid.recordings.can.node.log import read_exo
+from exoid.recordings.loading.can_log import read_can_log
+from exoid.recordings.loading.load import load
 
 EPOCH = 1_750_000_000.0  # s, of the host's clock
 FRAME = 270e-6  # s of one frame on the bus

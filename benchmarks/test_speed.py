@@ -9,14 +9,14 @@ import jax
 import numpy as np
 import pytest
 
-from exoid.diagnose.identifiability import identify
-from exoid.fit.estimate import fit
-from exoid.fit.kinds import explained
-from exoid.fit.problem import around
-from exoid.fit.profile import profiles
-from exoid.recording.dbc import exoid_messages
-from exoid.recording.kalman import filter
-from exoid.recording.load import load
+from exoid.fitting.errors.profile import profiles
+from exoid.fitting.estimate import fit
+from exoid.fitting.multistart.weight_by_kind import explained
+from exoid.fitting.solve.problem import around
+from exoid.recordings.can.dbc import exoid_messages
+from exoid.recordings.filter.kalman import filter
+from exoid.recordings.loading.load import load
+from exoid.trust.identifiability import identify
 from problem import TIME_STEP, cycle, starts, ten_segments, write
 
 FRAMES = 1_000_000

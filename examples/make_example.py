@@ -24,8 +24,8 @@ import numpy as np
 import exoid
 from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.torque import NoTorque
-from exoid.recording.recording import Protocol, Recording, Subject
-from exoid.recording.sidecar import read_sidecar, write_sidecar
+from exoid.recordings.recording import Protocol, Recording, Subject
+from exoid.recordings.sidecar import read_sidecar, write_sidecar
 from exoid.twin.motion import Movement
 from exoid.twin.protocols import session
 

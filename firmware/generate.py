@@ -15,9 +15,9 @@ import numpy as np
 from cantools.database import load_file
 from cantools.database.can import Database, Message, Signal
 
-from exoid.recording.config_crc import config_crc
-from exoid.recording.dbc import EXOID_DBC
-from exoid.recording.kalman import MEASUREMENT_NOISE, PROCESS_NOISE, START_VARIANCE
+from exoid.recordings.can.dbc import EXOID_DBC
+from exoid.recordings.can.node.config_crc import config_crc
+from exoid.recordings.filter.kalman import MEASUREMENT_NOISE, PROCESS_NOISE, START_VARIANCE
 
 SOURCES = Path(__file__).parent / "exoid_node" / "src"
 WIDEST_VALUE = 16  # bits of a quantised value; float32 holds its limits and a half exactly

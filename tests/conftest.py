@@ -23,8 +23,11 @@ from jaxtyping import install_import_hook
 
 jax.config.update("jax_enable_x64", True)
 # Works only before the first import of exoid. Typer gives commands what it does not declare.
-FLOORS = [f"exoid.{name}" for name in ("recording", "physics", "fit", "twin", "diagnose", "report")]
-install_import_hook(FLOORS, "beartype.beartype")
+ROOMS = (
+    *("files", "recordings", "physics", "pendulum", "fitting", "twin"),
+    *("trust", "mismatch", "planning", "report"),
+)
+install_import_hook([f"exoid.{room}" for room in ROOMS], "beartype.beartype")
 
 # Tracing makes millions of objects that stay: looking for garbage among them takes a tenth of it.
 gc.set_threshold(100_000, 20, 100)
@@ -66,7 +69,7 @@ def programs(common):
 @pytest.fixture(scope="session", autouse=True)
 def _keeping(programs):
     """What the tests of this process compile is kept as the commands keep it, and nowhere else."""
-    from exoid.fit.program import keep_programs_in
+    from exoid.fitting.solve.program_cache import keep_programs_in
 
     os.environ["XDG_CACHE_HOME"] = str(programs)
     keep_programs_in(programs / "exoid" / "programs")

@@ -7,12 +7,12 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from exoid.fit.coordinates import Coordinates, Mounting, Own, Shared
+from exoid.fitting.model.coordinates import Coordinates, Mounting, Own, Shared
 from exoid.physics.leg import GRAVITY, LegModel, LegParameters
-from exoid.physics.simulate import simulate
+from exoid.physics.motion.simulate import simulate
 from exoid.physics.state import LegState
 from exoid.physics.torque import CycleTorque, NoTorque
-from exoid.recording.recording import Protocol, Recording, Segment, Sensors, Subject
+from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
 from exoid.twin.motion import Movement
 from exoid.twin.protocols import record
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from exoid.recording.recording import Protocol, Recording, Segment, Sensors, Subject
+from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
 
 
 @dataclass(frozen=True)

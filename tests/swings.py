@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from exoid.recording.recording import Protocol, Recording, Segment, Sensors
+from exoid.recordings.recording import Protocol, Recording, Segment, Sensors
 
 HOLD = 1.0  # s held still before the release
 NOISE = 0.0009  # rad, of an AS5600 with its steps

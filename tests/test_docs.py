@@ -18,8 +18,8 @@ import pytest
 from typer.main import get_command
 
 from exoid.cli.app import app
-from exoid.recording.recording import Protocol, Segment, Sensors, Subject, known
-from exoid.recording.sidecar import read_sidecar
+from exoid.recordings.recording import Protocol, Segment, Sensors, Subject, known
+from exoid.recordings.sidecar import read_sidecar
 
 COMMANDS = get_command(app).commands  # type: ignore[attr-defined]
 DOCS = Path(__file__).parents[1] / "docs"

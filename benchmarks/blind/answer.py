@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from exoid.diagnose.diagnosis import Diagnosis
-from exoid.recording.recording import Recording
+from exoid.mismatch.answer.diagnosis import Diagnosis
+from exoid.recordings.recording import Recording
 
 from .hidden import explained
 
@@ -73,14 +73,14 @@ def ask(
 
 
 def diagnosed(name: str, recording: Recording, seed: int) -> Diagnosis:
-    from exoid.diagnose.missing_physics import diagnose
+    from exoid.mismatch.missing_physics import diagnose
 
     return diagnose([(name, recording)], seed=seed)
 
 
 def document(found: Diagnosis, seed: int) -> Mapping[str, Any]:
     import exoid
-    from exoid.report.diagnosis_json import diagnosis_document
+    from exoid.report.document.diagnosis_json import diagnosis_document
 
     version = getattr(exoid, "__version__", "unknown")
     return diagnosis_document(found, version=version, recordings=[], settings={"seed": seed})

@@ -12,7 +12,7 @@ import jax
 import numpy as np
 from scipy.optimize import brentq
 
-from exoid.recording.recording import Recording, Segment
+from exoid.recordings.recording import Recording, Segment
 
 from .deck import Card
 from .effects import Effect, draw_effect

@@ -5,7 +5,7 @@ from multiprocessing import get_context
 
 import jax
 
-from exoid.fit.program import keep_programs_in
+from exoid.fitting.solve.program_cache import keep_programs_in
 
 from .answer import Answer, ask
 from .deck import Card

@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
-from exoid.report.plot_style import TEXT
+from exoid.report.plots.style import TEXT
 
 from .answer import Answer
 from .score import Answers, Score

@@ -7,9 +7,9 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from exoid.diagnose.bench import Bench
-from exoid.diagnose.diagnosis import Diagnosis
-from exoid.diagnose.effect import named
+from exoid.mismatch.answer.diagnosis import Diagnosis
+from exoid.mismatch.screen.effect import named
+from exoid.mismatch.screen.screened_recording import Bench
 from exoid.physics.leg import Ratios
 from exoid.physics.moment import Cycle, Moment, Place
 from exoid.physics.term import Term

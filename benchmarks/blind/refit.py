@@ -11,7 +11,7 @@ import numpy as np
 from jaxtyping import Array, Float
 
 from exoid.physics.leg import GRAVITY, LegModel, LegParameters
-from exoid.physics.simulate import simulate
+from exoid.physics.motion.simulate import simulate
 from exoid.physics.state import LegState
 from exoid.physics.torque import CycleTorque
 

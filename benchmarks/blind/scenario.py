@@ -9,7 +9,7 @@ import numpy as np
 from exoid.physics.anatomy import Expected, expected_leg, reach
 from exoid.physics.leg import GRAVITY, LegParameters
 from exoid.physics.parameter import declarations
-from exoid.recording.recording import Protocol, Sensors, Subject
+from exoid.recordings.recording import Protocol, Sensors, Subject
 from exoid.twin.motion import Movement, Reading
 from exoid.twin.sensors import Encoder, Gyroscope, SensorKit
 

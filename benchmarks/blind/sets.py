@@ -7,8 +7,8 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from exoid.recording.load import load
-from exoid.recording.recording import Recording
+from exoid.recordings.loading.load import load
+from exoid.recordings.recording import Recording
 
 from .cases import draw_case, name_of_case
 from .deck import Card

@@ -3,13 +3,13 @@
 from dataclasses import replace
 from pathlib import Path
 
-from exoid.recording.condition import cut
-from exoid.recording.load import load
-from exoid.recording.motion.drops import find_drops
-from exoid.recording.motion.extent import Extent
-from exoid.recording.motion.pieces import find_pieces
-from exoid.recording.motion.split import kept_parts
-from exoid.recording.recording import Recording
+from exoid.recordings.loading.load import load
+from exoid.recordings.motion.drops import find_drops
+from exoid.recordings.motion.extent import Extent
+from exoid.recordings.motion.pieces import find_pieces
+from exoid.recordings.motion.split import kept_parts
+from exoid.recordings.recording import Recording
+from exoid.recordings.signal.condition import cut
 
 Interval = tuple[float, float]  # s
 

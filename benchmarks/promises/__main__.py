@@ -9,7 +9,7 @@ import argparse
 import jax
 import numpy as np
 
-from exoid.fit.program import keep_programs_in
+from exoid.fitting.solve.program_cache import keep_programs_in
 
 from .situations import SITUATIONS
 from .trial import Trial, tried

@@ -6,12 +6,12 @@ import numpy as np
 from benchmarks.pendulum import GRAVITY, Leg
 from benchmarks.sbc.prior_draws import draw
 
-from exoid.diagnose.candidate import Candidate
-from exoid.diagnose.plan import Plan, plan
-from exoid.fit.belief import Belief, believe
-from exoid.fit.constraint import violations
-from exoid.fit.estimate import fit
-from exoid.recording.recording import Recording, Subject
+from exoid.fitting.estimate import fit
+from exoid.fitting.model.constraint import violations
+from exoid.fitting.model.prior_and_limits import Belief, believe
+from exoid.planning.candidate_recordings import Candidate
+from exoid.planning.plan import Plan, plan
+from exoid.recordings.recording import Recording, Subject
 
 from .situations import Situation
 from .world import Act, recorded

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from benchmarks.pendulum import Leg, still, swing
 
-from exoid.recording.recording import Protocol, Recording, Segment, Sensors, Subject
+from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
 
 RATE = 100.0  # Hz
 

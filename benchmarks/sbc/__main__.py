@@ -8,7 +8,7 @@ import argparse
 
 import jax
 
-from exoid.fit.program import keep_programs_in
+from exoid.fitting.solve.program_cache import keep_programs_in
 
 from .ranks import Ranks, ranked
 

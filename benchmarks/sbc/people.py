@@ -5,10 +5,10 @@ from benchmarks.pendulum import Leg
 from benchmarks.promises.world import CAMERA, Act, recorded
 from benchmarks.sbc.prior_draws import draw
 
-from exoid.fit.belief import Belief, believe
-from exoid.fit.constraint import violations
+from exoid.fitting.model.constraint import violations
+from exoid.fitting.model.prior_and_limits import Belief, believe
 from exoid.physics.leg import LegParameters
-from exoid.recording.recording import Recording, Subject
+from exoid.recordings.recording import Recording, Subject
 
 SUBJECT = Subject(kind="leg", body_mass=74.0, height=1.78)
 LASTS = 2.0  # s

@@ -7,10 +7,10 @@ import jax
 import numpy as np
 from scipy.stats import chi2
 
-from exoid.fit.estimate import fit
-from exoid.fit.posterior import sample
+from exoid.fitting.errors.posterior import sample
+from exoid.fitting.estimate import fit
 from exoid.physics.leg import GRAVITY, LegParameters
-from exoid.recording.motion.extent import Motionless
+from exoid.recordings.motion.extent import Motionless
 
 from .people import dropped, person
 

@@ -8,82 +8,83 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from exoid.diagnose.diagnosis import Diagnosis
-    from exoid.diagnose.identifiability import Identifiability, identify
-    from exoid.diagnose.missing_physics import diagnose as diagnose_leg
-    from exoid.diagnose.plan import Plan, plan
-    from exoid.fit.each import fit_each
-    from exoid.fit.estimate import fit as fit_leg
-    from exoid.fit.posterior import Posterior, sample
-    from exoid.fit.profile import Profile, profiles
-    from exoid.fit.program import keep_programs_in
-    from exoid.fit.result import FitResult
+    from exoid.fitting.each_segment import fit_each
+    from exoid.fitting.errors.posterior import Posterior, sample
+    from exoid.fitting.errors.profile import Profile, profiles
+    from exoid.fitting.estimate import fit as fit_leg
+    from exoid.fitting.result.fit_result import FitResult
+    from exoid.fitting.solve.program_cache import keep_programs_in
+    from exoid.mismatch.answer.diagnosis import Diagnosis
+    from exoid.mismatch.missing_physics import diagnose as diagnose_leg
+    from exoid.pendulum.drops import PendulumTest, measure_drops
     from exoid.physics.anatomy import expected_leg
     from exoid.physics.leg import LegModel, LegParameters
     from exoid.physics.moment import Moment
+    from exoid.physics.motion.simulate import Trajectory, simulate
     from exoid.physics.parameter import parameter
-    from exoid.physics.simulate import Trajectory, simulate
     from exoid.physics.state import LegState
     from exoid.physics.term import PhysicsTerm, SensorTerm, reading
     from exoid.physics.torque import CycleTorque, MeasuredTorque, NoTorque
-    from exoid.recording.frame import recording_of as recording
-    from exoid.recording.load import load
-    from exoid.recording.pendulum.drops import PendulumTest, measure_drops
-    from exoid.recording.recording import Protocol, Recording, Segment, Sensors, Subject
-    from exoid.recording.table import write_table
-    from exoid.report.load_result import load_result
-    from exoid.report.plot_diagnosis import plot_diagnosis
-    from exoid.report.plot_drops import plot_drops
-    from exoid.report.plots import plot_fit
-    from exoid.report.save_result import save_result
-    from exoid.report.saved_result import SavedResult
+    from exoid.planning.plan import Plan, plan
+    from exoid.recordings.formats.own_table import write_table
+    from exoid.recordings.loading.from_memory import recording_of as recording
+    from exoid.recordings.loading.load import load
+    from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
+    from exoid.report.plots.diagnosis import plot_diagnosis
+    from exoid.report.plots.drops import plot_drops
+    from exoid.report.plots.fit import plot_fit
+    from exoid.report.saved.load_result import load_result
+    from exoid.report.saved.save_result import save_result
+    from exoid.report.saved.saved_result import SavedResult
+    from exoid.trust.identifiability import Identifiability, identify
 
     __version__: str
 
 _HOMES = {
-    "Diagnosis": ("exoid.diagnose.diagnosis", "Diagnosis"),
-    "diagnose_leg": ("exoid.diagnose.missing_physics", "diagnose"),
+    "Diagnosis": ("exoid.mismatch.answer.diagnosis", "Diagnosis"),
+    "diagnose_leg": ("exoid.mismatch.missing_physics", "diagnose"),
     "Moment": ("exoid.physics.moment", "Moment"),
     "parameter": ("exoid.physics.parameter", "parameter"),
     "PhysicsTerm": ("exoid.physics.term", "PhysicsTerm"),
     "SensorTerm": ("exoid.physics.term", "SensorTerm"),
     "reading": ("exoid.physics.term", "reading"),
-    "plot_diagnosis": ("exoid.report.plot_diagnosis", "plot_diagnosis"),
-    "Identifiability": ("exoid.diagnose.identifiability", "Identifiability"),
-    "identify": ("exoid.diagnose.identifiability", "identify"),
-    "Plan": ("exoid.diagnose.plan", "Plan"),
-    "plan": ("exoid.diagnose.plan", "plan"),
-    "fit_each": ("exoid.fit.each", "fit_each"),
-    "fit_leg": ("exoid.fit.estimate", "fit"),
-    "FitResult": ("exoid.fit.result", "FitResult"),
-    "Posterior": ("exoid.fit.posterior", "Posterior"),
-    "sample": ("exoid.fit.posterior", "sample"),
-    "Profile": ("exoid.fit.profile", "Profile"),
-    "profiles": ("exoid.fit.profile", "profiles"),
-    "keep_programs_in": ("exoid.fit.program", "keep_programs_in"),
+    "plot_diagnosis": ("exoid.report.plots.diagnosis", "plot_diagnosis"),
+    "Identifiability": ("exoid.trust.identifiability", "Identifiability"),
+    "identify": ("exoid.trust.identifiability", "identify"),
+    "Plan": ("exoid.planning.plan", "Plan"),
+    "plan": ("exoid.planning.plan", "plan"),
+    "fit_each": ("exoid.fitting.each_segment", "fit_each"),
+    "fit_leg": ("exoid.fitting.estimate", "fit"),
+    "FitResult": ("exoid.fitting.result.fit_result", "FitResult"),
+    "Posterior": ("exoid.fitting.errors.posterior", "Posterior"),
+    "sample": ("exoid.fitting.errors.posterior", "sample"),
+    "Profile": ("exoid.fitting.errors.profile", "Profile"),
+    "profiles": ("exoid.fitting.errors.profile", "profiles"),
+    "keep_programs_in": ("exoid.fitting.solve.program_cache", "keep_programs_in"),
     "expected_leg": ("exoid.physics.anatomy", "expected_leg"),
     "LegModel": ("exoid.physics.leg", "LegModel"),
     "LegParameters": ("exoid.physics.leg", "LegParameters"),
-    "Trajectory": ("exoid.physics.simulate", "Trajectory"),
-    "simulate": ("exoid.physics.simulate", "simulate"),
+    "Trajectory": ("exoid.physics.motion.simulate", "Trajectory"),
+    "simulate": ("exoid.physics.motion.simulate", "simulate"),
     "LegState": ("exoid.physics.state", "LegState"),
     "CycleTorque": ("exoid.physics.torque", "CycleTorque"),
     "MeasuredTorque": ("exoid.physics.torque", "MeasuredTorque"),
     "NoTorque": ("exoid.physics.torque", "NoTorque"),
-    "load": ("exoid.recording.load", "load"),
-    "Protocol": ("exoid.recording.recording", "Protocol"),
-    "Recording": ("exoid.recording.recording", "Recording"),
-    "Segment": ("exoid.recording.recording", "Segment"),
-    "Sensors": ("exoid.recording.recording", "Sensors"),
-    "Subject": ("exoid.recording.recording", "Subject"),
-    "write_table": ("exoid.recording.table", "write_table"),
-    "plot_fit": ("exoid.report.plots", "plot_fit"),
-    "PendulumTest": ("exoid.recording.pendulum.drops", "PendulumTest"),
-    "measure_drops": ("exoid.recording.pendulum.drops", "measure_drops"),
-    "plot_drops": ("exoid.report.plot_drops", "plot_drops"),
-    "SavedResult": ("exoid.report.saved_result", "SavedResult"),
-    "save_result": ("exoid.report.save_result", "save_result"),
-    "load_result": ("exoid.report.load_result", "load_result"),
+    "recording": ("exoid.recordings.loading.from_memory", "recording_of"),
+    "load": ("exoid.recordings.loading.load", "load"),
+    "Protocol": ("exoid.recordings.recording", "Protocol"),
+    "Recording": ("exoid.recordings.recording", "Recording"),
+    "Segment": ("exoid.recordings.recording", "Segment"),
+    "Sensors": ("exoid.recordings.recording", "Sensors"),
+    "Subject": ("exoid.recordings.recording", "Subject"),
+    "write_table": ("exoid.recordings.formats.own_table", "write_table"),
+    "plot_fit": ("exoid.report.plots.fit", "plot_fit"),
+    "PendulumTest": ("exoid.pendulum.drops", "PendulumTest"),
+    "measure_drops": ("exoid.pendulum.drops", "measure_drops"),
+    "plot_drops": ("exoid.report.plots.drops", "plot_drops"),
+    "SavedResult": ("exoid.report.saved.saved_result", "SavedResult"),
+    "save_result": ("exoid.report.saved.save_result", "save_result"),
+    "load_result": ("exoid.report.saved.load_result", "load_result"),
 }
 
 __all__ = [
@@ -137,8 +138,6 @@ __all__ = [
 def __getattr__(name: str) -> Any:
     if name == "__version__":
         return import_module("importlib.metadata").version("exoid")
-    if name == "recording":  # a folder that can be called
-        return import_module("exoid.recording")
     if name not in _HOMES:
         raise AttributeError(f"module 'exoid' has no attribute {name!r}")
     module, attribute = _HOMES[name]

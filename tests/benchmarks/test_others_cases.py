@@ -17,8 +17,8 @@ from benchmarks.others.write import make
 from scipy.integrate import solve_ivp
 
 import exoid
-from exoid.recording import kalman
-from exoid.recording.clean import clean
+from exoid.recordings.filter import kalman
+from exoid.recordings.signal.clean import clean
 
 SEED, DRAWN = 7, 300
 CASES = [draw_case(SEED, number) for number in range(DRAWN)]

@@ -4,8 +4,8 @@ import pytest
 from command_line import Command
 from sessions import DROP, TWO_DROPS, session, write_log
 
-from exoid.recording.motion.split import split
-from exoid.recording.table import write_table
+from exoid.recordings.formats.own_table import write_table
+from exoid.recordings.motion.split import split
 
 
 @pytest.fixture(scope="session")

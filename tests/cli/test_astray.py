@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from exoid.recording.table import write_table
+from exoid.recordings.formats.own_table import write_table
 from legs import drop, recording
 
 FIRST = "This fit does not follow its recording"

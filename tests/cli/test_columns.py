@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from command_line import refusal
 
-from exoid.recording.load import load
+from exoid.recordings.loading.load import load
 
 TIME = np.arange(300) * 0.01
 ANGLE = -90 + 70 * np.exp(-TIME) * np.cos(5 * TIME)  # deg, of a leg let go

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 from command_line import refusal
 
-from exoid.recording.recording import Protocol, Recording, Segment, Sensors, Subject
-from exoid.recording.table import write_table
+from exoid.recordings.formats.own_table import write_table
+from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
 
 TERMS = '''
 from typing import Any, ClassVar

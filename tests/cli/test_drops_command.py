@@ -5,7 +5,7 @@ import json
 import pytest
 from command_line import refusal
 
-from exoid.recording.table import write_table
+from exoid.recordings.formats.own_table import write_table
 from swings import NOISE, Oscillator, drop
 
 

@@ -10,16 +10,16 @@ import numpy as np
 import pytest
 from command_line import refusal
 
-from exoid.cli.choices import Flip, Zero
-from exoid.cli.convert import convert
-from exoid.cli.diagnose import diagnose
-from exoid.cli.drops import drops
-from exoid.cli.fit import fit
-from exoid.cli.plan import plan
-from exoid.cli.report import report
-from exoid.recording.load import load
-from exoid.recording.recording import Segment, Subject
-from exoid.recording.table import write_table
+from exoid.cli.commands.convert import convert
+from exoid.cli.commands.diagnose import diagnose
+from exoid.cli.commands.drops import drops
+from exoid.cli.commands.fit import fit
+from exoid.cli.commands.plan import plan
+from exoid.cli.commands.report import report
+from exoid.cli.inputs.choices import Flip, Zero
+from exoid.recordings.formats.own_table import write_table
+from exoid.recordings.loading.load import load
+from exoid.recordings.recording import Segment, Subject
 from legs import CHILD, drop, recording
 
 RIGHT = drop(duration=4.0)

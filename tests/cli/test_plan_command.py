@@ -8,8 +8,8 @@ import pytest
 from command_line import refusal
 from sessions import DROP, LEG, SUBJECT, session
 
-from exoid.recording.motion.split import split
-from exoid.recording.table import write_table
+from exoid.recordings.formats.own_table import write_table
+from exoid.recordings.motion.split import split
 from exoid.twin.motion import Movement
 
 LOADED = replace(DROP, added_mass=1.0, added_mass_distance=0.4)

@@ -17,9 +17,9 @@ import pytest
 from command_line import HEEDING, LIMIT, SCRIPT
 from sessions import EPOCH, RATIOS, TWO_DROPS, session
 
-from exoid.recording.can_log import read_can_log
-from exoid.recording.can_readers import read_log
-from exoid.recording.config_crc import config_crc
+from exoid.recordings.can.log_files import read_log
+from exoid.recordings.can.node.config_crc import config_crc
+from exoid.recordings.loading.can_log import read_can_log
 from live_node import Cable
 from node_frames import frames
 

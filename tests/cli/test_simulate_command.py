@@ -3,7 +3,7 @@
 import pytest
 from command_line import refusal
 
-from exoid.recording.table import read_table
+from exoid.recordings.formats.own_table import read_table
 
 LIKELY = 4.5  # standard errors within which the truth lies, but for one draw in 100 000
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 
-from exoid.recording.kalman import MEASUREMENT_NOISE, PROCESS_NOISE, START_VARIANCE
+from exoid.recordings.filter.kalman import MEASUREMENT_NOISE, PROCESS_NOISE, START_VARIANCE
 
 F = np.float32
 Q, R, P = ([F(v) for v in values] for values in (PROCESS_NOISE, MEASUREMENT_NOISE, START_VARIANCE))

@@ -14,7 +14,7 @@ from emulated_node import emulated_node, samples_of
 
 from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.torque import NoTorque
-from exoid.recording.can_log import read_can_log
+from exoid.recordings.loading.can_log import read_can_log
 from exoid.twin.motion import Movement
 from exoid.twin.protocols import session
 

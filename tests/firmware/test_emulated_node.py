@@ -16,11 +16,11 @@ from emulated_node import (
 from float32_node import ENCODER_STEP, GYRO_STEP, TURN, ZERO_COUNT, Readings
 from motions import measured
 
-from exoid.recording.can_decode import raw_values
-from exoid.recording.config_crc import config_crc
-from exoid.recording.dbc import exoid_messages
-from exoid.recording.exo_samples import STATUS
-from exoid.recording.recording import Segment
+from exoid.recordings.can.dbc import exoid_messages
+from exoid.recordings.can.decode import raw_values
+from exoid.recordings.can.node.config_crc import config_crc
+from exoid.recordings.can.node.samples import STATUS
+from exoid.recordings.recording import Segment
 
 FRAMES = 310  # of one second
 FAULTY = {20: ENCODER_SILENT, 21: MAGNET_MISSING, 30: IMU_SILENT, 40: IMU_RESET}  # by sample

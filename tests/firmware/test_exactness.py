@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from motions import measured, with_losses
 
-from exoid.recording import kalman
+from exoid.recordings.filter import kalman
 
 SAMPLES = 60_000
 WILD = 2_000  # samples of any magnitude at the end: sums that cancel, subnormal products

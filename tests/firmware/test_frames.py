@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 from firmware_tools import FIRMWARE
 
-from exoid.recording import config_crc as crc_module
-from exoid.recording.config_crc import config_crc
-from exoid.recording.dbc import EXOID_DBC
+from exoid.recordings.can.dbc import EXOID_DBC
+from exoid.recordings.can.node import config_crc as crc_module
+from exoid.recordings.can.node.config_crc import config_crc
 
 RECORDS = 20_000  # of each message
 WORDS = 16

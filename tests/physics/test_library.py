@@ -2,7 +2,7 @@
 
 from dataclasses import fields
 from importlib import import_module
-from pkgutil import iter_modules
+from pkgutil import walk_packages
 from types import ModuleType
 
 import pytest
@@ -15,7 +15,8 @@ KINDS = {"exoid.physics.terms": PhysicsTerm, "exoid.physics.sensing": SensorTerm
 MODULES = [
     (package, each.name)
     for package in KINDS
-    for each in iter_modules(import_module(package).__path__)
+    for each in walk_packages(import_module(package).__path__, f"{package}.")
+    if not each.ispkg
 ]
 NAMES = {
     "coulomb_friction",
@@ -53,13 +54,13 @@ every_term = pytest.mark.parametrize("term", library(), ids=name_of)
 
 @modules
 def test_a_module_defines_one_term_which_has_the_modules_name(package, module):
-    (term,) = terms_of(import_module(f"{package}.{module}"))
-    assert name_of(term) == module
+    (term,) = terms_of(import_module(module))
+    assert name_of(term) == module.rpartition(".")[2]
 
 
 @modules
 def test_the_terms_push_and_the_sensing_only_shows(package, module):
-    (term,) = terms_of(import_module(f"{package}.{module}"))
+    (term,) = terms_of(import_module(module))
     assert issubclass(term, KINDS[package])
 
 

@@ -16,8 +16,8 @@ from scipy.optimize import brentq
 from scipy.special import ellipk
 
 from exoid.physics.leg import GRAVITY, LegModel, LegParameters, energy
+from exoid.physics.motion.simulate import simulate
 from exoid.physics.parameter import declarations
-from exoid.physics.simulate import simulate
 from exoid.physics.state import LegState
 from exoid.physics.torque import CycleTorque, MeasuredTorque, NoTorque, TorqueSum
 

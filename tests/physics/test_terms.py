@@ -14,14 +14,14 @@ from jaxtyping import TypeCheckError
 from scipy.integrate import trapezoid
 from scipy.optimize import brentq
 
-from exoid.physics.extended import at_rest, delayed, extended_step, missing
 from exoid.physics.leg import GRAVITY, LegModel, LegParameters
 from exoid.physics.library import library, name_of
 from exoid.physics.moment import Cycle, Moment, Place
+from exoid.physics.motion.simulate import simulate
+from exoid.physics.motion.step import Drive
+from exoid.physics.motion.with_terms import at_rest, delayed, extended_step, missing
 from exoid.physics.parameter import declarations
-from exoid.physics.simulate import simulate
 from exoid.physics.state import LegState
-from exoid.physics.step import Drive
 from exoid.physics.term import SensorTerm, Term
 from exoid.physics.torque import CycleTorque, NoTorque
 

@@ -5,10 +5,17 @@ from dataclasses import replace
 import numpy as np
 from test_fit_json import fitted
 
-from exoid.diagnose.consistency import SensorError
-from exoid.diagnose.diagnosis import Booked, Diagnosis, Finding, NovelTorque, Parameter, Tested
-from exoid.diagnose.locate import Location, Missing, Region
-from exoid.diagnose.proof import Prediction, Proof
+from exoid.mismatch.answer.diagnosis import (
+    Booked,
+    Diagnosis,
+    Finding,
+    NovelTorque,
+    Parameter,
+    Tested,
+)
+from exoid.mismatch.evidence.locate import Location, Missing, Region
+from exoid.mismatch.evidence.proof import Prediction, Proof
+from exoid.mismatch.sensors.consistency import SensorError
 
 ODD = 0.1 + 0.2
 TIME = np.linspace(0.0, 2.0, 201)

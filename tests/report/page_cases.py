@@ -9,18 +9,18 @@ import numpy as np
 import pytest
 from test_fit_json import fitted
 
-from exoid.diagnose import prepare
-from exoid.diagnose.identifiability import identify
-from exoid.diagnose.missing_physics import diagnose
-from exoid.diagnose.plan import plan
-from exoid.fit.estimate import fit
+from exoid.fitting.estimate import fit
+from exoid.mismatch import prepare
+from exoid.mismatch.missing_physics import diagnose
 from exoid.physics.leg import LegModel
-from exoid.physics.terms.coulomb_friction import CoulombFriction
+from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.physics.torque import NoTorque
-from exoid.recording.can_quality import FrameCounts, LogQuality
-from exoid.recording.load import load
-from exoid.recording.recording import Protocol, Recording, Segment, Sensors, Subject
-from exoid.report.case import Case, Origin, Source
+from exoid.planning.plan import plan
+from exoid.recordings.can.quality import FrameCounts, LogQuality
+from exoid.recordings.loading.load import load
+from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
+from exoid.report.parts.case import Case, Origin, Source
+from exoid.trust.identifiability import identify
 from exoid.twin.motion import Movement
 from exoid.twin.protocols import record
 from fit_cases import BODY, leg

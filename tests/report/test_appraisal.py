@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from exoid.recording.recording import Segment, Sensors
-from exoid.report.appraisal import appraise
+from exoid.recordings.recording import Segment, Sensors
+from exoid.report.parts.appraisal import appraise
 
 TIME = np.arange(101) / 100
 

@@ -4,8 +4,8 @@ from dataclasses import replace
 
 from diagnosis_by_hand import found
 
-from exoid.diagnose.diagnosis import Finding, Parameter
-from exoid.report.diagnosis_words import headline, parameter, sentences
+from exoid.mismatch.answer.diagnosis import Finding, Parameter
+from exoid.report.words.diagnosis import headline, parameter, sentences
 
 
 def test_a_parameter_without_an_error_is_no_measurement():

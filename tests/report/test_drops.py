@@ -8,13 +8,13 @@ import pytest
 from matplotlib.colors import to_rgb
 from rich.console import Console
 
-from exoid.recording.pendulum.drops import measure_drops
-from exoid.recording.recording import Protocol, Recording, Subject
-from exoid.report.drops_json import drops_document
-from exoid.report.drops_table import print_drops
-from exoid.report.plot_drops import plot_drops
-from exoid.report.plots import save_figure
-from exoid.report.typeset import mathtext
+from exoid.pendulum.drops import measure_drops
+from exoid.recordings.recording import Protocol, Recording, Subject
+from exoid.report.document.drops_json import drops_document
+from exoid.report.plots.drops import plot_drops
+from exoid.report.plots.fit import save_figure
+from exoid.report.tables.drops import print_drops
+from exoid.report.words.typeset import mathtext
 from swings import NOISE, Oscillator, drop, recorded
 
 

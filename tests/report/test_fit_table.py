@@ -12,8 +12,15 @@ from hypothesis import strategies as st
 from rich.console import Console
 from test_fit_json import fitted
 
-from exoid.report.fit_table import print_fit
-from exoid.report.text import MOST_DIGITS, counted, exponent, in_degrees, shortened, with_error
+from exoid.report.tables.fit import print_fit
+from exoid.report.words.text import (
+    MOST_DIGITS,
+    counted,
+    exponent,
+    in_degrees,
+    shortened,
+    with_error,
+)
 
 
 def printed(result, width=80):

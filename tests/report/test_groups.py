@@ -8,7 +8,7 @@ import pytest
 from jaxtyping import Bool, Float
 from test_saved_result import ODD, check_same
 
-from exoid.report.groups import from_groups, to_groups
+from exoid.report.saved.groups import from_groups, to_groups
 
 
 @dataclass(frozen=True)

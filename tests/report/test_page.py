@@ -13,19 +13,19 @@ from html_tree import parse, rows
 from page_cases import made_up, of_friction, of_length, of_nothing
 from test_saved_result import check_same
 
-from exoid.fit.uncertainty import Shares
-from exoid.recording.pendulum.drops import measure_drops
-from exoid.report.case import Case
-from exoid.report.diagnosis_json import diagnosis_document
-from exoid.report.drops_table import value
+from exoid.fitting.misfit.uncertainty import Shares
+from exoid.pendulum.drops import measure_drops
+from exoid.report.document.diagnosis_json import diagnosis_document
+from exoid.report.document.fit_json import fit_document
 from exoid.report.figures.style import MOST
-from exoid.report.fit_json import fit_document
-from exoid.report.load_result import load_result
 from exoid.report.page import SECTIONS, build_page, write_page
-from exoid.report.save_result import save_result
+from exoid.report.parts.case import Case
+from exoid.report.saved.load_result import load_result
+from exoid.report.saved.save_result import save_result
 from exoid.report.sections.summary import LOST
-from exoid.report.text import in_degrees, with_error
-from exoid.report.tidy import tidy
+from exoid.report.tables.drops import value
+from exoid.report.words.keyboard_text import tidy
+from exoid.report.words.text import in_degrees, with_error
 
 LARGEST = 6_000_000  # bytes
 DIAGNOSED = ("parting", "physics", "proof")

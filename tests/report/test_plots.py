@@ -8,17 +8,17 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from exoid.fit.disturbance import Missed
-from exoid.fit.profile import Profile
-from exoid.fit.result import Estimate, FitResult, MultistartReport, SegmentFit
-from exoid.fit.sandwich import common
-from exoid.fit.uncertainty import HELD, Shares
-from exoid.report.plot_axis import readable, view
-from exoid.report.plot_motion import SHOWN, chosen_segments
-from exoid.report.plot_profiles import digits
-from exoid.report.plot_style import SHARE
-from exoid.report.plots import plot_fit, save_figure
-from exoid.report.typeset import mathtext
+from exoid.fitting.errors.profile import Profile
+from exoid.fitting.misfit.disturbance import Missed
+from exoid.fitting.misfit.information import common
+from exoid.fitting.misfit.uncertainty import HELD, Shares
+from exoid.fitting.result.fit_result import Estimate, FitResult, MultistartReport, SegmentFit
+from exoid.report.plots.axis import readable, view
+from exoid.report.plots.fit import plot_fit, save_figure
+from exoid.report.plots.motion import SHOWN, chosen_segments
+from exoid.report.plots.profiles import digits
+from exoid.report.plots.style import SHARE
+from exoid.report.words.typeset import mathtext
 
 SIGNATURES = {"pdf": b"%PDF-", "svg": b"<?xml", "png": b"\x89PNG"}
 DATA, PRIOR, BOTH = Shares(1.0, 0.0, 0.0), Shares(0.0, 1.0, 0.0), Shares(0.25, 0.65, 0.1)

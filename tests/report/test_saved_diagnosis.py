@@ -12,18 +12,18 @@ from rich.console import Console
 from test_fit_json import fitted
 from test_saved_result import SETTINGS, SOURCES, check_same, plainly
 
-from exoid.diagnose.candidate import candidates
-from exoid.diagnose.plan import Option, Plan
-from exoid.fit.profile import Profile
-from exoid.report.case import Case
-from exoid.report.comparison import compare
-from exoid.report.comparison_table import comparison_document, print_comparison
-from exoid.report.diagnosis_json import diagnosis_document
-from exoid.report.diagnosis_table import print_diagnosis
-from exoid.report.load_result import load_result
+from exoid.fitting.errors.profile import Profile
+from exoid.planning.candidate_recordings import candidates
+from exoid.planning.plan import Option, Plan
+from exoid.report.document.diagnosis_json import diagnosis_document
 from exoid.report.page import build_page
-from exoid.report.plot_diagnosis import plot_diagnosis
-from exoid.report.save_result import save_result
+from exoid.report.parts.case import Case
+from exoid.report.plots.diagnosis import plot_diagnosis
+from exoid.report.saved.load_result import load_result
+from exoid.report.saved.save_result import save_result
+from exoid.report.tables.compare import compare
+from exoid.report.tables.comparison import comparison_document, print_comparison
+from exoid.report.tables.diagnosis import print_diagnosis
 
 CASES = {"found": found, "nothing": nothing, "novel": novel, "doubtful": doubtful}
 

@@ -10,19 +10,19 @@ import pytest
 from rich.console import Console
 from test_fit_json import fitted
 
-from exoid.diagnose.directions import Direction
-from exoid.diagnose.identifiability import Identifiability
-from exoid.diagnose.reversal import Reversal
-from exoid.fit.disturbance import Missed
-from exoid.fit.result import Estimate, MountingFit
-from exoid.fit.sandwich import Disturbance
-from exoid.report.comparison import compare
-from exoid.report.comparison_table import comparison_document, print_comparison
-from exoid.report.estimate_table import from_table, to_table
-from exoid.report.fit_json import fit_document
-from exoid.report.fit_table import print_fit
-from exoid.report.load_result import load_result
-from exoid.report.save_result import save_result
+from exoid.fitting.misfit.disturbance import Missed
+from exoid.fitting.misfit.information import Disturbance
+from exoid.fitting.result.fit_result import Estimate, MountingFit
+from exoid.report.document.fit_json import fit_document
+from exoid.report.saved.estimate_arrays import from_table, to_table
+from exoid.report.saved.load_result import load_result
+from exoid.report.saved.save_result import save_result
+from exoid.report.tables.compare import compare
+from exoid.report.tables.comparison import comparison_document, print_comparison
+from exoid.report.tables.fit import print_fit
+from exoid.trust.directions import Direction
+from exoid.trust.identifiability import Identifiability
+from exoid.trust.reversal import Reversal
 
 SOURCES = [{"path": "é leg.csv", "sha256": "00ff" * 16, "segments": 2, "sidecar_sha256": None}]
 SETTINGS = {"lambda": 1.0, "seed": 7, "each": False, "torque_frequency": None, "signal": ["a=B.c"]}
@@ -198,7 +198,7 @@ def test_a_file_that_is_not_whole_is_refused_in_one_line(tmp_path, whole, damage
 
 
 def test_a_file_that_sends_its_library_round_for_ever_is_refused(shared, monkeypatch):
-    monkeypatch.setattr("exoid.recording.foreign.SECONDS", 5.0)
+    monkeypatch.setattr("exoid.files.foreign.SECONDS", 5.0)
     with pytest.raises(ValueError, match=r"hang_hdf5\.nc: this is no result .* not whole"):
         load_result(shared / "faults" / "hang_hdf5.nc")
 
@@ -210,7 +210,7 @@ def test_another_netcdf_file_and_another_layout_are_named(tmp_path, monkeypatch)
     xarray.Dataset({"x": ("t", np.arange(3.0))}).to_netcdf(other, engine="h5netcdf")
     with pytest.raises(ValueError, match=r"other\.nc: this netCDF file is no result"):
         load_result(other)
-    monkeypatch.setattr("exoid.report.save_result.FORMAT_VERSION", 99)
+    monkeypatch.setattr("exoid.report.saved.save_result.FORMAT_VERSION", 99)
     save_result(fitted(), tmp_path / "new.nc")
     with pytest.raises(ValueError, match=r"in another layout\. Read it with that version"):
         load_result(tmp_path / "new.nc")

@@ -5,9 +5,9 @@ import pytest
 from diagnosis_by_hand import doubtful, found, nothing
 from test_fit_json import fitted
 
-from exoid.recording.pendulum.catalogue import MEASURES
-from exoid.recording.pendulum.drops import measure_drops
-from exoid.recording.recording import Protocol, Recording, Segment, Subject
+from exoid.pendulum.catalogue import MEASURES
+from exoid.pendulum.drops import measure_drops
+from exoid.recordings.recording import Protocol, Recording, Segment, Subject
 
 
 def test_a_fit_is_shown_a_line_for_each_quantity():

@@ -3,11 +3,11 @@
 import pytest
 from markupsafe import Markup
 
-from exoid.fit.by_hand import DECLARED
-from exoid.fit.estimates import RATIOS
-from exoid.fit.mountings import MOUNTING
-from exoid.recording.pendulum.catalogue import MEASURES
-from exoid.report.typeset import GREEK, formula, mathtext, typeset
+from exoid.fitting.model.user_values import DECLARED
+from exoid.fitting.result.estimates import RATIOS
+from exoid.fitting.result.mountings import MOUNTING
+from exoid.pendulum.catalogue import MEASURES
+from exoid.report.words.typeset import GREEK, formula, mathtext, typeset
 
 
 @pytest.mark.parametrize(

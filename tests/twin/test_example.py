@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import exoid
-from exoid.recording.can_log import read_can_log
-from exoid.recording.motion.split import split
-from exoid.recording.sidecar import read_sidecar
+from exoid.recordings.loading.can_log import read_can_log
+from exoid.recordings.motion.split import split
+from exoid.recordings.sidecar import read_sidecar
 
 FOLDER = Path(exoid.__file__).parent / "example"
 

@@ -10,10 +10,10 @@ from cantools.database import load_file
 
 from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.torque import NoTorque
-from exoid.recording.condition import best_velocity
-from exoid.recording.dbc import EXOID_DBC
-from exoid.recording.motion.split import split
-from exoid.recording.recording import Protocol, Subject
+from exoid.recordings.can.dbc import EXOID_DBC
+from exoid.recordings.motion.split import split
+from exoid.recordings.recording import Protocol, Subject
+from exoid.recordings.signal.condition import best_velocity
 from exoid.twin.motion import Movement, perform
 from exoid.twin.protocols import record, session
 from exoid.twin.sensors import Encoder, SensorKit

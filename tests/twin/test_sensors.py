@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from exoid.physics.leg import GRAVITY
-from exoid.physics.simulate import Trajectory
+from exoid.physics.motion.simulate import Trajectory
 from exoid.twin.sensors import Accelerometer, Encoder, Gyroscope, SensorKit, measure
 
 DEGREE = np.pi / 180

@@ -1,4 +1,4 @@
-/// The Kalman filter of exoid.recording.kalman in float, operation by operation in the same order.
+/// The Kalman filter of exoid.recordings.filter.kalman in float, operation by operation in the same order.
 ///
 /// Sums run from left to right as written. Compile with -ffp-contract=off where the processor can
 /// fuse a product and a sum: the same text then gives the same bits everywhere.

@@ -5,16 +5,16 @@ from typing import Annotated
 
 import typer
 
-from exoid.cli.compare import compare
-from exoid.cli.convert import convert
-from exoid.cli.diagnose import diagnose
-from exoid.cli.drops import drops
-from exoid.cli.example import example
-from exoid.cli.fit import fit
-from exoid.cli.plan import plan
-from exoid.cli.record import record
-from exoid.cli.report import report
-from exoid.cli.simulate import simulate
+from exoid.cli.commands.compare import compare
+from exoid.cli.commands.convert import convert
+from exoid.cli.commands.diagnose import diagnose
+from exoid.cli.commands.drops import drops
+from exoid.cli.commands.example import example
+from exoid.cli.commands.fit import fit
+from exoid.cli.commands.plan import plan
+from exoid.cli.commands.record import record
+from exoid.cli.commands.report import report
+from exoid.cli.commands.simulate import simulate
 from exoid.cli.welcome import WELCOME
 
 app = typer.Typer(

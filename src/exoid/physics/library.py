@@ -4,7 +4,7 @@ import inspect
 from dataclasses import fields
 from functools import cache
 from importlib import import_module
-from pkgutil import iter_modules
+from pkgutil import walk_packages
 from types import ModuleType
 
 from exoid.physics.parameter import declarations
@@ -19,8 +19,8 @@ def library() -> tuple[type[Term], ...]:
     found = [
         term
         for package in ("exoid.physics.terms", "exoid.physics.sensing")
-        for each in iter_modules(import_module(package).__path__)
-        for term in terms_of(import_module(f"{package}.{each.name}"))
+        for each in walk_packages(import_module(package).__path__, f"{package}.")
+        for term in terms_of(import_module(each.name))
     ]
     return tuple(sorted(found, key=name_of))
 

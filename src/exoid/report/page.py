@@ -8,23 +8,23 @@ from pathlib import Path
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from plotly.offline import get_plotlyjs
 
-from exoid.report.case import Case
-from exoid.report.fit_json import replacing
+from exoid.report.document.fit_json import replacing
+from exoid.report.parts.case import Case
 from exoid.report.sections.advice import Advice
+from exoid.report.sections.determined import Told
 from exoid.report.sections.drops import Drops
+from exoid.report.sections.mismatch.parting import Parting
+from exoid.report.sections.mismatch.physics import Physics
+from exoid.report.sections.mismatch.proof import Proof
 from exoid.report.sections.motion import Motion
 from exoid.report.sections.multistart import Multistart
 from exoid.report.sections.parameters import Parameters
-from exoid.report.sections.parting import Parting
-from exoid.report.sections.physics import Physics
-from exoid.report.sections.proof import Proof
 from exoid.report.sections.provenance import Provenance
 from exoid.report.sections.quality import Quality
 from exoid.report.sections.section import Section
 from exoid.report.sections.summary import Summary
-from exoid.report.sections.told import Told
-from exoid.report.tidy import tidy
-from exoid.report.typeset import typeset
+from exoid.report.words.keyboard_text import tidy
+from exoid.report.words.typeset import typeset
 
 SECTIONS: tuple[type[Section], ...] = (
     Summary,

@@ -10,10 +10,10 @@ import jax.numpy as jnp
 from jaxtyping import Array, Float
 
 from exoid.physics.leg import LegModel
-from exoid.physics.simulate import simulate
+from exoid.physics.motion.simulate import simulate
 from exoid.physics.state import LegState
 from exoid.physics.torque import CycleTorque
-from exoid.recording.recording import Kind
+from exoid.recordings.recording import Kind
 
 REST = 1.5  # s held still before each release
 REST_MARKED = 1.0  # s of that rest which belong to the segment

@@ -8,10 +8,10 @@ import numpy as np
 from jaxtyping import PRNGKeyArray
 
 from exoid.physics.leg import LegModel
-from exoid.physics.simulate import Trajectory
-from exoid.recording import kalman
-from exoid.recording.motion.split import split
-from exoid.recording.recording import Kind, Protocol, Recording, Segment, Sensors, Subject
+from exoid.physics.motion.simulate import Trajectory
+from exoid.recordings.filter import kalman
+from exoid.recordings.motion.split import split
+from exoid.recordings.recording import Kind, Protocol, Recording, Segment, Sensors, Subject
 from exoid.twin.motion import Course, Movement, Reading, perform
 from exoid.twin.sensors import SensorKit, measure
 

@@ -10,7 +10,7 @@ import jax.numpy as jnp
 from jaxtyping import Array, Float, Int, PRNGKeyArray
 
 from exoid.physics.leg import GRAVITY
-from exoid.physics.simulate import Trajectory
+from exoid.physics.motion.simulate import Trajectory
 
 DEGREE = jnp.pi / 180  # rad
 STANDARD_GRAVITY = 9.80665  # m/s^2, in which the accelerometer's mg are counted

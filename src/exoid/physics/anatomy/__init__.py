@@ -3,13 +3,13 @@
 One file per table. Plain floats.
 """
 
-from exoid.physics.anatomy.body import Body, Sex, reach
-from exoid.physics.anatomy.capsule import capsule_inertia
+from exoid.physics.anatomy.body.capsule import capsule_inertia
+from exoid.physics.anatomy.body.segments import com_distance, leg_mass, two_segment_inertia
+from exoid.physics.anatomy.body.size import Body, Sex, reach
 from exoid.physics.anatomy.choice import TableName
 from exoid.physics.anatomy.expect import expected_leg, measured_leg
 from exoid.physics.anatomy.expected import Expected, ExpectedLeg
 from exoid.physics.anatomy.paper import PAPER, paper_prior
-from exoid.physics.anatomy.segments import com_distance, leg_mass, two_segment_inertia
 
 __all__ = [
     "PAPER",

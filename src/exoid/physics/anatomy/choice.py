@@ -2,9 +2,10 @@
 
 from typing import Literal
 
-from exoid.physics.anatomy import children, de_leva, dumas, heavy, paper, winter
-from exoid.physics.anatomy.body import Body
-from exoid.physics.anatomy.table import Scatter, Table
+from exoid.physics.anatomy import paper
+from exoid.physics.anatomy.body.size import Body
+from exoid.physics.anatomy.tables import children, de_leva, dumas, heavy, winter
+from exoid.physics.anatomy.tables.table import Scatter, Table
 
 TableName = Literal["auto", "de_leva", "winter", "dumas", "child", "heavy", "paper"]
 

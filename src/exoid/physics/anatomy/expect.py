@@ -3,13 +3,13 @@
 from math import exp, log
 from typing import NamedTuple
 
-from exoid.physics.anatomy.body import Body, Sex, check_body
+from exoid.physics.anatomy.body.segments import com_distance, leg_mass, two_segment_inertia
+from exoid.physics.anatomy.body.size import Body, Sex, check_body
 from exoid.physics.anatomy.choice import DISAGREEMENT, TableName, speaking
 from exoid.physics.anatomy.expected import ExpectedLeg, Matrix, scattered
 from exoid.physics.anatomy.knee import knee
 from exoid.physics.anatomy.paper import printed_inertia
-from exoid.physics.anatomy.segments import com_distance, leg_mass, two_segment_inertia
-from exoid.physics.anatomy.table import Scatter, Table
+from exoid.physics.anatomy.tables.table import Scatter, Table
 
 # J / (m l^2) of de Leva's, Winter's and Dumas' leg: 1.38, 1.44, 1.49.
 SLENDERNESS = 1.43

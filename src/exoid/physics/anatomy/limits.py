@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from exoid.physics.anatomy.body import Body
+from exoid.physics.anatomy.body.size import Body
 from exoid.physics.anatomy.expect import expected_leg
 from exoid.physics.anatomy.expected import ExpectedLeg
 

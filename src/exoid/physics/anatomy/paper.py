@@ -1,12 +1,12 @@
 """The paper's own expectations: Eq. 5-8 as printed, and the vector of Eq. 14."""
 
-from exoid.physics.anatomy.body import Body, check_body
-from exoid.physics.anatomy.capsule import capsule_inertia
-from exoid.physics.anatomy.de_leva import ADULT_HEIGHT, ADULT_INDEX, ADULT_SCATTER
+from exoid.physics.anatomy.body.capsule import capsule_inertia
+from exoid.physics.anatomy.body.segments import com_distance, leg_mass
+from exoid.physics.anatomy.body.size import Body, check_body
 from exoid.physics.anatomy.expected import Expected, ExpectedLeg
-from exoid.physics.anatomy.segments import com_distance, leg_mass
-from exoid.physics.anatomy.table import Table
-from exoid.physics.anatomy.winter import WINTER
+from exoid.physics.anatomy.tables.de_leva import ADULT_HEIGHT, ADULT_INDEX, ADULT_SCATTER
+from exoid.physics.anatomy.tables.table import Table
+from exoid.physics.anatomy.tables.winter import WINTER
 
 # The paper's 5 % and 2 % (Eq. 5-6); it does not say where the parts hang: Winter's geometry.
 PAPER = WINTER._replace(shank_mass=0.05, foot_mass=0.02)

@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from exoid.fit.result import MultistartReport
+from exoid.fitting.result.fit_result import MultistartReport
 from exoid.report.figures.figure import Figure
 from exoid.report.figures.marks import MEMBER, put
 from exoid.report.figures.style import blank
-from exoid.report.plot_sources import LINEAR, ended, relative_costs
+from exoid.report.plots.sources import LINEAR, ended, relative_costs
 
 HEIGHT = 300  # pixels
 

@@ -3,16 +3,16 @@
 import numpy as np
 from plotly.graph_objects import Figure as Drawing
 
-from exoid.recording.pendulum.drops import Drop
-from exoid.recording.pendulum.measure import Mark
-from exoid.recording.pendulum.rest import BAND as STILL
-from exoid.report.drops_table import shown_unit, value
+from exoid.pendulum.drops import Drop
+from exoid.recordings.landmarks.measure import Mark
+from exoid.recordings.landmarks.rest import BAND as STILL
 from exoid.report.figures.figure import Figure
 from exoid.report.figures.marks import Mark as Look
 from exoid.report.figures.marks import put
 from exoid.report.figures.style import BAND, GREY, MEASURED_LINE, blank, curve
-from exoid.report.plot_drops import AT_REST, CAME, CURVE, FLEXION, RELEASE, RESTING, marks
-from exoid.report.typeset import formula
+from exoid.report.plots.drops import AT_REST, CAME, CURVE, FLEXION, RELEASE, RESTING, marks
+from exoid.report.tables.drops import shown_unit, value
+from exoid.report.words.typeset import formula
 
 HEIGHT = 340  # pixels
 LOOKS = {

@@ -2,16 +2,16 @@
 
 import numpy as np
 
-from exoid.fit.result import Estimate, FitResult
+from exoid.fitting.result.fit_result import Estimate, FitResult
 from exoid.report.figures.figure import Figure
 from exoid.report.figures.marks import CHOSEN, EXPECTED, MEMBER, put
 from exoid.report.figures.style import blank
-from exoid.report.plot_axis import view
-from exoid.report.plot_sources import PAIRS, drawable, marked, outside
-from exoid.report.plot_style import in_words
-from exoid.report.text import on_bound
-from exoid.report.tidy import tidy
-from exoid.report.typeset import formula
+from exoid.report.plots.axis import view
+from exoid.report.plots.sources import PAIRS, drawable, marked, outside
+from exoid.report.plots.style import in_words
+from exoid.report.words.keyboard_text import tidy
+from exoid.report.words.text import on_bound
+from exoid.report.words.typeset import formula
 
 HEIGHT = 340  # pixels
 

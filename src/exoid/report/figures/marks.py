@@ -7,9 +7,9 @@ from plotly.graph_objects import Figure as Drawing
 from plotly.graph_objects import Scatter
 
 from exoid.report.figures.style import GREY, compact
-from exoid.report.plot_style import CHOSEN as CHOSEN_PRINTED
-from exoid.report.plot_style import EXPECTED as EXPECTED_PRINTED
-from exoid.report.plot_style import MEMBER as MEMBER_PRINTED
+from exoid.report.plots.style import CHOSEN as CHOSEN_PRINTED
+from exoid.report.plots.style import EXPECTED as EXPECTED_PRINTED
+from exoid.report.plots.style import MEMBER as MEMBER_PRINTED
 
 
 @dataclass(frozen=True)

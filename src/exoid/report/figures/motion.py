@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from plotly.graph_objects import Figure as Drawing
 
-from exoid.fit.result import SegmentFit
+from exoid.fitting.result.fit_result import SegmentFit
 from exoid.report.figures.figure import Figure
 from exoid.report.figures.style import (
     BAND,
@@ -18,7 +18,7 @@ from exoid.report.figures.style import (
     stacked,
     thinned,
 )
-from exoid.report.text import in_degrees
+from exoid.report.words.text import in_degrees
 
 HEIGHTS = (3.0, 1.7)  # of a channel and its residual
 GAP = 0.03

@@ -3,16 +3,16 @@
 import numpy as np
 from plotly.graph_objects import Figure as Drawing
 
-from exoid.fit.result import Estimate
+from exoid.fitting.result.fit_result import Estimate
 from exoid.report.figures.figure import Figure
 from exoid.report.figures.marks import CHOSEN, EXPECTED, LIMIT, put
 from exoid.report.figures.style import blank, stacked
-from exoid.report.plot_axis import Range, view
-from exoid.report.plot_sources import marked
-from exoid.report.plot_style import in_words
-from exoid.report.text import on_bound
-from exoid.report.tidy import tidy
-from exoid.report.typeset import formula
+from exoid.report.plots.axis import Range, view
+from exoid.report.plots.sources import marked
+from exoid.report.plots.style import in_words
+from exoid.report.words.keyboard_text import tidy
+from exoid.report.words.text import on_bound
+from exoid.report.words.typeset import formula
 
 ROW, REST = 92, 52  # pixels for each parameter, and for the legend
 GAP = 0.55  # of a row, between two

@@ -2,12 +2,12 @@
 
 from plotly.graph_objects import Bar
 
-from exoid.fit.profile import named
-from exoid.fit.result import FitResult
+from exoid.fitting.errors.profile import named
+from exoid.fitting.result.fit_result import FitResult
 from exoid.report.figures.figure import Figure
 from exoid.report.figures.style import SHARE_LOOK, blank
-from exoid.report.text import NOT_DETERMINED
-from exoid.report.typeset import formula
+from exoid.report.words.text import NOT_DETERMINED
+from exoid.report.words.typeset import formula
 
 ROW, REST = 30, 90  # pixels for each quantity, and for legend and axis
 

@@ -7,8 +7,8 @@ from jaxtyping import Float
 from plotly.graph_objects import Figure as Drawing
 from plotly.graph_objects import Scatter
 
-from exoid.report.plot_diagnosis import MARKED
-from exoid.report.plot_style import MEASURED, MEMBER, RESIDUAL, SHARE
+from exoid.report.plots.diagnosis import MARKED
+from exoid.report.plots.style import MEASURED, MEMBER, RESIDUAL, SHARE
 
 MOST = 1500  # samples of a curve; more are not seen, and make the page heavy
 INK, FAINT, PAPER = "#222222", "#e3e3e3", "#ffffff"

@@ -3,11 +3,11 @@
 from dataclasses import dataclass
 from typing import ClassVar
 
-from exoid.diagnose.plan import Plan
-from exoid.report.case import Case
-from exoid.report.plan_table import files, stated, steps
+from exoid.planning.plan import Plan
+from exoid.report.parts.case import Case
 from exoid.report.sections.section import Section
-from exoid.report.text import counted
+from exoid.report.tables.plan import files, stated, steps
+from exoid.report.words.text import counted
 
 HOW = (
     "Each time: hold still for 2 s, let go without a push, hands off until the leg hangs still. "

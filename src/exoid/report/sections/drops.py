@@ -3,15 +3,15 @@
 from dataclasses import dataclass
 from typing import ClassVar
 
-from exoid.recording.pendulum.drops import Drop, PendulumTest, measure_drops
-from exoid.report.case import Case
-from exoid.report.drops_table import SOURCE, by_reason, mean, shown_unit, value
+from exoid.pendulum.drops import Drop, PendulumTest, measure_drops
 from exoid.report.figures.drops import draw_drop
 from exoid.report.figures.figure import Figure
+from exoid.report.parts.case import Case
 from exoid.report.sections.section import Section
 from exoid.report.sections.table import Table
-from exoid.report.text import counted
-from exoid.report.typeset import formula
+from exoid.report.tables.drops import SOURCE, by_reason, mean, shown_unit, value
+from exoid.report.words.text import counted
+from exoid.report.words.typeset import formula
 
 SHOWN = 4  # drops that are drawn; the first ones
 AVERAGE = "mean ± sd"

@@ -3,15 +3,15 @@
 from dataclasses import dataclass
 from typing import ClassVar
 
-from exoid.fit.result import FitResult, SegmentFit
-from exoid.report.case import Case
+from exoid.fitting.result.fit_result import FitResult, SegmentFit
 from exoid.report.figures.figure import Figure
 from exoid.report.figures.motion import draw_motion
-from exoid.report.fit_table import reading, torque
-from exoid.report.plot_motion import chosen_segments
+from exoid.report.parts.case import Case
+from exoid.report.plots.motion import chosen_segments
 from exoid.report.sections.section import Section
 from exoid.report.sections.table import Table
-from exoid.report.text import in_degrees
+from exoid.report.tables.fit import reading, torque
+from exoid.report.words.text import in_degrees
 
 PRINTED = 2  # segments on paper
 

@@ -3,15 +3,15 @@
 from dataclasses import dataclass
 from typing import ClassVar
 
-from exoid.fit.result import MultistartReport
-from exoid.report.case import Case
+from exoid.fitting.result.fit_result import MultistartReport
 from exoid.report.figures.costs import draw_costs
 from exoid.report.figures.families import draw_families
 from exoid.report.figures.figure import Figure
-from exoid.report.fit_table import span
+from exoid.report.parts.case import Case
 from exoid.report.sections.section import Section
 from exoid.report.sections.table import Table
-from exoid.report.text import counted
+from exoid.report.tables.fit import span
+from exoid.report.words.text import counted
 
 
 @dataclass(frozen=True, eq=False)

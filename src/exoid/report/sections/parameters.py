@@ -4,15 +4,15 @@ from dataclasses import dataclass, replace
 from math import degrees
 from typing import ClassVar
 
-from exoid.fit.result import Estimate, FitResult
-from exoid.report.case import Case
+from exoid.fitting.result.fit_result import Estimate, FitResult
 from exoid.report.figures.figure import Figure
 from exoid.report.figures.parameters import draw_parameters
-from exoid.report.fit_table import MOUNTED, bounds, expectation, limited_by, remarks
+from exoid.report.parts.case import Case
 from exoid.report.sections.section import Section
 from exoid.report.sections.table import Table, quantity
-from exoid.report.text import in_unit
-from exoid.report.typeset import formula
+from exoid.report.tables.fit import MOUNTED, bounds, expectation, limited_by, remarks
+from exoid.report.words.text import in_unit
+from exoid.report.words.typeset import formula
 
 
 @dataclass(frozen=True, eq=False)

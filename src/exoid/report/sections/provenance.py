@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import ClassVar
 
-from exoid.report.case import Case
+from exoid.report.parts.case import Case
 from exoid.report.sections.section import Section
 from exoid.report.sections.table import Table
 

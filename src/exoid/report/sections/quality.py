@@ -3,13 +3,13 @@
 from dataclasses import dataclass, fields
 from typing import ClassVar
 
-from exoid.fit.result import SegmentFit
-from exoid.recording.recording import Subject
-from exoid.report.appraisal import Appraisal, appraise
-from exoid.report.case import Case, Source
+from exoid.fitting.result.fit_result import SegmentFit
+from exoid.recordings.recording import Subject
+from exoid.report.parts.appraisal import Appraisal, appraise
+from exoid.report.parts.case import Case, Source
 from exoid.report.sections.section import Section
 from exoid.report.sections.table import Table
-from exoid.report.text import in_degrees
+from exoid.report.words.text import in_degrees
 
 HANDLED = ("kind", "added_mass", "added_mass_distance", "notes", "extra_keys")  # told elsewhere
 

@@ -3,7 +3,7 @@
 from abc import ABC, abstractmethod
 from typing import ClassVar
 
-from exoid.report.case import Case
+from exoid.report.parts.case import Case
 
 
 class Section(ABC):

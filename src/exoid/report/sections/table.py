@@ -3,8 +3,8 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from exoid.fit.result import Estimate
-from exoid.report.text import written
+from exoid.fitting.result.fit_result import Estimate
+from exoid.report.words.text import written
 
 DIMENSIONLESS = ("-", "1")
 STACKED, SPANNING = 3, 5  # columns that a phone has room for, and half a sheet of paper

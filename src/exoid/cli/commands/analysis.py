@@ -1,0 +1,70 @@
+"""What the commands compute, its heavy parts loaded when they run."""
+
+from pathlib import Path
+
+AGREED, RARE = 1.01, 0.01  # r_hat and share of divergences up to which draws are good
+
+
+def prepare() -> None:
+    """Compute in float64, with programs kept in the user's cache folder."""
+    import jax
+
+    from exoid.fitting.solve.program_cache import keep_programs_in
+
+    jax.config.update("jax_enable_x64", True)
+    keep_programs_in()
+
+
+def compute(named, each: bool, options: dict):
+    """The fit."""
+    from exoid.fitting.solve.program_cache import with_sound_programs
+
+    prepare()
+    if each:
+        from exoid.fitting.each_segment import fit_each as fit
+    else:
+        from exoid.fitting.estimate import fit
+    try:
+        return with_sound_programs(lambda: fit(named, **options))
+    except ValueError as fault:
+        raise ValueError(f"{', '.join(name for name, _ in named)}: {fault}") from fault
+
+
+def ask(result):
+    """What the recording told."""
+    from exoid.trust.identifiability import identify
+
+    return identify(result)
+
+
+def profiled(result):
+    """The profile of every quantity."""
+    from exoid.fitting.errors.profile import profiles
+
+    return profiles(result)
+
+
+def check_posterior(each: bool) -> None:
+    """Refuse what cannot be drawn from, before anything is computed."""
+    from exoid.fitting.errors.posterior import check_packages
+
+    if each:
+        raise ValueError("--posterior draws around one fit of all segments: leave --each out.")
+    check_packages()
+
+
+def write_posterior(result, seed: int, path: Path) -> str:
+    """Draws from the fit in a file, and how far to trust them."""
+    from exoid.fitting.errors.posterior import r_hat, sample, to_netcdf
+    from exoid.fitting.solve.program_cache import with_sound_programs
+    from exoid.report.document.fit_json import replacing
+
+    drawn = with_sound_programs(lambda: sample(result, seed=seed))
+    with replacing(path) as part:
+        to_netcdf(drawn, part)
+    (chains, draws), worst = drawn.diverging.shape, max(r_hat(drawn).values())
+    diverging = drawn.diverging.mean()
+    said = f"{draws} draws x {chains} chains, r_hat up to {worst:.3f}, {diverging:.1%} divergences"
+    if worst <= AGREED and diverging <= RARE:
+        return said
+    return f"{said}. The chains have not explored it all: take these draws with caution."

@@ -1,0 +1,65 @@
+"""exoid convert: from any recording to exoid's table."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from exoid.cli.inputs.choices import FlipOption, ZeroOption
+from exoid.cli.inputs.reading import Columns, read
+from exoid.cli.outputs.destination import check_absent, check_apart, check_destination
+from exoid.cli.terminal.waiting import patiently
+
+
+def convert(
+    recording: Annotated[
+        Path,
+        typer.Argument(
+            help="A CAN log or a table (.csv .txt .xlsx .parquet .mat .npz .mot .sto .c3d)."
+        ),
+    ],
+    output: Annotated[
+        Path,
+        typer.Option(
+            "--output", "-o", help="Table to write (.csv or .parquet); a sidecar joins it."
+        ),
+    ],
+    whole: Annotated[
+        bool, typer.Option("--whole", help="One continuous segment, nothing between left out.")
+    ] = False,
+    column: Columns = None,
+    dbc: Annotated[Path | None, typer.Option(help="Your own DBC, with --signal.")] = None,
+    signal: Annotated[
+        list[str] | None,
+        typer.Option(help="CHANNEL=MESSAGE.SIGNAL; repeat.", metavar="MAP"),
+    ] = None,
+    flip: FlipOption = None,
+    zero: ZeroOption = None,
+    strict: Annotated[
+        bool, typer.Option("--strict", help="Any loss in a log is an error.")
+    ] = False,
+    force: Annotated[bool, typer.Option("--force", help="Replace what is there.")] = False,
+) -> None:
+    """Write a recording as exoid's table (.csv or .parquet) with its sidecar (.toml).
+
+    Signs and zero that --flip and --zero mend are written as exoid counts them.
+    The segments are those that `exoid fit` would see: drops and cycles, without what lies between.
+
+    \b
+    Examples:
+      exoid convert session.blf -o drops.csv
+      exoid convert session.blf -o all.csv --whole
+      exoid convert trial.c3d -o knee.parquet --column raw_angle_deg=LKneeAngles.X
+      exoid convert log.asc -o knee.csv --dbc my.dbc --signal raw_angle=Knee.Angle
+    """
+    sidecar = output.with_suffix(".toml")
+    check_destination(output, ("csv", "parquet"))
+    check_apart([output, sidecar], [recording])
+    check_absent((output, sidecar), force)
+    told = {"column": column, "flip": flip, "zero": zero}
+    loaded = read(recording, dbc, signal, strict, whole=whole, **told)
+    from exoid.recordings.formats.own_table import write_table
+    from exoid.report.words.text import counted
+
+    patiently(lambda: write_table(loaded, output), f"writing {output.name}")
+    typer.echo(f"{output}: {counted(len(loaded.segments), 'segment')}, and {sidecar}")

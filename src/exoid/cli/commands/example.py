@@ -1,0 +1,63 @@
+"""exoid example: the recording that comes with exoid, as a pattern for one's own."""
+
+import os
+import shlex
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from exoid.cli.commands.fit import EXAMPLE
+from exoid.cli.outputs.destination import check_absent
+
+FILES = (EXAMPLE, EXAMPLE.with_suffix(".toml"))
+NEXT = """
+It is a simulated session: three drops, a fourth with 1 kg at the ankle, and six
+voluntary cycles. Next:
+
+  exoid fit {0} --plot fit.pdf       the leg's parameters, and a figure
+  exoid drops {0}                    what clinicians read off a drop
+  exoid diagnose {0}                 which physics the model lacks
+  exoid plan {0} --goal inertia      what to record next
+
+{1} says whose leg it is and how it moved; its comments explain every
+line. Put such a file beside a recording of your own, with the same name."""
+
+
+def example(
+    folder: Annotated[
+        Path, typer.Argument(help="Where to; made where it is missing. Without it, here.")
+    ] = Path(),
+    force: Annotated[
+        bool, typer.Option("--force", help="Replace files of that name that are there.")
+    ] = False,
+) -> None:
+    """Copy the recording that comes with exoid, and a sidecar whose comments explain it.
+
+    \b
+    Examples:
+      exoid example              to the current folder
+      exoid example first_try    to a folder of its own
+    """
+    if folder.exists() and not folder.is_dir():
+        raise ValueError(f"{folder}: this is a file. Name a folder.")
+    targets = [folder / each.name for each in FILES]
+    check_absent(targets, force)
+    folder.mkdir(parents=True, exist_ok=True)
+    copy(targets)
+    recording, sidecar = targets
+    typer.echo(f"wrote {recording} and {sidecar}")
+    typer.echo(NEXT.format(shlex.quote(str(recording)), sidecar.name))
+
+
+def copy(targets: list[Path]) -> None:
+    """Both files in full, or none."""
+    parts = [each.with_name(f".{each.name}.{os.getpid()}.part") for each in targets]
+    try:
+        for source, part in zip(FILES, parts, strict=True):
+            part.write_bytes(source.read_bytes())
+        for part, target in zip(parts, targets, strict=True):
+            part.replace(target)
+    finally:
+        for part in parts:
+            part.unlink(missing_ok=True)

@@ -1,0 +1,181 @@
+"""exoid fit: from recordings to the leg's parameters."""
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from exoid.cli.commands.analysis import ask, check_posterior, compute, profiled, write_posterior
+from exoid.cli.inputs.assumptions import Bound, BoundsOption, Fix, Prior, assumed
+from exoid.cli.inputs.body import BodyMass, Height, given_body
+from exoid.cli.inputs.choices import Bounds, Clip, FlipOption, Method, Misfit, Reading, ZeroOption
+from exoid.cli.inputs.reading import Columns, as_told, take
+from exoid.cli.outputs.destination import check_apart, check_destination
+from exoid.cli.outputs.origin import inputs, origin_of
+from exoid.cli.outputs.page import PAGES, sources_of, write_report
+from exoid.cli.outputs.results import draw, end, introduce, keep, show, write_document
+from exoid.cli.terminal.waiting import patiently
+
+EXAMPLE = Path(__file__).parents[2] / "example" / "session.blf"
+FIGURES = ("pdf", "svg", "png")
+HEAVIEST_PRIOR = 1e6  # it decides alone long before
+
+
+def fit(
+    recordings: Annotated[
+        list[Path] | None,
+        typer.Argument(
+            help="Tables (.csv .xlsx .mot .c3d ...) or CAN logs (.blf .asc ...) of one leg, fitted "
+            "together. Without one, the example that comes with exoid."
+        ),
+    ] = None,
+    multistart: Annotated[int, typer.Option(min=1, max=100_000, help="Number of starts.")] = 64,
+    seed: Annotated[int, typer.Option(min=0, help="Of the starts; same seed, same result.")] = 0,
+    prior: Prior = None,
+    weight: Annotated[
+        float,
+        typer.Option("--lambda", min=0.0, max=HEAVIEST_PRIOR, help="Weight of the prior, Eq. 11."),
+    ] = 1.0,
+    bounds: BoundsOption = Bounds.body,
+    fix: Fix = None,
+    bound: Bound = None,
+    body_mass: BodyMass = None,
+    height: Height = None,
+    each: Annotated[
+        bool, typer.Option("--each", help="Fit every segment alone, then average the ratios.")
+    ] = False,
+    method: Annotated[
+        Method, typer.Option(help="lm: all starts at once. slsqp: SciPy's, as a reference.")
+    ] = Method.lm,
+    smooth: Annotated[
+        int,
+        typer.Option(min=1, help="Samples of the moving average, Eq. 3, on data and simulation."),
+    ] = 1,
+    torque_frequency: Annotated[
+        Reading | None, typer.Option(help="Reading of Eq. 4; without it both are tried.")
+    ] = None,
+    misfit: Annotated[
+        Misfit, typer.Option(help="paper: Eq. 11 as printed, angle only, prior unscaled.")
+    ] = Misfit.weighted,
+    clip: Annotated[
+        Clip,
+        typer.Option(help="free: what moved freely. paper: the ends below 20 deg/s are cut off."),
+    ] = Clip.free,
+    column: Columns = None,
+    dbc: Annotated[Path | None, typer.Option(help="Your own DBC, with --signal.")] = None,
+    signal: Annotated[
+        list[str] | None,
+        typer.Option(
+            help="CHANNEL=MESSAGE.SIGNAL, such as raw_angle=Knee.Angle; repeat.", metavar="MAP"
+        ),
+    ] = None,
+    flip: FlipOption = None,
+    zero: ZeroOption = None,
+    strict: Annotated[
+        bool, typer.Option("--strict", help="Any loss in a log is an error.")
+    ] = False,
+    plot: Annotated[
+        Path | None, typer.Option(help="Figure: measured, simulated, starts.", metavar="FILE")
+    ] = None,
+    json: Annotated[
+        Path | None, typer.Option(help="Everything for machines.", metavar="FILE")
+    ] = None,
+    posterior: Annotated[
+        Path | None,
+        typer.Option(help="Draws of every quantity for ArviZ (.nc); a minute.", metavar="FILE"),
+    ] = None,
+    save: Annotated[
+        Path | None,
+        typer.Option(help="The fit (.nc), for exoid compare and report.", metavar="FILE"),
+    ] = None,
+    report: Annotated[
+        Path | None, typer.Option(help="Page (.html) to look at and print.", metavar="FILE")
+    ] = None,
+) -> None:
+    """Find mass, inertia, COM distance, damping, stiffness and torque of a leg.
+
+    \b
+    Examples:
+      exoid fit                                   the example that comes with exoid
+      exoid fit drop.csv --multistart 64          one recording
+      exoid fit bare.blf loaded.blf --plot a.pdf  two recordings of one leg, with a figure
+      exoid fit drop.csv --save drop.nc           kept in a file, to compare with another
+      exoid fit drop.csv --fix stiffness=0 --bound damping=0:20 --prior damping=3+-1
+      exoid fit log.asc --dbc my.dbc --signal raw_angle=Knee.Angle --body-mass 77 --height 1.8
+    """
+    paths = recordings or [EXAMPLE]
+    check_destination(plot, FIGURES)
+    check_destination(json)
+    check_destination(posterior, ("nc",))
+    check_destination(save, ("nc",))
+    check_destination(report, PAGES)
+    check_apart([plot, json, posterior, save, report], paths)
+    if posterior is not None:
+        check_posterior(each)
+    body = given_body(body_mass=body_mass, height=height)
+    by_hand = assumed(prior, bounds, fix, bound)
+    if not recordings:
+        typer.echo(
+            "No recording given: this is the example that comes with exoid, a simulated leg."
+        )
+    reading = {"column": column, "flip": flip, "zero": zero}
+    named, taken = [], [take(path, dbc, signal, strict, **reading) for path in paths]
+    for path, one in zip(paths, taken, strict=True):
+        loaded = one.recording
+        protocol = loaded.protocol
+        if torque_frequency is not None:
+            protocol = replace(protocol, torque_frequency=torque_frequency.value)
+        subject = replace(loaded.subject, **body)
+        named.append((path.name, replace(loaded, subject=subject, protocol=protocol)))
+    options = {
+        "multistart": multistart,
+        "seed": seed,
+        **by_hand,
+        "weight": weight,
+        "method": method.value,
+        "smooth": smooth,
+        "misfit": misfit.value,
+        "clip": clip.value,
+    }
+    result = patiently(
+        lambda: compute(named, each, options),
+        f"fitting {multistart} starts; the first run of a new shape compiles for some seconds",
+    )
+    told = None if each else patiently(lambda: ask(result), "asking what the recording told")
+    introduce(named)
+    show(result, told)
+    settings = {"lambda": options.pop("weight"), **options, "each": each}
+    settings |= as_told(flip, zero)
+    asked = {
+        **settings,
+        "torque_frequency": torque_frequency,
+        **body,
+        "signal": signal,
+        "column": column,
+        "dbc": dbc and str(dbc),
+    }
+    origin = origin_of(inputs(paths, dbc), asked) if save or report else None
+    wanted = (plot is not None or json is not None) and not each
+    profiles = patiently(lambda: profiled(result), "profiling") if wanted else None
+    if save is not None:
+        sources, more = zip(paths, named, strict=True), {"told": told, "profiles": profiles}
+        patiently(lambda: keep(result, sources, asked, save, origin=origin, **more), "saving")
+        typer.echo(f"wrote {save}", err=True)
+    if plot is not None:
+        patiently(lambda: draw(result, profiles, plot), "drawing")
+        typer.echo(f"wrote {plot}", err=True)
+    if json is not None:
+        sources = zip(paths, named, strict=True)
+        write_document(result, told, profiles, sources, settings, json)
+        typer.echo(f"wrote {json}", err=True)
+    if report is not None:
+        sources = sources_of(taken, named)
+        patiently(
+            lambda: write_report(report, sources, result, origin, told=told), "writing the page"
+        )
+        typer.echo(f"wrote {report}", err=True)
+    if posterior is not None:
+        drawn = patiently(lambda: write_posterior(result, seed, posterior), "drawing from the fit")
+        typer.echo(f"wrote {posterior}: {drawn}", err=True)
+    end(result.follows)

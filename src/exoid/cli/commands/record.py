@@ -1,0 +1,92 @@
+"""exoid record: from the live bus to a log file with its sidecar."""
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from exoid.cli.inputs.ask_body import ask_body
+from exoid.cli.inputs.body import given_body
+from exoid.cli.inputs.choices import Side
+from exoid.cli.outputs.destination import check_absent, check_destination
+from exoid.cli.terminal.keys import check_keyboard, keyboard
+from exoid.cli.terminal.screen import Screen
+from exoid.cli.terminal.stopping import stoppable
+
+Number = float | None
+
+
+def record(
+    output: Annotated[
+        Path, typer.Option("--output", "-o", help="Log to write: .blf, .asc or .log (candump).")
+    ],
+    channel: Annotated[str, typer.Option(help="Such as /dev/ttyACM0, can0, COM3.")],
+    interface: Annotated[
+        str, typer.Option(help="Of python-can: slcan, socketcan, pcan, kvaser, ...")
+    ] = "slcan",
+    bitrate: Annotated[int, typer.Option(min=1, help="Of the bus [bit/s].")] = 500_000,
+    duration: Annotated[
+        Number, typer.Option(min=0.1, help="Stop so long after the first frame [s].", metavar="S")
+    ] = None,
+    segment: Annotated[
+        bool, typer.Option("--segment", help="Mark by keys: d drop, c cycle, space end.")
+    ] = False,
+    body_mass: Annotated[Number, typer.Option(help="For the sidecar [kg].", metavar="KG")] = None,
+    height: Annotated[Number, typer.Option(help="For the sidecar [m].", metavar="M")] = None,
+    added_mass: Annotated[
+        Number, typer.Option(help="On the shank, weighed [kg].", metavar="KG")
+    ] = None,
+    added_mass_distance: Annotated[
+        Number, typer.Option(help="Of that mass from the knee [m].", metavar="M")
+    ] = None,
+    subject_id: Annotated[
+        str | None, typer.Option("--id", help="Who it is, for the sidecar.", metavar="TEXT")
+    ] = None,
+    side: Annotated[Side | None, typer.Option(help="Which leg, for the sidecar.")] = None,
+    visit: Annotated[
+        str | None, typer.Option("--session", help="For the sidecar.", metavar="TEXT")
+    ] = None,
+    note: Annotated[str | None, typer.Option(help="For the sidecar.", metavar="TEXT")] = None,
+    force: Annotated[bool, typer.Option("--force", help="Replace what is there.")] = False,
+) -> None:
+    """Record the node's frames, and what is known of the leg, until Ctrl-C.
+
+    What no option says of the leg is asked for where a person sits before the terminal.
+    Everything but the last second is on disk at any time. A bus that goes is waited for.
+
+    \b
+    Examples:
+      exoid record --channel /dev/ttyACM0 -o session.blf --segment
+      exoid record --channel /dev/ttyACM0 -o drop.blf --body-mass 77 --height 1.80 --duration 60
+      exoid record --interface socketcan --channel can0 --bitrate 500000 -o session.blf
+    """
+    sidecar = output.with_suffix(".toml")
+    from exoid.recordings.live.log_file import LogFile, check_kind
+
+    check_destination(output)
+    check_kind(output)
+    check_absent((output, sidecar), force)
+    if segment:
+        check_keyboard()
+    from exoid.recordings.live.bus import BusAddress
+    from exoid.recordings.recording import Subject
+
+    log = LogFile(output, replace=force)
+    body = given_body(
+        body_mass=body_mass,
+        height=height,
+        added_mass=added_mass,
+        added_mass_distance=added_mass_distance,
+    )
+    if added_mass_distance is not None and added_mass is None:
+        raise ValueError("--added-mass-distance is given without --added-mass. Give both.")
+    subject = Subject(id=subject_id, side=side and side.value, session=visit, notes=note)
+    subject = replace(subject, **ask_body(body))
+    from exoid.cli.live.ending import conclude
+    from exoid.cli.live.session import Session
+
+    with stoppable() as stopped, Screen() as screen, keyboard(segment) as pressed:
+        session = Session(log, subject, screen, pressed if segment else None)
+        session.run(BusAddress(interface, channel, bitrate), stopped, duration)
+    conclude(session)

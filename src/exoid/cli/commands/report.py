@@ -1,0 +1,134 @@
+"""exoid report: everything about a recording on one page."""
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from exoid.cli.commands.analysis import ask, compute
+from exoid.cli.commands.diagnose import diagnosed
+from exoid.cli.commands.fit import EXAMPLE
+from exoid.cli.inputs.assumptions import Bound, BoundsOption, Fix, Prior, assumed
+from exoid.cli.inputs.body import BodyMass, Height, given_body
+from exoid.cli.inputs.choices import Bounds, FlipOption, ZeroOption
+from exoid.cli.inputs.own_terms import own_terms
+from exoid.cli.inputs.reading import Columns, as_told, take
+from exoid.cli.outputs.destination import check_apart, check_destination
+from exoid.cli.outputs.origin import inputs, origin_of
+from exoid.cli.outputs.page import PAGES, planned, sources_of, write_report
+from exoid.cli.outputs.results import end
+from exoid.cli.outputs.saved_page import SAVED, retell
+from exoid.cli.terminal.waiting import in_phases, patiently
+
+STARTS = 64
+
+
+def report(
+    recordings: Annotated[
+        list[Path] | None,
+        typer.Argument(
+            help="Tables or CAN logs of one leg, analysed together, or one saved result (.nc). "
+            "Without one, the example."
+        ),
+    ] = None,
+    output: Annotated[
+        Path, typer.Option("--output", "-o", help="Page to write (.html).", metavar="FILE")
+    ] = Path("report.html"),
+    prior: Prior = None,
+    bounds: BoundsOption = Bounds.body,
+    fix: Fix = None,
+    bound: Bound = None,
+    body_mass: BodyMass = None,
+    height: Height = None,
+    multistart: Annotated[int, typer.Option(min=1, max=100_000, help="Number of starts.")] = STARTS,
+    seed: Annotated[int, typer.Option(min=0, help="Of the starts; same seed, same result.")] = 0,
+    terms: Annotated[
+        str | None,
+        typer.Option(help="Your own terms, as in exoid diagnose.", metavar="MODULE"),
+    ] = None,
+    diagnosis: Annotated[
+        bool, typer.Option("--diagnosis/--no-diagnosis", help="Look for missing physics.")
+    ] = True,
+    column: Columns = None,
+    dbc: Annotated[Path | None, typer.Option(help="Your own DBC, with --signal.")] = None,
+    signal: Annotated[
+        list[str] | None,
+        typer.Option(help="CHANNEL=MESSAGE.SIGNAL; repeat.", metavar="MAP"),
+    ] = None,
+    flip: FlipOption = None,
+    zero: ZeroOption = None,
+) -> None:
+    """Fit and diagnose a leg and write one page about it, to look at, print and pass on.
+
+    The page holds its figures, and needs no network.
+
+    \b
+    Examples:
+      exoid report                                   the example that comes with exoid
+      exoid report drop.csv -o drop.html             one recording
+      exoid report bare.blf loaded.blf -o leg.html   two recordings of one leg, together
+      exoid report drop.csv --no-diagnosis           the fit alone, in seconds
+      exoid report why.nc -o why.html                what --save kept, without computing it again
+    """
+    paths = recordings or [EXAMPLE]
+    check_destination(output, PAGES)
+    check_apart([output], paths)
+    if any(path.suffix.lower() == SAVED for path in paths):
+        given = {
+            "--prior": bool(prior),
+            "--bounds": bounds is not Bounds.body,
+            "--fix": bool(fix),
+            "--bound": bool(bound),
+            "--body-mass": body_mass is not None,
+            "--height": height is not None,
+            "--multistart": multistart != STARTS,
+            "--seed": seed != 0,
+            "--terms": terms is not None,
+            "--no-diagnosis": not diagnosis,
+            "--dbc": dbc is not None,
+            "--signal": bool(signal),
+            "--column": bool(column),
+            "--flip": flip is not None,
+            "--zero": zero is not None,
+        }
+        retell(paths, output, [option for option, asked in given.items() if asked])
+        return
+    body = given_body(body_mass=body_mass, height=height)
+    by_hand = assumed(prior, bounds, fix, bound)
+    if terms is not None and not diagnosis:
+        raise ValueError("--terms are causes for the diagnosis: leave out --no-diagnosis.")
+    own = own_terms(terms) if terms is not None else ()
+    if not recordings:
+        typer.echo("No recording given: this is the example that comes with exoid.")
+    told = {"column": column, "flip": flip, "zero": zero}
+    taken = [take(path, dbc, signal, False, **told) for path in paths]
+    named = [
+        (path.name, replace(one.recording, subject=replace(one.recording.subject, **body)))
+        for path, one in zip(paths, taken, strict=True)
+    ]
+    options = {"multistart": multistart, "seed": seed, **by_hand}
+    tested = own if diagnosis else None
+    result, found = in_phases(lambda told: analysed(named, options, tested, told))
+    script = Path(terms) if terms is not None else None
+    settings = {**options, "terms": terms, "diagnosis": diagnosis, **body, "signal": signal}
+    settings |= {"dbc": dbc and str(dbc), **as_told(flip, zero), "column": column}
+    origin = origin_of(inputs(paths, dbc, script), settings)
+    sources = sources_of(taken, named)
+    patiently(lambda: write_report(output, sources, result, origin, **found), "writing the page")
+    typer.echo(f"wrote {output}", err=True)
+    end((found.get("diagnosis") or result).follows)
+
+
+def analysed(named, options: dict, own, told) -> tuple[Any, dict[str, Any]]:
+    """The fit, and what else was found; `own` terms are None where no diagnosis is wanted."""
+    if own is None:
+        told(f"fitting {options['multistart']} starts")
+        result = compute(named, False, options)
+        told("asking what the recording told")
+        return result, {"told": ask(result)}
+    diagnosis = diagnosed(named, own, options, told)
+    told("asking what the recording told")
+    found = {"told": ask(diagnosis.fit), "diagnosis": diagnosis}
+    told("planning what to record next")
+    return diagnosis.fit, {**found, "plan": planned(diagnosis.fit, named[0][1].subject)}

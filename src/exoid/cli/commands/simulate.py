@@ -1,0 +1,134 @@
+"""exoid simulate: from parameters to a recording."""
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from exoid.cli.inputs.body import given_body
+from exoid.cli.outputs.destination import check_absent, check_destination
+from exoid.cli.terminal.waiting import patiently
+
+ANKLE = 0.40  # m
+TINY, HUGE = 1e-3, 1e3  # of a leg's parameters in SI units; beyond them the steps are too coarse
+LOWEST, HIGHEST = -180.0, 20.0  # deg, of a start; a drop from there stays within a knee's reach
+STRONGEST = 250.0  # N m
+LONGEST = 120.0  # s, of a movement
+
+
+def simulate(
+    output: Annotated[Path, typer.Argument(help="The table to write (.csv); a sidecar joins it.")],
+    mass: Annotated[float, typer.Option(help="m [kg]")] = 4.5,
+    inertia: Annotated[float, typer.Option(help="J about the knee [kg m^2]")] = 0.44,
+    com_distance: Annotated[float, typer.Option(help="l, knee to COM [m]")] = 0.265,
+    damping: Annotated[float, typer.Option(help="d [N m s/rad]")] = 0.35,
+    stiffness: Annotated[float, typer.Option(help="c [N m/rad]")] = 2.8,
+    drop: Annotated[
+        list[float] | None,
+        typer.Option(help="A drop from this angle [deg]; repeat. Default: -10, -35, -55."),
+    ] = None,
+    cycle: Annotated[
+        list[float] | None,
+        typer.Option(help="A voluntary cycle from this angle [deg], Eq. 10; repeat."),
+    ] = None,
+    torque_amplitude: Annotated[float, typer.Option(help="tau of the cycles [N m]")] = -9.5,
+    period: Annotated[float, typer.Option(min=0.2, max=LONGEST, help="T of the cycles [s]")] = 1.8,
+    duration: Annotated[float, typer.Option(min=0.5, max=LONGEST, help="Of each drop [s]")] = 12.0,
+    added_mass: Annotated[float, typer.Option(min=0.0, max=50.0, help="At the ankle [kg]")] = 0.0,
+    thigh_angle: Annotated[
+        float, typer.Option(min=-60.0, max=60.0, help="Knee above the hip [deg], by the seat.")
+    ] = 0.0,
+    body_mass: Annotated[float | None, typer.Option(help="For the sidecar [kg]")] = None,
+    height: Annotated[float | None, typer.Option(help="For the sidecar [m]")] = None,
+    noise: Annotated[
+        bool, typer.Option("--noise/--no-noise", help="Of AS5600 and LSM6DS3.")
+    ] = True,
+    seed: Annotated[int, typer.Option(min=0, max=2**32 - 1, help="Of the noise.")] = 0,
+    force: Annotated[bool, typer.Option("--force", help="Replace what is there.")] = False,
+) -> None:
+    """Simulate drops and cycles of a leg and write them as a recording.
+
+    \b
+    Examples:
+      exoid simulate leg.csv
+      exoid simulate leg.csv --inertia 0.5 --drop -20 --drop -60 --no-noise
+      exoid simulate cycles.csv --cycle -3 --torque-amplitude -9.5 --period 2
+    """
+    check_destination(output, ("csv",))
+    check_absent((output, output.with_suffix(".toml")), force)
+    leg = {
+        "mass": mass,
+        "inertia": inertia,
+        "com_distance": com_distance,
+        "damping": damping,
+        "stiffness": stiffness,
+    }
+    check_leg(leg)
+    check_starts(drop, cycle, torque_amplitude)
+    body = given_body(body_mass=body_mass, height=height)
+    import jax
+
+    jax.config.update("jax_enable_x64", True)
+    import jax.numpy as jnp
+    import numpy as np
+
+    from exoid.physics.leg import LegModel, LegParameters
+    from exoid.physics.torque import NoTorque
+    from exoid.recordings.formats.own_table import write_table
+    from exoid.recordings.recording import Subject
+    from exoid.report.words.text import counted
+    from exoid.twin.motion import Movement
+    from exoid.twin.protocols import record
+
+    drops = [
+        Movement(float(np.radians(angle)), duration, None, added_mass, ANKLE if added_mass else 0.0)
+        for angle in (drop or ([] if cycle else [-10.0, -35.0, -55.0]))
+    ]
+    cycles = [Movement(float(np.radians(a)), period, torque_amplitude) for a in cycle or []]
+    parameters = LegParameters(**{name: jnp.asarray(value) for name, value in leg.items()})
+    recording = patiently(
+        lambda: record(
+            LegModel(parameters, NoTorque(), jnp.asarray(np.radians(thigh_angle))),
+            [*drops, *cycles],
+            jax.random.key(seed),
+            exact=not noise,
+            subject=replace(Subject(kind="leg"), **body),
+        ),
+        "simulating",
+    )
+    write_table(recording, output)
+    segments = counted(len(recording.segments), "segment")
+    typer.echo(f"{output}: {segments}, and {output.with_suffix('.toml')}")
+
+
+def check_leg(leg: dict[str, float]) -> None:
+    """Refuse a body that cannot exist."""
+    for name, value in leg.items():
+        option = f"--{name.replace('_', '-')}"
+        lowest = 0.0 if name in ("damping", "stiffness") else TINY
+        if not lowest <= value <= HUGE:
+            raise ValueError(f"{option} is {value:g}; it must lie between {lowest:g} and {HUGE:g}.")
+    least = leg["mass"] * leg["com_distance"] ** 2
+    if leg["inertia"] < least:
+        raise ValueError(
+            f"--inertia {leg['inertia']:g} is less than m l^2 = {least:.3g} kg m^2: "
+            "no rigid body has that (Eq. 12)."
+        )
+
+
+def check_starts(
+    drop: list[float] | None, cycle: list[float] | None, torque_amplitude: float
+) -> None:
+    """Refuse angles that no knee reaches, and a torque that no leg has."""
+    for name, angles in (("drop", drop), ("cycle", cycle)):
+        for angle in angles or []:
+            if not LOWEST <= angle <= HIGHEST:
+                raise ValueError(
+                    f"--{name} is {angle:g} deg; it must lie between {LOWEST:g} and {HIGHEST:g}."
+                )
+    if not abs(torque_amplitude) <= STRONGEST:
+        raise ValueError(
+            f"--torque-amplitude is {torque_amplitude:g} N m; "
+            f"it must lie between -{STRONGEST:g} and {STRONGEST:g}."
+        )

@@ -1,0 +1,31 @@
+"""What `exoid record` says at its end."""
+
+import typer
+
+from exoid.cli.live.session import NAMES, Session
+from exoid.recordings.live.bus import CanBusError
+from exoid.recordings.loading.can_log import read_can_log
+
+
+def conclude(session: Session) -> None:
+    """What was recorded, as `exoid fit` will read it, and what to do with it."""
+    path, watch = session.log.path, session.watch
+    if not watch.frames:
+        raise CanBusError(
+            f"nothing was recorded from {session.bus.address}: {watch.silence(session.bus.bad)}"
+        )
+    marked = session.marks.closed
+    typer.echo(f"{path}: {watch.seconds:.1f} s, {watch.frames} frames; sidecar {session.sidecar}")
+    if session.bus.bad:
+        typer.echo(f"{session.bus.bad} bad line(s) were no frames and are left out")
+    if marked:
+        typer.echo(", ".join(f"{NAMES[kind]} {a:.1f} to {b:.1f} s" for kind, a, b in marked))
+    try:
+        _, quality = read_can_log(path)
+    except ValueError as fault:
+        typer.echo(str(fault))
+        return
+    for line in quality.lines():
+        typer.echo(line)
+    options = "" if session.subject.body_mass else " --body-mass KG --height M"
+    typer.echo(f"next: exoid fit {path}{options}")

@@ -1,0 +1,113 @@
+"""One recording under way: the bus, the log, what is shown, and the keys that mark segments."""
+
+import time
+from collections.abc import Callable
+from math import degrees, inf
+from pathlib import Path
+
+from exoid.cli.terminal.screen import Screen
+from exoid.recordings.can.node.config_crc import config_crc
+from exoid.recordings.live.bus import BusAddress, LiveBus
+from exoid.recordings.live.log_file import LogFile
+from exoid.recordings.live.marks import Marks
+from exoid.recordings.live.record import record
+from exoid.recordings.live.watch import Status, Watch
+from exoid.recordings.recording import Kind, Sensors, Subject
+from exoid.recordings.sidecar import write_sidecar
+
+LOOKED_EVERY = 0.1  # s, at keys and clock
+KEYS: dict[str, Kind] = {"d": "passive", "c": "active"}
+NAMES = {"passive": "drop", "active": "cycle"}
+END = " "
+HELP = "keys: d a drop begins, c a cycle begins, space it ends; Ctrl-C ends the recording."
+
+
+class Session:
+    """Records until it is stopped; the sidecar is there with the first frame and with each mark."""
+
+    def __init__(
+        self,
+        log: LogFile,
+        subject: Subject,
+        screen: Screen,
+        pressed: Callable[[], str] | None,
+    ):
+        self.log, self.subject, self.screen, self.pressed = log, subject, screen, pressed
+        self.watch = Watch(screen.tell, config_crc())
+        self.marks = Marks()
+        self.described = False
+        self.looked = 0.0
+
+    @property
+    def sidecar(self) -> Path:
+        return self.log.path.with_suffix(".toml")
+
+    def run(self, address: BusAddress, stopped: Callable[[], bool], duration: float | None) -> None:
+        """Record from the bus; whatever ends it, the files are complete."""
+        self.bus = LiveBus(address, self.screen.tell)
+        self.screen.tell(f"recording {address} at {address.bitrate} bit/s. Ctrl-C ends it.")
+        if self.pressed is not None:
+            self.screen.tell(HELP)
+        begin = time.monotonic()
+
+        def going() -> bool:
+            now = time.monotonic()
+            if now >= self.looked + LOOKED_EVERY:
+                self.looked = now
+                self.look()
+            since = begin if self.watch.began is None else self.watch.began
+            return not stopped() and now < since + (inf if duration is None else duration)
+
+        try:
+            record(self.bus, self.log, self.watch, going)
+        finally:
+            self.bus.close()
+            self.marks.end(self.watch.seconds)
+            if self.log.frames:
+                self.describe()
+            self.log.close()
+
+    def look(self) -> None:
+        """At what was typed, and show how it goes."""
+        if not self.described and self.log.frames:
+            self.described = True
+            self.describe()
+        for key in self.pressed() if self.pressed is not None else "":
+            if self.log.frames:
+                self.mark(key)
+        self.screen.show(f"{live_line(self.watch.status(self.bus.bad))}{self.open_segment()}")
+
+    def mark(self, key: str) -> None:
+        if key in KEYS:
+            self.marks.begin(KEYS[key], self.watch.seconds)
+        elif key == END:
+            self.marks.end(self.watch.seconds)
+        else:
+            return
+        self.describe()
+
+    def open_segment(self) -> str:
+        number = len(self.marks.closed) + 1
+        return "" if self.marks.open is None else f"  [{NAMES[self.marks.open[0]]} {number}]"
+
+    def describe(self) -> None:
+        """Write the sidecar; a disk that takes it not must not end the recording."""
+        try:
+            write_sidecar(self.subject, self.marks.protocol(), Sensors(), self.sidecar)
+        except OSError as fault:
+            self.screen.tell(f"{self.sidecar} cannot be written: {fault.strerror}. Make room.")
+
+
+def live_line(now: Status) -> str:
+    """A moment in one line, in degrees."""
+    if not now.seconds > 0:
+        return "waiting for the node"
+    parts = [
+        f"{now.seconds:7.1f} s",
+        f"{degrees(now.angle):+7.1f} deg",
+        f"{degrees(now.angular_velocity):+7.1f} deg/s",
+        f"{now.rate:4.0f} frames/s",
+        f"{now.lost} lost",
+    ]
+    parts += [f"{now.bad} bad"] if now.bad else []
+    return "  ".join([*parts, *(f"{name} {count}" for name, count in now.faults)])

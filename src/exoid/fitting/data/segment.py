@@ -1,0 +1,162 @@
+"""A segment as it enters the fit: its channels, its extent, its clock, its noise."""
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from exoid.fitting.data.fitted_samples import Clip, Portion, portion
+from exoid.fitting.model.systematics import DECLARED_NOTHING, Systematics, systematics
+from exoid.recordings.motion.extent import Extent
+from exoid.recordings.recording import Recording, Samples, Segment
+from exoid.recordings.signal.clean import clean
+from exoid.recordings.signal.condition import SMOOTHING, classify, cut, local_line
+from exoid.recordings.signal.noise import Noise
+
+REVERSED = -0.5  # of the angle's own slope: below it a gyro turns the other way
+
+
+@dataclass(frozen=True, eq=False)
+class Movement:
+    """A segment as it enters the fit: clipped, on its own clock, with its noise and its drive."""
+
+    name: str  # of the recording, and the segment's number in it
+    kind: str  # passive, active or measured
+    kind_said: bool  # by the sidecar; otherwise it was taken from the shape of the motion
+    segment: Segment
+    angle: Samples  # rad, the channel that is fitted
+    angular_velocity: Samples | None
+    filtered: bool  # that channel went through the firmware's filter
+    noise: Noise  # of the angle [rad]
+    gyro_noise: Noise | None  # rad/s
+    onset: float  # s, where the clock of Eq. 10 starts
+    period: float  # s, of the cycle; nan where there is none
+    added_mass: float  # kg
+    added_mass_distance: float  # m, nan where it is to be estimated
+    thigh_angle: float  # rad
+    recording: int = 0  # of those that are fitted together
+    extent: Extent | None = None  # how it began and ended; None where the whole segment is kept
+    systematics: Systematics = DECLARED_NOTHING  # how well what is declared is known
+    late: int = 0  # samples from the first that weigh nothing, though nobody was seen to hold it
+    kept: int | None = None  # samples after which a hand holds it that only a fit has seen
+    divisor: float | None = None  # rad, of the angle's residuals; None: its noise
+
+    @property
+    def angle_noise(self) -> float:
+        """Standard deviation of an angle sample [rad]."""
+        return self.noise.level
+
+    @property
+    def residual_unit(self) -> float:
+        """What a fit divides the angle's residuals by [rad]."""
+        return self.angle_noise if self.divisor is None else self.divisor
+
+    @property
+    def velocity_noise(self) -> float:
+        """Standard deviation of a gyro sample [rad/s]; infinite without a gyro."""
+        return np.inf if self.gyro_noise is None else self.gyro_noise.level
+
+    @property
+    def source(self) -> str:
+        """The recording, by its name where there are several."""
+        return self.name.rpartition(" ")[0] or "recording"
+
+    @property
+    def voluntary(self) -> bool:
+        return self.kind == "active"
+
+    @property
+    def scaled(self) -> bool:
+        """Does a known mass or torque act, so that this segment can tell the inertia?"""
+        return self.kind == "measured" or self.added_mass > 0
+
+    @property
+    def unplaced(self) -> bool:
+        """Is it unknown where the added mass sat?"""
+        return self.added_mass > 0 and bool(np.isnan(self.added_mass_distance))
+
+
+def movement(
+    recording: Recording, number: int, name: str, belongs: int = 0, *, clip: Clip = "free"
+) -> Movement:
+    """Condition one segment: choose its channels, clean them, find its extent and its clock.
+
+    `belongs` counts the recordings that are fitted together. What a hand does while it lets go is
+    NaN in `angle` and `angular_velocity`: it weighs nothing.
+
+    **Raises** `Motionless` where nothing moves or too few samples are left, `ValueError` where a
+    torque is missing.
+    """
+    cleaned = clean(recording)
+    recording = cleaned.recording
+    segment, said = recording.segments[number], recording.kind(number)
+    kind = said or classify(segment) or "passive"
+    if kind == "measured" and segment.applied_torque is None:
+        raise ValueError(f"segment {name} is said to be measured, but has no torque_nm column.")
+    part = portion(recording, number, kind, clip, name)
+    clipped = cut(segment, slice(part.start, part.stop))
+    raw = clipped.raw_angle is not None
+    angle = clipped.raw_angle if raw else clipped.angle
+    velocity = clipped.raw_angular_velocity if raw else clipped.angular_velocity
+    mass, distance = recording.added_mass(number), recording.added_mass_distance(number)
+    assert angle is not None  # a Segment has one or the other
+    check_sense(clipped, angle, velocity, name)
+    return Movement(
+        name=name,
+        kind=kind,
+        kind_said=said is not None,
+        segment=clipped,
+        angle=without_hand(angle, part),
+        angular_velocity=None if velocity is None else without_hand(velocity, part),
+        filtered=not raw,
+        noise=cleaned.angle,
+        gyro_noise=cleaned.velocity,
+        onset=part.onset - float(segment.time[part.start]),
+        period=part.period,
+        added_mass=mass,
+        added_mass_distance=np.nan if mass > 0 and distance is None else distance or 0.0,
+        thigh_angle=recording.thigh_angle(number),
+        recording=belongs,
+        extent=part.extent,
+        systematics=systematics(recording, number),
+    )
+
+
+def without_hand(samples: Samples, part: Portion) -> Samples:
+    """NaN where a hand may still be on the leg."""
+    count = part.free - part.start
+    return np.concatenate([np.full(count, np.nan), samples[count:]])
+
+
+def weightless(each: Movement, these: NDArray[np.bool_], **changed: Any) -> Movement:
+    """The same movement, in which these samples weigh nothing."""
+    angle, rate = each.angle, each.angular_velocity
+    return replace(
+        each,
+        angle=np.where(these, np.nan, angle),
+        angular_velocity=None if rate is None else np.where(these, np.nan, rate),
+        **changed,
+    )
+
+
+def check_sense(segment: Segment, angle: Samples, velocity: Samples | None, name: str) -> None:
+    """Refuse a gyro that turns the other way than the encoder."""
+    if velocity is None:
+        return
+    slope, seen = local_line(segment.time, angle, SMOOTHING)[1], ~np.isnan(velocity)
+    if np.sum(slope[seen] * velocity[seen]) < REVERSED * np.sum(slope[seen] ** 2):
+        raise ValueError(
+            f"segment {name}: the angular velocity is the angle's with the other sign. Extension "
+            "is positive in both: change the sign of one of them."
+        )
+
+
+def smoothed_motion(each: Movement, width: float) -> tuple[Samples, Samples]:
+    """Angle and angular velocity as the leg had them, before any chain, smoothed over `width` s."""
+    part = each.segment
+    angle = part.angle if part.raw_angle is None else part.raw_angle
+    gyro = part.angular_velocity if part.raw_angle is None else part.raw_angular_velocity
+    assert angle is not None  # a Segment has one or the other
+    smooth, slope = local_line(part.time, angle, width)
+    return smooth, slope if gyro is None else local_line(part.time, gyro, width)[0]

@@ -1,0 +1,199 @@
+"""Every segment fitted alone, and the ratios averaged: parameters lie along null directions."""
+
+from dataclasses import replace
+
+import jax
+import numpy as np
+
+from exoid.fitting.estimate import PLAIN_SCALE, fit, left_out, movements_of, segments_of
+from exoid.fitting.misfit.neighbourhood import derivative
+from exoid.fitting.misfit.uncertainty import Information
+from exoid.fitting.model.assumptions import Assumptions, by_hand
+from exoid.fitting.model.constraint import NEVER, constraint_names, violations
+from exoid.fitting.model.prior import prior_residual
+from exoid.fitting.model.prior_and_limits import NAMES, Belief, believe
+from exoid.fitting.result.estimates import parameter_estimate, with_reasons
+from exoid.fitting.result.fit_result import Estimate, FitResult
+from exoid.physics.leg import GRAVITY, LegParameters
+from exoid.recordings.loading.named import Given, named_recordings
+from exoid.recordings.recording import Recording
+
+COMMON = ("gravity_over_inertia", "stiffness_over_inertia", "damping_over_inertia")
+SIZES = ("mass", "inertia", "com_distance")
+SMALLEST_ERROR = 1e-6  # relative, of a ratio: nothing is known better than that
+MIXED = (
+    "some cycles fit better with f = 1/T, some with 2/T (Eq. 4), and tau / J is a mean over both: "
+    "choose one with torque_frequency"
+)
+HOLDS = 1e-6  # relative slack below which a constraint holds as an equality
+
+
+def fit_each(given: Given, **options) -> FitResult:
+    """`fit_leg` on every segment by itself.
+
+    Ratios are the mean over segments, with the standard error of their scatter; the parameters are
+    what prior and limits make of the mean ratios.
+    """
+    recordings = named_recordings(given)
+    moving = movements_of(recordings, clip=options.get("clip", "free"))
+    moved = {each.name for each in moving}
+    results = [
+        alone(name, recording, number, options)
+        for name, recording, number, _ in segments_of(recordings)
+        if name in moved
+    ]
+    if len(results) < 2:
+        notes = [*left_out(recordings, moving), *results[0].notes]
+        return replace(results[0], notes=notes)
+    ratios = {name: averaged([each.ratios[name] for each in results]) for name in COMMON}
+    torques = [r.ratios["torque_over_inertia"] for r in results if len(r.ratios) > len(COMMON)]
+    if torques:
+        ratios["torque_over_inertia"] = averaged(torques)
+    plain = options.get("misfit") == "paper"
+    weight = options.get("weight", 1.0) * (PLAIN_SCALE**2 if plain else 1.0)
+    hand = by_hand(recordings, *(options.get(name) for name in ("fix", "bound", "expect")))
+    names = options.get("prior", "auto"), options.get("bounds", "body")
+    assumed = Assumptions(names[0], weight, plain, names[1], hand)
+    belief = believe(recordings[0][1].subject, assumed)
+    said = dict.fromkeys(note for each in results for note in each.notes)
+    lost = [each.notes[0] for each in results if not each.follows][:1]
+    readings = {each.torque_frequency for each in results} - {None}
+    if len(readings) > 1:
+        said[MIXED] = None
+    return replace(
+        results[0],
+        parameters=with_reasons(
+            settled_parameters(belief, ratios), not np.isfinite(belief.limits.reach)
+        ),
+        ratios=ratios,
+        torque_amplitude=mean_torque([r.torque_amplitude for r in results]),
+        segments=[segment for each in results for segment in each.segments],
+        loss=sum(each.loss for each in results),
+        disturbance=max((each.disturbance for each in results), key=lambda one: one.scale),
+        mountings=[mounting for each in results for mounting in each.mountings],
+        basis=None,
+        astray=next((each.astray for each in results if not each.follows), None),
+        torque_frequency=readings.pop() if len(readings) == 1 else None,
+        other_reading_rmse=None,
+        notes=[
+            *lost,
+            f"every segment was fitted alone: the ratios are the mean of {len(results)} fits, "
+            "their errors come from the scatter between them, and the starts are those of the "
+            "first",
+            *left_out(recordings, moving),
+            *(note for note in said if note not in lost),
+        ],
+    )
+
+
+def alone(name: str, recording: Recording, number: int, options: dict) -> FitResult:
+    """The fit of one segment, which keeps the name it has among the others."""
+    try:
+        result = fit([(name, only(recording, number))], **options)
+    except ValueError as fault:
+        raise ValueError(f"segment {name} alone: {fault}") from fault
+    return replace(result, segments=[replace(result.segments[0], name=name)])
+
+
+def only(recording: Recording, number: int) -> Recording:
+    """One segment as a recording of its own."""
+
+    def own(value):
+        entry = value[number] if isinstance(value, tuple) else value
+        return None if isinstance(entry, float) and np.isnan(entry) else entry
+
+    subject, protocol = recording.subject, recording.protocol
+    mass = own(subject.added_mass)
+    return replace(
+        recording,
+        segments=(recording.segments[number],),
+        subject=replace(
+            subject,
+            added_mass=mass,
+            added_mass_distance=None if mass is None else own(subject.added_mass_distance),
+        ),
+        protocol=replace(
+            protocol,
+            kind=own(protocol.kind),
+            cycle_period=own(protocol.cycle_period),
+            thigh_angle=own(protocol.thigh_angle),
+        ),
+    )
+
+
+def averaged(each: list[Estimate]) -> Estimate:
+    """The mean of the values, with the standard error that their scatter gives it."""
+    values = np.array([one.value for one in each], dtype=float)
+    error = float(values.std(ddof=1) / np.sqrt(values.size)) if values.size > 1 else None
+    return replace(each[0], value=float(values.mean()), standard_error=error, shares=None)
+
+
+def mean_torque(each: list[Estimate | None]) -> Estimate | None:
+    """The mean over the voluntary segments, where it is known of all of them."""
+    there = [one for one in each if one is not None]
+    if not there or any(one.value is None for one in there):
+        return there[0] if there else None
+    return averaged(there)
+
+
+def settled_parameters(belief: Belief, ratios: dict[str, Estimate]) -> dict[str, Estimate]:
+    """P at the mean ratios: prior and limits choose m and J, two unknowns for SciPy's SLSQP."""
+    from scipy.optimize import minimize
+
+    values = np.array([ratios[name].value for name in COMMON], dtype=float)
+    errors = np.array([ratios[name].standard_error or 0.0 for name in COMMON])
+    errors = np.maximum(errors, SMALLEST_ERROR * (1 + np.abs(values)))
+    limits, fixed = belief.limits, belief.by_hand.fix
+    ends = [name in fixed for name in constraint_names(0)]
+    # Where the ratio is 0 as well, nothing moves; with J fixed, d and c follow from their ratios.
+    movable = [name for name in fixed if name in SIZES or (fixed[name] and "inertia" not in fixed)]
+
+    def leg(logs):
+        mass, inertia = np.exp(logs[:2])
+        gravity, stiffness, damping = logs[2:]
+        distance = gravity * inertia / (mass * GRAVITY)
+        return LegParameters(mass, inertia, distance, damping * inertia, stiffness * inertia)
+
+    def by_prior(logs):
+        return prior_residual(belief.prior, leg(logs), np)
+
+    def violation(logs):
+        no_torque = np.zeros((0, *np.shape(logs)[1:]))
+        found = violations(limits, leg(logs), no_torque, np)
+        return np.where(np.reshape(ends, (-1, *[1] * np.ndim(logs[0]))), NEVER, found)
+
+    def held(logs):
+        values = leg(logs)
+        return np.array([getattr(values, name) - fixed[name] for name in movable])
+
+    def at(logs):
+        return np.concatenate([logs, values])
+
+    found = minimize(
+        lambda logs: float(by_prior(at(logs)) @ by_prior(at(logs))) / 2,
+        np.log(first_guess(belief)),
+        method="SLSQP",
+        constraints=[
+            {"type": "ineq", "fun": lambda logs: -violation(at(logs))},
+            *([{"type": "eq", "fun": lambda logs: held(at(logs))}] if movable else []),
+        ],
+    )
+    point = at(found.x)
+    active = violation(point) > -HOLDS
+    prior = derivative(by_prior, point)
+    data = np.diag([0.0, 0.0, *errors**-2.0])
+    gradients = derivative(lambda logs: np.stack(jax.tree.leaves(leg(logs))), point)
+    rows = gradients[[NAMES.index(name) for name in fixed]]
+    bound = np.concatenate([derivative(violation, point)[active], rows])
+    information = Information(data, prior.T @ prior, bound, rows)
+    at_bound = {name for name, holds in zip(constraint_names(0), active, strict=True) if holds}
+    return {
+        name: parameter_estimate(name, belief, float(value), information, gradient, at_bound)
+        for name, value, gradient in zip(NAMES, jax.tree.leaves(leg(point)), gradients, strict=True)
+    }
+
+
+def first_guess(belief: Belief) -> np.ndarray:
+    """m [kg] and J [kg m^2]: what anatomy expects, else those of a middling leg."""
+    typical = belief.typical
+    return np.array([typical.get("mass", 4.0), typical.get("inertia", 0.4)])

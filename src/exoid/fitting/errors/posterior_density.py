@@ -1,0 +1,149 @@
+"""The density that a posterior is drawn from, in coordinates of unit scale around the best fit."""
+
+from dataclasses import replace
+from functools import partial
+from typing import Any
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jax.flatten_util import ravel_pytree
+from jaxtyping import Array, Float
+
+from exoid.fitting.data.conditioning_chain import Chain
+from exoid.fitting.data.observation import Observation
+from exoid.fitting.misfit.condensed import condense, linear_model, weighed
+from exoid.fitting.misfit.disturbance import whitening
+from exoid.fitting.misfit.neighbourhood import columns, prior_information
+from exoid.fitting.misfit.residual import Stage
+from exoid.fitting.model.constraint import SIZE, Limits, violations
+from exoid.fitting.model.coordinates import (
+    Coordinates,
+    flattened,
+    leg_parameters,
+    scaled,
+    torque_amplitudes,
+    unflattened,
+    unscaled,
+)
+from exoid.fitting.model.prior import Prior, log_jacobian, mounting_residual, prior_residual
+from exoid.fitting.model.prior_and_limits import Belief
+from exoid.fitting.result.fit_result import Basis
+from exoid.fitting.solve.problem import around, take
+from exoid.fitting.solve.program import mountings
+
+UNDETERMINED = 1e-3  # information per typical step squared, too little to sample along
+NARROW = 2e-4  # relative width of what a user fixed: chains cannot move along a surface
+UNIFORM = 12.0  # squared width over variance of a uniform density
+
+
+class Target(eqx.Module):
+    """The density of y, where best + spread y are the fit's scaled coordinates."""
+
+    best: Coordinates  # scaled
+    spread: Float[Any, "coordinate direction"]
+    shrink: Float[Any, "coordinate coordinate"]  # C of `posterior.sample`
+    tilt: Float[Any, " coordinate"]  # keeps the data's slope at the best fit
+    scale: Float[Any, " segment"]
+    observation: Observation
+    known: Float[Any, "segment unknown"]
+    stage: Stage
+    prior: Prior
+    limits: Limits
+
+
+def posed(basis: Basis) -> tuple[Target, np.ndarray]:
+    """The density, and the directions (coordinate, direction) that nothing determines."""
+    problem, ended = basis.problem, basis.ended
+    local = ended.local
+    prior, limits = without_fixed(problem.belief)
+    total = local.data + prior_information(take(ended.best.coordinates, 0), prior)
+    values, vectors = np.linalg.eigh(total)
+    loose = vectors[:, values < UNDETERMINED]
+    bounds = (limits.lower, limits.upper, SIZE)
+    width = jax.tree.leaves(jax.tree.map(lambda low, high, size: (high - low) / size, *bounds))
+    edges = local.constraints[: len(width)] @ loose / np.array(width)[:, None]
+    values, vectors = np.linalg.eigh(total + UNIFORM * loose @ edges.T @ edges @ loose.T)
+    kept = values >= UNDETERMINED
+    shrink, tilt = curved(basis)
+    target = Target(
+        best=scaled(take(ended.best.coordinates, 0)),
+        spread=vectors[:, kept] / np.sqrt(values[kept]),
+        shrink=shrink,
+        tilt=tilt,
+        scale=ended.disturbance.scale * ended.disturbance.weighing(problem.kinds),
+        observation=problem.observation,
+        known=problem.known,
+        stage=Stage(np.asarray(0.0), np.asarray(problem.steps)),
+        prior=prior,
+        limits=limits,
+    )
+    return target, vectors[:, ~kept]
+
+
+def without_fixed(belief: Belief) -> tuple[Prior, Limits]:
+    """What was fixed as a narrow belief, in the place of limits that leave nothing between them."""
+    fixed, limits = belief.by_hand.fix, belief.limits
+    if not fixed:
+        return belief.prior, limits
+    weight = float(belief.prior.weight) or 1.0
+    size = {name: abs(value) or float(getattr(SIZE, name)) for name, value in fixed.items()}
+    width = {name: np.asarray(NARROW * one * np.sqrt(weight)) for name, one in size.items()}
+    prior = replace(
+        belief.prior,
+        own=replace(belief.prior.own, **{name: np.asarray(one) for name, one in fixed.items()}),
+        own_deviation=replace(belief.prior.own_deviation, **width),
+        weight=np.asarray(weight),
+    )
+    return prior, replace(
+        limits,
+        lower=replace(limits.lower, **dict.fromkeys(fixed, np.asarray(-np.inf))),
+        upper=replace(limits.upper, **dict.fromkeys(fixed, np.asarray(np.inf))),
+    )
+
+
+def curved(basis: Basis) -> tuple[np.ndarray, np.ndarray]:
+    """C with C'HC = W, of the misfit's H and the fit's W, and the slope that C would change."""
+    best = basis.ended.best
+    plain = around(basis.problem, best).data
+    white, unit = whitening(plain)
+    inward, outward = white / unit[:, None], np.linalg.pinv(white).T * unit[:, None]
+    values, axes = np.linalg.eigh(inward.T @ basis.ended.local.data @ inward)
+    root = np.sqrt(np.maximum(values, 0.0))  # beyond 1 where a kind was held for worse than it is
+    change = (axes * root) @ axes.T - np.eye(root.size)
+    shrink = np.eye(len(plain)) + inward @ change @ outward.T
+    one, slope = take(best, 0), np.zeros(len(plain))
+    places_of = columns(one.coordinates, basis.problem.observation.seat)
+    for at, factor, projection in zip(
+        places_of, one.condensed.factor, one.condensed.projection, strict=True
+    ):
+        slope[at] += factor.T @ projection
+    return shrink, slope - shrink.T @ slope
+
+
+def log_density(
+    target: Target, chain: Chain, place: Float[Array, " direction"]
+) -> Float[Array, ""]:
+    """Its derivative is exact: where the misfit is condensed, its linear model has the same."""
+    flat, unravel = ravel_pytree(target.best)
+    change = target.spread @ place
+    point, to = unscaled(unravel(flat + change)), unravel(flat + target.shrink @ change)
+    here = jax.lax.stop_gradient(to)
+    at, seen = unscaled(here), target.observation
+    each = partial(condense, stage=target.stage, chain=chain)
+    condensed = jax.vmap(each, in_axes=(None, 0, 0, 0, 0))(
+        at.shared, mountings(at, seen), at.own, seen, target.known
+    )
+    leg = leg_parameters(point)
+    data = linear_model(weighed(condensed, target.scale), here, to, seen.seat)
+    belief = [prior_residual(target.prior, leg), mounting_residual(target.prior, point.mounting)]
+    loss = sum(jnp.sum(part**2) for part in (data, *belief)) / 2 + target.tilt @ change
+    within = violations(target.limits, leg, torque_amplitudes(point)).max() <= 0
+    return jnp.where(within, log_jacobian(target.prior, leg) - loss, -jnp.inf)
+
+
+def points(target: Target, places: np.ndarray) -> Coordinates:
+    """The coordinates of many places, which become the last axis."""
+    flat = flattened(target.best)[:, None] + target.spread @ places.T
+    return unscaled(unflattened(flat, target.best))

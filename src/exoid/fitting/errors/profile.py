@@ -1,0 +1,206 @@
+"""Profiles: how much worse the best fit gets where one quantity is held elsewhere.
+
+Where the quadratic picture behind a standard error fails (a bound, a trade-off, nothing in the data
+that tells), a profile still says what the recording allows: the interval in which twice the loss
+rises by less than the 95 % point of chi-square with one degree of freedom (Venzon & Moolgavkar,
+Applied Statistics 37(1), 1988).
+"""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import jax
+import numpy as np
+from jaxtyping import Float
+
+from exoid.fitting.misfit.neighbourhood import penalties, weighed
+from exoid.fitting.misfit.uncertainty import decomposed, spread
+from exoid.fitting.model.coordinates import (
+    QUANTITIES,
+    Coordinates,
+    flattened,
+    scaled,
+    unflattened,
+    unscaled,
+)
+from exoid.fitting.model.prior_and_limits import NAMES
+from exoid.fitting.multistart.search import FEASIBLE, LIMITED
+from exoid.fitting.result.estimates import RATIOS
+from exoid.fitting.result.fit_result import Basis, Estimate, FitResult
+from exoid.fitting.solve.problem import advance, around, take, task
+from exoid.fitting.solve.program_values import Aim
+
+Shape = Literal["two-sided", "lower limit only", "upper limit only", "flat"]
+
+RISE = 3.841  # of twice the loss: the 95 % point of chi-square with one degree of freedom
+REACH = 3.0  # standard errors to either side that are looked at
+POINTS = 13  # of a profile, odd: one is the best fit
+FEWEST = 3  # of them that must be reached
+PULL = 10.0  # strength over one standard error: a point falls 1 % short of its target, and says so
+HALVINGS = 25  # of an interval of noise scales
+WIDE = 0.5  # of a value, to either side, where nothing tells how far to look
+
+
+@dataclass(frozen=True, eq=False)
+class Profile:
+    """The least loss for every value of one quantity."""
+
+    name: str
+    estimate: Estimate
+    value: Float[np.ndarray, " point"]  # in the quantity's unit, increasing
+    rise: Float[np.ndarray, " point"]  # of twice the loss over the best
+    lower: float | None  # of the 95 % interval; None where no value is too small
+    upper: float | None
+
+    @property
+    def shape(self) -> Shape:
+        """Which ends the recording and the prior can tell."""
+        if self.lower is None:
+            return "flat" if self.upper is None else "upper limit only"
+        return "lower limit only" if self.upper is None else "two-sided"
+
+
+@dataclass(frozen=True, eq=False)
+class Quest:
+    """One quantity to profile: its weights among `coordinates.quantities`, and where to look."""
+
+    name: str
+    estimate: Estimate
+    weights: np.ndarray
+    targets: np.ndarray
+    step: float  # about one standard error
+    noise_scale: float
+
+
+def profiles(result: FitResult) -> dict[str, Profile]:
+    """The profile of every parameter and ratio, all points as starts of one search.
+
+    One of which hardly a point can be reached within the limits has no profile, and is left out.
+
+    **Raises** `ValueError` for a result that has no one fit to profile (`fit_each`).
+    """
+    basis = result.basis
+    if basis is None:
+        raise ValueError("every segment was fitted alone: there is no one fit to profile.")
+    quests = [quest for name, each in named(result) if (quest := posed(basis, name, each))]
+    aim = Aim(
+        noise_scale=np.repeat([each.noise_scale for each in quests], POINTS)[:, None]
+        * basis.ended.disturbance.weighing(basis.problem.kinds),
+        weights=np.concatenate([np.tile(each.weights, (POINTS, 1)) for each in quests]),
+        target=np.concatenate([each.targets for each in quests]),
+        strength=np.concatenate([np.full(POINTS, PULL / each.step) for each in quests]),
+    )
+    begins = [begin(basis, each) for each in quests]
+    starts = jax.tree.map(lambda *each: np.concatenate(each), *begins)
+    problem, ended = basis.problem, basis.ended
+    seen = ended.best if problem.belief.by_hand.fix else ended.free
+    penalty = penalties(weighed(around(problem, seen), ended.disturbance.scale))
+    asked = task(problem, 0.0, problem.steps, LIMITED, penalty)
+    solved = advance(problem, starts, asked, aim=aim)
+    reached = np.sum(aim.weights * solved.quantities, axis=1)
+    loss = np.where(solved.violation < FEASIBLE, 2 * solved.loss, np.inf)
+    parts = zip(quests, reached.reshape(-1, POINTS), loss.reshape(-1, POINTS), strict=True)
+    found = [traced(each, value, twice) for each, value, twice in parts]
+    return {each.name: each for each in found if each is not None}
+
+
+def named(result: FitResult) -> list[tuple[str, Estimate]]:
+    """Parameters, mean torque and ratios."""
+    torque = result.torque_amplitude
+    tau = [] if torque is None else [("torque_amplitude", torque)]
+    return [*result.parameters.items(), *tau, *result.ratios.items()]
+
+
+def weights_of(name: str, basis: Basis) -> np.ndarray:
+    """Which of `coordinates.quantities` this is, or a mean of which."""
+    segments = len(basis.problem.movements)
+    weights = np.zeros(QUANTITIES + 2 * segments)
+    common = [*NAMES, *RATIOS][:QUANTITIES]
+    if name in common:
+        weights[common.index(name)] = 1.0
+        return weights
+    voluntary = [number for number, each in enumerate(basis.problem.movements) if each.voluntary]
+    first = QUANTITIES + (segments if name == "torque_over_inertia" else 0)
+    weights[first + np.array(voluntary)] = 1 / len(voluntary)
+    return weights
+
+
+def posed(basis: Basis, name: str, estimate: Estimate) -> Quest | None:
+    """Where to look for one quantity; None where it does not exist, as m of a rig."""
+    weights = weights_of(name, basis)
+    gradient = weights @ basis.ended.local.quantities
+    value = float(weights @ basis.ended.best.quantities[0])
+    if estimate.by_hand == "fix":
+        return None  # one value alone
+    # A bound may have narrowed the error on one side only: look as far as it would reach without.
+    free = basis.information.without_bounds(gradient)
+    step = max(estimate.standard_error or 0.0, free if np.isfinite(free) else 0.0)
+    step = step or WIDE * abs(value) / REACH
+    if not step > 0:
+        return None
+    targets = value + step * np.linspace(-REACH, REACH, POINTS)
+    scale = matching(basis, gradient, estimate.standard_error)
+    return Quest(name, estimate, weights, targets, float(step), scale)
+
+
+def matching(basis: Basis, gradient: np.ndarray, error: float | None) -> float:
+    """The noise scale with which data and prior leave this quantity its standard error.
+
+    A disturbance widens every direction by its own factor; a profile has one, which must be right
+    for its quantity.
+    """
+    found, local = basis.ended.disturbance, basis.ended.local
+    if error is None:
+        return found.scale
+    plain = weighed(around(basis.problem, basis.ended.best), 1 / found.scale).data
+    free, least = basis.information.free, min(1.0, float(found.widening.min()))
+    low, high = float(np.log(least)), float(np.log(found.widening.max())) + 1e-6
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        total = free.T @ (plain / np.exp(2 * middle) + local.prior) @ free
+        wide = spread(decomposed(total), free, gradient) > error
+        low, high = (low, middle) if wide else (middle, high)
+    return float(np.exp(high))
+
+
+def begin(basis: Basis, quest: Quest) -> Coordinates:
+    """Where the quadratic picture has each point: along I^-1 times the gradient."""
+    best = take(basis.ended.best.coordinates, 0)
+    gradient = quest.weights @ basis.ended.local.quantities
+    total = basis.ended.local.data + basis.ended.local.prior
+    total = total + np.diag(1e-6 * (1 + np.diag(total)))
+    direction = np.linalg.solve(total, gradient)
+    change = quest.targets - quest.weights @ basis.ended.best.quantities[0]
+    flat = flattened(scaled(best)) + np.outer(change, direction / (gradient @ direction))
+    points = [unscaled(unflattened(each, best)) for each in flat]
+    return jax.tree.map(lambda *each: np.stack(each), *points)
+
+
+def traced(quest: Quest, value: np.ndarray, twice: np.ndarray) -> Profile | None:
+    """The profile through the points that were reached; None where they are too few for a curve."""
+    order = np.argsort(value)
+    value, twice = value[order], twice[order]
+    good = np.isfinite(twice) & np.append(True, np.diff(value) > 1e-9 * quest.step)
+    if good.sum() < FEWEST:
+        return None
+    value, rise = value[good], twice[good] - twice[good].min()
+    best = int(np.argmin(rise))
+    return Profile(
+        name=quest.name,
+        estimate=quest.estimate,
+        value=value,
+        rise=rise,
+        lower=crossing(value[: best + 1][::-1], rise[: best + 1][::-1]),
+        upper=crossing(value[best:], rise[best:]),
+    )
+
+
+def crossing(value: np.ndarray, rise: np.ndarray) -> float | None:
+    """Where `rise` first passes RISE on the way out; between points its root is linear."""
+    above = np.flatnonzero(rise > RISE)
+    if above.size == 0:
+        return None
+    at = int(above[0])
+    root = np.sqrt(np.maximum(rise, 0.0))
+    part = (np.sqrt(RISE) - root[at - 1]) / (root[at] - root[at - 1])
+    return float(value[at - 1] + part * (value[at] - value[at - 1]))

@@ -1,0 +1,223 @@
+"""`fit`: from recordings of one leg to its parameters."""
+
+from dataclasses import replace
+from typing import Literal
+
+import jax
+import numpy as np
+
+from exoid.fitting.data.conditioning import conditioned
+from exoid.fitting.data.fitted_samples import Clip
+from exoid.fitting.data.segment import Movement, movement
+from exoid.fitting.hands.unseen_hands import without_unseen_hands
+from exoid.fitting.model.assumptions import Assumptions, BoundsName, PriorName, by_hand
+from exoid.fitting.model.prior_and_limits import NAMES, Belief, believe
+from exoid.fitting.model.user_values import Bounds, Expectations, Fixed
+from exoid.fitting.multistart.search import Ended, search
+from exoid.fitting.multistart.starts import draw, informed
+from exoid.fitting.result.describe import describe
+from exoid.fitting.result.fit_result import FitResult
+from exoid.fitting.result.remarks import UPWARDS, upwards
+from exoid.fitting.solve.problem import Problem, pose
+from exoid.recordings.loading.named import Given, named_recordings
+from exoid.recordings.motion.extent import Motionless
+from exoid.recordings.recording import Recording
+
+MIDDLING = {"mass": 4.0, "inertia": 0.4}  # kg, kg m^2: where nothing is expected
+PLAIN_SCALE = 1e3  # 1/rad: the solver's tolerances are in units of noise, here 1 mrad
+READINGS = ("1/T", "2/T")  # of Eq. 4
+APART = (("body_mass", "kg", 6.0), ("height", "m", 0.03))  # by which one person's sidecars differ
+
+
+def fit(
+    recordings: Given,
+    *,
+    multistart: int = 64,
+    seed: int = 0,
+    prior: PriorName = "auto",
+    weight: float = 1.0,
+    bounds: BoundsName = "body",
+    fix: Fixed | None = None,
+    bound: Bounds | None = None,
+    expect: Expectations | None = None,
+    method: Literal["lm", "slsqp"] = "lm",
+    smooth: int = 1,
+    misfit: Literal["weighted", "paper"] = "weighted",
+    clip: Clip = "free",
+    at_once: bool = False,
+    starts: np.ndarray | None = None,
+) -> FitResult:
+    """Fit one leg to all segments of the recordings (Eq. 9-13).
+
+    `recordings` is one recording (a Recording, what `load` gave, or a path) or a list of them, with
+    or without names as (name, recording) pairs; all are of one leg. `weight` is lambda of Eq. 11 in
+    standardised units. `bounds` are what a leg of this body can have, or Eq. 13 as the "paper" has
+    it. By hand, in printed units: `fix` {"stiffness": 0.0}, `bound` {"damping": (0.0, 20.0)} (None
+    leaves an end), `expect` {"damping": (3.0, 1.0)}, a value and its standard deviation in the
+    place of the table's. What the sidecar's [fit] says of other parameters holds too. `smooth` is
+    the window of Eq. 3 in samples, applied to
+    data and simulation alike. `misfit` "paper" is Eq. 11 as printed: the angle alone in rad, and
+    the prior in the parameters' own units. `starts`, (start, 6) in the order m, J, l, d, c, tau,
+    replace the draw from the limits by `seed`. `clip` "paper" keeps what lies between the first and
+    the last sample faster than 20 deg/s (Eq. 3-4), in place of what moved freely. `at_once` says
+    that where a recording begins with its release, no hand is on the leg from the first sample on;
+    else its first instants count where they fit to the rest.
+
+    **Raises** `ValueError` where the recording cannot be fitted or gravity comes out upwards in
+    passive segments, `ArithmeticError` where no start
+    succeeded.
+    """
+    named = named_recordings(recordings)
+    check_one_leg(named)
+    movements = movements_of(named, clip=clip)
+    plain = misfit == "paper"
+    weight *= PLAIN_SCALE**2 if plain else 1.0
+    hand = by_hand(named, fix, bound, expect)
+    belief = believe(named[0][1].subject, Assumptions(prior, weight, plain, bounds, hand))
+    if plain:
+        movements = [plainly(each) for each in movements]
+    chain, movements = conditioned(movements, smooth)
+
+    def search_of(movements, reading: str, count: int = multistart) -> tuple[Problem, Ended]:
+        given = begin(movements, belief, reading, count, seed) if starts is None else starts
+        return solved(pose(movements, belief, reading, chain), given, method)
+
+    tried = {reading: search_of(movements, reading) for reading in readings(named, movements)}
+    best = min(tried, key=lambda reading: float(tried[reading][1].best.misfit[0]))
+    problem, ended = tried[best]
+    if method == "lm" and clip == "free" and not plain:
+        problem, ended = without_unseen_hands(
+            problem,
+            ended,
+            lambda kept, count: search_of(kept, best, count),
+            multistart,
+            at_once=at_once,
+        )
+    if upwards(problem, ended):
+        raise ValueError(UPWARDS)
+    others = [
+        describe(*tried[reading], None, None).angle_rmse for reading in tried if reading != best
+    ]
+    voluntary = any(each.voluntary for each in movements)
+    result = describe(problem, ended, best if voluntary else None, others[0] if others else None)
+    return replace(result, notes=[*left_out(named, movements), *result.notes])
+
+
+def movements_of(named: list[tuple[str, Recording]], *, clip: Clip = "free") -> list[Movement]:
+    """Every segment of every recording that moves, as it enters a fit.
+
+    **Raises** `ValueError` where none moves, or one cannot be fitted.
+    """
+    found, still = [], []
+    for name, recording, number, belongs in segments_of(named):
+        try:
+            found.append(movement(recording, number, name, belongs, clip=clip))
+        except Motionless as fault:
+            still.append(fault)
+    if not found:
+        raise still[0]
+    return found
+
+
+def segments_of(
+    named: list[tuple[str, Recording]],
+) -> list[tuple[str, Recording, int, int]]:
+    """Every segment: its name, its recording, its number there, and the recording's number."""
+    several = len(named) > 1
+    return [
+        (f"{name} {number}" if several else str(number), recording, number, belongs)
+        for belongs, (name, recording) in enumerate(named)
+        for number in range(len(recording.segments))
+    ]
+
+
+def left_out(named: list[tuple[str, Recording]], movements: list[Movement]) -> list[str]:
+    """A note of the segments in which nothing moves that could be fitted."""
+    moved = {each.name for each in movements}
+    still = [name for name, *_ in segments_of(named) if name not in moved]
+    if not still:
+        return []
+    which = f"segment {still[0]} was" if len(still) == 1 else f"segments {', '.join(still)} were"
+    return [f"{which} left out: nothing moves freely in there, or hardly ever"]
+
+
+def check_one_leg(named: list[tuple[str, Recording]]) -> None:
+    """Refuse recordings whose sidecars speak of different people, sides or bodies."""
+    for key, unit, most in APART:
+        known = {
+            name: value
+            for name, recording in named
+            if (value := getattr(recording.subject, key)) is not None
+        }
+        if not known:
+            continue
+        low, high = min(known, key=known.__getitem__), max(known, key=known.__getitem__)
+        if known[high] - known[low] > most:
+            raise ValueError(
+                f"{low} says {key} {known[low]:g} {unit}, {high} says {known[high]:g} {unit}: "
+                "recordings that are fitted together are of one leg. Fit them apart, or mend "
+                "the sidecars."
+            )
+    for key in ("id", "side"):
+        known = {
+            value: name
+            for name, recording in named
+            if (value := getattr(recording.subject, key)) is not None
+        }
+        if len(known) > 1:
+            (one, first), (other, second) = list(known.items())[:2]
+            raise ValueError(
+                f"{first} is of {key} {one}, {second} of {key} {other}: recordings that are fitted "
+                "together are of one leg. Fit them apart, or mend the sidecars."
+            )
+    if len({recording.subject.kind == "rig" for _, recording in named}) > 1:
+        raise ValueError("some recordings are of a rig, others of a leg: fit them apart.")
+    for at, (name, recording) in enumerate(named):
+        for other, again in named[at + 1 :]:
+            if same_samples(recording, again):
+                raise ValueError(f"{name} and {other} hold the same samples: give each only once.")
+
+
+def same_samples(one: Recording, other: Recording) -> bool:
+    """Is it the same recording twice?"""
+    first, again = one.segments[0].channels(), other.segments[0].channels()
+    return first.keys() == again.keys() and all(
+        np.array_equal(samples, again[name], equal_nan=True) for name, samples in first.items()
+    )
+
+
+def begin(
+    movements: list[Movement], belief: Belief, reading: str, count: int, seed: int
+) -> np.ndarray:
+    """The starts: two informed ones, from anatomy and from inverse dynamics, the rest drawn."""
+    starts, typical = draw(count, seed, belief.limits), belief.typical
+    if belief.expected is not None:
+        starts[0] = [*(typical[name] for name in NAMES), 0.0]
+    mass, inertia = (typical.get(*each) for each in MIDDLING.items())
+    guess = informed(movements, reading, mass, inertia)
+    if count > 1 and guess is not None:
+        starts[1] = guess
+    return starts
+
+
+def plainly(each: Movement) -> Movement:
+    """Weigh every angle alike and leave the velocity out, as Eq. 11 does."""
+    return replace(each, divisor=1 / PLAIN_SCALE, angular_velocity=None, gyro_noise=None)
+
+
+def readings(named: list[tuple[str, Recording]], movements: list[Movement]) -> tuple[str, ...]:
+    """The readings of Eq. 4 to try: as the sidecar says, else both; one where no cycle is."""
+    said = {recording.protocol.torque_frequency for _, recording in named} - {None}
+    if not any(each.voluntary for each in movements):
+        return READINGS[:1]
+    return tuple(sorted(said)) if said else READINGS  # type: ignore[arg-type]
+
+
+def solved(problem: Problem, starts: np.ndarray, method: str) -> tuple[Problem, Ended]:
+    """The search by the chosen method."""
+    if method == "slsqp":
+        from exoid.fitting.reference.slsqp import search_slsqp
+
+        with jax.enable_x64(True):  # finite differences of a float32 loss lead nowhere
+            return problem, search_slsqp(problem, starts)
+    return search(problem, starts)

@@ -1,0 +1,72 @@
+"""The first instants of a leg whose recording begins with its release: was it let go at once?
+
+A hand that lets go within a tenth of a second, soft cuffs and play all make the sensors begin late.
+Where the rest of the movement fits without these instants and they do not, they tell of nothing.
+"""
+
+import numpy as np
+
+from exoid.fitting.data.segment import Movement, weightless
+from exoid.fitting.multistart.search import Ended
+from exoid.fitting.multistart.weight_by_kind import NOISY
+from exoid.fitting.solve.problem import Problem
+
+WORSE = 3.0  # times what is missed elsewhere, a sample
+CLEAR = 4.0  # deviations of a chi-square; noise does it in 1 of 1000, and then little is lost
+
+
+def without_first_instants(movements: list[Movement]) -> list[Movement]:
+    """The same, where a hand may be on a leg that seems to begin free nothing weighs."""
+    return [masked(each) for each in movements]
+
+
+def masked(each: Movement) -> Movement:
+    count = 0 if each.extent is None else each.extent.doubted
+    if not count:
+        return each
+    return weightless(each, np.arange(each.angle.size) < count, late=count)
+
+
+def doubtful(problem: Problem, ended: Ended) -> bool:
+    """Do the first instants of any movement miss more than noise does?"""
+    return any(starts_off(problem, ended, number) for number in range(len(problem.movements)))
+
+
+def disturbed(ended: Ended) -> bool:
+    """Is there more in the residual than noise?"""
+    found = ended.disturbance.kinds[ended.disturbance.trusted]
+    return found.cause is not None or found.noise > NOISY
+
+
+def starts_off(problem: Problem, ended: Ended, number: int) -> bool:
+    """Those of a movement that seems to begin free."""
+    each, seen = problem.movements[number], problem.observation
+    count = 0 if each.extent is None else each.extent.doubted
+    best, rows = ended.best, np.searchsorted(np.asarray(seen.time[number]), each.segment.time)
+    channels = (
+        (each.angle, best.angle, seen.angle_weight),
+        (each.angular_velocity, best.angular_velocity, seen.velocity_weight),
+    )
+    left = [
+        (measured[:count] - simulated[0, number][rows[:count]])
+        * np.asarray(weight[number])[rows[:count]]
+        for measured, simulated, weight in channels
+        if measured is not None
+    ]
+    square = np.concatenate(left) ** 2
+    known = int(np.sum(~np.isnan(square)))
+    return bool(np.nansum(square) > known + CLEAR * np.sqrt(2 * known))
+
+
+def told(each: Movement) -> int:
+    """Numbers that its sensors tell."""
+    channels = [one for one in (each.angle, each.angular_velocity) if one is not None]
+    return sum(int(np.sum(~np.isnan(one))) for one in channels)
+
+
+def differ(whole: list[Movement], of_whole: Ended, rest: list[Movement], of_rest: Ended) -> bool:
+    """Do the first instants miss more than the rest does?"""
+    left, every = (sum(map(told, each)) for each in (rest, whole))
+    usual = max(1.0, float(of_rest.best.misfit[0]) / left)
+    missed = float(of_whole.best.misfit[0] - of_rest.best.misfit[0])
+    return missed > WORSE * usual * (every - left)

@@ -1,0 +1,99 @@
+"""The last instants of a drop: did the leg come to rest by itself, or did a hand keep it?
+
+A hand that stops a leg softly, near where it would rest, is hardly seen in its motion. But what
+drops tell before their last swing, each must follow to its end.
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from exoid.fitting.data.segment import Movement, weightless
+from exoid.fitting.hands.first_instants import disturbed
+from exoid.fitting.multistart.search import LOOKING, Ended
+from exoid.fitting.solve.problem import Problem, advance, take, task
+from exoid.fitting.solve.program_values import Solved
+from exoid.recordings.motion.thresholds import LATE, REST
+
+LOUD = 2.0  # times the noise that a drop misses by, where a hand kept its leg
+FOLLOWS = 1.5  # times the noise that a drop may miss where no hand is on it
+KEPT = 0.5  # of the drops, at most, may be kept by a hand: what most of them do is the leg's
+
+Fitted = tuple[Problem, Ended]
+
+
+def without_hands(
+    whole: Problem, of_whole: Ended, fit: Callable[[list[Movement]], Fitted]
+) -> list[Movement] | None:
+    """The movements without what a hand did at the end of some drops; None where no hand explains
+    what a fit of all leaves.
+
+    Ends are taken back one after another, the one that fits best first, each only where all that is
+    left is noise.
+    """
+    movements = whole.movements
+    drops = [number for number, each in enumerate(movements) if each.kind == "passive"]
+    loud = [n for n in drops if np.nanmean(misses(whole, of_whole.best, n) ** 2) > LOUD**2]
+    if len(drops) < 2 or not loud:
+        return None
+    kept = [ended(each, sure_until(each)) for each in movements]
+    found = fit(kept)[1]
+    if disturbed(found):
+        return None
+    there = simulated(whole, found)
+    for number in sorted(drops, key=lambda number: missed_at_end(whole, there, number)):
+        trial = [*kept[:number], movements[number], *kept[number + 1 :]]
+        more = fit(trial)[1]
+        if not disturbed(more):
+            kept, found = trial, more
+    hands = [number for number in drops if kept[number].kept is not None]
+    if not 0 < len(hands) <= KEPT * len(drops):
+        return None
+    there = simulated(whole, found)
+    longer = list(kept)
+    for number in hands:
+        longer[number] = ended(movements[number], follows_until(whole, there, number))
+    return kept if disturbed(fit(longer)[1]) else longer
+
+
+def sure_until(each: Movement) -> int:
+    """How many samples come before the swing that a hand may have ended."""
+    if each.extent is None or each.kind != "passive":
+        return each.angle.size
+    return min(max(each.extent.sure - each.extent.start, 0), each.angle.size)
+
+
+def ended(each: Movement, count: int) -> Movement:
+    """What comes after so many samples weighs nothing."""
+    if count >= each.angle.size:
+        return each
+    return weightless(each, np.arange(each.angle.size) >= count, kept=count)
+
+
+def simulated(whole: Problem, found: Ended) -> Solved:
+    """How all movements would go on as the fit has them."""
+    row = take(found.best.coordinates, [0])
+    return advance(whole, row, task(whole, 0.0, whole.steps, LOOKING))
+
+
+def misses(whole: Problem, there: Solved, number: int) -> np.ndarray:
+    """What a simulation misses of the angle, over its noise."""
+    each, seen = whole.movements[number], whole.observation
+    rows = np.searchsorted(np.asarray(seen.time[number]), each.segment.time)
+    return (each.angle - there.angle[0, number][rows]) / each.angle_noise
+
+
+def missed_at_end(whole: Problem, there: Solved, number: int) -> float:
+    end = misses(whole, there, number)[sure_until(whole.movements[number]) :]
+    return float(np.nanmean(end**2)) if np.isfinite(end).any() else 0.0
+
+
+def follows_until(whole: Problem, there: Solved, number: int) -> int:
+    """How many samples of a movement a simulation follows."""
+    each, miss = whole.movements[number], misses(whole, there, number)
+    time, sure = each.segment.time, sure_until(each)
+    for first in range(sure, time.size):
+        window = miss[first : int(np.searchsorted(time, time[first] + REST))]
+        if np.isfinite(window).any() and np.nanmean(window**2) > FOLLOWS**2:
+            return max(int(np.searchsorted(time, time[first] - LATE)), sure)
+    return time.size

@@ -1,0 +1,133 @@
+"""What is in the residual of a fit: the sensors' white noise, and what the model misses.
+
+A torque that the model lacks moves the leg along with what its parameters do, so most of its
+effect hides in the parameters and little is left in the residual: neither its size nor its
+autocorrelation can tell how wrong they are. Here the missing torque, or a slow error of the
+encoder, is a Gaussian process u(t) with a Matern covariance; its size and correlation time are
+those of greatest restricted likelihood (Patterson & Thompson, Biometrika 58(3), 1971), which allows
+for what the parameters absorbed.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from exoid.fitting.misfit.gram_matrices import CAUSES, UNIT, Cause, Gram, modes
+
+CORRELATED = (0.025, 0.05, 0.1, 0.2, 0.4, 0.8)  # s
+SIZES = np.logspace(-7, 4, 12)  # of u's variance over that of the noise, in units of the gram
+FINER = np.logspace(-0.8, 0.8, 9)  # a fifth of a decade apart
+CLEAR = 4.0  # gain of log likelihood below which the noise alone explains the residual
+ROUNDING = 1e-11  # relative eigenvalue that is none
+
+
+@dataclass(frozen=True)
+class Missed:
+    """What besides white noise is in a residual; `cause` is None where nothing is."""
+
+    cause: Cause | None
+    correlation_time: float  # s
+    ratio: float  # variance of u over that of the noise, in units of its gram
+    noise: float  # s, over the declared noise
+    likelihood: float  # the logarithm of the greatest restricted one
+
+    @property
+    def deviation(self) -> float:
+        """Of u: rad/s^2, which is a torque over J, or rad."""
+        return self.noise * self.ratio**0.5 * (1.0 if self.cause is None else UNIT[self.cause])
+
+
+def explain(
+    grams: dict[Cause, list[Gram]], most: dict[Cause, float], samples: int, size: int
+) -> Missed:
+    """The noise and the process of greatest restricted likelihood.
+
+    `grams` of every cause are of the same segments, whose unknowns are among `size` coordinates.
+    `most` bounds the deviation: what nearly hides in the parameters may else grow without limit.
+    """
+    found: tuple[Cause | None, float, float] = (None, CORRELATED[0], 0.0)
+    best = Likelihood(grams["torque"], CORRELATED[0], samples, size)(np.zeros(1))[0] + CLEAR
+    largest = {cause: (most[cause] / UNIT[cause]) ** 2 for cause in CAUSES}
+    for cause in CAUSES:
+        for correlated in CORRELATED:
+            ratio, value = Likelihood(grams[cause], correlated, samples, size).greatest(
+                largest[cause]
+            )
+            if value > best:
+                best = value
+                found = (cause, correlated, ratio)
+    noise = noise_beside(*found[1:], grams[found[0] or "torque"], samples, size)
+    return Missed(*found, noise, float(best))
+
+
+class Likelihood:
+    """The restricted log likelihood of a process' size, with the noise at its best."""
+
+    def __init__(self, grams: list[Gram], correlated: float, samples: int, size: int):
+        self.parts = [(each, *modes(each, correlated)) for each in grams]
+        self.samples, self.size = samples, size
+
+    def greatest(self, most: float) -> tuple[float, float]:
+        """The variance ratio up to `most` where it is greatest, and its value there."""
+        coarse = np.append(SIZES[most > SIZES], most)
+        near = np.minimum(coarse[int(np.argmax(self(coarse)))] * FINER, most)
+        values = self(near)
+        top = int(np.argmax(values))
+        return float(near[top]), float(values[top])
+
+    def __call__(self, ratios: np.ndarray) -> np.ndarray:
+        size = self.size
+        total = np.zeros((ratios.size, size + 1, size + 1))
+        spread = np.zeros(ratios.size)
+        for each, sizes, cross in self.parts:
+            grown = 1 + ratios[:, None] * sizes
+            taken = np.einsum("mi,rm,mj->rij", cross, ratios[:, None] / grown, cross, optimize=True)
+            place = np.append(each.place, size)
+            total[:, place[:, None], place] += each.fitted - taken
+            spread += np.log(grown).sum(axis=1)
+        return restricted(total, spread, self.samples)
+
+
+@np.errstate(invalid="ignore", divide="ignore")
+def restricted(total: np.ndarray, spread: np.ndarray, samples: int) -> np.ndarray:
+    """From the weighted (A, r)'(A, r) and the log determinant of the covariance, for each row; the
+    least there is where rounding leaves less than nothing.
+    """
+    size = total.shape[1] - 1
+    unit = np.sqrt(np.diagonal(total[:, :size, :size], axis1=1, axis2=2))
+    used = (unit > 0).all(axis=0)
+    unit = unit[:, used]
+    normal = total[:, :size, :size][:, used][:, :, used] / (unit[:, :, None] * unit[:, None, :])
+    values, vectors = np.linalg.eigh(normal)
+    known = values > ROUNDING
+    values = np.where(known, values, 1.0)
+    along = np.einsum("rij,ri->rj", vectors, total[:, :size, size][:, used] / unit)
+    left = total[:, size, size] - np.sum(known * along**2 / values, axis=1)
+    freedom = samples - known.sum(axis=1)
+    absorbed = np.log(values).sum(axis=1) + 2 * np.log(unit).sum(axis=1)
+    found = -(spread + absorbed + freedom * np.log(left / freedom)) / 2
+    return np.where(np.isnan(found), -np.inf, found)
+
+
+def noise_beside(
+    correlated: float, ratio: float, grams: list[Gram], samples: int, size: int
+) -> float:
+    """The white noise over the declared one; sensors are no better than declared."""
+    total = np.zeros((size + 1, size + 1))
+    for each in grams:
+        sizes, cross = modes(each, correlated)
+        place = np.ix_(np.append(each.place, size), np.append(each.place, size))
+        total[place] += each.fitted - cross.T @ ((ratio / (1 + ratio * sizes))[:, None] * cross)
+    basis, unit = whitening(total[:size, :size])
+    along = (total[:size, size] / unit) @ basis
+    left = total[size, size] - along @ along
+    return float(np.sqrt(max(1.0, left / (samples - basis.shape[1]))))
+
+
+def whitening(normal: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Directions along which `normal` is the identity, over the units of its diagonal."""
+    diagonal = np.sqrt(np.diag(normal))
+    unit = np.where(diagonal > 0, diagonal, 1.0)
+    values, vectors = np.linalg.eigh(normal / np.outer(unit, unit))
+    known = values > ROUNDING
+    return vectors[:, known] / np.sqrt(values[known]), unit

@@ -1,0 +1,117 @@
+"""Inner products of one segment's sensitivities, residual, and the effects of what may disturb it.
+
+A disturbance u(t) is linear between nodes: a torque that the model lacks, or an error of the
+encoder. All that its statistics need of the samples are these products.
+"""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from exoid.fitting.data.observation import Observation
+from exoid.fitting.misfit.condensed import Sensed
+from exoid.physics.motion.step import Drive
+
+Cause = Literal["torque", "encoder"]
+CAUSES: tuple[Cause, ...] = ("torque", "encoder")
+
+SPACING = 0.125  # s between the nodes
+NODES = (16, 128)  # at least and at most
+UNIT: dict[Cause, float] = {"torque": 1.0, "encoder": 1e-2}  # rad/s^2, rad: of u in its gram
+JITTER = 1e-8  # of a unit variance, keeps a smooth covariance positive definite
+
+
+@dataclass(frozen=True, eq=False)
+class Gram:
+    """Inner products of one segment: sensitivities A and residual r, and the process' effect S."""
+
+    place: np.ndarray  # coordinates of the segment's unknowns
+    fitted: np.ndarray  # (A, r)'(A, r)
+    cross: np.ndarray  # S'(A, r)
+    process: np.ndarray  # S'S
+    nodes: np.ndarray  # s, times of the nodes
+
+
+def node_times(duration: float, count: int) -> np.ndarray:
+    return np.linspace(0.0, duration, count)
+
+
+def node_count(longest: float) -> int:
+    """Enough nodes for the longest segment [s], in few different numbers."""
+    wanted = -(-(longest / SPACING + 1) // NODES[0]) * NODES[0]
+    return int(np.clip(wanted, *NODES))
+
+
+def hats(time: np.ndarray, duration: float, count: int) -> np.ndarray:
+    """Piecewise linear functions of `time`, one at every node: (node, time)."""
+    spacing = duration / (count - 1)
+    return np.maximum(0.0, 1 - np.abs(time - node_times(duration, count)[:, None]) / spacing)
+
+
+def pushes(time: np.ndarray, durations: list[float]) -> Drive:
+    """Unit torques at every node, at the stage times of every step; `time` is (segment, sample)."""
+    count = node_count(max(durations))
+
+    def at(times: np.ndarray) -> np.ndarray:
+        return np.stack([hats(t, d, count) for t, d in zip(times, durations, strict=True)])
+
+    return Drive(at(time[:, :-1]), at((time[:, :-1] + time[:, 1:]) / 2), at(time[:, 1:]))
+
+
+def grams(
+    sensed: Sensed,
+    seen: Observation,
+    durations: list[float],
+    columns: np.ndarray,
+    cause: Cause,
+) -> list[Gram]:
+    """Of every segment; `columns` places its unknowns among the coordinates of the fit."""
+    return [
+        gram(sensed, seen, number, duration, cause, columns[number])
+        for number, duration in enumerate(durations)
+    ]
+
+
+def declared(residual: np.ndarray, derivative: np.ndarray) -> Gram:
+    """What is declared of recordings, as if it were measured: nothing disturbs it."""
+    rows = np.concatenate([derivative, residual[:, None]], axis=1)
+    nothing = np.zeros((1, rows.shape[1]))
+    return Gram(
+        np.arange(derivative.shape[1]), rows.T @ rows, nothing, np.zeros((1, 1)), np.zeros(1)
+    )
+
+
+def gram(
+    sensed: Sensed,
+    seen: Observation,
+    number: int,
+    duration: float,
+    cause: Cause,
+    place: np.ndarray,
+) -> Gram:
+    """The inner products of one segment, for one cause."""
+    used = (seen.angle_weight[number] > 0) | (seen.velocity_weight[number] > 0)
+    fitted = np.concatenate([sensed.columns[number], sensed.residual[number][None]])[:, used]
+    effect = sensed.responses[number][:, used]
+    count = effect.shape[0]
+    if cause == "encoder":
+        shape = hats(seen.time[number][used], duration, count) * seen.angle_weight[number][used]
+        effect = np.stack([UNIT[cause] * shape, np.zeros_like(shape)], axis=-1)
+    rows, process = fitted.reshape(len(fitted), -1), effect.reshape(count, -1)
+    nodes = node_times(duration, count)
+    return Gram(place, rows @ rows.T, process @ rows.T, process @ process.T, nodes)
+
+
+def matern(times: np.ndarray, correlated: float) -> np.ndarray:
+    """Covariance of a twice differentiable process of unit variance (Matern 5/2)."""
+    apart = np.sqrt(5) * np.abs(times[:, None] - times) / correlated
+    return (1 + apart + apart**2 / 3) * np.exp(-apart)
+
+
+def modes(each: Gram, correlated: float) -> tuple[np.ndarray, np.ndarray]:
+    """Squared sizes of the process' independent effects, and their products with (A, r)."""
+    covariance = matern(each.nodes, correlated)
+    root = np.linalg.cholesky(covariance + JITTER * np.eye(each.nodes.size))
+    sizes, axes = np.linalg.eigh(root.T @ each.process @ root)
+    return np.maximum(sizes, 0.0), axes.T @ root.T @ each.cross

@@ -1,0 +1,126 @@
+"""The neighbourhood of a point of the fit: what penalties and standard errors are made of."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+from jaxtyping import Float, Int
+
+from exoid.fitting.misfit.condensed import Condensed
+from exoid.fitting.model.constraint import Limits, violations
+from exoid.fitting.model.coordinates import (
+    Coordinates,
+    by_segment,
+    flattened,
+    leg_parameters,
+    quantities,
+    scaled,
+    torque_amplitudes,
+    unflattened,
+    unscaled,
+)
+from exoid.fitting.model.prior import Prior, mounting_residual, prior_residual
+
+COMPLEX_STEP = 1e-30  # exact to rounding: no difference is taken
+PENALTY = 100.0  # rho times the variance of a constraint: each round gains two digits
+WEAK = 1e-6  # relative curvature that stands in where neither data nor prior has any
+
+
+@dataclass(frozen=True, eq=False)
+class Local:
+    """First derivatives at a point in scaled coordinates, and the information they carry."""
+
+    data: Float[np.ndarray, "coordinate coordinate"]  # Gauss-Newton information of the misfit
+    prior: Float[np.ndarray, "coordinate coordinate"]  # of the prior, and of what is declared
+    declared: Float[np.ndarray, "coordinate coordinate"]  # of what is declared of the recordings
+    quantities: Float[np.ndarray, "quantity coordinate"]  # d of `coordinates.quantities`
+    constraints: Float[np.ndarray, "constraint coordinate"]  # d g
+
+
+def neighbourhood(
+    point: Coordinates,
+    condensed: Condensed,
+    seat: Int[np.ndarray, " segment"],
+    prior: Prior,
+    limits: Limits,
+) -> Local:
+    """The derivatives at `point` (no leading axis), where the misfit condenses to `condensed`."""
+
+    def constraint(at: Coordinates):
+        return violations(limits, leg_parameters(at, np), torque_amplitudes(at, np), np)
+
+    with np.errstate(invalid="ignore"):  # infinite limits are no limits
+        by_constraint = gradients(constraint, point)
+    return Local(
+        data=told(condensed, columns(point, seat), flattened(point).size),
+        prior=prior_information(point, prior),
+        declared=declared_information(point, prior),
+        quantities=quantity_gradients(point),
+        constraints=by_constraint,
+    )
+
+
+def prior_information(point: Coordinates, prior: Prior) -> np.ndarray:
+    """What is believed of leg and mountings, around `point`."""
+
+    def belief(at: Coordinates):
+        leg = prior_residual(prior, leg_parameters(at, np), np)
+        return np.concatenate([leg, mounting_residual(prior, at.mounting, np)])
+
+    by_prior = gradients(belief, point)
+    return by_prior.T @ by_prior
+
+
+def declared_information(point: Coordinates, prior: Prior) -> np.ndarray:
+    """What is declared of the recordings, around `point`."""
+    by_mounting = gradients(lambda at: mounting_residual(prior, at.mounting, np), point)
+    return by_mounting.T @ by_mounting
+
+
+def quantity_gradients(point: Coordinates) -> np.ndarray:
+    """d of `coordinates.quantities`: (quantity, coordinate)."""
+    return gradients(lambda at: quantities(at, np), point)
+
+
+def gradients(function: Callable[[Coordinates], np.ndarray], point: Coordinates) -> np.ndarray:
+    """The Jacobian of a function of the coordinates, in the units that the solver sees."""
+    return derivative(
+        lambda values: function(unscaled(unflattened(values, point))), flattened(scaled(point))
+    )
+
+
+def weighed(local: Local, scale: float) -> Local:
+    """The same where the residual counts 1 / `scale`."""
+    return replace(local, data=local.data / scale**2)
+
+
+def derivative(function: Callable, at: np.ndarray) -> np.ndarray:
+    """The Jacobian (output, input) of a smooth NumPy function, by the complex step.
+
+    The function is called once, with every step as a column of its own.
+    """
+    steps = at[:, None] + 1j * COMPLEX_STEP * np.eye(at.size)
+    return function(steps).imag / COMPLEX_STEP
+
+
+def columns(point: Coordinates, seat: Int[np.ndarray, " segment"]) -> np.ndarray:
+    """Which coordinate every unknown of every segment is: (segment, unknown)."""
+    numbers = np.arange(flattened(point).size)
+    return by_segment(unflattened(numbers, point), seat, np)
+
+
+def told(condensed: Condensed, columns: np.ndarray, size: int) -> np.ndarray:
+    """The sum over segments of R'R, each placed at the coordinates that the segment has."""
+    total = np.zeros((size, size))
+    for place, factor in zip(columns, np.asarray(condensed.factor), strict=True):
+        total[np.ix_(place, place)] += factor.T @ factor
+    return total
+
+
+def penalties(local: Local) -> Float[np.ndarray, " constraint"]:
+    """rho of every constraint: PENALTY over the variance that data and prior leave to it."""
+    total = local.data + local.prior
+    total = total + np.diag(WEAK * (1 + np.diag(total)))
+    spread = np.linalg.solve(total, local.constraints.T)
+    variance = np.sum(local.constraints.T * spread, axis=0)
+    return PENALTY / np.maximum(variance, WEAK)

@@ -1,0 +1,173 @@
+"""What is believed of this leg before it moves: the prior and the limits of a fit."""
+
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from exoid.fitting.model.assumptions import Assumptions, BoundsName, PriorName
+from exoid.fitting.model.constraint import Limits
+from exoid.fitting.model.prior import Prior, joint_prior, no_prior, own_units, with_own
+from exoid.fitting.model.user_values import ByHand
+from exoid.physics.anatomy import (
+    Body,
+    ExpectedLeg,
+    expected_leg,
+    measured_leg,
+    paper_prior,
+    reach,
+)
+from exoid.physics.anatomy.limits import Allowed, allowed, anybody, strongest
+from exoid.physics.leg import LegParameters
+from exoid.physics.parameter import declarations
+from exoid.recordings.recording import Subject
+
+NAMES = [name for name, _ in declarations(LegParameters)]
+TALL = 2.0  # m; the reach of a leg whose height is unknown
+DECADES = "d and c: a twentieth to twenty times a relaxed knee's"
+TORQUE = 250.0  # N m, of Eq. 13
+NO_REACH = 1e3  # m: Eq. 12 and 13 have none; an infinite one marks a rig
+
+
+@dataclass(frozen=True)
+class Belief:
+    """The prior in words and numbers, and the limits."""
+
+    name: PriorName
+    expected: ExpectedLeg | None
+    prior: Prior
+    limits: Limits
+    note: str
+    raw: bool = False  # are the prior's standard deviations a weighting, and no belief
+    bounds: BoundsName = "body"
+    by_hand: ByHand = field(default_factory=ByHand)
+
+    @property
+    def typical(self) -> dict[str, float]:
+        """Where to begin: what was said by hand, else what is expected; empty where nothing is."""
+        said = {name: value for name, (value, _) in self.by_hand.prior.items()}
+        said |= dict(self.by_hand.fix)
+        if self.expected is None:
+            return said
+        return {name: getattr(self.expected, name).value for name in NAMES} | said
+
+
+def believe(subject: Subject, assumed: Assumptions | None = None) -> Belief:
+    """Expected parameters from body mass and height, else from a measured mass and COM distance.
+
+    A rig has neither prior nor limits but that it does not make energy, and what is said by hand.
+    """
+    assumed = Assumptions() if assumed is None else assumed
+    hand = assumed.by_hand
+    if subject.kind == "rig":
+        found = Belief("none", None, no_prior(), rig_limits(), "a rig: no anatomy is assumed")
+    else:
+        expected, note = expectation(subject, assumed.prior)
+        limits = leg_limits(subject, assumed.bounds)
+        name = "none" if expected is None else assumed.prior
+        prior = prior_of(expected, assumed)
+        found = Belief(name, expected, prior, limits, note, assumed.raw and expected is not None)
+    return replace(
+        found,
+        prior=with_own(found.prior, hand.prior, assumed.weight),
+        limits=limits_by_hand(found.limits, hand),
+        note="; ".join([found.note, *(f"yours: {words}" for words in hand.words)]),
+        bounds=assumed.bounds,
+        by_hand=hand,
+    )
+
+
+def prior_of(expected: ExpectedLeg | None, assumed: Assumptions) -> Prior:
+    """The prior around what is expected: joint in logarithms, or one by one in own units."""
+    if expected is None:
+        return no_prior()
+    if assumed.raw or expected.covariance is None:
+        return own_units(expected, assumed.weight, unit=assumed.raw)
+    return joint_prior(expected, assumed.weight)
+
+
+def expectation(subject: Subject, name: PriorName) -> tuple[ExpectedLeg | None, str]:
+    """What anatomy expects, and where that comes from in words."""
+    if name == "none":
+        return None, "no prior, as asked"
+    body_mass, height = subject.body_mass, subject.height
+    if body_mass is not None and height is not None:
+        if name == "paper":
+            return paper_prior(body_mass, height), "Eq. 14 of the original paper, scaled"
+        length, age = subject.shank_length, subject.age
+        leg = expected_leg(body_mass, height, table=name, age=age, shank_length=length)
+        return leg, f"{leg.source}, {body_mass:g} kg and {height:g} m; {DECADES}"
+    mass, distance = subject.shank_foot_mass, subject.com_distance
+    if mass is not None and distance is not None:
+        return measured_leg(mass, distance), f"shank_foot_mass_kg and com_distance_m; {DECADES}"
+    known = {"body mass": body_mass, "height": height}
+    missing = " and ".join(name for name, value in known.items() if value is None)
+    return None, (
+        f"{missing} unknown, so absolute values stay open: give --body-mass KG and --height M"
+    )
+
+
+def leg_limits(subject: Subject, bounds: BoundsName = "body") -> Limits:
+    """What this body's leg can be, any human's where the body is unknown; or Eq. 13 as printed.
+
+    The reach is that of the height; Eq. 13 has none.
+    """
+    if bounds == "paper":
+        return limits_of(paper_bounds(), TORQUE, NO_REACH)
+    body = body_of(subject)
+    mass, distance = subject.shank_foot_mass, subject.com_distance
+    if body is not None:
+        leg = expected_leg(body.mass, body.height, age=body.age, shank_length=subject.shank_length)
+        each = allowed(leg)
+    elif mass is not None and distance is not None:
+        each = allowed(measured_leg(mass, distance))
+    else:
+        each = anybody()
+    tall = TALL if subject.height is None else subject.height
+    return limits_of(each, strongest(body), reach(tall))
+
+
+def body_of(subject: Subject) -> Body | None:
+    """None where mass or height is unknown."""
+    if subject.body_mass is None or subject.height is None:
+        return None
+    return Body(subject.body_mass, subject.height, age=subject.age)
+
+
+def paper_bounds() -> dict[str, Allowed]:
+    """Eq. 13, as `LegParameters` declares it."""
+    return {name: Allowed(each.lower, each.upper) for name, each in declarations(LegParameters)}
+
+
+def limits_of(each: dict[str, Allowed], torque: float, furthest: float) -> Limits:
+    return Limits(
+        lower=LegParameters(*(np.asarray(each[name].lower) for name in NAMES)),
+        upper=LegParameters(*(np.asarray(each[name].upper) for name in NAMES)),
+        torque=np.asarray(torque),
+        reach=np.asarray(furthest),
+    )
+
+
+def rig_limits() -> Limits:
+    """Damping cannot be negative; nothing else is known of a rig."""
+    free = Allowed(-np.inf, np.inf)
+    return limits_of(dict.fromkeys(NAMES, free) | {"damping": Allowed(0.0, np.inf)}, np.inf, np.inf)
+
+
+def limits_by_hand(limits: Limits, hand: ByHand) -> Limits:
+    """The limits with the ends that were said; a fixed parameter has nothing between them."""
+    each = {
+        name: Allowed(float(getattr(limits.lower, name)), float(getattr(limits.upper, name)))
+        for name in NAMES
+    }
+    for name, (low, high) in hand.bound.items():
+        ends = Allowed(
+            each[name].lower if low is None else low, each[name].upper if high is None else high
+        )
+        if ends.lower >= ends.upper:
+            raise ValueError(
+                f"bound of {name}: {ends.lower:g} to {ends.upper:g} leaves nothing, one end being "
+                "what a leg of this body can have at most. Give both ends, or check the body."
+            )
+        each[name] = ends
+    each |= {name: Allowed(value, value) for name, value in hand.fix.items()}
+    return limits_of(each, float(limits.torque), float(limits.reach))

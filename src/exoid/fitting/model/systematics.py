@@ -1,0 +1,133 @@
+"""How well what a recording declares is known: sensors, seat, clock and added mass."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, fields
+from math import radians, sqrt
+from typing import Annotated
+
+import numpy as np
+
+from exoid.fitting.model.coordinates import Mounting
+from exoid.recordings.recording import Recording
+
+OWNED = tuple(each.name for each in fields(Mounting))
+OF_THE_GYRO = ("gyro_scale", "gyro_bias")
+OF_THE_MASS = ("log_distance", "log_added", "extent")
+SOMEWHERE = 0.35  # m, of a mass on the shank of which no more is known
+ANYWHERE = 0.5  # of its logarithm
+
+# Where nothing is declared, one standard deviation:
+ZERO = radians(1.2)  # a sensor aligned along a leg by eye or by goniometer
+ZERO_OF_RIG = radians(5.0)
+TILT = radians(0.2)  # a seat that looks level; one that is not is followed (`seldom.py`)
+GYRO_SCALE = 0.015  # LSM6DS3 data sheet: sensitivity within 1 %, and its change with temperature
+GYRO_BIAS = radians(5.0)  # rad/s; LSM6DS3: +-10 deg/s at zero rate
+CLOCK = 1e-4  # a quartz, cheap and warm
+WEIGHED = 5e-3  # of the added mass: a kitchen scale
+PLACED = 5e-3  # m, its distance, by tape
+GYRATION = 0.05  # m, half-normal radius of gyration of weights and cuffs about their own centre
+MEASURED_GYRATION = 0.1  # of a declared radius of gyration
+
+
+@dataclass(frozen=True)
+class Systematics:
+    """One standard deviation of everything that a recording owns; 0 is exact."""
+
+    zero: Annotated[float, "rad"] = ZERO
+    tilt: Annotated[float, "rad"] = TILT
+    gyro_scale: float = GYRO_SCALE
+    gyro_bias: Annotated[float, "rad/s"] = GYRO_BIAS
+    clock: float = CLOCK
+    log_added: float = WEIGHED
+    distance: Annotated[float, "m"] = PLACED
+    expected_extent: Annotated[float, "m^2"] = GYRATION**2
+    extent: Annotated[float, "m^2"] = sqrt(2) * GYRATION**2
+    declared: frozenset[str] = frozenset()  # which of them the sidecar says
+
+
+DECLARED_NOTHING = Systematics()
+
+
+def systematics(recording: Recording, number: int) -> Systematics:
+    """Of one segment of a recording: what its sidecar says, else what data sheets do."""
+    subject, protocol, sensors = recording.subject, recording.protocol, recording.sensors
+    mass, said = recording.added_mass(number), subject.added_mass_uncertainty
+    gyration = subject.added_mass_gyration
+    extents = {} if gyration is None else extent_of(gyration)
+    rig = {"zero": ZERO_OF_RIG} if subject.kind == "rig" else {}
+    told = {
+        "zero": sensors.angle_zero_uncertainty,
+        "tilt": protocol.thigh_angle_uncertainty,
+        "gyro_scale": sensors.gyro_scale_uncertainty,
+        "clock": sensors.clock_uncertainty,
+        "log_added": said / mass if said is not None and mass > 0 else None,
+        "distance": subject.added_mass_distance_uncertainty,
+        **extents,
+    }
+    told = {name: value for name, value in told.items() if value is not None}
+    return Systematics(**(rig | told), declared=frozenset(told))
+
+
+def extent_of(gyration: float) -> dict[str, float]:
+    """k^2 and its standard deviation, of a declared radius of gyration [m]."""
+    return {
+        "expected_extent": gyration**2,
+        "extent": 2 * MEASURED_GYRATION * gyration**2,
+    }
+
+
+def deviations(each: Sequence, owned: Sequence[str] = OWNED) -> Mounting:
+    """Of every recording among these movements; no entries for what no unknown is."""
+    rows = [
+        own_deviations([one for one in each if one.recording == number])
+        for number in sorted({one.recording for one in each})
+    ]
+    return Mounting(
+        **{
+            name: np.array([row[name] for row in rows]) if name in owned else np.zeros(0)
+            for name in OWNED
+        }
+    )
+
+
+def own_deviations(movements: Sequence) -> dict[str, float]:
+    """Of one recording. What is exact counts as 1: it is no unknown."""
+    first = movements[0].systematics
+    loaded = [one for one in movements if one.added_mass > 0]
+    found = {name: getattr(first, name) for name in OWNED if name != "log_distance"}
+    if loaded:
+        of_mass = loaded[0].systematics
+        found |= {name: getattr(of_mass, name) for name in ("log_added", "extent")}
+    placed = [one.added_mass_distance for one in loaded if not one.unplaced]
+    if any(one.unplaced for one in loaded):
+        found["log_distance"] = ANYWHERE
+    else:
+        found["log_distance"] = first.distance / np.mean(placed) if placed and min(placed) else 1.0
+    return {name: value or 1.0 for name, value in found.items()}
+
+
+def exact(movements: Sequence, owned: Sequence[str] = OWNED) -> np.ndarray:
+    """1 where an entry of a segment's mounting is no unknown: (segment, entry of `owned`)."""
+    return np.array(
+        [
+            [float(is_exact(one, name, movements)) for name in OWNED if name in owned]
+            for one in movements
+        ]
+    ).reshape(len(movements), -1)
+
+
+def is_exact(one, name: str, movements: Sequence) -> bool:
+    if name in OF_THE_GYRO and one.angular_velocity is None:
+        return True
+    if name in OF_THE_MASS and one.added_mass == 0:
+        return True
+    if name == "log_distance":
+        if one.unplaced:
+            return False
+        return beside_unplaced(one, movements) or one.systematics.distance == 0
+    return getattr(one.systematics, name) == 0
+
+
+def beside_unplaced(one, movements: Sequence) -> bool:
+    """Does its recording also have masses of unknown distance, which its own says nothing of?"""
+    return any(each.unplaced for each in movements if each.recording == one.recording)

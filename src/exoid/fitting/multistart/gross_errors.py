@@ -1,0 +1,162 @@
+"""What is seldom wrong, but then by a lot: a seat that is clearly tilted, a clock that is off.
+
+A normal distribution of what is usual would bend the leg to such a recording. Where the data speak
+clearly against it, the width of that recording's own distribution follows them (empirical Bayes):
+the seat's tilt by its marginal likelihood; and where encoder and gyro disagree in scale, which may
+be the gyro's fault, the encoder's gain or the clock's, the clock's by that disagreement.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from exoid.fitting.misfit.information import Disturbance
+from exoid.fitting.misfit.neighbourhood import Local
+from exoid.fitting.model.coordinates import TYPICAL, flattened, unflattened
+from exoid.fitting.multistart.weight_by_kind import explained
+from exoid.fitting.solve.problem import Problem, advance, around, finite, take, task
+from exoid.fitting.solve.program_values import Solved
+
+CONVINCING = 3.0  # gain of log likelihood from which on a seat is held for tilted
+STEEPEST = np.radians(5.0)  # standard deviation of its tilt
+LYING = 2.0  # times it: a fit with a seat that is tilted by more takes it for something else
+FINE = 1e-2  # tolerance, in units of noise
+DISAGREE = 5.0  # standard errors from which on encoder and gyro clearly disagree in scale
+SUSPECTED = 0.6  # of that disagreement: about the root mean square of any part of it
+WORST = 5e-3  # standard deviation of a clock that is off: a crystal is better, a wrong rate worse
+BEYOND = 2.0  # times it the gyro's own may be
+
+
+@dataclass(frozen=True, eq=False)
+class Found:
+    """A tilt and the variance with which all but its prior tells it [rad, rad^2]."""
+
+    value: float
+    variance: float
+
+    def likelihood(self, deviation: float) -> float:
+        """The logarithm of its marginal likelihood under a prior of this standard deviation."""
+        total = self.variance + deviation**2
+        return -(np.log(total) + self.value**2 / total) / 2
+
+
+def with_tilted_seats(problem: Problem, free: Solved) -> tuple[Problem, Solved]:
+    """The same, its priors wider for seats that are clearly tilted, and all free fits under them.
+
+    Seen as if only white noise were in the residual, a tilt may be anything that the model misses:
+    it is believed where it explains the residual better than that would.
+    """
+    row = int(np.argmin(finite(free.loss)))
+    wide = tilted(problem, free, row)
+    if wide is None:
+        return problem, free
+    lanes = take(free.coordinates, [row] * free.loss.size)
+    again = advance(wide, lanes, task(wide, 0.0, wide.steps, FINE))
+    gain = likelihood(explained(wide, again, 0)) - likelihood(explained(problem, free, row))
+    price = np.log(deviation_of(wide, "tilt") / deviation_of(problem, "tilt")).sum()
+    best = int(np.argmin(finite(again.loss)))
+    steepest = float(np.abs(again.coordinates.mounting.tilt[best]).max())
+    if steepest > LYING * STEEPEST or not gain - price > CONVINCING:
+        return problem, free
+    return wide, advance(wide, free.coordinates, task(wide, 0.0, wide.steps, FINE))
+
+
+def likelihood(found: Disturbance) -> float:
+    """Of what is in the residual, alike in all segments."""
+    return next(iter(found.kinds.values())).likelihood
+
+
+def tilted(problem: Problem, free: Solved, row: int) -> Problem | None:
+    """With wider priors for the seats whose tilt stands out; None where none does."""
+    if "tilt" not in problem.owned:
+        return None
+    noise = max(1.0, float(free.misfit[row]) / measured(problem))
+    local = around(problem, free, row=row)
+    deviation = deviation_of(problem, "tilt").copy()
+    chosen = False
+    for entry in estimated(problem, "tilt"):
+        each = found(problem, free, row, entry, local.data / noise + local.declared)
+        wide = min(np.sqrt(max(each.value**2 - each.variance, 0.0)), STEEPEST)
+        if wide > deviation[entry]:
+            gain = each.likelihood(wide) - each.likelihood(deviation[entry])
+            if gain > CONVINCING:
+                deviation[entry], chosen = wide, True
+    return widened(problem, tilt=deviation) if chosen else None
+
+
+def found(problem: Problem, at: Solved, row: int, entry: int, total: np.ndarray) -> Found:
+    """A tilt as all but its own prior tells it."""
+    place, unit = place_of(at, "tilt", entry), float(TYPICAL.mounting.tilt)
+    sure = total + 1e-9 * np.diag(np.diag(total)) + 1e-9 * np.eye(len(total))
+    told = 1 / float(np.linalg.inv(sure)[place, place])
+    before = (unit / deviation_of(problem, "tilt")[entry]) ** 2
+    alone = max(told - before, 1e-9 * told)
+    value = float(at.coordinates.mounting.tilt[row, entry])
+    return Found(value * told / alone, unit**2 / alone)
+
+
+def with_doubted_clocks(problem: Problem, best: Solved, local: Local) -> Problem | None:
+    """With wider priors for the clocks of recordings in which the sensors disagree in scale.
+
+    Motion shows only (1 + gyro scale) / (1 + clock) over the encoder's gain, but m l g / J goes by
+    the square of the clock. None where no sensors disagree.
+    """
+    if not {"clock", "gyro_scale"} <= set(problem.owned):
+        return None
+    clock, scale = (deviation_of(problem, name).copy() for name in ("clock", "gyro_scale"))
+    total = np.linalg.inv(local.data + local.prior + 1e-9 * np.eye(len(local.data)))
+    chosen = False
+    for entry in doubtful(problem):
+        place = place_of(best, "gyro_scale", entry)
+        value = float(best.coordinates.mounting.gyro_scale[0, entry])
+        error = float(np.sqrt(total[place, place]) * TYPICAL.mounting.gyro_scale)
+        suspected = min(SUSPECTED * abs(value), WORST)
+        if abs(value) > DISAGREE * error and suspected > clock[entry]:
+            clock[entry] = suspected
+            scale[entry] = max(scale[entry], BEYOND * abs(value))
+            chosen = True
+    return widened(problem, clock=clock, gyro_scale=scale) if chosen else None
+
+
+def doubtful(problem: Problem) -> list[int]:
+    """The recordings with a gyro and a clock of which nothing is declared."""
+    with_gyro = set(estimated(problem, "gyro_scale", declared=True))
+    return [entry for entry in estimated(problem, "clock") if entry in with_gyro]
+
+
+def estimated(problem: Problem, name: str, *, declared: bool = False) -> list[int]:
+    """The recordings of which this is an unknown; those that declare it only where asked for."""
+    seat, column = np.asarray(problem.observation.seat), 4 + problem.owned.index(name)
+    entries = []
+    for entry in range(int(seat.max()) + 1):
+        own = np.flatnonzero(seat == entry)
+        said = name in problem.movements[own[0]].systematics.declared
+        if (declared or not said) and (problem.known[own, column] == 0).any():
+            entries.append(entry)
+    return entries
+
+
+def deviation_of(problem: Problem, name: str) -> np.ndarray:
+    """The standard deviations of all recordings."""
+    return np.asarray(getattr(problem.belief.prior.mounting, name))
+
+
+def widened(problem: Problem, **deviations: np.ndarray) -> Problem:
+    """The same with these standard deviations of what recordings own."""
+    prior = problem.belief.prior
+    assert prior.mounting is not None  # `pose` gives one
+    mounting = replace(prior.mounting, **deviations)
+    return replace(problem, belief=replace(problem.belief, prior=replace(prior, mounting=mounting)))
+
+
+def place_of(at: Solved, name: str, entry: int) -> int:
+    """Which coordinate this is."""
+    point = take(at.coordinates, 0)
+    numbers = unflattened(np.arange(flattened(point).size), point)
+    return int(getattr(numbers.mounting, name)[entry])
+
+
+def measured(problem: Problem) -> int:
+    """Measured numbers."""
+    seen = problem.observation
+    return int((seen.angle_weight > 0).sum() + (seen.velocity_weight > 0).sum())

@@ -1,0 +1,83 @@
+"""What a model misses is not to be made up for by what recordings own.
+
+A fit by least squares sees white noise only. Where something is missing, zero, seat or clock would
+leave what is declared of them, to explain what they did not do: their misfit is less sure than it
+looks. Each is therefore held to what is declared by as much more as the data tell less of it.
+"""
+
+import numpy as np
+
+from exoid.fitting.misfit.information import Disturbance
+from exoid.fitting.model.coordinates import TYPICAL, flattened, unflattened
+from exoid.fitting.model.systematics import OWNED
+from exoid.fitting.multistart.gross_errors import widened
+from exoid.fitting.multistart.tethers import FINE
+from exoid.fitting.multistart.weight_by_kind import explained, explained_apart
+from exoid.fitting.solve.problem import Problem, advance, around, finite, take, task
+from exoid.fitting.solve.program_values import Solved
+
+EXCUSED = 1.3  # widening of an error below which holding it to what is declared changes little
+ROUNDS = 3  # of holding it, each by what the one before made of the residual
+ROUNDING = 1e-9  # relative, of a precision
+NOTHING = 1e-6  # of what is declared, that is told: below it white noise tells nothing either
+
+Less = dict[str, np.ndarray]  # of every leaf of the mounting: how much wider, at least 1
+
+
+def without_excuses(
+    problem: Problem, free: Solved, found: Disturbance
+) -> tuple[Solved, Disturbance, Less]:
+    """All free fits, recordings held to what is declared by as much more as they tell less."""
+    asked = task(problem, 0.0, problem.steps, FINE)
+    row = int(np.argmin(finite(free.loss)))
+    less = less_told(problem, free, row, found)
+    for _ in range(ROUNDS):
+        if worst(less) < EXCUSED:
+            break
+        tight = held(problem, less)
+        free = advance(tight, free.coordinates, asked, found.weighing(problem.kinds))
+        before, row = less, int(np.argmin(finite(free.loss)))
+        found = explained_apart(problem, free, row, explained(problem, free, row))
+        less = less_told(problem, free, row, found)
+        if worst(less) < EXCUSED * worst(before):
+            break
+    return free, found, less
+
+
+def worst(less: Less) -> float:
+    """The greatest of them."""
+    return max((each.max() for each in less.values() if each.size), default=1.0)
+
+
+def less_told(problem: Problem, at: Solved, row: int, found: Disturbance) -> Less:
+    """By how much the errors of what recordings own are wider than white noise makes them.
+
+    Each as all but its own declaration tells it.
+    """
+    local, point = around(problem, at, row=row), take(at.coordinates, row)
+    places = unflattened(np.arange(flattened(point).size), point).mounting
+    precisions = [precision(each + local.prior) for each in (local.data, found.information)]
+
+    def of(name: str) -> np.ndarray:
+        deviation = getattr(problem.belief.prior.mounting, name)
+        own = (getattr(TYPICAL.mounting, name) / deviation) ** 2
+        entries = getattr(places, name)
+        white, true = (np.maximum(each[entries] - own, 0.0) for each in precisions)
+        return np.sqrt(np.maximum(white / (true + NOTHING * own), 1.0))
+
+    return {name: of(name) for name in OWNED}
+
+
+def precision(information: np.ndarray) -> np.ndarray:
+    """Of every coordinate, the others unknown."""
+    diagonal = np.diag(information)
+    return 1 / np.diag(np.linalg.inv(information + ROUNDING * np.diag(1 + diagonal)))
+
+
+def held(problem: Problem, less: Less, scale: float = 1.0) -> Problem:
+    """The problem in which they are held so, where residuals count 1 / `scale`."""
+    mounting = problem.belief.prior.mounting
+    assert mounting is not None  # `pose` gives one
+    return widened(
+        problem, **{name: getattr(mounting, name) * scale / less[name] for name in OWNED}
+    )

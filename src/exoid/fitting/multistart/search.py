@@ -1,0 +1,232 @@
+"""The fit: many starts, brought to the data first, then to what anatomy and bounds allow."""
+
+from collections import Counter
+from dataclasses import dataclass
+
+import jax
+import numpy as np
+
+from exoid.fitting.misfit.information import Disturbance
+from exoid.fitting.misfit.neighbourhood import Local, penalties, weighed
+from exoid.fitting.misfit.uncertainty import decomposed, spread
+from exoid.fitting.model.coordinates import TYPICAL, Coordinates, Shared, scaled
+from exoid.fitting.model.fixed_values import imposed
+from exoid.fitting.multistart.gross_errors import with_doubted_clocks, with_tilted_seats
+from exoid.fitting.multistart.hold_to_declared import held, without_excuses
+from exoid.fitting.multistart.simpler_problems import as_declared, with_inertia_kept, without_scale
+from exoid.fitting.multistart.starts import coordinates
+from exoid.fitting.multistart.tethers import COARSE, FINE, tethers, without_thrust
+from exoid.fitting.multistart.weight_by_kind import alone, explained, explained_apart
+from exoid.fitting.solve.problem import BATCH, Problem, advance, around, finite, left, take, task
+from exoid.fitting.solve.program_values import Solved
+
+BASIN = 0.2  # typical steps within which tied starts have come together
+HOPELESS = 1e5  # times the best loss, of a tied start that leads nowhere
+SAME_LOSS = 1e-3  # relative; other minima lie orders of magnitude higher
+FIRST_HORIZON = 1.0  # s of every segment that a start sees first
+PATIENCE = 4  # times that a search with limits goes on where its steps ran out: a long valley
+LIMITED = 1e-3  # the same with limits: a multiplier of ten makes it 1e-3 of half a sum of squares
+LOOKING = np.inf  # the same of a solver that is not to leave its point
+TOLD = 0.5  # relative error of an inertia from which on the data do not tell it
+FEASIBLE = 1e-4  # relative violation that is rounding of the multiplier method
+
+
+@dataclass(frozen=True, eq=False)
+class Ended:
+    """Where all starts ended: the free fits, which start led to which, and the chosen fit."""
+
+    free: Solved
+    member: np.ndarray  # per start: its row of `free`, -1 where it failed
+    failures: dict[str, int]
+    best: Solved  # one row, with prior and limits
+    disturbance: Disturbance  # in the residual of the free fit
+    starts: Coordinates
+    local: Local  # of `best`
+
+
+def search(problem: Problem, starts: np.ndarray) -> tuple[Problem, Ended]:
+    """Fit from every start (m, J, l, d, c, tau).
+
+    Tied to the measured motion over its first second, then over all of it, then free. Each time
+    starts that have come together are carried on by the best of them; its free fit meets prior
+    and limits. Also the problem, its priors wider where a seat or a clock is unusual (`seldom.py`).
+    """
+    tether, weaker = tethers(problem)
+    greatest = 2 / problem.longest_step - 2 * tether
+    begin = coordinates(starts, problem.movements, greatest)
+    first = np.searchsorted(np.asarray(problem.observation.time)[0], FIRST_HORIZON)
+    horizon = min(max(int(first), 50), problem.steps)
+    declared = as_declared(without_scale(problem))
+    tied = advance(declared, begin, task(problem, tether, horizon, COARSE))
+    rows, member, failures = basins(problem, tied)
+    gathered = without_thrust(take(tied.coordinates, rows))
+    looser = advance(declared, gathered, task(problem, weaker, problem.steps, COARSE))
+    rows, again, lost = basins(problem, looser)
+    member = np.where(member < 0, -1, again[member])
+    failures = dict(Counter(failures) + Counter(lost))
+    gathered = without_thrust(take(looser.coordinates, rows))
+    free = advance(without_scale(problem), gathered, task(problem, 0.0, problem.steps, FINE))
+    member, failures = without_lost(free, member, failures)
+    problem, free, disturbance = with_what_is_missed(problem, free)
+    free, disturbance, less = without_excuses(problem, free, disturbance)
+    best = settle(held(problem, less, disturbance.scale), free, begin, disturbance)
+    if problem.belief.by_hand.fix or problem.belief.by_hand.bound:
+        disturbance = explained(problem, best)  # what no free leg would leave, but this one does
+        best = settle(held(problem, less, disturbance.scale), free, begin, disturbance)
+    local = around(problem, best, disturbance)
+    doubted = with_doubted_clocks(problem, best, local)
+    if doubted is not None:
+        problem = doubted  # the suspicion widens errors, and moves no value
+        local = around(problem, best, disturbance)
+    return problem, Ended(free, member, failures, best, disturbance, begin, local)
+
+
+def with_what_is_missed(problem: Problem, free: Solved) -> tuple[Problem, Solved, Disturbance]:
+    """The free fits by what every kind of segment misses, on seats that are tilted if need be.
+
+    Where one kind is explained by itself, others that are not say nothing of the seat.
+    """
+    again, found = weighed_by_kind(problem, free)
+    if found.apart and found.kinds[found.trusted].cause is None:
+        return problem, again, found
+    wide, tilted = with_tilted_seats(problem, free)
+    if wide is problem:
+        return problem, again, found
+    return wide, *weighed_by_kind(wide, tilted)
+
+
+def weighed_by_kind(problem: Problem, free: Solved) -> tuple[Solved, Disturbance]:
+    """What the residual holds; where kinds of segments differ, all free fits once more by it.
+
+    The best of them begins anew where the kind that is weighed most ends by itself: that may be
+    far from where all were weighed alike.
+    """
+    row = int(np.argmin(finite(free.loss)))
+    alike = explained(problem, free, row)
+    found = explained_apart(problem, free, row, alike)
+    if not found.apart:
+        return free, found
+    trusted = alone(problem, free, row, [found.trusted])
+    starts = replaced(free.coordinates, row, take(trusted.coordinates, 0))
+    asked = task(problem, 0.0, problem.steps, FINE)
+    again = advance(problem, starts, asked, found.weighing(problem.kinds))
+    row = int(np.argmin(finite(again.loss)))
+    return again, left(problem, again, row, found)
+
+
+def replaced(tree, row: int, new):
+    """The same with `new` in this row of every leaf."""
+    rows = jax.tree.map(np.array, tree)
+    jax.tree.map(lambda leaf, one: leaf.__setitem__(row, one), rows, new)
+    return rows
+
+
+def basins(problem: Problem, tied: Solved) -> tuple[np.ndarray, np.ndarray, dict[str, int]]:
+    """The best start of every basin, each start's basin, and why starts were lost."""
+    broken = ~np.isfinite(tied.loss)
+    away = ~broken & (tied.loss > HOPELESS * finite(tied.loss).min())
+    lost = broken | away
+    place = data_coordinates(problem, tied.coordinates)
+    cell = np.where(lost[:, None], np.inf, np.round(place / BASIN))
+    order = np.lexsort((finite(tied.loss),))
+    _, first, member = np.unique(cell[order], axis=0, return_index=True, return_inverse=True)
+    rows = order[first]
+    back = np.empty(order.size, dtype=int)
+    back[order] = member.ravel()
+    good = ~lost[rows]
+    renumbered = np.cumsum(good) - 1
+    failures = {
+        reason: int(which.sum())
+        for reason, which in (
+            ("its motion could not be simulated", broken),
+            ("it left the measured motion although tied to it", away),
+        )
+        if which.any()
+    }
+    if not good.any():
+        raise ArithmeticError("no start could be simulated: is the recording what it says it is?")
+    return rows[good], np.where(lost, -1, renumbered[back]), failures
+
+
+def data_coordinates(problem: Problem, at: Coordinates) -> np.ndarray:
+    """What the data can tell a start by, in typical steps: (start, coordinate)."""
+    unit = scaled(at)
+    shared = [unit.shared.gravity, unit.shared.stiffness, unit.shared.damping]
+    if (problem.known[:, 0] == 0).any():
+        shared.append(unit.shared.log_inertia * BASIN)  # hardly told by now: a cell is a step wide
+    return np.concatenate([np.stack(shared, axis=1), unit.own.torque], axis=1)
+
+
+def without_lost(free: Solved, member: np.ndarray, failures: dict[str, int]):
+    """Mark the starts whose free fit was lost."""
+    lost = ~np.isfinite(free.loss)
+    gone = (member >= 0) & lost[member]
+    failures = dict(failures)
+    if gone.any():
+        failures["its free motion could not be simulated"] = int(gone.sum())
+    if lost.all():
+        raise ArithmeticError("no start reached a motion that can be simulated freely.")
+    return np.where(gone, -1, member), failures
+
+
+def settle(problem: Problem, free: Solved, begin: Coordinates, found: Disturbance) -> Solved:
+    """The best free fit under prior and limits, from several inertias and masses."""
+    best = int(np.argmin(finite(free.loss)))
+    lanes = max(2, BATCH // len(problem.movements))
+    one = take(free.coordinates, [best] * lanes)
+    local = weighed(around(problem, free, row=best), found.scale)
+    others = np.resize(np.arange(begin.log_mass.size), lanes)
+    inertia, mass = (leaf[others].copy() for leaf in (begin.shared.log_inertia, begin.log_mass))
+    typical = problem.belief.typical
+    inertia[0] = np.log(typical["inertia"]) if "inertia" in typical else inertia[0]
+    mass[0] = np.log(typical["mass"]) if "mass" in typical else mass[0]
+    told = scale_told(local.data + local.declared)
+    if told:
+        inertia = one.shared.log_inertia
+    shared = Shared(inertia, one.shared.gravity, one.shared.stiffness, one.shared.damping)
+    starts = Coordinates(shared, mass, one.mounting, one.own)
+    fixed = problem.belief.by_hand.fix
+    if fixed:  # how the data resist is asked where the point will be
+        starts = imposed(starts, fixed)
+        there = advance(problem, starts, task(problem, 0.0, problem.steps, LOOKING))
+        local = weighed(around(problem, there), found.scale)
+    asked = task(problem, 0.0, problem.steps, LIMITED, penalties(local))
+    bounded = problem if told or problem.belief.typical else with_inertia_kept(problem)
+    scale = found.scale * found.weighing(problem.kinds)
+    ended = advance(bounded, starts, asked, scale)
+    lowest = reached(ended)
+    for _ in range(PATIENCE):
+        if not ended.exhausted[least(ended)]:
+            break
+        ended = advance(bounded, ended.coordinates, asked, scale)
+        if stands_still(reached(ended), lowest):
+            break
+        lowest = np.minimum(lowest, reached(ended))
+    return take(ended, [least(ended)])
+
+
+def reached(ended: Solved) -> np.ndarray:
+    """Loss and violation of the best."""
+    row = least(ended)
+    return np.array([ended.loss[row], ended.violation[row]])
+
+
+def stands_still(now: np.ndarray, lowest: np.ndarray) -> bool:
+    """Are loss and violation both no lower than they once were?
+
+    Limits that contradict what the data insist on leave a search with steps that lead nowhere.
+    """
+    return not np.any(lowest - now > [LIMITED, FEASIBLE])
+
+
+def least(ended: Solved) -> int:
+    """The best that keeps the limits, or the best."""
+    feasible = np.where(ended.violation < FEASIBLE, finite(ended.loss), np.inf)
+    return int(np.argmin(feasible if np.isfinite(feasible).any() else finite(ended.loss)))
+
+
+def scale_told(data: np.ndarray) -> bool:
+    """Do the data by themselves fix the inertia, so that a search may begin at theirs?"""
+    inertia = np.eye(data.shape[0])[0]  # the first coordinate
+    error = spread(decomposed(data), np.eye(data.shape[0]), inertia)
+    return bool(error * TYPICAL.shared.log_inertia < TOLD)

@@ -1,0 +1,32 @@
+"""Problems with fewer unknowns, on the way to the whole one."""
+
+from dataclasses import replace
+
+from exoid.fitting.solve.problem import Problem
+
+
+def without_scale(problem: Problem) -> Problem:
+    """The same, the inertia of a start kept where nothing can tell it: the same mass was on the leg
+    in every segment. Along what is flat a search may go anywhere.
+    """
+    each = problem.movements
+    loads = {(one.added_mass, None if one.unplaced else one.added_mass_distance) for one in each}
+    if len(loads) > 1 or any(one.kind == "measured" for one in each):
+        return problem
+    return with_inertia_kept(problem)
+
+
+def with_inertia_kept(problem: Problem) -> Problem:
+    """The same, every start's inertia where it is."""
+    known = problem.known.copy()
+    known[:, 0] = 1.0
+    return replace(problem, known=known)
+
+
+def as_declared(problem: Problem) -> Problem:
+    """The same, recordings as they are declared: what differs is small, but far from the leg it may
+    pass for anything, the place of an added mass for a leg without inertia.
+    """
+    known = problem.known.copy()
+    known[:, 4:-3] = 1.0
+    return replace(problem, known=known)

@@ -1,0 +1,109 @@
+"""Where a multi-start begins: drawn from the limits, from anatomy, and from inverse dynamics."""
+
+import jax
+import numpy as np
+
+from exoid.fitting.data.observation import cycle_torque
+from exoid.fitting.data.segment import Movement, smoothed_motion
+from exoid.fitting.model.constraint import Limits
+from exoid.fitting.model.coordinates import Coordinates, Mounting, Own, Shared
+from exoid.fitting.model.prior_and_limits import leg_limits
+from exoid.fitting.model.systematics import OWNED
+from exoid.physics.leg import GRAVITY
+from exoid.recordings.recording import Subject
+from exoid.recordings.signal.condition import local_line
+
+FROM_NONE = 1e-3  # of the upper limit: where a draw begins whose lower limit is zero
+SLOPE_WIDTH = 0.08  # s, over which the acceleration is taken for inverse dynamics
+
+
+def draw(count: int, seed: int, limits: Limits | None = None) -> np.ndarray:
+    """`count` vectors (m, J, l, d, c, tau) within the limits, by default those of Eq. 13.
+
+    Every decade alike, J between m l^2 and reach m l where there is room; tau / J between those of
+    the strongest leg of the greatest inertia.
+    """
+    limits = leg_limits(Subject(), "paper") if limits is None else limits
+    if not np.isfinite(limits.reach):  # a rig's: it has none
+        limits = leg_limits(Subject(), "paper")
+    part = np.random.default_rng(seed).uniform(size=(count, 6))
+    low, high = (np.array(jax.tree.leaves(each)) for each in (limits.lower, limits.upper))
+    low = np.maximum(low, FROM_NONE * high)
+    decades = np.log(np.divide(high, low, out=np.ones(5), where=low > 0))  # fixed at 0: none
+    mass, _, distance, damping, stiffness = (low * np.exp(decades * part[:, :5])).T
+    reach = float(limits.reach)
+    distance = np.minimum(distance, max(reach, low[2]))
+    lightest, heaviest = low[1] / (reach * distance), high[1] / distance**2  # with room for a J
+    mass = np.clip(np.clip(mass, lightest, heaviest), low[0], high[0])
+    least = np.clip(mass * distance**2, low[1], high[1])
+    most = np.clip(reach * mass * distance, low[1], high[1])
+    inertia = least * (most / least) ** part[:, 1]
+    torque = float(limits.torque) * inertia / high[1] * (2 * part[:, 5] - 1)
+    return np.stack([mass, inertia, distance, damping, stiffness, torque], axis=1)
+
+
+def coordinates(
+    parameters: np.ndarray, movements: list[Movement], greatest_damping: float
+) -> Coordinates:
+    """The starts (m, J, l, d, c, tau), every movement from its first measured state.
+
+    d/J is held below `greatest_damping` [1/s]: beyond it the time step cannot carry the motion.
+    """
+    mass, inertia, com_distance, damping, stiffness, torque = parameters.T
+    first = np.array([first_state(each) for each in movements])
+    voluntary = np.array([each.voluntary for each in movements])
+    shape = (mass.size, len(movements))
+    return Coordinates(
+        shared=Shared(
+            log_inertia=np.log(inertia),
+            gravity=mass * com_distance * GRAVITY / inertia,
+            stiffness=stiffness / inertia,
+            damping=np.minimum(damping / inertia, greatest_damping),
+        ),
+        log_mass=np.log(mass),
+        mounting=usual_mounting(movements, (mass.size,)),
+        own=Own(
+            torque=(torque / inertia)[:, None] * voluntary,
+            angle=np.broadcast_to(first[:, 0], shape).copy(),
+            angular_velocity=np.broadcast_to(first[:, 1], shape).copy(),
+        ),
+    )
+
+
+def usual_mounting(
+    movements: list[Movement], shape: tuple[int, ...] = (), owned: tuple[str, ...] = OWNED
+) -> Mounting:
+    """The mounting to expect of every recording, as declared, for starts of this shape."""
+    count = len({each.recording for each in movements})
+    return Mounting(*(np.zeros((*shape, count * (name in owned))) for name in OWNED))
+
+
+def first_state(movement: Movement) -> tuple[float, float]:
+    """Angle [rad] and angular velocity [rad/s] of the first sample, from the ones around it."""
+    angle, velocity = smoothed_motion(movement, SLOPE_WIDTH)
+    return float(angle[0]), float(velocity[0])
+
+
+def informed(
+    movements: list[Movement], reading: str, mass: float, inertia: float
+) -> np.ndarray | None:
+    """The start (m, J, l, d, c, tau) that inverse dynamics suggests, None where it has no say.
+
+    Least squares on phi'' = tau s(t)/J - m l g cos(phi)/J - c phi/J - d phi'/J, linear in the
+    ratios, so it needs no start itself; biased where the acceleration is noisy. Movements with a
+    known mass or torque follow another equation and are left out.
+    """
+    rows, accelerations = [], []
+    for each in movements:
+        if each.scaled:
+            continue
+        time = each.segment.time
+        angle, velocity = smoothed_motion(each, SLOPE_WIDTH)
+        cycle = cycle_torque(time - each.onset, each, reading)
+        rows.append(np.stack([-np.cos(angle), -angle, -velocity, cycle], axis=1))
+        accelerations.append(local_line(time, velocity, SLOPE_WIDTH)[1])
+    if not rows:
+        return None
+    solution, *_ = np.linalg.lstsq(np.concatenate(rows), np.concatenate(accelerations), rcond=None)
+    gravity, stiffness, damping, torque = solution * inertia
+    return np.array([mass, inertia, gravity / (mass * GRAVITY), damping, stiffness, torque])

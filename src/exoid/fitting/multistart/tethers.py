@@ -1,0 +1,34 @@
+"""How a start is brought to the data: tied to the measured motion at first, then ever less."""
+
+import numpy as np
+
+from exoid.fitting.model.coordinates import Coordinates, Shared
+from exoid.fitting.solve.problem import Problem, advance, task
+from exoid.fitting.solve.program_values import Solved
+
+TETHERS = (60.0, 15.0)  # rad/s, of the first stage and the second; then free
+STIFF = 0.6  # greatest tether times step: Runge-Kutta carries it with room for the leg
+COARSE, FINE = 10.0, 1e-2  # tolerances, in units of noise
+
+
+def tethers(problem: Problem) -> tuple[float, float]:
+    """Of both stages, as far as the sampling allows."""
+    first = min(TETHERS[0], STIFF / problem.longest_step)
+    return first, min(TETHERS[1], first / 2)
+
+
+def approach(problem: Problem, starts: Coordinates, scale: np.ndarray) -> Solved:
+    """Where the free fits from these starts end, after both stages over the whole motion."""
+    for tether in tethers(problem):
+        asked = task(problem, tether, problem.steps, COARSE)
+        starts = without_thrust(advance(problem, starts, asked, scale).coordinates)
+    return advance(problem, starts, task(problem, 0.0, problem.steps, FINE), scale)
+
+
+def without_thrust(at: Coordinates) -> Coordinates:
+    """No negative damping: it would run away once the tether that held it is loosened."""
+    shared = at.shared
+    damped = Shared(
+        shared.log_inertia, shared.gravity, shared.stiffness, np.maximum(shared.damping, 0.0)
+    )
+    return Coordinates(damped, at.log_mass, at.mounting, at.own)

@@ -1,0 +1,156 @@
+"""What every kind of segment misses, and by how much each therefore counts.
+
+Eq. 9 may hold to the noise where a leg swings by itself, and miss how it is moved at will; or the
+other way round. One process for all segments would then spoil what the good ones tell. So each kind
+is also fitted alone: where processes of their own explain what is left much better than one for
+all, every kind's residual is divided by the largest factor by which its errors are widened, and
+that of all but the best by ten times as much. None then counts for more than it carries.
+"""
+
+from dataclasses import replace
+
+import jax
+import numpy as np
+
+from exoid.fitting.data.observation import Observation
+from exoid.fitting.misfit.disturbance import CLEAR, Missed, explain
+from exoid.fitting.misfit.gram_matrices import CAUSES, Cause, Gram
+from exoid.fitting.misfit.information import KINDS, Disturbance, common, spoiled
+from exoid.fitting.model.coordinates import flattened
+from exoid.fitting.multistart.tethers import FINE, approach
+from exoid.fitting.solve.problem import (
+    Problem,
+    advance,
+    declared_at,
+    finite,
+    grams_at,
+    left,
+    take,
+    task,
+)
+from exoid.fitting.solve.program_values import Solved
+
+PLAUSIBLE = 0.3  # of what moves the leg: a model that misses more is none
+NOISY = 1.1  # over the declared noise, from where on it is worth a word
+# Gain of log likelihood below which all kinds miss the same. To hold that movements at will, which
+# lean on a form of their torque and are short, miss less than the others, takes more.
+DIFFERENT = {"passive": CLEAR, "measured": CLEAR, "active": 2 * CLEAR}
+DOUBT = 10.0  # a process only stands for what is missed: the others are held for this much worse
+BLIND = 1e8  # what the residual of a segment is divided by that is not to count
+
+Grams = dict[Cause, list[Gram]]
+
+
+def explained(problem: Problem, at: Solved, row: int = 0) -> Disturbance:
+    """What is in the residual of all segments alike, and what it leaves of their information."""
+    size = flattened(take(at.coordinates, row)).size
+    each = grams_at(problem, at, row, CAUSES)
+    seen = problem.observation
+    each = beside(each, declared_at(problem, at, row))
+    found = explain(each, plausible(seen), count(problem, problem.kinds), size)
+    return left(problem, at, row, common(found, problem.kinds))
+
+
+def explained_apart(problem: Problem, at: Solved, row: int, alike: Disturbance) -> Disturbance:
+    """The same by kinds of segments, where that explains much better what is `alike` in all."""
+    kinds = [kind for kind in KINDS if kind in problem.kinds]
+    if len(kinds) < 2 or (alike.cause is None and alike.noise < NOISY):
+        return alike
+    solved = alone(problem, at, row, kinds)
+    if not np.isfinite(solved.loss).all():
+        return alike
+    each = [grams_at(problem, solved, lane, CAUSES) for lane in range(len(kinds))]
+    size, most = flattened(take(at.coordinates, row)).size, plausible(problem.observation)
+    parts = [of_kind(problem, kind, grams) for kind, grams in zip(kinds, each, strict=True)]
+    told = [beside(part, declared_at(problem, solved, lane)) for lane, part in enumerate(parts)]
+    counts = {kind: count(problem, [kind]) for kind in kinds}
+    own = {
+        kind: explain(grams, most, counts[kind], size)
+        for kind, grams in zip(kinds, told, strict=True)
+    }
+    together = explain(side_by_side(told, size), most, sum(counts.values()), size * len(kinds))
+    gain = sum(missed.likelihood for missed in own.values()) - together.likelihood
+    if not any(missed.cause for missed in own.values()):
+        # Each is explained by itself, but not with the others: then it is the last that is off.
+        own[kinds[-1]] = next(iter(alike.kinds.values()))
+    widened = {
+        kind: most_widened(own[kind], kind, part, size)
+        for kind, part in zip(kinds, parts, strict=True)
+    }
+    least = min(widened, key=widened.__getitem__)
+    if gain < DIFFERENT[least]:
+        return alike
+    scales = {kind: DOUBT * each / widened[least] for kind, each in widened.items()}
+    scales[least] = 1.0
+    return replace(alike, kinds=own, scales=scales)
+
+
+def alone(problem: Problem, at: Solved, row: int, kinds: list[str]) -> Solved:
+    """Where a fit to the segments of each of these kinds alone ends: one lane a kind.
+
+    It begins where all together ended, and once more tied to the measured motion with everything
+    as declared: what bad segments made of seat and zero leads astray.
+    """
+    counts = np.array([[kind == own for own in problem.kinds] for kind in kinds])
+    starts = take(at.coordinates, [row] * len(kinds))
+    scale = np.where(counts, 1.0, BLIND)
+    near = advance(problem, starts, task(problem, 0.0, problem.steps, FINE), scale)
+    anew = replace(starts, mounting=jax.tree.map(np.zeros_like, starts.mounting))
+    tied = approach(problem, anew, scale)
+    both = jax.tree.map(lambda *each: np.stack(each), near, tied)
+    better = np.argmin([finite(near.loss), finite(tied.loss)], axis=0)
+    return jax.tree.map(lambda leaf: leaf[better, np.arange(len(kinds))], both)
+
+
+def of_kind(problem: Problem, kind: str, grams: Grams) -> Grams:
+    """Those of the segments of one kind."""
+    own = [number for number, each in enumerate(problem.kinds) if each == kind]
+    return {cause: [each[number] for number in own] for cause, each in grams.items()}
+
+
+def beside(grams: Grams, declared: Gram) -> Grams:
+    """The segments', and what is declared of their recordings."""
+    return {cause: [*each, declared] for cause, each in grams.items()}
+
+
+def side_by_side(parts: list[Grams], size: int) -> Grams:
+    """All in one, as if every kind were of a leg of its own."""
+    return {
+        cause: [
+            replace(gram, place=gram.place + number * size)
+            for number, part in enumerate(parts)
+            for gram in part[cause]
+        ]
+        for cause in CAUSES
+    }
+
+
+def most_widened(missed: Missed, kind: str, part: Grams, size: int) -> float:
+    """The largest factor by which the errors of this kind alone are widened."""
+    each = part[missed.cause or CAUSES[0]]
+    found = spoiled(common(missed, [kind]), each, [kind] * len(each), size)
+    return float(found.widening.max())
+
+
+def samples(seen: Observation) -> np.ndarray:
+    """Measured numbers of every segment."""
+    return np.sum(np.asarray(seen.angle_weight) > 0, axis=1) + np.sum(
+        np.asarray(seen.velocity_weight) > 0, axis=1
+    )
+
+
+def count(problem: Problem, kinds: list[str]) -> int:
+    """Measured numbers of all segments of these kinds, and what is declared of the recordings."""
+    declared = sum(leaf.size for leaf in jax.tree.leaves(problem.belief.prior.mounting))
+    return declared + int(samples(problem.observation)[np.isin(problem.kinds, kinds)].sum())
+
+
+def plausible(seen: Observation) -> dict[Cause, float]:
+    """The largest deviation of what is missed: a part of the leg's acceleration, or its angle."""
+    used = np.asarray(seen.angle_weight)[:, 1:] > 0
+    time, angle, velocity = map(np.asarray, (seen.time, seen.guide_angle, seen.guide_velocity))
+    acceleration = (np.diff(velocity, axis=1) / np.diff(time, axis=1))[used]
+    return {
+        "torque": PLAUSIBLE * float(np.std(acceleration)),
+        "encoder": PLAUSIBLE * float(np.std(angle[:, 1:][used])),
+    }

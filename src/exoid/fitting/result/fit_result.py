@@ -1,0 +1,191 @@
+"""What a fit found: values with their errors and reasons, not bare numbers."""
+
+from dataclasses import dataclass, field, fields
+from typing import Any
+
+import numpy as np
+from jaxtyping import Float
+
+from exoid.fitting.misfit.information import Disturbance
+from exoid.fitting.misfit.uncertainty import Information, Shares, Source
+from exoid.fitting.model.user_values import Means
+from exoid.fitting.multistart.search import Ended
+from exoid.fitting.result import summary
+from exoid.fitting.solve.problem import Problem
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """A quantity as the tables print it. `value` is None where nothing determines it."""
+
+    symbol: str
+    title: str
+    unit: str
+    value: float | None
+    standard_error: float | None
+    expected: float | None = None
+    expected_deviation: float | None = None
+    lower: float | None = None
+    upper: float | None = None
+    shares: Shares | None = None  # of its precision; None where there is none
+    reason: str | None = None  # why there is no value, or no error
+    limited_by: dict[str, float] | None = None  # share of its variance that each systematic makes
+    by_hand: Means | None = None  # fixed, bounded or expected by the user
+
+    @property
+    def determined_by(self) -> Source | None:
+        return None if self.shares is None else self.shares.source
+
+    @property
+    def set_by(self) -> str | None:
+        """Who determined the value, in words that tell the user's own hand from exoid's."""
+        if self.by_hand == "fix":
+            return "fixed by you"
+        if self.by_hand == "bound" and self.shares is not None and self.shares.bound == 1.0:
+            return "your bound"
+        if (self.by_hand, self.determined_by) == ("prior", "prior"):
+            return "your prior"
+        if (self.by_hand, self.determined_by) == ("prior", "both"):
+            return "both, your prior"
+        if self.shares is not None and self.determined_by == "data":
+            return self.shares.kind or "data"
+        return self.determined_by
+
+
+@dataclass(frozen=True, eq=False)
+class SegmentFit:
+    """Measured and simulated motion of one segment, at the samples that were fitted."""
+
+    name: str
+    kind: str
+    period: float | None  # s
+    torque_amplitude: Estimate | None  # None where no voluntary torque acts
+    added_mass: float  # kg
+    angle_rmse: float  # rad
+    velocity_rmse: float | None  # rad/s
+    angle_noise: float  # rad
+    velocity_noise: float | None  # rad/s
+    time: Float[np.ndarray, " sample"]  # s, from the first fitted sample
+    angle: Float[np.ndarray, " sample"]  # rad, measured
+    angular_velocity: Float[np.ndarray, " sample"] | None  # rad/s, measured
+    simulated_angle: Float[np.ndarray, " sample"]  # rad
+    simulated_velocity: Float[np.ndarray, " sample"]  # rad/s
+    begins: float = 0.0  # s, its first fitted sample on the clock of the recording
+
+    def __repr__(self) -> str:
+        return f"<SegmentFit {self.name}: {self.kind}, {self.time.size} samples>"
+
+
+@dataclass(frozen=True)
+class MountingFit:
+    """What a recording owned, where the fit tells more of it than was declared."""
+
+    recording: str
+    added_mass_distance: Estimate | None = None
+    added_mass: Estimate | None = None
+    added_mass_gyration: Estimate | None = None
+    zero: Estimate | None = None  # of the encoder
+    tilt: Estimate | None = None  # of the thigh, beyond its declared angle
+    gyro_scale: Estimate | None = None
+    gyro_bias: Estimate | None = None
+    clock: Estimate | None = None
+
+    @property
+    def known(self) -> dict[str, Estimate]:
+        each = {f.name: getattr(self, f.name) for f in fields(self)[1:]}
+        return {name: one for name, one in each.items() if one is not None}
+
+
+@dataclass(frozen=True, eq=False)
+class MultistartReport:
+    """Where the starts ended. `members` are sets that fit as well as the best, one per start."""
+
+    starts: int
+    succeeded: int
+    at_best: int
+    loss: Float[np.ndarray, " start"]  # of the data alone, inf where a start failed
+    failures: dict[str, int]  # reason: number of starts
+    family: dict[str, tuple[float, float]]  # parameter: its range at the same ratios
+    members: dict[str, Float[np.ndarray, " member"]]
+    distinct: int  # minima found
+
+
+@dataclass(frozen=True, eq=False)
+class FitResult:
+    """The chosen parameters and ratios, how well they fit, and what else fits as well."""
+
+    parameters: dict[str, Estimate]  # mass, inertia, com_distance, damping, stiffness (, torque)
+    ratios: dict[str, Estimate]
+    torque_amplitude: Estimate | None  # mean over the voluntary segments, None where none is
+    segments: list[SegmentFit]
+    mountings: list[MountingFit]
+    multistart: MultistartReport
+    loss: float  # half the sum of squares of data and prior, in units of noise
+    disturbance: Disturbance  # what besides noise is in the residual
+    torque_frequency: str | None  # the reading of Eq. 4 that fits better, None without cycles
+    other_reading_rmse: float | None  # rad, of the reading that fits worse, where both were tried
+    prior: str
+    notes: list[str] = field(default_factory=list)
+    basis: "Basis | None" = None  # None where every segment was fitted alone
+    astray: str | None = None  # why the simulation does not follow the recording, where it does not
+
+    @property
+    def follows(self) -> bool:
+        """Does the simulation follow the recording? Where it does not, no number is worth a thing.
+
+        `astray` says why, and the first of the `notes` what to do.
+        """
+        return self.astray is None
+
+    def __repr__(self) -> str:
+        return summary.lines(self)
+
+    def _repr_html_(self) -> str:
+        return summary.page(self)
+
+    def to_dataframe(self) -> Any:
+        """Parameters and ratios for pandas: a row each, with error, unit and what determined it."""
+        return summary.frame(self)
+
+    @property
+    def noise_scale(self) -> float:
+        """By which standard errors at least were widened beyond the sensors' noise."""
+        return self.disturbance.scale
+
+    @property
+    def samples(self) -> int:
+        return sum(each.time.size for each in self.segments)
+
+    @property
+    def angle_rmse(self) -> float:
+        """rad, over all segments."""
+        return pooled([(each.angle_rmse, each.time.size) for each in self.segments])
+
+    @property
+    def velocity_rmse(self) -> float | None:
+        """rad/s, over the segments that have a gyro."""
+        known = [
+            (each.velocity_rmse, each.time.size)
+            for each in self.segments
+            if each.velocity_rmse is not None
+        ]
+        return pooled(known) if known else None
+
+    @property
+    def angle_noise(self) -> float:
+        """rad, the floor that no model can go below."""
+        return pooled([(each.angle_noise, each.time.size) for each in self.segments])
+
+
+@dataclass(frozen=True, eq=False)
+class Basis:
+    """What a result rests on, for those who ask further: profiles, posterior, plans."""
+
+    problem: Problem
+    ended: Ended
+    information: Information
+
+
+def pooled(each: list[tuple[float, int]]) -> float:
+    """Root of the mean square over samples."""
+    return float(np.sqrt(sum(v * v * n for v, n in each) / sum(n for _, n in each)))

@@ -1,0 +1,95 @@
+"""Which systematic limits a number most, and what would narrow it."""
+
+import numpy as np
+
+from exoid.fitting.misfit.information import Disturbance
+from exoid.fitting.multistart.gross_errors import deviation_of
+from exoid.fitting.result.fit_result import Estimate, MountingFit
+from exoid.fitting.solve.problem import Problem
+
+WORTH = 0.3  # of a variance, from which on a systematic is named
+WORDS = {
+    "zero": "the encoder's zero",
+    "tilt": "the seat's tilt",
+    "gyro_scale": "the gyro's scale",
+    "gyro_bias": "the gyro's bias",
+    "clock": "the clock",
+    "added_mass": "the weight of the added mass",
+    "added_mass_distance": "the distance of the added mass",
+    "added_mass_gyration": "the extent of the added mass",
+}
+ADVICE = {
+    "zero": "say how well the encoder's zero is known (angle_zero_uncertainty_deg)",
+    "tilt": "hold a level to the thigh and give thigh_angle_uncertainty_deg",
+    "gyro_scale": "turn the node by a known angle and give gyro_scale_uncertainty",
+    "gyro_bias": "keep the node still for a while before the release",
+    "clock": "compare the clock with a true one and give clock_uncertainty",
+    "added_mass": "weigh the added mass to 0.1 % and give added_mass_uncertainty_kg",
+    "added_mass_distance": "measure where it sits and give added_mass_distance_uncertainty_m",
+    "added_mass_gyration": "give added_mass_gyration_m, or use a compact weight",
+}
+CLEAR = 4.0  # errors from which on a value is worth a sentence
+SCALED = 2e-3  # relative disagreement of encoder and gyro below which it is none worth a word
+
+
+def chief(each: Estimate) -> tuple[str, float] | None:
+    """What limits a number most, and its part of the variance; None where nothing stands out."""
+    shares = each.limited_by or {}
+    name = max(shares, key=shares.__getitem__, default=None)
+    return (name, shares[name]) if name is not None and shares[name] >= WORTH else None
+
+
+def limiting(quantities: dict[str, Estimate]) -> list[str]:
+    """One sentence for each systematic that limits something: what, and what to do."""
+    found: dict[str, list[str]] = {}
+    for each in quantities.values():
+        if each.standard_error and (most := chief(each)):
+            found.setdefault(most[0], []).append(f"{each.symbol} ({most[1]:.0%})")
+    return [
+        f"{WORDS[name]} limits {', '.join(symbols)} (its part of the variance): {ADVICE[name]}."
+        for name, symbols in found.items()
+    ]
+
+
+def suspicions(problem: Problem, mountings: list[MountingFit], found: Disturbance) -> list[str]:
+    """What of a recording is not as it was declared, in sentences."""
+    said = []
+    for each in mountings:
+        where = f"{each.recording}: " if len(mountings) > 1 else ""
+        said += [f"{where}{words}" for words in (*tilted(each), *disagreeing(problem, each, found))]
+    return said
+
+
+def tilted(each: MountingFit) -> list[str]:
+    """A seat that is clearly tilted."""
+    tilt = each.tilt
+    if tilt is None or tilt.standard_error is None or tilt.value is None:
+        return []
+    if abs(tilt.value) < CLEAR * tilt.standard_error:
+        return []
+    value, error = np.degrees(tilt.value), np.degrees(tilt.standard_error)
+    return [
+        f"the thigh seems to be tilted by {value:.2g} ± {error:.1g} deg beyond what is declared, "
+        "and the fit follows that: measure it, and give thigh_angle_deg."
+    ]
+
+
+def disagreeing(problem: Problem, each: MountingFit, found: Disturbance) -> list[str]:
+    """An encoder and a gyro that disagree in scale."""
+    scale = each.gyro_scale
+    if scale is None or scale.value is None or abs(scale.value) < SCALED:
+        return []
+    doubted = deviation_of(problem, "clock").max() > SCALED / CLEAR
+    if not doubted:
+        return []
+    if found.cause is not None:
+        return [
+            f"gyro and encoder seem to disagree by {100 * scale.value:+.2g} % in scale, but that "
+            "may be what the model misses: 'exoid diagnose' compares the two without a model."
+        ]
+    return [
+        f"gyro and encoder disagree by {100 * scale.value:+.2g} % in scale. It may be the gyro, "
+        "the encoder's gain or the clock, and no motion tells which. The gyro is taken, and ± "
+        "allows for the clock, by whose square m l g / J, c / J and tau / J go: compare the clock "
+        "with a true one and give clock_uncertainty."
+    ]

@@ -1,0 +1,123 @@
+"""What every recording owned of sensors, seat, clock and added mass, with errors."""
+
+import numpy as np
+
+from exoid.fitting.misfit.uncertainty import Information
+from exoid.fitting.model.coordinates import TYPICAL, flattened, unflattened
+from exoid.fitting.model.systematics import OF_THE_GYRO, OF_THE_MASS, OWNED, SOMEWHERE
+from exoid.fitting.multistart.search import Ended
+from exoid.fitting.result.fit_result import Estimate, MountingFit
+from exoid.fitting.result.limiting_systematics import WORDS
+from exoid.fitting.solve.problem import Problem, take
+
+MOUNTING = {  # name: symbol, title, unit
+    "added_mass_distance": ("r", "distance of the added mass from the knee", "m"),
+    "added_mass": ("m_a", "added mass", "kg"),
+    "added_mass_gyration": ("k", "radius of gyration of the added mass about its centre", "m"),
+    "zero": ("zero", "what the encoder shows with the knee extended", "rad"),
+    "tilt": ("tilt", "tilt of the thigh beyond the declared angle", "rad"),
+    "gyro_scale": ("scale", "gyro scale, less 1", "-"),
+    "gyro_bias": ("bias", "gyro bias", "rad/s"),
+    "clock": ("clock", "true seconds in a recorded one, less 1", "-"),
+}
+FIELDS = dict(zip(("log_distance", "log_added", "extent"), list(MOUNTING)[:3], strict=True)) | {
+    name: name for name in OWNED[3:]
+}  # of a Mounting: as it is called outside
+STEP = 1e-6  # of a coordinate, for the slope of what is told
+BEYOND = 8.0  # standard deviations of what is declared, from which on nobody believes it
+TOLD = 0.7  # of its prior's error: below it the recording has told something
+
+
+def estimate_mountings(
+    problem: Problem, ended: Ended, information: Information
+) -> list[MountingFit]:
+    """What every recording owned, where the recording tells more than was known before."""
+    point = take(ended.best.coordinates, 0)
+    number = unflattened(np.arange(flattened(point).size), point).mounting
+    seat = np.asarray(problem.observation.seat)
+
+    def estimate(field: str, entry: int) -> Estimate | None:
+        if field not in problem.owned or known(problem, field, entry):
+            return None
+        at = int(getattr(number, field)[entry])
+        gradient = np.eye(flattened(point).size)[at] * getattr(TYPICAL.mounting, field)
+        error = information.standard_error(gradient)
+        before = float(getattr(problem.belief.prior.mounting, field)[entry])
+        always = field in OF_THE_GYRO or (field == "log_distance" and unplaced(problem, entry))
+        if not (always or error < TOLD * before):
+            return None
+        here = float(getattr(point.mounting, field)[entry])
+        below, value, above = outside(problem, field, entry, here + STEP * np.array([-1, 0, 1.0]))
+        slope = (above - below) / (2 * STEP)
+        name = FIELDS[field]
+        return Estimate(
+            *MOUNTING[name],
+            value=float(value),
+            standard_error=float(error * slope) if np.isfinite(error) else None,
+            shares=information.shares(gradient),
+        )
+
+    def mounting(entry: int) -> MountingFit:
+        first = problem.movements[int(np.flatnonzero(seat == entry)[0])]
+        each = {FIELDS[field]: estimate(field, entry) for field in OWNED}
+        return MountingFit(first.source, **each)
+
+    found = [mounting(entry) for entry in range(int(seat.max()) + 1)]
+    return [each for each in found if each.known]
+
+
+def beyond_belief(problem: Problem, ended: Ended) -> str | None:
+    """Which recording the fit takes for what nobody declares, if it does."""
+    point, prior = take(ended.best.coordinates, 0), problem.belief.prior.mounting
+    furthest, why = BEYOND, None
+    for field in problem.owned:
+        values, deviations = getattr(point.mounting, field), getattr(prior, field)
+        for entry in range(values.size):
+            away = abs(float(values[entry] / deviations[entry]))
+            if away > furthest and not known(problem, field, entry):
+                unit = MOUNTING[FIELDS[field]][2]
+                value, usual = (
+                    told_as(field, float(each[entry]), unit) for each in (values, deviations)
+                )
+                furthest = away
+                why = (
+                    f"it takes {WORDS[FIELDS[field]]} to be off by {value}, where {usual} is usual"
+                )
+    return why
+
+
+def told_as(field: str, value: float, unit: str) -> str:
+    """In a unit that people read."""
+    if unit.startswith("rad"):
+        return f"{np.degrees(value):.2g} {unit.replace('rad', 'deg')}"
+    return f"{value:.2g} m^2" if field == "extent" else f"{100 * value:.2g} %"
+
+
+def known(problem: Problem, field: str, entry: int) -> bool:
+    """Is this entry no unknown of the fit?"""
+    column = 4 + problem.owned.index(field)
+    return bool(problem.known[np.asarray(problem.observation.seat) == entry, column].all())
+
+
+def loaded(problem: Problem) -> np.ndarray:
+    """Which segments carry an added mass."""
+    return np.array([each.added_mass > 0 for each in problem.movements])
+
+
+def unplaced(problem: Problem, entry: int) -> bool:
+    """Is it unknown where the added mass of this recording sat?"""
+    each = zip(np.asarray(problem.observation.seat), problem.movements, strict=True)
+    return any(one.unplaced for seat, one in each if seat == entry)
+
+
+def outside(problem: Problem, field: str, entry: int, at):
+    """An entry of the mounting as it is told: the distance in m, the mass in kg."""
+    if field not in OF_THE_MASS:
+        return at
+    seat = np.asarray(problem.observation.seat) == entry
+    each = problem.movements[int(np.flatnonzero(seat & loaded(problem))[0])]
+    if field == "log_distance":
+        return (SOMEWHERE if each.unplaced else each.added_mass_distance) * np.exp(at)
+    if field == "log_added":
+        return each.added_mass * np.exp(at)
+    return np.sqrt(np.maximum(each.systematics.expected_extent + at, 0.0))

@@ -1,0 +1,58 @@
+"""What the user should know of the noise of what was recorded, in sentences."""
+
+from math import degrees
+
+from exoid.fitting.data.segment import Movement
+from exoid.recordings.signal.noise import Noise
+
+
+def noise_remarks(movements: list[Movement]) -> list[str]:
+    """Of every recording what its sensors did beside measuring."""
+    firsts = {each.recording: each for each in reversed(movements)}
+    several = len(firsts) > 1
+    said = []
+    for number in sorted(firsts):
+        each = firsts[number]
+        where = f" of {each.source}" if several else ""
+        said += of_channel(each.noise, f"angle{where}", "deg")
+        if each.gyro_noise is not None:
+            said += of_channel(each.gyro_noise, f"gyro{where}", "deg/s")
+    return said
+
+
+def of_channel(noise: Noise, channel: str, unit: str) -> list[str]:
+    """Spikes, tones, smoothing, tails, and a declaration that the samples contradict."""
+    said = []
+    if noise.spikes:
+        said.append(
+            f"{noise.spikes} of {noise.samples + noise.spikes} samples of the {channel} stand "
+            "alone and were left out (noise throws one in half a million as far)."
+        )
+    if noise.tone is not None:
+        said.append(
+            f"a steady tone of {noise.tone.frequency:.3g} Hz, {degrees(noise.tone.amplitude):.2g} "
+            f"{unit}, was taken out of the {channel}: hum of the mains, as it is or aliased?"
+        )
+    if noise.drift is not None:
+        said.append(
+            f"the zero of the {channel} wanders by {degrees(noise.drift):.2g} {unit} (root mean "
+            "square); the encoder tells, and it was taken out."
+        )
+    if noise.alike_over:
+        said.append(
+            f"the {channel} was smoothed or interpolated before it came here: its errors are alike "
+            f"over about {noise.alike_over:.2g} s, and it counts as {degrees(noise.level):.2g} "
+            f"{unit} of noise. Smoothing blurs a release; give what was measured, if you have it."
+        )
+    if noise.heavy:
+        said.append(
+            f"the noise of the {channel} has heavy tails: standard errors go by its root mean "
+            "square."
+        )
+    if noise.contradicted and noise.declared is not None and noise.measured is not None:
+        taken = "theirs counts" if noise.level == noise.measured else "the sidecar's counts"
+        said.append(
+            f"the sidecar says that the {channel} scatters by {degrees(noise.declared):.2g} "
+            f"{unit}, its samples scatter by {degrees(noise.measured):.2g} {unit}: {taken}."
+        )
+    return said

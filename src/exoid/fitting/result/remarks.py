@@ -1,0 +1,241 @@
+"""What the user should know of a fit, in sentences."""
+
+import numpy as np
+
+from exoid.fitting.misfit.disturbance import CORRELATED, Missed
+from exoid.fitting.misfit.information import Disturbance
+from exoid.fitting.model.prior_and_limits import Belief
+from exoid.fitting.multistart.search import FEASIBLE, Ended, scale_told
+from exoid.fitting.multistart.weight_by_kind import NOISY
+from exoid.fitting.result.noise_remarks import noise_remarks
+from exoid.fitting.solve.problem import Problem
+from exoid.physics.leg import GRAVITY, LegParameters
+from exoid.physics.parameter import declarations
+
+UPWARDS = (
+    "gravity comes out upwards (m l g / J is negative): no leg falls like this. The angle must be "
+    "0 with the knee extended and the shank level, -90 deg hanging, extension positive. Is flexion "
+    "positive in this file? Then say --flip angle (--flip all with a gyro of the same sign). Is 0 "
+    "the hanging leg? Then say --zero hanging."
+)
+RULES = ("m l^2 <= J", "J <= reach m l")
+STRANGE = 3.29  # standard deviations from what anatomy expects: one leg in a thousand
+INCOMPLETE = "no error bar of a model that misses something is complete"
+
+
+def remarks(problem: Problem, ended: Ended, at_bound: set[str]) -> list[str]:
+    """How segments were taken, what the residual holds, and which limits decided."""
+    said = []
+    guessed = [each for each in problem.movements if not each.kind_said]
+    rig = not np.isfinite(problem.belief.limits.reach)
+    if guessed:
+        each = ", ".join(f"{one.name} {one.kind}" for one in guessed)
+        said.append(f"the sidecar does not say how the leg was moved; by its motion: {each}.")
+    said += of_late(problem)
+    said += of_kept(problem)
+    said += noise_remarks(problem.movements)
+    gravity = float(ended.best.coordinates.shared.gravity[0])
+    said += of_anatomy(problem.belief, gravity)
+    told = scale_told(ended.local.data + ended.local.prior)
+    inertia = float(ended.best.leg.inertia[0]) if told else None
+    said += of_kinds(ended.disturbance)
+    unit = np.mean([each.residual_unit / each.angle_noise for each in problem.movements])
+    said += of_residual(ended.disturbance, gravity, inertia, float(unit))
+    if ended.disturbance.kinds[ended.disturbance.trusted].cause is not None and not rig:
+        said.append(
+            "m l g / J and c / J hold for a spring that is slack at full extension (Eq. 9). "
+            "With another rest angle they trade off against each other by more than their "
+            "errors say: drops from several angles, or with a known mass, tell them apart."
+        )
+    if rig:
+        said.append(
+            "on a rig the spring term c phi also takes up a constant torque and an encoder zero "
+            "that is off: read c / J as a spring only where a spring is known to be."
+        )
+    if float(ended.best.violation[0]) > FEASIBLE:
+        said.append("the limits could not all be met: see the bounds in the table.")
+    said += of_bounds(problem, at_bound)
+    if sum(each.voluntary for each in problem.movements) > 1:
+        said.append(
+            "tau and tau / J are means over the voluntary segments, each with its own effort."
+        )
+    return said
+
+
+def of_late(problem: Problem) -> list[str]:
+    """Which movements begin to count late, though nobody was seen to hold the leg."""
+    late = [each for each in problem.movements if each.late]
+    if not late:
+        return []
+    longest = max(float(each.segment.time[each.late]) for each in late)
+    return [
+        f"the first {longest:.2f} s of segment {', '.join(each.name for each in late)} weigh "
+        "nothing: the recording begins as the leg is let go, and they do not fit to the rest, as "
+        "where a hand lets go slowly. Record from 0.3 s before the release on."
+    ]
+
+
+def of_kept(problem: Problem) -> list[str]:
+    """Which movements count only up to where a hand seems to keep the leg."""
+    return [
+        f"segment {each.name} counts only up to {each.segment.time[each.kept]:.2f} s after its "
+        "release: then it leaves the motion that all drops tell, as where a hand stops the leg and "
+        "keeps it. Leave it alone until it hangs still."
+        for each in problem.movements
+        if each.kept is not None
+    ]
+
+
+def of_anatomy(belief: Belief, gravity: float) -> list[str]:
+    """That the leg's motion and its body's tables contradict each other, and what to do."""
+    return [
+        f"{each}. Check body mass, height and age, the encoder's zero, and that every mass on the "
+        "leg is declared. m, J, l, d and c lean on anatomy; --prior none shows what the motion "
+        "tells."
+        for each in unlike_anatomy(belief, gravity)
+    ]
+
+
+def unlike_anatomy(belief: Belief, gravity: float) -> list[str]:
+    """That they contradict each other; `gravity` as m l g / J."""
+    expected = belief.expected
+    if expected is None or expected.covariance is None or belief.by_hand.words or gravity <= 0:
+        return []
+    length = expected.inertia.value / (expected.mass.value * expected.com_distance.value)
+    scatter = float(np.sqrt(expected.covariance[2][2]))
+    seen = GRAVITY / gravity
+    if abs(np.log(seen / length)) < STRANGE * scatter:
+        return []
+    return [
+        f"by its motion this leg has J / (m l) = {seen:.3g} m, and anatomy expects {length:.3g} +- "
+        f"{scatter * length:.2g} m of this body: fewer than one leg in a thousand are as far off"
+    ]
+
+
+def upwards(problem: Problem, ended: Ended) -> bool:
+    """Does gravity come out upwards, of a leg that nothing but gravity moved?"""
+    return (
+        float(ended.best.coordinates.shared.gravity[0]) < 0
+        and bool(np.isfinite(problem.belief.limits.reach))
+        and all(each.kind == "passive" for each in problem.movements)
+    )
+
+
+def of_astray(why: str | None, belief: Belief, several: bool) -> list[str]:
+    """That the simulation does not follow the recording, and what to do."""
+    if why is None:
+        return []
+    masses = ", and what mass was on the leg in each" if several else ""
+    hand = belief.by_hand
+    named = ", ".join({**hand.fix, **hand.bound, **hand.prior})
+    yours = f", and what you said of {named}" if named else ""
+    weighed = "; without --misfit paper every sample is weighed by its noise" if belief.raw else ""
+    return [
+        f"the simulation does not follow the recording: {why}. Do not use these numbers: check "
+        f"units, signs, zero and marks of the recording{masses}{yours}; 'exoid diagnose' asks "
+        f"what the model lacks{weighed}."
+    ]
+
+
+def of_kinds(found: Disturbance) -> list[str]:
+    """Which kind of segment is believed, where kinds are weighed differently."""
+    if not found.apart:
+        return []
+    trusted = [kind for kind, scale in found.scales.items() if scale == 1.0]
+    others = [
+        f"those of the {kind} ones are divided by {scale:.2g}"
+        for kind, scale in found.scales.items()
+        if kind not in trusted
+    ]
+    return [
+        "what the model misses differs from kind to kind of segment, and each is weighed by its "
+        f"own: the residuals of the {' and '.join(trusted)} segments count as they are, "
+        f"{', '.join(others)}. 'set by' names the kind that told a number."
+    ]
+
+
+def of_residual(
+    found: Disturbance, gravity: float, inertia: float | None, unit: float
+) -> list[str]:
+    """What besides the declared noise is in the residuals, and what that does to the errors.
+
+    `gravity` is m l g / J [1/s^2]; `inertia` None where J is not known; `unit` that of the
+    residuals over the noise.
+    """
+    if len(set(found.kinds.values())) == 1:
+        missed = next(iter(found.kinds.values()))
+        return of_missed(missed, "the residual", gravity, inertia, unit)
+    return [
+        sentence
+        for kind, each in found.kinds.items()
+        for sentence in of_missed(each, f"the residual of {kind} segments", gravity, inertia, unit)
+    ]
+
+
+def of_missed(
+    found: Missed, where: str, gravity: float, inertia: float | None, unit: float
+) -> list[str]:
+    """The same of one kind of segment, or of all."""
+    over = f"varying within about {found.correlation_time:g} s"
+    if found.correlation_time == CORRELATED[0]:
+        over = "varying from moment to moment"
+    widened = f"Errors are widened for it; {INCOMPLETE}, and 'exoid diagnose' asks what it misses."
+    if found.cause == "torque":
+        share = f"{100 * found.deviation / abs(gravity):.2g} % of m l g"
+        torque = "" if inertia is None else f", {found.deviation * inertia:.2g} N m"
+        return [
+            f"{where} is more than the sensors' noise: the model misses something. It is what "
+            f"an unknown torque of about {share}{torque}, {over}, would leave. {widened}"
+        ]
+    if found.cause == "encoder":
+        return [
+            f"{where} is more than the sensors' noise: it is what an encoder that errs by "
+            f"about {np.degrees(found.deviation):.2g} deg, {over}, would leave. {widened}"
+        ]
+    if found.noise > max(NOISY / unit, 1.0):  # 1 where it is not larger, or is less
+        return [
+            f"{where} is white but {found.noise * unit:.3g} times the noise that is declared, or "
+            "that neighbouring samples show, and standard errors are widened by that: check noise "
+            "levels and time stamps."
+        ]
+    return []
+
+
+def of_bounds(problem: Problem, at_bound: set[str]) -> list[str]:
+    """Which limits decided."""
+    said = []
+    belief = problem.belief
+    limits = belief.limits
+    for name, declared in declarations(LegParameters):
+        if name in at_bound and np.isfinite(limits.reach):
+            low, high = (float(getattr(each, name)) for each in (limits.lower, limits.upper))
+            said.append(
+                f"{declared.symbol} ran into its limits of {low:.3g} to {high:.3g} {declared.unit} "
+                f"({whose(belief, name)}). Absolute values that go with it follow from that limit, "
+                "not from the recording: use the ratios."
+            )
+    for rule in RULES:
+        if rule in at_bound:
+            said.append(f"the fit lies on the limit {rule} of a rigid leg.")
+    return said
+
+
+def limits_met(problem: Problem, at_bound: set[str]) -> list[str]:
+    """The limits of a leg that decided, by their symbols; that damping is not negative is none."""
+    if not np.isfinite(problem.belief.limits.reach):
+        return []
+    held = [
+        declared.symbol
+        for name, declared in declarations(LegParameters)
+        if name in at_bound and name != "damping"
+    ]
+    return [*held, *(rule for rule in RULES if rule in at_bound)]
+
+
+def whose(belief: Belief, name: str) -> str:
+    """Where a limit comes from."""
+    if name in belief.by_hand.bound:
+        return "yours"
+    if belief.bounds == "paper":
+        return "Eq. 13"
+    return "any human's" if belief.expected is None else "what a leg of this body can have"

@@ -1,0 +1,118 @@
+"""Least squares under constraints: the constraints enter as extra residuals.
+
+minimise |r(y)|^2 / 2 subject to g(y) <= 0, by minimising |r|^2/2 + |p|^2/2 with
+p = sqrt(rho) max(0, g + mu / rho) and updating mu <- max(0, mu + rho g) until it stands still
+(Hestenes 1969, Powell 1969, Rockafellar 1973; Nocedal & Wright, Numerical Optimization, ch. 17).
+"""
+
+from collections.abc import Callable
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+import lineax as lx
+import optimistix as optx
+from jaxtyping import Array, Bool, Float, Int, PyTree
+
+from exoid.fitting.solve.least_squares import NegligibleStep
+
+Vector = Float[Array, " _"]
+
+SLOW = 0.25  # of the error before: a round that gains less
+STIFFER = 10.0  # makes that constraint's penalty so much greater
+STEPS = 60  # of the inner solver; a start that needs more has lost its way
+FEASIBLE = 1e-5  # greatest g that counts as met; g is relative
+EXACT = 1e-10  # a change of loss and point that is rounding; `tolerance` decides before
+
+
+class Outcome(eqx.Module):
+    """Where a start ended. `failed` marks a point that must never be chosen."""
+
+    point: Vector
+    detail: PyTree  # what `residual` gave beside its value, at `point`
+    multiplier: Vector
+    violation: Float[Array, ""]  # greatest of g, relative as in `violations`
+    steps: Int[Array, ""]  # evaluations of the residual
+    exhausted: Bool[Array, ""]  # the inner solver ran out of steps
+
+
+def minimise(
+    residual: Callable[[Vector], tuple[Vector, PyTree]],
+    constraint: Callable[[Vector], Vector],
+    start: Vector,
+    penalty: Vector,
+    *,
+    tolerance: Float[Array, ""],
+    rounds: Int[Array, ""],
+) -> Outcome:
+    """At most `rounds` updates of the multipliers, each with one inner least-squares solve.
+
+    `residual` returns its value and any detail worth keeping of the last point. `penalty` is rho:
+    taken as 100 over the variance of each g, it gains two digits a round. Where it gains less,
+    because other constraints hold that variance down, it grows.
+    """
+
+    def penalised(point, weighed):
+        multiplier, rho = weighed
+        excess = jnp.maximum(0.0, constraint(point) + multiplier / rho)
+        value, detail = residual(point)
+        return jnp.concatenate([value, jnp.sqrt(rho) * excess]), detail
+
+    inner = optx.LevenbergMarquardt(EXACT, EXACT, linear_solver=lx.Normal(lx.Cholesky()))
+
+    def update(carry):
+        outcome, rho, error, number, _ = carry
+        solution = optx.least_squares(
+            with_dense_derivative(penalised),
+            NegligibleStep(inner=inner, tolerance=tolerance),
+            outcome.point,
+            args=(outcome.multiplier, rho),
+            has_aux=True,
+            max_steps=STEPS,
+            throw=False,
+        )
+        value = constraint(solution.value)
+        multiplier = jnp.maximum(0.0, outcome.multiplier + rho * value)
+        # How far g <= 0 <= mu, g mu = 0 are from true; sqrt(rho) of it is in units of noise, as
+        # the tolerance is.
+        remaining = jnp.abs(multiplier - outcome.multiplier) / rho
+        apart = jnp.sqrt(rho) * remaining > tolerance
+        following = Outcome(
+            point=solution.value,
+            detail=solution.aux,
+            multiplier=multiplier,
+            violation=value.max(),
+            steps=outcome.steps + solution.stats["num_steps"],
+            exhausted=solution.result == optx.RESULTS.nonlinear_max_steps_reached,
+        )
+        slow = apart & (remaining > SLOW * error)
+        unsettled = apart.any() | (value.max() > FEASIBLE)
+        return following, jnp.where(slow, STIFFER * rho, rho), remaining, number + 1, unsettled
+
+    nothing = jnp.zeros_like(penalty)
+    detail = jax.tree.map(
+        lambda leaf: jnp.zeros(leaf.shape, leaf.dtype), jax.eval_shape(residual, start)[1]
+    )
+    before = Outcome(start, detail, nothing, jnp.array(jnp.inf), jnp.array(0), jnp.array(False))
+    outcome, *_ = jax.lax.while_loop(
+        lambda carry: (carry[3] < rounds) & carry[4],
+        update,
+        (before, penalty, jnp.full_like(penalty, jnp.inf), 0, jnp.array(True)),
+    )
+    return outcome
+
+
+def with_dense_derivative(function):
+    """The same function, its derivative held as one matrix.
+
+    A solver's loop carries what the derivative is made of from step to step: one array instead of
+    the dozens that the pieces of a residual leave behind, which would double the compiled program.
+    """
+
+    def evaluated(point, args):
+        here = jax.lax.stop_gradient(point)
+        value, push, detail = jax.linearize(lambda x: function(x, args), here, has_aux=True)
+        matrix = jax.vmap(push, out_axes=1)(jnp.eye(here.size))
+        return value + matrix @ (point - here), detail
+
+    return evaluated

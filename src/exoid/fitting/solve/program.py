@@ -1,0 +1,140 @@
+"""The compiled program: every start of a block at once, from a tied simulation to a bounded fit."""
+
+from functools import partial
+
+import jax
+import jax.numpy as jnp
+from jax.flatten_util import ravel_pytree
+from jaxtyping import Array, Float
+
+from exoid.fitting.data.conditioning_chain import Chain
+from exoid.fitting.data.observation import Observation
+from exoid.fitting.misfit.condensed import (
+    Condensed,
+    Sensed,
+    condense,
+    linear_model,
+    misfit,
+    sense,
+    weighed,
+)
+from exoid.fitting.misfit.residual import Stage, predict
+from exoid.fitting.model.constraint import NEVER, Limits, violations
+from exoid.fitting.model.coordinates import (
+    Coordinates,
+    Mounting,
+    leg_parameters,
+    quantities,
+    scaled,
+    seated,
+    torque_amplitudes,
+    unscaled,
+)
+from exoid.fitting.model.prior import Prior, mounting_residual, prior_residual
+from exoid.fitting.solve.augmented_lagrangian import minimise
+from exoid.fitting.solve.program_values import Aim, Solved, Task
+from exoid.physics.motion.step import Drive
+
+
+@partial(jax.jit, static_argnames="chain")
+def solve(
+    starts: Coordinates,
+    aim: Aim,
+    observation: Observation,
+    known: Float[Array, "segment unknown"],
+    prior: Prior,
+    limits: Limits,
+    task: Task,
+    chain: Chain,
+) -> Solved:
+    """Fit from every start. `starts` and `aim` carry a leading axis; all else is shared."""
+    one = partial(solve_one, chain=chain)
+    return jax.vmap(one, in_axes=(0, 0, None, None, None, None, None))(
+        starts, aim, observation, known, prior, limits, task
+    )
+
+
+def solve_one(
+    start: Coordinates,
+    aim: Aim,
+    observation: Observation,
+    known: Float[Array, "segment unknown"],
+    prior: Prior,
+    limits: Limits,
+    task: Task,
+    chain: Chain,
+) -> Solved:
+    def at(point: Coordinates) -> Condensed:
+        each = partial(condense, stage=task.stage, chain=chain)
+        condensed = jax.vmap(each, in_axes=(None, 0, 0, 0, 0))(
+            point.shared, mountings(point, observation), point.own, observation, known
+        )
+        return weighed(condensed, aim.noise_scale)
+
+    def residual(flat):
+        # The value is exact at every point, the derivative is that of the linear model there.
+        point = unravel(flat)
+        here = jax.lax.stop_gradient(point)
+        condensed = at(unscaled(here))
+        data = linear_model(condensed, here, point, observation.seat)
+        believed = unscaled(point)
+        expected = [
+            task.bounded * prior_residual(prior, leg_parameters(believed)),
+            mounting_residual(prior, believed.mounting),
+        ]
+        belief = jnp.concatenate(expected)
+        pull = aim.strength * (aim.weights @ quantities(believed) - aim.target)
+        detail = (condensed, data @ data, belief @ belief)
+        return jnp.concatenate([data, belief, pull[None]]), detail
+
+    def constraint(flat):
+        point = unscaled(unravel(flat))
+        limit = violations(limits, leg_parameters(point), torque_amplitudes(point))
+        return jnp.where(task.bounded > 0, limit, NEVER)
+
+    begin, unravel = ravel_pytree(scaled(start))
+    outcome = minimise(
+        residual, constraint, begin, task.penalty, tolerance=task.tolerance, rounds=task.rounds
+    )
+    condensed, data, belief = outcome.detail
+    end = unscaled(unravel(outcome.point))
+    free = Stage(jnp.zeros_like(task.stage.tether), task.stage.steps)
+    simulated = jax.vmap(partial(predict, stage=free, chain=chain), in_axes=(None, 0, 0, 0))(
+        end.shared, mountings(end, observation), end.own, observation
+    )
+    return Solved(
+        coordinates=end,
+        leg=leg_parameters(end),
+        torque=torque_amplitudes(end),
+        quantities=quantities(end),
+        loss=(data + belief) / 2,
+        misfit=misfit(weighed(condensed, 1 / aim.noise_scale)),
+        condensed=condensed,
+        multiplier=outcome.multiplier,
+        violation=outcome.violation,
+        steps=outcome.steps,
+        exhausted=outcome.exhausted,
+        angle=simulated.angle,
+        angular_velocity=simulated.angular_velocity,
+    )
+
+
+def mountings(point: Coordinates, observation: Observation) -> Mounting:
+    """What every segment's recording owns."""
+    return jax.vmap(seated, in_axes=(None, 0))(point.mounting, observation.seat)
+
+
+@partial(jax.jit, static_argnames="chain")
+def sense_all(
+    point: Coordinates,
+    observation: Observation,
+    known: Float[Array, "segment unknown"],
+    pushes: Drive,
+    stage: Stage,
+    chain: Chain,
+) -> Sensed:
+    """Residual and sensitivities of every sample of every segment, at one point."""
+    each = partial(sense, stage=stage, chain=chain)
+    return jax.vmap(each, in_axes=(None, 0, 0, 0, 0, 0))(
+        point.shared, mountings(point, observation), point.own, observation, known, pushes
+    )

@@ -1,0 +1,206 @@
+"""Runs the compiled program, and keeps it between processes.
+
+Tracing the solver takes longer than solving. Where a folder is set, the traced program is kept
+there (StableHLO, by jax.export) beside XLA's own compilation cache, and the next process loads
+both without importing the solver.
+"""
+
+import hashlib
+import inspect
+import logging
+import os
+import platform
+import warnings
+from collections.abc import Callable
+from functools import cache
+from importlib import import_module
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any, TypeVar
+
+import jax
+import jax.export
+import numpy as np
+from platformdirs import user_cache_path
+
+from exoid.fitting.data.conditioning_chain import Chain
+from exoid.fitting.misfit.condensed import Sensed
+from exoid.fitting.solve.program_values import SENSED, SOLVED, Solved
+
+SHOWING = ("cli", "report")  # rooms that only say what was computed: no program imports them
+LIBRARIES = ("jax", "jaxlib", "equinox", "lineax", "optimistix")  # whose code is in a program
+# How far XLA optimises: as fast machine code as by default, and less to wait for it. One of its two
+# generators of loops takes half the time over a solver, the other one over many terms at once.
+LEAN = (("xla_backend_optimization_level", 1), ("xla_cpu_use_fusion_emitters", False))
+BROAD = (("xla_backend_optimization_level", 1), ("xla_cpu_use_fusion_emitters", True))
+OPTIONS = {"exoid.mismatch.screen.pinned:evaluate": BROAD}  # all others are LEAN
+DIGEST = 32  # bytes of the checksum before a kept program
+UNREADABLE = "Error reading persistent compilation cache"  # what XLA's Python side says of it
+Result = TypeVar("Result")
+LOG = logging.getLogger("exoid")
+_folder: list[Path] = []  # where programs are kept; empty: nowhere
+
+
+def keep_programs_in(folder: Path | None = None) -> None:
+    """Keep traced and compiled programs in `folder` from now on, by default in the user's cache.
+
+    Whoever can write there can run code as this user. Where it cannot be made, nothing is kept, and
+    every process compiles anew.
+    """
+    folder = user_cache_path("exoid") / "programs" if folder is None else folder
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as fault:
+        LOG.warning("programs are not kept: %s", fault)
+        return
+    jax.config.update("jax_compilation_cache_dir", str(folder))
+    jax.config.update("jax_persistent_cache_min_compile_time_secs", 0.0)
+    jax.config.update("jax_persistent_cache_min_entry_size_bytes", -1)
+    _folder[:] = [folder]
+
+
+def with_sound_programs(task: Callable[[], Result]) -> Result:
+    """What `task` returns; where XLA cannot read what it kept, that is forgotten and it runs again.
+
+    XLA itself would compile the same program in every process, and never replace the file.
+    """
+    try:
+        with warnings.catch_warnings():
+            warnings.filterwarnings("error", UNREADABLE)
+            return task()
+    except UserWarning as fault:
+        if not (_folder and str(fault).startswith(UNREADABLE)):
+            raise
+        for kept in _folder[0].glob("*-cache"):
+            kept.unlink(missing_ok=True)
+        return task()
+
+
+def run(starts, aim, observation, known, prior, limits, task, chain: Chain) -> Solved:
+    """`solve`, with NumPy arrays in and out."""
+    return called(
+        "exoid.fitting.solve.program:solve",
+        (starts, aim, observation, known, prior, limits, task),
+        chain,
+        SOLVED,
+    )
+
+
+def run_sense(point, observation, known, pushes, stage, chain: Chain) -> Sensed:
+    """`sense_all`, with NumPy arrays in and out."""
+    return called(
+        "exoid.fitting.solve.program:sense_all",
+        (point, observation, known, pushes, stage),
+        chain,
+        SENSED,
+    )
+
+
+def called(name: str, arguments: tuple, static, structure):
+    """The function `module:name`, in float64 whatever JAX's default.
+
+    `static` is its last argument, hashable and part of the program.
+    """
+    leaves, given = jax.tree.flatten(arguments)
+    shapes = tuple(jax.ShapeDtypeStruct(np.shape(leaf), np.result_type(leaf)) for leaf in leaves)
+    with jax.enable_x64(True):  # a fit in float32 would stop short of its optimum
+        results = program(name, given, shapes, static)(*leaves)
+    return jax.tree.unflatten(structure, [np.asarray(result) for result in results])
+
+
+@cache
+def program(name: str, structure, shapes, static):
+    """The compiled program for these shapes: loaded, or traced and kept.
+
+    A class typed into a notebook has no file by which a later program could know it again.
+    """
+    options = understood(OPTIONS.get(name, LEAN))
+    if not _folder or None in own_sources(static):
+        return jax.jit(traceable(name, structure, static), compiler_options=options)
+    path = _folder[0] / f"{fingerprint(name, structure, shapes, static)}.stablehlo"
+    exported = load(path)
+    if exported is None:
+        exported = jax.export.export(jax.jit(traceable(name, structure, static)))(*shapes)
+        store(path, exported.serialize())
+    return jax.jit(exported.call, compiler_options=options)
+
+
+@cache
+def understood(options: tuple[tuple[str, Any], ...]) -> dict[str, Any]:
+    """The options, where they are for this machine and this version of XLA knows them."""
+    if jax.default_backend() != "cpu":
+        return {}
+    try:
+        jax.jit(lambda: np.zeros(()), compiler_options=dict(options)).lower().compile()
+    except jax.errors.JaxRuntimeError:
+        return {}
+    return dict(options)
+
+
+def traceable(name: str, structure, static):
+    """The function on bare arrays. Its module is imported here, only where it must be traced."""
+    module, _, attribute = name.partition(":")
+    function = getattr(import_module(module), attribute)
+
+    def flat(*leaves):
+        return jax.tree.leaves(function(*jax.tree.unflatten(structure, leaves), static))
+
+    return flat
+
+
+def fingerprint(name: str, structure, shapes, static) -> str:
+    """What a kept program depends on: its code, its shapes, its libraries and its platform."""
+    digest = hashlib.sha256(code_of(Path(__file__).parents[2]))
+    for path in sorted(path for path in own_sources(static) if path):
+        digest.update(path.read_bytes())
+    words = (name, platform.machine(), jax.default_backend(), str(structure), shapes, static)
+    digest.update(repr((*map(version, LIBRARIES), *words)).encode())
+    return digest.hexdigest()[:32]
+
+
+@cache
+def code_of(home: Path) -> bytes:
+    """The checksum of the code in the folder `home` on which a program's numbers can depend."""
+    return hashlib.sha256(b"".join(path.read_bytes() for path in sources(home))).digest()
+
+
+def sources(home: Path) -> list[Path]:
+    """All of exoid's files but those that show what was computed."""
+    found = home.rglob("*.py")
+    return sorted(path for path in found if path.relative_to(home).parts[0] not in SHOWING)
+
+
+def own_sources(static) -> set[Path | None]:
+    """The files of classes in `static` that do not come with exoid: they are in the program.
+
+    None stands for a class that has no file.
+    """
+    if isinstance(static, tuple):
+        return {path for part in static for path in own_sources(part)}
+    if not isinstance(static, type) or static.__module__.partition(".")[0] == "exoid":
+        return set()
+    try:
+        return {Path(inspect.getfile(static))}
+    except (OSError, TypeError):
+        return {None}
+
+
+def load(path: Path) -> jax.export.Exported | None:
+    """The kept program, or None where there is none, or one that is not whole."""
+    try:
+        content = path.read_bytes()
+    except OSError:
+        return None
+    if hashlib.sha256(content[DIGEST:]).digest() != content[:DIGEST]:
+        return None
+    return jax.export.deserialize(bytearray(content[DIGEST:]))
+
+
+def store(path: Path, content: bytes | bytearray) -> None:
+    """Write in one piece, so that two processes at once do not disturb each other."""
+    part = path.with_suffix(f".{os.getpid()}.part")
+    try:
+        part.write_bytes(hashlib.sha256(content).digest() + content)
+        part.replace(path)
+    except OSError as fault:  # a full disk: the next process traces anew
+        LOG.warning("a program is not kept: %s", fault)

@@ -1,0 +1,123 @@
+"""The answer of a diagnosis: numbers, names and sentences, and nothing that a file cannot keep."""
+
+from dataclasses import dataclass, field
+from typing import Annotated, Literal
+
+from exoid.fitting.result.agreement import roughly
+from exoid.fitting.result.fit_result import FitResult
+from exoid.mismatch.answer import summary
+from exoid.mismatch.answer.workings import Workings
+from exoid.mismatch.evidence.locate import Location
+from exoid.mismatch.evidence.proof import Proof
+from exoid.mismatch.evidence.yardstick import UNEXPLAINED
+from exoid.mismatch.sensors.consistency import SensorError
+
+Verdict = Literal["none", "mismatch", "cannot_tell"]
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A parameter of what was found."""
+
+    name: str
+    value: float
+    unit: str
+    standard_error: float | None
+
+
+@dataclass(frozen=True)
+class Booked:
+    """What the baseline had made of it."""
+
+    name: str
+    before: float
+    after: float
+    unit: str
+
+
+@dataclass(frozen=True)
+class Finding:
+    """An effect that is missing, in a user's words."""
+
+    name: str
+    title: str
+    explanation: str
+    reference: str
+
+
+@dataclass(frozen=True)
+class Tested:
+    """A cause, and what it leaves: no terms, one, two, or a formula."""
+
+    terms: list[str]
+    mean_square: Annotated[float, "1"]  # of what is left over the noise: 1 is the noise itself
+    evidence: Annotated[float | None, "1"]  # against the baseline; None where it did not run free
+    chosen: bool = False
+
+
+@dataclass(frozen=True)
+class NovelTorque:
+    """A torque that the library does not know, as a formula."""
+
+    words: str
+    explained: Annotated[float, "1"]  # share of the missing torque's variance
+    known: Annotated[float, "1"]  # share of it that is in the library already
+
+
+@dataclass(frozen=True, eq=False)
+class Diagnosis:
+    """The answer, and what it rests on."""
+
+    verdict: Verdict
+    reasons: list[str]  # why not more could be said
+    findings: list[Finding]
+    ranking: list[str]
+    equivalent: list[str]
+    novel: bool  # does something act that the library does not know
+    formula: NovelTorque | None  # of it
+    parameters: list[Parameter]
+    inertia: Annotated[float, "kg m^2"]  # that torques among them go with
+    booked: list[Booked]
+    location: Location
+    proof: Proof
+    baseline: Tested
+    best: Tested  # explanation that holds on held-out data; the baseline where none does
+    singles: list[Tested]  # running free, best first
+    pairs: list[Tested]
+    pinned: list[Tested]  # every term at first sight
+    excluded: list[str]  # terms whose derivatives are not finite
+    false_alarm_rate: Annotated[float, "1"]
+    power: Annotated[float, "1"]
+    inclusion: Annotated[float | None, "1"]  # share of resamples that give the same answer
+    sensors: list[SensorError]
+    fit: FitResult
+    advice: list[str] = field(default_factory=list)
+    workings: Workings | None = None  # None where it was read from a file
+
+    def __repr__(self) -> str:
+        return summary.lines(self)
+
+    def _repr_html_(self) -> str:
+        return summary.page(self)
+
+    @property
+    def selected(self) -> list[str]:
+        """The names of what is missing."""
+        return [each.name for each in self.findings]
+
+    @property
+    def changed(self) -> bool:
+        """Was anything added to the model?"""
+        return bool(self.best.terms)
+
+    @property
+    def follows(self) -> bool:
+        """Does the model follow the recording, as it is or with what was found?"""
+        return self.fit.follows or (
+            self.changed and roughly(self.proof.after.total, self.fit.segments)
+        )
+
+    @property
+    def explained(self) -> bool:
+        """Is what the best explanation leaves hardly more than noise?"""
+        return self.best.mean_square < UNEXPLAINED

@@ -1,0 +1,117 @@
+"""When the right answer is that this recording cannot tell."""
+
+import numpy as np
+
+from exoid.mismatch.evidence.proof import Proof, masked
+from exoid.mismatch.evidence.yardstick import UNEXPLAINED
+from exoid.mismatch.screen.optimise import Settled, settle_free
+from exoid.mismatch.screen.screened_recording import Bench
+from exoid.mismatch.search.search import FLOOR, Found
+from exoid.physics.term import SensorTerm
+
+SHORTEST = 1.5  # s of movement in all, about one swing of a leg
+QUIETEST = np.radians(12.0)  # rad, of movement: less is within straps and skin
+FEW = 1 / 3  # of the segments, in which something may have happened once
+CYCLES = 3  # that a claim about the leg needs where all are voluntary
+APART = 0.05  # relative, by which the slowest must be slower than the fastest
+
+
+def too_little(bench: Bench, found: Found) -> list[str]:
+    """Why hardly anything could be seen in this recording, in sentences; none where it could."""
+    reasons = []
+    duration = sum(each.segment.time[-1] for each in bench.problem.movements)
+    if duration < SHORTEST:
+        reasons.append(
+            f"{duration:.1f} s of movement are too short: record drops until the leg rests"
+        )
+    low, high = bench.range
+    if high - low < QUIETEST:
+        reasons.append(
+            f"the leg moves by {np.degrees(high - low):.0f} deg only: release it from higher up"
+        )
+    return reasons
+
+
+def hands(bench: Bench) -> list[str]:
+    """That nobody can say why begins and ends of movements differ from the rest."""
+    late = [each for each in bench.problem.movements if each.late]
+    kept = [each.name for each in bench.problem.movements if each.kept is not None]
+    reasons = []
+    if late:
+        longest = max(float(each.segment.time[each.late]) for each in late)
+        names = ", ".join(each.name for each in late)
+        reasons.append(
+            f"nothing is missing but in the first {longest:.2f} s of segment {names}: the "
+            "recording begins as the leg is let go, and a hand, soft cuffs and play all begin like "
+            "this. Record from 0.3 s before the release on"
+        )
+    if kept:
+        reasons.append(
+            f"nothing is missing but at the end of segment {', '.join(kept)}, where a hand may "
+            "have stopped the leg, or friction. Leave it alone until it hangs still"
+        )
+    return reasons
+
+
+def unremembered(bench: Bench) -> list[str]:
+    """That a leg which begins in motion may remember what nobody recorded."""
+    begun = [one.name for one in bench.problem.movements if one.extent and one.extent.in_motion]
+    if bench.rig or not begun:
+        return []
+    return [
+        f"no cause explains it down to the noise, and segment {', '.join(begun)} begins in motion: "
+        "what tissue and reflexes still do of the time before is unknown. Record from a hold on"
+    ]
+
+
+def unrelaxed(bench: Bench, best: Settled) -> list[str]:
+    """That what fits best may remember how the leg came to where it was held."""
+    remembering = [term.title for term in best.candidate.terms if term.lasting]
+    if bench.rig or not remembering:
+        return []
+    return [
+        f"{' and '.join(remembering)} fits best, but not down to the noise: how the leg was moved "
+        "before it was held is unknown. Hold it still for 10 s before each release"
+    ]
+
+
+def once(bench: Bench, best: Settled) -> list[str]:
+    """That the best explains all but a few segments: what happened there is no physics of the leg,
+    which acts in all of them.
+    """
+    seen = bench.seen
+    counts = (seen.angle_weight > 0).sum(axis=1) + (seen.velocity_weight > 0).sum(axis=1)
+    excess = best.products.each[:, -1, -1] - counts
+    few, others = np.split(np.argsort(-excess), [int(FEW * counts.size)])
+    if not few.size:
+        return []
+    kept = np.isin(np.arange(counts.size), others)
+    left = settle_free(bench, [best.candidate], masked(seen, kept[:, None]))[0].square
+    if left > FLOOR * counts[others].sum():
+        return []
+    odd = [k for k in sorted(few) if excess[k] > (UNEXPLAINED - 1) * counts[k]]
+    if not odd:
+        return []
+    names = ", ".join(bench.problem.movements[k].name for k in odd)
+    return [
+        f"what remains lies in segment {names} alone, and physics of the leg acts in all of them: "
+        "a hand may have touched it there. Leave it out, or record it again"
+    ]
+
+
+def unsure(bench: Bench, best: Settled, proof: Proof, *, explained: bool) -> list[str]:
+    """Why what was found must not be claimed."""
+    reasons = [] if explained else unremembered(bench)
+    sensors_only = all(issubclass(term, SensorTerm) for term in best.candidate.terms)
+    if not proof.holds:
+        where = "the recording's own end" if proof.in_time else "held-out segments"
+        reasons.append(f"it does not predict {where} better than the model without it")
+    movements = bench.problem.movements
+    if all(each.voluntary for each in movements) and not sensors_only:
+        periods = [each.period for each in movements]
+        if len(periods) < CYCLES or max(periods) < (1 + APART) * min(periods):
+            reasons.append(
+                f"{len(periods)} voluntary cycles of one speed cannot tell the leg from the "
+                "muscles: add passive drops, or cycles of three speeds"
+            )
+    return reasons

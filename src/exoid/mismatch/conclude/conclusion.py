@@ -1,0 +1,246 @@
+"""From what was found to what is said: verdict, names, numbers with errors, and advice."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from exoid.fitting.result.fit_result import FitResult
+from exoid.fitting.result.remarks import unlike_anatomy
+from exoid.mismatch.answer.diagnosis import Diagnosis, Finding, NovelTorque, Verdict
+from exoid.mismatch.answer.workings import Workings
+from exoid.mismatch.conclude.cannot_tell import hands, once, too_little, unrelaxed, unsure
+from exoid.mismatch.conclude.numbers import (
+    CERTAIN,
+    FORMULA,
+    REST_ANGLE,
+    booked,
+    gyro_bias,
+    inertia_of,
+    parameters_of,
+    pinned,
+    tilted,
+    weighed,
+)
+from exoid.mismatch.evidence.locate import Location
+from exoid.mismatch.evidence.proof import Prediction, Proof, proof
+from exoid.mismatch.evidence.yardstick import FOLLOWED, Yardstick
+from exoid.mismatch.novel.formula import Formula
+from exoid.mismatch.screen.optimise import Settled
+from exoid.mismatch.screen.screened_recording import Bench
+from exoid.mismatch.search.resample import inclusion
+from exoid.mismatch.search.search import Found, equivalents, names, size
+from exoid.mismatch.sensors.consistency import BIAS
+from exoid.physics.library import library, name_of
+from exoid.physics.parameter import declarations
+
+MOSTLY = 0.8  # the same, where noise is what the samples show
+SUSPECT = 0.5  # share of the mismatch that a cause must explain to be worth a recording
+REPEAT = (
+    "Repeat the same movement several times: what comes back each time is physics, what does not "
+    "was an event."
+)
+
+
+@dataclass(frozen=True, eq=False)
+class Chosen:
+    """The best explanation that holds on held-out data, and what it and the baseline predict."""
+
+    best: Settled
+    before: Prediction
+    after: Prediction
+
+
+def concluded(
+    result: FitResult,
+    bench: Bench,
+    found: Found,
+    chosen: Chosen,
+    formula: Formula | None,
+    location: Location,
+    declared: bool,
+    seed: int,
+) -> Diagnosis:
+    """The verdict and everything that goes with it.
+
+    Where the sensors' noise is `declared` and the best explains only part of the mismatch, the rest
+    is something new, and no term is named.
+    """
+    best, shown = chosen.best, proof(bench, chosen.before, chosen.after)
+    selected = named_terms(bench, best, found.yardstick, formula)
+    bias = gyro_bias(best, found.yardstick)
+    verdict, reasons = judge(bench, found, best, shown)
+    if verdict == "mismatch" and formula is None and not declared:
+        doubts = partial(found, best)
+        verdict, reasons = ("cannot_tell", doubts) if doubts else (verdict, reasons)
+    if bias is not None and verdict != "cannot_tell":
+        verdict = "mismatch"
+        selected = [*selected, BIAS]
+    if verdict == "none":
+        reasons = [*of_zeros(result, bench), *of_what_hides(result)]
+    equal = [] if formula or not best.candidate.terms else equivalents(found, best)
+    parameters = size(best)
+    measure = found.yardstick
+    left = declared and not measure.explains(best.square) and found.followed(best) < FOLLOWED
+    novel = formula is not None or (verdict == "mismatch" and left)
+    doubts = (once(bench, best) or unrelaxed(bench, best)) if novel else []
+    if doubts:
+        verdict, reasons = "cannot_tell", doubts
+    novel = novel and verdict == "mismatch"  # nothing is called new by who cannot tell
+    if left:
+        selected = [name for name in selected if name == BIAS]
+    tried = [len(list(declarations(term))) for term in found.pinned]
+    return Diagnosis(
+        verdict=verdict,
+        reasons=reasons,
+        findings=findings(selected, best) if verdict == "mismatch" else [],
+        ranking=ranked(found, selected, formula),
+        equivalent=named_alike(equal, best) if verdict != "none" else [],
+        novel=novel,
+        formula=described(formula) if formula and novel else None,
+        parameters=[*parameters_of(bench, best, measure, formula), *([bias] if bias else [])],
+        inertia=inertia_of(bench, best),
+        booked=booked(bench, found.base, best),
+        location=location,
+        proof=shown,
+        baseline=weighed(found, found.base, best),
+        best=replace(weighed(found, best, best), terms=[FORMULA] if formula else names(best)),
+        singles=[weighed(found, one, best) for one in found.singles],
+        pairs=[weighed(found, one, best) for one in found.pairs],
+        pinned=pinned(found),
+        excluded=[name_of(term) for term in found.failed],
+        false_alarm_rate=measure.false_alarm_rate(tried),
+        power=measure.power(found.base.square, best.square, max(parameters, 1)),
+        inclusion=included(bench, found, best, formula, seed),
+        sensors=bench.sensors.errors,
+        fit=result,
+        advice=advice(found, equal, verdict, formula),
+        workings=Workings(bench, found, best),
+    )
+
+
+def of_zeros(result: FitResult, bench: Bench) -> list[str]:
+    """What to say of zeros of encoders that are certainly off, and no cause of anything."""
+    usual = {each.source: each.systematics.zero for each in bench.problem.movements}
+    said = []
+    for each in result.mountings:
+        value, error = (each.zero.value, each.zero.standard_error) if each.zero else (None, None)
+        if value is None or error is None or abs(value) < CERTAIN * error:
+            continue
+        whose = f" in {each.recording}" if len(result.mountings) > 1 else ""
+        more = "more" if abs(value) > usual[each.recording] else "no more"
+        said.append(
+            f"the encoder's zero{whose} is off by {np.degrees(value):.2g} deg, {more} than is "
+            "to be expected; the fit estimates it"
+        )
+    return said
+
+
+def of_what_hides(result: FitResult) -> list[str]:
+    """What a leg that is like no other may hide within the noise."""
+    basis = result.basis
+    assert basis is not None  # a joint fit has one
+    gravity = float(basis.ended.best.coordinates.shared.gravity[0])
+    return [
+        f"{each}: a spring with another rest angle, an encoder's zero or a mass that nobody "
+        "declared would look like this, and hide in it"
+        for each in unlike_anatomy(basis.problem.belief, gravity)
+    ]
+
+
+def described(formula: Formula) -> NovelTorque:
+    return NovelTorque(formula.words, formula.explained, formula.known)
+
+
+def findings(selected: list[str], best: Settled) -> list[Finding]:
+    """What is missing in words: of the library, or of a user's own terms."""
+    known = {name_of(term): term for term in (*library(), *best.candidate.terms)}
+    terms = [(name, known[name]) for name in selected]
+    return [Finding(name, one.title, one.explanation, one.reference) for name, one in terms]
+
+
+def included(
+    bench: Bench, found: Found, best: Settled, formula: Formula | None, seed: int
+) -> float | None:
+    """How often resampled segments give the same answer."""
+    if best is found.base:
+        return None
+    others = [found.base, *found.singles, *([] if len(best.candidate.terms) < 2 else found.pairs)]
+    rivals = [found.base] if formula else [one for one in others if one is not best]
+    return inclusion(bench, best, rivals, found.yardstick, seed)
+
+
+def named_terms(
+    bench: Bench, best: Settled, measure: Yardstick, formula: Formula | None
+) -> list[str]:
+    """The terms by name; a tilted thigh is an offset whose opposite is the spring's rest angle."""
+    if formula:
+        return []
+    return [name for name in names(best) if name != REST_ANGLE or not tilted(bench, best, measure)]
+
+
+def named_alike(equal: list[Settled], best: Settled) -> list[str]:
+    """What this recording cannot tell from the best, itself included: names joined by " + "."""
+    known = [names(one) for one in equal]
+    for term in best.candidate.terms if equal else ():
+        if term.twin:
+            known.append([term.twin if name == name_of(term) else name for name in names(best)])
+    return [" + ".join(each) for each in known]
+
+
+def judge(bench: Bench, found: Found, best: Settled, shown: Proof) -> tuple[Verdict, list[str]]:
+    """None, mismatch, or an honest doubt."""
+    little = too_little(bench, found)
+    if best is found.base:
+        left = found.base.square / found.yardstick.samples
+        if little:
+            return "cannot_tell", little
+        if not found.yardstick.explains(found.base.square):
+            return "cannot_tell", once(bench, best) or [
+                f"simulation and recording differ by {left**0.5:.2g} times the noise, but no cause "
+                "explains it clearly better than another"
+            ]
+        doubts = hands(bench)
+        return ("cannot_tell", doubts) if doubts else ("none", [])
+    explained = found.yardstick.explains(best.square)
+    doubts = [*little, *unsure(bench, best, shown, explained=explained)]
+    return ("cannot_tell", doubts) if doubts else ("mismatch", [])
+
+
+def partial(found: Found, best: Settled) -> list[str]:
+    """That the best leaves too much of the mismatch, where nobody knows how much is noise."""
+    share = found.followed(best)
+    if found.yardstick.explains(best.square) or share >= MOSTLY:
+        return []
+    return [
+        f"the best cause explains {100 * share:.0f} % of the mismatch, and nobody says how much of "
+        "the rest is noise: declare the sensors' noise in the sidecar"
+    ]
+
+
+def ranked(found: Found, selected: list[str], formula: Formula | None) -> list[str]:
+    """Names, best first: what was selected, then every other single term by what it explains."""
+    singles = [names(one)[0] for one in found.singles if names(one)]
+    others = [name_of(term) for term in sorted(found.pinned, key=found.pinned.__getitem__)]
+    first = [] if formula else by_share(found, selected)
+    return list(dict.fromkeys([*first, *singles, *others]))
+
+
+def by_share(found: Found, selected: list[str]) -> list[str]:
+    """Of two effects the one first that explains more by itself."""
+    alone = {name_of(term): square for term, square in found.pinned.items()}
+    return sorted(selected, key=lambda name: alone.get(name, np.inf))
+
+
+def advice(
+    found: Found, equal: list[Settled], verdict: Verdict, formula: Formula | None
+) -> list[str]:
+    """What to record next, to tell apart what is `equal` or what is suspected."""
+    if verdict == "none":
+        return []
+    if formula is not None:
+        return ["Change one thing at a time (speed, angle, load) and watch which moves the torque."]
+    rivals = equal or [one for one in found.singles[:2] if found.followed(one) > SUSPECT]
+    if verdict == "mismatch" and len(rivals) < 2:
+        return []
+    terms = dict.fromkeys(term for one in rivals for term in one.candidate.terms)
+    return [f"To tell {term.title} apart: {term.isolate}." for term in terms] or [REPEAT]

@@ -1,0 +1,109 @@
+"""The numbers of an answer: what every cause leaves, parameters, and what they were booked as."""
+
+import numpy as np
+
+from exoid.mismatch.answer.diagnosis import Booked, Parameter, Tested
+from exoid.mismatch.evidence.yardstick import Yardstick
+from exoid.mismatch.novel.formula import Formula
+from exoid.mismatch.screen.optimise import Settled
+from exoid.mismatch.screen.screened_recording import Bench
+from exoid.mismatch.search.search import Found, names
+from exoid.mismatch.sensors.consistency import BIAS
+from exoid.physics.library import name_of
+from exoid.physics.parameter import declarations
+
+REST_ANGLE, OFFSET = "stiffness_rest_angle", "angle_offset"
+FORMULA = "formula"  # the name of a term that has none
+CERTAIN = 5.0  # standard deviations
+BIASED = np.radians(0.1)  # rad/s, from which on a gyro's bias is worth a word
+
+
+def weighed(found: Found, one: Settled, best: Settled) -> Tested:
+    """What a candidate leaves, running free."""
+    left = one.square / found.yardstick.samples
+    chosen = one is best and best is not found.base
+    return Tested(names(one), left, found.evidence(one), chosen)
+
+
+def pinned(found: Found) -> list[Tested]:
+    """What every term leaves at first sight, along the motion that the sensors show."""
+    samples = found.yardstick.samples
+    return [Tested([name_of(t)], square / samples, None) for t, square in found.pinned.items()]
+
+
+def inertia_of(bench: Bench, best: Settled) -> float:
+    """kg m^2, that torques go with: drops alone tell only their ratio to it."""
+    return float(np.exp(bench.coordinates(best.candidate).shared.log_inertia))
+
+
+def gyro_bias(best: Settled, measure: Yardstick) -> Parameter | None:
+    """The bias of the gyro, which is free in every fit, where it is worth a word."""
+    at = best.candidate.point.size
+    precision = float(best.products.total[at, at])
+    if precision <= 0:
+        return None
+    error = (measure.scale / precision) ** 0.5
+    value = float(best.candidate.zero[0])
+    if abs(value) < max(BIASED, CERTAIN * error):
+        return None
+    return Parameter(f"{BIAS}.bias", value, "rad/s", error)
+
+
+def covariance(bench: Bench, one: Settled) -> np.ndarray:
+    """Of all unknowns, for the inertia that the fit took; 0 of what is fixed or not told."""
+    normal = one.products.total[:-1, :-1].copy()
+    lower, upper = bench.bounds(one.candidate)
+    fixed = lower == upper
+    fixed[0] = True
+    normal[fixed], normal[:, fixed] = 0.0, 0.0
+    size_of = np.sqrt(np.diag(normal))
+    unit = np.where(size_of > 0, size_of, 1.0)
+    return np.linalg.pinv(normal / np.outer(unit, unit), hermitian=True) / np.outer(unit, unit)
+
+
+def tilted(bench: Bench, best: Settled, measure: Yardstick) -> bool:
+    """Are a rest angle and an offset opposite, within the error of their sum?"""
+    candidate = best.candidate
+    ends = candidate.point.size + 2 + np.cumsum([value.size for value in candidate.values])
+    at = dict(zip(names(best), (int(end) - 1 for end in ends), strict=True))
+    if not {REST_ANGLE, OFFSET} <= set(at):
+        return False
+    both = [at[REST_ANGLE], at[OFFSET]]
+    variance = max(covariance(bench, best)[np.ix_(both, both)].sum(), 0.0) * measure.scale
+    return bool(abs(candidate.unknowns[both].sum()) < CERTAIN * np.sqrt(variance))
+
+
+def parameters_of(
+    bench: Bench, best: Settled, measure: Yardstick, formula: Formula | None
+) -> list[Parameter]:
+    """Values and errors of the terms' parameters, for the inertia that the fit took."""
+    candidate = best.candidate
+    variance = np.maximum(np.diag(covariance(bench, best)), 0.0) * measure.scale
+    told = np.diag(best.products.total)[:-1] > 0
+    found, at = [], candidate.point.size + 2
+    for term, values in zip(candidate.terms, candidate.values, strict=True):
+        owner = FORMULA if formula else name_of(term)
+        for (name, declared), value in zip(declarations(term), values, strict=True):
+            known = bool(told[at]) and declared.lower < value < declared.upper
+            error = float(np.sqrt(variance[at])) if known else None
+            found.append(Parameter(f"{owner}.{name}", float(value), declared.unit, error))
+            at += 1
+    return found
+
+
+def booked(bench: Bench, before: Settled, after: Settled) -> list[Booked]:
+    """Damping, stiffness and gravity moment without and with what was found.
+
+    A rig's zero is anywhere, so that its gravity and its stiffness are one restoring moment.
+    """
+    pairs = [bench.coordinates(one.candidate).shared for one in (before, after)]
+    rows = [
+        {
+            "damping": (float(leg.damping * np.exp(leg.log_inertia)), "N m s/rad"),
+            "stiffness": (float(leg.stiffness * np.exp(leg.log_inertia)), "N m/rad"),
+            "gravity_moment": (float(leg.gravity * np.exp(leg.log_inertia)), "N m"),
+        }
+        for leg in pairs
+    ]
+    told = ["damping"] if bench.rig else list(rows[0])
+    return [Booked(name, rows[0][name][0], rows[1][name][0], rows[0][name][1]) for name in told]

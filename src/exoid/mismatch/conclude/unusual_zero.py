@@ -1,0 +1,64 @@
+"""An encoder's zero that is farther off than is usual: no leg explains it, and it is worth a name.
+
+Every candidate leaves the zero of the encoder free, as far as it usually is off (`Bench.usual`). A
+zero that is clearly farther off is a cause like others: here it becomes a term, beside a baseline
+that takes the zero as declared.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+
+from exoid.mismatch.conclude.numbers import CERTAIN, covariance
+from exoid.mismatch.screen.hypothesis import Hypothesis
+from exoid.mismatch.screen.optimise import Settled, settle_free
+from exoid.mismatch.screen.screened_recording import Bench
+from exoid.mismatch.search.search import Found, by_evidence
+from exoid.mismatch.search.variants import FREE_ROUNDS
+from exoid.physics.sensing.angle_offset import AngleOffset
+
+RIVALS = 4  # of the other causes, each with and without the zero
+
+
+def unusual(bench: Bench, found: Found, best: Settled) -> bool:
+    """Is the zero certainly off, as the best explanation has it, and by more than is usual?"""
+    if not 0 < bench.zero < np.inf:  # known, or free to be anything
+        return False
+    value, place = abs(float(best.candidate.zero[1])), best.candidate.point.size + 1
+    variance = covariance(bench, best)[place, place] * found.yardstick.scale
+    return bool(value > bench.zero and value**2 > CERTAIN**2 * variance)
+
+
+def as_a_term(bench: Bench, found: Found, best: Settled) -> tuple[Bench, Found, Settled]:
+    """The zero as a term of the best and of its rivals, who are also tried without it, and a
+    baseline that has it as declared.
+    """
+    declared = replace(bench, zero=0.0)
+    rivals = [one for one in (*found.singles, *found.pairs) if one is not best][:RIVALS]
+    base, *plain = [at_rest(declared, without_zero(one.candidate)) for one in (found.base, *rivals)]
+    named = [at_rest(declared, with_term(one.candidate)) for one in (best, *rivals)]
+    alone = [one for one in (*named, *plain) if len(one.candidate.terms) == 1]
+    joint = [one for one in (*named, *plain) if len(one.candidate.terms) > 1]
+    measure = found.yardstick
+    new = replace(
+        found,
+        base=base,
+        begin=base.candidate,
+        singles=by_evidence(alone, base, measure),
+        pairs=by_evidence(joint, base, measure),
+    )
+    return declared, new, named[0]
+
+
+def without_zero(candidate: Hypothesis) -> Hypothesis:
+    return replace(candidate, zero=np.array([candidate.zero[0], 0.0]), linear=None)
+
+
+def with_term(candidate: Hypothesis) -> Hypothesis:
+    """The candidate with its zero as a term."""
+    start, value = without_zero(candidate), candidate.zero[1:]
+    return replace(start, terms=(*start.terms, AngleOffset), values=(*start.values, value))
+
+
+def at_rest(bench: Bench, candidate: Hypothesis) -> Settled:
+    return settle_free(bench, [candidate], rounds=FREE_ROUNDS)[0]

@@ -1,0 +1,196 @@
+"""Where simulation and recording part: the torque that the baseline lacks, in time and in words."""
+
+from dataclasses import dataclass
+from math import degrees
+from typing import Annotated
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jaxtyping import Float
+
+from exoid.fitting.misfit.residual import equation
+from exoid.fitting.model.coordinates import seated
+from exoid.mismatch.screen.hypothesis import Hypothesis
+from exoid.mismatch.screen.measured_motion import FREE, drive_of
+from exoid.mismatch.screen.optimise import Settled
+from exoid.mismatch.screen.screened_recording import Bench
+from exoid.physics.leg import angular_acceleration
+from exoid.physics.state import LegState
+
+WIDTH = 0.1  # s, over which the missing torque is averaged
+CLEAR = 3.0  # standard deviations beyond which it is not noise
+STRONG = 0.5  # of its largest: what is named
+LARGEST = 0.98  # quantile: friction that sticks and slips has spikes
+SHORTEST = 0.03  # s
+MOST = 6  # places that are named
+TURNING = np.radians(30.0)  # rad/s, below which a leg is at a reversal
+FEW = 12  # bins of angle or speed
+
+Samples = Float[np.ndarray, " sample"]
+
+
+@dataclass(frozen=True, eq=False)
+class Missing:
+    """The torque that a segment's baseline lacks."""
+
+    segment: str
+    time: Annotated[Samples, "s"]
+    angle: Annotated[Samples, "rad"]
+    angular_velocity: Annotated[Samples, "rad/s"]
+    torque: Annotated[Samples, "N m"]
+    band: Annotated[float, "N m"]  # standard deviation
+    modelled: Annotated[Samples | None, "N m"]  # by what was found: without noise
+    width: int  # samples, over which torques are averaged
+
+
+@dataclass(frozen=True)
+class Region:
+    """A stretch of time in which a torque is missing."""
+
+    segment: str
+    begin: Annotated[float, "s"]
+    end: Annotated[float, "s"]
+    region: str
+    description: str
+    torque: Annotated[float, "N m"]  # mean
+
+
+@dataclass(frozen=True, eq=False)
+class Location:
+    """The missing torque of every segment, where it is strongest, and what it goes with."""
+
+    missing: list[Missing]
+    regions: list[Region]
+    by_angle: Annotated[float, "1"]  # share of its variance that the angle alone explains
+    by_speed: Annotated[float, "1"]  # that speed and direction alone explain
+
+    @property
+    def pattern(self) -> str:
+        """In one sentence."""
+        angle, speed = f"{self.by_angle:.0%}", f"{self.by_speed:.0%}"
+        if max(self.by_angle, self.by_speed) < 0.3:
+            return (
+                f"it follows neither angle ({angle}) nor speed ({speed}) alone: time, memory or "
+                "both together"
+            )
+        if self.by_speed > self.by_angle + 0.1:
+            return f"it goes with speed and direction ({speed} of its variance, angle {angle})"
+        if self.by_angle > self.by_speed + 0.1:
+            return f"it goes with the angle ({angle} of its variance, speed {speed})"
+        return f"angle ({angle} of its variance) and speed ({speed}) explain it about alike"
+
+
+def locate(bench: Bench, base: Hypothesis, best: Settled) -> Location:
+    """The torque that would make the baseline move as the sensors show, and as `best` does."""
+    shown = np.asarray(best.course) if best.candidate.terms else None
+    missing = [
+        lacking(bench, base, number, None if shown is None else shown[number])
+        for number in range(bench.segments)
+    ]
+    regions = [region for each in missing for region in regions_of(each)]
+    regions.sort(key=lambda each: abs(each.torque) * (each.end - each.begin), reverse=True)
+    angle = np.concatenate([each.angle for each in missing])
+    speed = np.concatenate([each.angular_velocity for each in missing])
+    torque = np.concatenate([each.torque for each in missing])
+    return Location(missing, regions[:MOST], explained(angle, torque), explained(speed, torque))
+
+
+def lacking(
+    bench: Bench, base: Hypothesis, number: int, shown: np.ndarray | None = None
+) -> Missing:
+    """J (phi'' - Eq. 9) along the measured motion and along the simulated one that is `shown`,
+    (time, channel), averaged over a few samples. The sensors' zeros are the baseline's.
+    """
+    coordinates, seen = bench.coordinates(base), bench.seen
+    reference = bench.sensors.references[number]
+    size = reference.angle.size
+
+    def own(tree):
+        return jax.tree.map(lambda leaf: np.asarray(leaf)[number], tree)
+
+    observation = own(seen)
+    mounting = seated(coordinates.mounting, observation.seat)
+    eq = equation(coordinates.shared, mounting, own(coordinates.own), observation, FREE)
+    known = drive_of(eq, observation)
+    drive = np.append(known.begin, known.end[-1])[:size]
+    time = np.asarray(seen.time[number])[:size]
+
+    bias, zero = base.zero
+
+    def excess(angle, velocity, acceleration):
+        state = LegState(jnp.asarray(angle - zero), jnp.asarray(velocity - bias))
+        expected = np.asarray(angular_acceleration(eq.ratios, state, jnp.asarray(drive)))
+        return (acceleration - expected) / float(eq.torque)
+
+    width = max(1, round(WIDTH / float(np.median(np.diff(time)))))
+    modelled = None
+    if shown is not None:
+        angle, velocity = shown[:size].T
+        modelled = averaged(excess(angle, velocity, np.gradient(velocity, time)), width)
+    rough = excess(reference.angle, reference.angular_velocity, reference.angular_acceleration)
+    torque = averaged(rough, width)
+    band = reference.smoother.spread(width) / float(eq.torque)
+    name = bench.problem.movements[number].name
+    weighs = np.asarray(seen.angle_weight[number]) + np.asarray(seen.velocity_weight[number]) > 0
+    free = slice(int(np.argmax(weighs)), size)  # before it a hand was on the leg
+    motion = (time[free], reference.angle[free], reference.angular_velocity[free])
+    modelled = None if modelled is None else modelled[free]
+    return Missing(name, *motion, torque[free], band, modelled, width)
+
+
+def averaged(torque: np.ndarray, width: int) -> np.ndarray:
+    """The mean over `width` samples around each."""
+    around = np.pad(torque, (width // 2, width - 1 - width // 2), mode="edge")
+    return np.convolve(around, np.ones(width) / width, "valid")
+
+
+def explained(cause: Samples, torque: Samples) -> float:
+    """The share of the torque's variance between bins of a cause."""
+    edges = np.quantile(cause, np.linspace(0, 1, FEW + 1)[1:-1])
+    bins = np.searchsorted(edges, cause)
+    whole = float(np.var(torque)) or 1.0
+    means = np.array([torque[bins == k].mean() if (bins == k).any() else 0.0 for k in range(FEW)])
+    return float(np.var(means[bins]) / whole)
+
+
+def regions_of(each: Missing) -> list[Region]:
+    """The stretches where the torque is clear and strong."""
+    torque = each.torque if each.modelled is None else each.modelled
+    least = STRONG * float(np.quantile(np.abs(torque), LARGEST))
+    if each.modelled is None:
+        least = max(CLEAR * each.band, least)
+    sign = np.where(np.abs(torque) > least, np.sign(torque), 0.0)
+    edges = np.flatnonzero(np.diff(sign)) + 1
+    found = []
+    for part in np.split(np.arange(sign.size), edges):
+        lasting = each.time[part[-1]] - each.time[part[0]] >= SHORTEST
+        if lasting and sign[part[0]] * each.torque[part].mean() > 0:
+            found.append(described(each, part, float(torque[part].mean())))
+    return found
+
+
+def described(each: Missing, part: np.ndarray, torque: float) -> Region:
+    angle, speed = each.angle[part], each.angular_velocity[part]
+    low, high = degrees(angle.min()), degrees(angle.max())
+    fastest = float(np.max(np.abs(speed)))
+    if fastest < TURNING:
+        manner = "at rest or turning"
+    elif (speed > 0).all():
+        manner = f"extending at up to {degrees(fastest):.0f} deg/s"
+    elif (speed < 0).all():
+        manner = f"flexing at up to {degrees(fastest):.0f} deg/s"
+    else:
+        manner = "through a reversal"
+    towards = "extension" if torque > 0 else "flexion"
+    place = f"{low:.0f} deg" if f"{low:.0f}" == f"{high:.0f}" else f"{low:.0f} to {high:.0f} deg"
+    region = f"{place}, {manner}"
+    begin, end = float(each.time[part[0]]), float(each.time[part[-1]])
+    return Region(
+        segment=each.segment,
+        begin=begin,
+        end=end,
+        region=region,
+        description=f"{abs(torque):.2g} N m towards {towards} are missing at {region}",
+        torque=torque,
+    )

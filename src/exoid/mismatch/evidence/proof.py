@@ -1,0 +1,142 @@
+"""Does it hold on data that the fit has not seen?"""
+
+from dataclasses import dataclass
+from typing import Annotated
+
+import equinox as eqx
+import numpy as np
+from jaxtyping import Bool, Float
+
+from exoid.fitting.data.observation import Observation
+from exoid.mismatch.screen.hypothesis import Hypothesis, Products
+from exoid.mismatch.screen.many_free import release
+from exoid.mismatch.screen.optimise import Settled, bounded, settle_free
+from exoid.mismatch.screen.screened_recording import Bench
+
+LOOKS = 3  # at a held-out segment, to find where it begins
+EARLY = 0.6  # of a single segment, on which the fit is made where there is no other
+ROUNDS = 12
+TRAINING_ROUNDS = 5  # from where all segments have it
+
+Samples = Float[np.ndarray, "segment sample"]
+
+
+@dataclass(frozen=True, eq=False)
+class Prediction:
+    """Segments as they were predicted by a fit of the others."""
+
+    angle: Annotated[Samples, "rad"]
+    counted: Bool[np.ndarray, "segment sample"]  # which samples were held out
+    rmse: Annotated[Float[np.ndarray, " segment"], "rad"]
+    squares: Annotated[Float[np.ndarray, " segment"], "1"]  # of both channels over their noise
+
+    @property
+    def total(self) -> float:
+        """rad, over all segments."""
+        weights = self.counted.sum(axis=1)
+        return float(np.sqrt(weights @ self.rmse**2 / weights.sum()))
+
+
+@dataclass(frozen=True, eq=False)
+class Proof:
+    """The same prediction without and with what was found."""
+
+    before: Prediction
+    after: Prediction
+    time: Annotated[Samples, "s"]
+    angle: Annotated[Samples, "rad"]  # measured
+    noise_floor: Annotated[float, "rad"]
+    in_time: bool  # a single segment, its end predicted from its beginning
+
+    @property
+    def better(self) -> int:
+        """Segments that are predicted better than before."""
+        return int(np.sum(self.after.squares < self.before.squares))
+
+    @property
+    def holds(self) -> bool:
+        """Is most of it predicted better, and all of it together?"""
+        return improves(self.before, self.after)
+
+
+def improves(before: Prediction, after: Prediction) -> bool:
+    """Is most of it predicted better, and all of it together?"""
+    better = np.sum(after.squares < before.squares)
+    return bool(2 * better > after.squares.size and after.squares.sum() < before.squares.sum())
+
+
+def predict(bench: Bench, at: Settled) -> Prediction:
+    """Hold out every segment in turn; of a single one its end."""
+    single = bench.segments == 1
+    return predict_end(bench, at) if single else predict_others(bench, at)
+
+
+def proof(bench: Bench, before: Prediction, after: Prediction) -> Proof:
+    """Two predictions of the same data, side by side."""
+    seen = bench.seen
+    noise = seen.angle_weight
+    floor = float(np.sqrt(np.mean(1 / noise[noise > 0] ** 2)))
+    data = (np.asarray(seen.time), np.asarray(seen.angle))
+    return Proof(before, after, *data, floor, bench.segments == 1)
+
+
+def predict_others(bench: Bench, at: Settled) -> Prediction:
+    """Every segment from the others: leg and terms from them, only its own start from itself."""
+    count = bench.segments
+    candidates = [without(bench, at, held_out).candidate for held_out in range(count)]
+    for _ in range(LOOKS):
+        found = release(bench, candidates, bench.seen)
+        candidates = [
+            started(bench, candidate, products, number)
+            for number, (candidate, (products, _)) in enumerate(zip(candidates, found, strict=True))
+        ]
+    found = release(bench, candidates, bench.seen)
+    shown = np.stack([seen[number] for number, (_, seen) in enumerate(found)])
+    return prediction(bench.seen, shown, np.asarray(bench.seen.angle_weight) > 0)
+
+
+def without(bench: Bench, at: Settled, held_out: int) -> Settled:
+    """The candidate as the other segments have it."""
+    others = np.arange(bench.segments)[:, None] != held_out
+    training = masked(bench.seen, others)
+    return settle_free(bench, [at.candidate], training, rounds=TRAINING_ROUNDS)[0]
+
+
+def masked(seen: Observation, kept: np.ndarray) -> Observation:
+    """The observation with weight only where it is kept."""
+    return eqx.tree_at(
+        lambda seen: (seen.angle_weight, seen.velocity_weight),
+        seen,
+        (seen.angle_weight * kept, seen.velocity_weight * kept),
+    )
+
+
+def started(bench: Bench, candidate: Hypothesis, products: Products, number: int) -> Hypothesis:
+    """The candidate with what the segment `number` owns brought to its best there."""
+    own = bench.places[number][-3:]
+    normal, gradient = products.each[number][:-1, :-1], products.each[number][:-1, -1]
+    limits = np.full(own.size, np.inf)
+    step = bounded(normal[np.ix_(own, own)], gradient[own], 0.0, -limits, limits)
+    unknowns = candidate.unknowns.copy()
+    unknowns[own] += step
+    return candidate.at(unknowns)
+
+
+def predict_end(bench: Bench, at: Settled) -> Prediction:
+    """The end of a single segment, from a fit of its beginning."""
+    seen = bench.seen
+    used = np.asarray(seen.angle_weight) > 0
+    last = np.flatnonzero(used[0])
+    early = np.arange(used.shape[1]) <= last[int(EARLY * last.size)]
+    fitted = settle_free(bench, [at.candidate], masked(seen, early), rounds=ROUNDS)[0]
+    return prediction(seen, np.asarray(fitted.course), used & ~early)
+
+
+def prediction(seen: Observation, shown: np.ndarray, counted: np.ndarray) -> Prediction:
+    """Compare what was predicted with the samples that count."""
+    angle = np.where(counted, shown[..., 0] - seen.angle, 0.0)
+    velocity = np.where(counted, shown[..., 1] - seen.angular_velocity, 0.0)
+    squares = (seen.angle_weight * angle) ** 2 + (seen.velocity_weight * velocity) ** 2
+    number = counted.sum(axis=1)
+    rmse = np.sqrt((angle**2).sum(axis=1) / np.maximum(number, 1))
+    return Prediction(shown[..., 0], counted, rmse, squares.sum(axis=1))

@@ -1,0 +1,166 @@
+"""What physics was left out: the whole diagnosis of recordings of one leg."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from exoid.fitting.data.segment import Movement
+from exoid.fitting.estimate import fit
+from exoid.fitting.result.fit_result import FitResult
+from exoid.mismatch.answer.diagnosis import Diagnosis
+from exoid.mismatch.conclude.conclusion import Chosen, concluded
+from exoid.mismatch.conclude.unusual_zero import as_a_term, unusual
+from exoid.mismatch.evidence.locate import locate
+from exoid.mismatch.evidence.proof import improves, predict
+from exoid.mismatch.evidence.yardstick import SURE, misfits
+from exoid.mismatch.novel.formula import Formula, term_of
+from exoid.mismatch.novel.sparse_regression import describe
+from exoid.mismatch.prepare import prepare
+from exoid.mismatch.screen.optimise import Settled, settle_free
+from exoid.mismatch.screen.screened_recording import Bench
+from exoid.mismatch.search.search import Found, look, size
+from exoid.physics.library import name_of
+from exoid.physics.term import Term
+from exoid.recordings.loading.named import Given, named_recordings
+from exoid.recordings.recording import Recording
+
+REMAINS = 1.1  # mean square over the noise, from which on a formula is looked for
+LEFT = 0.5  # of what the library leaves, that a formula may leave to take its place
+KNOWN = 0.5  # share of a formula that a term of the library is, up to which it is new
+ROUNDS = 25
+USUAL = {"gyro_scale", "sensor_skew"}
+AT_ONCE = 1.5  # times the noise's that a cause may leave of a movement's first instants
+
+
+def diagnose(
+    recordings: Given,
+    *,
+    terms: tuple[type[Term], ...] = (),
+    multistart: int = 64,
+    seed: int = 0,
+    told: Callable[[str], None] = lambda phase: None,
+    **assumed: Any,
+) -> Diagnosis:
+    """Find where simulation and recordings part, which physics was left out, and prove it.
+
+    `recordings` are of one leg, given as to `fit_leg`. `terms` are tested beside the library. The
+    baseline is fitted from `multistart` starts, with `assumed` being `prior`, `bounds`, `fix`,
+    `bound` and `expect` as in `fit_leg`; the search for what it misses moves its parameters freely.
+    `told` hears the name of every phase.
+
+    **Raises** `ValueError` where a recording cannot be fitted or gravity comes out upwards,
+    `ArithmeticError` where no start of the baseline's fit succeeded.
+    """
+    named = named_recordings(recordings)
+    told("fitting the baseline")
+    result = fit(named, multistart=multistart, seed=seed, **assumed)
+    if result.basis is None or not any(each.late for each in result.basis.problem.movements):
+        return asked(result, named, terms, seed, told)
+    at_once = fit(named, multistart=multistart, seed=seed, at_once=True, **assumed)
+    whole = asked(at_once, named, terms, seed, told)
+    if names_it(whole) and from_the_first(whole, result.basis.problem.movements):
+        return whole
+    later = asked(result, named, terms, seed, told)
+    settled = names_it(later) or not later.changed
+    return later if settled or not names_it(whole) else whole
+
+
+def asked(
+    result: FitResult,
+    named: list[tuple[str, Recording]],
+    terms: tuple[type[Term], ...],
+    seed: int,
+    told: Callable[[str], None],
+) -> Diagnosis:
+    """What is missing in a fit."""
+    bench, base = prepare(result, named, terms)
+    found = look(bench, base, told)
+    told("proving it on held-out data")
+    chosen = choose(bench, found)
+    formula = None
+    if chosen.best.square > REMAINS * found.yardstick.samples:
+        told("looking for a formula")
+        chosen, formula = formulated(bench, found, chosen)
+    if formula is None and unusual(bench, found, chosen.best):
+        bench, found, best = as_a_term(bench, found, chosen.best)
+        chosen = Chosen(best, predict(bench, found.base), predict(bench, best))
+    told("locating the mismatch")
+    location = locate(bench, found.begin, chosen.best)
+    declared = all(recording.sensors.angle_noise is not None for _, recording in named)
+    return concluded(result, bench, found, chosen, formula, location, declared, seed)
+
+
+def names_it(found: Diagnosis) -> bool:
+    """Is something missing that the library has?"""
+    return found.verdict == "mismatch" and not found.novel
+
+
+def from_the_first(found: Diagnosis, movements: list[Movement]) -> bool:
+    """Does what was found explain the first instants, too, down to the noise? What a hand does is
+    no other cause by chance.
+    """
+    work = found.workings
+    assert work is not None  # it was just made
+    each = misfits(work.bench.seen, work.best.course)
+    early = [
+        one[: movement.late]
+        for channels, movement in zip(each, movements, strict=True)
+        for one in channels
+    ]
+    return noise_alone(np.concatenate(early), size(work.best))
+
+
+def noise_alone(left: np.ndarray, parameters: int) -> bool:
+    """Is what is left over the noise no more than that? So many parameters may have been spent on
+    these samples alone.
+    """
+    return float(left @ left) < AT_ONCE * (left.size - parameters)
+
+
+def choose(bench: Bench, found: Found) -> Chosen:
+    """From the baseline to a term, from there to two: only where it is clear, and where it holds.
+
+    Two terms are only believed where they explain all there is: what bends one way or another can
+    be had from many pairs.
+    """
+    before = predict(bench, found.base)
+    chosen = Chosen(found.base, before, before)
+    whole = [one for one in found.pairs[:1] if found.yardstick.explains(one.square)]
+    single = found.singles[:1]
+    if single and whole and only_sensors(whole[0]):  # no more is asked of what is usual
+        single = [max(*single, *whole, key=found.evidence)]
+    for better in (*single, *whole):
+        if found.clear(chosen.best, better):
+            after = predict(bench, better)
+            if improves(chosen.after, after) or chosen.best is found.base:
+                chosen = Chosen(better, before, after)
+    return chosen
+
+
+def only_sensors(one: Settled) -> bool:
+    """Is it what sensors usually do: a scale, a delay?"""
+    return all(name_of(term) in USUAL for term in one.candidate.terms)
+
+
+def formulated(bench: Bench, found: Found, chosen: Chosen) -> tuple[Chosen, Formula | None]:
+    """The best formula as a term, where it explains more than the library does."""
+    formula = describe(bench, found.begin)
+    if formula.known > KNOWN:
+        return chosen, None
+    term = term_of(formula)
+    start = replace(found.begin, terms=(term,), values=(formula.values,))
+    one = settle_free(bench, [start], rounds=ROUNDS)[0]
+    if better(found, one, chosen.best) and found.clear(found.base, one):
+        after = predict(bench, one)
+        if improves(chosen.after, after):
+            return Chosen(one, chosen.before, after), formula.at(one.candidate.values[0])
+    return chosen, None
+
+
+def better(found: Found, one: Settled, best: Settled) -> bool:
+    """Does a formula explain so much more than the library that it must be something else?"""
+    if not found.yardstick.explains(best.square):
+        return one.square < LEFT * best.square
+    return found.evidence(one) > found.evidence(best) + SURE

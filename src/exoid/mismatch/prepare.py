@@ -1,0 +1,133 @@
+"""From recordings to a bench: the baseline fit, the sensors against each other, whole movements."""
+
+from dataclasses import replace
+
+import equinox as eqx
+import jax
+import numpy as np
+
+from exoid.fitting.data.observation import Observation
+from exoid.fitting.data.segment import Movement
+from exoid.fitting.model.coordinates import Coordinates, Mounting
+from exoid.fitting.model.systematics import OF_THE_GYRO, OWNED
+from exoid.fitting.multistart.starts import first_state, usual_mounting
+from exoid.fitting.result.fit_result import FitResult
+from exoid.fitting.solve.problem import Problem, pose, take
+from exoid.mismatch.screen.hypothesis import Hypothesis
+from exoid.mismatch.screen.measured_motion import Clock
+from exoid.mismatch.screen.optimise import Settled, settle_free
+from exoid.mismatch.screen.screened_recording import Bench
+from exoid.mismatch.sensors.consistency import Consistency, consistency
+from exoid.physics.library import library
+from exoid.physics.term import Term
+from exoid.recordings.recording import Recording
+from exoid.recordings.signal.condition import torque_frequencies
+
+ABSOLUTE = ("log_distance", "tilt")  # what a recording owns by itself, not compared with the first
+
+
+def prepare(
+    result: FitResult,
+    recordings: list[tuple[str, Recording]],
+    terms: tuple[type[Term], ...] = (),
+) -> tuple[Bench, Settled]:
+    """A bench with the library and the user's `terms`, and the baseline at its best on it."""
+    basis = result.basis
+    assert basis is not None  # a joint fit has one
+    reading = result.torque_frequency or "1/T"
+    chain, movements = basis.problem.chain, basis.problem.movements
+    rig = any(recording.subject.kind == "rig" for _, recording in recordings)
+    owned = unknown(movements, rig=rig)
+    problem = compared(pose(movements, basis.problem.belief, reading, chain, owned=owned))
+    sensors = consistency(problem.observation)
+    best = take(basis.ended.best, 0).coordinates
+    observation = without_edges(problem.observation, sensors)
+    observation = with_masses(observation, best.mounting, owned)
+    problem = replace(problem, observation=observation)
+    fitted = released(best, problem)
+    inertia = float(fitted.shared.log_inertia)
+    tested, cycles = (*library(), *terms), clock(movements, reading)
+    zero = float("inf") if rig else movements[0].systematics.zero
+    bench = Bench(problem, sensors, tested, cycles, inertia, rig, zero)
+    point = bench.point(fitted)
+    return bench, settle_free(bench, [Hypothesis((), (), point)])[0]
+
+
+def without_edges(seen: Observation, sensors: Consistency) -> Observation:
+    """Leave out the gyro's samples that show what was before or after an encoder's segment."""
+    delay = sensors.delay
+    if delay == 0.0:
+        return seen
+    time, weight = np.asarray(seen.time), np.asarray(seen.velocity_weight)
+    last = np.where(weight > 0, time, -np.inf).max(axis=1, keepdims=True)
+    shown = time - delay
+    inside = (shown >= time[:, :1]) & (shown <= last)
+    return eqx.tree_at(lambda seen: seen.velocity_weight, seen, np.where(inside, weight, 0.0))
+
+
+def with_masses(seen: Observation, fitted: Mounting, owned: tuple[str, ...]) -> Observation:
+    """Added masses as the fit has them, in weight, place and extent: their small errors are no
+    missing physics. What a diagnosis itself leaves free stays.
+    """
+    seat = np.asarray(seen.seat)
+
+    def own(name: str) -> np.ndarray | float:
+        entries = np.asarray(getattr(fitted, name))
+        return entries[seat] if entries.size and name not in owned else 0.0
+
+    moved = np.exp(np.asarray(seen.added_mass_moves) * own("log_distance"))
+    return replace(
+        seen,
+        added_mass=seen.added_mass * np.exp(own("log_added")),
+        added_mass_distance=seen.added_mass_distance * moved,
+        added_mass_extent=seen.added_mass_extent + own("extent"),
+    )
+
+
+def clock(movements: list[Movement], reading: str) -> Clock:
+    """The cycle of every movement; of frequency 0 where nothing is voluntary."""
+    voluntary = [each.voluntary for each in movements]
+    periods = np.array([each.period if each.voluntary else 1.0 for each in movements])
+    frequencies = np.array([torque_frequencies(period)[reading] for period in periods])
+    onsets = np.array([each.onset if each.voluntary else 0.0 for each in movements])
+    numbers = np.arange(len(movements), dtype=float)
+    return Clock(periods, frequencies * voluntary, onsets, numbers)
+
+
+def unknown(movements: list[Movement], *, rig: bool) -> tuple[str, ...]:
+    """What of the mountings a diagnosis leaves free: where a mass of unknown distance sat, the tilt
+    of a leg's seat, and how the sensors sat compared with the first recording. Its own encoder's
+    zero and gyro's bias are free, too (`Hypothesis.zero`); what else differs from what is declared
+    is asked for by its candidates.
+    """
+    several = len({each.recording for each in movements}) > 1
+    wanted = {
+        "log_distance": any(each.unplaced for each in movements),
+        "tilt": not rig,
+        **dict.fromkeys(("zero", *OF_THE_GYRO), several),
+    }
+    return tuple(name for name in OWNED if wanted.get(name, False))
+
+
+def compared(problem: Problem) -> Problem:
+    """The same problem, its first recording's sensors as declared and distances that are known."""
+    known = problem.known.copy()
+    for column, name in enumerate(problem.owned, start=4):
+        if name == "log_distance":
+            known[:, column] = [not each.unplaced for each in problem.movements]
+        elif name != "tilt":
+            known[np.asarray(problem.observation.seat) == 0, column] = 1.0
+    return replace(problem, known=known)
+
+
+def released(at: Coordinates, problem: Problem) -> Coordinates:
+    """The fit's leg, every segment from where its whole movement begins."""
+    first = np.array([first_state(each) for each in problem.movements])
+    mounting = usual_mounting(problem.movements, owned=problem.owned)
+    own = eqx.tree_at(
+        lambda own: (own.angle, own.angular_velocity), at.own, (first[:, 0], first[:, 1])
+    )
+    entries = {name: getattr(at.mounting, name) for name in problem.owned}
+    moved = {name: each - (0.0 if name in ABSOLUTE else each[0]) for name, each in entries.items()}
+    at = jax.tree.map(np.asarray, at)
+    return Coordinates(at.shared, at.log_mass, replace(mounting, **moved), own)

@@ -1,0 +1,114 @@
+"""What a term does along a measured motion, and its derivatives by the term's parameters."""
+
+from functools import partial
+from typing import Any
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+from jaxtyping import Array, Float
+
+from exoid.mismatch.screen.measured_motion import Scene, at_step, throughout
+from exoid.physics.library import MOST_PARAMETERS
+from exoid.physics.moment import Moment
+from exoid.physics.motion.step import Drive, march, parabola, rk4
+from exoid.physics.motion.with_terms import delayed
+from exoid.physics.parameter import declarations
+from exoid.physics.term import Reading, Term
+
+
+class Effect(eqx.Module):
+    """What a term does along a course: torques per inertia, and what the sensors show."""
+
+    push: Drive  # rad/s^2, at the stage times
+    shown: Float[Any, "*batch time channel"]  # rad, rad/s
+
+
+def named(term: type[Term], value: Float[Array, " parameter"]) -> Term:
+    """The term with these values of its parameters."""
+    names = [name for name, _ in declarations(term)]
+    return term(**dict(zip(names, value, strict=True)))
+
+
+def columns(term: type[Term], value: Float[Array, " parameter"], scenes: Scene) -> Effect:
+    """(effect, derivatives, nothing) of a term in all segments, along the first axis."""
+
+    def effect(value):
+        found = jax.vmap(partial(effect_of, named(term, value)))(scenes)
+        return found, found
+
+    slopes, now = jax.jacfwd(effect, has_aux=True)(value)
+    missing = MOST_PARAMETERS - value.size
+
+    def stacked(one, slope):
+        room = jnp.zeros((missing, *one.shape))
+        return jnp.concatenate([one[None], jnp.moveaxis(slope, -1, 0), room])
+
+    return jax.tree.map(stacked, now, slopes)
+
+
+def effect_of(term: Term, scene: Scene) -> Effect:
+    """One term along one segment."""
+    memory = remembered(term, scene)
+    middles = (memory[:-1] + memory[1:]) / 2
+    pulled = Drive(
+        begin=throughout(term.torque, scene.begin, memory[:-1]),
+        middle=throughout(term.torque, scene.middle, middles),
+        end=throughout(term.torque, scene.end, memory[1:]),
+    )
+    inertia = scene.begin.place.inertia
+    push = jax.tree.map(lambda one, two: (one + two) / inertia, pulled, rubbing(term, scene))
+    velocity = scene.sample.angular_velocity
+    error = shown(term, scene, memory)
+    late = delayed(scene.sample.time, velocity, scene.measured, error.delay) - velocity
+    return Effect(push, jnp.stack([error.angle, error.angular_velocity + late], axis=-1))
+
+
+def shown(term: Term, scene: Scene, memory: Float[Array, "time memory"]) -> Reading:
+    """What the sensors show at every sample minus how the leg moves."""
+    return throughout(term.shown, scene.sample, memory)
+
+
+def remembered(term: Term, scene: Scene) -> Float[Array, "time memory"]:
+    """The term's own state at every sample, driven by the course."""
+    steps = scene.step.size
+    table = jnp.zeros((steps + 1, term.memory_size))
+    if not term.memory_size:
+        return table
+
+    def forward(index, memory):
+        first, middle, last = (at_step(each, index) for each in stages(scene))
+
+        def part_of(number, memory):
+            def rate(memory, part):
+                now = parabola(first, middle, last, (number + part) / term.substeps)
+                return term.memory_rate(now, memory)
+
+            return rk4(rate, memory, scene.step[index] / term.substeps)
+
+        memory = jax.lax.fori_loop(0, term.substeps, part_of, memory)
+        return term.memory_within(last, memory)
+
+    def store(index, memory, table):
+        return table.at[index].set(memory)
+
+    start = term.memory_at_rest(at_step(scene.begin, jnp.array(0)))
+    return march(forward, store, start, table, steps)
+
+
+def rubbing(term: Term, scene: Scene) -> Drive:
+    """Dry friction of a moving leg; a step across a reversal feels the mean of both directions."""
+    before, after = scene.begin.angular_velocity, scene.end.angular_velocity
+    if type(term).dry_friction is Term.dry_friction:
+        none = jnp.zeros_like(before)
+        return Drive(none, none, none)
+    crossing = before * after < 0
+    change = jnp.where(crossing, after - before, 1.0)
+    mixed = (jnp.abs(after) - jnp.abs(before)) / change
+    direction = jnp.where(crossing, mixed, jnp.sign(before + after))
+    return Drive(*(-throughout(term.dry_friction, now) * direction for now in stages(scene)))
+
+
+def stages(scene: Scene) -> tuple[Moment, Moment, Moment]:
+    """The begins, middles and ends of all steps."""
+    return scene.begin, scene.middle, scene.end

@@ -1,0 +1,84 @@
+"""What may explain a recording: terms of the library with their values, and a leg with them."""
+
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+import numpy as np
+from jaxtyping import Float
+
+from exoid.mismatch.screen.effect import Effect
+from exoid.physics.term import Term
+
+
+@dataclass(frozen=True, eq=False)
+class Linear:
+    """A first term as it was found: what it does, linear in its parameters around `at`."""
+
+    effect: Effect
+    at: np.ndarray
+
+
+@dataclass(frozen=True, eq=False)
+class Hypothesis:
+    """Terms with their values, and the leg that goes with them."""
+
+    terms: tuple[type[Term], ...]
+    values: tuple[np.ndarray, ...]
+    point: Float[np.ndarray, " coordinate"]  # `flattened` and in units of TYPICAL
+    zero: np.ndarray = field(default_factory=lambda: np.zeros(2))  # gyro [rad/s], encoder [rad]
+    linear: Linear | None = None  # in place of its first term, while it is pinned
+
+    @property
+    def unknowns(self) -> np.ndarray:
+        """Everything a fit may change, in one row."""
+        return np.concatenate([self.point, self.zero, *self.values])
+
+    def at(self, unknowns: np.ndarray) -> "Hypothesis":
+        """The same terms elsewhere."""
+        size = self.point.size
+        cuts = np.cumsum([2, *(value.size for value in self.values)])[:-1]
+        zero, *values = np.split(unknowns[size:], cuts)
+        return replace(self, point=unknowns[:size], zero=zero, values=tuple(values))
+
+
+@dataclass(frozen=True, eq=False)
+class Products:
+    """(J, r)'(J, r) of a candidate: over all its unknowns, of every segment and of what is usual
+    of sensors and seat.
+    """
+
+    each: Float[np.ndarray, "segment column column"]
+    usual: Float[np.ndarray, "column column"]
+
+    @cached_property
+    def total(self) -> np.ndarray:
+        return self.each.sum(axis=0) + self.usual
+
+    @property
+    def square(self) -> float:
+        """The sum of squares of the residual over its noise, and of what is unusual."""
+        return float(self.total[-1, -1])
+
+
+def spread(
+    candidate: Hypothesis,
+    places: np.ndarray,
+    usual: np.ndarray,
+    gram: np.ndarray,
+    rows: list[int],
+) -> Products:
+    """The `rows` of every segment's products at their places among all unknowns.
+
+    `places` says which coordinate every baseline unknown of a segment is, `usual` is one over the
+    standard deviation of the first unknowns, 0 where they may be anything.
+    """
+    total = candidate.unknowns.size + 1
+    others = range(candidate.point.size, total)
+    each = np.zeros((len(places), total, total))
+    for segment, place in enumerate(places):
+        at = np.array([*place, *others])
+        each[segment][np.ix_(at, at)] = gram[segment][np.ix_(rows, rows)]
+    table = np.zeros((total - 1, total))
+    table[range(usual.size), range(usual.size)] = usual
+    table[: usual.size, -1] = usual * candidate.unknowns[: usual.size]
+    return Products(each, table.T @ table)

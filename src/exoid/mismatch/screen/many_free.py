@@ -1,0 +1,58 @@
+"""Candidates running free, through the compiled program of their terms."""
+
+from dataclasses import replace
+
+import equinox as eqx
+import jax
+import numpy as np
+
+from exoid.fitting.data.observation import Observation
+from exoid.fitting.solve.program_cache import called
+from exoid.mismatch.screen.hypothesis import Hypothesis, Products, spread
+from exoid.mismatch.screen.screened_recording import Bench
+from exoid.mismatch.screen.segment_groups import grouped
+
+GROUP = 4  # segments of a program, so that one serves every recording
+LEAST = 1024  # samples of it, or twice as many, and so on
+TABLE = np.zeros((1, 1, 1))
+RELEASED = jax.tree.structure((TABLE, TABLE))
+
+
+def release(
+    bench: Bench, candidates: list[Hypothesis], observation: Observation
+) -> list[tuple[Products, np.ndarray]]:
+    """The products of candidates, one after the other, and what each shows: (segment, time,
+    channel).
+    """
+    return [release_one(bench, each, observation) for each in candidates]
+
+
+def release_one(
+    bench: Bench, candidate: Hypothesis, observation: Observation
+) -> tuple[Products, np.ndarray]:
+    size = observation.time.shape[1]
+    at = bench.coordinates(candidate)
+    every = (at.own, prolonged(observation, size), bench.problem.known, bench.clock)
+    static, steps = (candidate.terms, bench.problem.chain), np.asarray(bench.problem.steps)
+    found = []
+    for own, *surroundings in grouped(every, GROUP):
+        point = replace(at, own=own)
+        arguments = (candidate.values, point, candidate.zero, *surroundings, steps)
+        found.append(called("exoid.mismatch.screen.free_run:release", arguments, static, RELEASED))
+    gram, shown = (np.concatenate(each)[: bench.segments] for each in zip(*found, strict=True))
+    products = spread(candidate, bench.places, bench.usual, gram, list(range(gram.shape[-1])))
+    return products, shown[:, :size]
+
+
+def prolonged(observation: Observation, size: int) -> Observation:
+    """With samples that weigh nothing up to the size of the program, the clock going on."""
+    room = LEAST
+    while room < size:
+        room *= 2
+    more = room - size
+    longer = jax.tree.map(
+        lambda leaf: np.pad(leaf, ((0, 0), (0, more))) if leaf.ndim == 2 else leaf, observation
+    )
+    last, step = observation.time[:, -1:], np.diff(observation.time[:, -2:])
+    time = np.concatenate([observation.time, last + step * np.arange(1, more + 1)], axis=1)
+    return eqx.tree_at(lambda seen: seen.time, longer, time)

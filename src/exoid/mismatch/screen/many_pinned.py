@@ -1,0 +1,166 @@
+"""Many candidates at once through the compiled program that pins them to the data."""
+
+from collections import Counter
+from dataclasses import replace
+
+import jax
+import numpy as np
+
+from exoid.fitting.data.observation import Observation
+from exoid.fitting.solve.program_cache import called
+from exoid.mismatch.screen.effect import Effect
+from exoid.mismatch.screen.hypothesis import Hypothesis, Linear, Products, spread
+from exoid.mismatch.screen.measured_motion import Course
+from exoid.mismatch.screen.pinned import Given, Pinned, Requests
+from exoid.mismatch.screen.screened_recording import Bench
+from exoid.mismatch.screen.segment_groups import grouped
+from exoid.physics.library import MOST_PARAMETERS
+from exoid.physics.motion.step import Drive
+from exoid.physics.parameter import declarations
+from exoid.physics.term import Term
+
+GROUP = 2  # segments of a program, so that one serves every recording
+GIVEN = 4  # first terms that lanes may have linear, the first of them none
+ROWS, TABLE = np.zeros((1, 1, 1)), np.zeros((1, 1, 1, 1))
+NONE = Effect(Drive(ROWS, ROWS, ROWS), ROWS)
+PINNED = jax.tree.structure(Pinned(TABLE, Course(ROWS, ROWS, ROWS), NONE))
+
+
+def evaluate(
+    bench: Bench, candidates: list[Hypothesis], courses: list[Course], observation: Observation
+) -> list[tuple[Products, Course]]:
+    """The products of every candidate, and the course along which they are."""
+    results: list[tuple[Products, Course] | None] = [None] * len(candidates)
+    waiting = list(range(len(candidates)))
+    while waiting:
+        batch, waiting = packed(bench, waiting, candidates)
+        found = run(bench, batch, candidates, courses, observation)
+        for lane, number in enumerate(batch):
+            own = jax.tree.map(lambda leaf, lane=lane: leaf[lane], found.course)
+            results[number] = (placed(bench, candidates[number], found.gram[lane]), own)
+    return results  # type: ignore[return-value]
+
+
+def linear(bench: Bench, candidates: list[Hypothesis], courses: list[Course]) -> list[Linear]:
+    """What the terms of a few candidates do along their courses."""
+    found = run(bench, list(range(len(candidates))), candidates, courses, bench.seen).first
+    return [
+        Linear(jax.tree.map(lambda leaf, lane=lane: leaf[lane], found), one.values[0])
+        for lane, one in enumerate(candidates)
+    ]
+
+
+def room(bench: Bench) -> dict[type[Term], int]:
+    """How many requests of every term the compiled program takes at once."""
+    return {term: max(2, len(bench.starts(term))) for term in bench.library}
+
+
+def packed(
+    bench: Bench, waiting: list[int], candidates: list[Hypothesis]
+) -> tuple[list[int], list[int]]:
+    """As many of the waiting as fit into one run, and the rest."""
+    space = room(bench)
+    lanes = sum(space.values())
+    used: Counter[type[Term]] = Counter()
+    batch, rest = [], []
+    given: list[Linear] = []
+    for number in waiting:
+        one = candidates[number]
+        wanted = Counter(one.terms if one.linear is None else one.terms[1:])
+        known = one.linear is None or any(one.linear is other for other in given)
+        fits = all(used[term] + n <= space[term] for term, n in wanted.items())
+        if fits and len(batch) < lanes and (known or len(given) < GIVEN - 1):
+            used += wanted
+            batch.append(number)
+            given += [] if known or one.linear is None else [one.linear]
+        else:
+            rest.append(number)
+    return batch, rest
+
+
+def run(bench: Bench, batch, candidates, courses, observation) -> Pinned:
+    """The program on a batch; the last lane takes the requests that nobody made."""
+    space = room(bench)
+    lanes = sum(space.values()) + 1
+    lane = [*batch, *[batch[0]] * (lanes - len(batch))]
+    first, chosen = ([candidates[number] for number in numbers] for numbers in (batch, lane))
+    asked = tuple(requests(bench, term, space[term], first, lanes - 1) for term in bench.library)
+    known, points = given(bench, chosen), stacked([bench.coordinates(one) for one in chosen])
+    along, zero = stacked([courses[number] for number in lane]), np.array([c.zero for c in chosen])
+    parts = zip(
+        grouped(known.effect, GROUP, axis=2),
+        grouped((points.own, along), GROUP, axis=1),
+        grouped((bench.course, observation, bench.problem.known, bench.clock), GROUP),
+        strict=True,
+    )
+    static = (bench.library, bench.problem.chain)
+    steps, used = np.asarray(bench.problem.steps), np.asarray(len(batch))
+    found = []
+    for effect, (own, course), around in parts:
+        of_lanes = (asked, replace(known, effect=effect), replace(points, own=own), zero, course)
+        arguments = (*of_lanes, *around, steps, used)
+        found.append(called("exoid.mismatch.screen.pinned:evaluate", arguments, static, PINNED))
+    return joined(found, bench.segments)
+
+
+def joined(parts: list[Pinned], count: int) -> Pinned:
+    """What was found of the groups, of so many segments."""
+
+    def all_of(axis: int):
+        return lambda *leaves: np.take(np.concatenate(leaves, axis), np.arange(count), axis)
+
+    return Pinned(
+        all_of(1)(*(part.gram for part in parts)),
+        jax.tree.map(all_of(1), *(part.course for part in parts)),
+        jax.tree.map(all_of(2), *(part.first for part in parts)),
+    )
+
+
+def requests(
+    bench: Bench, term: type[Term], size: int, batch: list[Hypothesis], spare: int
+) -> Requests:
+    """Everything that a batch asks of a term; what it does not ask goes to a spare lane."""
+    value = np.tile(bench.starts(term)[0], (size, 1)).reshape(size, len(list(declarations(term))))
+    lanes, slots = np.full(size, spare), np.zeros(size, dtype=int)
+    made = 0
+    for lane, one in enumerate(batch):
+        for slot, (own, numbers) in enumerate(zip(one.terms, one.values, strict=True)):
+            if own is term and not (slot == 0 and one.linear is not None):
+                value[made], lanes[made], slots[made] = numbers, lane, slot
+                made += 1
+    return Requests(value, lanes, slots)
+
+
+def given(bench: Bench, lanes: list[Hypothesis]) -> Given:
+    """The first terms that are linear, each once, and whose they are."""
+    segments, size = bench.seen.time.shape
+    rows = (1 + MOST_PARAMETERS, segments)
+    push = np.zeros((*rows, size - 1))
+    effects = [Effect(Drive(push, push, push), np.zeros((*rows, size, 2)))]
+    known: list[Linear] = []
+    whose, change = np.zeros(len(lanes), int), np.zeros((len(lanes), MOST_PARAMETERS))
+    for lane, one in enumerate(lanes):
+        if one.linear is None:
+            continue
+        if not any(one.linear is other for other in known):
+            known.append(one.linear)
+            effects.append(one.linear.effect)
+        whose[lane] = 1 + next(k for k, other in enumerate(known) if other is one.linear)
+        moved = one.values[0] - one.linear.at
+        change[lane, : moved.size] = moved
+    effect = stacked(effects + [effects[0]] * (GIVEN - len(effects)))
+    return Given(effect, whose, change)
+
+
+def stacked(trees: list):
+    return jax.tree.map(lambda *leaves: np.stack(leaves), *trees)
+
+
+def placed(bench: Bench, candidate: Hypothesis, gram: np.ndarray) -> Products:
+    """The products over all unknowns of a candidate."""
+    base = bench.places.shape[1]
+    rows = list(range(base + 2))
+    for slot, value in enumerate(candidate.values):
+        first = base + 2 + slot * MOST_PARAMETERS
+        rows += range(first, first + value.size)
+    return spread(candidate, bench.places, bench.usual, gram, [*rows, gram.shape[-1] - 1])

@@ -1,0 +1,116 @@
+"""The motion that was measured, as a term sees it: every instant at which a torque counts."""
+
+from collections.abc import Callable
+from typing import Any
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+from jaxtyping import Array, Float
+
+from exoid.fitting.data.observation import Observation
+from exoid.fitting.misfit.residual import Equation, Stage, equation
+from exoid.fitting.model.coordinates import Coordinates, seated
+from exoid.physics.moment import Cycle, Moment, Place
+from exoid.physics.motion.step import Drive
+from exoid.physics.motion.with_terms import moment
+from exoid.physics.state import LegState
+
+FREE = Stage(jnp.zeros(()), jnp.zeros((), int))
+
+
+class Course(eqx.Module):
+    """The leg's motion that a candidate reads from the sensors."""
+
+    angle: Float[Any, "*lane segment time"]  # rad
+    angular_velocity: Float[Any, "*lane segment time"]  # rad/s
+    angular_acceleration: Float[Any, "*lane segment time"]  # rad/s^2
+
+
+class Clock(eqx.Module):
+    """The cycle of every segment; of frequency 0 where nothing is voluntary."""
+
+    period: Float[Any, " segment"]  # s
+    frequency: Float[Any, " segment"]  # Hz
+    onset: Float[Any, " segment"]  # s
+    number: Float[Any, " segment"]
+
+
+class Scene(eqx.Module):
+    """A segment's motion: the stages of every step, and every sample."""
+
+    begin: Moment
+    middle: Moment
+    end: Moment
+    sample: Moment
+    measured: Float[Any, "*batch time"]  # rad/s^2, the acceleration at every sample
+    step: Float[Any, "*batch step"]  # s
+
+
+def scenes(point: Coordinates, course: Course, observation: Observation, clock: Clock) -> Scene:
+    """Every segment's."""
+    mounting = jax.vmap(seated, in_axes=(None, 0))(point.mounting, observation.seat)
+
+    def one(mounting, own, course, observation, clock):
+        eq = equation(point.shared, mounting, own, observation, FREE)
+        return scene(eq, course, observation, clock)
+
+    return jax.vmap(one)(mounting, point.own, course, observation, clock)
+
+
+def scene(eq: Equation, course: Course, observation: Observation, clock: Clock) -> Scene:
+    """One segment's; Hermite's rule between samples."""
+    place, drive = place_of(eq, clock), drive_of(eq, observation)
+    time, step = observation.time, jnp.diff(observation.time)
+    angle, velocity = course.angle, course.angular_velocity
+    acceleration = course.angular_acceleration
+    middle = LegState(
+        (angle[:-1] + angle[1:]) / 2 + step / 8 * (velocity[:-1] - velocity[1:]),
+        (velocity[:-1] + velocity[1:]) / 2 + step / 8 * (acceleration[:-1] - acceleration[1:]),
+    )
+    pushed = jnp.append(drive.begin, drive.end[-1])
+    return Scene(
+        moment(place, LegState(angle[:-1], velocity[:-1]), time[:-1], drive.begin),
+        moment(place, middle, time[:-1] + step / 2, drive.middle),
+        moment(place, LegState(angle[1:], velocity[1:]), time[1:], drive.end),
+        moment(place, LegState(angle, velocity), time, pushed),
+        acceleration,
+        step,
+    )
+
+
+def place_of(eq: Equation, clock: Clock) -> Place:
+    """What a term may know of its segment."""
+    inertia = 1 / eq.torque
+    cycle = Cycle(eq.cycle * inertia, clock.period, clock.frequency, clock.onset)
+    return Place(eq.ratios, inertia, cycle, clock.number)
+
+
+def drive_of(eq: Equation, observation: Observation) -> Drive:
+    """The known torques per inertia at the stage times [rad/s^2]."""
+    return jax.tree.map(
+        lambda cycle, torque: eq.cycle * cycle + eq.torque * torque,
+        observation.cycle,
+        observation.torque,
+    )
+
+
+def throughout(function: Callable[..., Any], now: Moment, *others: Any) -> Any:
+    """`function(moment, ...)` at every instant of a segment."""
+    motion = (now.time, now.angle, now.angular_velocity, now.angular_acceleration)
+
+    def at(time, angle, velocity, acceleration, *others):
+        return function(Moment(time, angle, velocity, acceleration, now.place), *others)
+
+    return jax.vmap(at)(*motion, *others)
+
+
+def at_step(now: Moment, index: Array) -> Moment:
+    """One instant of a segment."""
+    return Moment(
+        now.time[index],
+        now.angle[index],
+        now.angular_velocity[index],
+        now.angular_acceleration[index],
+        now.place,
+    )

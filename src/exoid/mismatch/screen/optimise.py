@@ -1,0 +1,129 @@
+"""Bring candidates to their best: Levenberg-Marquardt within bounds, all of them together."""
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from exoid.fitting.data.observation import Observation
+from exoid.mismatch.screen import many_pinned
+from exoid.mismatch.screen.hypothesis import Hypothesis, Products
+from exoid.mismatch.screen.many_free import release
+from exoid.mismatch.screen.screened_recording import Bench
+
+ROUNDS = 12
+DAMPING = 1e-3  # of the first step, relative to the curvature
+EASIER, HARDER = 0.1, 8.0
+CAREFUL = 1e-2  # damping beyond which a small step says little
+STEADY = 1e-2  # expected gain of a sum of squares below which a candidate rests
+NEARLY = 0.5  # the same while it is pinned, for it goes on running free
+WEAK = 1e-9  # relative curvature of what nothing tells
+PASSES = 4  # in which bounds that a step runs into are found
+
+
+@dataclass(frozen=True, eq=False)
+class Settled:
+    """A candidate at its best, and the derivatives there."""
+
+    candidate: Hypothesis
+    products: Products
+    course: Any  # pinned: the Course along which; free: what the sensors would show
+    damping: float = DAMPING
+    resting: bool = False
+
+    @property
+    def square(self) -> float:
+        return self.products.square
+
+
+def settle(bench: Bench, candidates: list[Hypothesis], *, rounds: int = ROUNDS) -> list[Settled]:
+    """Fit every candidate to the data, along the motion that it reads from the sensors."""
+
+    def evaluate(candidates, courses):
+        return many_pinned.evaluate(bench, candidates, courses, bench.seen)
+
+    courses = [bench.course] * len(candidates)
+    return descend(bench, candidates, courses, evaluate, rounds, NEARLY)
+
+
+def settle_free(
+    bench: Bench,
+    candidates: list[Hypothesis],
+    observation: Observation | None = None,
+    *,
+    rounds: int = ROUNDS,
+) -> list[Settled]:
+    """Fit candidates of the same terms to the observation, running free."""
+    seen = bench.seen if observation is None else observation
+
+    def evaluate(candidates, _):
+        return release(bench, candidates, seen)
+
+    return descend(bench, candidates, [None] * len(candidates), evaluate, rounds, STEADY)
+
+
+def descend(bench, candidates, courses, evaluate, rounds, steady) -> list[Settled]:
+    """Steps of all candidates together, until each expects to gain less than `steady`."""
+    found = evaluate(candidates, courses)
+    at = [
+        Settled(candidate, products, course)
+        for candidate, (products, course) in zip(candidates, found, strict=True)
+    ]
+    for _ in range(rounds):
+        moving = [number for number, each in enumerate(at) if not each.resting]
+        if not moving:
+            break
+        steps = [step(bench, at[number]) for number in moving]
+        moved = [candidate for candidate, _ in steps]
+        found = evaluate(moved, [at[number].course for number in moving])
+        for number, (candidate, gain), (products, course) in zip(moving, steps, found, strict=True):
+            at[number] = judged(at[number], candidate, gain, products, course, steady)
+    return at
+
+
+def judged(
+    before: Settled, candidate: Hypothesis, gain: float, products, course, steady: float
+) -> Settled:
+    """Where a candidate stands after a step: there, or where it was and more careful."""
+    careful = before.damping > CAREFUL
+    if not products.square < before.square + steady:
+        return replace(before, damping=before.damping * HARDER, resting=gain < steady)
+    easier = before.damping * EASIER
+    return Settled(candidate, products, course, easier, resting=gain < steady and not careful)
+
+
+def step(bench: Bench, at: Settled) -> tuple[Hypothesis, float]:
+    """The next place to try, and the gain to expect there."""
+    unknowns = at.candidate.unknowns
+    normal, gradient = at.products.total[:-1, :-1], at.products.total[:-1, -1]
+    if not np.isfinite(at.products.total).all():
+        return at.candidate, 0.0
+    lower, upper = bench.bounds(at.candidate)
+    change = bounded(normal, gradient, at.damping, lower - unknowns, upper - unknowns)
+    gain = -(2 * gradient @ change + change @ normal @ change)
+    return at.candidate.at(unknowns + change), float(gain)
+
+
+def bounded(
+    normal: np.ndarray, gradient: np.ndarray, damping: float, lower: np.ndarray, upper: np.ndarray
+) -> np.ndarray:
+    """The damped Gauss-Newton step that stays within bounds: what runs into one stays on it."""
+    size = np.sqrt(np.diag(normal))
+    unit = np.where(size > 0, size, 1.0)
+    scaled = normal / np.outer(unit, unit)
+    scaled[np.diag_indices_from(scaled)] += damping + WEAK
+    slope = gradient / unit
+    fixed = size == 0
+    change = np.zeros_like(slope)
+    for _ in range(PASSES):
+        free = ~fixed
+        known = np.where(fixed, change, 0.0)
+        right = -(slope + scaled @ known)[free]
+        change[free] = np.linalg.solve(scaled[np.ix_(free, free)], right)
+        inside = np.clip(change / unit, lower, upper)
+        beyond = (inside != change / unit) & free
+        change = np.where(beyond, inside * unit, change)
+        if not beyond.any():
+            break
+        fixed = fixed | beyond
+    return change / unit

@@ -1,0 +1,181 @@
+"""The compiled program: the whole library at once, each term along the motion that was measured.
+
+A free-running simulation is linear in what is wrong with it only as long as little is. Here the
+simulation is pinned to the measured motion at every sample (multiple shooting, a node at each), and
+what it does otherwise is carried along linearly (`carry`), so that the misfit is exact to second
+order in the noise wherever the model is right, however far the baseline is from it, and a term
+costs its torque along the motion and no simulation.
+"""
+
+from functools import partial
+from typing import Any
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+from jaxtyping import Array, Float, Int
+
+from exoid.fitting.data.conditioning_chain import Chain
+from exoid.fitting.data.observation import Observation
+from exoid.fitting.model.coordinates import Coordinates, seated
+from exoid.mismatch.screen.deviation import products
+from exoid.mismatch.screen.effect import Effect, columns, named, remembered, shown
+from exoid.mismatch.screen.measured_motion import Clock, Course, Scene, scenes
+from exoid.physics.library import MOST_PARAMETERS
+from exoid.physics.motion.step import Drive
+from exoid.physics.term import Term
+
+AT_ONCE = 16  # lanes and segments
+
+
+class Pinned(eqx.Module):
+    """(J, r)'(J, r) of every lane and segment: baseline unknowns, zeros, terms, residual."""
+
+    gram: Float[Any, "lane segment column column"]
+    course: Course  # along which
+    first: Effect  # of the first lanes: what their first term does, and its derivatives
+
+
+class Given(eqx.Module):
+    """First terms of lanes as they were found: linear in their parameters."""
+
+    effect: Effect  # (given, 1 + parameter, segment, time): with none at 0
+    whose: Int[Any, " lane"]  # which of them a lane has
+    change: Float[Any, "lane parameter"]  # of the parameters since
+
+
+class Requests(eqx.Module):
+    """What is asked of one term: its parameters' values, and whose it is."""
+
+    values: Float[Any, "request parameter"]
+    lane: Int[Any, " request"]
+    slot: Int[Any, " request"]  # which of the lane's terms it is
+
+
+def evaluate(
+    requests: tuple[Requests, ...],
+    given: Given,
+    points: Coordinates,
+    zero: Float[Array, "lane 2"],  # rad/s of the gyro, rad of the encoder
+    courses: Course,
+    measured: Course,
+    observation: Observation,
+    known: Float[Array, "segment unknown"],
+    clock: Clock,
+    steps: Int[Array, ""],
+    used: Int[Array, ""],
+    static: tuple[tuple[type[Term], ...], Chain],
+) -> Pinned:
+    """Every lane's misfit and its derivatives.
+
+    `courses` are where the lanes were last, `measured` is what the sensors show. The requests are
+    those of each term in `static`; a lane's first term may be `given`. Only the first `used` lanes
+    are worked out, and requests of others are none.
+    """
+    terms, chain = static
+    asked = list(zip(terms, requests, strict=True))
+    see = jax.vmap(partial(scenes, observation=observation, clock=clock))
+    first = jax.tree.map(partial(recalled, given), given.effect)
+    angle = first.shown[:, 0, :, :, 0] + zero[:, 1, None, None]
+    courses = read(asked, see(points, courses), angle, measured, observation)
+    seen = see(points, courses)
+    effects = nothing(observation, zero.shape[0], 2)
+    effects = jax.tree.map(lambda all, new: all.at[:, 0].set(new), effects, first)
+    for term, request in asked:
+        effects = jax.lax.cond(
+            jnp.any(request.lane < used), partial(added, term, request, seen), same, effects
+        )
+    mounting = jax.vmap(jax.vmap(seated, in_axes=(None, 0)), in_axes=(0, None))
+    summed = jax.tree.map(lambda leaf: jnp.moveaxis(together(leaf), 2, 1), effects)
+    own = (points.shared, mounting(points.mounting, observation.seat), points.own, courses)
+    each = partial(products, steps=steps, chain=chain)
+    by_segment: Any = jax.vmap(each, in_axes=(None, 0, 0, 0, 0, 0, 0, 0, None))
+
+    def lane(lane):
+        own, summed, zero = lane
+        return by_segment(*own, observation, known, summed.push, summed.shown, zero)
+
+    lanes_at_once = max(1, AT_ONCE // observation.time.shape[0])
+    gram = first_of(used, lane, (own, summed, zero), lanes_at_once)
+    kept = given.effect.shown.shape[0]
+    return Pinned(gram, courses, jax.tree.map(lambda leaf: leaf[:kept, 0], effects))
+
+
+def added(term: type[Term], request: Requests, seen: Scene, effects: Effect) -> Effect:
+    """With what a term does in the lanes that ask."""
+    found = jax.vmap(partial(columns, term))(request.values, of_lanes(seen, request))
+    at = (request.lane, request.slot)
+    return jax.tree.map(lambda all, new: all.at[at].add(new), effects, found)
+
+
+def same(effects: Effect) -> Effect:
+    return effects
+
+
+def first_of(count: Int[Array, ""], task, given, at_once: int):
+    """`task` of the first `count` rows of what is given, so many at once; zero for the others."""
+    size = jax.tree.leaves(given)[0].shape[0]
+    at_once, many = min(at_once, size), jax.vmap(task)
+
+    def part(number, found):
+        first = jnp.minimum(number * at_once, size - at_once)
+        rows = jax.tree.map(lambda leaf: jax.lax.dynamic_slice_in_dim(leaf, first, at_once), given)
+        return jax.lax.dynamic_update_slice_in_dim(found, many(rows), first, 0)
+
+    room = jax.eval_shape(many, given)
+    return jax.lax.fori_loop(0, -(-count // at_once), part, jnp.zeros(room.shape, room.dtype))
+
+
+def recalled(given: Given, leaf: Array) -> Array:
+    """What every lane's given term does now."""
+    own = leaf[given.whose]
+    change = jnp.einsum("lp,lp...->l...", given.change, own[:, 1:])
+    return own.at[:, 0].add(change)
+
+
+def of_lanes(seen: Scene, request: Requests) -> Scene:
+    """The scenes of the lanes that ask."""
+    return jax.tree.map(lambda leaf: leaf[request.lane], seen)
+
+
+def read(asked, seen: Scene, angle: Array, measured: Course, observation: Observation) -> Course:
+    """The leg's motion behind what the sensors show, if the lanes' terms are right.
+
+    `angle` is what the given terms show.
+    """
+    for term, request in asked:
+        if term.shown is Term.shown:
+            continue
+
+        def error(value, seen, term=term):
+            one = named(term, value)
+            return jax.vmap(lambda at: shown(one, at, remembered(one, at)).angle)(seen)
+
+        found = jax.vmap(error)(request.values, of_lanes(seen, request))
+        angle = angle.at[request.lane].add(found)
+    slope = jax.vmap(jax.vmap(rate), in_axes=(0, None))
+    velocity = slope(angle, observation.time)
+    errors = Course(angle, velocity, slope(velocity, observation.time))
+    return jax.tree.map(jnp.subtract, measured, errors)
+
+
+def rate(value, time):
+    """The time derivative, by the parabola through three samples."""
+    steps, rises = jnp.diff(time), jnp.diff(value)
+    slopes = rises / steps
+    inner = (slopes[:-1] * steps[1:] + slopes[1:] * steps[:-1]) / (steps[1:] + steps[:-1])
+    return jnp.concatenate([slopes[:1], inner, slopes[-1:]])
+
+
+def nothing(observation: Observation, lanes: int, slots: int) -> Effect:
+    """Room for what the terms of every lane do: (lane, slot, 1 + parameter, segment, time)."""
+    segments, size = observation.time.shape
+    room = (lanes, slots, 1 + MOST_PARAMETERS, segments)
+    push = jnp.zeros((*room, size - 1))
+    return Effect(Drive(push, push, push), jnp.zeros((*room, size, 2)))
+
+
+def together(leaf: Array) -> Array:
+    """(lane, slot, 1 + parameter, ...) as (lane, column, ...): all derivatives, then the sum."""
+    parts = [leaf[:, slot, 1:] for slot in range(leaf.shape[1])]
+    return jnp.concatenate([*parts, leaf[:, :, :1].sum(axis=1)], axis=1)

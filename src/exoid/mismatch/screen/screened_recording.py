@@ -1,0 +1,148 @@
+"""A recording ready for candidates: what was seen, by which sensors, and where a search begins."""
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import product
+
+import jax
+import numpy as np
+
+from exoid.fitting.data.observation import Observation
+from exoid.fitting.misfit.neighbourhood import columns
+from exoid.fitting.model.coordinates import (
+    TYPICAL,
+    Coordinates,
+    flattened,
+    scaled,
+    unflattened,
+    unscaled,
+)
+from exoid.fitting.model.systematics import deviations
+from exoid.fitting.solve.problem import Problem
+from exoid.mismatch.screen.hypothesis import Hypothesis
+from exoid.mismatch.screen.measured_motion import Clock, Course
+from exoid.mismatch.sensors.consistency import Consistency
+from exoid.physics.library import name_of
+from exoid.physics.parameter import Declaration, declarations
+from exoid.physics.sensing.angle_offset import AngleOffset
+from exoid.physics.term import Term
+
+OUTERMOST = 3.0  # standard deviations of a seat's tilt: one that is farther off is a cause
+FARTHEST = 5.0  # typical steps of the inertia from the fit: a factor of four
+
+
+@dataclass(frozen=True, eq=False)
+class Bench:
+    """A recording ready for candidates."""
+
+    problem: Problem
+    sensors: Consistency
+    library: tuple[type[Term], ...]
+    clock: Clock
+    log_inertia: float  # log(J / kg m^2) of the baseline's fit
+    rig: bool
+    zero: float  # rad, standard deviation of the encoder's: infinite on a rig, 0 where it is known
+
+    @property
+    def segments(self) -> int:
+        return len(self.problem.movements)
+
+    @property
+    def seen(self) -> Observation:
+        return self.problem.observation
+
+    @cached_property
+    def course(self) -> Course:
+        """What the sensors show, in the shape of the observation."""
+        size = self.seen.time.shape[1]
+
+        def padded(name: str) -> np.ndarray:
+            rows = [getattr(each, name) for each in self.sensors.references]
+            return np.stack([np.pad(row, (0, size - row.size), mode="edge") for row in rows])
+
+        return Course(*map(padded, ("angle", "angular_velocity", "angular_acceleration")))
+
+    @cached_property
+    def places(self) -> np.ndarray:
+        """Which coordinate every baseline unknown of a segment is."""
+        like = self.like
+        return columns(like, self.seen.seat)
+
+    @cached_property
+    def usual(self) -> np.ndarray:
+        """One over the standard deviation of what is known to be about nothing, though no leg need
+        explain it: of every coordinate the tilts of seats, and of the two zeros the encoder's.
+        """
+        known = 1 / self.zero if 0 < self.zero < np.inf else 0.0
+        return np.array([*self.tilts, 0.0, known])
+
+    @cached_property
+    def tilts(self) -> np.ndarray:
+        """One over the standard deviation of every seat's tilt, 0 at other coordinates."""
+        nothing = jax.tree.map(np.zeros_like, self.like)
+        spread = deviations(self.problem.movements, self.problem.owned).tilt
+        mounting = replace(nothing.mounting, tilt=TYPICAL.mounting.tilt / spread)
+        return flattened(replace(nothing, mounting=mounting))
+
+    @cached_property
+    def like(self) -> Coordinates:
+        from exoid.fitting.multistart.starts import usual_mounting
+
+        count = len(self.problem.movements)
+        rows = [np.zeros(count)] * 3
+        usual = usual_mounting(self.problem.movements, owned=self.problem.owned)
+        shared = jax.tree.map(lambda _: np.zeros(()), TYPICAL.shared)
+        own = jax.tree.unflatten(jax.tree.structure(TYPICAL.own), rows)
+        return Coordinates(shared, np.zeros(()), usual, own)
+
+    def coordinates(self, candidate: Hypothesis) -> Coordinates:
+        return unscaled(unflattened(candidate.point, self.like))
+
+    def point(self, coordinates: Coordinates) -> np.ndarray:
+        return flattened(scaled(coordinates))
+
+    def starts(self, term: type[Term]) -> list[np.ndarray]:
+        """Where the search for a term begins: what the sensors said among themselves, else as
+        declared.
+        """
+        for error in self.sensors.errors:
+            if error.name == name_of(term):
+                return [np.array([error.value])]
+        low, high = self.range
+        each = [
+            declared.starts(low, high) if callable(declared.starts) else declared.starts
+            for _, declared in declarations(term)
+        ]
+        return [np.array(row) for row in product(*each)]
+
+    @cached_property
+    def range(self) -> tuple[float, float]:
+        """Lowest and highest angle [rad]."""
+        angles = np.concatenate([each.angle for each in self.sensors.references])
+        return float(angles.min()), float(angles.max())
+
+    def bounds(self, candidate: Hypothesis) -> tuple[np.ndarray, np.ndarray]:
+        """Of every unknown: the leg neither pulls apart nor makes energy, a term keeps its own."""
+        size = candidate.unknowns.size
+        lower, upper = np.full(size, -np.inf), np.full(size, np.inf)
+        lower[[1, 3]] = 0.0  # gravity, damping
+        lower[2] = -np.inf if self.rig else 0.0  # stiffness
+        inertia = self.log_inertia / float(TYPICAL.shared.log_inertia)
+        lower[0], upper[0] = inertia - FARTHEST, inertia + FARTHEST
+        each: list[Declaration] = [
+            declared for term in candidate.terms for _, declared in declarations(term)
+        ]
+        first = candidate.point.size + 2
+        tilts = np.flatnonzero(self.tilts)
+        upper[tilts] = OUTERMOST / self.tilts[tilts]
+        upper[first - 1] = np.inf if self.rig else largest_zero() * (self.zero > 0)
+        lower[tilts], lower[first - 1] = -upper[tilts], -upper[first - 1]
+        lower[first:] = [declared.lower for declared in each]
+        upper[first:] = [declared.upper for declared in each]
+        return lower, upper
+
+
+def largest_zero() -> float:
+    """rad, of an encoder on a leg."""
+    (declared,) = dict(declarations(AngleOffset)).values()
+    return declared.upper

@@ -1,0 +1,39 @@
+"""Would the same cause be found had other segments been recorded?"""
+
+import numpy as np
+
+from exoid.mismatch.evidence.yardstick import Yardstick
+from exoid.mismatch.screen.optimise import Settled, bounded
+from exoid.mismatch.screen.screened_recording import Bench
+from exoid.mismatch.search.search import size
+
+DRAWS = 200
+FEWEST = 3  # segments, of which fewer make no sample
+
+
+def inclusion(
+    bench: Bench, best: Settled, rivals: list[Settled], measure: Yardstick, seed: int
+) -> float | None:
+    """The share of bootstrapped sets of segments in which `best` has the most evidence.
+
+    Each candidate is refitted to every set by its quadratic model. None where there are too few
+    segments.
+    """
+    if bench.segments < FEWEST:
+        return None
+    rng = np.random.default_rng(seed)
+    draws = rng.multinomial(bench.segments, np.ones(bench.segments) / bench.segments, DRAWS)
+    worths = np.array([[worth(bench, one, draw, measure) for draw in draws] for one in rivals])
+    own = np.array([worth(bench, best, draw, measure) for draw in draws])
+    return float(np.mean(own >= worths.max(axis=0, initial=-np.inf)))
+
+
+def worth(bench: Bench, one: Settled, draw: np.ndarray, measure: Yardstick) -> float:
+    """Minus what a candidate leaves of a set of segments, and minus its price."""
+    total = np.tensordot(draw, one.products.each, axes=1)
+    normal, gradient, square = total[:-1, :-1], total[:-1, -1], total[-1, -1]
+    at = one.candidate.unknowns
+    lower, upper = bench.bounds(one.candidate)
+    change = bounded(normal, gradient, 0.0, lower - at, upper - at)
+    left = square + 2 * gradient @ change + change @ normal @ change
+    return -float(left) / measure.scale - measure.price(size(one))

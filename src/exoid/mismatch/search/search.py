@@ -1,0 +1,201 @@
+"""Which terms explain the mismatch: all of them pinned, the best of them free, then in pairs."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from exoid.mismatch.evidence.yardstick import ALIKE, APART, FOLLOWED, Yardstick, yardstick
+from exoid.mismatch.screen.hypothesis import Hypothesis
+from exoid.mismatch.screen.optimise import Settled, settle, settle_free
+from exoid.mismatch.screen.screened_recording import Bench
+from exoid.mismatch.search.variants import (
+    nested,
+    pairs,
+    polished,
+    reduced,
+    twins,
+    with_sure_sensors,
+)
+from exoid.physics.library import name_of
+from exoid.physics.term import Term
+
+SHORT = 4  # candidates that run free, by what they explain pinned
+REACH = 3.0  # times the best, within which running free may change the order
+ROUNDS = 8  # of pinned steps; what is close by then is brought to its end running free
+PAIR_ROUNDS = 6
+FALSE = 0.5  # of the baseline's square, below which another valley makes it a false one
+FLOOR = 1.3  # mean square over the noise at which nothing more is looked for
+
+Told = Callable[[str], None]
+
+
+@dataclass(frozen=True, eq=False)
+class Found:
+    """What a search found, best first; `pinned` are the sums of squares of the first look."""
+
+    base: Settled
+    begin: Hypothesis  # the baseline where candidates began
+    singles: list[Settled]  # running free
+    pairs: list[Settled]
+    pinned: dict[type[Term], float]
+    failed: list[type[Term]]  # whose derivatives are not finite
+    yardstick: Yardstick
+
+    def clear(self, worse: Settled, better: Settled) -> bool:
+        parameters = size(better) - size(worse)
+        return self.yardstick.clear(worse.square, better.square, max(parameters, 1))
+
+    def followed(self, one: Settled) -> float:
+        """The share of the baseline's excess over the noise that it explains."""
+        return self.yardstick.followed(self.base.square, one.square)
+
+    def evidence(self, one: Settled) -> float:
+        return self.yardstick.evidence(self.base.square, one.square, size(one))
+
+
+def size(one: Settled) -> int:
+    """How many parameters its terms have."""
+    return sum(value.size for value in one.candidate.values)
+
+
+def names(one: Settled) -> list[str]:
+    return [name_of(term) for term in one.candidate.terms]
+
+
+def look(bench: Bench, base: Settled, told: Told) -> Found:
+    """Every term by itself; pairs where no single one is enough. What explains best may show that
+    the baseline lay in a false valley: then all begins again from the leg that it found.
+    """
+    begin = beginning(bench, base)
+    usable = [term for term in bench.library if applies(bench, term)]
+    told(f"testing {len(usable)} candidates")
+    starts = [
+        replace(begin, terms=(term,), values=(value,))
+        for term in usable
+        for value in bench.starts(term)
+    ]
+    first = best_of(settle(bench, starts, rounds=ROUNDS))
+    failed = [term for (term,), one in first.items() if not sound(one)]
+    ranked = ordered([one for one in first.values() if sound(one)])
+    near = [one for one in ranked[:SHORT] if one.square < REACH * ranked[0].square]
+    told("simulating the best of them")
+    singles = [polished(bench, one.candidate) for one in near]
+    singles += [*twins(bench, singles, singles), *nested(bench, singles)]
+    leader = least(*singles)
+    if leader.square < FALSE * base.square:
+        better = polished(bench, replace(leader.candidate, terms=(), values=()))
+        if better.square < FALSE * base.square:
+            return look(bench, better, told)
+    measure = yardstick(bench, least(base, *singles))
+    singles = by_evidence(singles, base, measure)
+    pinned = {one.candidate.terms[0]: one.square for one in ranked}
+    found = with_sure_sensors(bench, base, singles)
+    sensors = [one for one in found if len(one.candidate.terms) > 1]
+    alone = [one for one in found if len(one.candidate.terms) == 1]
+    singles = by_evidence([*singles, *alone], base, measure)
+    best = least(base, *singles).square
+    if best > FLOOR * measure.samples and measure.followed(base.square, best) < FOLLOWED:
+        told("simulating the others")
+        tried = {one.candidate.terms for one in singles}
+        others = [one for one in ranked if one.candidate.terms not in tried]
+        singles += [simulated(bench, base, one, starts) for one in others]
+        singles = by_evidence(singles, base, measure)
+        best = least(base, *singles).square
+    if best < FLOOR * measure.samples:
+        return Found(base, begin, singles, sensors, pinned, failed, measure)
+    told("testing pairs")
+    seconds = pairs(bench, ranked, singles)
+    pairs_at_best = best_of(settle(bench, seconds, rounds=PAIR_ROUNDS))
+    both = ordered([one for one in pairs_at_best.values() if sound(one)])
+    told("simulating the best pairs")
+    joint = [
+        polished(bench, one.candidate)
+        for one in both[:SHORT]
+        if one.square < REACH * both[0].square
+    ]
+    joint += sensors
+    singles = by_evidence([*singles, *reduced(bench, ordered(joint)[:1])], base, measure)
+    singles += nested(bench, singles)
+    measure = yardstick(bench, least(base, *singles, *joint))
+    joint = by_evidence(joint, base, measure)
+    joint = by_evidence([*joint, *twins(bench, joint[:1], joint)], base, measure)
+    return Found(base, begin, by_evidence(singles, base, measure), joint, pinned, failed, measure)
+
+
+def simulated(bench: Bench, base: Settled, one: Settled, starts: list[Hypothesis]) -> Settled:
+    """Running free from where it came pinned, or from all its `starts` where that led nowhere: what
+    acts for a few samples only, such as a stop, is not seen along a motion with noise.
+    """
+    if one.square < base.square:
+        return polished(bench, one.candidate)
+    own = [start for start in starts if start.terms == one.candidate.terms]
+    return least(*(polished(bench, start) for start in own))
+
+
+def beginning(bench: Bench, base: Settled) -> Hypothesis:
+    """Where candidates begin: at the baseline, but with no zero that only a missing cause made."""
+    at = base.candidate
+    if abs(at.zero[1]) <= bench.zero:
+        return at
+    declared = replace(bench, zero=0.0)
+    return settle_free(declared, [replace(at, zero=at.zero * [1.0, 0.0])])[0].candidate
+
+
+def applies(bench: Bench, term: type[Term]) -> bool:
+    """Can it act here: a voluntary torque, or a gyro?"""
+    if term.living and bench.rig:
+        return False
+    if term.voluntary:
+        return any(each.voluntary for each in bench.problem.movements)
+    name = name_of(term)
+    if name == "gyro_bias" or (name == "angle_offset" and bench.zero > 0):
+        return False  # it is free in every fit
+    if name in ("gyro_scale", "sensor_skew"):
+        return bool((bench.seen.velocity_weight > 0).any())
+    return True
+
+
+def sound(one: Settled) -> bool:
+    """Are its sum of squares and all derivatives finite?"""
+    return bool(np.isfinite(one.products.total).all())
+
+
+def best_of(settled: list[Settled]) -> dict[tuple[type[Term], ...], Settled]:
+    """Of all starts of the same terms the best."""
+    best: dict[tuple[type[Term], ...], Settled] = {}
+    for one in settled:
+        terms = one.candidate.terms
+        if terms not in best or not one.square >= best[terms].square:
+            best[terms] = one
+    return best
+
+
+def least(*settled: Settled) -> Settled:
+    """What leaves least."""
+    return min(settled, key=lambda one: one.square if np.isfinite(one.square) else np.inf)
+
+
+def ordered(settled: list[Settled]) -> list[Settled]:
+    return sorted(settled, key=lambda one: one.square)
+
+
+def by_evidence(settled: list[Settled], base: Settled, measure: Yardstick) -> list[Settled]:
+    """The best first; of those that are alike the simplest first."""
+    known = list(best_of([one for one in settled if sound(one)]).values())
+    known.sort(key=lambda one: measure.evidence(base.square, one.square, size(one)), reverse=True)
+    return sorted(known, key=lambda one: size(one) if alike(one, known[0], measure) else np.inf)
+
+
+def alike(one: Settled, best: Settled, measure: Yardstick) -> bool:
+    """Can this recording not tell a candidate from the best?"""
+    if not measure.explains(best.square):
+        return one.square < ALIKE * best.square
+    return measure.evidence(one.square, best.square, size(best) - size(one)) < APART
+
+
+def equivalents(found: Found, best: Settled) -> list[Settled]:
+    """The candidates that this recording cannot tell from the best, itself included."""
+    rivals = found.pairs if len(best.candidate.terms) > 1 else found.singles
+    top = max(rivals, key=found.evidence)
+    return [one for one in rivals if one is best or alike(one, top, found.yardstick)]

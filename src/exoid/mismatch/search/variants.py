@@ -1,0 +1,136 @@
+"""What a search tries beside single terms: the same running free, twins, simpler forms, pairs."""
+
+from dataclasses import replace
+from itertools import permutations
+
+import equinox as eqx
+import numpy as np
+
+from exoid.fitting.data.observation import Observation
+from exoid.mismatch.screen.hypothesis import Hypothesis
+from exoid.mismatch.screen.many_pinned import linear
+from exoid.mismatch.screen.optimise import Settled, settle_free
+from exoid.mismatch.screen.screened_recording import Bench
+from exoid.mismatch.sensors.consistency import BIAS
+from exoid.physics.library import name_of
+from exoid.physics.parameter import declarations
+from exoid.physics.term import Term
+
+PAIRED = 3  # first terms of a pair
+FREE_ROUNDS = 25
+TWINS = ("torque_bias", "stiffness_rest_angle")
+BESIDE = 2  # of the best single terms are tried beside what the sensors surely say
+SOFTEST = 1e-3  # N m/rad, of a leg that has a rest angle
+
+
+def polished(bench: Bench, start: Hypothesis) -> Settled:
+    """Running free from a start.
+
+    Where a gyro's reading jumps, every sample beside a jump is a wall: the encoder leads past them.
+    """
+    if any(term.jumps for term in start.terms):
+        start = settle_free(bench, [start], by_encoder(bench.seen), rounds=FREE_ROUNDS)[0].candidate
+    return settle_free(bench, [start], rounds=FREE_ROUNDS)[0]
+
+
+def by_encoder(seen: Observation) -> Observation:
+    """The observation without its gyro."""
+    return eqx.tree_at(lambda seen: seen.velocity_weight, seen, 0.0 * seen.velocity_weight)
+
+
+def reduced(bench: Bench, joint: list[Settled]) -> list[Settled]:
+    """Each term of a pair alone again, from where the pair is: is the other one needed?"""
+    return [
+        polished(bench, replace(one.candidate, terms=(term,), values=(value,)))
+        for one in joint
+        for term, value in zip(one.candidate.terms, one.candidate.values, strict=True)
+    ]
+
+
+def twins(bench: Bench, some: list[Settled], known: list[Settled]) -> list[Settled]:
+    """What is exactly the same torque under another name: a rest angle, and a constant torque."""
+    pair = [term for term in bench.library if name_of(term) in TWINS]
+    done = {frozenset(one.candidate.terms) for one in known}
+    found = []
+    for one in some:
+        for mine, twin in permutations(pair, 2):
+            wanted = [twin if term is mine else term for term in one.candidate.terms]
+            if mine in one.candidate.terms and frozenset(wanted) not in done:
+                start = renamed(bench, one.candidate, mine, twin)
+                found.append(settle_free(bench, [start], rounds=FREE_ROUNDS)[0])
+    return found
+
+
+def renamed(bench: Bench, candidate: Hypothesis, mine: type[Term], twin: type[Term]) -> Hypothesis:
+    """The candidate with the twin of one of its terms, as large: c phi_0 is the torque."""
+    shared = bench.coordinates(candidate).shared
+    stiffness = max(float(shared.stiffness * np.exp(shared.log_inertia)), SOFTEST)
+    factor = 1 / stiffness if name_of(mine) == TWINS[0] else stiffness
+    declared = next(each for _, each in declarations(twin))
+    moved = [
+        (twin, np.clip(value * factor, declared.lower, declared.upper))
+        if term is mine
+        else (term, value)
+        for term, value in zip(candidate.terms, candidate.values, strict=True)
+    ]
+    terms, values = zip(*moved, strict=True)
+    return replace(candidate, terms=terms, values=values, linear=None)
+
+
+def with_sure_sensors(bench: Bench, base: Settled, singles: list[Settled]) -> list[Settled]:
+    """Everything at once that the sensors surely say of each other, alone and with each of the best
+    single terms: a sensor that is wrong in one way is seldom right in all others, and what it does
+    wrong stays, whatever else is missing.
+    """
+    known = {name_of(term): term for term in bench.library}
+    sure = [each for each in bench.sensors.errors if each.clear and each.name in known]
+    sure = [each for each in sure if each.name != BIAS]  # a bias is free anyway
+    if not sure:
+        return []
+    terms = tuple(known[each.name] for each in sure)
+    values = tuple(np.array([each.value]) for each in sure)
+    best = [one.candidate for one in singles[:BESIDE] if one.candidate.terms[0] not in terms]
+    starts = [
+        replace(one, terms=(*terms, *one.terms), values=(*values, *one.values), linear=None)
+        for one in (base.candidate, *best)
+    ]
+    return [settle_free(bench, [one], rounds=FREE_ROUNDS)[0] for one in starts]
+
+
+def nested(bench: Bench, singles: list[Settled]) -> list[Settled]:
+    """A simple term again from where a richer one is that holds all its parameters."""
+    found = []
+    for rich in singles:
+        (term,) = rich.candidate.terms
+        known = dict(zip(dict(declarations(term)), rich.candidate.values[0], strict=True))
+        for simple in singles:
+            (other,) = simple.candidate.terms
+            wanted = list(dict(declarations(other)))
+            if len(wanted) < len(known) and known.keys() >= set(wanted):
+                value = np.array([known[name] for name in wanted])
+                start = replace(rich.candidate, terms=(other,), values=(value,), linear=None)
+                found.append(settle_free(bench, [start], rounds=FREE_ROUNDS)[0])
+    return found
+
+
+def pairs(bench: Bench, ranked: list[Settled], singles: list[Settled]) -> list[Hypothesis]:
+    """The best single terms, each with every other."""
+    refined = {one.candidate.terms[0]: one for one in singles}
+    firsts = [refined.get(one.candidate.terms[0], one).candidate for one in ranked[:PAIRED]]
+    found = linear(bench, firsts, [one.course for one in ranked[:PAIRED]])
+    made = []
+    for number, (first, known) in enumerate(zip(firsts, found, strict=True)):
+        done = {one.terms[0] for one in firsts[: number + 1]}
+        made += [
+            Hypothesis(
+                (*first.terms, *second.candidate.terms),
+                (*first.values, value),
+                first.point,
+                first.zero,
+                known,
+            )
+            for second in ranked
+            for value in bench.starts(second.candidate.terms[0])
+            if second.candidate.terms[0] not in done
+        ]
+    return made

@@ -1,0 +1,77 @@
+"""The measures in the order in which they are told: names, symbols, units, formulas."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+
+from exoid.pendulum import definitions as read
+from exoid.recordings.landmarks.landmarks import Landmarks
+from exoid.recordings.landmarks.measure import Measure, NotAllowed
+
+
+@dataclass(frozen=True)
+class Definition:
+    """A measure: how it is called, and the formula that reads it."""
+
+    title: str
+    symbol: str
+    unit: str
+    read: Callable[[Landmarks], read.Reading]
+
+
+MEASURES: dict[str, Definition] = {
+    "start_angle": Definition("start angle", "phi_s", "rad", read.start_angle),
+    "first_flexion_amplitude": Definition(
+        "first flexion amplitude", "A1", "rad", read.first_flexion_amplitude
+    ),
+    "plateau_angle": Definition("plateau (resting) angle", "phi_r", "rad", read.plateau_angle),
+    "plateau_amplitude": Definition("plateau amplitude", "A0", "rad", read.plateau_amplitude),
+    "relaxation_index": Definition("relaxation index", "A1 / A0", "1", read.relaxation_index),
+    "normalised_relaxation_index": Definition(
+        "normalised relaxation index",
+        f"A1 / ({read.NORM} A0)",
+        "1",
+        partial(read.relaxation_index, norm=read.NORM),
+    ),
+    "number_of_oscillations": Definition(
+        "number of oscillations", "N", "1", read.number_of_oscillations
+    ),
+    "period": Definition("period", "T", "s", read.period),
+    "time_to_rest": Definition("time to rest", "t_r", "s", read.time_to_rest),
+    **{
+        f"logarithmic_decrement_{number}": Definition(
+            f"logarithmic decrement {number}",
+            f"D{number}",
+            "1",
+            partial(read.logarithmic_decrement, number=number),
+        )
+        for number in range(1, read.CYCLES + 1)
+    },
+    "peak_flexion_velocity": Definition(
+        "peak flexion velocity", "w_f", "rad/s", read.peak_flexion_velocity
+    ),
+    "peak_extension_velocity": Definition(
+        "peak extension velocity", "w_e", "rad/s", read.peak_extension_velocity
+    ),
+    "peak_flexion_acceleration": Definition(
+        "peak flexion acceleration", "a_f", "rad/s^2", read.peak_flexion_acceleration
+    ),
+    "peak_extension_acceleration": Definition(
+        "peak extension acceleration", "a_e", "rad/s^2", read.peak_extension_acceleration
+    ),
+}
+
+
+def measures(drop: Landmarks) -> dict[str, Measure]:
+    """Every measure of a drop, by name, read or refused."""
+    return {name: measure(name, drop) for name in MEASURES}
+
+
+def measure(name: str, drop: Landmarks) -> Measure:
+    declared = MEASURES[name]
+    told = (name, declared.title, declared.symbol, declared.unit)
+    try:
+        found = declared.read(drop)
+    except NotAllowed as why:
+        return Measure(*told, reason=str(why))
+    return Measure(*told, found.value, found.error, found.marks)

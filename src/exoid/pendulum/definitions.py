@@ -1,0 +1,154 @@
+"""The measures of the Wartenberg pendulum test, which clinicians read off a drop, as formulas.
+
+They are named in the groups of Rahimi et al., BioMedical Engineering OnLine 19:82, 2020,
+doi 10.1186/s12938-020-00826-8, which sorts the outcome measures of the test into those of angle,
+of angular velocity and of angular acceleration. Of the review only the abstract was at hand, not
+its tables of definitions: the formulas below are exoid's, from the sources named with them.
+
+The relaxation index is that of Grippo et al., Europa Medicophysica 33(2), 1997, and Whelan et al.,
+J NeuroEngineering Rehabil 15, 2018, doi 10.1186/s12984-018-0411-x: the angle of the first downswing
+over the angle from start to rest. Its normalised form divides by 1.6, a convention that is ascribed
+to Bajd and Vodovnik, J Biomedical Engineering 6, 1984, which was not read. And by definitions of
+exoid's own:
+
+- at rest: within 2 deg of the resting angle, the mean over the last period of the record;
+- a swing: one that turns back by at least 1 deg (and by 8 times the noise of the angle
+  smoothed over 0.1 s);
+- an oscillation: a flexion whose peak lies beyond the band of rest;
+- period: the mean time between flexion peaks, over the first three oscillations at most;
+- logarithmic decrement n: log of the n-th flexion swing over the next, each from the extension peak
+  (at first the start) to the flexion peak that follows, so that no resting angle enters;
+- peak velocity and acceleration: of the first flexion, and of the extension after it (the
+  acceleration towards extension is greatest about the first flexion peak); their sizes.
+
+Amplitudes are differences of knee angles. Angles are exoid's: 0 extended, flexion negative.
+Velocity and acceleration are derivatives of the angle, so that a gyro's scale and bias do not
+enter. Standard errors hold the white noise of the angle, and 5 % of the acceleration at the release
+for what the polynomial there leaves out; an off-centre magnet or a cuff that slips is not in them.
+"""
+
+from dataclasses import dataclass
+from math import hypot, log
+
+from exoid.recordings.landmarks.landmarks import Landmarks
+from exoid.recordings.landmarks.measure import Mark, NotAllowed
+from exoid.recordings.landmarks.rest import BAND
+from exoid.recordings.landmarks.track import HALF, SURE, Peak
+
+NORM = 1.6  # of the normalised relaxation index
+CYCLES = 3  # oscillations, at most, of which a period is the mean and decrements are told
+
+
+@dataclass(frozen=True)
+class Reading:
+    """A value with its error, and where it is seen."""
+
+    value: float
+    error: float
+    marks: tuple[Mark, ...]
+
+
+def start_angle(drop: Landmarks) -> Reading:
+    return at(drop.release.start)
+
+
+def first_flexion_amplitude(drop: Landmarks) -> Reading:
+    """A1 = phi_start - phi_flexion1."""
+    return between(drop.release.start, drop.flexion(1))
+
+
+def plateau_angle(drop: Landmarks) -> Reading:
+    return at(drop.rest.angle)
+
+
+def plateau_amplitude(drop: Landmarks) -> Reading:
+    """A0 = phi_start - phi_rest."""
+    return between(drop.release.start, drop.rest.angle)
+
+
+def relaxation_index(drop: Landmarks, norm: float = 1.0) -> Reading:
+    """RI = A1 / A0; normalised A1 / (1.6 A0)."""
+    start, first, rest = drop.release.start, drop.flexion(1), drop.rest.angle
+    swing, plateau = start.value - first.value, start.value - rest.value
+    if plateau < BAND:
+        raise NotAllowed("no plateau: the leg starts where it comes to rest")
+    index = swing / plateau / norm
+    parts = ((1 - swing / plateau) * start.error, first.error, swing / plateau * rest.error)
+    return Reading(index, hypot(*parts) / plateau / norm, (start.mark, first.mark, rest.mark))
+
+
+def number_of_oscillations(drop: Landmarks) -> Reading:
+    """Its error is 1 where a peak lies so near to the band of rest that noise may decide."""
+    drop.check_fall()
+    rest, found = drop.rest.angle, drop.turns[::2]
+    beyond = [rest.value - each.value - BAND for each in found]
+    places = list(zip(found, beyond, strict=True))
+    close = any(SURE * hypot(each.error, rest.error) > abs(far) for each, far in places)
+    counted = tuple(each.mark for each, far in places if far > 0)
+    return Reading(float(len(counted)), float(close), counted)
+
+
+def period(drop: Landmarks) -> Reading:
+    count = min(max(len(drop.turns[::2]) - 1, 1), CYCLES)
+    first, last = drop.flexion(1), drop.flexion(1 + count)
+    error = hypot(first.time_error, last.time_error) / count
+    return Reading((last.time - first.time) / count, error, (first.mark, last.mark))
+
+
+def logarithmic_decrement(drop: Landmarks, number: int) -> Reading:
+    """D_n = log(F_n / F_(n+1)), F_n = phi_extension(n-1) - phi_flexion(n)."""
+    ends = [(drop.extension(each - 1), drop.flexion(each)) for each in (number, number + 1)]
+    swings = [high.value - low.value for high, low in ends]
+    parts = [
+        hypot(high.error, low.error) / swing
+        for (high, low), swing in zip(ends, swings, strict=True)
+    ]
+    marks = tuple(each.mark for pair in ends for each in pair)
+    return Reading(log(swings[0] / swings[1]), hypot(*parts), marks)
+
+
+def time_to_rest(drop: Landmarks) -> Reading:
+    start, rest = drop.release.start, drop.rest.since
+    error = hypot(start.time_error, rest.time_error)
+    return Reading(rest.time - start.time, error, (start.mark, rest.mark))
+
+
+def peak_flexion_velocity(drop: Landmarks) -> Reading:
+    drop.check_fall()
+    found = drop.steepest(1, -1, float(drop.curve.time[0]), drop.flexion(1).time)
+    if found.time - drop.track.time[0] < HALF:
+        raise NotAllowed("begins too late: the first flexion is already at its fastest")
+    return size(found)
+
+
+def peak_extension_velocity(drop: Landmarks) -> Reading:
+    drop.check_fall()
+    return size(drop.steepest(1, 1, drop.flexion(1).time, drop.extension(1).time))
+
+
+def peak_flexion_acceleration(drop: Landmarks) -> Reading:
+    release = drop.release
+    after, value, error = release.steepest()
+    later = drop.steepest(2, -1, release.start.time + HALF, drop.flexion(1).time)
+    if later.value < value:
+        return size(later)
+    start = release.start
+    return size(Peak(start.sample, start.time + after, start.time_error, value, error))
+
+
+def peak_extension_acceleration(drop: Landmarks) -> Reading:
+    drop.check_fall()
+    begin = float(drop.curve.time[0]) + HALF
+    return size(drop.steepest(2, 1, begin, drop.extension(1).time))
+
+
+def at(place: Peak) -> Reading:
+    return Reading(place.value, place.error, (place.mark,))
+
+
+def between(high: Peak, low: Peak) -> Reading:
+    return Reading(high.value - low.value, hypot(high.error, low.error), (high.mark, low.mark))
+
+
+def size(place: Peak) -> Reading:
+    return Reading(abs(place.value), place.error, (place.mark,))

@@ -1,0 +1,176 @@
+"""Eq. 9 with what it leaves out: terms that push, stick, remember, or show another motion."""
+
+from typing import Any
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+from jaxtyping import Array, Float
+
+from exoid.physics.leg import angular_acceleration
+from exoid.physics.moment import Moment, Place
+from exoid.physics.motion.step import Drive, parabola, rk4
+from exoid.physics.state import LegState
+from exoid.physics.term import Reading, Term, reading
+
+Terms = tuple[Term, ...]
+
+
+class Motion(eqx.Module):
+    """The leg's state and that of every term."""
+
+    leg: LegState
+    memory: tuple[Array, ...]
+
+
+class Seen(eqx.Module):
+    """A motion and what the sensors show of it."""
+
+    angle: Float[Any, "*time"]  # rad
+    angular_velocity: Float[Any, "*time"]  # rad/s
+    angular_acceleration: Float[Any, "*time"]  # rad/s^2, terms included
+    shown_angle: Float[Any, "*time"]  # rad
+    shown_velocity: Float[Any, "*time"]  # rad/s, before the gyro's delay
+    shown_acceleration: Float[Any, "*time"]  # rad/s^2
+    delay: Float[Any, "*time"]  # s
+
+
+def moment(place: Place, leg: LegState, time: Any, push: Any) -> Moment:
+    """The instant at which a torque per inertia `push` [rad/s^2] drives the leg."""
+    acceleration = angular_acceleration(place.ratios, leg, push)
+    return Moment(time, leg.angle, leg.angular_velocity, acceleration, place)
+
+
+def at_rest(place: Place, terms: Terms, leg: LegState, time: Any, push: Any) -> Motion:
+    """The motion as it begins, every term at rest."""
+    now = moment(place, leg, time, push)
+    return Motion(leg, tuple(term.memory_at_rest(now) for term in terms))
+
+
+def missing(terms: Terms, now: Moment, memory: tuple[Array, ...]) -> Float[Array, "*batch"]:
+    """The terms' torque per inertia [rad/s^2], but for dry friction.
+
+    What changes the leg's inertia acts on all that moves it, the other terms' torques included.
+    """
+    pushed = now.angular_acceleration
+    for inertial in (False, True):
+        at = eqx.tree_at(lambda now: now.angular_acceleration, now, pushed)
+        torques = [
+            term.torque(at, own)
+            for term, own in zip(terms, memory, strict=True)
+            if term.inertial is inertial
+        ]
+        pushed = pushed + sum(torques, jnp.zeros(())) / now.inertia
+    return pushed - now.angular_acceleration
+
+
+def extended_step(
+    place: Place, terms: Terms, motion: Motion, time: Any, step: Any, drive: Drive
+) -> Motion:
+    """The step from `time` on, in as many parts as the fastest term asks for.
+
+    Dry friction acts in half steps before and after the smooth rest (Strang splitting): it can
+    bring the leg to rest, but never turn it round.
+    """
+    parts = max((term.substeps for term in terms), default=1)
+    if parts == 1:
+        return whole_step(place, terms, motion, time, step, drive)
+
+    def part_of(number, motion):
+        begin = number / parts
+        stages = (drive.begin, drive.middle, drive.end)
+        pieces = Drive(*(parabola(*stages, begin + at / parts) for at in (0.0, 0.5, 1.0)))
+        return whole_step(place, terms, motion, time + begin * step, step / parts, pieces)
+
+    return jax.lax.fori_loop(0, parts, part_of, motion)
+
+
+def whole_step(
+    place: Place, terms: Terms, motion: Motion, time: Any, step: Any, drive: Drive
+) -> Motion:
+    pushes = {0.0: drive.begin, 0.5: drive.middle, 1.0: drive.end}
+
+    def rate(at: Motion, part: float) -> Motion:
+        now = moment(place, at.leg, time + part * step, pushes[part])
+        acceleration = now.angular_acceleration + missing(terms, now, at.memory)
+        changes = tuple(
+            term.memory_rate(now, own) for term, own in zip(terms, at.memory, strict=True)
+        )
+        return Motion(LegState(free * at.leg.angular_velocity, free * acceleration), changes)
+
+    motion = slowed(place, terms, motion, time, step / 2, drive.begin)
+    free = jnp.where(sticks(place, terms, motion, time, drive.begin), 0.0, 1.0)
+    motion = rk4(rate, motion, step)
+    motion = slowed(place, terms, motion, time + step, step / 2, drive.end)
+    now = moment(place, motion.leg, time + step, drive.end)
+    kept = tuple(
+        term.memory_within(now, own) for term, own in zip(terms, motion.memory, strict=True)
+    )
+    return Motion(motion.leg, kept)
+
+
+def sticks(place: Place, terms: Terms, motion: Motion, time: Any, push: Any):
+    """Does the leg stand still, with more friction than what pulls at it?"""
+    now = moment(place, motion.leg, time, push)
+    pulled = now.angular_acceleration + missing(terms, now, motion.memory)
+    level = friction(terms, now)
+    held = jnp.abs(pulled) * now.inertia <= level
+    return (motion.leg.angular_velocity == 0) & held & (level > 0)
+
+
+def slowed(place: Place, terms: Terms, motion: Motion, time: Any, step: Any, push: Any) -> Motion:
+    """phi' <- sgn(phi') max(0, |phi'| - step F / J)."""
+    if not any(type(term).dry_friction is not Term.dry_friction for term in terms):
+        return motion
+    leg = motion.leg
+    level = friction(terms, moment(place, leg, time, push)) / place.inertia
+    left = jnp.maximum(jnp.abs(leg.angular_velocity) - step * level, 0.0)
+    return Motion(LegState(leg.angle, jnp.sign(leg.angular_velocity) * left), motion.memory)
+
+
+def friction(terms: Terms, now: Moment) -> Float[Array, "*batch"]:
+    """The level of dry friction [N m]."""
+    return sum([term.dry_friction(now) for term in terms], jnp.zeros(()))
+
+
+def observed(place: Place, terms: Terms, motion: Motion, time: Any, push: Any) -> Seen:
+    """What the sensors show of an instant, but for the gyro's delay."""
+    leg = motion.leg
+    now = moment(place, leg, time, push)
+    error = errors(terms, now, motion.memory)
+    opposed = jnp.sign(leg.angular_velocity) * friction(terms, now) / place.inertia
+    acceleration = now.angular_acceleration + missing(terms, now, motion.memory) - opposed
+    acceleration = jnp.where(sticks(place, terms, motion, time, push), 0.0, acceleration)
+    return Seen(
+        angle=leg.angle,
+        angular_velocity=leg.angular_velocity,
+        angular_acceleration=acceleration,
+        shown_angle=leg.angle + error.angle,
+        shown_velocity=leg.angular_velocity + error.angular_velocity,
+        shown_acceleration=acceleration,
+        delay=error.delay,
+    )
+
+
+def errors(terms: Terms, now: Moment, memory: tuple[Array, ...]) -> Reading:
+    """What the sensors show minus how the leg moves."""
+    each = [term.shown(now, own) for term, own in zip(terms, memory, strict=True)]
+    return sum(each, reading(0.0 * now.angle))
+
+
+def delayed(time: Any, value: Any, slope: Any, delay: Any) -> Float[Array, " time"]:
+    """A signal as it was `delay` [s] before, by cubic Hermite interpolation between samples.
+
+    Beyond its ends it goes on along the tangent.
+    """
+    wanted = time - delay
+    after = jnp.clip(jnp.searchsorted(time, wanted), 1, time.size - 1)
+    before = after - 1
+    step = time[after] - time[before]
+    x = jnp.clip((wanted - time[before]) / step, 0.0, 1.0)
+    beyond = wanted - (time[before] + x * step)
+    rise = value[after] - value[before]
+    bend_first = step * slope[before] - rise
+    bend_last = rise - step * slope[after]
+    inside = value[before] + x * rise + x * (1 - x) * ((1 - x) * bend_first + x * bend_last)
+    return inside + beyond * jnp.where(x > 0.5, slope[after], slope[before])

@@ -1,0 +1,112 @@
+"""Recordings that could be made next: drops bare and loaded, on a tilted seat, and cycles."""
+
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from math import radians
+from typing import Annotated
+
+import jax
+import numpy as np
+
+from exoid.fitting.data.segment import Movement as Observed
+from exoid.fitting.data.segment import movement
+from exoid.physics.leg import LegModel, LegParameters
+from exoid.physics.torque import NoTorque
+from exoid.recordings.recording import Recording, Sensors
+from exoid.twin.motion import Movement
+from exoid.twin.protocols import record
+
+ANGLES = (-10.0, -25.0, -40.0, -55.0)  # deg, of the release; lower ones hardly swing
+MASSES = (0.5, 1.0, 2.0)  # kg
+ANKLE = 0.225  # of body height, from the knee
+TALL = 1.75  # m, a body whose height is unknown
+TILTS = (-20.0, 20.0)  # deg, of the thigh by the whole seat, the hip left as it is
+SWING = 6.0  # s, after which a relaxed leg hangs nearly still
+PERIODS = (1.2, 1.6, 2.4)  # s, of voluntary cycles
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """One segment that could be recorded."""
+
+    words: str
+    motion: Movement
+    thigh_angle: Annotated[float, "rad"] = 0.0
+
+    @property
+    def effort(self) -> float:
+        """Of the person who records it, against a bare drop."""
+        return 1.0 + 0.5 * (self.motion.added_mass > 0) + 2.0 * (self.thigh_angle != 0)
+
+    @property
+    def voluntary(self) -> bool:
+        return self.motion.amplitude is not None
+
+
+def candidates(height: float | None, amplitude: float | None) -> list[Candidate]:
+    """What a person can do with a chair, a weighed mass and the exoskeleton.
+
+    Cycles are among them where `amplitude` [N m] says how this leg is moved at will.
+    """
+    ankle = ANKLE * (height or TALL)
+    drops = [
+        Candidate(f"bare leg from {angle:.0f} deg", Movement(radians(angle), SWING))
+        for angle in ANGLES
+    ]
+    loaded = [
+        Candidate(
+            f"{mass:g} kg at the ankle, {ankle:.2f} m from the knee, from {angle:.0f} deg",
+            Movement(radians(angle), SWING, None, mass, ankle),
+        )
+        for mass in MASSES
+        for angle in ANGLES[:3]
+    ]
+    tilted = [
+        Candidate(
+            f"bare leg from {angle:.0f} deg, seat tilted, knee {abs(tilt):.0f} deg "
+            f"{'above' if tilt > 0 else 'below'} hip",
+            Movement(radians(angle), SWING),
+            radians(tilt),
+        )
+        for tilt in TILTS
+        for angle in ANGLES[:2]
+    ]
+    cycles = [
+        Candidate(
+            f"voluntary cycle of {period:g} s from {ANGLES[0]:.0f} deg",
+            Movement(radians(ANGLES[0]), period, amplitude),
+        )
+        for period in (PERIODS if amplitude else ())
+    ]
+    return [*drops, *loaded, *tilted, *cycles]
+
+
+def moving(
+    options: list[Candidate], leg: LegParameters, sensors: Sensors, gyro: bool
+) -> dict[Candidate, Observed]:
+    """Every candidate as the fit would see it, without noise.
+
+    Those are left out from which this leg hardly moves: a stiff one rests high.
+    """
+    each = {}
+    for tilt in dict.fromkeys(option.thigh_angle for option in options):
+        alike = [option for option in options if option.thigh_angle == tilt]
+        made = imagine(alike, leg, tilt, sensors, gyro)
+        for number, option in enumerate(alike):
+            with suppress(ValueError):
+                each[option] = movement(made, number, option.words)
+    return each
+
+
+def imagine(
+    options: list[Candidate], leg: LegParameters, tilt: float, sensors: Sensors, gyro: bool
+) -> Recording:
+    """The recording of these candidates by sensors of this noise."""
+    model = LegModel(leg, NoTorque(), np.asarray(tilt))
+    made = record(model, [option.motion for option in options], jax.random.key(0), exact=True)
+    segments = tuple(
+        segment if gyro else replace(segment, raw_angular_velocity=None)
+        for segment in made.segments
+    )
+    subject = replace(made.subject, kind="leg")
+    return replace(made, segments=segments, subject=subject, sensors=sensors)

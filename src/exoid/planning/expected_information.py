@@ -1,0 +1,148 @@
+"""What a recording that could be made would leave of an error: Fisher information adds.
+
+What is known, a candidate's (its exact sensitivities along the motion it would have) and the
+prior's sum up to that of the joint fit, in which the new recording has a mounting of its own
+(Atkinson, Donev & Tobias, Optimum Experimental Designs, 2007).
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import jax
+import numpy as np
+
+from exoid.fitting.data.conditioning_chain import Raw
+from exoid.fitting.data.segment import Movement
+from exoid.fitting.misfit.gram_matrices import CAUSES, gram, pushes
+from exoid.fitting.misfit.information import common, spoiled
+from exoid.fitting.misfit.uncertainty import Information
+from exoid.fitting.model.coordinates import TYPICAL, Coordinates, Own
+from exoid.fitting.model.prior_and_limits import NAMES
+from exoid.fitting.model.systematics import OWNED, SOMEWHERE
+from exoid.fitting.multistart.starts import first_state, usual_mounting
+from exoid.fitting.result.estimates import RATIOS
+from exoid.fitting.solve.problem import Problem, pose, sensed
+from exoid.planning.candidate_recordings import Candidate
+from exoid.planning.prior_knowledge import LEG, Known, eliminated
+
+GOALS = (*NAMES, *list(RATIOS)[:3])
+MOST = 4  # segments of a proposed recording
+WORTH = 0.85  # of the error before: a further segment that leaves more is not worth its time
+ENOUGH = 2e-3  # of the value: no added mass is weighed, and no leg the same tomorrow, to less
+NEAR = 1.3  # of the least error: within it the simplest recording is proposed
+
+
+def informations(known: Known, options: dict[Candidate, Movement]) -> list[np.ndarray]:
+    """What every candidate would tell of the leg's coordinates and of the new mounting."""
+    movements = [replace(each, systematics=known.systematics) for each in options.values()]
+    problem = pose(movements, known.belief, "1/T", Raw())
+    states = np.array([first_state(each) for each in movements])
+    torque = np.array([option.motion.amplitude or 0.0 for option in options])
+    own = Own(torque / np.exp(known.shared.log_inertia), *states.T.copy())
+    point = Coordinates(known.shared, known.log_mass, usual_mounting(movements), own)
+    return [without_own(each) for each in segments_told(known, problem, point)]
+
+
+def segments_told(known: Known, problem: Problem, point: Coordinates) -> list[np.ndarray]:
+    """Every segment's information on its own unknowns, where what disturbed the fit acts again."""
+    found, seen = known.disturbance, problem.observation
+    if found is None or found.cause is None:
+        every = [each.reshape(each.shape[0], -1) for each in sensed(problem, point).columns]
+        noise = 1.0 if found is None else found.noise
+        return [rows @ rows.T / noise**2 for rows in every]
+    response = sensed(problem, point, pushes(seen.time, problem.durations))
+    place = np.arange(response.columns.shape[1])
+    told = []
+    for segment, (duration, kind) in enumerate(zip(problem.durations, problem.kinds, strict=True)):
+        missed = found.like(kind)
+        each = gram(response, seen, segment, duration, missed.cause or CAUSES[0], place)
+        told.append(spoiled(common(missed, [kind]), [each], [kind], place.size).information)
+    return told
+
+
+def without_own(segment: np.ndarray) -> np.ndarray:
+    """A segment's information, its own start and torque eliminated, log m (untold) inserted."""
+    both = eliminated(segment, segment.shape[0] - 3)
+    return np.insert(np.insert(both, LEG - 1, 0.0, axis=0), LEG - 1, 0.0, axis=1)
+
+
+@dataclass(frozen=True, eq=False)
+class Design:
+    """What any set of candidates would leave of the goal's error."""
+
+    known: Known
+    goal: str
+    options: list[Candidate]
+    told: list[np.ndarray]  # by each of the options
+
+    @property
+    def value(self) -> float:
+        leg, shared = self.known.leg, self.known.shared
+        each = [*jax.tree.leaves(leg), shared.gravity, shared.stiffness, shared.damping]
+        return float(each[GOALS.index(self.goal)])
+
+    @cached_property
+    def start(self) -> np.ndarray:
+        """What data and prior tell of the leg."""
+        return self.known.information + self.known.prior
+
+    @cached_property
+    def mounting(self) -> np.ndarray:
+        """What is believed of a new recording's mounting."""
+        return np.diag(np.append(np.zeros(LEG), mounting_prior(self.known, self.options)))
+
+    def error(self, chosen: Sequence[int]) -> float:
+        """The standard error of the goal with these candidates, a recording for every seat."""
+        total = self.start
+        for seat in {self.options[number].thigh_angle for number in chosen}:
+            own = [self.told[n] for n in chosen if self.options[n].thigh_angle == seat]
+            total = total + eliminated(self.mounting + sum(own), LEG)
+        gradient = self.known.gradients[GOALS.index(self.goal)]
+        information = Information(total, np.zeros_like(total), self.known.fixed)
+        return information.standard_error(gradient)
+
+    def greedy(self) -> list[int]:
+        """Segment after segment, the simplest of the best, while each is worth its time.
+
+        One movement that nothing checks is never enough, whatever its error: a model that is wrong
+        bends to it. A bare drop is the least that can contradict it.
+
+        Two together may tell what neither does, a loaded drop and a bare one: pairs are tried where
+        no single segment is worth it. Voluntary cycles are never proposed: what they tell rests on
+        the form of the torque.
+        """
+        single = [[n] for n, option in enumerate(self.options) if not option.voluntary]
+        pairs = [a + b for a in single for b in single if a <= b]
+        chosen: list[int] = []
+        if self.enough(chosen) and not self.known.checked:
+            return min(single, key=lambda each: self.options[each[0]].effort)
+        while len(chosen) < MOST and not self.enough(chosen):
+            more = self.worthwhile(chosen, single) or ([] if chosen else self.worthwhile([], pairs))
+            if not more:
+                break
+            chosen = chosen + more
+        return chosen
+
+    def enough(self, chosen: Sequence[int]) -> bool:
+        """Is the goal then known as well as legs stay the same?"""
+        return self.error(chosen) < ENOUGH * abs(self.value)
+
+    def worthwhile(self, chosen: list[int], sets: list[list[int]]) -> list[int]:
+        """The set of least effort among those that are worth it and nearly the best; else none."""
+        after = [self.error(chosen + each) for each in sets]
+        most = min(WORTH * self.error(chosen), NEAR * min(after))
+        near = [number for number, error in enumerate(after) if error < most]
+        if not near:
+            return []
+        effort = {n: sum(self.options[each].effort for each in sets[n]) for n in near}
+        return sets[min(near, key=lambda n: (effort[n], after[n]))]
+
+
+def mounting_prior(known: Known, options: Sequence[Candidate]) -> np.ndarray:
+    """What is believed of a new mounting: the mass sits where the candidates have it, by tape."""
+    distance = max((option.motion.added_mass_distance for option in options), default=0.0)
+    placed = known.systematics.distance / (distance or SOMEWHERE)
+    each = {name: getattr(known.systematics, name, placed) for name in OWNED}
+    sizes = {name: float(getattr(TYPICAL.mounting, name)) for name in OWNED}
+    return np.array([(sizes[name] / (each[name] or sizes[name])) ** 2 for name in OWNED])

@@ -1,0 +1,129 @@
+"""What to record next: the recording that narrows a quantity most, with the error to expect."""
+
+from dataclasses import dataclass
+
+from exoid.fitting.model.assumptions import Assumptions
+from exoid.fitting.model.systematics import PLACED, WEIGHED
+from exoid.fitting.result.estimates import MASS_AND_DISTANCE, RATIOS
+from exoid.fitting.result.fit_result import FitResult
+from exoid.physics.leg import LegParameters
+from exoid.physics.parameter import declarations
+from exoid.planning.candidate_recordings import Candidate, candidates, moving
+from exoid.planning.expected_information import ENOUGH, GOALS, Design, informations
+from exoid.planning.prior_knowledge import Known, from_anatomy, from_result
+from exoid.recordings.recording import Subject
+from exoid.trust.legs import strangers
+
+
+@dataclass(frozen=True)
+class Option:
+    """One segment that could be added, and the error of the goal that it would leave."""
+
+    candidate: Candidate
+    error: float
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What to record next for one quantity."""
+
+    goal: str
+    symbol: str
+    unit: str
+    value: float
+    before: float  # standard error; inf where nothing tells
+    after: float  # with all the proposed segments in one new recording
+    proposed: list[Candidate]  # empty where none would help
+    options: list[Option]  # one segment each, best first
+    sentences: list[str]
+
+
+def plan(
+    result: FitResult | None,
+    subject: Subject,
+    goal: str = "inertia",
+    *,
+    assumed: Assumptions | None = None,
+) -> Plan:
+    """The segments to record next for `goal`, after `result`, or with nothing yet.
+
+    The goal is a parameter of the leg, or the ratio to the inertia of its gravity, stiffness or
+    damping, such as "damping_over_inertia".
+
+    Before any fit the prior is `assumed`, by default that of the body.
+
+    **Raises** `ValueError` where the goal is no quantity of a leg, is fixed, or the subject is a
+    rig.
+    """
+    if goal not in GOALS:
+        raise ValueError(f"the goal is {goal!r}; it can be {', '.join(GOALS)}.")
+    if subject.kind == "rig":
+        raise ValueError("plans are made for legs; a rig can be taken apart and weighed.")
+    known = from_anatomy(subject, assumed) if result is None else from_result(result)
+    if goal in known.belief.by_hand.fix:
+        raise ValueError(f"{goal} is fixed by you: there is nothing to narrow.")
+    every = candidates(subject.height, known.torque)
+    moved = moving(every, known.leg, known.sensors, known.gyro)
+    options = list(moved)
+    design = Design(known, goal, options, informations(known, moved))
+    chosen = design.greedy()
+    before, after = design.error([]), design.error(chosen)
+    proposed = [options[number] for number in chosen]
+    single = [Option(each, design.error([number])) for number, each in enumerate(options)]
+    symbol, unit = named(goal)
+    return Plan(
+        goal=goal,
+        symbol=symbol,
+        unit=unit,
+        value=design.value,
+        before=before,
+        after=after,
+        proposed=proposed,
+        options=sorted(single, key=lambda option: option.error),
+        sentences=[
+            *([] if result is None else strangers(result)),
+            *advice(goal, known, proposed, enough=design.enough([])),
+        ],
+    )
+
+
+def named(goal: str) -> tuple[str, str]:
+    """Symbol and unit."""
+    if goal in RATIOS:
+        symbol, _, unit = RATIOS[goal]
+        return symbol, unit
+    declared = dict(declarations(LegParameters))[goal]
+    return declared.symbol, declared.unit
+
+
+def advice(goal: str, known: Known, proposed: list[Candidate], *, enough: bool) -> list[str]:
+    """Why, and what to mind."""
+    said = []
+    if known.belief.expected is None:
+        said.append(
+            "body mass and height are unknown, so the plan is made for a typical adult and "
+            "absolute values have no prior: give --body-mass KG and --height M."
+        )
+    if enough and not known.checked:
+        said.append(
+            f"its error is below {ENOUGH:.1%} already, but it rests on one movement that nothing "
+            "checks: a second one shows whether the first can be believed."
+        )
+    elif enough:
+        said.append(f"it is known to better than {ENOUGH:.1%} already: nothing more is needed.")
+    elif goal in ("mass", "com_distance"):
+        said.append(f"{MASS_AND_DISTANCE}: a drop narrows {goal} only as far as the prior goes.")
+    if not proposed and not enough:
+        said.append("no recording of this kind would narrow it noticeably.")
+    if any(each.motion.added_mass for each in proposed):
+        said.append(
+            "J, c and d are as wrong as the added mass, and no fit shows it: the errors allow for "
+            f"{WEIGHED:.1%} of its weight and {1e3 * PLACED:.0f} mm of its distance, unless the "
+            "sidecar says how well it was weighed and placed."
+        )
+    if known.disturbance is not None and known.disturbance.cause is not None:
+        said.append(
+            "the model misses something in the recordings at hand; the new one is expected to be "
+            "missed as much, and its errors to be as wide."
+        )
+    return said

@@ -1,0 +1,141 @@
+"""What is known of a leg before the next recording: from a fit, or from anatomy alone."""
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jaxtyping import Float
+
+from exoid.fitting.misfit.information import Disturbance
+from exoid.fitting.misfit.neighbourhood import prior_information, quantity_gradients
+from exoid.fitting.model.assumptions import Assumptions
+from exoid.fitting.model.coordinates import Coordinates, Mounting, Own, Shared, leg_parameters
+from exoid.fitting.model.prior_and_limits import NAMES, Belief, believe
+from exoid.fitting.model.systematics import OWNED, Systematics
+from exoid.fitting.result.fit_result import FitResult
+from exoid.fitting.solve.problem import Problem, take
+from exoid.physics.leg import GRAVITY, LegParameters
+from exoid.recordings.recording import Sensors, Subject
+from exoid.twin.sensors import SensorKit
+
+LEG = 5  # coordinates of the leg: those that it owns and log m
+ANYBODY = LegParameters(*map(np.asarray, (4.4, 0.42, 0.26, 0.36, 2.9)))  # 75 kg, 1.75 m, de Leva
+ROUNDING = 1e-13  # relative information that is none
+NOTHING = Mounting(*[np.zeros(0)] * len(OWNED))
+
+
+@dataclass(frozen=True, eq=False)
+class Known:
+    """A leg and the information on it, every recording's own unknowns eliminated."""
+
+    shared: Shared
+    log_mass: Float[Any, ""]
+    information: Float[np.ndarray, "5 5"]  # of the data, on `shared` and `log_mass`
+    belief: Belief
+    systematics: Systematics  # how well what is declared will be known
+    disturbance: Disturbance | None  # what the model misses; it will in the next recording too
+    sensors: Sensors
+    gyro: bool
+    torque: float  # N m, amplitude of voluntary cycles; 0 where none is known
+    checked: bool  # do several movements rest on no form of a torque, one against the other
+
+    @property
+    def point(self) -> Coordinates:
+        """The leg without any segment."""
+        return Coordinates(self.shared, self.log_mass, NOTHING, Own(*[np.zeros(0)] * 3))
+
+    @property
+    def leg(self) -> LegParameters:
+        return jax.tree.map(jnp.asarray, leg_parameters(self.point, np))
+
+    @property
+    def prior(self) -> np.ndarray:
+        return prior_information(self.point, replace(self.belief.prior, mounting=None))
+
+    @property
+    def gradients(self) -> np.ndarray:
+        """d (m, J, l, d, c, m l g / J, c / J, d / J) by the leg's coordinates."""
+        return quantity_gradients(self.point)
+
+    @property
+    def fixed(self) -> np.ndarray:
+        """Those of what the user fixed."""
+        return self.gradients[[NAMES.index(name) for name in self.belief.by_hand.fix]]
+
+
+def from_anatomy(subject: Subject, assumed: Assumptions | None = None) -> Known:
+    """Of nobody in particular where body mass or height is unknown."""
+    belief = believe(subject, assumed)
+    expected = dict(zip(NAMES, jax.tree.leaves(ANYBODY), strict=True)) | belief.typical
+    leg = LegParameters(*(np.asarray(expected[name]) for name in NAMES))
+    gravity = leg.mass * leg.com_distance * GRAVITY
+    ratios = (np.asarray(each / leg.inertia) for each in (gravity, leg.stiffness, leg.damping))
+    kit = SensorKit()
+    return Known(
+        shared=Shared(np.log(leg.inertia), *ratios),
+        log_mass=np.log(leg.mass),
+        information=np.zeros((LEG, LEG)),
+        belief=belief,
+        systematics=Systematics(),
+        disturbance=None,
+        sensors=Sensors(
+            encoder_counts=float(kit.encoder.counts_per_turn),
+            angle_noise=float(kit.encoder.noise),
+            velocity_noise=float(kit.gyroscope.noise),
+        ),
+        gyro=True,
+        torque=0.0,
+        checked=False,
+    )
+
+
+def from_result(result: FitResult) -> Known:
+    """What a fit knows.
+
+    **Raises** `ValueError` for a result that has no one fit (`fit_each`).
+    """
+    basis = result.basis
+    if basis is None:
+        raise ValueError("every segment was fitted alone: there is no one fit to plan from.")
+    best, local = take(basis.ended.best.coordinates, 0), basis.ended.local
+    first = basis.problem.movements[0]
+    gyro = first.angular_velocity is not None
+    own = local.data.copy()
+    own[LEG:, LEG:] += local.prior[LEG:, LEG:]  # of the mountings
+    ratio = result.ratios.get("torque_over_inertia")
+    return Known(
+        shared=best.shared,
+        log_mass=best.log_mass,
+        information=eliminated(own, LEG),
+        belief=basis.problem.belief,
+        systematics=as_found(first.systematics, basis.problem),
+        disturbance=basis.ended.disturbance,
+        sensors=Sensors(
+            angle_noise=first.angle_noise, velocity_noise=first.velocity_noise if gyro else None
+        ),
+        gyro=gyro,
+        torque=(ratio.value or 0.0) * float(np.exp(best.shared.log_inertia)) if ratio else 0.0,
+        checked=sum(not each.voluntary for each in basis.problem.movements) > 1,
+    )
+
+
+def as_found(declared: Systematics, problem: Problem) -> Systematics:
+    """What is believed of the first recording in the end: the next is made by the same hands.
+
+    Where its clock or its seat is doubted (`seldom.py`), that of the next will be, too.
+    """
+    mounting = problem.belief.prior.mounting
+    if mounting is None:
+        return declared
+    doubted = ("clock", "gyro_scale", "tilt")
+    wider = {n: float(each[0]) for n in doubted if (each := getattr(mounting, n)).size}
+    kept = {name: size for name, size in wider.items() if getattr(declared, name) > 0}
+    return replace(declared, **kept)
+
+
+def eliminated(information: np.ndarray, kept: int) -> np.ndarray:
+    """The information on the first `kept` coordinates when the others are unknown (Schur)."""
+    a, b, c = information[:kept, :kept], information[:kept, kept:], information[kept:, kept:]
+    return a - b @ np.linalg.pinv(c, rcond=ROUNDING, hermitian=True) @ b.T

@@ -1,1 +1,0 @@
-"""What happens in a segment: held still, let go by a hand, free, caught or at rest."""

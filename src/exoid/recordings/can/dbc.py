@@ -1,0 +1,122 @@
+"""Where the decode plans come from: the project's own exoid.dbc, or a DBC of the user's.
+
+exoid.dbc is read by 20 lines here, because cantools takes longer to import than a whole log takes
+to read; the tests hold the two against each other. Every other DBC is read by cantools.
+"""
+
+import re
+from functools import cache
+from pathlib import Path
+
+from exoid.files.library_faults import plain, quiet
+from exoid.recordings.can.decode import WORD, MessagePlan, SignalPlan
+
+EXOID_DBC = Path(__file__).with_name("exoid.dbc")
+FLOAT_LENGTHS = (16, 32, 64)
+
+MESSAGE = re.compile(r"^BO_ (\d+) (\w+): (\d+) \w+$((?:\n SG_ .*)*)", re.MULTILINE)
+SIGNAL = re.compile(r' SG_ (\w+) : (\d+)\|(\d+)@1([+-]) \(([^,]+),([^)]+)\) \[[^]]*\] "([^"]*)"')
+PERIOD = re.compile(r'^BA_ "GenMsgCycleTime" BO_ (\d+) (\d+);', re.MULTILINE)
+
+
+class DbcError(ValueError):
+    """A DBC file that cannot be read or used, in one line: what, where, what to do."""
+
+
+@cache
+def exoid_messages() -> dict[str, MessagePlan]:
+    """The node's messages by name, from exoid.dbc."""
+    text = EXOID_DBC.read_text(encoding="utf-8")
+    periods = {int(identifier): int(ms) / 1000 for identifier, ms in PERIOD.findall(text)}
+    return {
+        name: MessagePlan(
+            name=name,
+            identifier=int(identifier),
+            extended=False,
+            length=int(length),
+            period=periods.get(int(identifier)),
+            signals=tuple(little_endian_signal(*found) for found in SIGNAL.findall(signals)),
+        )
+        for identifier, name, length, signals in MESSAGE.findall(text)
+    }
+
+
+def little_endian_signal(name, start, length, sign, scale, offset, unit) -> SignalPlan:
+    return SignalPlan(
+        name=name,
+        start=int(start),
+        length=int(length),
+        big_endian=False,
+        signed=sign == "-",
+        floating=False,
+        scale=float(scale),
+        offset=float(offset),
+        unit=unit,
+    )
+
+
+def read_dbc(path: Path) -> list:
+    """The messages of a DBC file, as cantools has them.
+
+    **Raises** `DbcError` when cantools cannot read the file.
+    """
+    from cantools.database.can import Database
+
+    try:
+        # `strict` would refuse a whole DBC for one signal that does not fit: plan_message looks
+        # at the signals that are used.
+        database = Database(strict=False)
+        with quiet("cantools"):
+            database.add_dbc_file(path)
+    except OSError:
+        raise
+    except Exception as fault:
+        # cantools has no family of exceptions for a bad file.
+        raise DbcError(
+            f"{path} is not a DBC file that cantools can read: {plain(str(fault))}"
+        ) from fault
+    return list(database.messages)
+
+
+def plan_message(message, names: tuple[str, ...] | None = None) -> MessagePlan:
+    """The decode plan of a cantools message, for the named signals (all, when None).
+
+    **Raises** `DbcError` for a multiplexed signal, and for one that leaves the 8 bytes of a frame.
+    """
+    return MessagePlan(
+        name=message.name,
+        identifier=message.frame_id,
+        extended=message.is_extended_frame,
+        length=message.length,
+        period=message.cycle_time / 1000 if message.cycle_time else None,
+        signals=tuple(
+            plan_signal(message.name, signal)
+            for signal in message.signals
+            if names is None or signal.name in names
+        ),
+    )
+
+
+def plan_signal(message: str, signal) -> SignalPlan:
+    where = f"{message}.{signal.name}"
+    if signal.multiplexer_ids:
+        raise DbcError(f"{where} is multiplexed, which is not supported. Send it in its own frame.")
+    if signal.is_float and signal.length not in FLOAT_LENGTHS:
+        raise DbcError(f"{where} is a float of {signal.length} bits; it can be 16, 32 or 64.")
+    big_endian = signal.byte_order == "big_endian"
+    # A DBC names a big-endian signal by its most significant bit and numbers the bits of each byte
+    # from the least significant one.
+    start = signal.start + 7 - 2 * (signal.start % 8) if big_endian else signal.start
+    if start + signal.length > WORD:
+        raise DbcError(f"{where} lies beyond 8 bytes. CAN FD is not supported.")
+    return SignalPlan(
+        name=signal.name,
+        start=start,
+        length=signal.length,
+        big_endian=big_endian,
+        signed=signal.is_signed,
+        floating=signal.is_float,
+        scale=float(signal.conversion.scale),
+        offset=float(signal.conversion.offset),
+        unit=signal.unit or "",
+    )

@@ -1,0 +1,190 @@
+"""Reading a log file, whatever its format.
+
+BLF is read by blf.py and MF4 by mf4.py; every other format by the reader of python-can, whose
+faults end here.
+"""
+
+import importlib
+import warnings
+from collections.abc import Callable, Iterable
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from exoid.files.foreign import ForeignError, read_apart
+from exoid.files.library_faults import is_ours, plain, quiet
+from exoid.recordings.can.blf import read_blf
+from exoid.recordings.can.frames import (
+    ERROR,
+    EXTENDED,
+    FD,
+    REMOTE,
+    UNEVEN,
+    CanLogError,
+    Frames,
+    Log,
+)
+from exoid.recordings.can.mf4 import read_frames
+
+READERS = {
+    ".asc": "ASCReader",
+    ".csv": "CSVReader",
+    ".log": "CanutilsLogReader",
+    ".trc": "TRCReader",
+}
+MODULES = {".log": "canutils"}  # where python-can's module is not called like the suffix
+
+Row = tuple[float, int, int, int, bytes]  # time, id, flags, length, data of one frame
+
+FORMATS = (".blf", ".mf4", *READERS)
+SKIP_FIRST = (".asc", ".csv", ".log")  # what these readers lose when they begin again: a line
+MOST_DAMAGED = 1000  # lines; a file with more is another kind of file
+CSV_COLUMNS = "timestamp,arbitration_id,extended,remote,error,dlc,data"
+
+
+def read_log(path: Path) -> Log:
+    """All frames of a log file that can be read.
+
+    **Raises** `CanLogError` when there are none, and `OSError` when the file cannot be opened.
+    """
+    kind = path.suffix.lower()
+    if kind not in FORMATS:
+        raise CanLogError(
+            f"{path}: a recording is a table (.csv .txt .xlsx .parquet .mat .npz .mot .sto .c3d) "
+            f"or a CAN log ({', '.join(FORMATS)}). Save or export it as one of these."
+        )
+    if path.stat().st_size == 0:
+        raise CanLogError(f"{path} is empty. Was the logger stopped before it wrote anything?")
+    readers = {".blf": read_blf, ".mf4": read_mf4}
+    log = readers[kind](path) if kind in readers else read_text(path, kind)
+    if not len(log.frames):
+        reason = log.stopped or "its reader found no frame in it"
+        raise CanLogError(
+            f"{path} holds no CAN frame that can be read: {reason}. "
+            "Record it again, or export it again from the tool that made it."
+        )
+    return log
+
+
+def read_mf4(path: Path) -> Log:
+    """The frames of an MF4 file, which asammdf parses in a process of its own."""
+    if find_spec("asammdf") is None:
+        raise CanLogError(f'{path}: MF4 needs asammdf: pip install "exoid[mf4]"')
+    try:
+        columns = read_apart(read_frames, path, "Export it again, as MF4 or as BLF.")
+    except ForeignError as fault:
+        raise CanLogError(str(fault)) from fault
+    stopped = str(columns.pop("stopped")) or None
+    return Log(path, Frames(**columns), stopped)
+
+
+def read_text(path: Path, kind: str) -> Log:
+    """The frames of a text log; a line that cannot be read is left out."""
+    lines = Lines(path)
+    if kind == ".csv" and lines.first != CSV_COLUMNS:
+        raise CanLogError(
+            f"{path}: line 1 is {plain(lines.first[:60])}, not the header of python-can's CSV "
+            f"({CSV_COLUMNS}). Export the log as BLF, ASC or candump."
+        )
+    reader = text_reader(kind)(lines)
+    rows: list[Row] = []
+    damaged: list[str] = []
+    with quiet("can"):
+        while (fault := collect(lambda: reader, rows)) and len(damaged) < MOST_DAMAGED:
+            damaged.append(f"line {lines.number} ({fault})")
+            lines.blank_first = kind in SKIP_FIRST
+    return Log(path, frames_of(rows), told(damaged, lines.cut))
+
+
+def told(damaged: list[str], cut: str | None) -> str | None:
+    """What was left out of a text log, in words."""
+    faults = [f"{len(damaged)} damaged line(s) left out, first {damaged[0]}"] if damaged else []
+    if len(damaged) == MOST_DAMAGED:
+        faults.append("and what follows them not read")
+    return "; ".join([*faults, *([cut] if cut else [])]) or None
+
+
+def collect(reader: Callable[[], Iterable[Any]], rows: list[Row]) -> str | None:
+    """Take frames from a reader until its end, or until it fails: then why."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # the readers' own, which say nothing about the file
+        try:
+            for message in reader():
+                rows.append(row_of(message))
+        except Exception as fault:
+            # python-can's readers have no family of exceptions: a bad file raises anything.
+            return plain(str(fault)) if is_ours(fault) else "no frame of this format"
+    return None
+
+
+def text_reader(kind: str) -> Any:
+    module = importlib.import_module(f"can.io.{MODULES.get(kind, kind[1:])}")
+    return getattr(module, READERS[kind])
+
+
+class Lines:
+    """The lines of a text log, as python-can's readers take them, with the number of the last.
+
+    A last line without its end was cut inside a frame, and the readers would take what is left of
+    it for a whole one: it is left out.
+    """
+
+    def __init__(self, path: Path):
+        text = path.read_text(encoding="utf-8", errors="replace")
+        complete = text.rfind("\n") + 1
+        self.lines = text[:complete].split("\n")[:-1]
+        self.first = self.lines[0] if self.lines else text
+        self.number = 0
+        self.blank_first = False
+        rest = text[complete:].strip()
+        self.cut = f"line {len(self.lines) + 1} is cut short and left out" if rest else None
+
+    def __iter__(self) -> "Lines":
+        return self
+
+    def __next__(self) -> str:
+        if self.blank_first:
+            self.blank_first = False
+            return "\n"
+        if self.number == len(self.lines):
+            raise StopIteration
+        self.number += 1
+        return self.lines[self.number - 1] + "\n"
+
+    def close(self) -> None:
+        """The readers close what they have read; there is nothing to close."""
+
+
+def row_of(message: Any) -> Row:
+    data = bytes(message.data)
+    return (
+        message.timestamp,
+        message.arbitration_id & 0xFFFFFFFF,
+        flags_of(message),
+        min(len(data), 255),
+        data[:8].ljust(8, b"\0"),
+    )
+
+
+def frames_of(rows: list[Row]) -> Frames:
+    time, identifier, flags, length, data = zip(*rows, strict=True) if rows else ((),) * 5
+    return Frames(
+        np.array(time, dtype=np.float64),
+        np.array(identifier, dtype=np.uint32),
+        np.array(flags, dtype=np.uint8),
+        np.array(length, dtype=np.uint8),
+        np.frombuffer(b"".join(data), dtype=np.uint8).reshape(-1, 8),
+    )
+
+
+def flags_of(message: Any) -> int:
+    flags = EXTENDED if message.is_extended_id else 0
+    if message.is_remote_frame:
+        return flags | REMOTE
+    if message.is_error_frame:
+        return flags | ERROR
+    if message.is_fd:
+        flags |= FD
+    return flags | (UNEVEN if message.dlc != len(message.data) else 0)

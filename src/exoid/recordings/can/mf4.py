@@ -1,0 +1,82 @@
+"""The CAN frames of an MF4 file as columns; asammdf parses the file."""
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from exoid.files.foreign import Arrays
+from exoid.files.library_faults import is_ours, plain
+from exoid.recordings.can.frames import ERROR, EXTENDED, FD, REMOTE, Frames, joined
+
+KINDS = {"CAN_DataFrame": 0, "CAN_ErrorFrame": ERROR, "CAN_RemoteFrame": REMOTE}
+CHUNK = 100_000  # frames; more at once take longer, and as much more memory
+IDENTIFIER = 0x1FFFFFFF  # the bits that an id may have
+KEPT = 8  # bytes of a frame, as of the other formats
+
+
+def read_frames(path: Path) -> Arrays:
+    """The columns of `Frames`, in order of time, and why what follows them was not read."""
+    parts = [frames_of(np.zeros(0), "", np.zeros(0))]
+    keys, stopped = [np.zeros(0)], ""
+    try:
+        for part, key in parts_of(path):
+            parts.append(part)
+            keys.append(key)
+    except Exception as fault:  # asammdf has no family of them: a bad file raises anything
+        stopped = plain(str(fault)) if is_ours(fault) else "a block of the file is damaged"
+    found = joined(parts).where(np.argsort(np.concatenate(keys), kind="stable"))
+    return vars(found) | {"stopped": np.array(stopped)}
+
+
+def parts_of(path: Path) -> Iterator[tuple[Frames, np.ndarray]]:
+    """Frames of one group after the other, each with the time by which groups are merged.
+
+    Where the clock of a group was set back, that is the latest time before: its order stays.
+    """
+    from asammdf import MDF
+
+    file: Any = MDF(path)
+    begin = file.header.start_time.timestamp()
+    for number, group in enumerate(file.groups):
+        kind = kind_of(group)
+        latest = -np.inf
+        for at in range(0, group.channel_group.cycles_nr if kind else 0, CHUNK):
+            found = file.get(kind, number, raw=False, record_offset=at, record_count=CHUNK)
+            frames = frames_of(found.timestamps + begin, kind, found.samples)
+            key = np.maximum.accumulate(np.r_[latest, frames.time])
+            latest = key[-1]
+            yield frames, key[1:]
+
+
+def kind_of(group: Any) -> str:
+    """The channel of a group that holds CAN frames, or nothing."""
+    from asammdf import Source
+    from asammdf.blocks.v4_constants import FLAG_CG_BUS_EVENT
+
+    source, events = group.channel_group.acq_source, group.channel_group.flags & FLAG_CG_BUS_EVENT
+    if not events or source is None or source.bus_type != Source.BUS_TYPE_CAN:
+        return ""
+    names = {each.name for each in group.channels}
+    return next((each for each in KINDS if each in names), "")
+
+
+def frames_of(time: np.ndarray, kind: str, samples: np.ndarray) -> Frames:
+    """Records of one kind as frames; what a device does not write has its usual value."""
+
+    def column(name: str, usual: np.ndarray) -> np.ndarray:
+        field = f"{kind}.{name}"
+        return samples[field] if field in (samples.dtype.names or ()) else usual
+
+    none, one = np.zeros(time.size, np.uint32), np.ones(time.size, np.uint32)
+    content = column("DataBytes", np.zeros((time.size, 0), np.uint8))
+    length = np.clip(column("DataLength", none), 0, content.shape[1])
+    data = np.zeros((time.size, KEPT), np.uint8)
+    data[:, : content.shape[1]] = content[:, :KEPT]
+    data[np.arange(KEPT) >= length[:, None]] = 0
+    flags = np.where(column("IDE", one) > 0, EXTENDED, 0) | KINDS.get(kind, 0)
+    if kind == "CAN_DataFrame":
+        flags |= np.where(column("EDL", none) > 0, FD, 0)
+    identifier = (column("ID", none) & IDENTIFIER).astype(np.uint32)
+    return Frames(time, identifier, flags.astype(np.uint8), length.astype(np.uint8), data)

@@ -1,0 +1,161 @@
+"""A log of the exoskeleton's own frames (exoid.dbc) as one segment, with its report."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from exoid.recordings.can.dbc import exoid_messages
+from exoid.recordings.can.device_clock import PERIOD, fitted_line, skew_ppm
+from exoid.recordings.can.frames import CanLogError, Log
+from exoid.recordings.can.node.config_crc import config_crc
+from exoid.recordings.can.node.rows import MISSING, SAMPLED, TIME, Rows, runs
+from exoid.recordings.can.node.samples import Samples, samples_of
+from exoid.recordings.can.quality import Gap, LogQuality, MessageCount
+from exoid.recordings.can.sort import MessageFrames, SortedFrames, sort_frames
+from exoid.recordings.filter.effect import filter_effect
+from exoid.recordings.recording import Segment, Sensors
+
+EXO_SENSORS = Sensors(encoder_counts=4096.0, gyro_range=2000.0, sample_rate=1 / PERIOD)
+IDS_SHOWN = 8
+FEWEST_SAMPLES = 2
+
+
+def read_exo(log: Log) -> tuple[Segment, LogQuality]:
+    """All samples of the node in a log.
+
+    **Raises** `CanLogError` when the log holds no usable frame of the node, or no valid angle.
+    """
+    plans = exoid_messages()
+    ordered = sort_frames(log.frames, plans.values())
+    require_exo_frames(log, ordered)
+    found = runs(ordered.messages)
+    if sum(rows.tick.size for rows in found) < FEWEST_SAMPLES:
+        raise CanLogError(f"{log.path} holds fewer than {FEWEST_SAMPLES} samples of the node.")
+    samples = samples_of(ordered.messages, found)
+    quality = quality_of(log, ordered, found, samples)
+    refuse_other_firmware(log, quality.config_crc)
+    if "angle" not in samples.channels and "raw_angle" not in samples.channels:
+        raise CanLogError(
+            f"{log.path} holds no valid angle: {'; '.join(quality.lines())}. "
+            "Check the encoder and its magnet."
+        )
+    time = np.concatenate([rows.time for rows in found])
+    segment = replace(Segment(time), **samples.channels)
+    return segment, replace(quality, filter=filter_effect(segment))
+
+
+def require_exo_frames(log: Log, ordered: SortedFrames) -> None:
+    if any(ordered.messages[name].order.size for name in SAMPLED):
+        return
+    counts = ordered.counts
+    seen = np.unique(log.frames.identifier)
+    some = ", ".join(f"0x{identifier:X}" for identifier in seen[:IDS_SHOWN])
+    more = f" and {seen.size - IDS_SHOWN} more" if seen.size > IDS_SHOWN else ""
+    ours = counts.extended + counts.fd + counts.remote + counts.wrong_length
+    unfit = (
+        f", {ours} of them with an id of ours but unfit ({counts.extended} extended id, "
+        f"{counts.fd} CAN FD, {counts.remote} remote, {counts.wrong_length} wrong length)"
+        if ours
+        else ""
+    )
+    raise CanLogError(
+        f"{log.path}: no exoid frames (EXO_STATE 0x101, EXO_RAW 0x102, EXO_ACC 0x103) among "
+        f"{counts.read} frames with ids {some}{more}{unfit}. If another device recorded the leg, "
+        "give its DBC file and a map of its signals."
+    )
+
+
+def refuse_other_firmware(log: Log, told: int | None) -> None:
+    """Where the node says what it was built from, it must be what this exoid reads by."""
+    if told and told != config_crc():
+        raise CanLogError(
+            f"{log.path}: the node was built with another exoid.dbc or other filter constants "
+            f"(ConfigCrc 0x{told:04X}, here 0x{config_crc():04X}), so that its numbers may mean "
+            "something else. Flash this version's firmware, or give the DBC it was built with "
+            "(--dbc and --signal)."
+        )
+
+
+def quality_of(log: Log, ordered: SortedFrames, found: list[Rows], samples: Samples) -> LogQuality:
+    messages = ordered.messages
+    duplicate = sum(rows.duplicate for rows in found)
+    strayed = sum(rows.astray for rows in found)
+    clock, skew, jitter = clock_of(found, messages[TIME].order.size > 0)
+    return LogQuality(
+        path=str(log.path),
+        frames=replace(
+            ordered.counts,
+            used=ordered.counts.used - duplicate - strayed,
+            duplicate=duplicate,
+            astray=strayed,
+        ),
+        clock=clock,
+        samples=sum(rows.tick.size for rows in found),
+        messages=message_counts(found, messages),
+        gaps=tuple(gap for rows in found for gap in gaps_of(rows)),
+        resets=tuple(float(rows.time[0]) for rows in found[1:]),
+        skew_ppm=skew,
+        host_jitter=jitter,
+        faults=samples.faults,
+        **told_by_time(messages[TIME], found),
+        announced=log.announced,
+        found=log.found,
+        stopped=log.stopped,
+    )
+
+
+def clock_of(found: list[Rows], has_time: bool):
+    """Which clock told the time, and how it and the host's compare in the longest run."""
+    anchors = max(found, key=lambda rows: rows.tick.size).anchors
+    skew = skew_ppm(anchors.device, anchors.host)
+    jitter = None
+    if skew is not None:
+        _, _, jitter = fitted_line(anchors.device, anchors.host - anchors.host[0])
+    return ("device" if has_time else "counter"), skew, jitter
+
+
+def message_counts(found: list[Rows], messages: dict[str, MessageFrames]):
+    counts = [message_count(name, found) for name in SAMPLED]
+    if messages[TIME].order.size:
+        period = round((messages[TIME].plan.period or PERIOD) / PERIOD)
+        steps = [np.diff(rows.anchors.tick) for rows in found]
+        expected = sum(int(np.rint(step / period).clip(1).sum()) + 1 for step in steps)
+        used = sum(step.size + 1 for step in steps)
+        jumps = sum(int((np.rint(step / period) > 1).sum()) for step in steps)
+        counts.append(MessageCount(TIME, expected, used, jumps))
+    return tuple(counts)
+
+
+def message_count(name: str, found: list[Rows]) -> MessageCount:
+    """How many frames there are, of how many ticks.
+
+    A log may begin and end in the middle of a tick: the first and last are not expected.
+    """
+    expected = used = jumps = 0
+    for rows in found:
+        there = rows.frame[name] != MISSING
+        span = int(rows.tick[-1] - rows.tick[0]) + 1
+        expected += span - int(not there[0]) - int(not there[-1] and span > 1)
+        used += int(there.sum())
+        jumps += int((np.diff(rows.tick[there]) != 1).sum())
+    return MessageCount(name, expected, used, jumps)
+
+
+def gaps_of(rows: Rows) -> list[Gap]:
+    steps = np.diff(rows.tick)
+    return [
+        Gap(float(rows.time[at]), float(rows.time[at + 1] - rows.time[at]), int(steps[at]) - 1)
+        for at in np.flatnonzero(steps > 1)
+    ]
+
+
+def told_by_time(time: MessageFrames, found: list[Rows]) -> dict:
+    """What only EXO_TIME tells: ticks the node missed, and the CRC of its configuration."""
+    if not time.order.size:
+        return {}
+    told = time.plan.decode(time.frames.data, ["MissedTicks", "ConfigCrc"])
+    missed = 0
+    for rows in found:
+        places = np.searchsorted(time.order, rows.anchors.order)
+        missed += int((np.diff(told["MissedTicks"][places]) % 256).sum())
+    return {"missed_ticks": missed, "config_crc": int(np.median(told["ConfigCrc"]))}

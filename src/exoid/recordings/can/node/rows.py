@@ -1,0 +1,182 @@
+"""Which frames make one sample: STATE, RAW and ACC of one tick, joined by their counters.
+
+A tick of which nothing arrived is no row: the times tell of it and the report lists it, and a
+pause of an hour costs no memory. A tick of which only some frames arrived is a row with gaps.
+"""
+
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+from jaxtyping import Bool, Float, Int
+
+from exoid.recordings.can.device_clock import (
+    COUNTER,
+    PERIOD,
+    Anchors,
+    Stamps,
+    astray,
+    counter_anchors,
+    device_anchors,
+    ticks_of,
+    without_spikes,
+)
+from exoid.recordings.can.sort import MessageFrames
+
+TIME, STATE, RAW, ACC = "EXO_TIME", "EXO_STATE", "EXO_RAW", "EXO_ACC"
+SAMPLED = {STATE: COUNTER, ACC: COUNTER, RAW: 16}  # message: how many values its counter has
+MISSING = -1
+NEIGHBOURS = 50  # frames from which host time across a restart is told
+
+
+@dataclass(frozen=True, eq=False)
+class Rows:
+    """The samples of one run of the node, in order."""
+
+    tick: Int[np.ndarray, " row"]
+    time: Float[np.ndarray, " row"]  # s on the device clock, later on the recording's
+    frame: dict[str, Int[np.ndarray, " row"]]  # which frame of each message; MISSING for none
+    anchors: Anchors
+    duplicate: int
+    astray: int
+
+
+def stamps_of(messages: dict[str, MessageFrames]) -> dict[str, Stamps]:
+    """Place, host time and counter of every good frame; host times without single outliers."""
+    order = np.concatenate([message.order for message in messages.values()])
+    host = np.concatenate([message.frames.time for message in messages.values()])
+    by_place = np.argsort(order)
+    order, host = order[by_place], without_spikes(host[by_place])
+    return {
+        name: Stamps(
+            message.order,
+            host[np.searchsorted(order, message.order)],
+            message.plan.decode(message.frames.data, ["Counter"])["Counter"].astype(np.int64),
+        )
+        for name, message in messages.items()
+    }
+
+
+def restarts_of(state: MessageFrames) -> Bool[np.ndarray, " frame"]:
+    """The STATE frames that say that the filter has just started."""
+    return state.plan.decode(state.frames.data, ["FilterReset"])["FilterReset"] > 0
+
+
+def runs(messages: dict[str, MessageFrames]) -> list[Rows]:
+    """The samples of the log, run by run: a run ends where the node starts again."""
+    stamps = stamps_of(messages)
+    restart = restarts_of(messages[STATE])
+    restart_orders = stamps[STATE].order[restart]
+    anchors = anchors_of(messages[TIME], stamps, restart)
+    borders = [
+        restart_order(before, after, stamps, restart_orders) for before, after in pairwise(anchors)
+    ]
+    begins, ends = [0, *borders], [*borders, np.iinfo(np.int64).max]
+    found = [
+        rows_of(within(stamps, begin, end), part)
+        for part, begin, end in zip(anchors, begins, ends, strict=True)
+    ]
+    return on_one_clock([rows for rows in found if rows.tick.size])
+
+
+def anchors_of(time: MessageFrames, stamps: dict[str, Stamps], restart) -> list[Anchors]:
+    """What fixes the ticks: EXO_TIME, and without it the sampled frames with the most to say."""
+    if time.order.size:
+        device_us = time.plan.decode(time.frames.data, ["DeviceTime"])["DeviceTime"]
+        return device_anchors(stamps[TIME], device_us.astype(np.int64))
+    name = next(name for name in SAMPLED if stamps[name].order.size)
+    none = np.zeros(stamps[name].order.size, dtype=bool)
+    return counter_anchors(stamps[name], SAMPLED[name], restart if name == STATE else none)
+
+
+def restart_order(before: Anchors, after: Anchors, stamps: dict[str, Stamps], restarts) -> int:
+    """The place of the first frame after a restart that lies between two anchors.
+
+    That is a STATE frame which says so, or else the frame after the longest silence.
+    """
+    first, last = before.order[-1], after.order[0]
+    said = restarts[(restarts > first) & (restarts <= last)]
+    if said.size:
+        return int(said[0])
+    order = np.concatenate([each.order for each in stamps.values()])
+    host = np.concatenate([each.host for each in stamps.values()])
+    between = (order >= first) & (order <= last)
+    by_place = np.argsort(order[between])
+    silence = np.argmax(np.diff(host[between][by_place]))
+    return int(order[between][by_place][silence + 1])
+
+
+def within(stamps: dict[str, Stamps], begin: int, end: int) -> dict[str, Stamps]:
+    return {
+        name: each.where((each.order >= begin) & (each.order < end))
+        for name, each in stamps.items()
+    }
+
+
+def rows_of(stamps: dict[str, Stamps], anchors: Anchors) -> Rows:
+    """The samples of one run."""
+    ticks: dict[str, np.ndarray] = {}
+    frames: dict[str, np.ndarray] = {}
+    duplicate = strayed = 0
+    known = anchors
+    for name, modulus in SAMPLED.items():
+        tick = ticks_of(stamps[name], known if modulus < COUNTER else anchors, modulus)
+        stray = astray(tick)
+        kept = np.flatnonzero(~stray)
+        known = with_anchors(known, stamps[name].where(kept), tick[kept], anchors)
+        ticks[name], first = np.unique(tick[kept], return_index=True)
+        frames[name] = stamps[name].order[kept[first]]
+        strayed += int(stray.sum())
+        duplicate += kept.size - first.size
+    # With an index NumPy sorts, and three sorted runs are soon sorted; without, it hashes.
+    tick, _ = np.unique(np.concatenate(list(ticks.values())), return_index=True)
+    return Rows(
+        tick,
+        anchors.device_time(tick),
+        {name: placed(frames[name], ticks[name], tick) for name in SAMPLED},
+        anchors,
+        duplicate,
+        strayed,
+    )
+
+
+def with_anchors(known: Anchors, stamps: Stamps, tick, clock: Anchors) -> Anchors:
+    """The anchors, and with them frames whose tick they have told."""
+    order = np.concatenate([known.order, stamps.order])
+    merged = Anchors(
+        order,
+        np.concatenate([known.host, stamps.host]),
+        np.concatenate([known.tick, tick]),
+        np.concatenate([known.device, clock.device_time(tick)]),
+    )
+    return merged.where(np.argsort(order, kind="stable"))
+
+
+def placed(order, ticks, rows) -> Int[np.ndarray, " row"]:
+    """The place in the log of each row's frame, MISSING where there is none."""
+    at = np.full(rows.size, MISSING, dtype=np.int64)
+    at[np.searchsorted(rows, ticks)] = order
+    return at
+
+
+def on_one_clock(found: list[Rows]) -> list[Rows]:
+    """All runs on the recording's clock, which is 0 at the first sample.
+
+    Only host time tells how long a restart took: it is known to the host's jitter, no better.
+    """
+    moved: list[Rows] = []
+    for rows in found:
+        shift = -rows.time[0]
+        if moved:
+            before = moved[-1]
+            host_before = np.median((before.anchors.host - before.anchors.device)[-NEIGHBOURS:])
+            host_after = np.median((rows.anchors.host - rows.anchors.device)[:NEIGHBOURS])
+            earliest = before.time[-1] + PERIOD - rows.time[0]
+            shift = max(float(host_after - host_before), earliest)
+        shifted = Anchors(
+            rows.anchors.order, rows.anchors.host, rows.anchors.tick, rows.anchors.device + shift
+        )
+        moved.append(
+            Rows(rows.tick, rows.time + shift, rows.frame, shifted, rows.duplicate, rows.astray)
+        )
+    return moved

@@ -1,0 +1,129 @@
+"""The values of the node's samples: angle unwrapped, faulty samples missing, all in SI units."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Bool, Float, Int
+
+from exoid.recordings.can.decode import raw_values
+from exoid.recordings.can.device_clock import nearest_tick
+from exoid.recordings.can.node.rows import ACC, MISSING, RAW, STATE, Rows
+from exoid.recordings.can.sort import MessageFrames
+
+TURN = 4096  # counts of the encoder
+RAW_LIMIT = 32767  # counts; a 16-bit number that reached its end
+
+STATUS = (
+    "EncoderFault",
+    "MagnetMissing",
+    "MagnetStrength",
+    "ImuFault",
+    "GyroSaturated",
+    "StateSaturated",
+    "FilterReset",
+    "Overrun",
+)
+ENCODER = ("EncoderFault", "MagnetMissing")
+IMU = ("ImuFault",)
+GYRO = ("ImuFault", "GyroSaturated")
+# Which status bits take a sample out of which channel. The filter carries on over a fault, but
+# what it then says of that quantity is its own prediction, not a measurement.
+MASKS = {
+    "angle": ENCODER,
+    "angular_velocity": GYRO,
+    "angular_acceleration": GYRO,
+    "raw_angle": ENCODER,
+    "raw_angular_velocity": GYRO,
+    "raw_acceleration_x": IMU,
+    "raw_acceleration_z": IMU,
+}
+SOURCES = {
+    "angle": (STATE, "Angle"),
+    "angular_velocity": (STATE, "AngularVelocity"),
+    "angular_acceleration": (STATE, "AngularAcceleration"),
+    "raw_angular_velocity": (RAW, "GyroY"),
+    "raw_acceleration_x": (ACC, "AccelX"),
+    "raw_acceleration_z": (ACC, "AccelZ"),
+}
+
+Values = Float[np.ndarray, " row"]
+
+
+@dataclass(frozen=True, eq=False)
+class Samples:
+    """The channels of a log, and how often each status bit was set."""
+
+    channels: dict[str, Values]
+    faults: tuple[tuple[str, int], ...]
+
+
+def samples_of(messages: dict[str, MessageFrames], found: list[Rows]) -> Samples:
+    """All channels of which at least one value was measured, by their `Segment` names."""
+    places = {name: np.concatenate([rows.frame[name] for rows in found]) for name in found[0].frame}
+    picked = {name: Picked(messages[name], places[name]) for name in places}
+    status = {bit: picked[STATE].values(bit) > 0 for bit in STATUS}
+    channels = {channel: picked[name].values(signal) for channel, (name, signal) in SOURCES.items()}
+    for channel, (name, signal) in SOURCES.items():
+        channels[channel][picked[name].at_limit(signal)] = np.nan
+    faulty_angle = status["EncoderFault"] | status["MagnetMissing"]
+    channels["raw_angle"] = unwrapped_angle(picked[RAW], faulty_angle, channels["angle"])
+    for channel, bits in MASKS.items():
+        channels[channel][np.logical_or.reduce([status[bit] for bit in bits])] = np.nan
+    measured = {name: values for name, values in channels.items() if np.isfinite(values).any()}
+    return Samples(measured, tuple((bit, int(status[bit].sum())) for bit in STATUS))
+
+
+class Picked:
+    """The frames of one message, one for each sample; some are missing."""
+
+    def __init__(self, message: MessageFrames, places: Int[np.ndarray, " row"]):
+        self.plan = message.plan
+        self.there = places != MISSING
+        self.data = message.frames.data[np.searchsorted(message.order, places[self.there])]
+
+    def values(self, signal: str) -> Values:
+        """A signal in its unit; NaN where the frame is missing."""
+        return spread(self.plan.decode(self.data, [signal])[signal], self.there, np.nan)
+
+    def counts(self, signal: str) -> Int[np.ndarray, " row"]:
+        """A signal as it was sent; 0 where the frame is missing."""
+        return spread(
+            raw_values(self.data, self.plan.signal(signal)).astype(np.int64), self.there, 0
+        )
+
+    def at_limit(self, signal: str) -> Bool[np.ndarray, " row"]:
+        """Samples cut off at the end of their range: true values lie beyond."""
+        return np.abs(self.counts(signal)) >= RAW_LIMIT
+
+
+def spread(values: np.ndarray, there: Bool[np.ndarray, " row"], missing) -> np.ndarray:
+    """The values at the rows that have one."""
+    rows = np.full(there.size, missing, dtype=values.dtype)
+    rows[there] = values
+    return rows
+
+
+def unwrapped_angle(raw: Picked, faulty: Bool[np.ndarray, " row"], filtered: Values) -> Values:
+    """The encoder's angle without its jumps of a turn [rad].
+
+    Every count is taken on the turn of the filtered angle: so one damaged count moves no other.
+    """
+    signal = raw.plan.signal("Angle")
+    valid = raw.there & ~faulty
+    counts = raw.counts("Angle")[valid]
+    known = np.flatnonzero(np.isfinite(filtered))
+    if known.size:
+        expected = np.interp(np.flatnonzero(valid), known, filtered[known])
+        expected_counts = np.rint((expected - signal.offset) / signal.scale).astype(np.int64)
+        counts = nearest_tick(counts, expected_counts, TURN)
+    else:
+        counts = unwrapped_counts(counts)
+    return spread(counts * signal.scale + signal.offset, valid, np.nan)
+
+
+def unwrapped_counts(counts: Int[np.ndarray, " sample"]) -> Int[np.ndarray, " sample"]:
+    """Counts carried on over the end of a turn: no step is longer than half a turn."""
+    if not counts.size:
+        return counts
+    steps = (np.diff(counts) + TURN // 2) % TURN - TURN // 2
+    return counts[0] + np.concatenate([[0], np.cumsum(steps)])

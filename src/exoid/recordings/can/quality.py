@@ -1,0 +1,149 @@
+"""How good a log is: what was lost of it, what is doubtful in it, told in lines a person reads."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+from exoid.recordings.can.frames import CanLogError
+from exoid.recordings.filter.effect import FilterEffect
+
+SHOWN = 5  # gaps and resets that are listed one by one
+
+
+@dataclass(frozen=True)
+class Gap:
+    """A stretch without any sample, in seconds of the recording."""
+
+    start: float
+    duration: float
+    samples: int
+
+
+@dataclass(frozen=True)
+class FrameCounts:
+    """Every frame of the log under one heading: `read` is the sum of all the others."""
+
+    read: int = 0
+    used: int = 0
+    error: int = 0
+    foreign: int = 0
+    remote: int = 0
+    fd: int = 0
+    extended: int = 0
+    wrong_length: int = 0
+    duplicate: int = 0
+    astray: int = 0
+
+
+@dataclass(frozen=True)
+class MessageCount:
+    """One message: how many frames its counter promises, how many were used, where it jumps."""
+
+    name: str
+    expected: int
+    used: int
+    jumps: int
+
+
+@dataclass(frozen=True)
+class LogQuality:
+    """What is known about how complete a log is and how far its clock can be trusted."""
+
+    path: str
+    frames: FrameCounts
+    clock: Literal["device", "counter", "host"]
+    samples: int
+    messages: tuple[MessageCount, ...] = ()
+    gaps: tuple[Gap, ...] = ()
+    resets: tuple[float, ...] = ()  # s of the recording at which the node had started again
+    skew_ppm: float | None = None  # device clock against host clock, positive: device runs fast
+    host_jitter: float | None = None  # s, median distance of a frame's host time from its sample
+    faults: tuple[tuple[str, int], ...] = ()  # status bit, samples that carry it
+    missed_ticks: int = 0  # ticks the node itself reports as missed
+    config_crc: int | None = None
+    filter: FilterEffect | None = None
+    announced: int | None = None
+    found: int | None = None
+    stopped: str | None = None  # what of the file could not be read, and why
+    notes: tuple[str, ...] = ()
+
+    def losses(self) -> list[str]:
+        """What of the log is missing; strict reading refuses all of it."""
+        frames = self.frames
+        told = [
+            (self.stopped, f"not read: {self.stopped}"),
+            (self.announced_missing, self.announced_line),
+            (frames.remote, f"{frames.remote} remote frame(s) with an id of ours"),
+            (frames.fd, f"{frames.fd} CAN FD frame(s) with an id of ours"),
+            (frames.extended, f"{frames.extended} frame(s) with our id in the wrong id format"),
+            (frames.wrong_length, f"{frames.wrong_length} frame(s) of the wrong length"),
+            (frames.astray, f"{frames.astray} frame(s) out of order, left out"),
+        ]
+        lines = [line for found, line in told if found]
+        lines += [
+            f"{count.name}: {count.expected - count.used} of {count.expected} frame(s) lost, "
+            f"the counter jumps {count.jumps} time(s)"
+            for count in self.messages
+            if count.expected > count.used
+        ]
+        return lines + self.gap_lines() + self.reset_lines()
+
+    @property
+    def announced_missing(self) -> bool:
+        """Whether the file's header counts other than what is there."""
+        return self.announced is not None and self.announced != self.found
+
+    @property
+    def announced_line(self) -> str:
+        if not self.announced:
+            why = "the logger was killed, or its disk was full"
+            return f"the header was never completed ({why}); {self.found} found"
+        return f"the header announces {self.announced} object(s), the file holds {self.found}"
+
+    def gap_lines(self) -> list[str]:
+        longest = sorted(self.gaps, key=lambda gap: -gap.duration)[:SHOWN]
+        lines = [
+            f"gap of {gap.duration:.2f} s ({gap.samples} sample(s)) at {gap.start:.2f} s"
+            for gap in sorted(longest, key=lambda gap: gap.start)
+        ]
+        rest = len(self.gaps) - len(lines)
+        return lines + ([f"{rest} shorter gap(s)"] if rest else [])
+
+    def reset_lines(self) -> list[str]:
+        places = ", ".join(f"{at:.2f} s" for at in self.resets[:SHOWN])
+        count = len(self.resets)
+        return [f"the node started again {count} time(s), at {places}"] if count else []
+
+    def lines(self) -> list[str]:
+        """The report, line by line: what was read, by which clock, what is missing or masked."""
+        frames = self.frames
+        lines = [
+            f"{self.samples} samples from {frames.used} of {frames.read} frames",
+            f"time from the {CLOCKS[self.clock]}",
+        ]
+        if self.skew_ppm is not None:
+            lines.append(f"device clock {self.skew_ppm:+.0f} ppm against the recording computer")
+        if self.host_jitter is not None:
+            lines.append(f"host time jitters by {self.host_jitter * 1e3:.2f} ms (not used)")
+        lines += self.losses()
+        lines += [f"{frames.foreign} frame(s) of other nodes"] if frames.foreign else []
+        lines += [f"{frames.error} error frame(s) on the bus"] if frames.error else []
+        lines += [f"{frames.duplicate} duplicate frame(s) left out"] if frames.duplicate else []
+        lines += [f"{name}: {count} sample(s)" for name, count in self.faults if count]
+        lines += [f"the node missed {self.missed_ticks} tick(s)"] if self.missed_ticks else []
+        lines += self.filter.lines() if self.filter is not None else []
+        return lines + [note for note in self.notes if note not in lines]
+
+    def require_complete(self) -> None:
+        """**Raises** `CanLogError` when anything is missing."""
+        if losses := self.losses():
+            raise CanLogError(
+                f"{self.path} is not complete: {'; '.join(losses)}. "
+                "Read it without strict to use the rest."
+            )
+
+
+CLOCKS = {
+    "device": "node's clock (EXO_TIME and counter)",
+    "counter": "node's counter alone: no EXO_TIME frame, so its period is taken as 10 ms",
+    "host": "recording computer's clock: no counter",
+}

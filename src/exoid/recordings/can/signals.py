@@ -1,0 +1,220 @@
+"""A log of any other device as one segment: its DBC, and a map from channels to its signals."""
+
+import re
+from dataclasses import dataclass, fields, replace
+from difflib import get_close_matches
+from pathlib import Path
+
+import numpy as np
+from jaxtyping import Float, Int
+
+from exoid.recordings.can.dbc import plan_message, read_dbc
+from exoid.recordings.can.decode import decode_signal
+from exoid.recordings.can.device_clock import fitted_line, without_spikes
+from exoid.recordings.can.frames import CanLogError, Log
+from exoid.recordings.can.quality import Gap, LogQuality, MessageCount
+from exoid.recordings.can.sort import MessageFrames, SortedFrames, sort_frames
+from exoid.recordings.can.units import size_in
+from exoid.recordings.filter.effect import filter_effect
+from exoid.recordings.recording import Segment
+
+CHANNELS = {
+    entry.name: entry.metadata["unit"]
+    for entry in fields(Segment)
+    if "column" in entry.metadata and entry.name != "time"
+}
+NAMED = re.compile(r"^(?:(?P<message>\w+)\.)?(?P<signal>\w+)(?:\s*\[(?P<unit>.*)\])?$")
+WINDOW = 50  # frames; a delay by a busy computer is over within so many
+REGULAR = 0.25  # share of a period: with more scatter the frames are not periodic
+FARTHEST = 2.0  # periods; a value farther from its neighbours is not interpolated
+
+
+@dataclass(frozen=True)
+class Source:
+    """Where a channel comes from: a signal of a message, and the size of its unit in SI."""
+
+    channel: str
+    message: str
+    signal: str
+    size: float
+
+
+@dataclass(frozen=True, eq=False)
+class Track:
+    """The frames of one message in time."""
+
+    time: Float[np.ndarray, " frame"]
+    count: Int[np.ndarray, " frame"]  # periods since the first frame
+    period: float  # s
+    jitter: float  # s
+    regular: bool
+
+
+def read_signals(log: Log, dbc: Path, signals: dict[str, str]) -> tuple[Segment, LogQuality]:
+    """The mapped signals of a log, on the times of the message that holds the angle.
+
+    Such frames carry no counter: their time is a straight line through the host's, so that its
+    jitter is gone. A channel of another message is interpolated between its two neighbours.
+
+    **Raises** `CanLogError` for a map or a DBC that does not fit the log.
+    """
+    sources, plans = resolve(signals, one_per_name(read_dbc(dbc), log), dbc)
+    ordered = sort_frames(log.frames, plans)
+    tracks = {name: track_of(log, each) for name, each in ordered.messages.items()}
+    leading = next(s.message for s in sources if s.channel in ("angle", "raw_angle"))
+    time = tracks[leading].time
+    channels = {
+        source.channel: aligned(ordered.messages[source.message], source, tracks, time)
+        for source in sources
+    }
+    for source in sources:
+        if np.isnan(channels[source.channel]).all():
+            raise CanLogError(
+                f"{log.path}: {source.message}.{source.signal} ({source.channel}) has no value "
+                f"while {leading} is sent. Leave it out of the map."
+            )
+    segment = replace(Segment(time - time[0]), **channels)
+    quality = quality_of(log, ordered, tracks, leading)
+    return segment, replace(quality, filter=filter_effect(segment))
+
+
+def resolve(signals: dict[str, str], messages: list, dbc: Path):
+    """What each entry of the map means, and the plans of the messages it needs."""
+    if not {"angle", "raw_angle"} & signals.keys():
+        raise CanLogError('The signal map names no angle: give "angle" or "raw_angle".')
+    if unknown := signals.keys() - CHANNELS.keys():
+        raise CanLogError(
+            f"The signal map knows no channel {', '.join(sorted(unknown))}; "
+            f"it can be {', '.join(CHANNELS)}."
+        )
+    sources = [source_of(channel, name, messages, dbc) for channel, name in signals.items()]
+    wanted: dict[str, tuple[str, ...]] = {}
+    for source in sources:
+        wanted[source.message] = (*wanted.get(source.message, ()), source.signal)
+    by_name = {message.name: message for message in messages}
+    plans = [plan_message(by_name[name], names) for name, names in wanted.items()]
+    return sources, plans
+
+
+def one_per_name(messages: list, log: Log) -> list:
+    """Of messages with the same name, the one whose id is in the log."""
+    seen = set(np.unique(log.frames.identifier).tolist())
+    by_name = {each.name: each for each in sorted(messages, key=lambda m: m.frame_id in seen)}
+    return list(by_name.values())
+
+
+def source_of(channel: str, name: str, messages: list, dbc: Path) -> Source:
+    parts = NAMED.match(name.strip())
+    if parts is None:
+        raise CanLogError(f'{channel} = "{name}": write MESSAGE.SIGNAL, SIGNAL, or SIGNAL [unit].')
+    found = [
+        (message.name, signal)
+        for message in messages
+        for signal in message.signals
+        if signal.name == parts["signal"] and parts["message"] in (None, message.name)
+    ]
+    if len(found) > 1:
+        places = ", ".join(f"{message}.{signal.name}" for message, signal in found)
+        raise CanLogError(f'{channel} = "{name}" can be {places} in {dbc}. Name the message too.')
+    if not found:
+        raise CanLogError(f'{channel} = "{name}": {dbc} has no such signal.{hint(name, messages)}')
+    message, signal = found[0]
+    unit = signal.unit or "" if parts["unit"] is None else parts["unit"]
+    size = size_in(CHANNELS[channel], unit, f"{message}.{signal.name}")
+    return Source(channel, message, signal.name, size)
+
+
+def hint(name: str, messages: list) -> str:
+    known = [f"{message.name}.{signal.name}" for message in messages for signal in message.signals]
+    known += [signal.name for message in messages for signal in message.signals]
+    near = get_close_matches(name, known, n=3)
+    return f" Did you mean {', '.join(near)}?" if near else ""
+
+
+def track_of(log: Log, message: MessageFrames) -> Track:
+    if message.order.size < 2:
+        raise CanLogError(
+            f"{log.path} holds {message.order.size} frame(s) of {message.plan.name} "
+            f"(id 0x{message.plan.identifier:X}, {message.plan.length} bytes). "
+            "Is this the right DBC for the log?"
+        )
+    host = without_spikes(message.frames.time - log.frames.time[0])
+    count, period = periods(host)
+    slope, level, jitter = fitted_line(count.astype(float), host)
+    if jitter <= REGULAR * period and (np.diff(count) > 0).all():
+        return Track(level + slope * count, count, slope, jitter, True)
+    return Track(rising(host), count, period, jitter, False)
+
+
+def periods(host: Float[np.ndarray, " frame"]) -> tuple[Int[np.ndarray, " frame"], float]:
+    """How many periods lie before each frame, lost ones included, and the period.
+
+    A late frame is soon made up for, a lost one never: of a lost frame every later one within a
+    window tells.
+    """
+    steps = np.diff(host)
+    period = float(np.median(steps[steps > 0])) if (steps > 0).any() else 1.0
+    late = host - host[0] - np.arange(host.size) * period
+    padded = np.pad(late, (0, WINDOW - 1), mode="edge")
+    lasting = np.lib.stride_tricks.sliding_window_view(padded, WINDOW).min(axis=1)
+    lost = np.maximum(0, np.rint(np.diff(lasting) / period)).astype(np.int64)
+    return np.concatenate([[0], np.cumsum(1 + lost)]), period
+
+
+def rising(host: Float[np.ndarray, " frame"]) -> Float[np.ndarray, " frame"]:
+    """Host times that increase: a frame that is not later than the last is one rounding later."""
+    return np.maximum.accumulate(host) + np.arange(host.size) * 1e-9
+
+
+def aligned(message: MessageFrames, source: Source, tracks: dict[str, Track], time):
+    """A channel at the given times."""
+    values = decode_signal(message.frames.data, message.plan.signal(source.signal)) * source.size
+    track = tracks[source.message]
+    if track.time is time:
+        return values
+    after = np.clip(np.searchsorted(track.time, time), 1, track.time.size - 1)
+    apart = track.time[after] - track.time[after - 1]
+    inside = (time >= track.time[0]) & (time <= track.time[-1])
+    near = inside & (apart <= FARTHEST * track.period)
+    return np.where(near, np.interp(time, track.time, values), np.nan)
+
+
+def quality_of(
+    log: Log, ordered: SortedFrames, tracks: dict[str, Track], leading: str
+) -> LogQuality:
+    track = tracks[leading]
+    steps = np.where(track.regular, np.diff(track.count), 1)
+    return LogQuality(
+        path=str(log.path),
+        frames=ordered.counts,
+        clock="host",
+        samples=track.time.size,
+        messages=tuple(
+            MessageCount(
+                name,
+                int(each.count[-1]) + 1 if each.regular else each.count.size,
+                each.count.size,
+                int((np.diff(each.count) > 1).sum()) if each.regular else 0,
+            )
+            for name, each in tracks.items()
+        ),
+        gaps=tuple(
+            Gap(
+                float(track.time[at] - track.time[0]),
+                float(track.time[at + 1] - track.time[at]),
+                int(steps[at]) - 1,
+            )
+            for at in np.flatnonzero(steps > 1)
+        ),
+        host_jitter=track.jitter if track.regular else None,
+        announced=log.announced,
+        found=log.found,
+        stopped=log.stopped,
+        notes=tuple(told(name, each) for name, each in tracks.items()),
+    )
+
+
+def told(name: str, track: Track) -> str:
+    if track.regular:
+        return f"{name}: every {track.period * 1e3:.3f} ms, time from a line through the host's"
+    return f"{name}: not periodic, so every sample carries the host time of its frame"

@@ -1,0 +1,93 @@
+"""A recording as exoid counts: mended as its user tells, refused where something is wrong in it.
+
+What a user got wrong is looked for here and nowhere else, so that every command says the same.
+"""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+
+from exoid.files.text_file import Notes
+from exoid.recordings.conventions.angle_convention import wrong_convention
+from exoid.recordings.conventions.file_clock import (
+    from_first_sample,
+    measured,
+    unlike_rate,
+    wrong_clock,
+)
+from exoid.recordings.conventions.gyro_agreement import wrong_sign, wrong_unit
+from exoid.recordings.conventions.mounting import settled, turned
+from exoid.recordings.conventions.other_leg import another_leg
+from exoid.recordings.motion.split import Split
+from exoid.recordings.recording import Recording
+
+TINY = np.pi * np.pi / 180  # rad, what an angle of pi becomes where radians were called degrees
+
+
+def understand(
+    recording: Recording,
+    cut: Callable[[Recording], Split],
+    *,
+    whole: bool = False,
+    flip: str | None = None,
+    zero: str | None = None,
+) -> tuple[Recording, Notes]:
+    """The recording by exoid's convention, `cut` into its movements unless it stays `whole`.
+
+    `cut` gives the movements, and what it noticed.
+
+    `flip` and `zero` replace what the sidecar says. **Raises** `ValueError` with the likely cause
+    and what mends it.
+    """
+    refuse(wrong_clock(recording))
+    recording = from_first_sample(recording)
+    recording, notes = turned(told(recording, flip, zero))
+    refuse(tiny(recording) or wrong_unit(recording))
+    found = cut_up(recording, cut, whole=whole)
+    movements = found.recording
+    refuse(wrong_convention(movements, cut=movements is not recording or not whole))
+    refuse(wrong_sign(recording))
+    noticed = () if whole else (*found.notes, *another_leg(movements))
+    recording, more = settled(recording if whole else movements, movements)
+    return recording, (*unlike_rate(recording), *notes, *more, *noticed)
+
+
+def cut_up(recording: Recording, cut: Callable[[Recording], Split], *, whole: bool) -> Split:
+    """Its movements. Where there are none, the angle may count so that none is seen."""
+    try:
+        return cut(recording)
+    except ValueError:
+        refuse(wrong_convention(recording, cut=False))
+        if whole:
+            return Split(recording, ())
+        raise
+
+
+def told(recording: Recording, flip: str | None, zero: str | None) -> Recording:
+    """With the signs and the zero of an option in place of the sidecar's."""
+    sensors = recording.sensors
+    if flip is not None:
+        sensors = replace(sensors, flip=flip)
+    if zero is not None:
+        sensors = replace(sensors, zero=zero, angle_zero=None)
+    return recording if sensors is recording.sensors else replace(recording, sensors=sensors)
+
+
+def refuse(fault: str | None) -> None:
+    if fault is not None:
+        raise ValueError(fault)
+
+
+def tiny(recording: Recording) -> str | None:
+    """An angle of a leg that nowhere leaves 3 deg: radians that were called degrees."""
+    if recording.subject.kind == "rig":
+        return None
+    angles = np.concatenate([measured(each)[1] for each in recording.segments])
+    if np.abs(angles).max() > TINY or np.ptp(angles) < TINY / 20:
+        return None
+    high, low = np.degrees([angles.max(), angles.min()])
+    return (
+        f"the angle goes from {high:.2f} to {low:.2f} deg: no leg falls so little. Is it in "
+        "radians? Then name its column _rad in place of _deg."
+    )

@@ -1,0 +1,53 @@
+"""A recording as the columns of one table, in exoid's own words and SI."""
+
+from itertools import chain
+from typing import Any
+
+import numpy as np
+
+from exoid.files.extras import require
+from exoid.recordings.columns import CHANNELS, SEGMENT
+from exoid.recordings.recording import Recording
+
+
+def flat(recording: Recording) -> dict[str, Any]:
+    """`time_s`, `segment`, the channels that were measured, NaN where one was not, and the rest.
+
+    **Raises** `ValueError` where an unknown column has the name of a known one.
+    """
+    segments = recording.segments
+    sizes = [each.time.size for each in segments]
+    columns: dict[str, Any] = {
+        name: np.concatenate(
+            [
+                np.full(size, np.nan) if (samples := getattr(each, field)) is None else samples
+                for each, size in zip(segments, sizes, strict=True)
+            ]
+        )
+        for name, field in CHANNELS.items()
+        if any(getattr(each, field) is not None for each in segments)
+    }
+    time = {"time_s": columns.pop("time_s"), SEGMENT: np.repeat(np.arange(len(sizes)), sizes)}
+    extra = dict.fromkeys(chain(*(each.extra_columns for each in segments)))
+    texts = {
+        name: list(
+            chain(
+                *(
+                    each.extra_columns.get(name, [""] * size)
+                    for each, size in zip(segments, sizes, strict=True)
+                )
+            )
+        )
+        for name in extra
+    }
+    if twice := [name for name in texts if name in time | columns]:
+        raise ValueError(f"column {twice[0]} is there twice. Delete or rename one.")
+    return time | columns | texts
+
+
+def frame_of(recording: Recording) -> Any:
+    """The same as a data frame of pandas."""
+    require("pandas", "a data frame is made")
+    import pandas
+
+    return pandas.DataFrame(flat(recording))

@@ -1,0 +1,73 @@
+"""MATLAB's .mat: version 7 and older by SciPy, version 7.3, which is HDF5, by h5py."""
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from exoid.files.foreign import Arrays, read_apart
+from exoid.recordings.formats.packed import packed, unpacked
+from exoid.recordings.tables.arrays import flattened, sheet_of_arrays
+from exoid.recordings.tables.sheet import Place, Sheet
+
+HDF5 = b"\x89HDF\r\n\x1a\n"
+USER_BLOCK = 512  # bytes that MATLAB writes before the HDF5
+OPAQUE = ("__function_workspace__", "#subsystem#")  # where MATLAB keeps what only it reads
+DEEPEST = 8  # structs within structs
+
+
+def read_matlab(path: Path) -> Sheet:
+    """The vectors of one length, in variables and in structs.
+
+    **Raises** `ValueError` where there are none; a `table` or `timetable` of MATLAB cannot be read.
+    """
+    arrays = unpacked(read_apart(variables, path, "Save it again from MATLAB."))
+    plain = {name: each for name, each in arrays.items() if name[:1] not in "_#"}
+    if any(name.startswith(OPAQUE) for name in arrays) and not any(
+        each.size > 1 for each in plain.values()
+    ):
+        raise ValueError(
+            "holds a table or another object that only MATLAB reads. Save its columns as arrays, "
+            "or write it with writetable(T, 'name.csv') or parquetwrite."
+        )
+    return sheet_of_arrays(plain, Place("sample"))
+
+
+def variables(path: Path) -> Arrays:
+    """Every array under its path, such as `trial.time`; in a process of its own."""
+    with path.open("rb") as file:
+        head = file.read(USER_BLOCK + len(HDF5))
+    hdf5 = head[USER_BLOCK:] == HDF5 or head.startswith(HDF5)
+    return packed(dict(in_hdf5(path) if hdf5 else in_version_5(path)))
+
+
+def in_version_5(path: Path) -> Iterator[tuple[str, Any]]:
+    import scipy.io
+
+    return flattened(scipy.io.loadmat(str(path), simplify_cells=True))
+
+
+def in_hdf5(path: Path) -> Iterator[tuple[str, Any]]:
+    import h5py
+
+    with h5py.File(path, "r") as file:
+        yield from held(file, "", 0)
+
+
+def held(group: Any, prefix: str, depth: int) -> Iterator[tuple[str, Any]]:
+    """What a group holds: structs are groups; text and what refers elsewhere are empty."""
+    import h5py
+
+    for name in group:
+        item = group.get(name)
+        if name == "#refs#":
+            continue
+        if isinstance(item, h5py.Group):
+            yield f"{prefix}{name}", np.empty(0)
+            if depth < DEEPEST:
+                yield from held(item, f"{prefix}{name}.", depth + 1)
+        elif isinstance(item, h5py.Dataset):
+            words = item.attrs.get("MATLAB_class", b"") in (b"char", "char")
+            empty = words or item.attrs.get("MATLAB_empty", 0) or item.dtype.kind == "O"
+            yield f"{prefix}{name}", np.empty(0) if empty else np.asarray(item[()]).T

@@ -1,0 +1,44 @@
+"""OpenSim's motions (.mot) and storages (.sto): a header, `endheader`, then columns and rows.
+
+Rotations are in degrees where the header says inDegrees=yes; times are in seconds. What is an angle
+there no unit tells: a coordinate named after a knee is taken for one.
+"""
+
+import re
+from dataclasses import replace
+from pathlib import Path
+
+from exoid.files.text_file import read_text
+from exoid.recordings.tables.dialect import BLANK, Dialect, rows_in
+from exoid.recordings.tables.layout import sheet_of_rows
+from exoid.recordings.tables.names import recognised
+from exoid.recordings.tables.sheet import Place, Sheet
+
+END = re.compile(r"^\s*endheader\s*$", re.IGNORECASE | re.MULTILINE)
+IN_DEGREES = re.compile(r"^\s*inDegrees\s*=\s*(\w+)", re.IGNORECASE | re.MULTILINE)
+DIALECTS = {True: Dialect("\t", "."), False: Dialect(BLANK, ".")}
+
+
+def read_opensim(path: Path) -> Sheet:
+    """The columns of a motion or storage file.
+
+    **Raises** `ValueError` where there is no header, or nothing below it.
+    """
+    text = read_text(path)
+    end = END.search(text)
+    if end is None:
+        raise ValueError("has no line endheader, as OpenSim's files have. Export it again.")
+    head, body = text[: end.end()], text[end.end() :].removeprefix("\n")
+    line = head.count("\n") + 2  # the first below endheader
+    rows = rows_in(body.rstrip("\n").split("\n"), DIALECTS["\t" in body])
+    sheet = sheet_of_rows(rows, Place("line", line))
+    told = IN_DEGREES.search(head)
+    if told is None:
+        return sheet
+    unit = "deg" if told[1].lower() in ("yes", "true", "1") else "rad"
+    return replace(sheet, columns=tuple(with_unit(column, unit) for column in sheet.columns))
+
+
+def with_unit(column, unit: str):
+    """A coordinate that is a knee's, in the unit that the header says."""
+    return replace(column, unit=unit) if recognised((column,), "angle") else column

@@ -1,0 +1,301 @@
+"""A recording on disk, format version 1: the samples in NAME.csv, what is known in NAME.toml.
+
+Columns and keys are those that `recording.py` declares; this file holds no second list of them.
+A table in exoid's own words is read to the letter; one in another's is understood in `tables/`.
+"""
+
+import csv
+import io
+import re
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from exoid.files.extras import require
+from exoid.files.text_file import Notes, naming, near, replace_files
+from exoid.recordings.columns import CHANNELS, IN_DEGREES, NUMERIC
+from exoid.recordings.conventions.file_clock import SINCE
+from exoid.recordings.flat_table import flat
+from exoid.recordings.formats.delimited import is_own, legible, sheet_of_text
+from exoid.recordings.formats.sheets import TEXTS, read_sheet
+from exoid.recordings.recording import BadSample, Recording, Segment, Subject
+from exoid.recordings.sidecar import no_keys, read_columns, read_keys, sidecar_text
+from exoid.recordings.tables.assemble import Named, assemble
+from exoid.recordings.tables.sheet import Cells, Place
+
+NUMBER = r"(?:[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)?"
+NUMBERS = re.compile(f"{NUMBER}(?:,{NUMBER})*", re.ASCII)
+NOT_IN_NUMBERS = re.compile(r"[^0-9+\-.eE,\n]")  # no letters but e: `inf` is not read
+MISSING = ("", "nan")  # what a cell without a number holds; NumPy and pandas write the second
+WRITTEN = (".csv", ".parquet")
+FIRST_LINE = 2  # the line of the first sample; the header is line 1
+
+
+def read_table(
+    path: str | Path, columns: Mapping[str, str] | None = None
+) -> tuple[Recording, Notes]:
+    """The recording in NAME.csv and NAME.toml, and what its owner should be told.
+
+    A missing NAME.toml means that nothing is known of subject, protocol and sensors. Unknown
+    columns (as text) and keys are kept and named in the notes, with the known name they resemble.
+    `columns` maps exoid's columns to those of a table in other words; [columns] in NAME.toml does
+    the same. Such a table may also be of another format, and the notes say how it was understood.
+
+    **Raises** `ValueError` (one line: file, line or key, what to do) for anything else.
+    """
+    path = Path(path)
+    sidecar = path.with_suffix(".toml")
+    if path == sidecar:
+        raise ValueError(f"{path}: this is the sidecar. Name the .csv beside it.")
+    known = sidecar.exists()
+    chosen = {**(read_columns(sidecar) if known else {}), **(columns or {})}
+    tables, extra, key_notes = read_keys(sidecar) if known else no_keys()
+    with naming(path):
+        named = named_columns(path, chosen, tables["sensors"].sample_rate)
+        starts = segment_starts(named.columns, named.place)
+        samples = build(named, starts, Subject(kind=tables["subject"].kind))
+    with naming(sidecar):  # what fails now, with all samples sound, fails by a key
+        recording = replace(samples, **tables, extra_tables=extra)
+    if not known:
+        key_notes = (
+            f"{sidecar} does not exist: of subject, protocol and sensors only what options say is "
+            "known.",
+        )
+    notes = named.notes + late_starts(recording)
+    return recording, tuple(f"{path}: {note}" for note in notes) + key_notes
+
+
+def named_columns(path: Path, chosen: Mapping[str, str], rate: float | None) -> Named:
+    """The columns of a table in exoid's own words, or of one in anybody else's."""
+    if path.suffix.lower() not in TEXTS:
+        return assemble(read_sheet(path, chosen.values()), chosen, rate)
+    text = legible(path)
+    if chosen or not is_own(text):
+        return assemble(sheet_of_text(text), chosen, rate)
+    columns, notes = parse_table(text)
+    degrees = {
+        IN_DEGREES[name]: f"{name}: read as degrees" for name in columns if name in IN_DEGREES
+    }
+    return Named(columns, Place("line", FIRST_LINE), degrees, notes)
+
+
+def write_table(recording: Recording, path: str | Path) -> None:
+    """Writes NAME.csv or NAME.parquet, and NAME.toml, such that `load` gives back every number.
+
+    Both are first written in full beside their targets and then moved into place: a failure
+    leaves the files that were there as they were.
+    """
+    path = Path(path)
+    if path.suffix.lower() not in WRITTEN:
+        raise ValueError(f"{path}: a recording is written to a name that ends in .csv or .parquet.")
+    tables = (recording.subject, recording.protocol, recording.sensors)
+    sidecar = sidecar_text(*tables, recording.extra_tables)
+    samples = table_lines(recording) if path.suffix.lower() == ".csv" else parquet_of(recording)
+    replace_files({path.with_suffix(".toml"): [sidecar], path: samples})
+
+
+def parquet_of(recording: Recording) -> bytes:
+    """The same table as Parquet."""
+    require("pyarrow", "a Parquet file is written")
+    from exoid.recordings.formats.parquet import as_parquet
+
+    columns = flat(recording)
+    check_names([*columns])
+    return as_parquet(columns)
+
+
+def parse_table(text: str) -> tuple[dict[str, Cells], Notes]:
+    """The columns by their name in the file: known ones as numbers, unknown ones as text."""
+    first, _, body = text.partition("\n")
+    names = header(first)
+    body = body.rstrip("\n")
+    check_lines(body)
+    unknown = [name for name in names if name not in NUMERIC]
+    if unknown or NOT_IN_NUMBERS.search(body):
+        columns = parse_cells(names, body)
+    else:
+        columns = dict(zip(names, parse_numbers(names, body).T, strict=True))
+    channels = [name for name in names if name in NUMERIC - {"time_s", "segment"}]
+    empty = [name for name in channels if np.isnan(columns[name]).all()]
+    notes = [f"column {name} holds no number and is left out." for name in empty]
+    notes += [f"unknown column {name} is kept as text.{near(name, NUMERIC)}" for name in unknown]
+    return {name: columns[name] for name in names if name not in empty}, tuple(notes)
+
+
+def header(line: str) -> list[str]:
+    """The names of the columns, refused where they cannot be a recording's."""
+    try:
+        names = [name.strip() for name in next(csv.reader([line], skipinitialspace=True))]
+    except csv.Error as error:
+        raise ValueError(f"line 1: {error}. It must name the columns.") from error
+    check_names(names)
+    return names
+
+
+def check_names(names: list[str]) -> None:
+    if "" in names:
+        raise ValueError(
+            f"column {names.index('') + 1} has no name. Delete it (pandas: to_csv(index=False))."
+        )
+    if twice := [name for name, count in Counter(names).items() if count > 1]:
+        raise ValueError(f"column {twice[0]} is there twice. Delete or rename one.")
+    if both := [name for name in names if IN_DEGREES.get(name) in names]:
+        raise ValueError(f"{both[0]} and {IN_DEGREES[both[0]]} are the same quantity. Keep one.")
+    found = f" The first line holds: {', '.join(names)[:200]}."
+    if "time_s" not in names:
+        raise ValueError(f"has no column time_s.{found} Name the time in seconds time_s.")
+    if not {"angle_rad", "raw_angle_rad", "angle_deg", "raw_angle_deg"} & {*names}:
+        raise ValueError(f"has no angle.{found} Give angle_rad or raw_angle_rad (or _deg).")
+
+
+def check_lines(body: str) -> None:
+    if not body.strip():
+        raise ValueError("holds a header but no samples.")
+    gap = 0 if body.startswith("\n") else body.find("\n\n") + 1
+    if gap or body.startswith("\n"):
+        line = FIRST_LINE + body.count("\n", 0, gap)
+        raise ValueError(f"line {line} is empty. Delete it, so that every line is one sample.")
+
+
+def parse_numbers(names: list[str], body: str) -> np.ndarray:
+    """All cells as numbers, NaN where a cell is empty, by NumPy's parser in C."""
+    filled = f"\n{body}\n"
+    for gap, missing in ((",,", ",nan,"), (",,", ",nan,"), ("\n,", "\nnan,"), (",\n", ",nan\n")):
+        filled = filled.replace(gap, missing) if gap in filled else filled
+    try:
+        table = np.loadtxt(filled[1:-1].split("\n"), delimiter=",", comments=None, ndmin=2)
+    except ValueError as error:
+        raise first_bad_cell(names, body) or error from error
+    if table.shape[1] != len(names):
+        raise first_bad_cell(names, body) or ValueError("the lines do not fit the header.")
+    return table
+
+
+def parse_cells(names: list[str], body: str) -> dict[str, Cells]:
+    """The same for a file with text or spaces in it, some three times slower."""
+    try:
+        rows = list(csv.reader(io.StringIO(body), strict=True))
+        cells = dict(zip(names, zip(*rows, strict=True), strict=True))
+        return {
+            name: parse_column(column) if name in NUMERIC else column
+            for name, column in cells.items()
+        }
+    except (ValueError, csv.Error) as error:
+        raise first_bad_cell(names, body) or ValueError(str(error)) from error
+
+
+def parse_column(cells: tuple[str, ...]) -> np.ndarray:
+    numbers = ["" if missing(cell) else cell for cell in cells]
+    if NOT_IN_NUMBERS.search("".join(numbers).replace(" ", "")):
+        raise ValueError("text in a column of numbers")  # which cell: first_bad_cell
+    return np.array([float(cell) if cell else np.nan for cell in numbers])
+
+
+def missing(cell: str) -> bool:
+    return cell.strip(" ").lower() in MISSING
+
+
+def first_bad_cell(names: list[str], body: str) -> ValueError | None:
+    """What is wrong with the first line that cannot be read, looked for only after a failure."""
+    reader = csv.reader(io.StringIO(body), strict=True)
+    try:
+        for row in reader:
+            plain = len(row) == len(names) and NUMBERS.fullmatch(",".join(row))
+            if not plain and (problem := bad_row(names, row)):
+                return ValueError(f"line {reader.line_num + FIRST_LINE - 1}{problem}")
+    except csv.Error as error:
+        return ValueError(f"line {reader.line_num + FIRST_LINE - 1}: {error}. Check the quotes.")
+    return None
+
+
+def bad_row(names: list[str], row: list[str]) -> str | None:
+    if len(row) != len(names):
+        return (
+            f" has {len(row)} cells, but the header names {len(names)} columns. "
+            "Is a cell missing, or are there decimal commas?"
+        )
+    for name, cell in zip(names, row, strict=True):
+        if name in NUMERIC and not (missing(cell) or NUMBERS.fullmatch(cell.strip(" "))):
+            return (
+                f", column {name}: {cell[:40]!r} is not a number. "
+                "Leave the cell empty where a sample is missing."
+            )
+    return None
+
+
+def segment_starts(columns: Mapping[str, Cells], place: Place) -> np.ndarray:
+    """The row at which each segment begins; without a column `segment` there is one."""
+    if "segment" not in columns:
+        return np.zeros(1, int)
+    number = np.asarray(columns["segment"])
+    starts = np.concatenate([[0], np.flatnonzero(np.diff(number) != 0) + 1])
+    wrong = np.flatnonzero(number[starts] != np.arange(starts.size))
+    if wrong.size:
+        at = int(starts[wrong[0]])
+        value = "empty" if np.isnan(number[at]) else f"{number[at]:g}"
+        raise ValueError(
+            f"{place(at)}, column segment: {value}, where {wrong[0]}"
+            f"{f' or {wrong[0] - 1}' if wrong[0] else ''} is expected. Segments count 0, 1, 2, ... "
+            "and the rows of each stand together: renumber or sort them."
+        )
+    return starts
+
+
+def build(named: Named, starts: np.ndarray, subject: Subject) -> Recording:
+    """The samples, checked by the recording's own rules; a bad one is named by its line as well."""
+    columns = named.columns
+    stops = [*starts[1:], len(columns["time_s"])]
+    segments = tuple(
+        cut(columns, slice(start, stop)) for start, stop in zip(starts, stops, strict=True)
+    )
+    try:
+        return Recording(segments, subject)
+    except BadSample as error:
+        place = named.place(int(starts[error.segment]) + error.sample)
+        words = [source for own, source in named.sources.items() if str(error).startswith(own)]
+        hint = f" ({', '.join(words)}.)" if words else ""
+        raise ValueError(f"{place}: {error}{hint}") from error
+
+
+def late_starts(recording: Recording) -> Notes:
+    """A clock that runs on from segment to segment: read as it is, and said."""
+    late = [n for n, each in enumerate(recording.segments) if 0 != each.time[0] < SINCE]
+    if not late:
+        return ()
+    start = recording.segments[late[0]].time[0]
+    return (f"time_s starts at {start:g} s, not at 0, in segment {late[0]}. It is kept as it is.",)
+
+
+def cut(columns: Mapping[str, Cells], rows: slice) -> Segment:
+    """One segment. A channel that is empty throughout it was not measured in it."""
+    channels = {}
+    for name in columns:
+        if name in CHANNELS or name in IN_DEGREES:
+            samples = np.array(columns[name][rows])
+            if name == "time_s" or not np.isnan(samples).all():
+                inside = np.radians(samples) if name in IN_DEGREES else samples
+                channels[CHANNELS[IN_DEGREES.get(name, name)]] = inside
+    extra = {name: tuple(columns[name][rows]) for name in columns if name not in NUMERIC}
+    return Segment(**channels, extra_columns=extra)
+
+
+def table_lines(recording: Recording) -> Iterable[str]:
+    """The CSV: numbers as short as they are exact, missing samples empty."""
+    columns = flat(recording)
+    check_names([*columns])
+    yield as_csv([columns])
+    cells = [as_cells(each) if isinstance(each, np.ndarray) else each for each in columns.values()]
+    yield as_csv(zip(*cells, strict=True))
+
+
+def as_cells(samples: np.ndarray) -> list[str]:
+    return [repr(value) if value == value else "" for value in samples.tolist()]
+
+
+def as_csv(rows: Iterable[Iterable[str]]) -> str:
+    text = io.StringIO()
+    csv.writer(text, lineterminator="\n").writerows(rows)
+    return text.getvalue()

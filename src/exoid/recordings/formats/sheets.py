@@ -1,0 +1,87 @@
+"""Any table of somebody else's, by its suffix; what its library says of it becomes a sentence."""
+
+import warnings
+from collections.abc import Callable, Collection
+from functools import partial
+from importlib import import_module
+from pathlib import Path
+
+from exoid.files.extras import require
+from exoid.files.foreign import ForeignError
+from exoid.files.library_faults import is_ours
+from exoid.recordings.tables.sheet import Sheet
+
+TEXTS = (".csv", ".tsv", ".txt", ".dat")
+# Suffix: module and function here, the package it needs and the extra that brings it.
+READERS: dict[str, tuple[str, str, str | None]] = {
+    **dict.fromkeys(TEXTS, ("delimited", "read_delimited", None)),
+    ".mot": ("opensim", "read_opensim", None),
+    ".sto": ("opensim", "read_opensim", None),
+    ".npz": ("npz", "read_npz", None),
+    ".mat": ("matlab", "read_matlab", None),
+    ".c3d": ("c3d", "read_c3d", "ezc3d"),
+    ".xlsx": ("excel", "read_excel", "openpyxl"),
+    ".xlsm": ("excel", "read_excel", "openpyxl"),
+    ".parquet": ("parquet", "read_parquet", "pyarrow"),
+}
+CALLED = {
+    ".c3d": "a C3D file",
+    ".xlsx": "an Excel workbook",
+    ".xlsm": "an Excel workbook",
+    ".parquet": "a Parquet file",
+    ".mat": "a MATLAB file",
+    ".npz": "a NumPy archive",
+}
+ELSEWHERE = {
+    ".xls": "is in Excel's format of before 2007. Save it as .xlsx or .csv.",
+    ".ods": "is an OpenDocument table. Save it as .xlsx or .csv.",
+    ".npy": "is one array without names. Save with np.savez(time=..., raw_angle_deg=...).",
+    ".feather": "is a Feather file. Write it as .parquet.",
+    ".json": "is JSON. Write it as .csv or .parquet.",
+}
+
+
+def is_table(path: Path) -> bool:
+    """Is this suffix that of a table, readable or not?"""
+    return path.suffix.lower() in READERS.keys() | ELSEWHERE.keys()
+
+
+def read_sheet(path: Path, wanted: Collection[str] = ()) -> Sheet:
+    """The table in a file; `wanted` are the columns that a map names.
+
+    **Raises** `ValueError` with one sentence for a file that cannot be read, whatever is the matter
+    with it, and for a package that is not installed.
+    """
+    suffix = path.suffix.lower()
+    if suffix in ELSEWHERE:
+        raise ValueError(ELSEWHERE[suffix])
+    module, name, package = READERS[suffix]
+    if package is not None:
+        require(package, f"{CALLED[suffix]} is read")
+    if path.is_dir():
+        raise ValueError("this is a directory. Name the file in it.")
+    if not path.is_file():
+        raise ValueError("cannot be read: No such file or directory. Check the name.")
+    reader = getattr(import_module(f"exoid.recordings.formats.{module}"), name)
+    if suffix == ".c3d":
+        reader = partial(reader, wanted=wanted)
+    return reader(path) if suffix not in CALLED else guarded(reader, path, CALLED[suffix])
+
+
+def guarded(reader: Callable[[Path], Sheet], path: Path, called: str) -> Sheet:
+    """What the reader gives; a damaged file in one line, not in the words of its library."""
+    damaged = f"is damaged, or not {called}. Export it again."
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # the libraries' own, which say nothing about the file
+            return reader(path)
+    except ForeignError as fault:
+        raise ValueError(str(fault).removeprefix(str(path)).lstrip(": ")) from fault
+    except MemoryError as fault:
+        raise ValueError(f"is damaged, or not {called}: it asks for all memory.") from fault
+    except ValueError as fault:
+        if is_ours(fault):
+            raise
+        raise ValueError(damaged) from fault
+    except Exception as fault:  # the libraries have no family of exceptions for a bad file
+        raise ValueError(damaged) from fault

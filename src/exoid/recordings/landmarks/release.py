@@ -1,0 +1,114 @@
+"""How a leg was let go: when, from which angle, and whether nothing held it any more.
+
+Held still until t0, it then falls from rest:
+
+    phi = phi_s + a x^2 + b x^3 + c x^4 + e x^5,   x = t - t0.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from exoid.recordings.landmarks.measure import NotAllowed
+from exoid.recordings.landmarks.track import HALF, SURE, Peak, Track, local, nearest
+from exoid.recordings.motion.extent import Extent
+from exoid.recordings.recording import Samples
+from exoid.recordings.signal.condition import MOTION_SPEED
+
+FALL = 0.3  # s of the fall that are followed
+MISSED = 0.05  # of its first acceleration, by what the polynomial leaves out of a quick leg's fall
+LATE = 0.025  # s by which the first sample may come after the release
+NEAR, LATER = 0.03, 0.03  # s around the release that are tried; play hides the first of a fall
+STEP = 0.001  # s between the tried times of release
+POWERS = np.array([0, 2, 3, 4, 5])
+FEWEST = 8  # samples of the fall
+
+Table = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Release:
+    """The start of a fall. `fall` holds phi_s, a, b, c and e, with x in units of FALL."""
+
+    start: Peak  # s, rad
+    fall: Samples
+    covariance: Table  # of `fall`, with that of t0 behind it
+
+    def derivative(self, order: int, after: float) -> tuple[float, float]:
+        """d^order phi / dt^order `after` s into the fall, and its standard error."""
+        row = fall_row(after / FALL, order) / FALL**order
+        error = np.sqrt(row @ self.covariance[:-1, :-1] @ row)
+        return float(row @ self.fall), float(error)
+
+    def steepest(self) -> tuple[float, float, float]:
+        """Where its first part accelerates most towards flexion: s after t0, rad/s^2, error."""
+        tried = np.linspace(0.0, HALF, 11).tolist()
+        after = min(tried, key=lambda each: self.derivative(2, each)[0])
+        value, error = self.derivative(2, after)
+        return after, value, float(np.hypot(error, MISSED * value))
+
+
+def find_release(track: Track, extent: Extent) -> Release:
+    """The release of a drop whose movement is known.
+
+    **Raises** `NotAllowed` where the recording begins after its release.
+    """
+    begin, lowest, reach = about(track, extent)
+    tried = np.arange(max(begin - reach, lowest), begin + reach + LATER, STEP)
+    misfits = [misfit(track, each) for each in tried.tolist()]
+    best = float(tried[int(np.argmin(misfits))])
+    step = refined(track, best)[1]
+    return refined(track, best + float(np.clip(step, -STEP, STEP)))[0]
+
+
+def about(track: Track, extent: Extent) -> tuple[float, float, float]:
+    """Near which time it was let go, before which it was not, and how near [s]."""
+    first = float(track.time[0])
+    if extent.held_until is not None:
+        return extent.release, first, NEAR + SURE * extent.release_error
+    begun, error = local(track, first).derivative(1)
+    if abs(begun) > MOTION_SPEED + SURE * error:
+        raise NotAllowed(
+            f"begins in motion, at {abs(np.degrees(begun)):.0f} deg/s: the release was not "
+            "recorded. Hold the leg still for a second before you let go"
+        )
+    return first, first - LATE, NEAR
+
+
+def fall_row(x: Samples | float, order: int = 0) -> Samples:
+    """A derivative of 1, x^2, x^3, x^4 and x^5."""
+    powers, factors = POWERS, np.ones(POWERS.size)
+    for _ in range(order):
+        factors, powers = factors * powers, np.maximum(powers - 1, 0)
+    return factors * np.asarray(x, dtype=float)[..., None] ** powers
+
+
+def followed(track: Track, begin: float) -> tuple[Samples, Samples]:
+    """x and angle from a little before the release to the end of what is followed."""
+    inside = (track.time > begin - FALL) & (track.time < begin + FALL)
+    if np.count_nonzero(inside & (track.time >= begin)) < FEWEST:
+        raise NotAllowed(f"cut during the fall: fewer than {FEWEST} samples follow the release")
+    return np.maximum(track.time[inside] - begin, 0) / FALL, track.angle[inside]
+
+
+def misfit(track: Track, begin: float) -> float:
+    """The sum of squares for a release at `begin`."""
+    x, angle = followed(track, begin)
+    table = fall_row(x)
+    left = angle - table @ np.linalg.lstsq(table, angle, rcond=None)[0]
+    return float(left @ left)
+
+
+def refined(track: Track, begin: float) -> tuple[Release, float]:
+    """The fall from `begin`, and by how much later [s] a release would fit it best."""
+    x, angle = followed(track, begin)
+    table = fall_row(x)
+    fall = np.asarray(np.linalg.lstsq(table, angle, rcond=None)[0], dtype=float)
+    columns = np.column_stack([table, -(fall_row(x, 1) @ fall) / FALL])  # d phi / d t0
+    inverse = np.linalg.pinv(columns)
+    covariance = track.noise**2 * inverse @ inverse.T
+    errors = np.sqrt(np.diag(covariance))
+    at = nearest(track, begin)
+    start = Peak(at, begin, float(errors[-1]), float(fall[0]), float(errors[0]))
+    return Release(start, fall, covariance), float((inverse @ (angle - table @ fall))[-1])

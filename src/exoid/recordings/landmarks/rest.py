@@ -1,0 +1,139 @@
+"""Where a drop came to rest, and when."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from exoid.recordings.landmarks.measure import NotAllowed
+from exoid.recordings.landmarks.track import SURE, Peak, Track, nearest
+from exoid.recordings.signal.condition import SMOOTHING, local_line
+
+BAND = np.radians(2.0)  # rad to either side of the resting angle within which a leg is at rest
+SHORTEST = 1.0  # s at rest by which a record must end, about one swing
+SEEN = 5.0  # times the noise of the smoothed angle that the band is, or noise leaves it at rest
+WIDEST = 0.3  # s of smoothing, a third of a swing
+FADED = 4 * np.pi * np.sqrt(2)  # by which what a swing loses in a period shifts its mean over it
+
+
+@dataclass(frozen=True)
+class Rest:
+    """The resting angle, read from the end of the record, and when the leg last came to it."""
+
+    angle: Peak  # rad; its time is the middle of what was averaged
+    since: Peak  # s; when the angle entered the band for good
+
+
+def find_rest(track: Track, turns: list[Peak]) -> Rest:
+    """The rest that a drop ends with.
+
+    **Raises** `NotAllowed` where the record ends before, or a hand ended the swings.
+    """
+    lasting = max(SHORTEST, last_period(turns))
+    first = int(np.searchsorted(track.time, track.time[-1] - lasting))
+    width = window(track)
+    smooth, slope = local_line(track.time, track.angle, width)
+    swing = float(np.ptp(smooth[first:]))
+    if track.time[first] - track.time[0] < lasting or swing > 2 * BAND:
+        raise NotAllowed(
+            f"cut before rest: in the last {lasting:.2g} s the angle still moves by "
+            f"{np.degrees(swing):.3g} deg, {np.degrees(2 * BAND):.0f} are the most. Record until "
+            "the leg hangs still"
+        )
+    angle = float(track.angle[first:].mean())
+    error = float(
+        np.hypot(track.noise / np.sqrt(track.time.size - first), swing * loss(turns) / FADED)
+    )
+    check_free([float(smooth[0]), *(each.value for each in turns)], angle, turns)
+    middle = float(track.time[first:].mean())
+    resting = Peak(nearest(track, middle), middle, lasting / 2, angle, error)
+    return Rest(resting, entered(track, resting, smooth, slope, track.smoothed_noise(width)))
+
+
+def window(track: Track) -> float:
+    """Over how much [s] the angle is smoothed, for noise not to leave the band of rest.
+
+    **Raises** `NotAllowed` where that blurs the swings.
+    """
+    samples = (SEEN * track.noise / BAND) ** 2
+    width = max(SMOOTHING, samples * float(np.median(np.diff(track.time))))
+    if width > WIDEST:
+        raise NotAllowed(
+            f"too noisy: {np.degrees(track.noise):.2g} deg of noise hide whether a leg is within "
+            f"{np.degrees(BAND):.0f} deg of its rest. Track at a higher rate, or the marker better"
+        )
+    return width
+
+
+def loss(turns: list[Peak]) -> float:
+    """The share of its amplitude that the last swing loses in a period; all of it, if unknown."""
+    if len(turns) < 3:
+        return 1.0
+    before, last, end = (each.value for each in turns[-3:])
+    return 1 - min(abs(end - last) / abs(last - before), 1.0) ** 2
+
+
+def last_period(turns: list[Peak]) -> float:
+    """Of the last full swing [s]; 0 where there is none."""
+    return turns[-1].time - turns[-3].time if len(turns) > 2 else 0.0
+
+
+def check_free(ends: list[float], angle: float, turns: list[Peak]) -> None:
+    """Refuse a rest that comes while the leg should still swing past it, or far from its middle.
+
+    `ends` are the start and the turns [rad]. Swings of a free leg shrink by a factor (viscous
+    damping) or by equal steps (friction). So the next one is at least as long as the last less what
+    the last had lost, and their middle is no farther from rest than that loss. Of a single swing
+    only its two sides are known: it goes no farther past the rest than it came from. A leg that
+    sinks below its swings is not judged.
+    """
+    if len(ends) < 2:
+        return
+    last, end = ends[-2:]
+    swing, beyond = abs(end - last), abs(end - angle)
+    if len(ends) > 3:
+        lost = max(abs(last - ends[-3]) - swing, 0.0)
+        past = swing - lost - beyond > 2 * BAND
+        aside = abs(angle - (last + end) / 2) > lost + BAND
+    else:
+        past, aside = 2 * beyond - abs(last - angle) > 2 * BAND, False
+    if min(last, end) < angle < max(last, end) and (past or aside):
+        raise NotAllowed(
+            f"caught: the swings end at once after {turns[-1].time:.2f} s, as by a hand. Leave the "
+            "leg alone until it hangs still"
+        )
+
+
+def entered(
+    track: Track, resting: Peak, smooth: np.ndarray, slope: np.ndarray, noise: float
+) -> Peak:
+    """When the angle, whose smoothed form has such a noise, came within the band of the resting
+    angle and stayed there.
+
+    A swing that just reaches out of the band, or just does not, makes half a period: the error
+    holds it where a band that is surely wider or narrower gives another swing.
+    """
+    at, time = last_outside(track.time, smooth, resting.value, BAND)
+    if at < 0:
+        raise NotAllowed("at rest all the time")
+    edge = resting.value + np.copysign(BAND, smooth[at] - resting.value)
+    unsure = np.hypot(noise, resting.error)
+    error = float(unsure) / max(abs(slope[at]), 1e-3)
+    far = SURE * unsure
+    others = (last_outside(track.time, smooth, resting.value, BAND + by) for by in (-far, far))
+    swung = max(abs(other - time) for _, other in others)
+    if swung > 2 * SURE * error:  # by a swing, not along the slope
+        error = swung / 2
+    return Peak(nearest(track, time), time, min(error, SHORTEST), float(edge), resting.error)
+
+
+def last_outside(
+    time: np.ndarray, smooth: np.ndarray, rest: float, band: float
+) -> tuple[int, float]:
+    """The last sample farther than `band` from rest, and when it comes within; -1 for none."""
+    outside = np.flatnonzero(np.abs(smooth - rest) > band)
+    if not outside.size:
+        return -1, float(time[0])
+    at = min(int(outside[-1]), time.size - 2)
+    edge = rest + np.copysign(band, smooth[at] - rest)
+    share = float(np.clip((edge - smooth[at]) / (smooth[at + 1] - smooth[at]), 0.0, 1.0))
+    return at, float(time[at] + share * (time[at + 1] - time[at]))

@@ -1,0 +1,58 @@
+"""The swings of a drop: where the leg turned around, and how fast it moved and accelerated."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from exoid.recordings.landmarks.release import Release
+from exoid.recordings.landmarks.track import HALF, Peak, Track, local, peak
+from exoid.recordings.recording import Samples
+from exoid.recordings.signal.condition import local_line
+from exoid.recordings.signal.turning_points import reversals
+
+SMALLEST = np.radians(1.0)  # rad, of a swing that counts as one
+CLEAR = 8.0  # times the noise of the smoothed angle, which at rest spans six
+
+
+@dataclass(frozen=True, eq=False)
+class Curve:
+    """Angle, angular velocity and acceleration from the release to the end."""
+
+    time: Samples  # s
+    angle: Samples  # rad
+    velocity: Samples  # rad/s
+    acceleration: Samples  # rad/s^2
+
+
+def turns(track: Track, begin: float) -> list[Peak]:
+    """The turning points after `begin` [s], flexion and extension in turn.
+
+    One counts once the leg has swung back from it by a degree. The first may be an extension,
+    where the leg did not fall at first.
+    """
+    first = int(np.searchsorted(track.time, begin))
+    return [peak(track, first + at, 0, begin) for at in turned(track, first)]
+
+
+def turned(track: Track, first: int = 0) -> list[int]:
+    """The samples from `first` on at which the smoothed angle turns around."""
+    return reversals(local_line(track.time, track.angle, HALF)[0][first:], back(track))
+
+
+def back(track: Track) -> float:
+    """By how much a leg must swing back [rad]."""
+    return max(SMALLEST, CLEAR * track.smoothed_noise(HALF))
+
+
+def curve(track: Track, release: Release | None) -> Curve:
+    """The drop and its derivatives; right after a release, those of the fall from rest."""
+    begin = track.time[0] if release is None else release.start.time
+    time = track.time[track.time >= begin]
+    rows = [local(track, each, begin) for each in time.tolist()]
+    orders = [np.array([row.derivative(order)[0] for row in rows]) for order in range(3)]
+    if release is not None:
+        fresh = np.flatnonzero(time < begin + HALF)
+        for order, values in enumerate(orders):
+            after = time[fresh] - begin
+            values[fresh] = [release.derivative(order, each)[0] for each in after.tolist()]
+    return Curve(time, *orders)

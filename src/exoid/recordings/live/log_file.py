@@ -1,0 +1,97 @@
+"""The log that a live recording writes: at any moment, all but the last half second is on disk."""
+
+import time
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+import can
+
+from exoid.recordings.can.frames import CanLogError
+
+SAVED_EVERY = 0.5  # s
+KINDS = (".blf", ".asc", ".log")
+
+
+def check_kind(path: Path) -> None:
+    """**Raises** `CanLogError` for a format that a recording is not written in."""
+    kind = path.suffix.lower()
+    if kind == ".db":
+        raise CanLogError(
+            f"{path}: python-can loses frames when it writes .db. End it in {', '.join(KINDS)}."
+        )
+    if kind not in KINDS:
+        raise CanLogError(f"{path}: a recording ends in {', '.join(KINDS)}. Name such a file.")
+
+
+class LogFile:
+    """A log file that comes into being with its first frame.
+
+    **Raises** `FileExistsError` at the first frame where there is such a file and it is not to be
+    replaced, and `CanLogError` where a frame cannot be written.
+    """
+
+    def __init__(self, path: Path, *, replace: bool = False):
+        check_kind(path)
+        self.path = path
+        self.replace = replace
+        self.writer: Any = None
+        self.frames = 0
+        self.saved = time.monotonic()
+
+    def write(self, message: can.Message) -> None:
+        """Add a frame, and twice a second hand over all of them to the operating system."""
+        try:
+            if self.writer is None:
+                self.writer = begin(self.path, "w" if self.replace else "x")
+            self.writer.on_message_received(message)
+            self.frames += 1
+            if time.monotonic() >= self.saved + SAVED_EVERY:
+                self.save()
+        except FileExistsError:
+            raise
+        except OSError as fault:
+            raise self.broken(fault) from fault
+
+    def save(self) -> None:
+        """Hand over what was written to the operating system, which outlives this process."""
+        self.saved = time.monotonic()
+        if self.writer is None:
+            return
+        try:
+            if isinstance(self.writer, can.BLFWriter):
+                self.writer._flush()  # else it holds frames back until 128 KiB have come together
+            self.writer.file.flush()
+        except OSError as fault:
+            raise self.broken(fault) from fault
+
+    def close(self) -> None:
+        """Complete the file. **Raises** `CanLogError` where that cannot be done."""
+        if self.writer is None:
+            return
+        try:
+            self.writer.stop()
+        except OSError as fault:
+            raise self.broken(fault) from fault
+        self.writer = None
+
+    def broken(self, fault: OSError) -> CanLogError:
+        """Let go of the file; what happened to the disk, and what to do."""
+        writer, self.writer = self.writer, None
+        if writer is not None:
+            with suppress(OSError):  # it tries once more to write what it holds
+                writer.file.close()
+        return CanLogError(
+            f"{self.path}: {fault.strerror or fault} after {self.frames} frames. What was written "
+            "until then is kept. Make room, or name another disk, and record on in a new file."
+        )
+
+
+def begin(path: Path, mode: str) -> Any:
+    """python-can's writer of a new file."""
+    kind = path.suffix.lower()
+    if kind == ".blf":
+        file: Any = path.open(f"{mode}b")
+        return can.BLFWriter(file)
+    file = path.open(mode, encoding="utf-8", newline="\n")
+    return can.ASCWriter(file) if kind == ".asc" else can.CanutilsLogWriter(file, "can0")

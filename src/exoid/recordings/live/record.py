@@ -1,0 +1,23 @@
+"""From a live bus to a log file, frame by frame, until somebody says enough."""
+
+from collections.abc import Callable
+
+from exoid.recordings.live.bus import LiveBus
+from exoid.recordings.live.log_file import LogFile
+from exoid.recordings.live.watch import Watch
+
+
+def record(bus: LiveBus, log: LogFile, watch: Watch, going: Callable[[], bool]) -> None:
+    """Write every frame that comes, as long as `going`, which is asked at least every 50 ms.
+
+    **Raises** `CanLogError` when the disk takes no more. The bus may go and come back.
+    """
+    while going():
+        message = bus.receive()
+        if message is not None:
+            log.write(message)
+            watch.see(message)
+            continue
+        log.save()
+        if bus.gone is None:
+            watch.check_silence(bus.bad)

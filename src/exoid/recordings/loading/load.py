@@ -1,0 +1,108 @@
+"""Any recording file: a table or a CAN log, with the sidecar beside it, cut into its movements."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from exoid.files.text_file import naming
+from exoid.recordings.can.quality import LogQuality
+from exoid.recordings.conventions.apply import understand
+from exoid.recordings.formats.own_table import read_table
+from exoid.recordings.formats.sheets import is_table
+from exoid.recordings.motion.split import cut_apart, cut_table
+from exoid.recordings.recording import Protocol, Recording, Sensors, Subject
+from exoid.recordings.sidecar import no_keys, read_keys, read_sidecar
+
+LOG_HEADER = b"timestamp,arbitration_id,"  # of python-can's own .csv
+
+
+@dataclass(frozen=True, eq=False)
+class Loaded:
+    """A recording, what its reader noticed, and for a CAN log its quality report."""
+
+    recording: Recording
+    notes: tuple[str, ...]
+    quality: LogQuality | None
+
+
+def load(
+    path: str | Path,
+    *,
+    dbc: str | Path | None = None,
+    signals: dict[str, str] | None = None,
+    strict: bool = False,
+    whole: bool = False,
+    flip: str | None = None,
+    zero: str | None = None,
+    columns: Mapping[str, str] | None = None,
+) -> Loaded:
+    """Read a recording of either kind; a continuous log is cut into its drops and cycles.
+
+    With `whole` it stays one segment, and what the sidecar marks stays marked. `flip` ("angle",
+    "gyro", "all") names the channels of the other sign, `zero` ("hanging", "unknown", "extended")
+    what the file calls 0; both replace what the sidecar says. `columns` says what a table in other
+    words calls exoid's columns: `{"raw_angle_deg": "Knee Flexion"}`.
+
+    **Raises** `ValueError` (one line: what, where, what to do) and `OSError`; with `strict` also
+    for anything that a CAN log lost.
+    """
+    path = Path(path)
+    check_request(path, dbc, signals)
+    if is_table(path) and dbc is None and not is_log(path):
+        recording, notes = read_table(path, columns)
+        with naming(path):
+            recording, more = understand(recording, cut_table, whole=whole, flip=flip, zero=zero)
+        return Loaded(recording, (*notes, *(f"{path}: {note}" for note in more)), None)
+    if columns:
+        raise ValueError(f"{path}: a CAN log has no columns to name. Give --dbc and --signal.")
+    from exoid.recordings.loading.can_log import read_can_log
+
+    subject, protocol, sensors, notes = beside(path)
+    recording, quality = read_can_log(
+        path,
+        dbc=dbc,
+        signals=signals,
+        strict=strict,
+        subject=subject,
+        protocol=protocol,
+        sensors=sensors,
+    )
+    recording = replace(recording, extra_tables=further_tables(path))
+    with naming(path):
+        recording, more = understand(recording, cut_apart, whole=whole, flip=flip, zero=zero)
+    return Loaded(recording, (*notes, *more), quality)
+
+
+def check_request(path: Path, dbc: str | Path | None, signals: dict[str, str] | None) -> None:
+    """Refuse what is no recording, and half of what a log of another device needs."""
+    if path.is_dir():
+        raise ValueError(f"{path}: this is a directory. Name the file in it.")
+    if path.suffix.lower() == ".toml":
+        raise ValueError(f"{path}: this is a sidecar. Name the table or log beside it.")
+    if (dbc is None) != (signals is None):
+        raise ValueError(
+            f"{path}: a DBC and a signal map belong together. Give both (--dbc and --signal), or "
+            "none for a table or a log of the exoskeleton's own node."
+        )
+
+
+def is_log(path: Path) -> bool:
+    """Is this .csv one that python-can wrote?"""
+    with path.open("rb") as file:
+        return file.read(len(LOG_HEADER)) == LOG_HEADER
+
+
+def beside(path: Path) -> tuple[Subject, Protocol, Sensors | None, tuple[str, ...]]:
+    """What the sidecar says; a log without one is of an unknown subject."""
+    sidecar = path.with_suffix(".toml")
+    if not sidecar.exists():
+        note = f"no {sidecar.name} beside the log: subject and protocol are unknown"
+        return Subject(), Protocol(), None, (note,)
+    subject, protocol, sensors, notes = read_sidecar(sidecar)
+    return subject, protocol, None if sensors == Sensors() else sensors, notes
+
+
+def further_tables(path: Path):
+    """The tables of the sidecar that describe no recording, such as [fit]."""
+    sidecar = path.with_suffix(".toml")
+    return (read_keys(sidecar) if sidecar.exists() else no_keys())[1]

@@ -1,0 +1,53 @@
+"""Recordings as a user hands them over: read, loaded, named or not, one or several."""
+
+from collections.abc import Sequence
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+from exoid.recordings.loading.load import Loaded, load
+from exoid.recordings.loading.warn_user import tell
+from exoid.recordings.recording import Recording
+
+Readable = Recording | Loaded | str | PathLike[str]
+ONE = (Recording, Loaded, str, PathLike)
+Given = Readable | Sequence[Readable | tuple[str, Readable]]
+
+
+def named_recordings(given: Given, alone: str = "recording") -> list[tuple[str, Recording]]:
+    """(name, recording) pairs of what was given; one without a name is called `alone`.
+
+    A file is loaded, and what its reader noticed becomes a warning.
+
+    **Raises** `ValueError` for what is no recording, or where there is none.
+    """
+    if isinstance(given, ONE):
+        return [pair(given, alone)]
+    if not isinstance(given, Sequence) or not given:
+        said = "an empty list" if isinstance(given, Sequence) else f"a {type(given).__name__}"
+        raise ValueError(
+            f"this is {said}, not a recording: give a Recording, a path, or what exoid.load gave; "
+            "of data in memory exoid.recording(...) makes one."
+        )
+    several = len(given) > 1
+    return [
+        pair(each, f"{alone} {number}" if several else alone) for number, each in enumerate(given)
+    ]
+
+
+def pair(each: Any, name: str) -> tuple[str, Recording]:
+    """One of them, under its own name where it has one."""
+    if isinstance(each, tuple):
+        return str(each[0]), pair(each[1], name)[1]
+    if isinstance(each, Recording):
+        return name, each
+    if isinstance(each, Loaded):
+        return name, each.recording
+    if not isinstance(each, str | PathLike):
+        raise ValueError(
+            f"this is a {type(each).__name__}, not a recording: of data in memory "
+            "exoid.recording(...) makes one."
+        )
+    loaded = load(each if isinstance(each, str) else Path(each))
+    tell(loaded.notes)
+    return Path(each).name, loaded.recording

@@ -1,0 +1,162 @@
+"""How long a leg accelerates as it did while it surely was free.
+
+Free, its acceleration is a function of angle and speed: phi'' = k0 + k1 cos(phi) + k2 phi + k3 phi'
+by least squares over the free part, or over those of all drops of this leg. Where it differs later,
+a hand is on the leg.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from exoid.recordings.motion.signal import Signal
+from exoid.recordings.motion.thresholds import (
+    BLUR,
+    FEWEST,
+    GRIP,
+    LATE,
+    LEAN,
+    PUSH,
+    ROUGH,
+    SEIZED,
+    SURE,
+    USUAL,
+)
+from exoid.recordings.recording import Samples
+from exoid.recordings.signal.condition import interpolated, local_line
+
+
+@dataclass(frozen=True, eq=False)
+class Law:
+    """What free parts told of a leg."""
+
+    numbers: NDArray[np.floating]  # k0, k1 [rad/s^2], k2 [1/s^2], k3 [1/s]
+    scatter: NDArray[np.floating]  # their covariance
+    usual: float  # rad/s^2, what it leaves in the free parts
+    greatest: float  # rad/s^2, acceleration there
+
+    def clear(self, share: float) -> float:
+        """From where on an acceleration is no free leg's; `share` of the greatest at least."""
+        return max(ROUGH * self.usual, share * self.greatest)
+
+
+Part = tuple[Signal, slice]  # a signal, and its samples in which the leg is free
+
+
+def law_of(parts: list[Part]) -> Law | None:
+    """None where the free parts are too short to tell one."""
+    tables, accelerations, alike = [], [], []
+    for signal, free in parts:
+        seen = derivatives(signal)
+        inside = within(signal, free, seen.width)
+        if inside.stop - inside.start < FEWEST:
+            continue
+        tables.append(seen.table[inside])
+        accelerations.append(seen.acceleration[inside])
+        alike.append(max(seen.width / signal.step, 1.0))  # smoothed samples share their noise
+    if not tables:
+        return None
+    table, acceleration = np.concatenate(tables), np.concatenate(accelerations)
+    numbers = np.linalg.lstsq(table, acceleration, rcond=None)[0]
+    share, deviations = USUAL
+    usual = float(np.quantile(np.abs(acceleration - table @ numbers), share)) / deviations
+    scatter = max(alike) * usual**2 * np.linalg.pinv(table.T @ table)
+    return Law(numbers, scatter, usual, float(np.abs(acceleration).max()))
+
+
+def within(signal: Signal, free: slice, width: float) -> slice:
+    """The samples around which a whole window of `width` s is free."""
+    first = np.searchsorted(signal.time, signal.time[free.start] + width / 2)
+    last = np.searchsorted(signal.time, signal.time[free.stop - 1] - width / 2, side="right")
+    return slice(int(first), max(int(first), int(last)))
+
+
+def free_until(signal: Signal, free: slice, limit: int, law: Law | None = None) -> int:
+    """One past the last sample that is as free as those of `free`, and not beyond `limit`.
+
+    Without a `law` that part tells its own.
+    """
+    law = law_of([(signal, free)]) if law is None else law
+    if law is None:
+        return free.stop
+    at = pushed_at(signal, free, limit, law, law.clear(PUSH))
+    if at is None:
+        return limit
+    since, width = float(signal.time[at]), derivatives(signal).width
+    return max(int(np.searchsorted(signal.time, since - width / 2 - LATE)), free.stop)
+
+
+def gripped_at(signal: Signal, free: slice, limit: int, law: Law) -> int | None:
+    """The first sample after those of `free` at which a hand surely slows the leg down."""
+    return pushed_at(signal, free, limit, law, max(SEIZED * law.usual, GRIP * law.greatest))
+
+
+def pushed_at(signal: Signal, free: slice, limit: int, law: Law, least: float) -> int | None:
+    """The first sample from `free` to `limit` that is `least` rad/s^2 from the law for sure."""
+    seen = derivatives(signal)
+    last = within(signal, free, seen.width).stop
+    unsure = SURE * np.sqrt(np.einsum("ti,ij,tj->t", seen.table, law.scatter, seen.table))
+    pushed = (np.abs(unexplained(seen, law)) > least + unsure)[last:limit]
+    return last + int(np.argmax(pushed)) if pushed.any() else None
+
+
+def kept_there(signal: Signal, free: slice, rest: slice, law: Law | None = None) -> bool:
+    """Is something needed to keep the leg where it rests, if it is as in the samples `free`?"""
+    law = law_of([(signal, free)]) if law is None else law
+    if law is None:
+        return False
+    inside = slice(int(np.searchsorted(signal.time, signal.time[rest.start] + LATE)), rest.stop)
+    seen = derivatives(signal)
+    needed = unexplained(seen, law)[inside]
+    if not needed.size:
+        return False
+    where = seen.table[inside].mean(axis=0)
+    unsure = float(np.sqrt(where @ law.scatter @ where))
+    return bool(abs(float(np.mean(needed))) > law.clear(LEAN) + SURE * unsure)
+
+
+def unexplained(seen: "Derivatives", law: Law) -> Samples:
+    """The acceleration that a law does not have [rad/s^2]."""
+    return seen.acceleration - seen.table @ law.numbers
+
+
+@dataclass(frozen=True, eq=False)
+class Derivatives:
+    """Angle, speed and acceleration, smoothed over `width` s, and the acceleration's error."""
+
+    angle: Samples  # rad
+    speed: Samples  # rad/s
+    acceleration: Samples  # rad/s^2
+    error: float  # rad/s^2
+    width: float  # s
+
+    @property
+    def table(self) -> NDArray[np.float64]:
+        """The columns of the law: (sample, number)."""
+        return np.stack([np.ones(self.angle.size), np.cos(self.angle), self.angle, self.speed], 1)
+
+    @property
+    def clear(self) -> bool:
+        """Would a hand be seen through the noise?"""
+        return bool(self.error < PUSH * np.ptp(self.acceleration) / 2 / ROUGH)
+
+
+def derivatives(signal: Signal) -> Derivatives:
+    """Over the shortest window through which a hand would be seen, else the longest."""
+    found = [smoothed_over(signal, width) for width in BLUR]
+    return next((each for each in found if each.clear), found[-1])
+
+
+def smoothed_over(signal: Signal, width: float) -> Derivatives:
+    time, filled = signal.time, interpolated(signal.time, signal.angle)
+    count = max(3, round(width / signal.step))
+    spread = float(np.std(np.arange(count) * signal.step))
+    if signal.velocity is not None:
+        speed, acceleration = local_line(time, signal.velocity, width)
+        error = signal.velocity_noise / (spread * np.sqrt(count))
+        return Derivatives(local_line(time, filled, width)[0], speed, acceleration, error, width)
+    angle, rough = local_line(time, filled, width / 2)  # twice: a parabola over the whole width
+    speed, acceleration = local_line(time, rough, width / 2)
+    error = float(np.sqrt(5) * signal.angle_noise / (spread**2 * np.sqrt(count)))
+    return Derivatives(angle, speed, acceleration, error, width)

@@ -1,0 +1,65 @@
+"""The movements of a continuous recording: drops, cycles, and what a hand did between them."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from exoid.recordings.motion.extent import moving
+from exoid.recordings.motion.free_end import smoothed
+from exoid.recordings.motion.signal import signal_of, speed_of
+from exoid.recordings.motion.thresholds import ABOVE, CLEAR, MINOR, SWINGS, TRAVEL
+from exoid.recordings.recording import Kind, Samples, Segment, Sensors
+from exoid.recordings.signal.condition import classify, cut
+from exoid.recordings.signal.turning_points import RINGING, reversals
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A movement between two rests: its samples, and what it is."""
+
+    start: int
+    stop: int  # one past its last sample
+    kind: Kind | None  # None where a hand moved the leg
+    name: str
+
+
+def find_pieces(log: Segment, sensors: Sensors, told: Kind | tuple | None) -> list[Piece]:
+    """The movements that go far, in turn. `told` is what the sidecar says of all of them."""
+    signal = signal_of(log, sensors)
+    speed = speed_of(signal)
+    smooth, noise = smoothed(signal, speed.width)
+    last = log.time.size - 1
+    found = [(max(a - 1, 0), min(b + 1, last) + 1) for a, b in moving(log.time, speed)]
+    travel = [float(np.ptp(smooth[a:b])) for a, b in found]
+    least = max([TRAVEL, CLEAR * noise, *(MINOR * each for each in travel)])
+    return [
+        piece(log, smooth, slice(a, b), told)
+        for (a, b), far in zip(found, travel, strict=True)
+        if far > least
+    ]
+
+
+def piece(log: Segment, smooth: Samples, part: slice, told: Kind | tuple | None) -> Piece:
+    """What a movement is, by where it ends and whether it rises above where it began."""
+    kind, angle = classify(cut(log, part)), smooth[part]
+    name = {"passive": "a drop", "active": "a movement to and fro", None: "a lift"}[kind]
+    if kind is None and rings(angle):
+        kind, name = "passive", "a drop upwards"  # for the check of signs to see
+    above = float(angle.max() - angle[0]) > ABOVE * float(np.ptp(angle))
+    if kind == "active" and above:
+        kind, name = None, "shaking"
+    if name == "a drop" and above:
+        kind, name = None, "a push"
+    if told in ("passive", "active") and kind != told:
+        kind = None
+    return Piece(part.start, part.stop, kind, name)
+
+
+def rings(angle: Samples) -> bool:
+    """Does a lift end in ever smaller swings? No hand does that: it is a leg that was let go, in a
+    file that counts the angle otherwise.
+    """
+    middle = int(np.argmax(angle > (angle[0] + angle[-1]) / 2))
+    turns = angle[middle:][reversals(angle[middle:], RINGING * float(np.ptp(angle)))]
+    swings = np.abs(np.diff(turns))
+    return swings.size >= SWINGS and bool((np.diff(swings) < 0).all())

@@ -1,0 +1,100 @@
+"""A segment as the search for its movement sees it: angle and gyro, each with its noise."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from exoid.recordings.motion.thresholds import (
+    QUIET,
+    SPEED_ERROR,
+    WIDTHS,
+)
+from exoid.recordings.recording import Samples, Segment, Sensors
+from exoid.recordings.signal.condition import interpolated, local_line
+from exoid.recordings.signal.noise import declared_angle_noise, find_spikes, noise_of
+
+
+@dataclass(frozen=True, eq=False)
+class Signal:
+    """Angle and angular velocity at every sample, NaN where nothing credible was measured."""
+
+    time: Samples  # s
+    angle: Samples  # rad
+    angle_noise: float  # rad, white, of one sample
+    velocity: Samples | None  # rad/s
+    velocity_noise: float  # rad/s
+
+    @property
+    def step(self) -> float:
+        return float(np.median(np.diff(self.time)))
+
+
+@dataclass(frozen=True, eq=False)
+class Speed:
+    """A velocity that is smoothed over as long as its noise needs."""
+
+    velocity: Samples  # rad/s
+    error: float  # rad/s, standard deviation of one value
+    width: float  # s, of the window
+
+    @property
+    def still(self) -> float:
+        """The speed below which a leg cannot be told from one that is held by a hand [rad/s]."""
+        return max(QUIET[0] * self.error, QUIET[1])
+
+
+def signal_of(segment: Segment, sensors: Sensors) -> Signal:
+    """The raw channels, else the filtered ones; single wild samples are left out."""
+    angle = segment.angle if segment.raw_angle is None else segment.raw_angle
+    velocity = segment.angular_velocity
+    if segment.raw_angular_velocity is not None:
+        velocity = segment.raw_angular_velocity
+    assert angle is not None  # a Segment has one or the other
+    declared = declared_angle_noise(sensors, [angle])
+    angle, noise = credible(segment.time, angle, declared, angle=True)
+    if velocity is None:
+        return Signal(segment.time, angle, noise, None, np.inf)
+    velocity, scatter = credible(segment.time, velocity, sensors.velocity_noise, angle=False)
+    return Signal(
+        segment.time, angle, noise, velocity - bias(segment.time, angle, velocity), scatter
+    )
+
+
+def bias(time: Samples, angle: Samples, velocity: Samples) -> float:
+    """Of a gyro, beside the slope of the angle [rad/s]: it is no movement."""
+    slope = local_line(time, interpolated(time, angle), max(WIDTHS))[1]
+    return float(np.nanmedian(velocity - slope))
+
+
+def credible(
+    time: Samples, samples: Samples, declared: float | None, *, angle: bool
+) -> tuple[Samples, float]:
+    """The samples without spikes, and their noise."""
+    kept = np.where(find_spikes(time, samples, declared or 0.0), np.nan, samples)
+    return kept, noise_of([time], [kept], declared, angle=angle).level
+
+
+def speed_of(signal: Signal) -> Speed:
+    """The gyro's mean, else the slope of the angle, over the shortest window that is clear."""
+    found = [windowed(signal, width) for width in WIDTHS]
+    clear = [each for each in found if each.error <= SPEED_ERROR]
+    return clear[0] if clear else found[-1]
+
+
+def windowed(signal: Signal, width: float) -> Speed:
+    """The velocity over windows of `width` s, and what noise is left in it.
+
+    Half a window at either end has the value of the first whole one: shorter windows are noisier.
+    """
+    time, count = signal.time, max(3, round(width / signal.step))
+    whole = (time >= time[0] + width / 2) & (time <= time[-1] - width / 2)
+    if not whole.any():
+        whole[:] = True
+    if signal.velocity is not None:
+        mean = local_line(time, signal.velocity, width)[0]
+        mean = np.interp(time, time[whole], mean[whole])
+        return Speed(mean, signal.velocity_noise / np.sqrt(count), width)
+    slope = local_line(time, interpolated(time, signal.angle), width)[1]
+    slope = np.interp(time, time[whole], slope[whole])
+    places = np.arange(count) * signal.step
+    return Speed(slope, signal.angle_noise / (np.std(places) * np.sqrt(count)), width)

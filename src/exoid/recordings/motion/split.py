@@ -1,0 +1,155 @@
+"""A continuous recording, cut into its drops and cycles; what a hand moved is left out by name."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from exoid.recordings.motion.cycle import find_cycle
+from exoid.recordings.motion.extent import Motionless
+from exoid.recordings.motion.pieces import Piece, find_pieces
+from exoid.recordings.motion.thresholds import REST_KEPT, TAKEN
+from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, known
+from exoid.recordings.signal.condition import classify, cut
+
+Marks = tuple[float, ...]  # s, on the log's clock
+
+
+@dataclass(frozen=True, eq=False)
+class Split:
+    """The segments, and what was left out between them."""
+
+    recording: Recording
+    notes: tuple[str, ...]
+
+
+def split(recording: Recording) -> Recording:
+    """`cut_apart`, without its notes."""
+    return cut_apart(recording).recording
+
+
+def cut_apart(recording: Recording) -> Split:
+    """A log of one segment, cut into its cycles and drops; anything else is returned as it is.
+
+    `protocol.segment_start` and `segment_end` say where, when given [s on the log's clock].
+    Otherwise rests separate movements, each keeps up to 0.5 s of the rest before it, and what a
+    hand moved is left out. Kind and cycle period are filled in where the sidecar is silent.
+    """
+    log, *others = recording.segments
+    if others:
+        return Split(recording, ())
+    starts, ends = recording.protocol.segment_start, recording.protocol.segment_end
+    if starts is not None:
+        return Split(of_parts(recording, marked_parts(log, starts, ends)), ())
+    pieces = find_pieces(log, recording.sensors, recording.protocol.kind)
+    parts = kept_parts(log, pieces)
+    if not parts:
+        raise ValueError(
+            "no movement was found: no drop or cycle between two rests. Mark the segments with "
+            "segment_start_s and segment_end_s."
+        )
+    return Split(of_parts(recording, parts), notes_of(log, pieces))
+
+
+def cut_table(recording: Recording) -> Split:
+    """A table is cut as a log is, where it holds more than one movement of a person's leg.
+
+    Otherwise it is returned as it is.
+    """
+    protocol = recording.protocol
+    if len(recording.segments) > 1 or protocol.segment_start is not None:
+        return cut_apart(recording)
+    said = for_all(recording)
+    kind = said.protocol.kind
+    if kind == "measured" or said.subject.kind == "rig":
+        return Split(recording, ())
+    log = said.segments[0]
+    pieces = find_pieces(log, said.sensors, kind)
+    parts = kept_parts(log, pieces)
+    if not parts or len(pieces) < 2 or (kind == "active" and len(parts) < 2):
+        return Split(recording, ())
+    return Split(of_parts(said, parts), notes_of(log, pieces))
+
+
+def for_all(recording: Recording) -> Recording:
+    """What is said of the one segment is said of all that it is cut into."""
+
+    def told(table):
+        each = {entry.name: getattr(table, entry.name) for entry in known(table)}
+        single = {k: v[0] for k, v in each.items() if isinstance(v, tuple) and len(v) == 1}
+        single = {k: None if v != v else v for k, v in single.items()}
+        return replace(table, **single)
+
+    return replace(recording, subject=told(recording.subject), protocol=told(recording.protocol))
+
+
+def kept_parts(log: Segment, pieces: list[Piece]) -> list[slice]:
+    """Every drop and cycle with the rest before it; a drop lasts until a hand takes the leg for the
+    next movement.
+    """
+    parts = []
+    for number, piece in enumerate(pieces):
+        if piece.kind is None:
+            continue
+        before = pieces[number - 1].stop if number else 0
+        rest = int(np.searchsorted(log.time, log.time[piece.start] - REST_KEPT))
+        stop = piece.stop
+        if piece.kind == "passive":
+            stop = log.time.size
+            if number + 1 < len(pieces):
+                taken = log.time[pieces[number + 1].start] - TAKEN
+                stop = max(piece.stop, int(np.searchsorted(log.time, taken)))
+        parts.append(slice(max(rest, before), stop))
+    return parts
+
+
+def notes_of(log: Segment, pieces: list[Piece]) -> tuple[str, ...]:
+    """What was left out, by its time."""
+    left = [
+        f"{each.name} from {log.time[each.start]:.1f} to {log.time[each.stop - 1]:.1f} s"
+        for each in pieces
+        if each.kind is None
+    ]
+    return (f"left out, for a hand moved the leg: {', '.join(left)}",) if left else ()
+
+
+def marked_parts(log: Segment, starts: Marks, ends: Marks | None) -> list[slice]:
+    """The samples between the marks; without end marks each segment lasts until the next."""
+    parts = []
+    ends = ends or (*starts[1:], float(log.time[-1]))
+    for number, (start, end) in enumerate(zip(starts, ends, strict=True)):
+        inside = np.flatnonzero((log.time >= start) & (log.time <= end))
+        if inside.size < 2:
+            raise ValueError(
+                f"segment {number} is marked from {start:g} to {end:g} s, where the log has "
+                f"{inside.size} sample(s); it runs from {log.time[0]:g} to {log.time[-1]:g} s."
+            )
+        parts.append(slice(int(inside[0]), int(inside[-1]) + 1))
+    return parts
+
+
+def of_parts(recording: Recording, parts: list[slice]) -> Recording:
+    log = recording.segments[0]
+    segments = [cut(log, part) for part in parts]
+    protocol = describe(recording.protocol, segments, recording.sensors)
+    return replace(recording, segments=tuple(segments), protocol=protocol)
+
+
+def describe(protocol: Protocol, segments: list[Segment], sensors: Sensors) -> Protocol:
+    """The protocol of the segments, the marks gone and what was missing filled in."""
+    kind = protocol.kind or tuple(classify(segment) or "passive" for segment in segments)
+    period = protocol.cycle_period
+    if period is None and "active" in kind:
+        kinds = kind if isinstance(kind, tuple) else (kind,) * len(segments)
+        period = tuple(
+            measure_period(segment, sensors) if each == "active" else np.nan
+            for each, segment in zip(kinds, segments, strict=True)
+        )
+    return replace(protocol, kind=kind, cycle_period=period, segment_start=None, segment_end=None)
+
+
+def measure_period(segment: Segment, sensors: Sensors) -> float:
+    """The time [s] from the onset of a movement to its return; nan if nothing moves."""
+    try:
+        return find_cycle(segment, sensors).duration
+    except Motionless:
+        return np.nan

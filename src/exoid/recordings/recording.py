@@ -1,0 +1,321 @@
+"""What was measured: a Recording of one leg (or rig), in SI units, on one clock, checked here.
+
+Plain frozen dataclasses over NumPy arrays: reading a file must not load JAX.
+"""
+# ruff: noqa: RUF009 (the calls below make dataclass fields)
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from exoid.recordings import summary
+from exoid.recordings.unit_hint import unit_hint
+
+Samples = NDArray[np.float64]  # one value per sample; jaxtyping here would cost 0.1 s at start
+Kind = Literal["passive", "active", "measured"]
+
+KINDS: tuple[Kind, ...] = ("passive", "active", "measured")
+TORQUE_FREQUENCIES = ("1/T", "2/T")  # the two readings of Eq. 4
+SIDES = ("left", "right")
+FLIPS = ("angle", "gyro", "all")  # channels whose sign is the other one
+ZEROS = ("extended", "hanging", "unknown")  # what the encoder calls 0
+KNEE_ANGLE_LIMIT = 3.6  # rad; a knee spans about -2.7 (heel at the thigh) to +0.3
+
+
+def ranged(key: str, unit: str, lower: float, upper: float, default=None):
+    """A number of the sidecar: its TOML key, its unit, and the range in which it can be true."""
+    return field(
+        default=default, metadata={"key": key, "unit": unit, "lower": lower, "upper": upper}
+    )
+
+
+def text(key: str, choices: tuple[str, ...] | None = None):
+    """A word of the sidecar: its TOML key and, where only some words make sense, which."""
+    return field(default=None, metadata={"key": key, "choices": choices})
+
+
+def extra():
+    """What a file holds that this format does not know: kept, by name, as it was read."""
+    return field(default_factory=dict, hash=False)
+
+
+@dataclass(frozen=True)
+class Subject:
+    """Whose leg, or which rig. None means unknown, never a default."""
+
+    kind: Literal["leg", "rig"] | None = text("kind", ("leg", "rig"))
+    id: str | None = text("id")
+    side: str | None = text("side", SIDES)
+    session: str | None = text("session")
+    body_mass: float | None = ranged("body_mass_kg", "kg", 2.0, 400.0)
+    height: float | None = ranged("height_m", "m", 0.4, 2.6)
+    age: float | None = ranged("age_years", "years", 0.0, 130.0)
+    shank_length: float | None = ranged("shank_length_m", "m", 0.05, 0.8)
+    shank_foot_mass: float | None = ranged("shank_foot_mass_kg", "kg", 0.05, 40.0)
+    com_distance: float | None = ranged("com_distance_m", "m", 0.01, 0.8)
+    added_mass: float | tuple[float, ...] | None = ranged("added_mass_kg", "kg", 0.0, 50.0)
+    added_mass_distance: float | tuple[float, ...] | None = ranged(
+        "added_mass_distance_m", "m", 0.0, 1.0
+    )
+    added_mass_uncertainty: float | None = ranged("added_mass_uncertainty_kg", "kg", 0.0, 10.0)
+    added_mass_distance_uncertainty: float | None = ranged(
+        "added_mass_distance_uncertainty_m", "m", 0.0, 0.5
+    )
+    added_mass_gyration: float | None = ranged("added_mass_gyration_m", "m", 0.0, 0.5)
+    notes: str | None = text("notes")
+    extra_keys: Mapping[str, Any] = extra()
+
+
+@dataclass(frozen=True)
+class Protocol:
+    """How the leg was moved. A tuple holds one value per segment."""
+
+    kind: Kind | tuple[Kind, ...] | None = text("kind", KINDS)
+    cycle_period: float | tuple[float, ...] | None = ranged("cycle_period_s", "s", 0.05, 120.0)
+    torque_frequency: str | None = text("torque_frequency", TORQUE_FREQUENCIES)
+    thigh_angle: float | tuple[float, ...] | None = ranged("thigh_angle_rad", "rad", -1.2, 1.2)
+    thigh_angle_uncertainty: float | None = ranged("thigh_angle_uncertainty_rad", "rad", 0.0, 1.2)
+    segment_start: tuple[float, ...] | None = ranged("segment_start_s", "s", 0.0, 1e6)
+    segment_end: tuple[float, ...] | None = ranged("segment_end_s", "s", 0.0, 1e6)
+    time_origin: float | None = ranged("time_origin_s", "s", 0.0, 1e19)
+    extra_keys: Mapping[str, Any] = extra()
+
+
+@dataclass(frozen=True)
+class Sensors:
+    """What is known of the sensors. An uncertainty is one standard deviation, None where not told.
+
+    `flip`, `zero` and `angle_zero` say how a file differs from exoid's convention; `load` mends its
+    samples accordingly and clears them (`recordings/conventions/mounting.py`).
+    """
+
+    encoder_counts: float | None = ranged("encoder_counts", "counts per turn", 16.0, 2.0**26)
+    angle_noise: float | None = ranged("angle_noise_rad", "rad", 1e-9, 1.0)
+    velocity_noise: float | None = ranged("velocity_noise_rad_s", "rad/s", 1e-9, 10.0)
+    gyro_range: float | None = ranged("gyro_range_dps", "deg/s", 10.0, 20000.0)
+    sample_rate: float | None = ranged("sample_rate_hz", "Hz", 1.0, 20000.0)
+    flip: str | None = text("flip", FLIPS)
+    zero: str | None = text("zero", ZEROS)
+    angle_zero: float | None = ranged("angle_zero_rad", "rad", -7.0, 7.0)
+    angle_zero_uncertainty: float | None = ranged("angle_zero_uncertainty_rad", "rad", 0.0, 3.2)
+    gyro_scale_uncertainty: float | None = ranged("gyro_scale_uncertainty", "of 1", 0.0, 0.5)
+    clock_uncertainty: float | None = ranged("clock_uncertainty", "of 1", 0.0, 0.5)
+    extra_keys: Mapping[str, Any] = extra()
+
+
+class BadSample(ValueError):
+    """A sample that cannot be true, and which it is: a reader adds the line of its file."""
+
+    segment: int
+    sample: int
+
+
+def bad_sample(segment: int, sample: int, message: str) -> BadSample:
+    error = BadSample(message)
+    error.segment, error.sample = segment, sample
+    return error
+
+
+def channel(column: str, unit: str, upper: float):
+    """A measured channel: its CSV column, its unit, and the size beyond which no knee can go."""
+    return field(default=None, metadata={"column": column, "unit": unit, "upper": upper})
+
+
+@dataclass(frozen=True, eq=False)
+class Segment:
+    """One release, or one movement cycle with its rest before it. NaN marks a missing sample."""
+
+    time: Samples = field(metadata={"column": "time_s", "unit": "s", "upper": 1e19})
+    angle: Samples | None = channel("angle_rad", "rad", 14.0)
+    angular_velocity: Samples | None = channel("velocity_rad_s", "rad/s", 100.0)
+    angular_acceleration: Samples | None = channel("acceleration_rad_s2", "rad/s^2", 1e5)
+    raw_angle: Samples | None = channel("raw_angle_rad", "rad", 14.0)
+    raw_angular_velocity: Samples | None = channel("raw_velocity_rad_s", "rad/s", 100.0)
+    raw_acceleration_x: Samples | None = channel("raw_acceleration_x_m_s2", "m/s^2", 1000.0)
+    raw_acceleration_z: Samples | None = channel("raw_acceleration_z_m_s2", "m/s^2", 1000.0)
+    applied_torque: Samples | None = channel("torque_nm", "N m", 1000.0)
+    extra_columns: Mapping[str, tuple[str, ...]] = extra()
+    begins: float = 0.0  # s, where its time 0 lies on the clock of what it was cut from
+
+    def channels(self) -> dict[str, Samples]:
+        """The channels that were measured, by field name, `time` first."""
+        found = {f.name: getattr(self, f.name) for f in known(self)}
+        return {name: samples for name, samples in found.items() if samples is not None}
+
+    def __repr__(self) -> str:
+        return summary.segment_line(self)
+
+
+@dataclass(frozen=True, eq=False)
+class Recording:
+    """One trial: its segments and what is known of subject, protocol and sensors.
+
+    **Raises** `ValueError` (one line: what, which segment and sample, what to do) when times do
+    not increase, lengths differ, no angle was measured, a value is infinite or beyond what a
+    knee can do, or a per-segment entry of the metadata does not match the segments.
+    """
+
+    segments: tuple[Segment, ...]
+    subject: Subject = Subject()
+    protocol: Protocol = Protocol()
+    sensors: Sensors = Sensors()
+    extra_tables: Mapping[str, Any] = extra()
+
+    def __post_init__(self):
+        if not self.segments:
+            raise ValueError("A recording needs at least one segment, and this one has none.")
+        for number, segment in enumerate(self.segments):
+            check_segment(number, segment)
+            if self.subject.kind != "rig":
+                check_knee(number, segment)
+        check_metadata(self)
+
+    def __repr__(self) -> str:
+        return summary.line(self)
+
+    def _repr_html_(self) -> str:
+        return summary.page(self)
+
+    def to_dataframe(self) -> Any:
+        """The table that `write_table` writes, for pandas: `time_s`, `segment`, the channels in SI.
+
+        `exoid.recording(frame, subject=..., protocol=..., sensors=...)` makes a recording of it.
+        """
+        from exoid.recordings.flat_table import frame_of
+
+        return frame_of(self)
+
+    def kind(self, segment: int) -> Kind | None:
+        """How this segment was moved: passive, active, measured, or None where unknown."""
+        return per_segment(self.protocol.kind, segment)
+
+    def cycle_period(self, segment: int) -> float | None:
+        """The period of the voluntary cycle in this segment [s], None where unknown."""
+        return per_segment(self.protocol.cycle_period, segment)
+
+    def added_mass(self, segment: int) -> float:
+        """The mass fixed to the shank in this segment [kg]."""
+        return per_segment(self.subject.added_mass, segment) or 0.0
+
+    def thigh_angle(self, segment: int) -> float:
+        """The knee above the hip [rad], on a seat that is not level."""
+        return per_segment(self.protocol.thigh_angle, segment) or 0.0
+
+    def added_mass_distance(self, segment: int) -> float | None:
+        """The distance of that mass from the knee axis [m], None where unknown."""
+        return per_segment(self.subject.added_mass_distance, segment)
+
+
+def known(table):
+    """The fields that the format names: all but what is kept as extra."""
+    return [entry for entry in fields(table) if entry.metadata]
+
+
+def per_segment(value, segment: int):
+    """An entry of the metadata that holds for all segments, or one for each (nan: not this one)."""
+    one = value[segment] if isinstance(value, tuple) else value
+    return None if one != one else one
+
+
+def check_segment(number: int, segment: Segment) -> None:
+    where = f"segment {number}"
+    time = segment.time
+    if time.size < 2:
+        raise ValueError(f"{where} has {time.size} sample(s); at least 2 are needed. Drop it.")
+    if segment.angle is None and segment.raw_angle is None:
+        raise ValueError(f"{where} has no angle: give `angle_rad` or `raw_angle_rad`.")
+    if np.isnan(time).any():
+        at = int(np.flatnonzero(np.isnan(time))[0])
+        raise bad_sample(number, at, f"time_s is missing in {where}, sample {at}. Drop that row.")
+    for entry in known(segment):
+        check_channel(number, entry, getattr(segment, entry.name), time.size)
+    for name, cells in segment.extra_columns.items():
+        if len(cells) != time.size:
+            raise ValueError(f"{name} in {where} has {len(cells)} cells, but time_s {time.size}.")
+    steps = np.diff(time)
+    if (steps <= 0).any():
+        at = int(np.flatnonzero(steps <= 0)[0])
+        raise bad_sample(
+            number,
+            at + 1,
+            f"time_s must increase, but in {where} sample {at + 1} ({time[at + 1]:.6f} s) does not "
+            f"come after sample {at} ({time[at]:.6f} s). Did the clock wrap, were rows repeated?",
+        )
+
+
+def check_channel(number: int, entry, samples: Samples | None, size: int) -> None:
+    if samples is None:
+        return
+    where = f"segment {number}"
+    name, upper, unit = (entry.metadata[key] for key in ("column", "upper", "unit"))
+    if samples.shape != (size,):
+        raise ValueError(f"{name} in {where} has shape {samples.shape}, but time_s has {size}.")
+    if np.isnan(samples).all():
+        raise ValueError(f"{name} in {where} holds no number. Leave the column out.")
+    bad = np.abs(samples) > upper  # NaN compares false: a missing sample passes
+    if bad.any():
+        at = int(np.flatnonzero(bad)[0])
+        hint = (
+            f" Is it in degrees? Then name the column {name.replace('_rad', '_deg')}."
+            if "_rad" in name
+            else ""
+        )
+        raise bad_sample(
+            number,
+            at,
+            f"{name} in {where}, sample {at} is {samples[at]:g} {unit}, beyond +-{upper:g}.{hint}",
+        )
+
+
+def check_knee(number: int, segment: Segment) -> None:
+    for name, angle in (("angle_rad", segment.angle), ("raw_angle_rad", segment.raw_angle)):
+        if angle is None or np.nanmax(np.abs(angle)) <= KNEE_ANGLE_LIMIT:
+            continue
+        if np.nanmax(angle) - np.nanmin(angle) > KNEE_ANGLE_LIMIT:  # else its zero is elsewhere
+            at = int(np.nanargmax(np.abs(angle)))
+            raise bad_sample(
+                number,
+                at,
+                f"{name} in segment {number}, sample {at} is {angle[at]:g} rad = "
+                f"{np.degrees(angle[at]):.0f} deg, which no knee reaches. If it is in degrees, "
+                f"name the column {name.removesuffix('_rad')}_deg; if this is a rig, say so with "
+                '[subject] kind = "rig".',
+            )
+
+
+def check_metadata(recording: Recording) -> None:
+    marks, segments = recording.protocol.segment_start, len(recording.segments)
+    if marks and segments == 1:
+        segments = len(marks)  # a log not split yet: its entries are one for each mark
+    for table in (recording.subject, recording.protocol, recording.sensors):
+        for entry in known(table):
+            check_entry(entry.metadata, getattr(table, entry.name), segments)
+    subject = recording.subject
+    if subject.added_mass_distance is not None and subject.added_mass is None:
+        raise ValueError("added_mass_distance_m is given without added_mass_kg. Give both.")
+
+
+def check_entry(meta, value, segments: int | None) -> None:
+    """Refuses an entry that cannot be true; its count only where `segments` is known."""
+    if value is None:
+        return
+    key = meta["key"]
+    values = value if isinstance(value, tuple) else (value,)
+    if isinstance(value, tuple) and segments is not None and len(value) != segments:
+        raise ValueError(
+            f"{key} lists {len(value)} value(s) for {segments} segment(s). Give one for each."
+        )
+    for each in values:
+        if meta.get("choices") and each not in meta["choices"]:
+            raise ValueError(f"{key} is {each!r}; it can be {' or '.join(meta['choices'])}.")
+        if isinstance(value, tuple) and each != each:
+            continue  # nan in a list: this segment has none, as a passive one has no period
+        if "lower" in meta and not meta["lower"] <= each <= meta["upper"]:
+            raise ValueError(
+                f"{key} is {each:g} {meta['unit']}; it must lie between "
+                f"{meta['lower']:g} and {meta['upper']:g}."
+                f"{unit_hint(key, meta['unit'], each, (meta['lower'], meta['upper']))}"
+            )

@@ -1,0 +1,165 @@
+"""What is known of a recording, in NAME.toml; its keys are those that `recording.py` declares."""
+
+import tomllib
+from collections.abc import Mapping
+from pathlib import Path
+from types import NoneType
+from typing import Any, get_args, get_origin
+
+import numpy as np
+
+from exoid.files.text_file import Notes, naming, near, read_text, replace_files
+from exoid.recordings.recording import Protocol, Sensors, Subject, check_entry, known
+
+TABLES = {"subject": Subject, "protocol": Protocol, "sensors": Sensors}
+FOR_FITS = "fit"  # the table of what is fixed, bounded or expected; a fit reads and checks it
+COLUMNS = "columns"  # what the columns of the table beside it are called: [columns]
+
+
+def read_sidecar(path: str | Path) -> tuple[Subject, Protocol, Sensors, Notes]:
+    """What NAME.toml says, and what its owner should be told; for a log whose segments are unknown.
+
+    Lists of one value per segment are not counted here: `Recording` does that.
+    """
+    tables, _, notes = read_keys(Path(path))
+    return tables["subject"], tables["protocol"], tables["sensors"], notes
+
+
+def write_sidecar(
+    subject: Subject,
+    protocol: Protocol,
+    sensors: Sensors,
+    path: str | Path,
+    extra_tables: Mapping[str, Any] | None = None,
+) -> None:
+    """Writes NAME.toml, in full or not at all."""
+    replace_files({Path(path): [sidecar_text(subject, protocol, sensors, extra_tables or {})]})
+
+
+def no_keys() -> tuple[dict[str, Any], dict[str, Any], Notes]:
+    return {name: kind() for name, kind in TABLES.items()}, {}, ()
+
+
+def read_keys(path: Path) -> tuple[dict[str, Any], dict[str, Any], Notes]:
+    """The known tables by name, the unknown ones as they are, and the notes."""
+    with naming(path):
+        document = parse_toml(path)
+        tables = {name: parse_keys(name, document.get(name, {})) for name in TABLES}
+        extra = {name: v for name, v in document.items() if name not in (*TABLES, COLUMNS)}
+        notes = [
+            f"unknown [{name}] is kept, but not used.{near(name, (*TABLES, COLUMNS))}"
+            for name in extra
+            if name != FOR_FITS
+        ]
+        for name, table in tables.items():
+            notes += [
+                f"unknown {key} in [{name}] is kept, but not used.{place(key)}"
+                for key in table.extra_keys
+            ]
+    return tables, extra, tuple(f"{path}: {note}" for note in notes)
+
+
+def parse_toml(path: Path) -> dict[str, Any]:
+    try:
+        return tomllib.loads(read_text(path))
+    except tomllib.TOMLDecodeError as error:
+        raise ValueError(f"is not valid TOML: {error}.") from error
+
+
+def read_columns(path: Path) -> dict[str, str]:
+    """What [columns] says of the table beside: exoid's column = the column of the file."""
+    with naming(path):
+        columns = parse_toml(path).get(COLUMNS, {})
+        if not isinstance(columns, dict):
+            raise ValueError(f"{COLUMNS} must be a table: write [{COLUMNS}] and its keys below.")
+        for key, name in columns.items():
+            if not isinstance(name, str):
+                raise ValueError(
+                    f"{key} in [{COLUMNS}] is {name!r:.60}; it must be a text in quotes."
+                )
+        return dict(columns)
+
+
+def parse_keys(name: str, document: Any):
+    """One table of the sidecar, its known keys checked, its unknown ones kept."""
+    if not isinstance(document, dict):
+        raise ValueError(f"{name} must be a table: write [{name}] and its keys below.")
+    entries = {entry.metadata["key"]: entry for entry in known(TABLES[name])}
+    document = in_radians(name, document, entries)
+    values = {
+        entries[key].name: parse_entry(f"{key} in [{name}]", entries[key], value)
+        for key, value in document.items()
+        if key in entries
+    }
+    extra = {key: value for key, value in document.items() if key not in entries}
+    return TABLES[name](**values, extra_keys=extra)
+
+
+def in_radians(name: str, document: Mapping[str, Any], entries: Mapping[str, Any]) -> dict:
+    """The keys in the units of their fields: every `_rad` key may be written as `_deg`."""
+    degrees = {key.replace("_rad", "_deg"): key for key in entries if key.endswith("_rad")}
+    if twice := [key for key in document if degrees.get(key) in document]:
+        raise ValueError(f"{twice[0]} and {degrees[twice[0]]} in [{name}] are the same. Keep one.")
+    return {
+        degrees.get(key, key): converted(f"{key} in [{name}]", value) if key in degrees else value
+        for key, value in document.items()
+    }
+
+
+def converted(where: str, value: Any):
+    if isinstance(value, list):
+        return [converted(where, each) for each in value]
+    return float(np.radians(parse_value(where, {"lower": None}, value)))
+
+
+def place(key: str) -> str:
+    """Where an unknown key may belong."""
+    keys = {e.metadata["key"]: name for name, table in TABLES.items() for e in known(table)}
+    return f" It belongs in [{keys[key]}]." if key in keys else near(key, keys)
+
+
+def parse_entry(where: str, entry, value: Any):
+    """One key: of the type its field declares, a list only where segments may differ."""
+    shapes = [get_origin(shape) is tuple for shape in get_args(entry.type) if shape is not NoneType]
+    if isinstance(value, list):
+        if not any(shapes):
+            raise ValueError(f"{where} is a list; it takes one value.")
+        if not value:
+            raise ValueError(f"{where} is an empty list. Leave the key out.")
+        result = tuple(parse_value(where, entry.metadata, each) for each in value)
+    elif all(shapes):
+        raise ValueError(f"{where} takes a list, one value per segment.")
+    else:
+        result = parse_value(where, entry.metadata, value)
+    check_entry(entry.metadata, result, None)
+    return result
+
+
+def parse_value(where: str, meta: Mapping[str, Any], value: Any) -> float | str:
+    number = "lower" in meta
+    word = "a number, without quotes" if number else "a text in quotes"
+    if not isinstance(value, (int, float) if number else str) or isinstance(value, bool):
+        raise ValueError(f"{where} is {value!r:.60}; it must be {word}.")
+    return float(min(max(value, -1e300), 1e300)) if number and value == value else value
+
+
+def sidecar_text(subject, protocol, sensors, extra_tables: Mapping[str, Any]) -> str:
+    import tomli_w  # only writing needs it
+
+    tables = {
+        name: written(table)
+        for name, table in zip(TABLES, (subject, protocol, sensors), strict=True)
+    }
+    return tomli_w.dumps({name: keys for name, keys in tables.items() if keys} | {**extra_tables})
+
+
+def written(table) -> dict[str, Any]:
+    """A table's known keys in plain Python types, then the unknown ones as they were."""
+    values = {entry.metadata["key"]: getattr(table, entry.name) for entry in known(table)}
+    # NumPy would drop a zero byte at the end of a text.
+    plain = {
+        key: v if isinstance(v, str) else np.asarray(v).tolist()
+        for key, v in values.items()
+        if v is not None
+    }
+    return plain | {**table.extra_keys}

@@ -1,0 +1,96 @@
+"""A recording without what only a sensor can have done: single spikes, tones, drift."""
+
+from dataclasses import dataclass, replace
+from functools import lru_cache
+
+import numpy as np
+
+from exoid.recordings.recording import Recording, Segment
+from exoid.recordings.signal.gyro_drift import gyro_drift
+from exoid.recordings.signal.noise import Noise, declared_angle_noise, find_spikes, noise_of
+from exoid.recordings.signal.tone import find_tone, without_tone
+
+
+@dataclass(frozen=True, eq=False)
+class Cleaned:
+    """A recording as it enters a fit, and the noise of the channels that are fitted."""
+
+    recording: Recording
+    angle: Noise  # rad
+    velocity: Noise | None  # rad/s; None without a gyro
+
+
+@lru_cache(maxsize=8)  # every segment of a recording asks for it
+def clean(recording: Recording) -> Cleaned:
+    """Leave out spikes and take out tones and a gyro's drift, in the channels that are fitted.
+
+    What the firmware's filter gave is left as it is: neither can be seen in it.
+    """
+    angle, velocity = fitted_channels(recording)
+    signals = [getattr(each, angle) for each in recording.segments]
+    declared = declared_angle_noise(recording.sensors, signals)
+    recording, angle_noise = clean_channel(recording, angle, declared)
+    velocity_noise = None
+    if velocity is not None:
+        declared = recording.sensors.velocity_noise
+        recording, velocity_noise = clean_channel(recording, velocity, declared)
+        if not filtered(recording.segments[0]):
+            recording, velocity_noise = steady_gyro(recording, angle_noise, velocity_noise)
+    return Cleaned(recording, angle_noise, velocity_noise)
+
+
+def fitted_channels(recording: Recording) -> tuple[str, str | None]:
+    """The names of the channels that a fit compares with: raw ones where there are any."""
+    first = recording.segments[0]
+    raw = first.raw_angle is not None
+    angle, velocity = (
+        ("raw_angle", "raw_angular_velocity") if raw else ("angle", "angular_velocity")
+    )
+    return angle, velocity if getattr(first, velocity) is not None else None
+
+
+def filtered(segment: Segment) -> bool:
+    """Did the channels that are fitted go through the firmware's filter?"""
+    return segment.raw_angle is None and segment.angular_velocity is not None
+
+
+def clean_channel(
+    recording: Recording, name: str, declared: float | None
+) -> tuple[Recording, Noise]:
+    times = [each.time for each in recording.segments]
+    signals = [getattr(each, name) for each in recording.segments]
+    if filtered(recording.segments[0]):
+        level = noise_of(times, signals, None).level if declared is None else declared
+        return recording, Noise(level, declared=declared)
+    spikes = [find_spikes(*each, declared or 0.0) for each in zip(times, signals, strict=True)]
+    signals = [
+        np.where(spike, np.nan, signal) for spike, signal in zip(spikes, signals, strict=True)
+    ]
+    tone = find_tone(times, signals, noise_of(times, signals, declared).level)
+    if tone is not None:
+        signals = [without_tone(*each, tone) for each in zip(times, signals, strict=True)]
+    segments = [
+        replace(each, **{name: signal})
+        for each, signal in zip(recording.segments, signals, strict=True)
+    ]
+    count = int(sum(each.sum() for each in spikes))
+    angle = name in ("raw_angle", "angle")
+    noise = replace(noise_of(times, signals, declared, angle=angle), spikes=count, tone=tone)
+    return replace(recording, segments=tuple(segments)), noise
+
+
+def steady_gyro(recording: Recording, angle: Noise, gyro: Noise) -> tuple[Recording, Noise]:
+    """The same with a gyro whose zero stays where it is on average."""
+    times = [each.time for each in recording.segments]
+    angles = [each.raw_angle for each in recording.segments if each.raw_angle is not None]
+    gyros = (each.raw_angular_velocity for each in recording.segments)
+    rates = [each for each in gyros if each is not None]
+    drifts = gyro_drift(times, angles, rates, (angle.level, gyro.level))
+    if drifts is None:
+        return recording, gyro
+    segments = [
+        replace(each, raw_angular_velocity=rate - drift)
+        for each, rate, drift in zip(recording.segments, rates, drifts, strict=True)
+    ]
+    size = float(np.sqrt(np.mean(np.concatenate(drifts) ** 2)))
+    return replace(recording, segments=tuple(segments)), replace(gyro, drift=size)

@@ -1,0 +1,128 @@
+"""Conditioning of what was measured: the moving average (Eq. 3), clipping, and the frequency of the
+driving torque (Eq. 4).
+"""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from exoid.recordings.recording import Kind, Samples, Segment
+from exoid.recordings.signal.turning_points import RINGING, reversals
+
+MOTION_SPEED = np.radians(20.0)  # rad/s, the paper's criterion of significant motion
+SMOOTHING = 0.05  # s, of the velocity that decides what moves; half a leg's swing takes 0.5 s
+FREE, SHRINKS = 3, 0.9  # swings that no muscle makes, and to what share each shrinks
+NEAR = 0.35  # of the range of a movement; a drop ends at 0.5 (no damping) to 1 of it, lower
+
+Signal = Any  # a NumPy or a JAX array, time first
+
+
+def moving_average(samples: Signal, window: int) -> Signal:
+    """T(i) = 1/h (phi(i) + ... + phi(i + h - 1)), Eq. 3 with h = `window`, full windows only.
+
+    The result has `window - 1` samples fewer. It is linear, takes NumPy and JAX arrays, and a
+    missing sample spoils the windows that hold it.
+    """
+    count = samples.shape[0] - window + 1
+    if window < 1 or count < 1:
+        raise ValueError(
+            f"a moving average over {window} samples does not fit a record of {samples.shape[0]}; "
+            f"choose a window between 1 and {samples.shape[0]}."
+        )
+    return sum(samples[lag : lag + count] for lag in range(window)) / window
+
+
+def clip(angular_velocity: Samples, threshold: float = MOTION_SPEED) -> slice:
+    """From the first to the last sample that moves faster than `threshold` [rad/s] either way.
+
+    Only the ends are cut: slow samples between, such as the turn at the bottom, stay.
+    """
+    fast = np.flatnonzero(np.abs(angular_velocity) > threshold)  # NaN compares false
+    if fast.size == 0:
+        raise ValueError(
+            f"no sample moves faster than {np.degrees(threshold):g} deg/s: there is no movement "
+            "to keep. Is the velocity in rad/s? If so, release the leg from higher up."
+        )
+    return slice(int(fast[0]), int(fast[-1]) + 1)
+
+
+def cut(segment: Segment, part: slice) -> Segment:
+    """The samples in `part`, with the time starting at 0 again."""
+    kept = {name: samples[part] for name, samples in segment.channels().items()}
+    extra = {name: cells[part] for name, cells in segment.extra_columns.items()}
+    first = float(kept["time"][0])
+    kept["time"] = kept["time"] - first
+    return Segment(**kept, extra_columns=extra, begins=segment.begins + first)
+
+
+def best_velocity(segment: Segment) -> Samples:
+    """The filtered velocity [rad/s], else the gyro's mean over 50 ms, else the angle's slope."""
+    if segment.angular_velocity is not None:
+        return interpolated(segment.time, segment.angular_velocity)
+    if segment.raw_angular_velocity is not None:
+        return local_line(segment.time, segment.raw_angular_velocity, SMOOTHING)[0]
+    angle = next(a for a in (segment.raw_angle, segment.angle) if a is not None)
+    return local_line(segment.time, angle, SMOOTHING)[1]
+
+
+def local_line(time: Samples, samples: Samples, width: float) -> tuple[Samples, Samples]:
+    """Value and slope at every sample of the straight line fitted to the `width` s around it.
+
+    Missing samples are bridged; sums run over the window, so uneven sampling does no harm.
+    """
+    filled = interpolated(time, samples)
+    first = np.searchsorted(time, time - width / 2)
+    last = np.searchsorted(time, time + width / 2, side="right")
+    first = np.minimum(first, np.maximum(last - 3, 0))  # three samples carry a line and a check
+    last = np.minimum(np.maximum(last, first + 3), time.size)
+
+    def window_sum(of: Samples) -> Samples:
+        total = np.concatenate([[0.0], np.cumsum(of)])
+        return total[last] - total[first]
+
+    count = last - first
+    middle, mean = window_sum(time) / count, window_sum(filled) / count
+    spread = window_sum(time**2) / count - middle**2
+    slope = (window_sum(time * filled) / count - middle * mean) / spread
+    return mean + slope * (time - middle), slope
+
+
+def interpolated(time: Signal, samples: Signal) -> Samples:
+    known = ~np.isnan(samples)
+    return np.interp(time, time[known], samples[known])
+
+
+def torque_frequencies(period: float) -> dict[str, float]:
+    """The two readings of Eq. 4 [Hz]: its words say 1/T, its formula 2/T; T is the whole cycle."""
+    return {"1/T": 1 / period, "2/T": 2 / period}
+
+
+def runs(mask: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """First and last index of every stretch of True."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], mask, [False]])))
+    return [(int(a), int(b) - 1) for a, b in zip(edges[::2], edges[1::2], strict=True)]
+
+
+def classify(segment: Segment) -> Kind | None:
+    """Back at its start: a voluntary cycle, or a drop with the lift after it; ended lower: a
+    passive drop; a lift or still: None.
+    """
+    measured = next(a for a in (segment.angle, segment.raw_angle) if a is not None)
+    angle = interpolated(segment.time, measured)
+    if np.ptp(angle) == 0:
+        return None
+    rise = (angle[-1] - angle[0]) / np.ptp(angle)
+    if abs(rise) < NEAR:
+        return "passive" if swings_out(segment.time, angle) else "active"
+    return "passive" if rise < 0 else None
+
+
+def swings_out(time: Samples, angle: Samples) -> bool:
+    """Does it begin with a fall and ever smaller swings? No muscle moves a leg like that."""
+    smooth = local_line(time, angle, 2 * SMOOTHING)[0]
+    turns = reversals(smooth, RINGING * float(np.ptp(smooth)))
+    swings = np.diff(smooth[[0, *turns]])
+    size = np.abs(swings)
+    shrinks = (size[1:] < SHRINKS * size[:-1]).all()
+    return bool(size.size >= FREE and swings[0] < 0 and shrinks)

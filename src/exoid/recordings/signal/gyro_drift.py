@@ -1,0 +1,119 @@
+"""A gyro's zero that wanders, told by the encoder without any leg model.
+
+Over a window the mean of the gyro is its zero plus the angle's change. A wrong scale adds what goes
+with that change, a late gyro with that of the rate, a magnet off the encoder's centre with those of
+the sines of the angle. What is left and changes slowly is the zero's drift.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import block_diag
+from scipy.special import chdtrc
+
+from exoid.recordings.recording import Samples
+
+WINDOW = 0.5  # s; half a swing: short enough to separate motion and drift
+# By data sheets: of scale [1], delay [s], and what a magnet off its centre adds [rad].
+ERRORS = np.array([0.1, 0.02, 0.02, 0.02, 0.01, 0.01])
+KNOT = 2.5  # s between which the zero changes evenly
+FALSE = 1e-4  # chance that noise alone shows a drift
+EXPLAINED = 2.0  # mean square over its error, that a drift may leave: else the mismatch is another
+MATTERS = 0.1  # of the gyro's noise, of a drift's root mean square
+FEWEST = 3  # samples in a window
+
+Signals = list[Samples]
+
+
+@dataclass(frozen=True, eq=False)
+class Windows:
+    """Windows of one segment: the gyro less the encoder, its error, and what motion may add."""
+
+    time: Samples  # s, their middles
+    excess: Samples  # rad/s
+    error: Samples  # rad/s
+    motion: NDArray[np.float64]  # (window, 6): what other errors of the sensors may add
+
+
+def gyro_drift(
+    times: Signals, angles: Signals, rates: Signals, noise: tuple[float, float]
+) -> Signals | None:
+    """The gyro's zero less its mean over the recording [rad/s] at every sample of every segment;
+    None where it is steady. `noise` is that of an angle [rad] and of a rate [rad/s].
+    """
+    parts = [windows(*each, noise) for each in zip(times, angles, rates, strict=True)]
+    hats = [knots(part.time) for part in parts]
+    if sum(hat.shape[1] for hat in hats) < 2:
+        return None
+    motion = np.concatenate([part.motion / part.error[:, None] for part in parts])
+    weight = np.concatenate([1 / part.error for part in parts])
+    excess = np.concatenate([part.excess / part.error for part in parts])
+    hats_weighed = [h / p.error[:, None] for h, p in zip(hats, parts, strict=True)]
+    shape = np.asarray(block_diag(*hats_weighed))
+    steady = believed(np.column_stack([motion, weight]))
+    wandering = believed(np.column_stack([motion, shape]))
+    excess = np.append(excess, np.zeros(len(ERRORS)))
+    freedom = shape.shape[1] - 1
+    if excess.size < wandering.shape[1] + FEWEST:
+        return None
+    left = left_over(wandering, excess)
+    gain = left_over(steady, excess) - left
+    zeros = np.linalg.lstsq(wandering, excess, rcond=None)[0][motion.shape[1] :]
+    explained = left < EXPLAINED * (excess.size - wandering.shape[1])
+    if chdtrc(freedom, gain) > FALSE or np.std(zeros) < MATTERS * noise[1] or not explained:
+        return None
+    split = np.split(zeros - np.mean(zeros), np.cumsum([hat.shape[1] for hat in hats])[:-1])
+    return [
+        np.interp(time, places(part.time), own)
+        for time, part, own in zip(times, parts, split, strict=True)
+    ]
+
+
+def windows(time: Samples, angle: Samples, rate: Samples, noise: tuple[float, float]) -> Windows:
+    """Neighbouring windows between known samples of both channels."""
+    known = ~(np.isnan(angle) | np.isnan(rate))
+    time, angle, rate = time[known], angle[known], rate[known]
+    count = max(int((time[-1] - time[0]) / WINDOW), 1)
+    edges = np.unique(np.searchsorted(time, np.linspace(time[0], time[-1], count + 1)))
+    area = np.concatenate([[0.0], np.cumsum(np.diff(time) * (rate[1:] + rate[:-1]) / 2)])
+    edges = edges[np.append(True, np.diff(edges) >= FEWEST)]
+    first, last = edges[:-1], edges[1:]
+    length = time[last] - time[first]
+    sines = [wave(turns * angle) for turns in (1, 2) for wave in (np.sin, np.cos)]
+    change, *others = ((each[last] - each[first]) / length for each in (angle, rate, *sines))
+    of_angle, of_rate = noise
+    error = np.sqrt(2 * (of_angle / length) ** 2 + of_rate**2 / (last - first))
+    return Windows(
+        time=(time[first] + time[last]) / 2,
+        excess=(area[last] - area[first]) / length - change,
+        error=error,
+        motion=np.stack([change, *others], axis=1),
+    )
+
+
+def places(time: Samples) -> Samples:
+    """Where the zero of a segment is told [s]."""
+    if not time.size:
+        return np.zeros(1)
+    count = int((time[-1] - time[0]) / KNOT) + 1
+    return np.linspace(time[0], time[-1], count) if count > 1 else np.array([time.mean()])
+
+
+def knots(time: Samples) -> NDArray[np.float64]:
+    """The share of every knot in every window: linear between knots."""
+    at = places(time)
+    return np.stack([np.interp(time, at, row) for row in np.eye(at.size)], axis=1)
+
+
+def believed(columns: NDArray[np.float64]) -> NDArray[np.float64]:
+    """With a row for every error of the sensors that motion shows, so that none is implausible."""
+    rows = np.zeros((ERRORS.size, columns.shape[1]))
+    rows[:, : ERRORS.size] = np.diag(1 / ERRORS)
+    return np.concatenate([columns, rows])
+
+
+def left_over(columns: NDArray[np.float64], data: Samples) -> float:
+    """Sum of squares that no combination of the columns explains."""
+    fitted = columns @ np.linalg.lstsq(columns, data, rcond=None)[0]
+    return float(np.sum((data - fitted) ** 2))

@@ -1,0 +1,65 @@
+"""Names that other programs give to time, knee angle, gyro and torque.
+
+What is recognised is said; what could be two things is asked for. A velocity is only taken for a
+gyro where it is called one: else it may be the slope of the angle, which tells nothing twice.
+"""
+
+import re
+
+from exoid.recordings.columns import NUMERIC
+from exoid.recordings.tables.sheet import Column
+from exoid.recordings.tables.units import parted
+
+SIDE = r"(?:left|right|links|rechts|l|r)"
+# Quantity: what its names look like, the surest first. Names are in lower case, their words apart.
+NAMES: dict[str, tuple[str, ...]] = {
+    "time": (
+        r"time|times|t|zeit|temps|tiempo|tempo",
+        r"time ?stamps?|elapsed time|time elapsed|zeitstempel|(?:sample |sensor |seconds )?time|"
+        r"seconds|secs?|uhrzeit|date ?time|messzeit|sampletimefine",
+    ),
+    "angle": (
+        rf"(?:{SIDE} )?knee ?(?:joint )?(?:flex(?:ion)?|extension|angles?)"
+        rf"(?: (?:flex(?:ion)?|ext(?:ension)?|angles?|{SIDE}|x|value))*|"
+        rf"(?:{SIDE})?knee ?angles? x|knee {SIDE} (?:flexion|angle)|"
+        rf"jointset (?:\w+ )*knee angle {SIDE} value|"
+        rf"(?:knie ?(?:gelenk)? ?(?:winkel|flexion|beugung)|angle (?:du )?genou|genou)(?: {SIDE})?",
+        rf"knee(?: {SIDE})?|{SIDE} knee|knie",
+        r"angle|winkel|encoder(?: angle)?|goniometer|joint angle|shank angle|pitch|phi|theta",
+    ),
+    "gyro": (
+        r"gyro(?:scope)? knee|knee gyro(?:scope)?|shank gyro",
+        r"(?:gyr|gyro|gyroscope|gyroskop)(?: ?[xyz])?(?: axis)?|[xyz] gyro",
+    ),
+    "torque": (
+        r"(?:measured|applied|knee|joint)? ?(?:torque|drehmoment)",
+    ),
+    "segment": (r"segment|trial|drop|repetition|rep|versuch",),
+}  # fmt: skip
+
+
+def words(name: str) -> str:
+    """A name in lower case, its words apart: RKneeAngles.X becomes r knee angles x."""
+    name = re.sub(r"([a-z0-9])([A-Z])", r"\1 \2", name)
+    name = re.sub(r"\b([LR])(?=Knee)", r"\1 ", name)
+    return " ".join(re.split(r"[\W_]+", name.lower())).strip()
+
+
+def spoken(name: str) -> set[str]:
+    """The words of a name, and those of its last part where it is the field of a struct."""
+    whole = parted(name)[0]
+    return {words(whole), words(whole.rpartition(".")[2])}
+
+
+def recognised(columns: tuple[Column, ...], quantity: str) -> list[Column]:
+    """The columns that are this quantity by their name, of the surest pattern that fits any."""
+    for pattern in NAMES[quantity]:
+        found = [
+            column
+            for column in columns
+            if column.name not in NUMERIC
+            and any(re.fullmatch(pattern, each) for each in spoken(column.name))
+        ]
+        if found:
+            return found
+    return []

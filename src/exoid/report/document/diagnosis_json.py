@@ -1,0 +1,86 @@
+"""A diagnosis as JSON, for machines: the document's schema."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from exoid.mismatch.answer.diagnosis import Diagnosis
+from exoid.report.document.fit_json import plain
+from exoid.report.words.diagnosis import headline, sentences
+
+
+def diagnosis_document(
+    found: Diagnosis,
+    *,
+    version: str,
+    recordings: Sequence[Mapping[str, Any]],
+    settings: Mapping[str, Any],
+) -> dict[str, Any]:
+    """The diagnosis in SI units and radians; null where nothing is known."""
+    ran = [found.baseline, *found.singles, *found.pairs]
+    return plain(
+        {
+            "exoid": version,
+            "recordings": list(recordings),
+            "settings": settings,
+            "follows_recording": found.follows,
+            "astray": None if found.follows else found.fit.astray,
+            "verdict": found.verdict,
+            "selected": found.selected,
+            "ranking": found.ranking,
+            "equivalent": found.equivalent,
+            "novel": found.novel,
+            "novel_formula": None if found.formula is None else found.formula.words,
+            "novel_explained": None if found.formula is None else found.formula.explained,
+            "where": [
+                {
+                    "segment": each.segment,
+                    "from_s": each.begin,
+                    "to_s": each.end,
+                    "region": each.region,
+                    "description": each.description,
+                }
+                for each in found.location.regions
+            ],
+            "pattern": found.location.pattern,
+            "parameters": {
+                each.name: {
+                    "value": each.value,
+                    "unit": each.unit,
+                    "standard_error": each.standard_error,
+                }
+                for each in found.parameters
+            },
+            "booked_before": {
+                each.name: {"before": each.before, "after": each.after, "unit": each.unit}
+                for each in found.booked
+            },
+            "heldout_rmse_before": found.proof.before.total,
+            "heldout_rmse_after": found.proof.after.total,
+            "noise_floor": found.proof.noise_floor,
+            "false_alarm_rate": found.false_alarm_rate,
+            "power": found.power,
+            "inclusion": found.inclusion,
+            "sensors": [
+                {
+                    "name": each.name,
+                    "value": each.value,
+                    "unit": each.unit,
+                    "standard_error": each.standard_error,
+                    "clear": each.clear,
+                }
+                for each in found.sensors
+            ],
+            "candidates": [
+                {
+                    "terms": one.terms,
+                    "mean_square": one.mean_square,
+                    "evidence": one.evidence,
+                }
+                for one in ran
+            ],
+            "excluded": found.excluded,
+            "reasons": found.reasons,
+            "advice": found.advice,
+            "summary": [headline(found), *(f"{k}: {v}" for k, v in sentences(found).items())],
+        }
+    )

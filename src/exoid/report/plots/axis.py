@@ -1,0 +1,72 @@
+"""What an axis shows and how its numbers read: limits that keep to the point, short tick labels."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Float
+from matplotlib.axis import Axis
+from matplotlib.ticker import MaxNLocator, ScalarFormatter
+
+from exoid.report.words.text import exponent
+
+GROWN = 3.0  # times what must be seen, at most
+MARGIN = 0.06  # of the view, at either end
+CLOSE = 5e-3  # relative half width below which ticks would need more than four digits
+PLAIN = (1e-2, 1e4)  # sizes that are read without a power of ten
+
+Range = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class Scale:
+    """Ticks count units of 10^power from `origin`, and the label says so."""
+
+    origin: float = 0.0
+    power: int = 0
+    decimals: int = 0  # of the origin
+
+    def of(self, values):
+        return (np.asarray(values, dtype=float) - self.origin) / 10.0**self.power
+
+    def label(self, name: str, unit: str) -> str:
+        """name - origin [10^power unit]."""
+        power = f"1e{self.power} " if self.power else ""
+        if not self.origin:
+            return f"{name} [{power}{unit}]"
+        sign = "-+"[self.origin < 0]
+        return f"{name} {sign} {abs(self.origin):.{self.decimals}f} [{power}{unit}]"
+
+
+def readable(view: Range, centre: float) -> Scale:
+    """Deviations from the centre where the view is narrow, a power of ten where the size asks."""
+    half, size = (view[1] - view[0]) / 2, max(map(abs, view))
+    if half < CLOSE * size:
+        digits = 1 - exponent(half)
+        return Scale(round(centre, digits), power_of(half), max(digits, 0))
+    return Scale(power=power_of(size))
+
+
+def power_of(size: float) -> int:
+    """Zero where the size is read without."""
+    return 0 if PLAIN[0] <= size < PLAIN[1] or size == 0 else exponent(size)
+
+
+def view(needed: list[float], others: Float[np.ndarray, " value"]) -> Range:
+    """All that is needed; of the others what lies near enough not to dwarf it."""
+    low, high = min(needed or others), max(needed or others)
+    spare = (GROWN - 1) * (high - low) if high > low else np.inf
+    below, above = low - min([low, *others]), max([high, *others]) - high
+    if below + above > spare:
+        below, above = (
+            min(below, max(spare / 2, spare - above)),
+            min(above, max(spare / 2, spare - below)),
+        )
+    low, high = low - below, high + above
+    margin = MARGIN * (high - low) or MARGIN * abs(high) or 1.0
+    return float(low - margin), float(high + margin)
+
+
+def tick(axis: Axis, most: int) -> None:
+    """Few ticks, without matplotlib's own offset."""
+    axis.set_major_locator(MaxNLocator(most))
+    axis.set_major_formatter(ScalarFormatter(useOffset=False))

@@ -1,0 +1,73 @@
+"""Which physics was left out: the verdict, its evidence, and what else it may be."""
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from exoid.mismatch.answer.diagnosis import Diagnosis, Finding, Parameter
+from exoid.report.figures.figure import Figure
+from exoid.report.figures.mismatch.bars import draw_bars
+from exoid.report.parts.case import Case
+from exoid.report.plots.diagnosis import title as verdict
+from exoid.report.sections.section import Section
+from exoid.report.sections.table import Table
+from exoid.report.tables.diagnosis import candidates
+from exoid.report.words.diagnosis import sentences, value
+
+SAID = (
+    "Missing",
+    "New",
+    "Unexplained",
+    "Or",
+    "Why",
+    "Suspected",
+    "Sensors",
+    "Trust",
+)  # others have their place
+
+
+@dataclass(frozen=True, eq=False)
+class Physics(Section):
+    """The verdict in sentences, what was found with its numbers, and every candidate."""
+
+    name: ClassVar[str] = "physics"
+    title: ClassVar[str] = "Which physics was left out"
+
+    headline: str
+    sentences: dict[str, str]
+    effects: tuple[Finding, ...]
+    parameters: Table
+    figure: Figure
+    candidates: Table
+    excluded: str
+
+    @classmethod
+    def of(cls, case: Case) -> "Physics | None":
+        found = case.diagnosis
+        if found is None:
+            return None
+        lines = sentences(found)
+        return cls(
+            headline=verdict(found),
+            sentences={title: lines[title] for title in SAID if title in lines},
+            effects=tuple(found.findings),
+            parameters=parameters(found.parameters if found.verdict == "mismatch" else []),
+            figure=draw_bars(found),
+            candidates=ranked(found),
+            excluded=", ".join(found.excluded).replace("_", " "),
+        )
+
+
+def parameters(each: list[Parameter]) -> Table:
+    """Their numbers."""
+    columns = {
+        "effect": [one.name.partition(".")[0].replace("_", " ") for one in each],
+        "parameter": [one.name.rpartition(".")[2].replace("_", " ") for one in each],
+        "value": [value(one) for one in each],
+    }
+    return Table("What was found in numbers; ± is one standard error", columns)
+
+
+def ranked(found: Diagnosis) -> Table:
+    """Every candidate with what it leaves and its evidence."""
+    columns = {head.strip() or "verdict": cells for head, cells in candidates(found).items()}
+    return Table("The candidates that ran free", columns)

@@ -1,0 +1,80 @@
+"""Before and after: held-out segments, predicted without and with what was found."""
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from exoid.mismatch.answer.diagnosis import Booked, Diagnosis
+from exoid.report.figures.figure import Figure
+from exoid.report.figures.mismatch.proof import draw_proof
+from exoid.report.parts.case import Case
+from exoid.report.plots.diagnosis import worst
+from exoid.report.sections.section import Section
+from exoid.report.sections.table import Table
+from exoid.report.words.diagnosis import proof
+from exoid.report.words.text import capital, in_degrees
+
+NOTHING = (
+    "Nothing was added to the model. Every segment was predicted from a fit of the others, and "
+    "its end from its beginning where there is only one: held-out angle RMSE {0} deg, {1:.1f} "
+    "times the noise floor of {2} deg."
+)
+
+
+@dataclass(frozen=True, eq=False)
+class Proof(Section):
+    """The proof in a sentence, per segment, and what the baseline had made of the effect."""
+
+    name: ClassVar[str] = "proof"
+    title: ClassVar[str] = "Before and after, on held-out data"
+
+    sentence: str
+    figures: tuple[Figure, ...]
+    table: Table
+    booked: Table
+
+    @classmethod
+    def of(cls, case: Case) -> "Proof | None":
+        found = case.diagnosis
+        if found is None:
+            return None
+        return cls(
+            sentence=sentence(found),
+            figures=tuple(draw_proof(found, number) for number in worst(found)),
+            table=predicted(found),
+            booked=booked(found.booked if found.changed else []),
+        )
+
+
+def sentence(found: Diagnosis) -> str:
+    """What the prediction shows."""
+    if found.changed:
+        return capital(proof(found))
+    total, floor = found.proof.before.total, found.proof.noise_floor
+    return NOTHING.format(in_degrees(total), total / floor, in_degrees(floor))
+
+
+def predicted(found: Diagnosis) -> Table:
+    """The error of every segment's prediction."""
+    before, after = found.proof.before, found.proof.after
+    columns = {
+        "held-out segment": [each.segment for each in found.location.missing],
+        head(found, "without it"): [in_degrees(float(each)) for each in before.rmse],
+    }
+    if found.changed:
+        columns[head(found, "with it")] = [in_degrees(float(each)) for each in after.rmse]
+    return Table("How well each segment is predicted by a fit that did not see it", columns)
+
+
+def head(found: Diagnosis, which: str) -> str:
+    return f"RMSE {which} [deg]" if found.changed else "RMSE [deg]"
+
+
+def booked(each: list[Booked]) -> Table:
+    """What the baseline had made of the effect."""
+    columns = {
+        "quantity": [one.name.replace("_", " ") for one in each],
+        "without it": [f"{one.before:.3g}" for one in each],
+        "with it": [f"{one.after:.3g}" for one in each],
+        "unit": [one.unit for one in each],
+    }
+    return Table("What the model without it had booked it as, for the inertia it took", columns)

@@ -1,0 +1,133 @@
+"""Two saved results side by side, as a person reads them, and as JSON."""
+
+from pathlib import PurePath
+from typing import Any
+
+from rich.console import Console
+
+from exoid.fitting.result.fit_result import Estimate
+from exoid.report.document.fit_json import entry, plain
+from exoid.report.saved.saved_result import SavedResult
+from exoid.report.tables.compare import HASHED, Compared, Comparison
+from exoid.report.tables.same_leg import strangers
+from exoid.report.tables.two_diagnoses import diagnosis_entry, side_by_side
+from exoid.report.words.person import person
+from exoid.report.words.text import (
+    aligned,
+    capital,
+    counted,
+    heading,
+    in_degrees,
+    say,
+    table,
+    width,
+    written,
+)
+
+SIDES = ("first", "second")
+
+
+def print_comparison(found: Comparison, sides: list[SavedResult], console: Console) -> None:
+    """The quantities, what else the fits say of themselves, and what was asked of them."""
+    heading(console, "Parameters, torque and ratios of both")
+    columns = {
+        "quantity": [quantity(each) for each in found.quantities],
+        "first": [value(each.first) for each in found.quantities],
+        "second": [value(each.second) for each in found.quantities],
+        "unit": [each.unit for each in found.quantities],
+        "differ by\n[errors]": [errors(each) for each in found.quantities],
+    }
+    if width(columns) > console.width:
+        columns["quantity"] = [each.symbol for each in found.quantities]
+    console.print(table(columns))
+    say(
+        console,
+        "± one standard error; the last column is second less first over the error of that "
+        "difference, for independent fits.",
+    )
+    if found.same_recordings:
+        say(console, "Both rest on the same recordings, so they are not independent: the "
+            "difference comes from the settings alone.")  # fmt: skip
+    believed = [each.symbol for each in found.quantities if each.by_prior]
+    if believed:
+        say(console, f"Set by the prior in both, not by a recording: {', '.join(believed)}.")
+    for sentence in strangers(found, sides):
+        say(console, sentence)
+    if any(side.diagnosis for side in sides):
+        heading(console, "What the model was missing")
+        console.print(table(side_by_side([side.diagnosis for side in sides])))
+    for number, side in enumerate(sides):
+        heading(console, f"The {SIDES[number]} fit")
+        if not side.result.follows:
+            say(console, capital(side.result.notes[0]))
+        aligned(console, about(side))
+    heading(console, "What was asked differently")
+    if not found.settings:
+        say(console, "Nothing: the settings are the same.")
+    aligned(console, {name: f"{a} -> {b}" for name, (a, b) in found.settings.items()})
+
+
+def quantity(each: Compared) -> str:
+    return f"{each.name.replace('_', ' ')} {each.symbol}"
+
+
+def value(each: Estimate | None) -> str:
+    return "" if each is None else written(each)
+
+
+def errors(each: Compared) -> str:
+    """The difference in standard errors, with its sign."""
+    apart = each.standard_errors
+    return "" if apart is None else f"{apart:+.1f}"
+
+
+def about(side: SavedResult) -> dict[str, str]:
+    """Recordings with the begin of their hash, misfit and starts."""
+    result, report = side.result, side.result.multistart
+    names = [
+        f"{PurePath(str(each['path'])).name} ({str(each['sha256'])[:HASHED]})"
+        for each in side.recordings
+    ]
+    who = dict.fromkeys(person(each.get("subject") or {}) for each in side.recordings)
+    of = "; ".join(one for one in who if one)
+    return {
+        **({"subject": of} if of else {}),
+        "recordings": ", ".join(names) or "not told",
+        "segments": f"{len(result.segments)}, {counted(result.samples, 'sample')}",
+        "angle RMSE": f"{in_degrees(result.angle_rmse)} deg, "
+        f"{result.angle_rmse / result.angle_noise:.3g} times the noise floor",
+        "starts": f"{report.starts}, {report.at_best} at the best cost",
+    }
+
+
+def comparison_document(found: Comparison, sides: list[SavedResult]) -> dict[str, Any]:
+    """The comparison in SI units and radians; null where nothing is known."""
+    return plain(
+        {
+            **{
+                name: {
+                    "exoid": side.version,
+                    "recordings": side.recordings,
+                    "settings": side.settings,
+                    "follows_recording": side.result.follows,
+                    "angle_rmse_rad": side.result.angle_rmse,
+                    "diagnosis": diagnosis_entry(side.diagnosis),
+                }
+                for name, side in zip(SIDES, sides, strict=True)
+            },
+            "same_recordings": found.same_recordings,
+            "strangers": strangers(found, sides),
+            "settings_that_differ": found.settings,
+            "quantities": {
+                each.name: {
+                    "symbol": each.symbol,
+                    "unit": each.unit,
+                    "first": None if each.first is None else entry(each.first),
+                    "second": None if each.second is None else entry(each.second),
+                    "difference": each.difference,
+                    "standard_errors": each.standard_errors,
+                }
+                for each in found.quantities
+            },
+        }
+    )

@@ -1,0 +1,49 @@
+"""A diagnosis as a person reads it in a terminal."""
+
+from rich.console import Console
+
+from exoid.mismatch.answer.diagnosis import Diagnosis, Tested
+from exoid.report.words.diagnosis import headline, sentences
+from exoid.report.words.text import capital, heading, say, table
+
+MOST = 8  # candidates that are listed
+MARGIN = 15  # characters, as wide as the longest heading
+
+
+def print_diagnosis(found: Diagnosis, console: Console) -> None:
+    """The answer, then the candidates with their evidence."""
+    if not found.follows:
+        heading(console, "No model here follows this recording")
+        say(console, capital(found.fit.notes[0]))
+    heading(console, headline(found))
+    for title, sentence in sentences(found).items():
+        say(console, f"{title + ':':{MARGIN}s}{sentence}", MARGIN)
+    heading(console, "Candidates")
+    console.print(table(candidates(found)))
+    say(
+        console,
+        "left: mean square of what is left over the noise, 1.00 is the noise itself; evidence: log "
+        "odds times two against the baseline, after the price of the parameters.",
+    )
+    console.print()
+
+
+def candidates(found: Diagnosis) -> dict[str, list[str]]:
+    """The columns of the table: those that ran free, then the rest as they were first seen."""
+    rows = [("baseline, Eq. 9", found.baseline.mean_square, "", "")]
+    ran = sorted([*found.pairs, *found.singles], key=evidence, reverse=True)[:MOST]
+    for one in [*ran, *([found.best] if found.formula is not None else [])]:
+        label = " + ".join(one.terms).replace("_", " ")
+        mark = "chosen" if one.chosen else ""
+        rows.append((label, one.mean_square, f"{one.evidence:.0f}", mark))
+    return {
+        "cause": [row[0] for row in rows],
+        "left": [f"{row[1]:.2f}" for row in rows],
+        "evidence": [row[2] for row in rows],
+        " ": [row[3] for row in rows],
+    }
+
+
+def evidence(one: Tested) -> float:
+    assert one.evidence is not None  # it ran free
+    return one.evidence

@@ -1,0 +1,105 @@
+"""The pendulum test as a person reads it: a table for every drop, what was not read and why."""
+
+from collections.abc import Iterable
+from math import degrees
+
+from rich.console import Console
+
+from exoid.pendulum.drops import Average, Drop, PendulumTest
+from exoid.recordings.landmarks.measure import Measure
+from exoid.report.words.text import heading, say, table, with_error
+
+LARGE = 99.5  # of an error, beyond which two digits of it leave no unit
+SOURCE = (
+    "Names after Rahimi et al., BioMedical Engineering OnLine 19:82, 2020; formulas in "
+    "exoid.pendulum.definitions. Nothing here is a diagnosis."
+)
+
+
+def print_drops(test: PendulumTest, console: Console) -> None:
+    """Every drop, the average, and the segments that were not read."""
+    for drop in test.drops:
+        if drop.reason is None:
+            print_drop(drop, console)
+    print_average(test, console)
+    refused = {drop.name: drop.reason for drop in test.drops if drop.reason}
+    if refused:
+        heading(console, "Segments that were not read")
+        for reason, names in by_reason(refused).items():
+            say(console, f"- {', '.join(names)}: {reason}.", hanging=2)
+    heading(console, "About these numbers")
+    say(console, "± is one standard error by the noise of the angle; of an average, the standard "
+        "deviation over drops. Flexion is negative, 0 is the extended knee.")  # fmt: skip
+    say(console, SOURCE)
+
+
+def print_drop(drop: Drop, console: Console) -> None:
+    """One drop: what was read, and why the rest was not."""
+    loaded = f", {drop.added_mass:.3g} kg added" if drop.added_mass else ""
+    begins = f", which begins at {drop.segment.begins:.2f} s" if drop.segment.begins else ""
+    heading(console, f"Drop of segment {drop.name}{begins}{loaded}")
+    read = [each for each in drop.measures.values() if each.value is not None]
+    columns = {
+        "measure": [each.title for each in read],
+        "": [each.symbol for each in read],
+        "value": [value(each) for each in read],
+        "unit": [shown_unit(each.unit) for each in read],
+        "at [s]": [f"{each.marks[-1].time:.2f}" if each.marks else "" for each in read],
+    }
+    console.print(table(columns))
+    refused = {each.title: each.reason for each in drop.measures.values() if each.reason}
+    for reason, titles in by_reason(refused).items():
+        say(console, f"- not read: {', '.join(titles)}: {reason}.", hanging=2)
+
+
+def print_average(test: PendulumTest, console: Console) -> None:
+    """Means over the drops that can be compared, where there are several."""
+    if all(len(one.drops) < 2 for one in test.average.values()):
+        return
+    each = list(test.average.values())
+    heading(console, "Average over drops")
+    columns = {
+        "measure": [one.title for one in each],
+        "": [one.symbol for one in each],
+        "mean ± sd": [mean(one) for one in each],
+        "unit": [shown_unit(one.unit) for one in each],
+        "drops": [str(len(one.drops)) for one in each],
+    }
+    console.print(table(columns))
+    if test.left_out:
+        names = ", ".join(test.left_out)
+        say(console, f"Not in it, with another added mass: segment {names}.")
+
+
+def by_reason(refused: dict[str, str]) -> dict[str, list[str]]:
+    """What shares a reason, together."""
+    found: dict[str, list[str]] = {}
+    for name, reason in refused.items():
+        found.setdefault(reason, []).append(name)
+    return found
+
+
+def value(each: Measure) -> str:
+    """In degrees where it is an angle."""
+    assert each.value is not None  # only what was read is shown
+    return written(*in_shown(each.unit, (each.value, each.standard_error or 0.0)))
+
+
+def mean(each: Average) -> str:
+    return written(*in_shown(each.unit, (each.mean, each.standard_deviation or 0.0)))
+
+
+def written(number: float, error: float) -> str:
+    """With its error; thousands of deg/s^2 without a power of ten, to tens where that is enough."""
+    if error < LARGE:
+        return with_error(number, error) if error else f"{number:.4g}"
+    return f"{round(number, -1):.0f} ± {round(error, -1):.0f}"
+
+
+def in_shown(unit: str, values: Iterable[float]) -> list[float]:
+    """From SI and radians to what clinicians read."""
+    return [degrees(each) if "rad" in unit else each for each in values]
+
+
+def shown_unit(unit: str) -> str:
+    return "" if unit == "1" else unit.replace("rad", "deg")

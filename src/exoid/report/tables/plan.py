@@ -1,0 +1,112 @@
+"""A plan as a person reads it, and as JSON."""
+
+from itertools import groupby
+from typing import Any
+
+import numpy as np
+from rich.console import Console
+
+from exoid.fitting.result.fit_result import FitResult
+from exoid.planning.candidate_recordings import SWING
+from exoid.planning.plan import Plan
+from exoid.recordings.recording import Subject
+from exoid.report.document.fit_json import plain
+from exoid.report.words.person import identity
+from exoid.report.words.text import heading, say, table, with_error
+
+SHOWN = 8  # single segments in the table
+
+
+def print_plan(plan: Plan, console: Console) -> None:
+    """Where the goal stands, what to record, what it will be worth, and the rivals."""
+    heading(console, f"What to record next for {plan.goal} {plan.symbol}")
+    say(console, f"Now:   {stated(plan, plan.before)}")
+    if plan.proposed:
+        say(console, f"After: {stated(plan, plan.after)}, expected with what follows")
+        heading(console, f"Record, as segments of {files(plan)}")
+        for number, (words, count) in enumerate(steps(plan), start=1):
+            times = f"{count} times: " if count > 1 else ""
+            say(console, f"{number}. {times}{words}.", hanging=3)
+        say(
+            console,
+            "Angles are of the knee, 0 straight, -90 hanging. Each time: hold still for 2 s, let "
+            f"go without a push, hands off until the leg hangs still, {SWING:g} s at least. The "
+            "person relaxes. Stop where knee or seat do not allow the swing. Then fit it together "
+            "with what there is: exoid fit OLD NEW.",
+        )
+        print_options(plan, console)
+    if plan.sentences:
+        heading(console, "Notes")
+    for sentence in plan.sentences:
+        say(console, f"- {sentence}", hanging=2)
+
+
+def print_options(plan: Plan, console: Console) -> None:
+    """Every single segment, best first, and what it would leave alone."""
+    known = [option for option in plan.options if np.isfinite(option.error)][:SHOWN]
+    heading(console, "One segment more, and the error it would leave")
+    if not known:
+        say(console, f"No single segment tells {plan.symbol}: it takes two.")
+        return
+    columns = {
+        "release": [option.candidate.words for option in known],
+        f"error [{plan.unit}]": [f"{option.error:.2g}" for option in known],
+    }
+    console.print(table(columns))
+
+
+def files(plan: Plan) -> str:
+    """A seat that is tilted anew is a recording of its own: it owns the error of its angle."""
+    seats = {each.thigh_angle for each in plan.proposed}
+    return "one file" if len(seats) < 2 else "one file for each tilt of the seat"
+
+
+def steps(plan: Plan) -> list[tuple[str, int]]:
+    """What to do, bare drops first, equal ones counted."""
+    ordered = sorted(plan.proposed, key=lambda each: (each.effort, each.words))
+    return [(words, len(list(same))) for words, same in groupby(each.words for each in ordered)]
+
+
+def stated(plan: Plan, error: float) -> str:
+    """The value with an error, as far as there is one."""
+    if not np.isfinite(error):
+        return f"{plan.symbol} is not determined"
+    return f"{plan.symbol} = {with_error(plan.value, error)} {plan.unit}"
+
+
+def plan_document(
+    plan: Plan, result: FitResult | None = None, subject: Subject | None = None
+) -> dict[str, Any]:
+    """The plan in SI units and radians, after the fit `result`; null where nothing is known."""
+
+    def segment(each) -> dict[str, Any]:
+        motion = each.motion
+        return {
+            "words": each.words,
+            "kind": motion.kind,
+            "start_angle_rad": float(motion.start_angle),
+            "duration_s": motion.duration,
+            "added_mass_kg": motion.added_mass,
+            "added_mass_distance_m": motion.added_mass_distance or None,
+            "thigh_angle_rad": float(each.thigh_angle),
+        }
+
+    return plain(
+        {
+            "subject": identity(subject or Subject()),
+            "follows_recording": None if result is None else result.follows,
+            "astray": None if result is None else result.astray,
+            "goal": plan.goal,
+            "symbol": plan.symbol,
+            "unit": plan.unit,
+            "value": plan.value,
+            "standard_error_before": plan.before,
+            "standard_error_after": plan.after,
+            "proposed": [segment(each) for each in plan.proposed],
+            "options": [
+                {**segment(option.candidate), "standard_error": option.error}
+                for option in plan.options
+            ],
+            "sentences": plan.sentences,
+        }
+    )

@@ -1,0 +1,60 @@
+"""Do two saved results look like one leg?"""
+
+from exoid.report.saved.saved_result import SavedResult
+from exoid.report.tables.compare import Compared, Comparison
+from exoid.trust.legs import COMMON, LARGE, SURPRISE
+
+
+def strangers(found: Comparison, sides: list[SavedResult]) -> list[str]:
+    """Sentences on what tells that they are not; none of one recording that was analysed twice."""
+    if found.same_recordings:
+        return []
+    said = []
+    one, other = (names(side) for side in sides)
+    if one and other and one != other:
+        said.append(
+            f"The recordings are of different people: {' and '.join(one)}, against "
+            f"{' and '.join(other)}."
+        )
+    one, other = (bodies(side) for side in sides)
+    if one and other and one != other:
+        said.append(
+            f"The recordings are of different bodies: {' and '.join(one)}, against "
+            f"{' and '.join(other)}."
+        )
+    apart = [each for each in found.quantities if each.name in COMMON and far_apart(each)]
+    if apart:
+        worst = max(apart, key=lambda each: abs(each.standard_errors or 0.0))
+        values = " and ".join(f"{value:.3g}" for value in both(worst))
+        said.append(
+            f"They do not look like one leg, or it changed: {worst.symbol} = {values} "
+            f"{worst.unit}, {abs(worst.standard_errors or 0.0):.0f} standard errors apart."
+        )
+    return said
+
+
+def names(saved: SavedResult) -> list[str]:
+    """Everybody that was recorded, by the id of the sidecar."""
+    each = [(one.get("subject") or {}).get("id") for one in saved.recordings]
+    return list(dict.fromkeys(str(one) for one in each if one))
+
+
+def bodies(saved: SavedResult) -> list[str]:
+    """Mass and height of everybody that was recorded, where they are known."""
+    each = [(one.get("body_mass_kg"), one.get("height_m")) for one in saved.recordings]
+    return list(dict.fromkeys(f"{mass:g} kg, {tall:g} m" for mass, tall in each if mass and tall))
+
+
+def far_apart(each: Compared) -> bool:
+    """By the rule for recordings that are fitted together, of one ratio at a time."""
+    errors = each.standard_errors
+    if each.difference is None or errors is None or errors**2 < SURPRISE:
+        return False
+    size = sum(map(abs, both(each))) / 2
+    return abs(each.difference) > LARGE * size
+
+
+def both(each: Compared) -> list[float]:
+    """The values, where both are told."""
+    sides = (each.first, each.second)
+    return [one.value for one in sides if one is not None and one.value is not None]

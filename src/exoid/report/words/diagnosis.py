@@ -1,0 +1,188 @@
+"""A diagnosis in sentences: what is missing, where, the proof, and what it had been booked as."""
+
+from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter
+from exoid.mismatch.sensors.consistency import BIAS
+from exoid.report.words.text import in_degrees, with_error
+
+SEEN = 0.01  # share of a number, from which on its change is worth a word
+USUAL = {"damping": 0.3, "stiffness": 2.5, "gravity_moment": 12.0}  # of a leg, in their units
+CERTAIN = 0.001  # below this share a chance is written as "below"
+
+
+def headline(found: Diagnosis) -> str:
+    """The verdict in one line."""
+    if found.verdict == "none":
+        return "Nothing is missing: simulation and recording agree within the noise."
+    if found.verdict == "cannot_tell":
+        return "Cannot tell from this recording."
+    if found.novel:
+        return "Something is missing that the library does not know."
+    if only_sensors(found):
+        return "A sensor errs; of the leg's motion nothing is missing."
+    return "Something is missing."
+
+
+def only_sensors(found: Diagnosis) -> bool:
+    """Is all that was found what encoder and gyro show of each other, and the fit estimates?"""
+    return found.verdict == "mismatch" and not found.changed and not found.novel
+
+
+def sentences(found: Diagnosis) -> dict[str, str]:
+    """The answer, line by line, by its heading."""
+    lines = {}
+    if found.verdict == "mismatch":
+        lines["Missing"] = "; ".join(named(found)) or "nothing that has a name here."
+        if found.novel and found.formula is None:
+            lines["New"] = "no cause of the library explains it, and no formula fits it."
+        if not found.explained:
+            left = found.best.mean_square
+            lines["Unexplained"] = f"what remains is {left**0.5:.2g} times the noise."
+        rivals = others(found)
+        if rivals:
+            lines["Or"] = f"{rivals}: this recording cannot tell them apart"
+        lines["Reason"] = " ".join(explanations(found))
+    elif found.reasons:
+        lines["Why"] = "; ".join(found.reasons) + "."
+        if found.changed:
+            lines["Suspected"] = ", ".join(found.ranking[:2]).replace("_", " ")
+    if found.verdict != "none" and not only_sensors(found):
+        lines["Where"] = where(found)
+    if found.verdict == "mismatch":
+        lines["Proof"] = proof(found)
+        lines["Booked before"] = booked(found)
+    lines["Sensors"] = sensors(found)
+    if found.verdict == "none":
+        lines["Trust"] = trust(found)
+    if found.advice:
+        lines["Record next"] = " ".join(found.advice)
+    return {heading: line for heading, line in lines.items() if line}
+
+
+def named(found: Diagnosis) -> list[str]:
+    """Every effect with its parameters."""
+    if found.formula is not None:
+        shares = f"explains {found.formula.explained:.0%} of the missing torque's variance"
+        return [f"{found.formula.words} (x in rad, v in rad/s, t in s), which {shares}"]
+    lines = []
+    for one in found.findings:
+        own = [each for each in found.parameters if each.name.startswith(f"{one.name}.")]
+        lines.append(f"{one.title}, {', '.join(map(parameter, own))}{scale(found, own)}")
+    return lines
+
+
+def scale(found: Diagnosis, parameters: list[Parameter]) -> str:
+    """The inertia that torques go with: drops alone tell only their ratio to it."""
+    torques = [each for each in parameters if "N m" in each.unit]
+    if not torques:
+        return ""
+    inertia, first = found.inertia, torques[0]
+    name = first.name.rpartition(".")[2].replace("_", " ")
+    ratio = f"{name} / J = {first.value / inertia:.3g} {first.unit}/(kg m^2)"
+    return f" (for J = {inertia:.3g} kg m^2; {ratio})"
+
+
+def parameter(each: Parameter) -> str:
+    return f"{each.name.rpartition('.')[2].replace('_', ' ')} {value(each)}"
+
+
+def value(each: Parameter) -> str:
+    """With its error and its unit; one without an error lies at its limit, or acts nowhere."""
+    unit = "" if each.unit == "1" else f" {each.unit}"
+    if each.standard_error is None:
+        return f"not determined (at {each.value:.3g}{unit})"
+    return f"{with_error(each.value, each.standard_error)}{unit}"
+
+
+def explanations(found: Diagnosis) -> list[str]:
+    if found.formula is not None:
+        return []
+    return [each.explanation for each in found.findings]
+
+
+def titles(found: Diagnosis) -> list[str]:
+    """What is missing, in a user's words."""
+    return [each.title for each in found.findings]
+
+
+def others(found: Diagnosis) -> str:
+    """What it may be instead."""
+    named = set(found.selected)
+    mine = (named, named - {BIAS})  # a bias is free in every candidate, and has no rival
+    rest = [name for name in found.equivalent if set(name.split(" + ")) not in mine]
+    return ", or ".join(name.replace("_", " ") for name in rest)
+
+
+def where(found: Diagnosis) -> str:
+    regions = [f"{each.description} (segment {each.segment}, {each.begin:.2f}-{each.end:.2f} s)"
+               for each in found.location.regions[:3]]  # fmt: skip
+    if not regions:
+        return "no torque stands out of the noise: the sensors differ, or it is spread thinly."
+    return "; ".join(regions) + f". Over all of it, {found.location.pattern}."
+
+
+def proof(found: Diagnosis) -> str:
+    shown = found.proof
+    if only_sensors(found):
+        return (
+            "encoder and gyro show it of each other, without any leg model, and the fit takes it "
+            f"into account: held-out angle RMSE {in_degrees(shown.before.total)} deg, "
+            f"{shown.before.total / shown.noise_floor:.1f} times the noise floor; on noise alone "
+            f"{chance(found.false_alarm_rate)} false alarms."
+        )
+    before, after = in_degrees(shown.before.total), in_degrees(shown.after.total)
+    count = shown.after.squares.size
+    over = "the end of the recording, from its beginning" if shown.in_time else (
+        f"{shown.better} of {count} segments better, each from the others"
+    )  # fmt: skip
+    floor = shown.after.total / shown.noise_floor
+    share = found.inclusion
+    again = "" if share is None else f"the same answer in {share:.0%} of resampled segments; "
+    return (
+        f"held-out angle RMSE {before} -> {after} deg ({over}), {floor:.1f} times the noise floor; "
+        f"{again}on noise alone {chance(found.false_alarm_rate)} false alarms, an effect of this "
+        f"size is found with a chance of {certain(found.power)}."
+    )
+
+
+def chance(share: float) -> str:
+    return "below 0.1 %" if share < CERTAIN else f"{share:.1%}"
+
+
+def certain(share: float) -> str:
+    return "above 99.9 %" if share > 1 - CERTAIN else f"{share:.1%}"
+
+
+def booked(found: Diagnosis) -> str:
+    """What the baseline had made of it: whatever changes by more than a percent."""
+    changes = [
+        f"{each.name.replace('_', ' ')} {each.before:.3g} -> {each.after:.3g} {each.unit}"
+        for each in found.booked
+        if abs(each.after - each.before)
+        > SEEN * max(abs(each.before), abs(each.after), USUAL[each.name])
+    ]
+    if not changes:
+        stay = ", ".join(each.name.replace("_", " ") for each in found.booked)
+        return f"nothing: {stay} changed by less than 1 %."
+    return ", ".join(changes) + " (for the inertia that the fit took)."
+
+
+def sensors(found: Diagnosis) -> str:
+    """What encoder and gyro say of each other."""
+    if not found.sensors:
+        return "no gyro: encoder and gyro cannot be compared."
+    clear = [each for each in found.sensors if each.clear]
+    if not clear:
+        return "encoder and gyro agree."
+    parts = [
+        f"{each.name.replace('_', ' ')} {with_error(each.value, each.standard_error)}"
+        + ("" if each.unit == "1" else f" {each.unit}")
+        for each in clear
+    ]
+    return "encoder and gyro differ as if by " + ", ".join(parts) + "."
+
+
+def trust(found: Diagnosis) -> str:
+    return (
+        f"the {len(found.pinned)} causes that can act here were tested; noise alone makes one of "
+        f"them stand out in {chance(found.false_alarm_rate)} of recordings."
+    )

@@ -1,0 +1,128 @@
+"""Numbers with their errors, tables and sentences, as every report prints them."""
+
+from dataclasses import replace
+from math import degrees, floor, log10
+
+from rich.box import SIMPLE_HEAD
+from rich.console import Console
+from rich.padding import Padding
+from rich.table import Table
+from rich.text import Text
+
+from exoid.fitting.result.fit_result import Estimate
+
+NOT_DETERMINED = "not determined"
+MOST_DECIMALS = 6  # beyond them a power of ten is read more easily
+MOST_DIGITS = 7  # of a value, however small its error
+AT_BOUND = 1e-3  # relative distance within which a value is written as its bound
+
+
+def written(each: Estimate) -> str:
+    """value ± standard error, as far as they are known."""
+    if each.value is None:
+        return NOT_DETERMINED
+    if each.standard_error is not None:
+        return with_error(each.value, each.standard_error)
+    return f"{on_bound(each):.4g}"
+
+
+def on_bound(each: Estimate) -> float | None:
+    """The value, without the rounding by which one that a bound set lies beside it."""
+    if each.value is None or each.determined_by != "bound":
+        return each.value
+    for bound in (each.lower, each.upper):
+        if bound is not None and abs(each.value - bound) <= AT_BOUND * max(1.0, abs(bound)):
+            return bound
+    return each.value
+
+
+def with_error(value: float, error: float) -> str:
+    """The error with two digits, the value to the same decimal."""
+    if not error > 0:
+        return f"{value:.{MOST_DIGITS}g}"
+    last = exponent(error) - 1  # the power of ten of the last digit that is written
+    first = max(exponent(value), exponent(error))
+    if first - last >= MOST_DIGITS:
+        return f"{value:.{MOST_DIGITS}g} ± {error:.1e}"
+    if -MOST_DECIMALS <= last <= 0:
+        return f"{value:.{-last}f} ± {error:.{-last}f}"
+    decimals = first - last
+    return f"({value / 10**first:.{decimals}f} ± {error / 10**first:.{decimals}f})e{first:+d}"
+
+
+def exponent(value: float) -> int:
+    """The power of ten of the first digit when two are written."""
+    return int(f"{value:.1e}".partition("e")[2]) if value else 0
+
+
+def capital(words: str) -> str:
+    """With a capital at its begin."""
+    return words[:1].upper() + words[1:]
+
+
+def in_degrees(angle: float) -> str:
+    """rad as degrees with three digits, never as a power of ten."""
+    value = degrees(angle)
+    decimals = 3 if value == 0 else min(max(2 - floor(log10(abs(value))), 0), 9)
+    return f"{value:.{decimals}f}"
+
+
+def in_unit(each: Estimate, unit: float) -> Estimate:
+    """The same in a unit of which one SI unit holds `unit`."""
+    error = None if each.standard_error is None else unit * each.standard_error
+    return replace(
+        each, value=None if each.value is None else unit * each.value, standard_error=error
+    )
+
+
+def counted(count: int, one: str, many: str = "") -> str:
+    """A number with its noun."""
+    return f"{count} {one if count == 1 else many or one + 's'}"
+
+
+def shortened(name: str, widest: int) -> str:
+    """A long name without its middle: the end tells segments apart."""
+    if len(name) <= widest:
+        return name
+    kept = widest - 1
+    return f"{name[: kept // 3]}…{name[len(name) - kept + kept // 3 :]}"
+
+
+def table(columns: dict[str, list[str]]) -> Table:
+    """A table without frame; columns that hold nothing are left out."""
+    drawn = Table(box=SIMPLE_HEAD, show_edge=False, padding=(0, 1, 0, 0), header_style="bold")
+    shown = {title: cells for title, cells in columns.items() if any(cells)}
+    for title in shown:
+        drawn.add_column(Text(title), no_wrap=True, overflow="ellipsis")
+    for row in zip(*shown.values(), strict=True):
+        drawn.add_row(*(Text(cell) for cell in row))
+    return drawn
+
+
+def width(columns: dict[str, list[str]]) -> int:
+    """Characters that the table takes."""
+    texts = [[*title.split("\n"), *cells] for title, cells in columns.items() if any(cells)]
+    return sum(max(map(len, each)) + 2 for each in texts)
+
+
+def heading(console: Console, title: str) -> None:
+    console.print()
+    console.print(Text(title, style="bold"))
+
+
+def say(console: Console, sentence: str, hanging: int = 0) -> None:
+    """A sentence, broken between words; a hanging indent for lists."""
+    lines = Text(sentence).wrap(console, max(console.width - hanging, 20))
+    for number, line in enumerate(lines):
+        line.rstrip()
+        console.print(Padding.indent(line, hanging) if number and hanging else line)
+
+
+def aligned(console: Console, lines: dict[str, str]) -> None:
+    """Names and what they are, in two columns."""
+    grid = Table.grid(padding=(0, 2))
+    grid.add_column(no_wrap=True)
+    grid.add_column()
+    for name, what in lines.items():
+        grid.add_row(Text(name), Text(what))
+    console.print(grid)

@@ -1,0 +1,186 @@
+"""What a recording tells of a leg, what only the prior or a bound does, and what nothing can.
+
+From the Fisher information of a fit (exact sensitivities, widened for what the residual holds
+besides noise): directions in which the parameters may move without any trace in the motion, those
+in which they leave hardly any, and the combinations that are well determined.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from jaxtyping import Float
+
+from exoid.fitting.errors.profile import named, weights_of
+from exoid.fitting.misfit.neighbourhood import columns
+from exoid.fitting.misfit.uncertainty import HELD, Information, inverse_times
+from exoid.fitting.result.estimates import RATIOS
+from exoid.fitting.result.fit_result import Basis, Estimate, FitResult
+from exoid.fitting.solve.problem import take
+from exoid.trust.directions import Direction, listed, null_directions, weak_directions
+from exoid.trust.legs import strangers
+from exoid.trust.reversal import Reversal, reversals
+
+UNDAMPED = 0.1  # 1/s, d / J below which no relaxed leg lies (0.5 to 1.2 do)
+WHOLLY = 0.995  # share that is all
+RESTING = 0.5  # share of a value from which on it rests on the voluntary segments
+
+
+@dataclass(frozen=True, eq=False)
+class Identifiability:
+    """What was told by whom."""
+
+    null_directions: list[Direction]  # exact: a longer recording of the same kind would not help
+    weak_directions: list[Direction]  # practical: this recording hardly tells
+    combinations: dict[str, Estimate]  # what the data alone determine, with the data's own errors
+    names: list[str]  # of the rows of `correlation`
+    correlation: Float[np.ndarray, "name name"]  # of the errors; data, prior and bounds together
+    segment_shares: dict[str, Float[np.ndarray, " segment"]]  # which segments told a combination
+    reversals: list[Reversal]  # every segment against its mirror image in time
+    sentences: list[str]
+
+
+def identify(result: FitResult) -> Identifiability:
+    """Ask a fit what it knows, and from whom.
+
+    **Raises** `ValueError` for a result that has no one fit to ask (`fit_each`).
+    """
+    if not isinstance(result, FitResult):
+        raise ValueError(
+            f"identify asks a fit, not a {type(result).__name__}: give what fit_leg returned."
+        )
+    basis = result.basis
+    if basis is None:
+        raise ValueError("every segment was fitted alone: there is no one fit to ask.")
+    data = basis.ended.local.data + basis.ended.local.declared
+    alone = Information(data, np.zeros_like(data), np.zeros((0, data.shape[0])))
+    gradients = relative_gradients(result, basis)
+    told = combinations(result, basis, alone)
+    exact = null_directions(result, gradients, alone)
+    weak = weak_directions(result, gradients, told, alone)
+    shares = segment_shares(basis, told, alone)
+    mirrored = reversals(basis.problem.movements)
+    names, correlation = correlations(told | dict(named(result)), gradients, basis)
+    return Identifiability(
+        exact,
+        weak,
+        told,
+        names,
+        correlation,
+        shares,
+        mirrored,
+        [
+            *strangers(result),
+            *(each.words for each in exact),
+            *(each.words for each in weak),
+            *scale_remark(basis, "inertia" in told),
+            *torque_remarks(basis, shares, mirrored),
+        ],
+    )
+
+
+def relative_gradients(result: FitResult, basis: Basis) -> dict[str, np.ndarray]:
+    """d log of every parameter and ratio that is not zero, in the fit's coordinates."""
+    each = {}
+    for name, _ in named(result):
+        weights = weights_of(name, basis)
+        value = float(weights @ basis.ended.best.quantities[0])
+        if value != 0:
+            each[name] = weights @ basis.ended.local.quantities / value
+    return each
+
+
+def combinations(result: FitResult, basis: Basis, alone: Information) -> dict[str, Estimate]:
+    """The ratios, and J, where the data alone determine them."""
+    values = {**result.ratios, "inertia": result.parameters["inertia"]}
+    told = {}
+    for name, each in values.items():
+        weights = weights_of(name, basis)
+        error = alone.standard_error(weights @ basis.ended.local.quantities)
+        if each.value is not None and each.shares != HELD and np.isfinite(error):
+            told[name] = replace(each, standard_error=error or None)
+    return told
+
+
+def segment_shares(
+    basis: Basis, told: dict[str, Estimate], alone: Information
+) -> dict[str, np.ndarray]:
+    """What part of the data's information on every combination came from which segment."""
+    best, seen = take(basis.ended.best, 0), basis.problem.observation
+    places = columns(best.coordinates, seen.seat)
+    shares = {}
+    for name in told:
+        gradient = weights_of(name, basis) @ basis.ended.local.quantities
+        pull = inverse_times(alone.likelihood, gradient)
+        told_by = zip(best.condensed.factor, places, strict=True)
+        each = [np.sum((factor @ pull[at]) ** 2) for factor, at in told_by]
+        shares[name] = np.array(each) / np.sum(each)
+    return shares
+
+
+def correlations(
+    quantities: dict[str, Estimate], gradients: dict[str, np.ndarray], basis: Basis
+) -> tuple[list[str], np.ndarray]:
+    """Of the errors of everything that has one."""
+    names = [name for name, each in quantities.items() if each.standard_error and name in gradients]
+    information = basis.information
+    rows = [information.free.T @ gradients[name] for name in names]
+    if not rows:
+        return [], np.zeros((0, 0))
+    table = np.stack(rows)
+    covariance = table @ np.stack([inverse_times(information.posterior, r) for r in rows], axis=1)
+    size = np.sqrt(np.diag(covariance))
+    return names, covariance / np.outer(size, size)
+
+
+def scale_remark(basis: Basis, inertia_told: bool) -> list[str]:
+    """Why the data do not fix the scale, where they do not."""
+    movements = basis.problem.movements
+    if inertia_told or not any(each.scaled for each in movements):
+        return []
+    if any(each.kind == "measured" for each in movements):
+        return ["the measured torque varied too little to fix the scale: J stays open."]
+    return [
+        "the known mass was on the leg in every segment, so its inertia and the leg's cannot be "
+        "told apart (singular): add a drop of the bare leg."
+    ]
+
+
+def torque_remarks(
+    basis: Basis, shares: dict[str, np.ndarray], mirrored: list[Reversal]
+) -> list[str]:
+    """Where the assumed form of the torque, and not the leg, made the numbers."""
+    damping = float(basis.ended.best.coordinates.shared.damping[0])
+    voluntary = np.array([each.voluntary for each in basis.problem.movements])
+    resting = {
+        name: float(each[voluntary].sum())
+        for name, each in shares.items()
+        if each[voluntary].sum() > RESTING and name != "torque_over_inertia"
+    }
+    said = []
+    symmetric = [each for each in mirrored if each.mirrored]
+    cycles = [each for each in symmetric if each.voluntary]
+    if cycles and "damping_over_inertia" in resting and damping < UNDAMPED:
+        said.append(
+            f"{segments(cycles)} moved the same forwards and backwards in time, and so does the "
+            "torque of Eq. 10: that is why d / J is near zero, and m l g / J then measures the "
+            "duration, whatever the leg is. Do not use these numbers; record a drop."
+        )
+    elif resting:
+        how = "entirely" if min(resting.values()) > WHOLLY else "mostly"
+        names = [RATIOS[name][0] if name in RATIOS else "J" for name in resting]
+        said.append(
+            f"{listed(names)} rest {how} on voluntary segments, where the form of the muscle's "
+            "torque (Eq. 10) is assumed: another form gives other values. A drop does not need it."
+        )
+    still = [each for each in symmetric if not each.voluntary]
+    if still:
+        said.append(
+            f"{segments(still)} moved the same forwards and backwards in time, as a leg that loses "
+            "no energy or that is moved by its muscles: was it really passive?"
+        )
+    return said
+
+
+def segments(each: list[Reversal]) -> str:
+    names = listed([one.segment for one in each])
+    return f"segment {names}" if len(each) == 1 else f"segments {names}"

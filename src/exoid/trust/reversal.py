@@ -1,0 +1,47 @@
+"""Is a movement the same forwards and backwards in time?
+
+Damping is the only term of Eq. 9 that tells the two apart: where neither the motion nor the torque
+that is assumed does, the fit must book no damping, whatever the leg has.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from exoid.fitting.data.segment import Movement, smoothed_motion
+
+SMOOTHING = 0.06  # s
+CENTRES = (0.35, 0.65)  # of the duration, between which the middle of the movement is looked for
+STEPS = 61  # tried middles
+MIRRORED = 0.05  # odd part over the whole, below which a motion counts as its own mirror image
+
+
+@dataclass(frozen=True)
+class Reversal:
+    """How far a movement is from its own mirror image in time."""
+
+    segment: str
+    voluntary: bool
+    odd: float  # root mean square of the odd part of the angle over that of all of it
+
+    @property
+    def mirrored(self) -> bool:
+        return self.odd < MIRRORED
+
+
+def reversals(movements: list[Movement]) -> list[Reversal]:
+    """Every segment against its mirror image, from the data alone, whatever its kind is called."""
+    return [Reversal(each.name, each.voluntary, odd_part(each)) for each in movements]
+
+
+def odd_part(each: Movement) -> float:
+    """The smallest odd part, over the middles that a mirror could stand in."""
+    angle, _ = smoothed_motion(each, SMOOTHING)
+    time, last = each.segment.time, float(each.segment.time[-1])
+    found = []
+    for centre in np.linspace(*CENTRES, STEPS) * last:
+        reach = np.linspace(0.0, min(centre, last - centre), time.size // 2)
+        before, after = (np.interp(centre + sign * reach, time, angle) for sign in (-1, 1))
+        whole = np.std(np.concatenate([before, after]))
+        found.append(np.sqrt(np.mean((before - after) ** 2)) / 2 / whole)
+    return float(min(found))

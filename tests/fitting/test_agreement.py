@@ -1,0 +1,71 @@
+"""When a fit follows: by what it misses beyond the noise, beside how far the leg moves."""
+
+import numpy as np
+import pytest
+
+from exoid.fitting.result.agreement import astray
+from exoid.fitting.result.fit_result import SegmentFit
+
+TIME = np.arange(300) * 0.01
+SWING = -1.3 + 1.0 * np.exp(-0.5 * TIME) * np.cos(5.4 * TIME)  # moves by 25 deg
+
+
+def segment(missed: float, noise: float = 8e-4, size: float = 1.0, name: str = "0") -> SegmentFit:
+    """A fit that misses a swing by `missed` [rad]."""
+    angle = size * SWING
+    return SegmentFit(
+        name=name,
+        kind="passive",
+        period=None,
+        torque_amplitude=None,
+        added_mass=0.0,
+        angle_rmse=missed,
+        velocity_rmse=None,
+        angle_noise=noise,
+        velocity_noise=None,
+        time=TIME,
+        angle=angle,
+        angular_velocity=None,
+        simulated_angle=angle + missed,
+        simulated_velocity=np.zeros_like(angle),
+    )
+
+
+MOVED = float(np.std(SWING))
+
+
+def test_what_follows_within_the_noise_follows():
+    assert astray([segment(8e-4)]) is None
+    assert astray([segment(0.05, noise=0.05)]) is None  # a camera's noise is not missed
+
+
+def test_missing_physics_is_no_reason_to_refuse_a_fit():
+    assert astray([segment(0.08 * MOVED)]) is None  # of a real leg's tone and friction: 0.06
+
+
+@pytest.mark.parametrize("share", [0.15, 0.5, 1.0])
+def test_another_motion_is_named_with_both_sizes(share):
+    why = astray([segment(share * MOVED)])
+    assert f"misses the angle by {np.degrees(share * MOVED):.3g} deg" in why
+    assert f"the leg moves by {np.degrees(MOVED):.3g} deg" in why
+
+
+def test_noise_does_not_excuse_another_motion():
+    assert astray([segment(0.5 * MOVED, noise=0.1 * MOVED)]) is not None
+
+
+def test_one_segment_among_many_that_is_not_followed_is_named():
+    good = [segment(8e-4, name=str(number)) for number in range(20)]
+    lost = segment(0.35 * MOVED, name="of another leg")
+    assert astray([*good, lost]).startswith("in segment of another leg it misses")
+
+
+def test_on_a_limit_less_is_enough_for_then_it_is_not_the_physics():
+    few = segment(0.05 * MOVED)
+    assert astray([few]) is None
+    assert astray([few], ["J <= reach m l"]).endswith("held by J <= reach m l")
+    assert astray([segment(0.05 * MOVED, noise=0.01 * MOVED)], ["m"]) is None  # 5 times the noise
+
+
+def test_a_leg_that_hardly_moves_is_followed_by_its_noise():
+    assert astray([segment(8e-4, size=1e-6)]) is None

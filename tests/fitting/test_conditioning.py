@@ -1,0 +1,90 @@
+"""What was done to the data is done to the simulation: the choice of the chain, and its limits."""
+
+import numpy as np
+import pytest
+
+from exoid.fitting.data.conditioning import SETTLING_SAMPLES, conditioned
+from exoid.fitting.data.conditioning_chain import MovingAverage, Raw, SettledKalman
+from exoid.fitting.data.segment import movement
+from exoid.physics.leg import LegModel
+from exoid.physics.torque import NoTorque
+from exoid.recordings.recording import Segment
+from fit_cases import exact, leg, one, state
+
+STEP = 0.01
+TIME = np.arange(200) * STEP
+
+
+def drop(time=TIME) -> Segment:
+    return exact(LegModel(leg(), NoTorque()), state(-0.2, -0.8), time)
+
+
+def filtered(segment: Segment, velocity: bool = True) -> Segment:
+    """The same samples, said to have passed the firmware's filter."""
+    rate = segment.raw_angular_velocity if velocity else None
+    return Segment(segment.time, angle=segment.raw_angle, angular_velocity=rate)
+
+
+def moved(segment: Segment, name: str = "0"):
+    return movement(one(segment), 0, name)
+
+
+def test_raw_channels_are_fitted_as_they_are():
+    each = moved(drop())
+    chain, (after,) = conditioned([each], 1)
+    assert chain == Raw()
+    assert after is each
+
+
+def test_filtered_channels_are_met_by_the_same_filter_once_it_has_settled():
+    chain, (after,) = conditioned([moved(filtered(drop()))], 1)
+    assert chain == SettledKalman(STEP)
+    assert np.isnan(after.angle[:SETTLING_SAMPLES]).all()
+    assert np.isfinite(after.angle[SETTLING_SAMPLES:]).all()
+    assert np.isnan(after.angular_velocity).sum() == SETTLING_SAMPLES
+
+
+def test_a_filtered_angle_without_its_velocity_is_fitted_as_it_is():
+    chain, _ = conditioned([moved(filtered(drop(), velocity=False))], 1)
+    assert chain == Raw()
+
+
+@pytest.mark.parametrize("window", [2, 5, 50])
+def test_every_mean_is_that_of_the_window_that_ends_at_its_sample(window):
+    each = moved(drop())
+    chain, (after,) = conditioned([each], window)
+    assert chain == MovingAverage(window)
+    assert np.isnan(after.angle[: window - 1]).all()
+    for at in (window - 1, 100, each.angle.size - 1):
+        mean = each.angle[at - window + 1 : at + 1].mean()
+        assert after.angle[at] == pytest.approx(mean, abs=1e-14)  # rounding of a sum
+    assert after.angular_velocity.size == each.angular_velocity.size
+
+
+def test_a_window_longer_than_a_swing_is_refused():
+    with pytest.raises(ValueError, match=r"segment 3: a moving average over 51 .* at most 50"):
+        conditioned([moved(drop(), "3")], 51)
+
+
+def test_smoothing_what_was_filtered_already_is_refused():
+    with pytest.raises(ValueError, match="raw_angle_rad is missing"):
+        conditioned([moved(filtered(drop()))], 3)
+
+
+@pytest.mark.parametrize("window", [1, 3])
+def test_uneven_sampling_is_refused_where_samples_are_counted(window):
+    uneven = drop(np.cumsum(np.random.default_rng(0).uniform(0.006, 0.014, 200)))
+    segment = uneven if window > 1 else filtered(uneven)
+    with pytest.raises(ValueError, match="segment 2 is not sampled evenly"):
+        conditioned([moved(segment, "2")], window)
+
+
+def test_sampling_slower_than_the_simulations_step_is_refused_for_a_filter():
+    with pytest.raises(ValueError, match="at 50 Hz or more"):
+        conditioned([moved(filtered(drop(np.arange(100) * 0.025)))], 1)
+
+
+def test_filtered_segments_of_different_sample_times_are_refused():
+    slow = drop(np.arange(120) * 0.02)
+    with pytest.raises(ValueError, match=r"every 0\.01 s and every 0\.02 s"):
+        conditioned([moved(filtered(drop())), moved(filtered(slow))], 1)

@@ -1,0 +1,101 @@
+"""Segments fitted alone: the mean of the ratios, the error of their scatter, and their names."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from exoid.fitting.each_segment import averaged, fit_each, only
+from exoid.fitting.estimate import fit
+from exoid.fitting.result.fit_result import Estimate
+from exoid.physics.leg import GRAVITY
+from exoid.twin.motion import Movement
+from fit_cases import CYCLE, DROP, LOADED, leg, recorded
+
+FEW = {"multistart": 4}
+OTHER_DROP = Movement(float(np.radians(-30)), DROP.duration)
+RATIOS = {
+    "gravity_over_inertia": 4.5 * 0.26 * GRAVITY / 0.42,
+    "stiffness_over_inertia": 2.6 / 0.42,
+    "damping_over_inertia": 0.33 / 0.42,
+}
+
+
+@pytest.fixture(scope="module")
+def drops():
+    return recorded(DROP, OTHER_DROP)
+
+
+@pytest.fixture(scope="module")
+def alone(drops):
+    """Each of the two drops by itself."""
+    return [fit([("leg", only(drops, number))], **FEW) for number in (0, 1)]
+
+
+def test_ratios_are_the_mean_of_the_segments_and_errors_their_scatter(drops, alone):
+    found = fit_each([("leg", drops)], **FEW)
+    for name in RATIOS:
+        values = [each.ratios[name].value for each in alone]
+        assert found.ratios[name].value == pytest.approx(np.mean(values), rel=1e-12)
+        scatter = abs(values[0] - values[1]) / 2  # s / sqrt(n) of two values
+        assert found.ratios[name].standard_error == pytest.approx(scatter, rel=1e-9)
+    assert [each.name for each in found.segments] == ["0", "1"]
+    assert found.loss == pytest.approx(sum(each.loss for each in alone), rel=1e-12)
+
+
+def test_parameters_keep_the_ratios_that_they_came_from(drops):
+    found = fit_each([("leg", drops)], **FEW)
+    value = {name: each.value for name, each in found.parameters.items()}
+    moment = value["mass"] * value["com_distance"] * GRAVITY
+    for name, part in (
+        ("gravity_over_inertia", moment),
+        ("stiffness_over_inertia", value["stiffness"]),
+        ("damping_over_inertia", value["damping"]),
+    ):
+        assert part / value["inertia"] == pytest.approx(found.ratios[name].value, rel=1e-9)
+    assert found.parameters["inertia"].determined_by == "prior"  # each drop knows ratios alone
+
+
+def test_one_segment_is_fitted_as_ever(alone, drops):
+    found = fit_each([("leg", only(drops, 0))], **FEW)
+    assert found.ratios == alone[0].ratios
+    assert found.parameters == alone[0].parameters
+
+
+def test_segments_of_two_recordings_are_told_apart(drops):
+    names = [("a.csv", only(drops, 0)), ("b.csv", only(drops, 1))]
+    assert [each.name for each in fit_each(names, **FEW).segments] == ["a.csv 0", "b.csv 0"]
+
+
+def test_a_segment_in_which_nothing_moves_is_left_out_by_name(drops):
+    still = replace(drops.segments[1], raw_angle=np.full_like(drops.segments[1].time, -0.2))
+    still = replace(still, raw_angular_velocity=np.zeros_like(still.time))
+    still = replace(still, angle=None, angular_velocity=None, angular_acceleration=None)
+    bad = replace(drops, segments=(drops.segments[0], still))
+    assert fit_each([("leg", bad)], **FEW).notes[0].startswith("segment 1 was left out")
+
+
+def test_the_reading_of_the_cycles_is_told_although_the_first_segment_is_a_drop():
+    found = fit_each([("leg", recorded(DROP, CYCLE))], **FEW)
+    assert found.torque_frequency == "1/T"
+    assert "torque_over_inertia" in found.ratios
+
+
+def test_one_segment_keeps_what_the_sidecar_says_of_it():
+    whole = recorded(DROP, LOADED, CYCLE)
+    parts = [only(whole, number) for number in range(3)]
+    assert [each.added_mass(0) for each in parts] == [0.0, 1.0, 0.0]
+    assert [each.kind(0) for each in parts] == ["passive", "passive", "active"]
+    assert [each.cycle_period(0) for each in parts] == [None, None, 1.19]
+    assert parts[1].added_mass_distance(0) == 0.4
+
+
+def test_the_mean_of_a_single_value_has_no_error():
+    one = Estimate("c / J", "stiffness over inertia", "1/s^2", 6.0, 0.1)
+    assert averaged([one]).standard_error is None
+    both = averaged([one, replace(one, value=8.0)])
+    assert (both.value, both.standard_error) == (7.0, 1.0)
+
+
+def test_the_leg_of_the_cases_has_these_ratios():
+    assert float(leg().stiffness / leg().inertia) == pytest.approx(RATIOS["stiffness_over_inertia"])

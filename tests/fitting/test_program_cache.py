@@ -1,0 +1,201 @@
+"""Programs kept between processes: found again, bitwise the same, and never a reason to fail."""
+
+import importlib.util
+import re
+import sys
+import warnings
+from pathlib import Path
+
+import grimp
+import jax
+import numpy as np
+import pytest
+
+import exoid
+from exoid.fitting.data.conditioning_chain import MovingAverage, Raw
+from exoid.fitting.estimate import fit
+from exoid.fitting.solve import program_cache as program
+from fit_cases import DROP, recorded
+
+KEPT = "*.stablehlo"
+PROGRAM = re.compile(r'"(exoid\.[\w.]+):\w+"')  # how a compiled function is named
+SETTINGS = (
+    "jax_compilation_cache_dir",
+    "jax_persistent_cache_min_compile_time_secs",
+    "jax_persistent_cache_min_entry_size_bytes",
+)
+
+
+@pytest.fixture(autouse=True)
+def _as_before():
+    """JAX and the program as they were, whatever a test has set."""
+    before = {name: getattr(jax.config, name) for name in SETTINGS}
+    folder = list(program._folder)
+    program._folder.clear()
+    yield
+    for name, value in before.items():
+        jax.config.update(name, value)
+    begin_anew()
+    program._folder[:] = folder
+
+
+def begin_anew():
+    """Forget what this process has compiled, as a new one would not know it."""
+    from jax.experimental.compilation_cache import compilation_cache
+
+    program.program.cache_clear()
+    compilation_cache.reset_cache()
+
+
+@pytest.fixture(scope="module")
+def drop():
+    return recorded(DROP)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    return tmp_path_factory.mktemp("programs")
+
+
+def numbers(drop, folder: Path) -> np.ndarray:
+    """All of a fit's values and errors, by a process that keeps its programs in `folder`."""
+    begin_anew()
+    program.keep_programs_in(folder)
+    found = program.with_sound_programs(lambda: fit([("leg", drop)], multistart=2))
+    each = [*found.parameters.values(), *found.ratios.values()]
+    return np.array([(one.value, one.standard_error) for one in each], dtype=float)
+
+
+def test_a_kept_program_is_found_again_and_gives_bitwise_the_same(drop, folder, monkeypatch):
+    traced = numbers(drop, folder)
+    kept = sorted(folder.glob(KEPT))
+    assert len(kept) == 2  # the solver, and the sensitivities behind the errors
+    written = [each.stat().st_mtime_ns for each in kept]
+    monkeypatch.setattr(program, "traceable", None)  # tracing again would fail
+    np.testing.assert_array_equal(numbers(drop, folder), traced)
+    assert [each.stat().st_mtime_ns for each in kept] == written
+
+
+@pytest.mark.parametrize("damage", [lambda c: c[:1000], lambda c: b"", lambda c: b"foreign" * 99])
+def test_a_damaged_program_is_traced_anew_and_replaced(drop, folder, damage):
+    before = numbers(drop, folder)
+    kept = max(folder.glob(KEPT), key=lambda each: each.stat().st_size)
+    whole = kept.read_bytes()
+    kept.write_bytes(damage(whole))
+    np.testing.assert_array_equal(numbers(drop, folder), before)
+    assert program.load(kept) is not None
+    assert [path.suffix for path in folder.glob("*.part")] == []
+
+
+def test_what_xla_kept_and_cannot_read_is_replaced(drop, folder):
+    before = numbers(drop, folder)
+    compiled = list(folder.glob("*-cache"))
+    assert compiled
+    for path in compiled:
+        path.write_bytes(path.read_bytes()[:100])
+    np.testing.assert_array_equal(numbers(drop, folder), before)
+    assert all(path.stat().st_size > 100 for path in folder.glob("*-cache"))
+
+
+def test_another_warning_is_not_mistaken_for_an_unreadable_program(tmp_path):
+    program.keep_programs_in(tmp_path)
+    (tmp_path / "kept-cache").touch()
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        with pytest.raises(UserWarning, match="something else"):
+            program.with_sound_programs(lambda: warnings.warn("something else", stacklevel=1))
+    assert (tmp_path / "kept-cache").exists()
+
+
+def test_a_folder_that_cannot_be_made_keeps_nothing(tmp_path):
+    (tmp_path / "file").touch()
+    program.keep_programs_in(tmp_path / "file" / "programs")
+    assert program._folder == []
+
+
+def test_a_program_that_cannot_be_written_is_not_kept(tmp_path):
+    program.store(tmp_path / "nowhere" / "a.stablehlo", b"content")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_only_what_is_whole_is_loaded(tmp_path):
+    path = tmp_path / "a.stablehlo"
+    exported = jax.export.export(jax.jit(lambda x: 2 * x))(jax.ShapeDtypeStruct((), np.float64))
+    program.store(path, exported.serialize())
+    loaded = program.load(path)
+    assert loaded is not None
+    assert float(loaded.call(3.0)) == 6.0
+    flipped = bytearray(path.read_bytes())
+    flipped[-7] ^= 1
+    path.write_bytes(flipped)
+    assert program.load(path) is None
+    assert program.load(tmp_path / "missing.stablehlo") is None
+
+
+def test_the_fingerprint_tells_everything_apart_that_changes_a_program(tmp_path, monkeypatch):
+    shape = jax.ShapeDtypeStruct((3,), np.float64)
+    structures = [jax.tree.structure(each) for each in ((0, 1), [0, 1])]
+    prints = [
+        program.fingerprint("solve", structures[0], (shape,), Raw()),
+        program.fingerprint("solve", structures[1], (shape,), Raw()),
+        program.fingerprint("solve", structures[0], (shape, shape), Raw()),
+        program.fingerprint("solve", structures[0], (shape,), MovingAverage(3)),
+        program.fingerprint("solve", structures[0], (shape,), MovingAverage(4)),
+    ]
+    prints.append(program.fingerprint("sense_all", structures[0], (shape,), Raw()))
+    for text in ("a = 1", "a = 2"):
+        source = tmp_path / text / "recordings" / "constants.py"
+        source.parent.mkdir(parents=True)
+        source.write_text(text)
+        monkeypatch.setattr(
+            program, "__file__", str(tmp_path / text / "fitting" / "solve" / "cache.py")
+        )
+        prints.append(program.fingerprint("solve", structures[0], (shape,), Raw()))
+    monkeypatch.setattr(program, "version", lambda name: "0")
+    prints.append(program.fingerprint("solve", structures[0], (shape,), Raw()))
+    assert len(set(prints)) == len(prints)
+
+
+def test_all_that_a_program_imports_is_in_its_fingerprint():
+    graph = grimp.build_graph("exoid")
+    home = Path(exoid.__file__).parent
+    seen = set(program.sources(home))
+    names = {each for path in home.rglob("*.py") for each in PROGRAM.findall(path.read_text())}
+    assert names >= {each.partition(":")[0] for each in program.OPTIONS} > set()
+    for name in names:
+        for module in {name, *graph.find_upstream_modules(name)}:
+            place = home.parent / module.replace(".", "/")
+            assert {place.with_suffix(".py"), place / "__init__.py"} & seen, f"{name}: {module}"
+
+
+def test_a_kept_program_depends_on_the_code_of_a_users_own_class(tmp_path):
+    def prints(value):
+        path = tmp_path / "mine.py"
+        path.write_text(f"class Own:\n    value = {value}\n", encoding="utf-8")
+        spec = importlib.util.spec_from_file_location("mine", path)
+        assert spec is not None
+        assert spec.loader is not None
+        module = importlib.util.module_from_spec(spec)
+        sys.modules["mine"] = module
+        spec.loader.exec_module(module)
+        return program.fingerprint("release", None, (), ((module.Own,), Raw()))
+
+    assert prints(1) != prints(2)
+    sys.modules.pop("mine")
+
+
+def test_a_program_with_a_class_typed_into_a_notebook_is_not_kept(tmp_path, monkeypatch):
+    monkeypatch.setattr(program, "_folder", [tmp_path])
+    space: dict = {"__name__": "no_module"}
+    exec("class Typed:\n    pass", space)
+    number = jax.ShapeDtypeStruct((), float)
+    leaf = jax.tree.structure((0.0,))
+    kept = program.program("builtins:divmod", leaf, (number,), (space["Typed"],))
+    assert callable(kept)
+    assert not list(tmp_path.iterdir())
+
+
+def test_options_that_xla_does_not_know_cost_nothing_but_time():
+    assert program.understood((("no_such_option", 1),)) == {}
+    for options in (program.LEAN, program.BROAD):
+        assert program.understood(options) == dict(options)

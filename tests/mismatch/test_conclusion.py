@@ -1,0 +1,61 @@
+"""From what a search found to a verdict."""
+
+from dataclasses import replace
+from unittest.mock import Mock
+
+import numpy as np
+import pytest
+
+from exoid.mismatch.conclude.cannot_tell import unrelaxed
+from exoid.mismatch.conclude.conclusion import partial
+from exoid.mismatch.evidence.yardstick import Yardstick
+from exoid.mismatch.missing_physics import noise_alone
+from exoid.mismatch.screen.hypothesis import Hypothesis, Products
+from exoid.mismatch.screen.optimise import Settled
+from exoid.mismatch.screen.screened_recording import Bench
+from exoid.mismatch.search.search import Found
+from exoid.physics.terms.device.cuff_compliance import CuffCompliance
+from exoid.physics.terms.tissue.maxwell_element import MaxwellElement
+
+SAMPLES = 1000
+NOTHING = Hypothesis((), (), np.zeros(4))
+
+
+def leaving(square):
+    """A candidate that leaves so much."""
+    return Settled(NOTHING, Products(np.zeros((1, 1, 1)), np.array([[square]])), course=None)
+
+
+@pytest.mark.parametrize(
+    ("left", "doubted"),
+    [(1000.0, False), (20_000.0, False), (40_000.0, True)],
+    ids=["all", "four fifths", "two thirds"],
+)
+def test_a_part_is_no_cause_where_nobody_declared_the_noise(left, doubted):
+    base = leaving(101_000.0)
+    found = Found(base, NOTHING, [], [], {}, [], Yardstick(SAMPLES, scale=1.0))
+    reasons = partial(found, leaving(left))
+    assert bool(reasons) == doubted
+    if doubted:
+        assert "declare the sensors' noise" in reasons[0]
+
+
+@pytest.mark.parametrize(
+    ("samples", "size", "alone"),
+    [(40, 1.0, True), (40, 1.5, False), (6, 0.9, False), (4, 0.1, False)],
+    ids=["noise", "more", "few samples", "as many parameters"],
+)
+def test_parameters_may_have_been_spent_on_a_few_first_samples(samples, size, alone):
+    """Four of them leave two of six samples to contradict them."""
+    assert noise_alone(np.full(samples, size), parameters=4) == alone
+
+
+@pytest.mark.parametrize(("term", "doubted"), [(MaxwellElement, True), (CuffCompliance, False)])
+def test_what_remembers_for_seconds_may_remember_what_nobody_recorded(term, doubted):
+    """A leg that was held for a second before the drop has not forgotten how it came there."""
+    bench = Mock(spec=Bench, rig=False)
+    best = leaving(9000.0)
+    best = replace(best, candidate=replace(NOTHING, terms=(term,)))
+    reasons = unrelaxed(bench, best)
+    assert bool(reasons) == doubted
+    assert not doubted or "Hold it still for 10 s" in reasons[0]

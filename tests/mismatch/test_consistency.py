@@ -1,0 +1,59 @@
+"""Encoder against gyro, before any dynamics."""
+
+import equinox as eqx
+import numpy as np
+import pytest
+
+from exoid.fitting.data.observation import observe
+from exoid.fitting.data.segment import movement
+from exoid.mismatch.sensors.consistency import consistency
+from fit_cases import DROP, recorded
+
+TRUE = {"gyro_scale": -0.128, "gyro_bias": 0.01, "sensor_skew": 0.006}
+
+
+def seen(seed=0):
+    session = recorded(DROP, DROP, seed=seed)
+    return observe([movement(session, k, str(k)) for k in range(2)], "1/T")
+
+
+def spoiled(observation, scale=0.0, bias=0.0, delay=0.0):
+    """The observation as a wrong gyro would have shown it."""
+    rows = [
+        (1 + scale) * np.interp(time - delay, time, rate) + bias
+        for time, rate in zip(observation.time, observation.angular_velocity, strict=True)
+    ]
+    return eqx.tree_at(lambda o: o.angular_velocity, observation, np.stack(rows))
+
+
+@pytest.mark.parametrize("name", TRUE)
+def test_what_the_gyro_does_wrong_is_measured(name):
+    wrong = {"gyro_scale": "scale", "gyro_bias": "bias", "sensor_skew": "delay"}[name]
+    found = consistency(spoiled(seen(), **{wrong: TRUE[name]}))
+    each = {error.name: error for error in found.errors}
+    for other, error in each.items():
+        # The interpolation that delays the gyro here smooths its noise: a percent of the delay.
+        true = TRUE[name] if other == name else 0.0
+        assert abs(error.value - true) < 5 * error.standard_error + 0.01 * abs(true)
+    assert each[name].clear
+
+
+def test_sound_sensors_are_called_sound():
+    found = [error for seed in range(6) for error in consistency(seen(seed)).errors]
+    assert not any(error.clear for error in found)
+
+
+def test_the_errors_scatter_as_they_say():
+    # 18 values: their mean square is 1 within 0.7 (two standard deviations).
+    scores = [
+        e.value / e.standard_error for seed in range(6) for e in consistency(seen(seed)).errors
+    ]
+    assert 0.3 < np.mean(np.square(scores)) < 1.9
+
+
+def test_without_a_gyro_nothing_is_said_of_it():
+    observation = seen()
+    blind = eqx.tree_at(
+        lambda o: o.velocity_weight, observation, np.zeros_like(observation.velocity_weight)
+    )
+    assert consistency(blind).errors == []

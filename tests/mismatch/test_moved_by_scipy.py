@@ -1,0 +1,83 @@
+"""Legs that SciPy moved, each with one thing that Eq. 9 leaves out."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+import pytest
+
+from exoid.mismatch.missing_physics import diagnose
+from hands import Device, Hand, Knee, dropped
+
+pytestmark = pytest.mark.proof
+
+ENCODER = Device(rate=200.0, noise=1e-3, gyro=5e-3)
+STARTS = (-0.05, -0.3, -0.5)  # rad
+CONTACT, RATIO = 0.03, 0.5  # s that the stop's spring holds the leg, and its damping ratio
+
+
+@dataclass(frozen=True)
+class Stopped(Knee):
+    """A spring and damper push the leg back from an angle on; they never pull."""
+
+    angle: float = -1.0  # rad
+
+    def pull(self, angle, rate):
+        stiff = np.pi / CONTACT
+        push = stiff**2 * (self.angle - angle) - 2 * RATIO * stiff * rate
+        return super().pull(angle, rate) + np.where(angle < self.angle, np.maximum(push, 0.0), 0.0)
+
+
+@dataclass(frozen=True)
+class Rubbing(Knee):
+    """Dry friction that passes through zero within 5 mrad/s."""
+
+    friction: float = 0.8  # 1/s^2
+
+    def pull(self, angle, rate):
+        return super().pull(angle, rate) - self.friction * np.tanh(rate / 5e-3)
+
+
+@dataclass(frozen=True)
+class Tilted(Knee):
+    """On a seat whose front is higher."""
+
+    tilt: float = np.radians(8.0)
+
+    def pull(self, angle, rate):
+        level = self.gravity * (np.cos(angle + self.tilt) - np.cos(angle))
+        return super().pull(angle, rate) - level
+
+
+def session(knee: Knee, seed: int = 0):
+    """Three drops of it."""
+    each = [
+        dropped(knee, Hand(start, hold=0.6), ENCODER, lasting=6.0, seed=seed + number)[0]
+        for number, start in enumerate(STARTS)
+    ]
+    return replace(each[0], segments=tuple(one.segments[0] for one in each))
+
+
+@pytest.mark.parametrize("angle", [-85.0, -100.0])
+def test_a_stop_is_no_reflex(angle):
+    """The leg hangs at -76 deg; swinging beyond, it touches the stop for some 30 ms."""
+    found = diagnose(session(Stopped(angle=np.radians(angle))), multistart=8)
+    assert (found.verdict, found.selected) == ("mismatch", ["hard_stop"])
+    stop = {each.name: each for each in found.parameters}["hard_stop.flexion_angle"]
+    blurred = np.radians(2)  # by steps of 0.6 ms
+    assert abs(stop.value - np.radians(angle)) < 3 * stop.standard_error + blurred
+
+
+def test_friction_is_as_finely_simulated_as_its_pairs():
+    """A pair would win by its finer steps alone, with a second cause of no size."""
+    found = diagnose(session(Rubbing()), multistart=8)
+    assert found.verdict == "mismatch"
+    assert found.selected in (["coulomb_friction"], ["stribeck_friction"])
+    assert not any("+" in each for each in found.equivalent)
+
+
+def test_a_tilted_thigh_is_one_cause_and_not_two():
+    """By itself it is an offset and a rest angle that are opposite."""
+    found = diagnose(session(Tilted()), multistart=8)
+    assert (found.verdict, found.selected) == ("mismatch", ["angle_offset"])
+    offset = {each.name: each for each in found.parameters}["angle_offset.offset"]
+    assert abs(abs(offset.value) - np.radians(8.0)) < 3 * offset.standard_error

@@ -1,0 +1,145 @@
+"""Candidates pinned to the data, and running free."""
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+from diagnosis_cases import FRICTION, Detent, session
+
+from exoid.fitting.estimate import fit
+from exoid.mismatch import prepare as preparing
+from exoid.mismatch.evidence.yardstick import count
+from exoid.mismatch.prepare import prepare
+from exoid.mismatch.screen import many_pinned
+from exoid.mismatch.screen.hypothesis import Hypothesis
+from exoid.mismatch.screen.many_pinned import linear
+from exoid.mismatch.screen.optimise import settle, settle_free
+from exoid.mismatch.search.variants import polished
+from exoid.physics.leg import LegModel
+from exoid.physics.library import name_of
+from exoid.physics.motion.simulate import simulate
+from exoid.physics.terms.device.backlash import Backlash
+from exoid.physics.terms.device.coulomb_friction import CoulombFriction
+from exoid.physics.terms.tissue.maxwell_element import MaxwellElement
+from exoid.physics.torque import NoTorque
+from exoid.recordings.recording import Protocol, Recording, Segment
+from fit_cases import BODY, NOISE, leg, state
+from small_library import SMALL
+
+
+@pytest.fixture(scope="module")
+def ready():
+    """A bench with a small library, on drops with dry friction."""
+    patch = pytest.MonkeyPatch()
+    patch.setattr(preparing, "library", lambda: SMALL)
+    recordings = [("drops", session(FRICTION))]
+    yield prepare(fit(recordings), recordings, (Detent,))
+    patch.undo()
+
+
+def candidates(bench, base):
+    point = base.candidate.point
+    return [
+        Hypothesis((term,), (value,), point)
+        for term in bench.library
+        for value in bench.starts(term)
+    ]
+
+
+def test_the_true_term_reaches_the_noise_pinned_and_free(ready):
+    bench, base = ready
+    samples = count(bench.seen)
+    start = [each for each in candidates(bench, base) if each.terms == (CoulombFriction,)]
+    for found in (settle(bench, start)[0], settle_free(bench, start)[0]):
+        # The sum of squares of noise is its number within four deviations.
+        assert abs(found.square - samples) < 4 * np.sqrt(2 * samples)
+        # J is the prior's, and the friction goes with it.
+        inertia = np.exp(bench.coordinates(found.candidate).shared.log_inertia)
+        assert found.candidate.values[0][0] / inertia == pytest.approx(0.08 / 0.42, rel=0.02)
+
+
+def test_no_other_term_reaches_the_noise(ready):
+    bench, base = ready
+    for found in settle(bench, candidates(bench, base)):
+        if found.candidate.terms != (CoulombFriction,):
+            assert found.square > 1.5 * count(bench.seen), name_of(found.candidate.terms[0])
+
+
+def test_pinned_and_free_agree_where_the_model_is_right(ready):
+    bench, base = ready
+    start = [each for each in candidates(bench, base) if each.terms == (CoulombFriction,)]
+    free = settle_free(bench, start)[0]
+    pinned = many_pinned.evaluate(bench, [free.candidate], [bench.course], bench.seen)[0][0]
+    # Second order in the noise, but that a reversal is smeared over its step.
+    assert pinned.square == pytest.approx(free.square, rel=0.3)
+    # Of leg and friction; friction swallows a start's small velocity, whose derivative then is 0.
+    told = [1, 2, 3, -2]
+    assert np.diag(pinned.total)[told] == pytest.approx(np.diag(free.products.total)[told], rel=0.1)
+
+
+def test_a_first_term_taken_as_linear_counts_like_itself(ready):
+    bench, base = ready
+    by_name = {name_of(each.terms[0]): each for each in candidates(bench, base)}
+    first, second = by_name["coulomb_friction"], by_name["detent"]
+    both = Hypothesis((*first.terms, *second.terms), (*first.values, *second.values), first.point)
+    eased = linear(bench, [first], [bench.course])[0]
+    eased = Hypothesis(both.terms, both.values, both.point, both.zero, eased)
+    one, other = (
+        many_pinned.evaluate(bench, [each], [bench.course], bench.seen)[0][0]
+        for each in (both, eased)
+    )
+    assert other.each == pytest.approx(one.each, rel=1e-9, abs=1e-6)
+
+
+def test_more_requests_than_fit_at_once_are_all_answered(ready):
+    bench, base = ready
+    many = [each for each in candidates(bench, base) if each.terms == (MaxwellElement,)] * 5
+    found = many_pinned.evaluate(bench, many, [bench.course] * len(many), bench.seen)
+    squares = [products.square for products, _ in found]
+    assert squares[:3] * 5 == pytest.approx(squares, rel=1e-12)
+
+
+def test_a_step_into_a_bound_stays_on_it(ready):
+    bench, base = ready
+    point = base.candidate.point
+    found = settle(bench, [Hypothesis((CoulombFriction,), (np.array([49.0]),), point)])[0]
+    lower, upper = bench.bounds(found.candidate)
+    assert (found.candidate.unknowns >= lower).all()
+    assert (found.candidate.unknowns <= upper).all()
+
+
+def test_the_smoothed_course_is_what_the_sensors_show(ready):
+    bench, _ = ready
+    used = np.asarray(bench.seen.angle_weight) > 0
+    left = (bench.course.angle - bench.seen.angle)[used] * bench.seen.angle_weight[used]
+    assert 0.5 < np.mean(np.square(left)) < 1.2
+    assert jax.tree.leaves(bench.course)[0].shape == bench.seen.time.shape
+
+
+def played(angle: float, seed: int) -> Segment:
+    """A drop from its release on, as sensors with a play of 0.01 rad show it."""
+    model = LegModel(leg(), NoTorque(), terms=(Backlash(np.asarray(0.005)),))
+    time = 0.01 * np.arange(600)
+    seen = simulate(model, state(angle), jnp.asarray(time))
+    rng = np.random.default_rng(seed)
+    noise = rng.normal(size=(2, time.size)) * [[NOISE.angle_noise], [NOISE.velocity_noise]]
+    return Segment(
+        time,
+        raw_angle=np.asarray(seen.shown_angle) + noise[0],
+        raw_angular_velocity=np.asarray(seen.shown_velocity) + noise[1],
+    )
+
+
+@pytest.mark.proof
+def test_the_encoder_leads_past_the_jumps_of_the_gyro():
+    # A sample on the wrong side of a jump costs as much as the noise of hundreds.
+    segments = tuple(played(angle, seed) for seed, angle in enumerate((-0.2, -0.5, -0.8)))
+    recordings = [("drops", Recording(segments, BODY, Protocol(kind="passive"), NOISE))]
+    bench, base = prepare(fit(recordings), recordings, ())
+    start = Hypothesis((Backlash,), (np.array([0.008]),), base.candidate.point)
+    (walled,) = settle_free(bench, [start], rounds=25)
+    found = polished(bench, walled.candidate)
+    assert found.candidate.values[0][0] == pytest.approx(0.005, rel=0.02)
+    samples = count(bench.seen)
+    assert abs(found.square - samples) < 4 * np.sqrt(2 * samples)
+    assert walled.square > found.square + 100  # no noise makes such a difference

@@ -1,0 +1,49 @@
+"""What the movements of a continuous recording are, by how they go."""
+
+import numpy as np
+import pytest
+
+from exoid.recordings.motion.pieces import find_pieces
+from exoid.recordings.motion.split import kept_parts
+from exoid.recordings.recording import Segment, Sensors
+
+STEP = 0.01  # s
+LIFTED = 15.0  # s, when a hand begins to lift the leg
+REST, HELD = np.radians(-76.0), np.radians(-12.0)
+
+
+def session(rng: np.random.Generator) -> np.ndarray:
+    """Two drops that swing out to rest, and between them a hand that lifts the leg [rad]."""
+    hold, lift = np.full(100, HELD), np.linspace(0, 1, 300)
+    time = np.arange(0.0, 14.0, STEP)
+    drop = REST + (HELD - REST) * np.exp(-0.4 * time) * np.cos(5 * time)
+    raised = drop[-1] + (HELD - drop[-1]) * (10 * lift**3 - 15 * lift**4 + 6 * lift**5)
+    angle = np.concatenate([hold, drop, raised, hold, drop])
+    return angle + np.radians(0.1) * rng.normal(size=angle.size)
+
+
+def log_of(angle):
+    return Segment(STEP * np.arange(angle.size), raw_angle=angle)
+
+
+def pieces_of(angle):
+    return [each.name for each in find_pieces(log_of(angle), Sensors(), None)]
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_a_lift_lies_between_two_drops(seed):
+    assert pieces_of(session(np.random.default_rng(seed))) == ["a drop", "a lift", "a drop"]
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_a_drop_of_the_other_sign_is_no_hands_lift(seed):
+    """What rings was let go, whichever way it went; only a check of the signs may judge it."""
+    names = pieces_of(REST - session(np.random.default_rng(seed)))
+    assert [each for each in names if each == "a drop upwards"] == ["a drop upwards"] * 2
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_a_drop_ends_before_the_hand_that_lifts_the_leg_softly(seed):
+    log = log_of(session(np.random.default_rng(seed)))
+    first, _ = kept_parts(log, find_pieces(log, Sensors(), None))
+    assert LIFTED - 1.0 < log.time[first.stop - 1] <= LIFTED

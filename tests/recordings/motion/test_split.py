@@ -1,0 +1,72 @@
+"""A continuous recording is cut into what a relaxed leg did, whoever recorded it."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from exoid.recordings.formats.own_table import write_table
+from exoid.recordings.loading.load import load
+from exoid.recordings.motion.split import cut_table
+from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
+
+DOWN = np.radians(-72)
+
+
+def continuous(rate: float, noise: float, **said) -> Recording:
+    """Drop, lift, drop, lift, and a leg that is shaken to either side."""
+
+    def after(seconds):
+        return np.arange(0, seconds, 1 / rate)
+
+    def drop(start):
+        time = after(7.0)
+        swing = np.cos(5.7 * time) + 0.9 / 5.7 * np.sin(5.7 * time)
+        return DOWN + (start - DOWN) * np.exp(-0.9 * time) * swing
+
+    def lift(end):
+        return DOWN + (end - DOWN) / 2 * (1 - np.cos(np.pi * after(1.0)))
+
+    def hold(angle):
+        return np.full(after(1.2).size, angle)
+
+    shaken = -0.2 + 0.4 * np.sin(9 * after(2.0)) * np.sin(np.pi * after(2.0) / 2)
+    parts = [hold(-0.3), drop(-0.3), hold(DOWN), lift(0.0), hold(0.0), drop(0.0), hold(DOWN)]
+    parts += [lift(-0.2), hold(-0.2), shaken, hold(-0.2)]
+    angle = np.concatenate(parts)
+    angle = angle + noise * np.random.default_rng(0).normal(size=angle.size)
+    segment = Segment(np.arange(angle.size) / rate, raw_angle=angle)
+    return Recording((segment,), Subject(kind="leg"), Protocol(**said), Sensors(angle_noise=noise))
+
+
+@pytest.mark.parametrize(("rate", "noise"), [(100, 1e-3), (30, 0.009), (120, 0.009)])
+@pytest.mark.parametrize("said", [{}, {"kind": "passive"}, {"kind": ("passive",)}])
+def test_a_continuous_table_is_cut_into_its_drops_and_says_what_it_left_out(rate, noise, said):
+    found = cut_table(continuous(rate, noise, **said))
+    assert set(found.recording.protocol.kind) in ({"passive"}, set("passive"))
+    first, second = found.recording.segments
+    for segment, start in ((first, -0.3), (second, 0.0)):
+        assert segment.raw_angle[0] == pytest.approx(start, abs=4 * noise)
+        assert segment.time[-1] > 5.0
+    (note,) = found.notes
+    assert note.startswith("left out, for a hand moved the leg: a lift from 9.")
+    assert note.count("a lift") == 2
+    assert "shaking from 2" in note
+
+
+def test_load_cuts_a_table_and_names_what_it_left_out(tmp_path):
+    write_table(continuous(100, 1e-3), tmp_path / "long.csv")
+    loaded = load(tmp_path / "long.csv")
+    assert len(loaded.recording.segments) == 2
+    assert "left out" in loaded.notes[-1]
+
+
+def test_a_rig_and_a_single_drop_stay_as_they_are():
+    recording = continuous(100, 1e-3)
+    rig = replace(recording, subject=Subject(kind="rig"))
+    assert cut_table(rig).recording.segments == rig.segments
+    (log,) = recording.segments
+    single = Segment(log.time[:820], raw_angle=log.raw_angle[:820])
+    said = Protocol(kind=("passive",))
+    alone = replace(recording, segments=(single,), protocol=said)
+    assert cut_table(alone).recording is alone

@@ -1,0 +1,271 @@
+"""A table in any dialect says what its numbers say; how it was understood is said."""
+
+import csv
+import io
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from exoid.recordings.loading.load import load
+
+TIME = np.arange(40) * 0.01
+ANGLE = np.round(-90 + 70 * np.exp(-TIME) * np.cos(5 * TIME), 3)  # deg, of a leg let go
+RATE = np.round(-70 * np.exp(-TIME) * (np.cos(5 * TIME) + 5 * np.sin(5 * TIME)), 3)  # deg/s
+GERMAN = (("Zeit (s)", "Kniewinkel (°)"), ("Zeit", "Kniewinkel"))
+ENGLISH = (("Time (s)", "Knee Flexion (deg)"), ("time", "knee_angle_r"))
+UNITS = ("s", "deg")
+
+
+@pytest.fixture
+def write(tmp_path):
+    """Puts the content of a table on disk; returns its path."""
+
+    def write(content, name="leg.csv", sidecar=None):
+        path = tmp_path / name
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        if sidecar is not None:
+            path.with_suffix(".toml").write_text(sidecar)
+        return path
+
+    return write
+
+
+def lines(columns, separator=",", decimal="."):
+    rows = zip(*columns, strict=True)
+    return [separator.join(f"{each}".replace(".", decimal) for each in row) for row in rows]
+
+
+def check(path, **options):
+    """The one segment of a file, which holds the motion above."""
+    loaded = load(path, **options)
+    (segment,) = loaded.recording.segments
+    np.testing.assert_allclose(segment.time, TIME, rtol=0, atol=1e-12)  # rounding of a division
+    np.testing.assert_allclose(segment.raw_angle, np.radians(ANGLE), rtol=1e-15)  # one product
+    return segment, "\n".join(loaded.notes)
+
+
+@pytest.mark.parametrize("encoding", ["utf-8-sig", "utf-8", "cp1252", "utf-16"])
+@pytest.mark.parametrize("ends", ["\n", "\r\n"])
+def test_what_a_german_excel_exports_is_read(write, encoding, ends):
+    rows = ["Zeit (s);Kniewinkel (°)", *lines((TIME, ANGLE), ";", ",")]
+    _, said = check(write((ends.join(rows) + ends).encode(encoding)))
+    assert "Zeit (s) as time_s (in s); Kniewinkel (°) as raw_angle_rad (in °)" in said
+
+
+def test_times_of_day_do_not_hide_the_semicolon(write):
+    clock = [f"2026-03-02 10:11:{12 + each:.6f}" for each in TIME]
+    check(write("\n".join(["Zeit;Kniewinkel (°)", *lines((clock, ANGLE), ";", ",")])))
+
+
+def test_points_of_thousands_are_read(write):
+    clock = [f"{1000 * each + 990:,.1f}".translate({44: ".", 46: ","}) for each in TIME]
+    rows = map(";".join, zip(clock, lines((ANGLE,), ";", ","), strict=True))
+    loaded = load(write("\n".join(["Zeit (ms);Kniewinkel (°)", *rows])))
+    np.testing.assert_allclose(loaded.recording.segments[0].time, TIME + 0.99, atol=1e-12)
+
+
+@pytest.mark.parametrize("decimal", [".", ","])
+def test_one_column_alone_is_read_with_the_rate_of_its_sidecar(write, decimal):
+    rows = ["Kniewinkel links (Grad)", *lines((ANGLE,), ";", decimal)]
+    rate = float(1 / np.diff(TIME).mean())
+    path = write("\n".join(rows), sidecar=f"[sensors]\nsample_rate_hz = {rate!r}\n")
+    _, said = check(path)
+    assert "Kniewinkel links (Grad) as raw_angle_rad (in deg)" in said
+
+
+@st.composite
+def dialects(draw):
+    """A way of writing the table, and whether its numbers can be told from its separators."""
+    decimal = draw(st.sampled_from(".,"))
+    separator = draw(st.sampled_from([";", "\t", "|", ","]))
+    quoted = draw(st.booleans()) or separator == decimal
+    return {
+        "decimal": decimal,
+        "separator": separator,
+        "quoting": csv.QUOTE_ALL if quoted else csv.QUOTE_MINIMAL,
+        "ends": draw(st.sampled_from(["\n", "\r\n", "\r"])),
+        "encoding": draw(st.sampled_from(["utf-8", "utf-8-sig", "cp1252", "utf-16"])),
+        "names": draw(st.sampled_from([*GERMAN, *ENGLISH])),
+        "units": draw(st.booleans()),
+        "preamble": draw(
+            st.lists(st.sampled_from(["Trial 3", "Subject;12;", "", "rate,100", "x"]))
+        ),
+        "blank": draw(st.integers(0, 2)),
+        "extra": draw(st.booleans()),
+        "trailing": draw(st.booleans()),
+        "missing": draw(st.sampled_from(["", "NaN", "n/a"])),
+    }
+
+
+@settings(max_examples=200)
+@given(dialects())
+def test_every_dialect_gives_the_same_recording(tmp_path_factory, way):
+    text = io.StringIO()
+    writer = csv.writer(
+        text, delimiter=way["separator"], lineterminator="\n", quoting=way["quoting"]
+    )
+    end = [""] if way["trailing"] else []
+    writer.writerow([*way["names"], *(["Remark"] if way["extra"] else []), *end])
+    if way["units"]:
+        writer.writerow([*UNITS, *([""] if way["extra"] else []), *end])
+    for number, row in enumerate(zip(TIME, ANGLE, strict=True)):
+        cells = [repr(float(each)).replace(".", way["decimal"]) for each in row]
+        if number == 7:
+            cells[1] = way["missing"]
+        writer.writerow([*cells, *(["left"] if way["extra"] else []), *end])
+    content = "\n".join([*way["preamble"], text.getvalue()]) + "\n" * way["blank"]
+    path = tmp_path_factory.mktemp("dialect") / "leg.csv"
+    path.write_bytes(content.replace("\n", way["ends"]).encode(way["encoding"]))
+    (segment,) = load(path).recording.segments
+    expected = np.radians(ANGLE)
+    expected[7] = np.nan
+    np.testing.assert_array_equal(segment.time, TIME)
+    np.testing.assert_array_equal(segment.raw_angle, expected)
+
+
+def test_columns_are_separated_by_blanks_below_a_comment(write):
+    rows = ["# time knee_angle gyro_z", *lines((TIME, ANGLE, RATE), "   ")]
+    segment, said = check(write("\n".join(rows), "leg.txt"))
+    np.testing.assert_allclose(segment.raw_angular_velocity, np.radians(RATE), rtol=1e-15)
+    assert "gyro_z as raw_velocity_rad_s (in deg/s by its size)" in said
+
+
+def test_radians_are_told_from_degrees_by_their_size_and_it_is_said(write):
+    rows = ["t,knee", *lines((TIME, np.radians(ANGLE)))]
+    _, said = check(write("\n".join(rows)))
+    assert "knee as raw_angle_rad (in rad by its size)" in said
+
+
+@pytest.mark.parametrize(
+    ("name", "cells"),
+    [
+        ("Time (ms)", [f"{each * 1000:.0f}" for each in TIME]),
+        ("time_ms", [f"{each * 1000:.0f}" for each in TIME]),
+        ("timestamp [us]", [f"{each * 1e6:.0f}" for each in TIME]),
+        ("timestamp", [f"2026-11-21T10:00:{each:09.6f}" for each in TIME]),
+        ("timestamp", [f"21.11.2026 10:00:{each:06.3f}" for each in TIME]),
+        ("Uhrzeit", [f"9:59:{59 + each:06.3f}" if each < 1 else "" for each in TIME]),
+    ],
+)
+def test_times_come_in_seconds_whatever_they_were(write, name, cells):
+    rows = [f"{name};knee", *lines((cells, ANGLE), ";")]
+    check(write("\n".join(rows)))
+
+
+def test_a_file_without_a_time_takes_the_rate_of_its_sidecar(write):
+    path = write("\n".join(["frame,knee_angle", *lines((range(40), ANGLE))]))
+    with pytest.raises(ValueError, match=r"has no time\. It holds: frame, knee_angle"):
+        load(path)
+    path.with_suffix(".toml").write_text("[sensors]\nsample_rate_hz = 100\n")
+    assert "samples are taken 100 times a second" in check(path)[1]
+
+
+def test_motion_capture_repeats_names_below_its_groups(write):
+    head = ["Joints", "100", ",,LKneeAngles,,", "Frame,Sub Frame,X,Y,Z", ",,deg,deg,deg"]
+    rows = lines((range(40), [0] * 40, ANGLE, ANGLE, ANGLE))
+    path = write("\n".join([*head, *rows]), sidecar="[sensors]\nsample_rate_hz = 100\n")
+    assert "LKneeAngles.X as raw_angle_rad (in deg)" in check(path)[1]
+
+
+def test_trials_of_any_name_become_segments(write):
+    rows = [f"{t},{a},{'first' if n < 20 else 'second'}"
+            for n, (t, a) in enumerate(zip(TIME, ANGLE, strict=True))]  # fmt: skip
+    recording = load(write("\n".join(["t,knee,trial", *rows]))).recording
+    assert [each.time.size for each in recording.segments] == [20, 20]
+
+
+def test_what_follows_an_empty_line_is_left_out_and_said(write):
+    rows = ["t,knee", *lines((TIME, ANGLE)), "", "mean,std", "1,2"]
+    _, said = check(write("\n".join(rows)))
+    assert "the samples end at the empty line 42; what follows it is left out" in said
+
+
+# A map of columns
+
+
+def test_a_map_names_columns_on_the_command_and_in_the_sidecar(write):
+    content = "\n".join(["a,b,knee", *lines((TIME, ANGLE, np.zeros(40)))])
+    check(write(content), columns={"time_s": "a", "raw_angle_deg": "b"})
+    path = write(content, sidecar='[columns]\ntime_s = "a"\nraw_angle_deg = "b"\n')
+    _, said = check(path)
+    assert "not read: knee" in said
+    assert "columns" not in load(path).recording.extra_tables
+
+
+def test_columns_without_names_are_named_by_their_numbers(write):
+    path = write("\n".join(lines((TIME, ANGLE))))
+    check(path, columns={"time_s": "1", "raw_angle_deg": "2"})
+
+
+def test_a_map_says_the_unit_or_leaves_it_to_the_file(write):
+    path = write("\n".join(["t,b (deg)", *lines((TIME, ANGLE))]))
+    check(path, columns={"raw_angle": "b (deg)"})
+    check(path, columns={"raw_angle_deg": "b (deg)"})
+
+
+def test_exoids_own_columns_are_read_in_any_dialect(write):
+    rows = ["time_s;raw_angle_deg;marker", *lines((TIME, ANGLE, ["x"] * 40), ";", ",")]
+    segment, said = check(write("\n".join(rows)))
+    assert set(segment.extra_columns["marker"]) == {"x"}
+    assert "unknown column marker is kept as text" in said
+
+
+@pytest.mark.parametrize("names", [("time", "angle"), ("time_s", "angle"), ("time_s", "knee_deg")])
+def test_a_time_of_exoids_name_hides_no_other_name(write, names):
+    rows = [",".join((*names, "gyro_dps")), *lines((TIME, ANGLE, RATE))]
+    segment, _ = check(write("\n".join(rows)))
+    np.testing.assert_allclose(segment.raw_angular_velocity, np.radians(RATE), rtol=1e-14)
+
+
+# What is asked for or refused
+
+
+@pytest.mark.parametrize(
+    ("content", "options", "said"),
+    [
+        ("t,knee_angle_r,knee_angle_l\n0,1,2\n1,1,2\n", {}, "several columns can be the angle"),
+        ("time,t,knee\n0,1,2\n1,1,2\n", {}, "several columns can be the time: time, t"),
+        ("t,hip\n0,1\n1,1\n", {}, "has no angle. It holds: t, hip. Name it: --column raw_angle"),
+        ("time_s,raw_angel_deg\n0,1\n1,1\n", {}, "Did you mean raw_angle_deg? Name it: --column"),
+        ("t;knee\n0;1\n1;1\n2;left\n3;1\n", {}, "line 4, column knee: 'left' is not a number"),
+        ("t;knee\n0;1\n1;1\n2;1;5\n3;1\n", {}, "line 4 has 3 cells, but the samples above have 2"),
+        ("t,knee\n0,0,1,5\n1,0,2,5\n", {}, "decimal commas between commas"),
+        ("t;knee (rad)\n0;-20\n1;-21\n", {}, "line 2: raw_angle_rad in segment 0, sample 0 is -20"),
+        ("t;knee (m)\n0;-20\n1;-21\n", {}, "column knee (m) is in m, but raw_angle_rad is in rad"),
+        ("t;knee\n0;1\n", {}, "segment 0 has 1 sample(s); at least 2 are needed"),
+        ("t;knee\n0;1\n0;1\n", {}, "line 3: time_s must increase"),
+        ("Hello.\nThis is no table.\n", {}, "holds no table of numbers"),
+        ("t,k\n0,1\n1,1\n", {"raw_angle_deg": "knee"}, "has no column 'knee' for raw_angle_deg."),
+        ("t,k\n0,1\n1,1\n", {"raw_angel_deg": "k"}, "Did you mean raw_angle_deg?"),
+    ],
+)
+def test_a_table_that_cannot_be_understood_is_one_sentence(write, content, options, said):
+    path = write(content)
+    with pytest.raises(ValueError, match=r"leg\.csv: ") as caught:
+        load(path, columns=options)
+    assert said in str(caught.value)
+    assert "\n" not in str(caught.value)
+
+
+def test_a_velocity_is_taken_for_a_gyro_only_where_it_is_called_one(write):
+    rows = ["t,knee,knee_velocity", *lines((TIME, ANGLE, RATE))]
+    segment, said = check(write("\n".join(rows)))
+    assert segment.raw_angular_velocity is None
+    assert "not read: knee_velocity. A gyro among them is named: --column raw_velocity" in said
+
+
+def test_names_that_steer_a_terminal_are_shown_without_it(write):
+    path = write("\n".join(["t;knee;\x1b[31mred", *lines((TIME, ANGLE, ANGLE), ";")]))
+    assert all(each.isprintable() for each in load(path).notes)
+
+
+@settings(max_examples=200)
+@given(st.binary(max_size=400))
+def test_any_bytes_are_a_recording_or_one_sentence(tmp_path_factory, content):
+    path = tmp_path_factory.mktemp("bytes") / "leg.csv"
+    path.write_bytes(content)
+    with pytest.raises(ValueError, match="leg") as caught:
+        load(path)
+    assert "\n" not in str(caught.value)

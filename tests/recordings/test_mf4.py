@@ -1,0 +1,68 @@
+"""The columns of an MF4 file hold what python-can's reader finds in it, one frame at a time."""
+
+import can
+import numpy as np
+import pytest
+from exo_node import EPOCH, mf4_writer
+
+from exoid.files.foreign import read_apart
+from exoid.recordings.can import mf4
+from exoid.recordings.can.frames import Frames
+from exoid.recordings.can.log_files import frames_of, row_of
+from exoid.recordings.can.mf4 import read_frames
+
+REAL = (
+    "css_LOG_17BD1DB7_00000006_00000170.MF4",
+    "css_LOG_2F6913DB_00000004_00000001.MF4",
+    "css_LOG_94C49784_00000005_00000002.MF4",
+    "css_LOG_FCBF0606_00003482_00000001-60B621D9.MF4",
+)
+
+
+def check_same(path):
+    columns = read_frames(path)
+    assert str(columns.pop("stopped")) == ""
+    with can.LogReader(path) as reader:
+        expected = frames_of([row_of(message) for message in reader])
+    found = Frames(**columns)
+    for name, each in vars(expected).items():
+        np.testing.assert_array_equal(getattr(found, name), each, err_msg=name, strict=True)
+
+
+@pytest.mark.parametrize("name", REAL)
+def test_a_real_file_is_read_as_python_can_reads_it(name, shared):
+    check_same(shared / "can-logs" / name)
+
+
+@pytest.mark.parametrize("chunk", [7, 100_000])
+def test_frames_of_all_kinds_are_merged_in_their_order(tmp_path, monkeypatch, chunk):
+    """Data, FD, error and remote frames, the clock set back among them."""
+    monkeypatch.setattr(mf4, "CHUNK", chunk)
+    rng = np.random.default_rng(4)
+    path = tmp_path / "leg.mf4"
+    writer = mf4_writer(path)
+    for number in range(60):
+        kind = ("data", "fd", "error", "remote")[rng.integers(4)]
+        size = int(rng.integers(9)) if kind != "fd" else 64
+        writer.on_message_received(
+            can.Message(
+                timestamp=EPOCH + 0.01 * number - (0.2 if number > 40 else 0.0),
+                arbitration_id=int(rng.integers(2**11)),
+                is_extended_id=bool(rng.integers(2)),
+                is_fd=kind == "fd",
+                is_error_frame=kind == "error",
+                is_remote_frame=kind == "remote",
+                dlc=size,
+                data=None if kind == "remote" else rng.bytes(size),
+            )
+        )
+    writer.stop()
+    check_same(path)
+
+
+def test_a_file_that_asammdf_cannot_parse_says_why(tmp_path):
+    path = tmp_path / "leg.mf4"
+    path.write_bytes(b"MDF     4.10    " + bytes(200))
+    columns = read_apart(read_frames, path, "")  # here asammdf fails once more as it is freed
+    assert len(columns["time"]) == 0
+    assert str(columns["stopped"]) != ""

@@ -1,0 +1,116 @@
+"""What a Recording refuses, and what it answers about its segments."""
+
+import numpy as np
+import pytest
+
+from exoid.recordings.recording import BadSample, Protocol, Recording, Segment, Sensors, Subject
+
+
+def swing(count=5, **channels):
+    return Segment(np.arange(count) * 0.01, angle=np.linspace(-0.1, -1.5, count), **channels)
+
+
+def changed(samples, at, value):
+    samples = samples.copy()
+    samples[at] = value
+    return samples
+
+
+def test_a_segment_lists_what_was_measured_time_first():
+    segment = swing(raw_angle=np.zeros(5), extra_columns={"marker": ("a",) * 5})
+    assert list(segment.channels()) == ["time", "angle", "raw_angle"]
+
+
+def test_metadata_holds_for_all_segments_or_for_each():
+    recording = Recording(
+        (swing(), swing()),
+        Subject(added_mass=(0.0, 1.0), added_mass_distance=0.4),
+        Protocol(kind=("passive", "active"), cycle_period=2.5),
+    )
+    assert [recording.kind(n) for n in (0, 1)] == ["passive", "active"]
+    assert [recording.cycle_period(n) for n in (0, 1)] == [2.5, 2.5]
+    assert [recording.added_mass(n) for n in (0, 1)] == [0.0, 1.0]
+    assert recording.added_mass_distance(1) == 0.4
+
+
+def test_unknown_metadata_stays_unknown():
+    recording = Recording((swing(),))
+    assert recording.kind(0) is None
+    assert recording.cycle_period(0) is None
+    assert recording.added_mass_distance(0) is None
+    assert recording.added_mass(0) == 0.0
+
+
+def test_a_recording_without_segments_is_refused():
+    with pytest.raises(ValueError, match="at least one segment"):
+        Recording(())
+
+
+@pytest.mark.parametrize(
+    ("segment", "message"),
+    [
+        (Segment(np.zeros(1), angle=np.zeros(1)), r"segment 0 has 1 sample\(s\)"),
+        (Segment(np.arange(3.0)), "segment 0 has no angle"),
+        (Segment(np.arange(3.0), angle=np.zeros(2)), r"has shape \(2,\), but time_s has 3"),
+        (swing(extra_columns={"marker": ("a",)}), "marker in segment 0 has 1 cells, but time_s 5"),
+        (swing(angular_velocity=np.full(5, np.nan)), "velocity_rad_s in segment 0 holds no number"),
+    ],
+)
+def test_a_segment_that_cannot_be_used_is_refused(segment, message):
+    with pytest.raises(ValueError, match=message):
+        Recording((segment,))
+
+
+TIME = np.arange(5) * 0.01
+ANGLE = np.linspace(-0.1, -1.5, 5)
+
+
+@pytest.mark.parametrize(
+    ("segment", "sample", "message"),
+    [
+        (Segment(changed(TIME, 3, 0.02), angle=ANGLE), 3, "time_s must increase"),
+        (Segment(changed(TIME, 3, 0.001), angle=ANGLE), 3, "Did the clock wrap"),
+        (Segment(changed(TIME, 2, np.nan), angle=ANGLE), 2, "time_s is missing"),
+        (Segment(TIME, angle=changed(ANGLE, 4, np.inf)), 4, r"is inf rad, beyond \+-14"),
+        (Segment(TIME, angle=changed(ANGLE, 1, -90.0)), 1, "Is it in degrees"),
+        (Segment(TIME, angle=changed(ANGLE, 1, 3.7)), 1, "which no knee reaches"),
+        (Segment(TIME, angle=ANGLE, angular_velocity=2e3 * ANGLE), 0, "velocity_deg_s"),
+        (Segment(TIME, angle=ANGLE, applied_torque=np.full(5, 2e3)), 0, "torque_nm"),
+    ],
+)
+def test_a_sample_that_cannot_be_true_is_named(segment, sample, message):
+    with pytest.raises(BadSample, match=message) as caught:
+        Recording((swing(), segment))
+    assert caught.value.segment == 1
+    assert sample == caught.value.sample
+    assert "\n" not in str(caught.value)
+
+
+def test_missing_samples_are_allowed():
+    segment = Segment(TIME, angle=changed(ANGLE, 2, np.nan))
+    assert Recording((segment,)).segments[0] is segment
+
+
+def test_a_rig_may_turn_further_than_a_knee():
+    over_the_top = Segment(TIME, angle=ANGLE * 4)
+    assert Recording((over_the_top,), Subject(kind="rig")).segments == (over_the_top,)
+    with pytest.raises(ValueError, match='kind = "rig"'):
+        Recording((over_the_top,), Subject(kind="leg"))
+    elsewhere = Segment(TIME, angle=ANGLE - 3.0)  # an encoder counts from where it was glued
+    assert Recording((elsewhere,), Subject(kind="leg")).segments == (elsewhere,)
+
+
+@pytest.mark.parametrize(
+    ("metadata", "message"),
+    [
+        ({"subject": Subject(height=180.0)}, "height_m is 180 m; it must lie between 0.4 and 2.6"),
+        ({"subject": Subject(body_mass=float("nan"))}, "body_mass_kg is nan"),
+        ({"subject": Subject(added_mass_distance=0.4)}, "without added_mass_kg"),
+        ({"protocol": Protocol(cycle_period=(2.0, 2.0))}, r"lists 2 value\(s\) for 1 segment"),
+        ({"protocol": Protocol(torque_frequency="3/T")}, "it can be 1/T or 2/T"),
+        ({"sensors": Sensors(encoder_counts=12.0)}, "encoder_counts is 12 counts per turn"),
+    ],
+)
+def test_metadata_that_cannot_be_true_is_refused(metadata, message):
+    with pytest.raises(ValueError, match=message):
+        Recording((swing(),), **metadata)
