@@ -48,7 +48,8 @@ def recording_of(
     Series, or the name of a column of `data`. What no keyword names is taken where its name is a
     common one, with a warning that says how it was understood. `subject`, `protocol` and `sensors`
     are those classes, or mappings of their fields or of a sidecar's keys. A path is loaded. As
-    there, one continuous segment is cut into its movements unless it is to stay `whole`.
+    there, one continuous segment is cut into its movements unless it is to stay `whole`; `flip`,
+    `zero` and `columns` mean what they do in `load`.
 
     **Raises** `ValueError` (one line) for what cannot be a recording.
     """
