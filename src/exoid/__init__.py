@@ -33,9 +33,7 @@ if TYPE_CHECKING:
     from exoid.report.plots.diagnosis import plot_diagnosis
     from exoid.report.plots.drops import plot_drops
     from exoid.report.plots.fit import plot_fit
-    from exoid.report.saved.load_result import load_result
-    from exoid.report.saved.save_result import save_result
-    from exoid.report.saved.saved_result import SavedResult
+    from exoid.report.saved.saved_result import SavedResult, load_result, save_result
     from exoid.trust.identifiability import Identifiability, identify
 
     __version__: str
@@ -83,8 +81,8 @@ _HOMES = {
     "measure_drops": ("exoid.pendulum.drops", "measure_drops"),
     "plot_drops": ("exoid.report.plots.drops", "plot_drops"),
     "SavedResult": ("exoid.report.saved.saved_result", "SavedResult"),
-    "save_result": ("exoid.report.saved.save_result", "save_result"),
-    "load_result": ("exoid.report.saved.load_result", "load_result"),
+    "save_result": ("exoid.report.saved.saved_result", "save_result"),
+    "load_result": ("exoid.report.saved.saved_result", "load_result"),
 }
 
 __all__ = [

@@ -14,7 +14,7 @@ from sessions import RATIOS
 from exoid.recordings.loading.load import load
 from exoid.recordings.recording import known
 from exoid.recordings.sidecar import TABLES, read_sidecar
-from exoid.report.saved.load_result import load_result
+from exoid.report.saved.saved_result import load_result
 
 LIKELY = 4.5  # standard errors within which the truth lies, but for one draw in 100 000
 COMMANDS = ("fit", "diagnose", "plan", "drops", "example", "compare")
@@ -190,7 +190,7 @@ def test_a_saved_result_is_not_computed_again(command, saved, recordings, tmp_pa
 
 def test_neither_fit_nor_its_tables_load_what_only_saving_needs():
     code = (
-        "import exoid.cli.commands.fit, exoid.report.saved.save_result, exoid.report.tables.fit; "
+        "import exoid.cli.commands.fit, exoid.report.saved.saved_result, exoid.report.tables.fit; "
         "import sys; print({'xarray', 'pandas', 'h5netcdf'} & set(sys.modules))"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

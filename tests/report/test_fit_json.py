@@ -12,7 +12,8 @@ from exoid.fitting.misfit.disturbance import Missed
 from exoid.fitting.misfit.information import common
 from exoid.fitting.misfit.uncertainty import HELD, Shares
 from exoid.fitting.result.fit_result import Estimate, FitResult, MultistartReport, SegmentFit
-from exoid.report.document.fit_json import fit_document, write_json
+from exoid.report.document.fit_json import fit_document
+from exoid.report.document.plain_json import write_json
 
 BY_DATA, BY_PRIOR = Shares(1.0, 0.0, 0.0), Shares(0.0, 1.0, 0.0)
 BY_BOTH = Shares(0.4, 0.6, 0.0)

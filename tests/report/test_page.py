@@ -20,8 +20,7 @@ from exoid.report.document.fit_json import fit_document
 from exoid.report.figures.style import MOST
 from exoid.report.page import SECTIONS, build_page, write_page
 from exoid.report.parts.case import Case
-from exoid.report.saved.load_result import load_result
-from exoid.report.saved.save_result import save_result
+from exoid.report.saved.saved_result import load_result, save_result
 from exoid.report.sections.summary import LOST
 from exoid.report.tables.drops import value
 from exoid.report.words.keyboard_text import tidy

@@ -14,9 +14,7 @@ from exoid.fitting.misfit.disturbance import Missed
 from exoid.fitting.misfit.information import Disturbance
 from exoid.fitting.result.fit_result import Estimate, MountingFit
 from exoid.report.document.fit_json import fit_document
-from exoid.report.saved.estimate_arrays import from_table, to_table
-from exoid.report.saved.load_result import load_result
-from exoid.report.saved.save_result import save_result
+from exoid.report.saved.saved_result import load_result, save_result
 from exoid.report.tables.compare import compare
 from exoid.report.tables.comparison import comparison_document, print_comparison
 from exoid.report.tables.fit import print_fit
@@ -107,16 +105,17 @@ def plainly(result):
     )
 
 
+@pytest.mark.parametrize("name", ["fit.nc", "fit.json"])
 @pytest.mark.parametrize(("make", "asked"), [(fitted, None), (rich, told())])
-def test_a_saved_fit_comes_back_bit_for_bit(tmp_path, make, asked):
-    path = tmp_path / "fit.nc"
+def test_a_saved_fit_comes_back_bit_for_bit(tmp_path, make, asked, name):
+    path = tmp_path / name
     result = plainly(make())
     save_result(result, path, told=asked, recordings=SOURCES, settings=SETTINGS)
     back = load_result(path)
     check_same(result, back.result)
     check_same(asked, back.told)
     assert (back.version, back.recordings, back.settings) == (version("exoid"), SOURCES, SETTINGS)
-    assert [each.name for each in tmp_path.iterdir()] == ["fit.nc"]
+    assert [each.name for each in tmp_path.iterdir()] == [name]
 
 
 def test_a_fit_without_voluntary_segments_comes_back(tmp_path):
@@ -129,10 +128,11 @@ def test_a_fit_without_voluntary_segments_comes_back(tmp_path):
 
 
 @pytest.mark.parametrize("limits", [None, {}, {"clock": 0.3}])
-def test_what_limits_a_number_comes_back(limits):
+def test_what_limits_a_number_comes_back(tmp_path, limits):
     """Nothing known, nothing that limits it, and one that does, beside a number that has one."""
     each = {"a": replace(zero(), limited_by=limits), "b": replace(zero(), limited_by={"zero": 1.0})}
-    assert from_table(to_table(each)) == each
+    save_result(replace(fitted(), ratios=each), tmp_path / "fit.nc")
+    check_same(each, load_result(tmp_path / "fit.nc").result.ratios)
 
 
 def test_tables_and_document_of_a_saved_fit_are_those_of_the_fit(tmp_path):
@@ -163,18 +163,20 @@ def whole(tmp_path_factory):
 def test_any_reader_of_netcdf_finds_values_with_their_units(whole):
     import xarray
 
-    with xarray.open_dataset(whole, group="parameters", engine="h5netcdf") as table:
+    with xarray.open_dataset(whole, group="result/parameters") as table:
         row = table.sel(name="inertia")
         assert (float(row["value"]), str(row["unit"].values)) == (0.45104, "kg m^2")
-    with xarray.open_dataset(whole, group="samples", engine="h5netcdf") as samples:
+    with xarray.open_dataset(whole, group="result/segments/0") as samples:
         assert samples["angle"].attrs["units"] == "rad"
         assert samples["time"].dtype == float  # s, and not taken for a date
+    with xarray.open_datatree(whole) as tree:
+        assert {"parameters", "segments", "multistart"} <= set(tree["result"].children)
 
 
 def test_what_was_saved_before_survives_a_failing_write(tmp_path, monkeypatch):
     path = tmp_path / "fit.nc"
     path.write_text("precious")
-    monkeypatch.setattr("xarray.DataTree.to_netcdf", lambda *_, **__: 1 / 0)
+    monkeypatch.setattr("exoid.report.saved.document.sealed", lambda _: 1 / 0)
     with pytest.raises(ZeroDivisionError):
         save_result(fitted(), path)
     assert path.read_text() == "precious"
@@ -193,26 +195,43 @@ DAMAGE = {
 def test_a_file_that_is_not_whole_is_refused_in_one_line(tmp_path, whole, damaged):
     path = tmp_path / "fit.nc"
     path.write_bytes(damaged(whole.read_bytes()))
-    with pytest.raises(ValueError, match=r"fit\.nc: this is no result of 'exoid fit --save'"):
+    with pytest.raises(ValueError, match=r"fit\.nc: (this is no result of exoid|it is damaged)"):
         load_result(path)
 
 
-def test_a_file_that_sends_its_library_round_for_ever_is_refused(shared, monkeypatch):
-    monkeypatch.setattr("exoid.files.foreign.SECONDS", 5.0)
-    with pytest.raises(ValueError, match=r"hang_hdf5\.nc: this is no result .* not whole"):
+def test_a_file_that_sends_its_library_round_for_ever_is_refused(shared):
+    with pytest.raises(ValueError, match=r"hang_hdf5\.nc: this was saved by an earlier exoid"):
         load_result(shared / "faults" / "hang_hdf5.nc")
 
 
-def test_another_netcdf_file_and_another_layout_are_named(tmp_path, monkeypatch):
+def test_a_byte_that_is_another_anywhere_is_refused_in_one_line(tmp_path, whole):
+    """No library sees the file: one of its links may lead round for ever."""
+    content, generator = whole.read_bytes(), np.random.default_rng(5)
+    path = tmp_path / "fit.nc"
+    for place in generator.integers(0, len(content), 200):
+        damaged = bytearray(content)
+        damaged[place] ^= 1 << int(generator.integers(0, 8))
+        path.write_bytes(damaged)
+        with pytest.raises(ValueError, match=r"fit\.nc: (it is damaged|this is no result)") as told:
+            load_result(path)
+        assert "\n" not in str(told.value)
+
+
+def test_another_netcdf_file_and_other_layouts_are_named(tmp_path, monkeypatch):
     import xarray
 
-    other = tmp_path / "other.nc"
-    xarray.Dataset({"x": ("t", np.arange(3.0))}).to_netcdf(other, engine="h5netcdf")
-    with pytest.raises(ValueError, match=r"other\.nc: this netCDF file is no result"):
+    other, old = tmp_path / "other.nc", tmp_path / "old.nc"
+    data = xarray.Dataset({"x": ("t", np.arange(3.0))})
+    data.to_netcdf(other, engine="h5netcdf")
+    with pytest.raises(ValueError, match=r"other\.nc: this is no result of exoid"):
         load_result(other)
-    monkeypatch.setattr("exoid.report.saved.save_result.FORMAT_VERSION", 99)
-    save_result(fitted(), tmp_path / "new.nc")
-    with pytest.raises(ValueError, match=r"in another layout\. Read it with that version"):
+    data.assign_attrs(format="exoid fit", format_version=2).to_netcdf(old, engine="h5netcdf")
+    with pytest.raises(ValueError, match=r"old\.nc: this was saved by an earlier exoid"):
+        load_result(old)
+    with monkeypatch.context() as patched:
+        patched.setattr("exoid.report.saved.seal.LAYOUT", 99)
+        save_result(fitted(), tmp_path / "new.nc")
+    with pytest.raises(ValueError, match=r"new\.nc: it was saved by exoid \S+ in another layout"):
         load_result(tmp_path / "new.nc")
 
 

@@ -57,7 +57,7 @@ def write_posterior(result, seed: int, path: Path) -> str:
     """Draws from the fit in a file, and how far to trust them."""
     from exoid.fitting.errors.posterior import r_hat, sample, to_netcdf
     from exoid.fitting.solve.program_cache import with_sound_programs
-    from exoid.report.document.fit_json import replacing
+    from exoid.report.document.replacing import replacing
 
     drawn = with_sound_programs(lambda: sample(result, seed=seed))
     with replacing(path) as part:

@@ -45,7 +45,7 @@ def compare(
     with suppress(SystemExit):  # rich's answer to a closed pipe; files are still to be written
         print_comparison(found, sides, Console())
     if json is not None:
-        from exoid.report.document.fit_json import write_json
+        from exoid.report.document.plain_json import write_json
 
         write_json(comparison_document(found, sides), json)
         typer.echo(f"wrote {json}", err=True)
@@ -53,6 +53,6 @@ def compare(
 
 def loaded(path: Path):
     """A fit as it was saved."""
-    from exoid.report.saved.load_result import load_result
+    from exoid.report.saved.saved_result import load_result
 
     return load_result(path)

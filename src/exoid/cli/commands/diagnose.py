@@ -156,7 +156,7 @@ def write(found, recordings, settings: dict, path: Path) -> None:
     from importlib.metadata import version
 
     from exoid.report.document.diagnosis_json import diagnosis_document
-    from exoid.report.document.fit_json import write_json
+    from exoid.report.document.plain_json import write_json
 
     document = diagnosis_document(
         found, version=version("exoid"), recordings=recordings, settings=settings

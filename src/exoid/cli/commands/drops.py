@@ -99,7 +99,7 @@ def write(test, recordings, path: Path) -> None:
 
     from exoid.cli.outputs.results import described
     from exoid.report.document.drops_json import drops_document
-    from exoid.report.document.fit_json import write_json
+    from exoid.report.document.plain_json import write_json
 
     document = drops_document(test, version=version("exoid"), recordings=described(recordings))
     write_json(document, path)

@@ -86,7 +86,7 @@ def plan(
 
     print_plan(found, Console())
     if json is not None:
-        from exoid.report.document.fit_json import write_json
+        from exoid.report.document.plain_json import write_json
 
         write_json(plan_document(found, result, subject), json)
         typer.echo(f"wrote {json}", err=True)

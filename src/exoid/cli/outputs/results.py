@@ -37,7 +37,8 @@ def write_document(result, told, profiles, recordings, settings: dict, path: Pat
     """The document for machines."""
     from importlib.metadata import version
 
-    from exoid.report.document.fit_json import fit_document, write_json
+    from exoid.report.document.fit_json import fit_document
+    from exoid.report.document.plain_json import write_json
 
     document = fit_document(
         result,
@@ -52,7 +53,7 @@ def write_document(result, told, profiles, recordings, settings: dict, path: Pat
 
 def keep(result, recordings, settings: dict, path: Path, **found) -> None:
     """The fit, and what else was found, in a file that gives it back."""
-    from exoid.report.saved.save_result import save_result
+    from exoid.report.saved.saved_result import save_result
 
     sources = [
         {

@@ -51,7 +51,7 @@ def check_alone(paths: list[Path], given: list[str]) -> None:
 
 def loaded(path: Path):
     """What was saved."""
-    from exoid.report.saved.load_result import load_result
+    from exoid.report.saved.saved_result import load_result
 
     return load_result(path)
 

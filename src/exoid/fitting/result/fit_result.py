@@ -1,7 +1,7 @@
 """What a fit found: values with their errors and reasons, not bare numbers."""
 
 from dataclasses import dataclass, field, fields
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 from jaxtyping import Float
@@ -12,6 +12,8 @@ from exoid.fitting.model.user_values import Means
 from exoid.fitting.multistart.search import Ended
 from exoid.fitting.result import summary
 from exoid.fitting.solve.problem import Problem
+
+Curve = Float[np.ndarray, " sample"]
 
 
 @dataclass(frozen=True)
@@ -58,19 +60,19 @@ class SegmentFit:
 
     name: str
     kind: str
-    period: float | None  # s
+    period: Annotated[float | None, "s"]
     torque_amplitude: Estimate | None  # None where no voluntary torque acts
-    added_mass: float  # kg
-    angle_rmse: float  # rad
-    velocity_rmse: float | None  # rad/s
-    angle_noise: float  # rad
-    velocity_noise: float | None  # rad/s
-    time: Float[np.ndarray, " sample"]  # s, from the first fitted sample
-    angle: Float[np.ndarray, " sample"]  # rad, measured
-    angular_velocity: Float[np.ndarray, " sample"] | None  # rad/s, measured
-    simulated_angle: Float[np.ndarray, " sample"]  # rad
-    simulated_velocity: Float[np.ndarray, " sample"]  # rad/s
-    begins: float = 0.0  # s, its first fitted sample on the clock of the recording
+    added_mass: Annotated[float, "kg"]
+    angle_rmse: Annotated[float, "rad"]
+    velocity_rmse: Annotated[float | None, "rad/s"]
+    angle_noise: Annotated[float, "rad"]
+    velocity_noise: Annotated[float | None, "rad/s"]
+    time: Annotated[Curve, "s"]  # from the first fitted sample
+    angle: Annotated[Curve, "rad"]  # measured
+    angular_velocity: Annotated[Curve | None, "rad/s"]  # measured
+    simulated_angle: Annotated[Curve, "rad"]
+    simulated_velocity: Annotated[Curve, "rad/s"]
+    begins: Annotated[float, "s"] = 0.0  # its first fitted sample on the clock of the recording
 
     def __repr__(self) -> str:
         return f"<SegmentFit {self.name}: {self.kind}, {self.time.size} samples>"
@@ -126,7 +128,7 @@ class FitResult:
     other_reading_rmse: float | None  # rad, of the reading that fits worse, where both were tried
     prior: str
     notes: list[str] = field(default_factory=list)
-    basis: "Basis | None" = None  # None where every segment was fitted alone
+    basis: "Basis | None" = field(default=None, metadata={"saved": False})  # None: each alone
     astray: str | None = None  # why the simulation does not follow the recording, where it does not
 
     @property

@@ -92,7 +92,8 @@ class Diagnosis:
     sensors: list[SensorError]
     fit: FitResult
     advice: list[str] = field(default_factory=list)
-    workings: Workings | None = None  # None where it was read from a file
+    # None where it was read from a file
+    workings: Workings | None = field(default=None, metadata={"saved": False})
 
     def __repr__(self) -> str:
         return summary.lines(self)

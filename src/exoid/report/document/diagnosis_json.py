@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from exoid.mismatch.answer.diagnosis import Diagnosis
-from exoid.report.document.fit_json import plain
+from exoid.report.document.plain_json import plain
 from exoid.report.words.diagnosis import headline, sentences
 
 

@@ -6,7 +6,7 @@ from typing import Any
 
 from exoid.pendulum.drops import Average, Drop, PendulumTest
 from exoid.recordings.landmarks.measure import Measure
-from exoid.report.document.fit_json import plain
+from exoid.report.document.plain_json import plain
 
 
 def drops_document(

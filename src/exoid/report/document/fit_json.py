@@ -1,15 +1,8 @@
-"""A fit as JSON, for machines: the document's schema, and how a file is put in place."""
+"""A fit as JSON, for machines: the document's schema."""
 
-import json
-import math
-import os
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict
-from pathlib import Path
 from typing import Any
-
-import numpy as np
 
 from exoid.fitting.errors.profile import Profile
 from exoid.fitting.misfit.disturbance import Missed
@@ -21,6 +14,7 @@ from exoid.fitting.result.fit_result import (
     MultistartReport,
     SegmentFit,
 )
+from exoid.report.document.plain_json import plain
 from exoid.trust.identifiability import Identifiability
 
 NO_TORQUE = "no segment has a voluntary torque"
@@ -200,51 +194,3 @@ def no_torque() -> Estimate:
 
     declared = dict(declarations(CycleTorque))["amplitude"]
     return Estimate(declared.symbol, declared.title, declared.unit, None, None, reason=NO_TORQUE)
-
-
-def plain(value: Any) -> Any:
-    """The value as JSON has it: no array, no NumPy number, null for what is not finite."""
-    if isinstance(value, Mapping):
-        return {str(key): plain(each) for key, each in value.items()}
-    if isinstance(value, np.ndarray | np.generic):
-        return plain(value.tolist())
-    if isinstance(value, list | tuple):
-        return [plain(each) for each in value]
-    if isinstance(value, float):
-        return value if math.isfinite(value) else None
-    return str(value) if isinstance(value, Path) else value
-
-
-def write_json(document: Mapping[str, Any], path: str | Path) -> None:
-    """Writes the document, in full or not at all.
-
-    **Raises** `ValueError` or `OSError` (what to do) where the file cannot be written.
-    """
-    text = json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
-    with replacing(path) as part:
-        part.write_text(text, encoding="utf-8")
-
-
-@contextmanager
-def replacing(path: str | Path) -> Iterator[Path]:
-    """A file to write beside `path`, moved into its place when the block has succeeded.
-
-    What was there before survives any failure. A pipe or a device is written to directly.
-    """
-    path = Path(path)
-    if path.is_dir():
-        raise ValueError(f"{path}: this is a directory. Name the file to write in it.")
-    if not path.parent.is_dir():
-        raise ValueError(f"{path}: the folder {path.parent} does not exist. Make it first.")
-    if path.exists() and not path.is_file():
-        yield path
-        return
-    target = path.resolve()  # a link stays a link
-    part = target.with_name(f".{target.name}.{os.getpid()}.part")
-    try:
-        yield part
-        with part.open("rb+") as file:
-            os.fsync(file.fileno())
-        part.replace(target)
-    finally:
-        part.unlink(missing_ok=True)

@@ -10,7 +10,7 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 
 from exoid.fitting.errors.profile import Profile
 from exoid.fitting.result.fit_result import FitResult
-from exoid.report.document.fit_json import replacing
+from exoid.report.document.replacing import replacing
 from exoid.report.plots.motion import chosen_segments, draw_motion
 from exoid.report.plots.profiles import draw_profiles, rows_of
 from exoid.report.plots.sources import draw_sources

@@ -2,18 +2,19 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from importlib.metadata import version
+from pathlib import Path
 from typing import Any
 
 from exoid.fitting.errors.profile import Profile
 from exoid.fitting.result.fit_result import FitResult
 from exoid.mismatch.answer.diagnosis import Diagnosis
+from exoid.physics.term import Term
 from exoid.planning.plan import Plan
 from exoid.report.parts.case import Origin
+from exoid.report.saved.document import read, write
+from exoid.report.saved.node import DocumentError
 from exoid.trust.identifiability import Identifiability
-
-FORMAT = "exoid fit"
-FORMAT_VERSION = 2  # of the layout of the file; another one is not read
-APART = ("fit", "workings")  # of a diagnosis: the fit has its own groups, workings are not kept
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,3 +34,38 @@ class SavedResult:
     diagnosis: Diagnosis | None = None
     plan: Plan | None = None
     origin: Origin | None = None
+
+
+def save_result(
+    result: FitResult,
+    path: str | Path,
+    *,
+    told: Identifiability | None = None,
+    recordings: Sequence[Mapping[str, Any]] = (),
+    settings: Mapping[str, Any] | None = None,
+    **found: Any,
+) -> None:
+    """Write a fit to netCDF, or to JSON (.json), in full or not at all; `load_result` reads both.
+
+    `found` is what else a `SavedResult` has: `profiles`, `diagnosis` (of this fit), `plan`,
+    `origin`. `recordings` has path, sha256 and segments of every file; `settings` what was asked.
+    """
+    about = (version("exoid"), recordings, settings or {})
+    write(SavedResult(result, told, *about, **found), Path(path))
+
+
+def load_result(path: str | Path, *, terms: Sequence[type[Term]] = ()) -> SavedResult:
+    """What `save_result`, `exoid fit --save` or `exoid diagnose --save` wrote.
+
+    `terms` are a user's own, as a diagnosis was given them.
+
+    **Raises** `ValueError` (one line) where the file is another one, or not as it was saved;
+    `OSError` where there is none.
+    """
+    path = Path(path)
+    if path.is_dir():
+        raise ValueError(f"{path}: this is a directory. Name the file in it.")
+    try:
+        return read(SavedResult, path, own=terms)
+    except DocumentError as fault:
+        raise ValueError(f"{path}: {fault}") from fault

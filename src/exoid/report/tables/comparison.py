@@ -6,7 +6,8 @@ from typing import Any
 from rich.console import Console
 
 from exoid.fitting.result.fit_result import Estimate
-from exoid.report.document.fit_json import entry, plain
+from exoid.report.document.fit_json import entry
+from exoid.report.document.plain_json import plain
 from exoid.report.saved.saved_result import SavedResult
 from exoid.report.tables.compare import HASHED, Compared, Comparison
 from exoid.report.tables.same_leg import strangers

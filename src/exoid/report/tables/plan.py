@@ -10,7 +10,7 @@ from exoid.fitting.result.fit_result import FitResult
 from exoid.planning.candidate_recordings import SWING
 from exoid.planning.plan import Plan
 from exoid.recordings.recording import Subject
-from exoid.report.document.fit_json import plain
+from exoid.report.document.plain_json import plain
 from exoid.report.words.person import identity
 from exoid.report.words.text import heading, say, table, with_error
 
