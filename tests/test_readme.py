@@ -10,11 +10,14 @@ import pytest
 import exoid
 from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.torque import NoTorque
+from exoid.recordings.loading.sidecar import read_sidecar
 from exoid.twin.motion import Movement
 from exoid.twin.protocols import record
 
 README = Path(__file__).parents[1] / "README.md"
-BLOCKS = re.findall(r"```python\n(.*?)```", README.read_text(encoding="utf-8"), re.DOTALL)
+TEXT = README.read_text(encoding="utf-8")
+BLOCKS = re.findall(r"```python\n(.*?)```", TEXT, re.DOTALL)
+LONGEST = 160  # lines: it is one page
 
 
 @pytest.fixture
@@ -29,7 +32,7 @@ def folder_with_a_drop(tmp_path, monkeypatch):
 
 @pytest.mark.proof
 def test_the_library_examples_run(folder_with_a_drop):
-    assert len(BLOCKS) == 3
+    assert BLOCKS
     for block in BLOCKS:
         exec(compile(block, "README.md", "exec"), {})
     assert (folder_with_a_drop / "fit.pdf").stat().st_size > 1000
@@ -42,8 +45,22 @@ def test_every_option_it_names_exists():
 
     commands = get_command(app).commands  # type: ignore[attr-defined]
     known = {name for each in commands.values() for entry in each.params for name in entry.opts}
-    for line in re.findall(
-        rf"^.*\bexoid (?:{'|'.join(commands)}).*$", README.read_text(), re.MULTILINE
-    ):
+    for line in re.findall(rf"^.*\bexoid (?:{'|'.join(commands)}).*$", TEXT, re.MULTILINE):
         for option in re.findall(r"(?<![\w-])--[a-z][a-z-]*", line.split("exoid ", 1)[1]):
             assert option in known | {"--help"}, line
+
+
+def test_it_is_one_page():
+    assert len(TEXT.splitlines()) <= LONGEST
+
+
+def test_what_it_links_to_exists():
+    for link in re.findall(r"\]\(([^)#]+)\)", TEXT):
+        assert (README.parent / link).exists(), link
+
+
+def test_its_sidecar_is_understood(tmp_path):
+    (block,) = re.findall(r"```toml\n(.*?)```", TEXT, re.DOTALL)
+    path = tmp_path / "session.toml"
+    path.write_text(block, encoding="utf-8")
+    assert read_sidecar(path)[3] == ()  # nothing is unknown
