@@ -8,7 +8,7 @@ import jax.numpy as jnp
 import numpy as np
 
 import exoid
-from exoid.physics.terms.coulomb_friction import CoulombFriction
+from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.twin.motion import Movement
 from exoid.twin.protocols import record
 

@@ -10,7 +10,7 @@ import pytest
 import exoid
 from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.torque import NoTorque
-from exoid.recordings.loading.sidecar import read_sidecar
+from exoid.recordings.sidecar import read_sidecar
 from exoid.twin.motion import Movement
 from exoid.twin.protocols import record
 
