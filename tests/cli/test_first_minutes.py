@@ -185,6 +185,11 @@ def test_a_saved_result_is_not_computed_again(command, saved, recordings, tmp_pa
     cut = tmp_path / "cut.nc"
     cut.write_bytes(fit.read_bytes()[:20_000])
     assert "cut.nc: this is no result of" in refusal(command("report", cut, "-o", path))
+    flipped, content = tmp_path / "flipped.nc", bytearray(fit.read_bytes())
+    content[-1000] ^= 1
+    flipped.write_bytes(content)
+    assert "flipped.nc: it is damaged" in refusal(command("report", flipped, "-o", path))
+    assert "flipped.nc: it is damaged" in refusal(command("compare", fit, flipped))
     assert not path.exists()
 
 

@@ -6,6 +6,7 @@ from typing import Annotated
 
 import typer
 
+from exoid.cli.inputs.own_terms import own_terms
 from exoid.cli.outputs.destination import check_apart, check_destination
 from exoid.cli.terminal.waiting import patiently
 
@@ -15,6 +16,10 @@ def compare(
         Path, typer.Argument(help="What --save of 'exoid fit' or 'exoid diagnose' wrote (.nc).")
     ],
     second: Annotated[Path, typer.Argument(help="Another one.")],
+    terms: Annotated[
+        str | None,
+        typer.Option(help="Your own terms, where a result has some.", metavar="MODULE"),
+    ] = None,
     json: Annotated[
         Path | None, typer.Option(help="Everything for machines.", metavar="FILE")
     ] = None,
@@ -33,8 +38,10 @@ def compare(
     """
     check_destination(json)
     check_apart([json], [first, second])
+    own = own_terms(terms) if terms is not None else ()
     sides = [
-        patiently(lambda path=path: loaded(path), f"reading {path}") for path in (first, second)
+        patiently(lambda path=path: loaded(path, own), f"reading {path}")
+        for path in (first, second)
     ]
     from rich.console import Console
 
@@ -51,8 +58,8 @@ def compare(
         typer.echo(f"wrote {json}", err=True)
 
 
-def loaded(path: Path):
-    """A fit as it was saved."""
+def loaded(path: Path, own):
+    """A result as it was saved, with a user's own terms."""
     from exoid.report.saved.saved_result import load_result
 
-    return load_result(path)
+    return load_result(path, terms=own)

@@ -74,6 +74,7 @@ def report(
     paths = recordings or [EXAMPLE]
     check_destination(output, PAGES)
     check_apart([output], paths)
+    own = own_terms(terms) if terms is not None else ()
     if any(path.suffix.lower() == SAVED for path in paths):
         given = {
             "--prior": bool(prior),
@@ -84,7 +85,6 @@ def report(
             "--height": height is not None,
             "--multistart": multistart != STARTS,
             "--seed": seed != 0,
-            "--terms": terms is not None,
             "--no-diagnosis": not diagnosis,
             "--dbc": dbc is not None,
             "--signal": bool(signal),
@@ -92,13 +92,12 @@ def report(
             "--flip": flip is not None,
             "--zero": zero is not None,
         }
-        retell(paths, output, [option for option, asked in given.items() if asked])
+        retell(paths, output, [option for option, asked in given.items() if asked], own)
         return
     body = given_body(body_mass=body_mass, height=height)
     by_hand = assumed(prior, bounds, fix, bound)
     if terms is not None and not diagnosis:
         raise ValueError("--terms are causes for the diagnosis: leave out --no-diagnosis.")
-    own = own_terms(terms) if terms is not None else ()
     if not recordings:
         typer.echo("No recording given: this is the example that comes with exoid.")
     told = {"column": column, "flip": flip, "zero": zero}

@@ -15,11 +15,14 @@ from exoid.cli.terminal.waiting import patiently
 SAVED = ".nc"
 
 
-def retell(paths: list[Path], output: Path, given: list[str]) -> None:
-    """Write what was saved, with its recordings where they are as they were."""
+def retell(paths: list[Path], output: Path, given: list[str], own) -> None:
+    """Write what was saved, with its recordings where they are as they were.
+
+    `own` are terms of the user that it may hold.
+    """
     check_alone(paths, given)
     (path,) = paths
-    saved = patiently(lambda: loaded(path), f"reading {path}")
+    saved = patiently(lambda: loaded(path, own), f"reading {path}")
     sources = at_hand(saved, path)
     names = [name_of(each) for each in saved.recordings] or [path.name]
     patiently(lambda: write(saved, path, output, sources, names), "writing the page")
@@ -49,11 +52,11 @@ def check_alone(paths: list[Path], given: list[str]) -> None:
         )
 
 
-def loaded(path: Path):
+def loaded(path: Path, own):
     """What was saved."""
     from exoid.report.saved.saved_result import load_result
 
-    return load_result(path)
+    return load_result(path, terms=own)
 
 
 def at_hand(saved, path: Path) -> tuple:

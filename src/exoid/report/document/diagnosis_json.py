@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from exoid.mismatch.answer.diagnosis import Diagnosis
-from exoid.report.document.plain_json import plain
+from exoid.report.document.plain_json import plain, shown
 from exoid.report.words.diagnosis import headline, sentences
 
 
@@ -32,52 +32,20 @@ def diagnosis_document(
             "novel_formula": None if found.formula is None else found.formula.words,
             "novel_explained": None if found.formula is None else found.formula.explained,
             "where": [
-                {
-                    "segment": each.segment,
-                    "from_s": each.begin,
-                    "to_s": each.end,
-                    "region": each.region,
-                    "description": each.description,
-                }
+                shown(each, ["torque"], begin="from_s", end="to_s")
                 for each in found.location.regions
             ],
             "pattern": found.location.pattern,
-            "parameters": {
-                each.name: {
-                    "value": each.value,
-                    "unit": each.unit,
-                    "standard_error": each.standard_error,
-                }
-                for each in found.parameters
-            },
-            "booked_before": {
-                each.name: {"before": each.before, "after": each.after, "unit": each.unit}
-                for each in found.booked
-            },
+            "parameters": {each.name: shown(each, ["name"]) for each in found.parameters},
+            "booked_before": {each.name: shown(each, ["name"]) for each in found.booked},
             "heldout_rmse_before": found.proof.before.total,
             "heldout_rmse_after": found.proof.after.total,
             "noise_floor": found.proof.noise_floor,
             "false_alarm_rate": found.false_alarm_rate,
             "power": found.power,
             "inclusion": found.inclusion,
-            "sensors": [
-                {
-                    "name": each.name,
-                    "value": each.value,
-                    "unit": each.unit,
-                    "standard_error": each.standard_error,
-                    "clear": each.clear,
-                }
-                for each in found.sensors
-            ],
-            "candidates": [
-                {
-                    "terms": one.terms,
-                    "mean_square": one.mean_square,
-                    "evidence": one.evidence,
-                }
-                for one in ran
-            ],
+            "sensors": [{**shown(each), "clear": each.clear} for each in found.sensors],
+            "candidates": [shown(one, ["chosen"]) for one in ran],
             "excluded": found.excluded,
             "reasons": found.reasons,
             "advice": found.advice,

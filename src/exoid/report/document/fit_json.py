@@ -1,7 +1,6 @@
 """A fit as JSON, for machines: the document's schema."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict
 from typing import Any
 
 from exoid.fitting.errors.profile import Profile
@@ -14,10 +13,20 @@ from exoid.fitting.result.fit_result import (
     MultistartReport,
     SegmentFit,
 )
-from exoid.report.document.plain_json import plain
+from exoid.report.document.plain_json import plain, shown
 from exoid.trust.identifiability import Identifiability
 
 NO_TORQUE = "no segment has a voluntary torque"
+CURVES = ("time", "angle", "angular_velocity", "simulated_angle", "simulated_velocity")
+UNITS = {
+    "period": "period_s",
+    "added_mass": "added_mass_kg",
+    "begins": "begins_s",
+    "angle_rmse": "angle_rmse_rad",
+    "velocity_rmse": "velocity_rmse_rad_s",
+    "angle_noise": "angle_noise_rad",
+    "velocity_noise": "velocity_noise_rad_s",
+}
 
 
 def fit_document(
@@ -62,21 +71,7 @@ def fit_document(
 
 def entry(each: Estimate) -> dict[str, Any]:
     """One quantity."""
-    return {
-        "symbol": each.symbol,
-        "title": each.title,
-        "unit": each.unit,
-        "value": each.value,
-        "standard_error": each.standard_error,
-        "expected": each.expected,
-        "expected_deviation": each.expected_deviation,
-        "lower": each.lower,
-        "upper": each.upper,
-        "determined_by": each.set_by,
-        "shares": None if each.shares is None else asdict(each.shares),
-        "limited_by": each.limited_by,
-        "reason": each.reason,
-    }
+    return {**shown(each, ["by_hand"]), "determined_by": each.set_by}
 
 
 def quality(result: FitResult) -> dict[str, Any]:
@@ -121,15 +116,7 @@ def missed(found: Missed, scale: float) -> dict[str, Any]:
 
 def profile(found: Profile | None) -> dict[str, Any] | None:
     """The least twice-loss over the best, and where it passes the 95 % point; null at no end."""
-    if found is None:
-        return None
-    return {
-        "shape": found.shape,
-        "lower": found.lower,
-        "upper": found.upper,
-        "value": found.value,
-        "rise": found.rise,
-    }
+    return None if found is None else {"shape": found.shape, **shown(found, ["name", "estimate"])}
 
 
 def mounting(each: MountingFit) -> dict[str, Any]:
@@ -141,48 +128,28 @@ def mounting(each: MountingFit) -> dict[str, Any]:
 def identifiability(told: Identifiability) -> dict[str, Any]:
     """Directions as relative changes; `error` is null where no motion tells."""
     return {
-        "null_directions": [asdict(each) for each in told.null_directions],
-        "weak_directions": [asdict(each) for each in told.weak_directions],
+        **shown(told, ["names"], reversals="mirrored"),
         "combinations": {name: entry(each) for name, each in told.combinations.items()},
         "correlation": {"names": told.names, "matrix": told.correlation},
-        "segment_shares": told.segment_shares,
-        "mirrored": [asdict(each) for each in told.reversals],
-        "sentences": told.sentences,
     }
 
 
 def multistart(report: MultistartReport) -> dict[str, Any]:
     """Where the starts ended; `loss` is null where one failed."""
-    return {
-        "starts": report.starts,
-        "succeeded": report.succeeded,
-        "at_best": report.at_best,
-        "distinct": report.distinct,
-        "failures": report.failures,
-        "loss": report.loss,
-        "family": {
-            name: {"lower": lower, "upper": upper} for name, (lower, upper) in report.family.items()
-        },
-        "members": report.members,
+    ranges = {
+        name: {"lower": lower, "upper": upper} for name, (lower, upper) in report.family.items()
     }
+    return {**shown(report), "family": ranges}
 
 
 def segment(each: SegmentFit) -> dict[str, Any]:
     """One segment, without its samples."""
     torque = each.torque_amplitude
     return {
-        "name": each.name,
-        "kind": each.kind,
-        "period_s": each.period,
+        **shown(each, CURVES, **UNITS),
         "torque_amplitude": None if torque is None else torque.value,
         "torque_amplitude_standard_error": None if torque is None else torque.standard_error,
         "torque_amplitude_determined_by": None if torque is None else torque.determined_by,
-        "added_mass_kg": each.added_mass,
-        "begins_s": each.begins,
-        "angle_rmse_rad": each.angle_rmse,
-        "velocity_rmse_rad_s": each.velocity_rmse,
-        "angle_noise_rad": each.angle_noise,
-        "velocity_noise_rad_s": each.velocity_noise,
         "samples": each.time.size,
     }
 

@@ -2,7 +2,8 @@
 
 import json
 import math
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
+from dataclasses import fields, is_dataclass
 from pathlib import Path
 from typing import Any
 
@@ -11,8 +12,19 @@ import numpy as np
 from exoid.report.document.replacing import replacing
 
 
+def shown(one: Any, without: Collection[str] = (), **names: str) -> dict[str, Any]:
+    """The fields of a dataclass, some of them under other `names`."""
+    return {
+        names.get(each.name, each.name): getattr(one, each.name)
+        for each in fields(one)
+        if each.name not in without
+    }
+
+
 def plain(value: Any) -> Any:
     """The value as JSON has it: no array, no NumPy number, null for what is not finite."""
+    if is_dataclass(value):
+        return plain(shown(value))
     if isinstance(value, Mapping):
         return {str(key): plain(each) for key, each in value.items()}
     if isinstance(value, np.ndarray | np.generic):

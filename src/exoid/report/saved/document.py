@@ -48,10 +48,10 @@ def to_netcdf(one: Any) -> bytes:
 
 def from_netcdf(of: type[Of], content: bytes, own: Sequence[type] = ()) -> Of:
     """What `to_netcdf` was given."""
-    import h5netcdf
+    import h5py
 
     whole, writer = unsealed(content)
-    with h5netcdf.File(BytesIO(whole), "r", decode_vlen_strings=True) as file:
+    with h5py.File(BytesIO(whole), "r") as file:
         node = read_group(file)
     return restored(of, node, writer, own)
 
