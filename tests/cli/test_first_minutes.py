@@ -135,6 +135,8 @@ def test_two_saved_fits_are_shown_side_by_side(command, saved, tmp_path):
     ):
         assert each in said
     assert "misfit" not in said  # it did not change
+    told = refusal(command("compare", saved / "a.nc", saved / "b.nc", "--terms", "absent.py"))
+    assert "absent.py: there is no such file" in told
     assert max(map(len, done.stdout.split("\n"))) <= 80
 
 

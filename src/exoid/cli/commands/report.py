@@ -74,6 +74,8 @@ def report(
     paths = recordings or [EXAMPLE]
     check_destination(output, PAGES)
     check_apart([output], paths)
+    if terms is not None and not diagnosis:
+        raise ValueError("--terms are causes for the diagnosis: leave out --no-diagnosis.")
     own = own_terms(terms) if terms is not None else ()
     if any(path.suffix.lower() == SAVED for path in paths):
         given = {
@@ -96,8 +98,6 @@ def report(
         return
     body = given_body(body_mass=body_mass, height=height)
     by_hand = assumed(prior, bounds, fix, bound)
-    if terms is not None and not diagnosis:
-        raise ValueError("--terms are causes for the diagnosis: leave out --no-diagnosis.")
     if not recordings:
         typer.echo("No recording given: this is the example that comes with exoid.")
     told = {"column": column, "flip": flip, "zero": zero}
