@@ -21,7 +21,7 @@ from exoid.fitting.model.systematics import (
 from exoid.physics.leg import GRAVITY, LegModel, LegParameters
 from exoid.physics.motion.simulate import simulate
 from exoid.physics.state import LegState
-from exoid.physics.torque import CycleTorque, MeasuredTorque, TorqueSum
+from exoid.physics.torque import CycleTorque, MeasuredTorque, Torque
 from exoid.recordings.recording import Protocol, Recording, Segment
 from fit_cases import BODY, NOISE
 
@@ -41,12 +41,22 @@ MISSED = 0.0058
 SMOOTH = 0.1
 
 
+class Together(Torque):
+    """Two torques that act at once."""
+
+    one: Torque
+    other: Torque
+
+    def __call__(self, time):
+        return self.one(time) + self.other(time)
+
+
 @jax.jit
 def swing(leg, start, missing, amplitude, tilt):
     """Angle and angular velocity of a release with a torque that the model does not know."""
     unknown = MeasuredTorque(jnp.asarray(TIME), missing)
     cycle = CycleTorque(amplitude, *(jnp.asarray(x) for x in (PERIOD, 1 / PERIOD, 0.0)))
-    model = LegModel(leg, TorqueSum((cycle, unknown)), tilt)
+    model = LegModel(leg, Together(cycle, unknown), tilt)
     motion = simulate(model, LegState(start, jnp.zeros(())), jnp.asarray(TIME))
     return motion.angle, motion.angular_velocity
 

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.integrate import quad
 
-from exoid.physics.torque import CycleTorque, MeasuredTorque, NoTorque, TorqueSum, cycle_shape
+from exoid.physics.torque import CycleTorque, MeasuredTorque, NoTorque, cycle_shape
 
 periods = st.floats(0.5, 8.0)
 amplitudes = st.floats(-250, 250)
@@ -109,14 +109,6 @@ def test_a_measured_torque_depends_linearly_on_its_samples():
     assert (jnp.count_nonzero(slope, axis=1) <= 2).all()
 
 
-@given(amplitudes, amplitudes)
-def test_torques_add_up(one, other):
-    time = jnp.linspace(0, 1.8, 7)
-    parts = (cycle(one, 1.8, 1 / 1.8), NoTorque(), cycle(other, 1.8, 2 / 1.8))
-    np.testing.assert_allclose(TorqueSum(parts)(time), parts[0](time) + parts[2](time), rtol=1e-14)
-
-
-def test_no_torque_is_zero_and_so_is_a_sum_of_none():
+def test_no_torque_is_zero():
     time = jnp.linspace(0, 1, 5)
     assert not NoTorque()(time).any()
-    assert not TorqueSum(())(time).any()

@@ -10,14 +10,14 @@ TIME = np.arange(101) / 100
 
 def test_a_whole_segment_has_nothing_lost():
     found = appraise(Segment(TIME, raw_angle=np.sin(TIME)), Sensors())
-    assert (found.samples, found.gaps, found.missing, found.whole) == (101, 0, 0, True)
+    assert (found.samples, found.gaps, found.missing) == (101, 0, 0)
     np.testing.assert_allclose((found.rate, found.duration), (100.0, 1.0))
 
 
 def test_steps_that_lost_a_sample_are_gaps():
     kept = np.delete(np.arange(101), [10, 50, 51])
     found = appraise(Segment(TIME[kept], raw_angle=np.sin(TIME[kept])), Sensors())
-    assert (found.gaps, found.whole) == (2, False)
+    assert found.gaps == 2
     np.testing.assert_allclose((found.longest, found.rate), (0.03, 100.0))
 
 

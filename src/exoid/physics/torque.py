@@ -50,15 +50,6 @@ class MeasuredTorque(Torque):
         return jnp.interp(time, self.time, self.torque)
 
 
-class TorqueSum(Torque):
-    """Several torques that act together."""
-
-    parts: tuple[Torque, ...]
-
-    def __call__(self, time: Float[Array, "*time"]) -> Float[Array, "*time"]:
-        return sum((part(time) for part in self.parts), jnp.zeros_like(time))
-
-
 def cycle_shape(time, period, frequency, xp=jnp):
     """Eq. 10 for unit amplitude, 0 before the cycle's clock starts; `xp` is jax.numpy or numpy."""
     sine = xp.sin(2 * xp.pi * frequency * time)

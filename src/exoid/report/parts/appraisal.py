@@ -22,11 +22,6 @@ class Appraisal:
     missing: int  # samples without an angle
     saturated: int | None  # samples of the gyro at the end of its range; None where unknown
 
-    @property
-    def whole(self) -> bool:
-        """Is nothing lost, as far as can be seen?"""
-        return not (self.gaps or self.missing or self.saturated)
-
 
 def appraise(segment: Segment, sensors: Sensors) -> Appraisal:
     """Count what is lost."""
