@@ -35,6 +35,11 @@ class Annotation:
         """The types within a list, a tuple or a mapping."""
         return get_args(self.type) if get_origin(self.type) else BARE.get(self.type, ())
 
+    def of_each(self, count: int) -> tuple[Any, ...]:
+        """The type of each of so many in a list or a tuple."""
+        fixed = self.origin is tuple and self.inside[-1:] != (...,)
+        return self.inside if fixed else self.inside[:1] * count
+
     @property
     def name(self) -> str:
         """Of the type, as a file has it."""

@@ -72,11 +72,9 @@ def pack_record(one: Any, expected: Any, place: str, seen: dict[int, str]) -> Re
 def pack_list(value: Any, said: Annotation, place: str, seen: dict[int, str]) -> list[Any]:
     """A list or a tuple, of one type or of one for each place."""
     each = list(value)
-    fixed = said.origin is tuple and said.inside[-1:] != (...,)
-    hints = said.inside if fixed else said.inside[:1] * len(each)
     return [
         pack(one, hint, f"{place}/{number}", seen)
-        for number, (one, hint) in enumerate(zip(each, hints, strict=True))
+        for number, (one, hint) in enumerate(zip(each, said.of_each(len(each)), strict=True))
     ]
 
 

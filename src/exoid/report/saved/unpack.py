@@ -85,11 +85,9 @@ def is_required(field: Any) -> bool:
 
 def unpack_list(node: Any, said: Annotation, place: str, by: Reader) -> Any:
     """A tuple, or a list where the annotation says no more than a sequence."""
-    fixed = said.origin is tuple and said.inside[-1:] != (...,)
-    hints = said.inside if fixed else said.inside[:1] * len(node)
     each = [
         unpack(one, hint, f"{place}/{number}", by)
-        for number, (one, hint) in enumerate(zip(node, hints, strict=True))
+        for number, (one, hint) in enumerate(zip(node, said.of_each(len(node)), strict=True))
     ]
     return tuple(each) if said.origin is tuple else each
 
