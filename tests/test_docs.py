@@ -15,13 +15,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from typer.main import get_command
 
-from exoid.cli.app import app
+from exoid.cli import app
 from exoid.recordings.recording import Protocol, Segment, Sensors, Subject, known
 from exoid.recordings.sidecar import read_sidecar
 
-COMMANDS = get_command(app).commands  # type: ignore[attr-defined]
+COMMANDS = {name: app.load(name) for name in app.COMMANDS}
 DOCS = Path(__file__).parents[1] / "docs"
 SLOW = ("tutorial.md",)  # it diagnoses
 PAGES = [

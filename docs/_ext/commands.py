@@ -2,18 +2,15 @@
 
 from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
-from typer.main import get_command
 
-from exoid.cli.app import app as program
+from exoid.cli.app import COMMANDS, load
 
 
 class Commands(SphinxDirective):
     """A section for each command, in the order of `exoid --help`."""
 
     def run(self):
-        text = "\n\n".join(
-            section(name, each) for name, each in get_command(program).commands.items()
-        )
+        text = "\n\n".join(section(name, load(name)) for name in COMMANDS)
         return self.parse_text_to_nodes(text, allow_section_headings=True)
 
 

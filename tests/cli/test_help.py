@@ -1,12 +1,17 @@
 """What a user meets first: help and version, at once and without the heavy libraries."""
 
+import os
 import subprocess
 import sys
 import time
 from importlib.metadata import version
+from pathlib import Path
 
 import pytest
 from command_line import SCRIPT
+
+from exoid.cli import commands
+from exoid.cli.app import COMMANDS, load
 
 HEAVY = ("jax", "equinox", "optimistix", "scipy", "matplotlib", "can", "cantools", "xarray")
 
@@ -66,3 +71,49 @@ def test_help_goes_to_stdout_and_names_what_there_is(command, arguments, word, o
     assert (done.returncode, done.stderr) == (0, "")
     assert word in done.stdout
     assert max(map(len, done.stdout.split("\n"))) <= 100
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_help_says_of_a_command_what_it_says_of_itself(name):
+    said = load(name).help or ""
+    assert " ".join(said.partition("\n\n")[0].split()) == COMMANDS[name]
+
+
+def test_every_command_is_listed():
+    files = {each.stem for each in Path(commands.__path__[0]).glob("*.py")}
+    assert files - {"__init__", "analysis"} == COMMANDS.keys()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "needed"),
+    [(["--help"], set()), (["--version"], set()), (["drops", "--help"], {"drops"})],
+)
+def test_only_the_command_that_is_called_is_loaded(arguments, needed):
+    code = "import sys; from exoid.cli.app import app; app(sys.argv[1:], standalone_mode=False); "
+    done = subprocess.run(
+        [sys.executable, "-c", code + "print(*sys.modules)", *arguments],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    begin = "exoid.cli.commands."
+    loaded = done.stdout.splitlines()[-1].split()
+    found = {each.removeprefix(begin) for each in loaded if each.startswith(begin)}
+    assert "exoid.cli.app" in loaded
+    assert found == needed
+
+
+@pytest.mark.parametrize(
+    ("typed", "offered"),
+    [("exoid d", {"drops", "diagnose"}), ("exoid drops --pl", {"--plot"})],
+)
+def test_a_shell_completes_commands_and_their_options(typed, offered):
+    words = {"COMP_WORDS": typed, "COMP_CWORD": str(len(typed.split()) - 1)}
+    done = subprocess.run(
+        [str(SCRIPT)],
+        env={**os.environ, **words, "_EXOID_COMPLETE": "complete_bash"},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert {*done.stdout.split()} == offered

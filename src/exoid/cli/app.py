@@ -1,46 +1,64 @@
-"""The commands, gathered. Their heavy parts load when they run."""
+"""The commands by name. Each is loaded when it is called."""
 
-from importlib.metadata import version as installed_version
-from typing import Annotated
+from importlib import import_module
+from typing import Annotated, Any
 
 import typer
+from typer.core import TyperCommand
+from typer.main import get_command
 
-from exoid.cli.commands.compare import compare
-from exoid.cli.commands.convert import convert
-from exoid.cli.commands.diagnose import diagnose
-from exoid.cli.commands.drops import drops
-from exoid.cli.commands.example import example
-from exoid.cli.commands.fit import fit
-from exoid.cli.commands.plan import plan
-from exoid.cli.commands.record import record
-from exoid.cli.commands.report import report
-from exoid.cli.commands.simulate import simulate
 from exoid.cli.welcome import WELCOME
+
+# As the command itself begins. `--help` shows them without loading any command.
+COMMANDS = {
+    "fit": "Find mass, inertia, COM distance, damping, stiffness and torque of a leg.",
+    "example": "Copy the recording that comes with exoid, and a sidecar whose comments explain it.",
+    "drops": "Read the pendulum-test measures off every passive drop: no model, no fit, no "
+    "diagnosis.",
+    "diagnose": "Say where simulation and recording part, which physics was left out, and prove "
+    "it.",
+    "report": "Fit and diagnose a leg and write one page about it, to look at, print and pass on.",
+    "plan": "Say which recording would narrow a quantity most, and how far.",
+    "compare": "Show two saved results side by side: two days, two sides, or two settings.",
+    "record": "Record the node's frames, and what is known of the leg, until Ctrl-C.",
+    "simulate": "Simulate drops and cycles of a leg and write them as a recording.",
+    "convert": "Write a recording as exoid's table (.csv or .parquet) with its sidecar (.toml).",
+}
+PLAIN: dict[str, Any] = {"pretty_exceptions_enable": False, "rich_markup_mode": None}
 
 app = typer.Typer(
     name="exoid",
     help="Mechanical parameters of the lower leg from exoskeleton recordings.",
     invoke_without_command=True,
     add_completion=True,
-    pretty_exceptions_enable=False,
-    rich_markup_mode=None,
     context_settings={"help_option_names": ["-h", "--help"]},
+    **PLAIN,
 )
-app.command()(fit)
-app.command()(example)
-app.command()(drops)
-app.command()(diagnose)
-app.command()(report)
-app.command()(plan)
-app.command()(compare)
-app.command()(record)
-app.command()(simulate)
-app.command()(convert)
+
+
+def load(name: str):
+    """The command of that name: in `commands`, a function and its file bear it."""
+    alone = typer.Typer(add_completion=False, **PLAIN)
+    alone.command(name)(getattr(import_module(f"exoid.cli.commands.{name}"), name))
+    return get_command(alone)
+
+
+class Deferred(TyperCommand):
+    """What `exoid --help` says of a command. Called, completed or asked for help, it is loaded."""
+
+    def make_context(self, info_name, args, parent=None, **extra):
+        return load(self.name or "").make_context(info_name, args, parent, **extra)
+
+
+for each, line in COMMANDS.items():
+    app.command(each, cls=Deferred, help=line)(lambda: None)
 
 
 def show_version(wanted: bool) -> None:
+    from importlib.metadata import version
+
     if wanted:
-        typer.echo(f"exoid {installed_version('exoid')}")
+        typer.echo(f"exoid {version('exoid')}")
         raise typer.Exit
 
 

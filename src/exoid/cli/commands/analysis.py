@@ -30,6 +30,18 @@ def compute(named, each: bool, options: dict):
         raise ValueError(f"{', '.join(name for name, _ in named)}: {fault}") from fault
 
 
+def diagnosed(named, own, options: dict, told):
+    """The diagnosis, with programs kept between processes."""
+    from exoid.fitting.solve.program_cache import with_sound_programs
+    from exoid.mismatch.missing_physics import diagnose as find
+
+    prepare()
+    try:
+        return with_sound_programs(lambda: find(named, terms=own, told=told, **options))
+    except ValueError as fault:
+        raise ValueError(f"{', '.join(name for name, _ in named)}: {fault}") from fault
+
+
 def ask(result):
     """What the recording told."""
     from exoid.trust.identifiability import identify

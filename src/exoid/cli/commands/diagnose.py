@@ -6,14 +6,13 @@ from typing import Annotated
 
 import typer
 
-from exoid.cli.commands.analysis import ask, prepare
-from exoid.cli.commands.fit import EXAMPLE, FIGURES
+from exoid.cli.commands.analysis import ask, diagnosed
 from exoid.cli.inputs.assumptions import Bound, BoundsOption, Fix, Prior, assumed
 from exoid.cli.inputs.body import BodyMass, Height, given_body
 from exoid.cli.inputs.choices import Bounds, FlipOption, ZeroOption
 from exoid.cli.inputs.own_terms import own_terms
-from exoid.cli.inputs.reading import Columns, as_told, take
-from exoid.cli.outputs.destination import check_apart, check_destination
+from exoid.cli.inputs.reading import EXAMPLE, Columns, as_told, take
+from exoid.cli.outputs.destination import FIGURES, check_apart, check_destination
 from exoid.cli.outputs.origin import inputs, origin_of
 from exoid.cli.outputs.page import PAGES, planned, sources_of, write_report
 from exoid.cli.outputs.results import described, end, introduce, keep
@@ -117,18 +116,6 @@ def diagnose(
         )
         typer.echo(f"wrote {report}", err=True)
     end(found.follows)
-
-
-def diagnosed(named, own, options: dict, told):
-    """The diagnosis, with programs kept between processes."""
-    from exoid.fitting.solve.program_cache import with_sound_programs
-    from exoid.mismatch.missing_physics import diagnose as find
-
-    prepare()
-    try:
-        return with_sound_programs(lambda: find(named, terms=own, told=told, **options))
-    except ValueError as fault:
-        raise ValueError(f"{', '.join(name for name, _ in named)}: {fault}") from fault
 
 
 def show(found) -> None:

@@ -6,10 +6,9 @@ from typing import Annotated
 
 import typer
 
-from exoid.cli.commands.fit import EXAMPLE, FIGURES
 from exoid.cli.inputs.choices import FlipOption, ZeroOption
-from exoid.cli.inputs.reading import Columns, read
-from exoid.cli.outputs.destination import check_apart, check_destination
+from exoid.cli.inputs.reading import EXAMPLE, Columns, read
+from exoid.cli.outputs.destination import FIGURES, check_apart, check_destination
 from exoid.cli.outputs.results import introduce
 from exoid.cli.terminal.waiting import patiently
 

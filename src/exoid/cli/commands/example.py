@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from exoid.cli.commands.fit import EXAMPLE
+from exoid.cli.inputs.reading import EXAMPLE
 from exoid.cli.outputs.destination import check_absent
 
 FILES = (EXAMPLE, EXAMPLE.with_suffix(".toml"))

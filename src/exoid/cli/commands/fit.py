@@ -10,15 +10,13 @@ from exoid.cli.commands.analysis import ask, check_posterior, compute, profiled,
 from exoid.cli.inputs.assumptions import Bound, BoundsOption, Fix, Prior, assumed
 from exoid.cli.inputs.body import BodyMass, Height, given_body
 from exoid.cli.inputs.choices import Bounds, Clip, FlipOption, Method, Misfit, Reading, ZeroOption
-from exoid.cli.inputs.reading import Columns, as_told, take
-from exoid.cli.outputs.destination import check_apart, check_destination
+from exoid.cli.inputs.reading import EXAMPLE, Columns, as_told, take
+from exoid.cli.outputs.destination import FIGURES, check_apart, check_destination
 from exoid.cli.outputs.origin import inputs, origin_of
 from exoid.cli.outputs.page import PAGES, sources_of, write_report
 from exoid.cli.outputs.results import draw, end, introduce, keep, show, write_document
 from exoid.cli.terminal.waiting import patiently
 
-EXAMPLE = Path(__file__).parents[2] / "example" / "session.blf"
-FIGURES = ("pdf", "svg", "png")
 HEAVIEST_PRIOR = 1e6  # it decides alone long before
 
 

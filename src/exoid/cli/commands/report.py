@@ -6,14 +6,12 @@ from typing import Annotated, Any
 
 import typer
 
-from exoid.cli.commands.analysis import ask, compute
-from exoid.cli.commands.diagnose import diagnosed
-from exoid.cli.commands.fit import EXAMPLE
+from exoid.cli.commands.analysis import ask, compute, diagnosed
 from exoid.cli.inputs.assumptions import Bound, BoundsOption, Fix, Prior, assumed
 from exoid.cli.inputs.body import BodyMass, Height, given_body
 from exoid.cli.inputs.choices import Bounds, FlipOption, ZeroOption
 from exoid.cli.inputs.own_terms import own_terms
-from exoid.cli.inputs.reading import Columns, as_told, take
+from exoid.cli.inputs.reading import EXAMPLE, Columns, as_told, take
 from exoid.cli.outputs.destination import check_apart, check_destination
 from exoid.cli.outputs.origin import inputs, origin_of
 from exoid.cli.outputs.page import PAGES, planned, sources_of, write_report

@@ -8,6 +8,7 @@ import typer
 from exoid.cli.inputs.choices import Flip, Zero
 from exoid.cli.terminal.waiting import patiently
 
+EXAMPLE = Path(__file__).parents[2] / "example" / "session.blf"
 Columns = Annotated[
     list[str] | None,
     typer.Option(

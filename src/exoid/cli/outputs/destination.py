@@ -4,6 +4,8 @@ from collections.abc import Iterable
 from pathlib import Path
 from tempfile import TemporaryFile
 
+FIGURES = ("pdf", "svg", "png")
+
 
 def check_destination(path: Path | None, kinds: tuple[str, ...] = ()) -> None:
     """Refuse a file that cannot be written, or whose name ends in none of `kinds`."""
