@@ -29,8 +29,8 @@ def recorded(seed, **load):
 bare = recorded(0)
 loaded = recorded(1, added_mass=1.5, added_mass_distance=0.40)  # kg, m from the knee
 
-alone = exoid.fit_leg([("bare", bare)])
-together = exoid.fit_leg([("bare", bare), ("loaded", loaded)])
+alone = exoid.fit([("bare", bare)])
+together = exoid.fit([("bare", bare), ("loaded", loaded)])
 
 for name, result in (("bare", alone), ("bare and loaded", together)):
     print(f"{name}:")

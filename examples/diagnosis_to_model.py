@@ -21,7 +21,7 @@ drops = [Movement(angle, duration=4.0) for angle in (-0.35, -0.87)]  # rad, s
 person = exoid.Subject(kind="leg", body_mass=77.0, height=1.80)  # kg, m
 recording = record(worn, drops, jax.random.key(0), subject=person)
 
-found = exoid.diagnose_leg(recording)
+found = exoid.diagnose(recording)
 assert found.selected == ["coulomb_friction"]
 level = found.parameters[0]
 print(f"missing: {found.findings[0].title}, {level.value:.3f} {level.unit}")

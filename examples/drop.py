@@ -21,7 +21,7 @@ drop = Movement(start_angle=np.radians(-20.0), duration=4.0)  # rad, s
 model = exoid.LegModel(truth, exoid.NoTorque())
 recording = record(model, [drop], jax.random.key(0), subject=person)
 
-result = exoid.fit_leg(recording, multistart=64, seed=0)
+result = exoid.fit(recording, multistart=64, seed=0)
 
 print(f"{np.degrees(result.angle_rmse):.3f} deg missed, {np.degrees(result.angle_noise):.3f} noise")
 for name, found in [*result.parameters.items(), *result.ratios.items()]:

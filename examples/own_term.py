@@ -37,7 +37,7 @@ drops = [Movement(angle, duration=4.0) for angle in (-0.35, -0.87)]  # rad, s
 person = exoid.Subject(kind="leg", body_mass=77.0, height=1.80)  # kg, m
 recording = record(motor, drops, jax.random.key(1), subject=person)
 
-found = exoid.diagnose_leg(recording, terms=(MagneticDetent,))
+found = exoid.diagnose(recording, terms=(MagneticDetent,))
 
 print(f"{found.verdict}: {', '.join(found.selected)}")
 for each in found.parameters:

@@ -28,7 +28,7 @@ recording = exoid.recording(
     protocol={"kind": "measured"},
 )
 
-result = exoid.fit_leg(recording)
+result = exoid.fit(recording)
 
 for name in ("inertia", "damping"):
     found = result.parameters[name]

@@ -13,7 +13,7 @@ import exoid
 
 ROOT = Path(__file__).parents[1]
 MOST = 12  # modules of a room
-VERBS = {name for name in exoid.__all__ if name.islower()} | {"fit", "diagnose"}
+VERBS = {name for name in exoid.__all__ if name.islower()}
 
 
 @pytest.fixture(scope="module")

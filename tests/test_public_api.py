@@ -1,5 +1,7 @@
 """The public names: all there, and loaded only when they are used."""
 
+import ast
+import os
 import subprocess
 import sys
 from importlib.metadata import version
@@ -9,19 +11,43 @@ import pytest
 
 import exoid
 
-DEFINED_AS = {"fit_leg": "fit", "diagnose_leg": "diagnose", "recording": "recording_of"}
+STUB = Path(exoid.__file__).with_suffix(".pyi")
 
 
 @pytest.mark.parametrize("name", exoid.__all__)
 def test_every_public_name_resolves_to_the_thing_of_that_name(name):
     found = getattr(exoid, name)
     assert found.__module__.startswith("exoid.")
-    assert found.__name__ == DEFINED_AS.get(name, name)
+    assert found.__name__ == name
 
 
-def test_all_names_are_listed_in_order_and_have_a_home():
-    assert sorted(exoid.__all__) == sorted(exoid._HOMES)
-    assert len(set(exoid.__all__)) == len(exoid.__all__)
+def test_every_name_has_one_home_and_checkers_see_those_that_there_are():
+    tree = ast.parse(STUB.read_text(encoding="utf-8"))
+    homes = [each for each in tree.body if isinstance(each, ast.ImportFrom)]
+    imported = [alias.name for each in homes for alias in each.names]
+    (public,) = (each.value for each in tree.body if isinstance(each, ast.Assign))
+    assert sorted(imported) == ast.literal_eval(public) == exoid.__all__
+    assert len(set(imported)) == len(imported)
+
+
+@pytest.mark.parametrize(("old", "new"), [("fit_leg", "fit"), ("diagnose_leg", "diagnose")])
+def test_a_name_of_old_warns_of_the_new_one(old, new):
+    with pytest.warns(DeprecationWarning, match=f"exoid.{old} is named exoid.{new}$") as noted:
+        assert getattr(exoid, old) is getattr(exoid, new)
+    assert noted[0].filename == __file__
+    assert old not in dir(exoid)
+
+
+def test_all_names_load_at_once_where_that_is_asked_for():
+    code = "import exoid; print(set(exoid.__all__) <= vars(exoid).keys())"
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        env={**os.environ, "EAGER_IMPORT": "1"},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert done.stdout.strip() == "True"
 
 
 def test_an_unknown_name_is_an_attribute_error():
@@ -53,3 +79,4 @@ def test_a_name_loads_no_more_than_it_needs(name, loads_jax):
 
 def test_types_are_shipped():
     assert (Path(exoid.__file__).parent / "py.typed").is_file()
+    assert STUB.is_file()

@@ -59,7 +59,7 @@ def test_an_angle_that_was_smoothed_gives_right_ratios(cutoff, damping):
     angle = np.where(time < hold, -0.2, motion(np.maximum(time - hold, 0))[0])
     noise = np.random.default_rng(1).normal(scale=np.radians(0.3), size=time.size)
     smooth = filtfilt(*butter(2, cutoff / 50), angle + noise)
-    result = exoid.fit_leg(exoid.recording(time_s=time, raw_angle_rad=smooth), multistart=8)
+    result = exoid.fit(exoid.recording(time_s=time, raw_angle_rad=smooth), multistart=8)
     assert result.follows
     for name, value in truth.items():
         found = result.ratios[f"{name}_over_inertia"]

@@ -29,7 +29,7 @@ HOLDS = 1e-6  # relative slack below which a constraint holds as an equality
 
 
 def fit_each(given: Given, **options) -> FitResult:
-    """`fit_leg` on every segment by itself.
+    """`fit` on every segment by itself.
 
     Ratios are the mean over segments, with the standard error of their scatter; the parameters are
     what prior and limits make of the mean ratios.

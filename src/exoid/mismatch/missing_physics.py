@@ -45,9 +45,9 @@ def diagnose(
 ) -> Diagnosis:
     """Find where simulation and recordings part, which physics was left out, and prove it.
 
-    `recordings` are of one leg, given as to `fit_leg`. `terms` are tested beside the library. The
+    `recordings` are of one leg, given as to `fit`. `terms` are tested beside the library. The
     baseline is fitted from `multistart` starts, with `assumed` being `prior`, `bounds`, `fix`,
-    `bound` and `expect` as in `fit_leg`; the search for what it misses moves its parameters freely.
+    `bound` and `expect` as in `fit`; the search for what it misses moves its parameters freely.
     `told` hears the name of every phase.
 
     **Raises** `ValueError` where a recording cannot be fitted or gravity comes out upwards,

@@ -73,7 +73,7 @@ class PendulumTest:
 def measure_drops(recordings: Given) -> PendulumTest:
     """Read the pendulum-test measures off every passive segment, and average them.
 
-    `recordings` are of one leg, given as to `fit_leg`. The definitions are in
+    `recordings` are of one leg, given as to `fit`. The definitions are in
     `exoid.pendulum.definitions`. What a recording does not allow has no value, and a
     reason. Nothing here is a diagnosis.
     """

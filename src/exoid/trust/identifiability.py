@@ -46,7 +46,7 @@ def identify(result: FitResult) -> Identifiability:
     """
     if not isinstance(result, FitResult):
         raise ValueError(
-            f"identify asks a fit, not a {type(result).__name__}: give what fit_leg returned."
+            f"identify asks a fit, not a {type(result).__name__}: give what fit returned."
         )
     basis = result.basis
     if basis is None:

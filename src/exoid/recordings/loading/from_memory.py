@@ -28,7 +28,7 @@ Table = TypeVar("Table", Subject, Protocol, Sensors)
 ASK = '{}="..."'  # how a column is named here
 
 
-def recording_of(
+def recording(
     data: Any = None,
     /,
     *,
@@ -70,11 +70,11 @@ def recording_of(
         named = assemble(sheet, chosen, None if tables[2] is None else tables[2].sample_rate)
         starts = segment_starts(named.columns, named.place)
         samples = build(named, starts, Subject(kind=None if tables[0] is None else tables[0].kind))
-        recording, more = understand(
+        found, more = understand(
             described(samples, tables), cut_table, whole=whole, flip=flip, zero=zero
         )
-    tell(f"recording: {note}" for note in (*named.notes, *late_starts(recording), *more))
-    return recording
+    tell(f"recording: {note}" for note in (*named.notes, *late_starts(found), *more))
+    return found
 
 
 def described(recording: Recording, tables: Tables) -> Recording:
