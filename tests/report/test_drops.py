@@ -84,7 +84,7 @@ def test_the_figure_marks_the_measures_on_labelled_axes(four):
     panels = [axes for axes in figure.axes if axes.get_visible()]
     assert len(panels) == 9  # three drops; the voluntary movement is left out
     labels = {axes.get_ylabel() for axes in panels}
-    assert {"angle [deg]", "angular velocity\n[deg/s]"} < labels
+    assert {"angle\n[deg]", "angular velocity\n[deg/s]"} < labels
     assert {axes.get_xlabel() for axes in panels[-3:]} <= {"time [s]", ""}
     texts = {text.get_text() for axes in panels for text in axes.texts}
     assert {*map(mathtext, ("A1", "A0", "3 T")), "time to rest"} <= texts

@@ -17,7 +17,7 @@ from exoid.fitting.misfit.uncertainty import Shares
 from exoid.pendulum.drops import measure_drops
 from exoid.report.document.diagnosis_json import diagnosis_document
 from exoid.report.document.fit_json import fit_document
-from exoid.report.figures.style import MOST
+from exoid.report.figures.marks import MOST
 from exoid.report.page import SECTIONS, build_page, write_page
 from exoid.report.parts.case import Case
 from exoid.report.saved.saved_result import load_result, save_result
@@ -260,7 +260,7 @@ def test_drawn_motion_is_measured_simulated_and_their_difference(quick):
     for name, samples in (
         ("measured", each.angular_velocity),
         ("simulated", each.simulated_velocity),
-        ("residual", each.simulated_velocity - each.angular_velocity),
+        ("simulated - measured", each.simulated_velocity - each.angular_velocity),
     ):
         drawn = decoded(found[name]["y"])
         np.testing.assert_allclose(drawn, np.degrees(samples), rtol=1e-6, atol=1e-6)  # float32

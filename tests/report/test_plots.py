@@ -13,11 +13,11 @@ from exoid.fitting.misfit.disturbance import Missed
 from exoid.fitting.misfit.information import common
 from exoid.fitting.misfit.uncertainty import HELD, Shares
 from exoid.fitting.result.fit_result import Estimate, FitResult, MultistartReport, SegmentFit
-from exoid.report.plots.axis import readable, view
+from exoid.report.pictures.axis import readable, view
+from exoid.report.pictures.determined import SOURCES
+from exoid.report.pictures.motion import SHOWN, chosen_segments
+from exoid.report.pictures.profiles import digits
 from exoid.report.plots.fit import plot_fit, save_figure
-from exoid.report.plots.motion import SHOWN, chosen_segments
-from exoid.report.plots.profiles import digits
-from exoid.report.plots.style import SHARE
 from exoid.report.words.typeset import mathtext
 
 SIGNATURES = {"pdf": b"%PDF-", "svg": b"<?xml", "png": b"\x89PNG"}
@@ -205,7 +205,7 @@ def test_shares_of_every_determined_quantity_fill_its_bar():
 
 
 def test_shares_are_told_apart_without_colour():
-    hatches = [style.get("hatch") for style in SHARE.values()]
+    hatches = [role.look.hatch for role in SOURCES.values()]
     assert len(set(hatches)) == len(hatches)
 
 
@@ -285,7 +285,7 @@ def test_expectation_far_outside_the_profile_is_given_in_words():
     ],
 )
 def test_label_tells_the_origin_and_the_power_of_ten(low, high, label):
-    assert readable((low, high), (low + high) / 2).label("J", "kg m^2") == label
+    assert readable((low, high), (low + high) / 2).axis("J", "kg m^2", (low, high)).label == label
 
 
 def test_scale_is_what_its_label_says():

@@ -9,6 +9,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from plotly.offline import get_plotlyjs
 
 from exoid.report.document.replacing import replacing
+from exoid.report.figures.draw import draw
 from exoid.report.parts.case import Case
 from exoid.report.sections.advice import Advice
 from exoid.report.sections.determined import Told
@@ -70,6 +71,7 @@ def templates() -> Environment:
         lstrip_blocks=True,
     )
     made.filters["tidy"] = tidy
+    made.filters["drawn"] = draw
     made.filters["typeset"] = typeset
     return made
 

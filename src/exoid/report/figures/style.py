@@ -1,41 +1,21 @@
-"""How the figures of the report look: the colours of those for print, drawn by plotly."""
+"""How the figures of the report look: letters, grid, and each role's look as plotly has it."""
 
 from typing import Any
 
-import numpy as np
-from jaxtyping import Float
-from plotly.graph_objects import Figure as Drawing
-from plotly.graph_objects import Scatter
+from exoid.report.pictures.role import BLACK, GREY, Look
 
-from exoid.report.plots.diagnosis import MARKED
-from exoid.report.plots.style import MEASURED, MEMBER, RESIDUAL, SHARE
-
-MOST = 1500  # samples of a curve; more are not seen, and make the page heavy
+LARGER = 1.6  # pixels of a line for a point on paper
+LARGER_MARK = 2.1  # and of a marker
+FADED = 0.75  # of a band, beside lines that shine on a screen
 INK, FAINT, PAPER = "#222222", "#e3e3e3", "#ffffff"
-GREY = "#595959"
-BAND: dict[str, Any] = {"fillcolor": "rgba(0,0,0,0.13)", "line_width": 0, "layer": "below"}
-
-STRONGEST: dict[str, Any] = {
-    "fillcolor": MARKED["color"],
-    "opacity": MARKED["alpha"],
-    "line_width": 0,
-    "layer": "below",
+SYMBOLS = {
+    "circle": "circle",
+    "diamond": "diamond",
+    "square": "square",
+    "down": "triangle-down",
+    "up": "triangle-up",
+    "limit": "line-ns-open",
 }
-
-MEASURED_LINE = {"color": MEASURED["color"], "width": 4}
-SIMULATED_LINE = {"color": "#000000", "width": 1.4, "dash": "5px,2px"}
-RESIDUAL_LINE = {"color": RESIDUAL["color"], "width": 1.2}
-FOUND_LINE = {"color": MEMBER["color"], "width": 1.8, "dash": "6px,3px"}
-PLAIN_LINE = {"color": GREY, "width": 1.2}
-HATCH = {"fgcolor": "#000000", "fillmode": "overlay", "size": 7}
-SHARE_LOOK: dict[str, dict[str, Any]] = {
-    source: {
-        "color": look["facecolor"],
-        "pattern": {"shape": shape, **HATCH},
-    }
-    for (source, look), shape in zip(SHARE.items(), ("", "/", "x"), strict=True)
-}
-
 AXIS: dict[str, Any] = {
     "gridcolor": FAINT,
     "linecolor": GREY,
@@ -69,33 +49,33 @@ TEMPLATE: dict[str, Any] = {
     },
 }
 
-Samples = Float[np.ndarray, " sample"]
+
+def line(look: Look) -> dict[str, Any]:
+    """Of a curve or a rule."""
+    width = LARGER * look.width
+    dash = None if look.dash is None else ",".join(f"{width * part:.1f}px" for part in look.dash)
+    return {"color": look.colour, "width": width, **({"dash": dash} if dash else {})}
 
 
-def blank(height: int, **layout: Any) -> Drawing:
-    """A drawing with nothing in it yet, so many pixels high."""
-    return Drawing(layout={"template": TEMPLATE, "height": height, **layout})
+def dots(look: Look) -> dict[str, Any]:
+    """Of its markers."""
+    hollow = {"symbol": f"{SYMBOLS[look.marker]}-open", "line": {"width": 2}}
+    limit = {"line": {"width": 2}} if look.marker == "limit" else {}
+    return {
+        "color": look.colour,
+        "symbol": SYMBOLS[look.marker],
+        "size": LARGER_MARK * look.size,
+        "opacity": look.opacity,
+        **(hollow if look.hollow else limit),
+    }
 
 
-def thinned(samples: Samples) -> slice:
-    """Every so manieth sample, where there are too many to see."""
-    return slice(None, None, -(-samples.size // MOST))
+def area(look: Look) -> dict[str, Any]:
+    """Of a band."""
+    return {"fillcolor": look.colour, "opacity": FADED * look.opacity, "line": {"width": 0}}
 
 
-def curve(drawing: Drawing, time: Samples, samples: Samples, **look: Any) -> None:
-    """Samples over time [s] as a line, thinned where there are too many."""
-    kept = thinned(time)
-    drawing.add_trace(Scatter(x=compact(time[kept]), y=compact(samples[kept]), **look))
-
-
-def compact(samples: Any) -> Float[np.ndarray, "*any"]:
-    """With as many digits as a drawing needs."""
-    return np.asarray(samples, dtype=np.float32)
-
-
-def stacked(heights: list[float], gap: float) -> list[tuple[float, float]]:
-    """The places of panels above each other, of these relative heights, in parts of the whole."""
-    free = 1 - gap * (len(heights) - 1)
-    sizes = [free * height / sum(heights) for height in heights]
-    tops = [1 - sum(sizes[:at]) - gap * at for at in range(len(sizes))]
-    return [(max(top - size, 0.0), min(top, 1.0)) for top, size in zip(tops, sizes, strict=True)]
+def bar(look: Look) -> dict[str, Any]:
+    """Of a bar, which has an edge."""
+    hatch = {"shape": look.hatch, "fgcolor": BLACK, "fillmode": "overlay", "size": 7}
+    return {"color": look.colour, "pattern": hatch, "line": {"color": BLACK, "width": 0.5}}

@@ -2,18 +2,30 @@
 
 from math import ceil
 from pathlib import Path
+from textwrap import fill
 from typing import Any
 
 from matplotlib import rc_context
-from matplotlib.figure import Figure
+from matplotlib.figure import Figure, SubFigure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 
 from exoid.fitting.errors.profile import Profile
 from exoid.fitting.result.fit_result import FitResult
 from exoid.report.document.replacing import replacing
-from exoid.report.plots.motion import chosen_segments, draw_motion
-from exoid.report.plots.profiles import draw_profiles, rows_of
-from exoid.report.plots.sources import draw_sources
+from exoid.report.pictures.determined import shares_of
+from exoid.report.pictures.motion import chosen_segments, motion_of
+from exoid.report.pictures.profiles import profile_of, rows_of
+from exoid.report.pictures.search import (
+    PAIRS,
+    costs_of,
+    differ,
+    ended,
+    family_of,
+    missing,
+    pairs_of,
+)
+from exoid.report.plots.arrange import draw_bands, draw_rows, head
+from exoid.report.plots.draw import draw, name_all
 from exoid.report.plots.style import TEXT
 
 FORMATS = ("pdf", "svg", "png")
@@ -24,6 +36,7 @@ SEGMENT = 2.6  # inches that a segment needs across
 MOTION = 4.8  # inches that its four panels need
 SOURCES = 3.3  # inches
 PROFILES = 2.3  # inches per row
+WORDS = 30  # letters across a panel
 EMBEDDED: dict[Any, Any] = {"pdf.fonttype": 42, "svg.fonttype": "path"}
 
 
@@ -32,23 +45,48 @@ def plot_fit(result: FitResult, profiles: dict[str, Profile] | None = None) -> F
     numbers, and how much worse the fit gets where one of them is held elsewhere.
     """
     segments = chosen_segments(result)
+    gyro = any(each.angular_velocity is not None for each in segments)
     bands = ceil(len(segments) / ACROSS)
     across = ceil(len(segments) / bands)
-    curves = rows_of(profiles or {})
+    curves = [[profile_of(each) for each in row] for row in rows_of(profiles or {})]
     heights = [MOTION * bands, SOURCES, *([PROFILES * len(curves) + 0.5] if curves else [])]
     with rc_context(TEXT):
         size = (max(NARROWEST, SEGMENT * across), sum(heights))
         figure = Figure(figsize=size, layout=ConstrainedLayoutEngine(w_pad=0.07, h_pad=0.05))
         parts = figure.subfigures(len(heights), 1, squeeze=False, height_ratios=heights)[:, 0]
-        draw_motion(parts[0], segments, across)
+        columns = [motion_of(each)[: 4 if gyro else 3] for each in segments]
+        draw_bands(parts[0], columns, across)
         draw_sources(parts[1], result)
         if curves:
-            draw_profiles(parts[2], curves)
+            head(parts[2], "How far each quantity can move before the fit gets worse")
+            draw_rows(parts[2], curves, 5)
         if len(segments) < len(result.segments):
             figure.suptitle(
                 f"The {len(segments)} of {len(result.segments)} segments with the largest RMSE"
             )
     return figure
+
+
+def draw_sources(figure: SubFigure, result: FitResult) -> None:
+    """Shares (and costs, where starts ended at different ones), then the pairs that trade off."""
+    head(figure, "What determined the numbers")
+    report = result.multistart
+    told = [costs_of(report)] if differ(report) else []
+    told.append(shares_of(result))
+    families = [family_of(result, pair) for pair in pairs_of(result)]
+    places = list(figure.subplots(1, len(told) + len(PAIRS)))
+    for axes, panel in zip(places, [*told, *families], strict=False):
+        draw(axes, panel)
+    places[0].set_title(ended(report), loc="left")
+    places[len(told) - 1].tick_params(axis="y", length=0)
+    empty = places[len(told) + len(families) :]
+    for axes in empty:
+        axes.set_axis_off()
+    for axes in empty[:1]:
+        lines = [line for words in missing(result) for line in words.split("\n")]
+        wrapped = "\n".join(fill(line, WORDS * len(empty)) for line in lines)
+        axes.text(0, 1, wrapped, va="top").set_in_layout(False)
+    name_all(figure, places, "lower", 6)
 
 
 def save_figure(figure: Figure, path: str | Path) -> None:

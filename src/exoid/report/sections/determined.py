@@ -3,9 +3,9 @@
 from dataclasses import dataclass
 from typing import ClassVar
 
-from exoid.report.figures.figure import Figure
-from exoid.report.figures.shares import draw_shares
 from exoid.report.parts.case import Case
+from exoid.report.pictures.determined import show_shares
+from exoid.report.pictures.panel import Picture
 from exoid.report.sections.section import Section
 from exoid.report.sections.table import Table, quantity
 from exoid.report.words.typeset import formula
@@ -24,7 +24,7 @@ class Told(Section):
     sentences: tuple[str, ...]
     combinations: Table
     segments: Table
-    figure: Figure
+    figure: Picture
 
     @classmethod
     def of(cls, case: Case) -> "Told":
@@ -33,7 +33,7 @@ class Told(Section):
             sentences=(ALONE,) if told is None else said(told),
             combinations=combinations(told),
             segments=segments(told, [each.name for each in case.fit.segments]),
-            figure=draw_shares(case.fit),
+            figure=show_shares(case.fit),
         )
 
 

@@ -4,12 +4,12 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from exoid.pendulum.drops import Drop, PendulumTest, measure_drops
-from exoid.report.figures.drops import draw_drop
-from exoid.report.figures.figure import Figure
 from exoid.report.parts.case import Case
+from exoid.report.pictures.drops import show_drop
+from exoid.report.pictures.panel import Picture
 from exoid.report.sections.section import Section
 from exoid.report.sections.table import Table
-from exoid.report.tables.drops import SOURCE, by_reason, mean, shown_unit, value
+from exoid.report.tables.drops import SOURCE, by_reason, loaded, mean, shown_unit, value
 from exoid.report.words.text import counted
 from exoid.report.words.typeset import formula
 
@@ -26,7 +26,7 @@ class Drops(Section):
 
     table: Table
     average: str
-    figures: tuple[Figure, ...]
+    figures: tuple[Picture, ...]
     refused: tuple[str, ...]
     source: str
 
@@ -39,7 +39,7 @@ class Drops(Section):
         return cls(
             table=table_of(read, test),
             average=average(read, test),
-            figures=tuple(draw_drop(drop, number) for number, drop in enumerate(read[:SHOWN])),
+            figures=tuple(show_drop(drop, number) for number, drop in enumerate(read[:SHOWN])),
             refused=tuple(refused(test)),
             source=SOURCE,
         )
@@ -69,8 +69,7 @@ def table_of(read: list[Drop], test: PendulumTest) -> Table:
 
 
 def head(drop: Drop) -> str:
-    loaded = f", {drop.added_mass:.3g} kg added" if drop.added_mass else ""
-    return f"segment {drop.name}{loaded}"
+    return f"segment {drop.name}{loaded(drop)}"
 
 
 def average(read: list[Drop], test: PendulumTest) -> str:

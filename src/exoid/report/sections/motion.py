@@ -4,10 +4,9 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from exoid.fitting.result.fit_result import FitResult, SegmentFit
-from exoid.report.figures.figure import Figure
-from exoid.report.figures.motion import draw_motion
 from exoid.report.parts.case import Case
-from exoid.report.plots.motion import chosen_segments
+from exoid.report.pictures.motion import chosen_segments, show_motion
+from exoid.report.pictures.panel import Picture
 from exoid.report.sections.section import Section
 from exoid.report.sections.table import Table
 from exoid.report.tables.fit import reading, torque
@@ -23,7 +22,7 @@ class Motion(Section):
     name: ClassVar[str] = "motion"
     title: ClassVar[str] = "Measured against simulated"
 
-    figures: tuple[tuple[str, Figure], ...]  # with their titles
+    figures: tuple[tuple[str, Picture], ...]  # with their titles
     left_out: int
     printed: tuple[str, ...]  # names of the figures that paper has room for
     table: Table
@@ -33,7 +32,7 @@ class Motion(Section):
     def of(cls, case: Case) -> "Motion":
         fit, chosen = case.fit, chosen_segments(case.fit)
         drawn = tuple(
-            (f"Segment {each.name}, {each.kind}", draw_motion(each, number))
+            (f"Segment {each.name}, {each.kind}", show_motion(each, number))
             for number, each in enumerate(chosen)
         )
         return cls(

@@ -4,10 +4,9 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from exoid.fitting.result.fit_result import MultistartReport
-from exoid.report.figures.costs import draw_costs
-from exoid.report.figures.families import draw_families
-from exoid.report.figures.figure import Figure
 from exoid.report.parts.case import Case
+from exoid.report.pictures.panel import Picture
+from exoid.report.pictures.search import pairs_of, show_costs, show_family
 from exoid.report.sections.section import Section
 from exoid.report.sections.table import Table
 from exoid.report.tables.fit import span
@@ -23,8 +22,8 @@ class Multistart(Section):
 
     summary: str
     failures: tuple[str, ...]
-    costs: Figure | None
-    families: tuple[Figure, ...]
+    costs: Picture | None
+    families: tuple[Picture, ...]
     ranges: Table
 
     @classmethod
@@ -37,8 +36,8 @@ class Multistart(Section):
                 f"{counted(count, 'start')} failed: {reason}."
                 for reason, count in report.failures.items()
             ),
-            costs=draw_costs(report),
-            families=tuple(draw_families(case.fit)),
+            costs=show_costs(report),
+            families=tuple(show_family(case.fit, pair) for pair in pairs_of(case.fit)),
             ranges=Table(
                 "Any set within these ranges that keeps the ratios fits equally well",
                 {

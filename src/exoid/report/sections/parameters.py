@@ -5,9 +5,9 @@ from math import degrees
 from typing import ClassVar
 
 from exoid.fitting.result.fit_result import Estimate, FitResult
-from exoid.report.figures.figure import Figure
-from exoid.report.figures.parameters import draw_parameters
 from exoid.report.parts.case import Case
+from exoid.report.pictures.determined import show_parameters
+from exoid.report.pictures.panel import Picture
 from exoid.report.sections.section import Section
 from exoid.report.sections.table import Table, quantity
 from exoid.report.tables.fit import MOUNTED, bounds, expectation, limited_by, remarks
@@ -22,7 +22,7 @@ class Parameters(Section):
     name: ClassVar[str] = "parameters"
     title: ClassVar[str] = "The leg's numbers"
 
-    figure: Figure | None
+    figure: Picture | None
     table: Table
     ratios: Table
     mountings: Table
@@ -33,7 +33,7 @@ class Parameters(Section):
     def of(cls, case: Case) -> "Parameters":
         quantities = parameters_of(case.fit)
         return cls(
-            figure=draw_parameters(quantities),
+            figure=show_parameters(quantities),
             table=table_of(quantities),
             ratios=ratios_of(case.fit),
             mountings=mountings_of(case.fit),

@@ -7,12 +7,11 @@ from exoid.fitting.result.agreement import of_the_rest
 from exoid.fitting.result.fit_result import Estimate
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.report.parts.case import Case
-from exoid.report.plots.diagnosis import title as verdict
 from exoid.report.sections.parameters import parameters_of
 from exoid.report.sections.quality import appraisals
 from exoid.report.sections.section import Section
 from exoid.report.sections.table import Table, quantity
-from exoid.report.words.diagnosis import named, only_sensors
+from exoid.report.words.diagnosis import named, only_sensors, verdict
 from exoid.report.words.text import capital, counted, in_degrees
 from exoid.report.words.typeset import formula
 

@@ -35,9 +35,8 @@ def print_drops(test: PendulumTest, console: Console) -> None:
 
 def print_drop(drop: Drop, console: Console) -> None:
     """One drop: what was read, and why the rest was not."""
-    loaded = f", {drop.added_mass:.3g} kg added" if drop.added_mass else ""
     begins = f", which begins at {drop.segment.begins:.2f} s" if drop.segment.begins else ""
-    heading(console, f"Drop of segment {drop.name}{begins}{loaded}")
+    heading(console, f"Drop of segment {drop.name}{begins}{loaded(drop)}")
     read = [each for each in drop.measures.values() if each.value is not None]
     columns = {
         "measure": [each.title for each in read],
@@ -50,6 +49,11 @@ def print_drop(drop: Drop, console: Console) -> None:
     refused = {each.title: each.reason for each in drop.measures.values() if each.reason}
     for reason, titles in by_reason(refused).items():
         say(console, f"- not read: {', '.join(titles)}: {reason}.", hanging=2)
+
+
+def loaded(drop: Drop) -> str:
+    """The mass that was added, as words that follow its name."""
+    return f", {drop.added_mass:.3g} kg added" if drop.added_mass else ""
 
 
 def print_average(test: PendulumTest, console: Console) -> None:

@@ -22,6 +22,13 @@ def headline(found: Diagnosis) -> str:
     return "Something is missing."
 
 
+def verdict(found: Diagnosis) -> str:
+    """What is missing by its name, where it has one; else the headline."""
+    if found.verdict != "mismatch" or found.novel or not found.selected:
+        return headline(found)
+    return "Missing: " + " and ".join(titles(found))
+
+
 def only_sensors(found: Diagnosis) -> bool:
     """Is all that was found what encoder and gyro show of each other, and the fit estimates?"""
     return found.verdict == "mismatch" and not found.changed and not found.novel

@@ -60,6 +60,11 @@ def capital(words: str) -> str:
     return words[:1].upper() + words[1:]
 
 
+def in_words(name: str) -> str:
+    """The name of a parameter as a sentence or an axis has it."""
+    return name.replace("_", " ")
+
+
 def in_degrees(angle: float) -> str:
     """rad as degrees with three digits, never as a power of ten."""
     value = degrees(angle)

@@ -13,6 +13,7 @@ GREEK = {"tau": "τ", "phi": "φ", "omega": "ω", "w": "ω"}
 ATOM = re.compile(
     r"(?<![A-Za-z_&])(?P<name>tau|phi|omega|[A-Za-z])(?:_(?P<word>[a-z]+)|(?P<number>\d+))?(?![A-Za-z])"
 )
+SYMBOL = re.compile(r"`([^`]*)`")
 NAMED = r"(?:(?:tau|phi|omega)(?:_[a-z]+)?|[mJldcTr](?:_[a-z])?|[awt]_[a-z]|A[01]|D\d)"
 CHAIN = rf"{NAMED}(?: (?:{NAMED}|g)(?!\w))*"
 UNIT = r"[A-Za-z][A-Za-z²³^0-9]*"
@@ -42,6 +43,18 @@ def mathtext(symbol: str) -> str:
 def as_mathtext(atom: re.Match[str]) -> str:
     low = atom["word"] or atom["number"]
     return letter(atom) + (rf"_{{\mathrm{{{low}}}}}" if low else "")
+
+
+def with_mathtext(words: str) -> str:
+    """Words with symbols between backticks, for matplotlib."""
+    return SYMBOL.sub(lambda found: mathtext(found[1]), tidy(words))
+
+
+def with_formulas(words: str) -> Markup:
+    """The same as HTML."""
+    parts = SYMBOL.split(tidy(words))
+    set_ = [formula(part) if at % 2 else escape(part) for at, part in enumerate(parts)]
+    return Markup("".join(set_)).replace("\n", Markup("<br>"))
 
 
 def letter(atom: re.Match[str]) -> str:

@@ -5,11 +5,9 @@ from typing import ClassVar
 
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.mismatch.evidence.locate import Location
-from exoid.report.figures.figure import Figure
-from exoid.report.figures.mismatch.plane import draw_plane
-from exoid.report.figures.mismatch.torque import draw_torque
 from exoid.report.parts.case import Case
-from exoid.report.plots.diagnosis import worst
+from exoid.report.pictures.mismatch.torque import show_plane, show_torque, worst
+from exoid.report.pictures.panel import Picture
 from exoid.report.sections.section import Section
 from exoid.report.sections.table import Table
 from exoid.report.words.diagnosis import only_sensors, where
@@ -29,9 +27,9 @@ class Parting(Section):
     title: ClassVar[str] = "Where they part"
 
     sentence: str
-    figures: tuple[Figure, ...]
+    figures: tuple[Picture, ...]
     left_out: int
-    plane: Figure
+    plane: Picture
     regions: Table
 
     @classmethod
@@ -42,9 +40,9 @@ class Parting(Section):
         numbers, location = worst(found), found.location
         return cls(
             sentence=capital(where(found)) if parted(found) else NOTHING,
-            figures=tuple(draw_torque(location, number) for number in numbers),
+            figures=tuple(show_torque(location, number) for number in numbers),
             left_out=len(location.missing) - len(numbers),
-            plane=draw_plane(location),
+            plane=show_plane(location),
             regions=regions(location),
         )
 

@@ -4,14 +4,13 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from exoid.mismatch.answer.diagnosis import Diagnosis, Finding, Parameter
-from exoid.report.figures.figure import Figure
-from exoid.report.figures.mismatch.bars import draw_bars
 from exoid.report.parts.case import Case
-from exoid.report.plots.diagnosis import title as verdict
+from exoid.report.pictures.mismatch.causes import show_causes
+from exoid.report.pictures.panel import Picture
 from exoid.report.sections.section import Section
 from exoid.report.sections.table import Table
 from exoid.report.tables.diagnosis import candidates
-from exoid.report.words.diagnosis import sentences, value
+from exoid.report.words.diagnosis import sentences, value, verdict
 
 SAID = (
     "Missing",
@@ -36,7 +35,7 @@ class Physics(Section):
     sentences: dict[str, str]
     effects: tuple[Finding, ...]
     parameters: Table
-    figure: Figure
+    figure: Picture
     candidates: Table
     excluded: str
 
@@ -51,7 +50,7 @@ class Physics(Section):
             sentences={title: lines[title] for title in SAID if title in lines},
             effects=tuple(found.findings),
             parameters=parameters(found.parameters if found.verdict == "mismatch" else []),
-            figure=draw_bars(found),
+            figure=show_causes(found),
             candidates=ranked(found),
             excluded=", ".join(found.excluded).replace("_", " "),
         )

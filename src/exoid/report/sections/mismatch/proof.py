@@ -4,10 +4,10 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from exoid.mismatch.answer.diagnosis import Booked, Diagnosis
-from exoid.report.figures.figure import Figure
-from exoid.report.figures.mismatch.proof import draw_proof
 from exoid.report.parts.case import Case
-from exoid.report.plots.diagnosis import worst
+from exoid.report.pictures.mismatch.proof import show_proof
+from exoid.report.pictures.mismatch.torque import worst
+from exoid.report.pictures.panel import Picture
 from exoid.report.sections.section import Section
 from exoid.report.sections.table import Table
 from exoid.report.words.diagnosis import proof
@@ -28,7 +28,7 @@ class Proof(Section):
     title: ClassVar[str] = "Before and after, on held-out data"
 
     sentence: str
-    figures: tuple[Figure, ...]
+    figures: tuple[Picture, ...]
     table: Table
     booked: Table
 
@@ -39,7 +39,7 @@ class Proof(Section):
             return None
         return cls(
             sentence=sentence(found),
-            figures=tuple(draw_proof(found, number) for number in worst(found)),
+            figures=tuple(show_proof(found, number) for number in worst(found)),
             table=predicted(found),
             booked=booked(found.booked if found.changed else []),
         )

@@ -1,20 +1,17 @@
-"""What an axis shows and how its numbers read: limits that keep to the point, short tick labels."""
+"""What an axis shows and how its numbers read: limits that keep to the point, short numbers."""
 
 from dataclasses import dataclass
 
 import numpy as np
 from jaxtyping import Float
-from matplotlib.axis import Axis
-from matplotlib.ticker import MaxNLocator, ScalarFormatter
 
+from exoid.report.pictures.panel import Axis, Range
 from exoid.report.words.text import exponent
 
 GROWN = 3.0  # times what must be seen, at most
 MARGIN = 0.06  # of the view, at either end
 CLOSE = 5e-3  # relative half width below which ticks would need more than four digits
 PLAIN = (1e-2, 1e4)  # sizes that are read without a power of ten
-
-Range = tuple[float, float]
 
 
 @dataclass(frozen=True)
@@ -28,13 +25,13 @@ class Scale:
     def of(self, values):
         return (np.asarray(values, dtype=float) - self.origin) / 10.0**self.power
 
-    def label(self, name: str, unit: str) -> str:
+    def axis(self, name: str, unit: str, seen: Range) -> Axis:
         """name - origin [10^power unit]."""
         power = f"1e{self.power} " if self.power else ""
-        if not self.origin:
-            return f"{name} [{power}{unit}]"
         sign = "-+"[self.origin < 0]
-        return f"{name} {sign} {abs(self.origin):.{self.decimals}f} [{power}{unit}]"
+        origin = f" {sign} {abs(self.origin):.{self.decimals}f}" if self.origin else ""
+        low, high = self.of(seen).tolist()
+        return Axis(f"{name}{origin}", f"{power}{unit}", (low, high))
 
 
 def readable(view: Range, centre: float) -> Scale:
@@ -64,9 +61,3 @@ def view(needed: list[float], others: Float[np.ndarray, " value"]) -> Range:
     low, high = low - below, high + above
     margin = MARGIN * (high - low) or MARGIN * abs(high) or 1.0
     return float(low - margin), float(high + margin)
-
-
-def tick(axis: Axis, most: int) -> None:
-    """Few ticks, without matplotlib's own offset."""
-    axis.set_major_locator(MaxNLocator(most))
-    axis.set_major_formatter(ScalarFormatter(useOffset=False))

@@ -1,30 +1,20 @@
 """Profiles of a fit: how much worse it gets where one quantity is held elsewhere."""
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import SubFigure
 
 from exoid.fitting.errors.profile import RISE, Profile
 from exoid.fitting.result.estimates import RATIOS
-from exoid.report.plots.axis import Range, Scale, readable, tick, view
-from exoid.report.plots.style import (
-    EXPECTED,
-    INTERVAL,
-    LEVEL,
-    PARABOLA,
-    PROFILE,
-    head,
-    in_words,
-    name_all,
-)
-from exoid.report.words.keyboard_text import tidy
-from exoid.report.words.text import MOST_DECIMALS, NOT_DETERMINED, exponent, written
-from exoid.report.words.typeset import mathtext
+from exoid.report.pictures.axis import Scale, readable, view
+from exoid.report.pictures.panel import Axis, Line, Mark, Note, Panel, Points, Range, Region, Rule
+from exoid.report.pictures.role import Role
+from exoid.report.words.text import MOST_DECIMALS, NOT_DETERMINED, exponent, in_words, written
 
 MOST = 6  # panels side by side
 TOP = 9.5  # of the rise: three standard errors, and a little
 FOOT = -3.0  # room for the expectation below the curve
 EXPECTED_AT = -1.1  # rise at which the expectation is marked
+BESIDE = -2.1  # rise at which words stand instead
+RISES = tuple((rise, f"{rise:.0f}") for rise in (0.0, 3.0, 6.0, 9.0))
 
 
 def rows_of(profiles: dict[str, Profile]) -> list[list[Profile]]:
@@ -34,37 +24,25 @@ def rows_of(profiles: dict[str, Profile]) -> list[list[Profile]]:
     return [row[:MOST] for row in (parameters, ratios) if row]
 
 
-def draw_profiles(figure: SubFigure, rows: list[list[Profile]]) -> None:
-    """One panel per quantity, on one scale of the rise."""
-    head(figure, "How far each quantity can move before the fit gets worse")
-    panels = figure.subplots(len(rows), max(map(len, rows)), squeeze=False)
-    for row, axes in zip(rows, panels, strict=True):
-        for profile, panel in zip(row, axes, strict=False):
-            draw_profile(panel, profile)
-        for panel in axes[len(row) :]:
-            panel.set_axis_off()
-        for panel in axes[1:]:
-            panel.tick_params(labelleft=False)
-        axes[0].set_ylabel("rise of 2 x loss [-]")
-    name_all(figure, list(panels.flat), "outside lower center", 5)
-
-
-def draw_profile(axes: Axes, profile: Profile) -> None:
+def profile_of(profile: Profile) -> Panel:
     """The curve, its 95 % interval, what the standard error alone would say, the expectation."""
-    seen = seen_of(profile)
-    value = profile.estimate.value
-    scale = readable(seen, best(profile) if value is None else value)
-    axes.axvspan(*scale.of(interval(profile)), **INTERVAL)
-    axes.axhline(RISE, **LEVEL)
-    draw_parabola(axes, profile, scale, seen)
-    axes.plot(scale.of(profile.value), profile.rise, **PROFILE)
-    mark_expected(axes, profile, scale, seen)
+    each, seen = profile.estimate, seen_of(profile)
+    scale = readable(seen, best(profile) if each.value is None else each.value)
     across = np.clip((best(profile) - seen[0]) / (seen[1] - seen[0]), 0.15, 0.85)
-    axes.text(across, RISE, "95 %", ha="center", va="bottom", transform=axes.get_yaxis_transform())
-    axes.set(xlim=tuple(scale.of(seen)), ylim=(FOOT, TOP), yticks=[0, 3, 6, 9])
-    axes.set_xlabel(scale.label(mathtext(profile.estimate.symbol), tidy(profile.estimate.unit)))
-    axes.set_title(title(profile), loc="left")
-    tick(axes.xaxis, 4)
+    marks = (
+        Region(Role.INTERVAL, *scale.of(interval(profile)).tolist()),
+        Rule(Role.LEVEL, RISE),
+        *parabola(profile, scale, seen),
+        Line(Role.PROFILE, scale.of(profile.value), profile.rise),
+        *expectation(profile, scale, seen),
+        Note("95 %", float(across), RISE),
+    )
+    return Panel(
+        scale.axis(f"`{each.symbol}`", each.unit, seen),
+        Axis("rise of 2 x loss", "-", (FOOT, TOP), ticks=RISES),
+        marks,
+        title(profile),
+    )
 
 
 def best(profile: Profile) -> float:
@@ -91,42 +69,35 @@ def interval(profile: Profile) -> Range:
     )
 
 
-def draw_parabola(axes: Axes, profile: Profile, scale: Scale, seen: Range) -> None:
+def parabola(profile: Profile, scale: Scale, seen: Range) -> tuple[Mark, ...]:
     """((x - value) / standard error)^2, where there is one."""
     value, error = profile.estimate.value, profile.estimate.standard_error
-    if value is not None and error:
-        across = np.linspace(*seen, 101)
-        axes.plot(scale.of(across), ((across - value) / error) ** 2, **PARABOLA)
+    if value is None or not error:
+        return ()
+    across = np.linspace(*seen, 101)
+    return (Line(Role.PARABOLA, scale.of(across), ((across - value) / error) ** 2),)
 
 
-def mark_expected(axes: Axes, profile: Profile, scale: Scale, seen: Range) -> None:
+def expectation(profile: Profile, scale: Scale, seen: Range) -> tuple[Mark, ...]:
     """What the prior expects, with its deviation; in words where it lies outside the view."""
     expected, deviation = profile.estimate.expected, profile.estimate.expected_deviation
     if expected is None:
-        return
-    bar = None if deviation is None else deviation / 10.0**scale.power
-    axes.errorbar(float(scale.of(expected)), EXPECTED_AT, xerr=bar, elinewidth=1, **EXPECTED)
+        return ()
     if not seen[0] <= expected <= seen[1]:
         right = expected > seen[1]
         words = f"expected {expected:.3g} →" if right else f"← expected {expected:.3g}"
-        axes.text(
-            0.98 if right else 0.02,
-            EXPECTED_AT - 0.2,
-            words,
-            ha="right" if right else "left",
-            va="top",
-            color=EXPECTED["color"],
-            transform=axes.get_yaxis_transform(),
-        )
+        return (Note(words, 0.98 if right else 0.02, BESIDE),)
+    error = None if deviation is None else deviation / 10.0**scale.power
+    place = np.atleast_1d(scale.of(expected)), np.array([EXPECTED_AT])
+    return (Points(Role.EXPECTED, *place, error),)
 
 
 def title(profile: Profile) -> str:
     """Name, value with its error, and the 95 % interval or what is there instead."""
     each = profile.estimate
-    value = NOT_DETERMINED if each.value is None else f"{written(each)} {tidy(each.unit)}"
-    symbol = mathtext(each.symbol)
-    name = symbol if profile.name in RATIOS else f"{in_words(profile.name)} {symbol}"
-    return f"{name}\n{value}\n{limits(profile)}"
+    value = NOT_DETERMINED if each.value is None else f"{written(each)} {each.unit}"
+    name = "" if profile.name in RATIOS else f"{in_words(profile.name)} "
+    return f"{name}`{each.symbol}`\n{value}\n{limits(profile)}"
 
 
 def limits(profile: Profile) -> str:

@@ -1,0 +1,84 @@
+"""Draws a picture by plotly: its panels above each other."""
+
+from math import log10
+from typing import Any
+
+from plotly.graph_objects import Figure as Drawing
+
+from exoid.report.figures.figure import Figure
+from exoid.report.figures.marks import MOST, Place, draw_mark
+from exoid.report.figures.style import TEMPLATE
+from exoid.report.pictures.panel import Axis, Line, Note, Panel, Picture
+from exoid.report.words.typeset import with_formulas
+
+UNIT = 64  # pixels of a panel of size one
+SHARED, APART = 8, 58  # pixels between panels on one axis, and between axes
+LEGEND, EDGE, FOOT = 38, 12, 46  # pixels above the panels, and below them
+FINE = 2.5  # powers of ten, below which 1, 2 and 5 of each are named
+
+
+def draw(picture: Picture) -> Figure:
+    """With the same words; where samples are too many to be seen, the caption says so."""
+    panels = picture.panels
+    shared = all(panel.across == panels[0].across for panel in panels)
+    drawing, named = Drawing(layout={"template": TEMPLATE}), dict[str, bool]()
+    for number, panel in enumerate(panels, start=1):
+        place = Place(named_axis("x", 1 if shared else number), named_axis("y", number), panel)
+        absent = (Note(panel.absent, 0.5, 0.0),) if panel.absent else ()
+        for mark in (*panel.marks, *absent):
+            draw_mark(drawing, mark, place, named)
+    arrange(drawing, panels, SHARED if shared else APART, len(panels) if shared else None)
+    top = LEGEND if named else EDGE
+    height = drawing.layout.height + top + FOOT  # pyright: ignore[reportAttributeAccessIssue]
+    drawing.update_layout(height=height, showlegend=bool(named), margin={"t": top})
+    if any(panel.of(Line) for panel in panels):
+        drawing.update_layout(hovermode="x unified", hoversubplots="axis")
+    step = max([-(-each.x.size // MOST) for panel in panels for each in panel.of(Line)], default=1)
+    drawn = "" if step <= 1 else f" One sample in {step} is drawn."
+    return Figure(picture.name, picture.alt, f"{picture.caption}{drawn}", drawing, picture.linked)
+
+
+def arrange(drawing: Drawing, panels: tuple[Panel, ...], gap: int, lowest: int | None) -> None:
+    """The axes of panels above each other; `lowest` is the number of the one that all share."""
+    heights = [UNIT * panel.size for panel in panels]
+    whole = sum(heights) + gap * (len(panels) - 1)
+    top = whole
+    for number, (panel, height) in enumerate(zip(panels, heights, strict=True), start=1):
+        domain = [max(top - height, 0.0) / whole, top / whole]
+        drawing.update_layout({f"yaxis{number}": {**edge(panel.up), "domain": domain}})
+        if lowest is None or number == lowest:
+            at = "" if lowest else number
+            anchored = {
+                **edge(panel.across),
+                "anchor": named_axis("y", number),
+                "hoverformat": ".4~g",
+            }
+            drawing.update_layout({f"xaxis{at}": anchored})
+        top -= height + gap
+    drawing.update_layout(height=int(whole), barmode="overlay", bargap=0.25)
+
+
+def named_axis(letter: str, number: int) -> str:
+    """As plotly calls it: the first has no number."""
+    return letter if number == 1 else f"{letter}{number}"
+
+
+def edge(axis: Axis) -> dict[str, Any]:
+    """An axis as plotly has it."""
+    if axis.hidden:
+        return {"visible": False, "fixedrange": True, "range": axis.limits}
+    made: dict[str, Any] = {"title": {"text": with_formulas(axis.label)}, "nticks": 6}
+    if axis.limits is not None:
+        made["range"] = axis.limits
+    if axis.reversed:
+        made["autorange"] = "reversed"
+    if axis.logarithmic:
+        made |= {"type": "log"}
+    if axis.logarithmic and axis.limits is not None:
+        low, high = map(log10, axis.limits)
+        made |= {"range": [low, high], "dtick": "D2" if high - low < FINE else 1}
+    if axis.ticks:
+        places, names = zip(*axis.ticks, strict=True)
+        shown = [with_formulas(name) for name in names]
+        made |= {"tickvals": places, "ticktext": shown, "ticks": "", "showgrid": False}
+    return made

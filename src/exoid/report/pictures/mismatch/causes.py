@@ -1,0 +1,60 @@
+"""What every cause leaves unexplained."""
+
+import numpy as np
+
+from exoid.mismatch.answer.diagnosis import Diagnosis
+from exoid.report.parts.causes import LEAST, Cause, causes
+from exoid.report.pictures.panel import Axis, Bars, Panel, Picture, Rule
+from exoid.report.pictures.role import Role
+
+BAR = 0.53  # size of one
+LARGE = 1000.0  # times the noise, from which on three digits would be a power of ten
+NARROWEST = 20.0  # times the noise: at least two powers of ten
+ROOM = 1.3  # times the longest bar on its logarithmic axis, for the number beside it
+
+
+def causes_of(found: Diagnosis) -> Panel:
+    """The baseline first, then the causes that leave least; on a logarithmic axis."""
+    rows = causes(found)
+    chosen = [row for row, each in enumerate(rows) if each.chosen]
+    others = [row for row, each in enumerate(rows) if not each.chosen]
+    most = max(NARROWEST, *(row.left for row in rows))
+    limits = LEAST, LEAST * (most / LEAST) ** ROOM
+    marks = (
+        bars(Role.CHOSEN_CAUSE, rows, chosen),
+        bars(Role.CAUSE, rows, others),
+        Rule(Role.FLOOR, 1.0, upright=True),
+    )
+    return Panel(
+        Axis("mean square left / noise", "-", limits, logarithmic=True),
+        Axis(ticks=tuple((float(at), row.name) for at, row in enumerate(rows)), reversed=True),
+        marks,
+        "what explains it",
+        BAR * len(rows),
+    )
+
+
+def bars(role: Role, rows: list[Cause], numbers: list[int]) -> Bars:
+    """Those of these rows."""
+    lengths = np.array([max(rows[at].left, LEAST) for at in numbers])
+    words = tuple(in_times(rows[at].left) for at in numbers)
+    return Bars(role, np.array(numbers, dtype=float), lengths, words=words)
+
+
+def show_causes(found: Diagnosis) -> Picture:
+    rows = causes(found)
+    least = min(rows[1:], key=lambda row: row.left, default=rows[0])
+    return Picture(
+        "causes",
+        "Bars of what every cause leaves unexplained, as mean square over the noise. Eq. 9 alone "
+        f"leaves {in_times(rows[0].left)}; {' '.join(least.name.split())} leaves "
+        f"{in_times(least.left)}.",
+        "How much each explanation leaves, on a logarithmic scale: the dashed line is the noise "
+        "itself, nothing is left below it. Blue without stripes: what was chosen.",
+        (causes_of(found),),
+    )
+
+
+def in_times(left: float) -> str:
+    """With three digits, and never as a power of ten."""
+    return f"{left:.3g}" if left < LARGE else f"{left:.0f}"

@@ -1,0 +1,214 @@
+"""A picture is drawn twice, for print and for a page: both hold its numbers, and no others."""
+
+from itertools import chain
+
+import numpy as np
+import pytest
+from diagnosis_by_hand import found
+from matplotlib.collections import LineCollection, PathCollection
+from matplotlib.container import BarContainer, ErrorbarContainer
+from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
+from test_plots import fitted, profiled, without_gyro
+
+from exoid.pendulum.drops import measure_drops
+from exoid.report.figures.draw import draw as draw_page
+from exoid.report.pictures.determined import shares_of, show_parameters
+from exoid.report.pictures.drops import drop_of
+from exoid.report.pictures.mismatch.causes import causes_of
+from exoid.report.pictures.mismatch.proof import proof_of
+from exoid.report.pictures.mismatch.torque import plane_of, torque_of
+from exoid.report.pictures.motion import motion_of
+from exoid.report.pictures.panel import (
+    Band,
+    Bars,
+    Cloud,
+    Line,
+    Note,
+    Panel,
+    Picture,
+    Points,
+    Region,
+    Rule,
+    Span,
+)
+from exoid.report.pictures.profiles import profile_of
+from exoid.report.pictures.search import costs_of, family_of, pairs_of
+from exoid.report.plots.draw import draw as draw_print
+from exoid.report.words.typeset import with_formulas, with_mathtext
+from swings import drop
+
+
+def panels_of(name: str) -> list[Panel]:
+    """Everything of one kind that a report shows."""
+    fit, diagnosis = fitted(), found()
+    parameters = show_parameters(fit.parameters)
+    assert parameters is not None
+    return {
+        "motion": lambda: [*motion_of(fit.segments[0]), *motion_of(without_gyro(fit.segments[1]))],
+        "costs": lambda: [costs_of(fit.multistart)],
+        "shares": lambda: [shares_of(fit)],
+        "families": lambda: [family_of(fit, pair) for pair in pairs_of(fit)],
+        "parameters": lambda: list(parameters.panels),
+        "profiles": lambda: [profile_of(each) for each in profiled().values()],
+        "drops": lambda: list(drop_of(measure_drops(drop()).drops[0])),
+        "torque": lambda: [torque_of(diagnosis.location, 0), plane_of(diagnosis.location)],
+        "causes": lambda: [causes_of(diagnosis)],
+        "proof": lambda: [proof_of(diagnosis, 0)],
+    }[name]()
+
+
+NAMES = [
+    "motion",
+    "costs",
+    "shares",
+    "families",
+    "parameters",
+    "profiles",
+    "drops",
+    "torque",
+    "causes",
+    "proof",
+]
+
+
+def printed(panel: Panel) -> list[tuple]:
+    """What matplotlib drew, as the numbers that it holds now."""
+    axes = Figure().subplots()
+    draw_print(axes, panel)
+    clouds = [each for each in axes.collections if isinstance(each, PathCollection)]
+    bars = [each for each in axes.containers if isinstance(each, BarContainer)]
+    lying = {id(patch) for each in bars for patch in each}
+    spans = [p for p in axes.patches if isinstance(p, Rectangle) and id(p) not in lying]
+    errors = [each for each in axes.collections if isinstance(each, LineCollection)]
+    ended = [each for each in axes.containers if isinstance(each, ErrorbarContainer)]
+    caps = {id(cap) for each in ended for cap in each[1]}
+    return [
+        *(("curve", *each.get_xydata().T) for each in axes.lines if id(each) not in caps),
+        *(("cloud", *each.get_offsets().T, each.get_array()) for each in clouds),
+        *(("bars", *np.array([bar_of(patch) for patch in each]).T) for each in bars),
+        *(("area", *each.get_bbox().intervalx, *each.get_bbox().intervaly) for each in spans),
+        *(("error", *np.ptp(segment, axis=0)) for e in errors for segment in e.get_segments()),
+        *(("arrow", *each.xyann, *each.xy) for each in axes.texts if is_arrow(each)),
+        *(("words", each.get_text()) for each in axes.texts if each.get_text()),
+    ]
+
+
+def bar_of(patch) -> tuple[float, float, float]:
+    """Where it begins, its row, its length."""
+    return patch.get_x(), patch.get_y() + patch.get_height() / 2, patch.get_width()
+
+
+def is_arrow(text) -> bool:
+    return getattr(text, "arrow_patch", None) is not None
+
+
+def on_page(panel: Panel) -> list[tuple]:
+    """What plotly drew."""
+    drawn = draw_page(Picture("one", "", "", (panel,))).drawing
+    found: list[tuple] = []
+    for each in drawn.data:
+        if each.type == "bar":
+            begin = np.zeros(len(each.x)) if each.base is None else each.base
+            found.append(("bars", begin, each.y, each.x))
+            found += [("words", text) for text in each.text or ()]
+        elif isinstance(each.marker.color, np.ndarray):
+            found.append(("cloud", each.x, each.y, each.marker.color))
+        else:
+            found.append(("curve", each.x, each.y))
+        if each.type != "bar":
+            found += [("error", 2 * one, 0.0) for one in each.error_x.array or ()]
+            found += [("error", 0.0, 2 * one) for one in each.error_y.array or ()]
+    for each in drawn.layout.shapes:
+        kind = {"rect": "area", "line": "curve"}[each.type]
+        ends = [each.x0, each.x1], [each.y0, each.y1]
+        found.append((kind, *ends) if kind == "curve" else (kind, *chain(*ends)))
+    for each in drawn.layout.annotations:
+        arrow = each.ax is not None
+        found.append(("arrow", each.ax, each.ay, each.x, each.y) if arrow else ("words", each.text))
+    return found
+
+
+def expected(panel: Panel, typeset) -> list[tuple]:
+    """What the description says."""
+    said: list[tuple] = []
+    for each in panel.marks:
+        if isinstance(each, Line | Points):
+            said.append(("curve", each.x, each.y))
+        if isinstance(each, Points):
+            errors = [(2 * (each.x_error or 0), 0.0), (0.0, 2 * (each.y_error or 0))]
+            said += [("error", *pair) for pair in errors if any(pair)] * each.x.size
+        if isinstance(each, Cloud):
+            said.append(("cloud", each.x, each.y, each.value))
+        if isinstance(each, Band):
+            said.append(("area", 0.0, 1.0, each.low, each.high))
+        if isinstance(each, Region):
+            said.append(("area", each.begin, each.end, 0.0, 1.0))
+        if isinstance(each, Rule):
+            level, whole = [each.at, each.at], [0.0, 1.0]
+            said.append(("curve", *((level, whole) if each.upright else (whole, level))))
+        if isinstance(each, Bars):
+            begin = np.zeros(each.rows.size) if each.begin is None else each.begin
+            said.append(("bars", begin, each.rows, each.lengths))
+            said += [("words", word) for word in each.words]
+        if isinstance(each, Span):
+            said += [("arrow", *each.begin, *each.end), ("words", typeset(each.name))]
+        if isinstance(each, Note):
+            said.append(("words", typeset(each.words)))
+    return said + [("words", panel.absent)] * bool(panel.absent)
+
+
+def same(one: tuple, other: tuple) -> bool:
+    """To the digits of float32, which a page keeps."""
+    if one[0] != other[0] or len(one) != len(other):
+        return False
+    if one[0] == "words":
+        return one == other
+    each = [
+        (np.asarray(a, float), np.asarray(b, float))
+        for a, b in zip(one[1:], other[1:], strict=True)
+    ]
+    return all(a.shape == b.shape and np.allclose(a, b, 1e-5, 1e-6) for a, b in each)
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize(
+    ("drawn", "typeset"),
+    [(printed, with_mathtext), (on_page, with_formulas)],
+    ids=["print", "page"],
+)
+def test_a_drawing_holds_what_its_panel_says_and_nothing_else(name, drawn, typeset):
+    panels = panels_of(name)
+    assert panels
+    for panel in panels:
+        shown, said = drawn(panel), expected(panel, typeset)
+        assert said
+        for each in said:
+            assert any(same(each, other) for other in shown), each[0]
+        assert len(shown) == len(said)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_axes_bear_the_same_words_and_limits_in_both(name):
+    for panel in panels_of(name):
+        axes = Figure().subplots()
+        draw_print(axes, panel)
+        layout = draw_page(Picture("one", "", "", (panel,))).drawing.layout
+        for axis, label, page, seen in (
+            (panel.across, axes.get_xlabel(), layout.xaxis, axes.get_xlim()),
+            (panel.up, axes.get_ylabel(), layout.yaxis, axes.get_ylim()),
+        ):
+            assert label == with_mathtext(axis.label)
+            assert page.visible is False or page.title.text == with_formulas(axis.label)
+            if axis.limits is not None:
+                np.testing.assert_allclose(seen, axis.limits)
+                limits = np.power(10, page.range) if axis.logarithmic else page.range
+                np.testing.assert_allclose(limits, axis.limits)
+
+
+def test_every_role_that_a_legend_names_has_a_name_of_its_own():
+    for name in NAMES:
+        for panel in panels_of(name):
+            drawn = draw_page(Picture("one", "", "", (panel,))).drawing
+            shown = [each.name for each in drawn.data if each.showlegend]
+            assert len(shown) == len(set(shown))
