@@ -7,8 +7,9 @@ from benchmarks.pendulum import GRAVITY, Leg
 from benchmarks.sbc.prior_draws import draw
 
 from exoid.fitting.estimate import fit
+from exoid.fitting.model.belief import Belief
 from exoid.fitting.model.constraint import violations
-from exoid.fitting.model.prior_and_limits import Belief, believe
+from exoid.fitting.model.prior_and_limits import believe
 from exoid.planning.candidate_recordings import Candidate
 from exoid.planning.plan import Plan, plan
 from exoid.recordings.recording import Recording, Subject

@@ -5,8 +5,9 @@ from benchmarks.pendulum import Leg
 from benchmarks.promises.world import CAMERA, Act, recorded
 from benchmarks.sbc.prior_draws import draw
 
+from exoid.fitting.model.belief import Belief
 from exoid.fitting.model.constraint import violations
-from exoid.fitting.model.prior_and_limits import Belief, believe
+from exoid.fitting.model.prior_and_limits import believe
 from exoid.physics.leg import LegParameters
 from exoid.recordings.recording import Recording, Subject
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from exoid.fitting.data.conditioning_chain import Raw
-from exoid.fitting.data.observation import observe
+from exoid.fitting.data.observe import observe
 from exoid.fitting.data.segment import movement
 from exoid.fitting.misfit.condensed import condense, linear_model
 from exoid.fitting.misfit.residual import Stage

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from exoid.fitting.data.observation import LONGEST_STEP, bucket, observe
+from exoid.fitting.data.observe import LONGEST_STEP, bucket, observe
 from exoid.fitting.data.segment import movement
 from exoid.fitting.model.systematics import SOMEWHERE
 from exoid.physics.leg import LegModel

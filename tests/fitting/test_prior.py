@@ -10,8 +10,9 @@ from scipy.stats import multivariate_normal
 
 from exoid.fitting.estimate import fit
 from exoid.fitting.model.assumptions import Assumptions
+from exoid.fitting.model.belief import NAMES
 from exoid.fitting.model.prior import joint_prior, log_jacobian, prior_residual, with_own
-from exoid.fitting.model.prior_and_limits import NAMES, believe
+from exoid.fitting.model.prior_and_limits import believe
 from exoid.physics.anatomy import expected_leg
 from exoid.physics.leg import GRAVITY, LegParameters
 from fit_cases import BODY, DROP, leg, recorded

@@ -4,7 +4,7 @@ import equinox as eqx
 import numpy as np
 import pytest
 
-from exoid.fitting.data.observation import observe
+from exoid.fitting.data.observe import observe
 from exoid.fitting.data.segment import movement
 from exoid.mismatch.sensors.consistency import consistency
 from fit_cases import DROP, recorded

@@ -8,10 +8,12 @@ import numpy as np
 
 from exoid.fitting.data.conditioning import conditioned
 from exoid.fitting.data.fitted_samples import Clip
-from exoid.fitting.data.segment import Movement, movement
+from exoid.fitting.data.movement import Movement
+from exoid.fitting.data.segment import movement
 from exoid.fitting.hands.unseen_hands import without_unseen_hands
 from exoid.fitting.model.assumptions import Assumptions, BoundsName, PriorName, by_hand
-from exoid.fitting.model.prior_and_limits import NAMES, Belief, believe
+from exoid.fitting.model.belief import NAMES, Belief
+from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.model.user_values import Bounds, Expectations, Fixed
 from exoid.fitting.multistart.search import Ended, search
 from exoid.fitting.multistart.starts import draw, informed

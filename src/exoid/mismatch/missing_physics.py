@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from exoid.fitting.data.segment import Movement
+from exoid.fitting.data.movement import Movement
 from exoid.fitting.estimate import fit
 from exoid.fitting.result.fit_result import FitResult
 from exoid.mismatch.answer.diagnosis import Diagnosis

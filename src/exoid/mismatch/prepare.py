@@ -6,8 +6,8 @@ import equinox as eqx
 import jax
 import numpy as np
 
+from exoid.fitting.data.movement import Movement
 from exoid.fitting.data.observation import Observation
-from exoid.fitting.data.segment import Movement
 from exoid.fitting.model.coordinates import Coordinates, Mounting
 from exoid.fitting.model.systematics import OF_THE_GYRO, OWNED
 from exoid.fitting.multistart.starts import first_state, usual_mounting

@@ -8,7 +8,7 @@ from typing import Annotated
 import jax
 import numpy as np
 
-from exoid.fitting.data.segment import Movement as Observed
+from exoid.fitting.data.movement import Movement as Observed
 from exoid.fitting.data.segment import movement
 from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.torque import NoTorque

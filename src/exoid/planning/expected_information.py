@@ -13,12 +13,12 @@ import jax
 import numpy as np
 
 from exoid.fitting.data.conditioning_chain import Raw
-from exoid.fitting.data.segment import Movement
+from exoid.fitting.data.movement import Movement
 from exoid.fitting.misfit.gram_matrices import CAUSES, gram, pushes
 from exoid.fitting.misfit.information import common, spoiled
 from exoid.fitting.misfit.uncertainty import Information
+from exoid.fitting.model.belief import NAMES
 from exoid.fitting.model.coordinates import TYPICAL, Coordinates, Own
-from exoid.fitting.model.prior_and_limits import NAMES
 from exoid.fitting.model.systematics import OWNED, SOMEWHERE
 from exoid.fitting.multistart.starts import first_state, usual_mounting
 from exoid.fitting.result.estimates import RATIOS

@@ -11,8 +11,9 @@ from jaxtyping import Float
 from exoid.fitting.misfit.information import Disturbance
 from exoid.fitting.misfit.neighbourhood import prior_information, quantity_gradients
 from exoid.fitting.model.assumptions import Assumptions
+from exoid.fitting.model.belief import NAMES, Belief
 from exoid.fitting.model.coordinates import Coordinates, Mounting, Own, Shared, leg_parameters
-from exoid.fitting.model.prior_and_limits import NAMES, Belief, believe
+from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.model.systematics import OWNED, Systematics
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.solve.problem import Problem, take

@@ -6,8 +6,8 @@ import equinox as eqx
 import numpy as np
 
 from exoid.fitting.misfit.uncertainty import Information
+from exoid.fitting.model.belief import NAMES
 from exoid.fitting.model.coordinates import QUANTITIES
-from exoid.fitting.model.prior_and_limits import NAMES
 from exoid.fitting.multistart.starts import usual_mounting
 from exoid.fitting.multistart.tethers import FINE
 from exoid.fitting.multistart.weight_by_kind import explained

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from exoid.recordings.motion.extent import find_free
+from exoid.recordings.motion.find_free import find_free
 from exoid.recordings.motion.signal import signal_of
 from hands import ADULT, SPASTIC, Device, Hand, Knee, dropped
 

@@ -5,7 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from exoid.recordings.motion.extent import Motionless, find_free
+from exoid.recordings.motion.extent import Motionless
+from exoid.recordings.motion.find_free import find_free
 from exoid.recordings.motion.signal import signal_of
 from exoid.recordings.recording import Segment, Sensors
 from hands import ADULT, SPASTIC, Device, Hand, dropped

@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.fitting.data.conditioning_chain import Chain, MovingAverage, Raw, SettledKalman
-from exoid.fitting.data.observation import LONGEST_STEP
-from exoid.fitting.data.segment import Movement
+from exoid.fitting.data.movement import Movement
+from exoid.fitting.data.observe import LONGEST_STEP
 from exoid.recordings.recording import Samples
 from exoid.recordings.signal.condition import moving_average
 

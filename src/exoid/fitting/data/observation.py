@@ -3,23 +3,9 @@
 from typing import Any
 
 import equinox as eqx
-import jax
-import numpy as np
 from jaxtyping import Float, Int
 
-from exoid.fitting.data.segment import Movement, smoothed_motion
-from exoid.fitting.model.systematics import SOMEWHERE, beside_unplaced
 from exoid.physics.motion.step import Drive
-from exoid.physics.torque import cycle_shape
-from exoid.recordings.recording import Samples
-from exoid.recordings.signal.condition import (
-    interpolated,
-    local_line,
-    torque_frequencies,
-)
-
-LONGEST_STEP = 0.02  # s; a gap or slow sampling is bridged by samples that weigh nothing
-GUIDE_WIDTH = 0.06  # s, over which angle and velocity are smoothed to guide a start
 
 
 class Observation(eqx.Module):
@@ -44,100 +30,3 @@ class Observation(eqx.Module):
     added_mass_extent: Float[Any, "*segment"]  # m^2, its squared radius of gyration
     thigh_angle: Float[Any, "*segment"]  # rad, the knee above the hip
     seat: Int[Any, "*segment"]  # which recording's mounting it has
-
-
-def observe(movements: list[Movement], reading: str) -> Observation:
-    """All movements in one shape; `reading` of Eq. 4 gives the torque its frequency."""
-    grids = [with_gaps_bridged(each.segment.time) for each in movements]
-    size = bucket(max(grid.size for grid in grids))
-    rows = [
-        one_observation(each, grid, size, reading)
-        for each, grid in zip(movements, grids, strict=True)
-    ]
-    seen = jax.tree.map(lambda *each: np.stack(each), *rows)
-    numbers = sorted({each.recording for each in movements})
-    seat = np.array([numbers.index(each.recording) for each in movements])
-    moves = np.array(
-        [float(each.unplaced or not beside_unplaced(each, movements)) for each in movements]
-    )
-    return eqx.tree_at(lambda seen: (seen.seat, seen.added_mass_moves), seen, (seat, moves))
-
-
-def bucket(size: int) -> int:
-    """The shape that serves this many samples: one of a few, 256 or 384 times a power of two, so
-    that a recording of a new length seldom needs compiling.
-    """
-    whole = 256
-    while whole < size:
-        whole = whole * 3 // 2 if whole % 3 else whole * 4 // 3
-    return whole
-
-
-def with_gaps_bridged(time: Samples) -> Samples:
-    """The sample times, and more between them where they are farther apart than a safe step."""
-    pieces = np.maximum(np.ceil(np.diff(time) / LONGEST_STEP - 1e-6), 1).astype(int)
-    parts = [
-        np.linspace(start, stop, count, endpoint=False)
-        for start, stop, count in zip(time[:-1], time[1:], pieces, strict=True)
-        if count > 1
-    ]
-    if not parts:
-        return time
-    return np.union1d(time, np.concatenate(parts))
-
-
-def one_observation(each: Movement, grid: Samples, size: int, reading: str) -> Observation:
-    own = each.segment.time
-    at = np.searchsorted(grid, own)
-    step = np.median(np.diff(grid))
-    time = np.concatenate([grid, grid[-1] + step * np.arange(1, size - grid.size + 1)])
-
-    def placed(samples: Samples | None, noise: float) -> tuple[Samples, Samples]:
-        value, weight = np.zeros(size), np.zeros(size)
-        if samples is not None:
-            known = ~np.isnan(samples)
-            value[at[known]], weight[at[known]] = samples[known], 1 / noise
-        return value, weight
-
-    angle, angle_weight = placed(each.angle, each.residual_unit)
-    velocity, velocity_weight = placed(each.angular_velocity, each.velocity_noise)
-    guide, _ = smoothed_motion(each, GUIDE_WIDTH)
-    slope = local_line(own, guide, GUIDE_WIDTH)[1]  # of the angle itself, whatever the gyro says
-    return Observation(
-        time=time,
-        angle=angle,
-        angular_velocity=velocity,
-        angle_weight=angle_weight,
-        velocity_weight=velocity_weight,
-        guide_angle=np.interp(time, own, guide),
-        guide_velocity=np.interp(time, own, slope),
-        cycle=staged(time, lambda at: cycle_torque(at - each.onset, each, reading)),
-        torque=staged(time, lambda at: measured_torque(at, each)),
-        added_mass=np.asarray(each.added_mass),
-        added_mass_distance=np.asarray(SOMEWHERE if each.unplaced else each.added_mass_distance),
-        added_mass_moves=np.asarray(1.0),
-        added_mass_extent=np.asarray(each.systematics.expected_extent),
-        thigh_angle=np.asarray(each.thigh_angle),
-        seat=np.asarray(0),
-    )
-
-
-def staged(time: Samples, torque) -> Drive:
-    """A torque at the begin, middle and end of every step."""
-    return Drive(torque(time[:-1]), torque((time[:-1] + time[1:]) / 2), torque(time[1:]))
-
-
-def cycle_torque(time: Samples, each: Movement, reading: str) -> Samples:
-    """Eq. 10 for unit amplitude at `time` since the onset, 0 where nothing is voluntary."""
-    if not each.voluntary:
-        return np.zeros_like(time)
-    frequency = torque_frequencies(each.period)[reading]
-    return cycle_shape(time, each.period, frequency, xp=np)
-
-
-def measured_torque(time: Samples, each: Movement) -> Samples:
-    """The torque that was measured [N m], linear between its samples."""
-    torque = each.segment.applied_torque
-    if each.kind != "measured" or torque is None:
-        return np.zeros_like(time)
-    return np.interp(time, each.segment.time, interpolated(each.segment.time, torque))

@@ -1,80 +1,19 @@
-"""A segment as it enters the fit: its channels, its extent, its clock, its noise."""
+"""Segments made ready for the fit: channels chosen and cleaned, the extent found."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from exoid.fitting.data.fitted_samples import Clip, Portion, portion
-from exoid.fitting.model.systematics import DECLARED_NOTHING, Systematics, systematics
-from exoid.recordings.motion.extent import Extent
+from exoid.fitting.data.movement import Movement
+from exoid.fitting.model.systematics import systematics
 from exoid.recordings.recording import Recording, Samples, Segment
 from exoid.recordings.signal.clean import clean
 from exoid.recordings.signal.condition import SMOOTHING, classify, cut, local_line
-from exoid.recordings.signal.noise import Noise
 
 REVERSED = -0.5  # of the angle's own slope: below it a gyro turns the other way
-
-
-@dataclass(frozen=True, eq=False)
-class Movement:
-    """A segment as it enters the fit: clipped, on its own clock, with its noise and its drive."""
-
-    name: str  # of the recording, and the segment's number in it
-    kind: str  # passive, active or measured
-    kind_said: bool  # by the sidecar; otherwise it was taken from the shape of the motion
-    segment: Segment
-    angle: Samples  # rad, the channel that is fitted
-    angular_velocity: Samples | None
-    filtered: bool  # that channel went through the firmware's filter
-    noise: Noise  # of the angle [rad]
-    gyro_noise: Noise | None  # rad/s
-    onset: float  # s, where the clock of Eq. 10 starts
-    period: float  # s, of the cycle; nan where there is none
-    added_mass: float  # kg
-    added_mass_distance: float  # m, nan where it is to be estimated
-    thigh_angle: float  # rad
-    recording: int = 0  # of those that are fitted together
-    extent: Extent | None = None  # how it began and ended; None where the whole segment is kept
-    systematics: Systematics = DECLARED_NOTHING  # how well what is declared is known
-    late: int = 0  # samples from the first that weigh nothing, though nobody was seen to hold it
-    kept: int | None = None  # samples after which a hand holds it that only a fit has seen
-    divisor: float | None = None  # rad, of the angle's residuals; None: its noise
-
-    @property
-    def angle_noise(self) -> float:
-        """Standard deviation of an angle sample [rad]."""
-        return self.noise.level
-
-    @property
-    def residual_unit(self) -> float:
-        """What a fit divides the angle's residuals by [rad]."""
-        return self.angle_noise if self.divisor is None else self.divisor
-
-    @property
-    def velocity_noise(self) -> float:
-        """Standard deviation of a gyro sample [rad/s]; infinite without a gyro."""
-        return np.inf if self.gyro_noise is None else self.gyro_noise.level
-
-    @property
-    def source(self) -> str:
-        """The recording, by its name where there are several."""
-        return self.name.rpartition(" ")[0] or "recording"
-
-    @property
-    def voluntary(self) -> bool:
-        return self.kind == "active"
-
-    @property
-    def scaled(self) -> bool:
-        """Does a known mass or torque act, so that this segment can tell the inertia?"""
-        return self.kind == "measured" or self.added_mass > 0
-
-    @property
-    def unplaced(self) -> bool:
-        """Is it unknown where the added mass sat?"""
-        return self.added_mass > 0 and bool(np.isnan(self.added_mass_distance))
 
 
 def movement(

@@ -17,6 +17,7 @@ from jaxtyping import Bool, Float
 from exoid.fitting.errors.nuts import move_chains
 from exoid.fitting.errors.posterior_density import Target, points, posed
 from exoid.fitting.misfit.uncertainty import ON_BOUND
+from exoid.fitting.model.belief import NAMES
 from exoid.fitting.model.constraint import violations
 from exoid.fitting.model.coordinates import (
     QUANTITIES,
@@ -25,7 +26,6 @@ from exoid.fitting.model.coordinates import (
     quantities,
     torque_amplitudes,
 )
-from exoid.fitting.model.prior_and_limits import NAMES
 from exoid.fitting.result.estimates import RATIOS
 from exoid.fitting.result.fit_result import Basis, FitResult
 from exoid.fitting.result.mountings import FIELDS, MOUNTING, known, outside

@@ -17,6 +17,7 @@ from exoid.fitting.misfit.condensed import condense, linear_model, weighed
 from exoid.fitting.misfit.disturbance import whitening
 from exoid.fitting.misfit.neighbourhood import columns, prior_information
 from exoid.fitting.misfit.residual import Stage
+from exoid.fitting.model.belief import Belief
 from exoid.fitting.model.constraint import SIZE, Limits, violations
 from exoid.fitting.model.coordinates import (
     Coordinates,
@@ -28,7 +29,6 @@ from exoid.fitting.model.coordinates import (
     unscaled,
 )
 from exoid.fitting.model.prior import Prior, log_jacobian, mounting_residual, prior_residual
-from exoid.fitting.model.prior_and_limits import Belief
 from exoid.fitting.result.fit_result import Basis
 from exoid.fitting.solve.problem import around, take
 from exoid.fitting.solve.program import mountings

@@ -15,6 +15,7 @@ from jaxtyping import Float
 
 from exoid.fitting.misfit.neighbourhood import penalties, weighed
 from exoid.fitting.misfit.uncertainty import decomposed, spread
+from exoid.fitting.model.belief import NAMES
 from exoid.fitting.model.coordinates import (
     QUANTITIES,
     Coordinates,
@@ -23,7 +24,6 @@ from exoid.fitting.model.coordinates import (
     unflattened,
     unscaled,
 )
-from exoid.fitting.model.prior_and_limits import NAMES
 from exoid.fitting.multistart.search import FEASIBLE, LIMITED
 from exoid.fitting.result.estimates import RATIOS
 from exoid.fitting.result.fit_result import Basis, Estimate, FitResult

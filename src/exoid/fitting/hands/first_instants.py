@@ -6,7 +6,8 @@ Where the rest of the movement fits without these instants and they do not, they
 
 import numpy as np
 
-from exoid.fitting.data.segment import Movement, weightless
+from exoid.fitting.data.movement import Movement
+from exoid.fitting.data.segment import weightless
 from exoid.fitting.multistart.search import Ended
 from exoid.fitting.multistart.weight_by_kind import NOISY
 from exoid.fitting.solve.problem import Problem

@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from exoid.fitting.data.segment import Movement
+from exoid.fitting.data.movement import Movement
 from exoid.fitting.hands.first_instants import differ, disturbed, doubtful, without_first_instants
 from exoid.fitting.hands.last_instants import without_hands
 from exoid.fitting.multistart.search import Ended

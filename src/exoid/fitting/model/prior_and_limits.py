@@ -1,10 +1,11 @@
 """What is believed of this leg before it moves: the prior and the limits of a fit."""
 
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
 import numpy as np
 
 from exoid.fitting.model.assumptions import Assumptions, BoundsName, PriorName
+from exoid.fitting.model.belief import NAMES, Belief
 from exoid.fitting.model.constraint import Limits
 from exoid.fitting.model.prior import Prior, joint_prior, no_prior, own_units, with_own
 from exoid.fitting.model.user_values import ByHand
@@ -21,34 +22,10 @@ from exoid.physics.leg import LegParameters
 from exoid.physics.parameter import declarations
 from exoid.recordings.recording import Subject
 
-NAMES = [name for name, _ in declarations(LegParameters)]
 TALL = 2.0  # m; the reach of a leg whose height is unknown
 DECADES = "d and c: a twentieth to twenty times a relaxed knee's"
 TORQUE = 250.0  # N m, of Eq. 13
 NO_REACH = 1e3  # m: Eq. 12 and 13 have none; an infinite one marks a rig
-
-
-@dataclass(frozen=True)
-class Belief:
-    """The prior in words and numbers, and the limits."""
-
-    name: PriorName
-    expected: ExpectedLeg | None
-    prior: Prior
-    limits: Limits
-    note: str
-    raw: bool = False  # are the prior's standard deviations a weighting, and no belief
-    bounds: BoundsName = "body"
-    by_hand: ByHand = field(default_factory=ByHand)
-
-    @property
-    def typical(self) -> dict[str, float]:
-        """Where to begin: what was said by hand, else what is expected; empty where nothing is."""
-        said = {name: value for name, (value, _) in self.by_hand.prior.items()}
-        said |= dict(self.by_hand.fix)
-        if self.expected is None:
-            return said
-        return {name: getattr(self.expected, name).value for name in NAMES} | said
 
 
 def believe(subject: Subject, assumed: Assumptions | None = None) -> Belief:

@@ -12,6 +12,7 @@ from jaxtyping import Array, Float
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.misfit.residual import Stage, predict, residual
+from exoid.fitting.model.belief import NAMES
 from exoid.fitting.model.constraint import NEVER, SIZE, SIZE_TORQUE, constraint_names, violations
 from exoid.fitting.model.coordinates import (
     TYPICAL,
@@ -24,7 +25,6 @@ from exoid.fitting.model.coordinates import (
     torque_amplitudes,
 )
 from exoid.fitting.model.prior import Prior, mounting_residual, prior_residual
-from exoid.fitting.model.prior_and_limits import NAMES
 from exoid.fitting.multistart.starts import first_state, usual_mounting
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.leg import GRAVITY

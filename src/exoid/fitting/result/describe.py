@@ -4,9 +4,9 @@ import numpy as np
 
 from exoid.fitting.misfit.neighbourhood import columns, told
 from exoid.fitting.misfit.uncertainty import Information
+from exoid.fitting.model.belief import NAMES
 from exoid.fitting.model.constraint import constraint_names
 from exoid.fitting.model.coordinates import flattened, unflattened
-from exoid.fitting.model.prior_and_limits import NAMES
 from exoid.fitting.multistart.search import SAME_LOSS, Ended
 from exoid.fitting.result.agreement import astray, believed, of_the_rest
 from exoid.fitting.result.equally_good import equally_good

@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.fitting.misfit.uncertainty import HELD, Information, Shares
+from exoid.fitting.model.belief import NAMES, Belief
 from exoid.fitting.model.coordinates import QUANTITIES
-from exoid.fitting.model.prior_and_limits import NAMES, Belief
 from exoid.fitting.model.user_values import Means
 from exoid.fitting.multistart.search import Ended
 from exoid.fitting.result.fit_result import Estimate

@@ -2,7 +2,7 @@
 
 from math import degrees
 
-from exoid.fitting.data.segment import Movement
+from exoid.fitting.data.movement import Movement
 from exoid.recordings.signal.noise import Noise
 
 

@@ -4,7 +4,7 @@ import numpy as np
 
 from exoid.fitting.misfit.disturbance import CORRELATED, Missed
 from exoid.fitting.misfit.information import Disturbance
-from exoid.fitting.model.prior_and_limits import Belief
+from exoid.fitting.model.belief import Belief
 from exoid.fitting.multistart.search import FEASIBLE, Ended, scale_told
 from exoid.fitting.multistart.weight_by_kind import NOISY
 from exoid.fitting.result.noise_remarks import noise_remarks

@@ -7,17 +7,18 @@ import jax
 import numpy as np
 
 from exoid.fitting.data.conditioning_chain import Chain
-from exoid.fitting.data.observation import Observation, observe
-from exoid.fitting.data.segment import Movement
+from exoid.fitting.data.movement import Movement
+from exoid.fitting.data.observation import Observation
+from exoid.fitting.data.observe import observe
 from exoid.fitting.misfit.condensed import Sensed
 from exoid.fitting.misfit.gram_matrices import Cause, Gram, declared, grams, pushes
 from exoid.fitting.misfit.information import Disturbance, spoiled
 from exoid.fitting.misfit.neighbourhood import Local, columns, gradients, neighbourhood
 from exoid.fitting.misfit.residual import Stage
+from exoid.fitting.model.belief import Belief
 from exoid.fitting.model.constraint import constraint_names
 from exoid.fitting.model.coordinates import QUANTITIES, Coordinates, flattened
 from exoid.fitting.model.prior import mounting_residual
-from exoid.fitting.model.prior_and_limits import Belief
 from exoid.fitting.model.systematics import OWNED, deviations, exact
 from exoid.fitting.solve.program_cache import run, run_sense
 from exoid.fitting.solve.program_values import Aim, Solved, Task

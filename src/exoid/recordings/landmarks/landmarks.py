@@ -12,7 +12,8 @@ from exoid.recordings.landmarks.rest import Rest, find_rest
 from exoid.recordings.landmarks.swing import Curve, back, curve, turned, turns
 from exoid.recordings.landmarks.track import FEWEST, HALF, SURE, Peak, Track, local, nearest
 from exoid.recordings.motion.acceleration import Law
-from exoid.recordings.motion.extent import Extent, Motionless, find_free
+from exoid.recordings.motion.extent import Extent, Motionless
+from exoid.recordings.motion.find_free import find_free
 from exoid.recordings.motion.signal import Signal
 
 SHARE = 0.6  # of its greatest acceleration with which a leg that is let go falls at first

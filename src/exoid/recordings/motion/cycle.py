@@ -4,7 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from exoid.recordings.motion.extent import Extent, first_movement, moving, nearest, released
+from exoid.recordings.motion.extent import Extent
+from exoid.recordings.motion.find_free import first_movement, moving, nearest, released
 from exoid.recordings.motion.signal import Signal, Speed, signal_of, speed_of
 from exoid.recordings.motion.thresholds import MARKED, TURN_OF_HOLD, WILFUL
 from exoid.recordings.recording import Segment, Sensors

@@ -8,7 +8,8 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 
 from exoid.recordings.motion.acceleration import Law, law_of
-from exoid.recordings.motion.extent import Extent, Motionless, find_free
+from exoid.recordings.motion.extent import Extent, Motionless
+from exoid.recordings.motion.find_free import find_free
 from exoid.recordings.motion.free_end import free_end, surely_free, swung
 from exoid.recordings.motion.signal import Signal, signal_of, speed_of
 from exoid.recordings.motion.thresholds import MARKED, SHORTEST

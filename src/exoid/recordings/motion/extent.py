@@ -1,27 +1,9 @@
-"""Where the movement of a segment begins and ends: one answer for everyone who asks."""
+"""A movement in a segment: where it begins and ends, and why there."""
 
 from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-
-from exoid.recordings.motion.acceleration import Law
-from exoid.recordings.motion.free_end import free_end, surely_free, swung
-from exoid.recordings.motion.letting_go import Case, LettingGo, begun_free, let_go
-from exoid.recordings.motion.signal import Signal, Speed, speed_of
-from exoid.recordings.motion.thresholds import (
-    CLEAR,
-    FALL,
-    HELD,
-    HOLD,
-    MARKED,
-    ODD,
-    ODDS,
-    REST,
-    TRAVEL,
-)
-from exoid.recordings.recording import Samples
-from exoid.recordings.signal.condition import interpolated, local_line, runs
 
 
 class Motionless(ValueError):
@@ -52,87 +34,3 @@ class Extent:
     def in_motion(self) -> bool:
         """Was the leg already moving when the recording began?"""
         return self.held_until is None and not self.doubted
-
-
-def find_free(
-    signal: Signal, *, handled: bool = True, shortest: float = MARKED, law: Law | None = None
-) -> Extent:
-    """The free movement of a drop. `handled`: by a person, whose hand may catch or lift the leg.
-
-    What was held for less than `shortest` s is said to begin free. A `law` is what other drops of
-    this leg have told. **Raises** `Motionless` where nothing moves.
-    """
-    speed = speed_of(signal)
-    first, _ = first_movement(signal, speed)
-    found = released(signal, speed, first)
-    gone = 0 if found is None else int(np.searchsorted(signal.time, found.gone))
-    held = None if found is None or found.release - signal.time[0] < shortest else found
-    start, free = (0, 0) if held is None else (nearest(signal.time, held.release), gone)
-    end = free_end(signal, speed, start, free, handled=handled, law=law)
-    sure = surely_free(swung(signal, speed, start)[0], free).stop
-    how = {"stop": end.stop, "hand": end.hand, "ended": end.ended, "why": end.why, "sure": sure}
-    if held is None:
-        return Extent(None, float(signal.time[0]), 0.0, 0, 0, **how, doubted=gone)
-    last = int(np.searchsorted(signal.time, held.begin, side="right")) - 1
-    return Extent(max(last, 0), held.release, held.error, start, free, **how)
-
-
-def first_movement(signal: Signal, speed: Speed) -> tuple[int, int]:
-    """The first and last sample of the first stretch that moves.
-
-    **Raises** `Motionless`.
-    """
-    filled = interpolated(signal.time, signal.angle)
-    smooth = local_line(signal.time, filled, speed.width)[0]
-    count = max(3, round(speed.width / signal.step))
-    least = max(TRAVEL, CLEAR * signal.angle_noise / np.sqrt(count))
-    for first, last in moving(signal.time, speed):
-        if np.ptp(smooth[max(first - 1, 0) : last + 2]) > least:
-            return departure(smooth[: last + 1], speed, first, least), last
-    raise Motionless(
-        f"nothing moves: no movement goes farther than {np.degrees(least):.2g} deg at more than "
-        f"{np.degrees(speed.still):.2g} deg/s, which the noise allows to tell."
-    )
-
-
-def departure(smooth: Samples, speed: Speed, first: int, least: float) -> int:
-    """From when on it moves one way until it is gone; a hand that trembles goes both ways."""
-    gone = np.abs(smooth[first:] - smooth[first]) > least
-    if not gone.any():
-        return first
-    there = first + int(np.argmax(gone))
-    ahead = np.sign(smooth[there] - smooth[first]) * speed.velocity[first : there + 1]
-    back = np.flatnonzero(ahead < speed.still)
-    return first + int(back[-1]) + 1 if back.size else first
-
-
-def moving(time: Samples, speed: Speed) -> list[tuple[int, int]]:
-    """The stretches between rests; a rest lasts, or is at an end of the record."""
-    moves = np.ones(time.size, dtype=bool)
-    for first, last in runs(np.abs(speed.velocity) < speed.still):
-        lasts = time[last] - time[first]
-        if lasts >= REST or (first == 0 or last == time.size - 1):
-            moves[first : last + 1] = False
-    return runs(moves)
-
-
-def released(
-    signal: Signal, speed: Speed, first: int, room: tuple[float, ...] = ODD
-) -> LettingGo | None:
-    """How the leg that first moves at `first` was let go; None where it begins in motion."""
-    time = signal.time
-    # Within half a window from the first sample nobody sees whether it moves.
-    seen = first > 0
-    about = float(time[first]) if seen else float(time[0]) + speed.width / 2
-    early = HOLD + speed.width
-    last = min(int(np.searchsorted(time, about + FALL)), time.size - 1)
-    pull = abs(float(speed.velocity[last])) / FALL
-    case = Case(signal, (about - early - HELD, about + FALL), pull, room)
-    found = let_go(case, max(about - early, float(time[0])), about + speed.width / 2)
-    if not seen and begun_free(case) < found.chi_square + ODDS * max(1.0, found.misfit):
-        return None
-    return found
-
-
-def nearest(time: Samples, at: float) -> int:
-    return int(np.argmin(np.abs(time - at)))

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from exoid.recordings.motion.extent import moving
+from exoid.recordings.motion.find_free import moving
 from exoid.recordings.motion.free_end import smoothed
 from exoid.recordings.motion.signal import signal_of, speed_of
 from exoid.recordings.motion.thresholds import ABOVE, CLEAR, MINOR, SWINGS, TRAVEL

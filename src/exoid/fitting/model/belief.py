@@ -1,0 +1,38 @@
+"""What a fit believes of a leg before it moves."""
+
+from dataclasses import dataclass, field
+
+from exoid.fitting.model.assumptions import BoundsName, PriorName
+from exoid.fitting.model.constraint import Limits
+from exoid.fitting.model.prior import Prior
+from exoid.fitting.model.user_values import ByHand
+from exoid.physics.anatomy import (
+    ExpectedLeg,
+)
+from exoid.physics.leg import LegParameters
+from exoid.physics.parameter import declarations
+
+NAMES = [name for name, _ in declarations(LegParameters)]
+
+
+@dataclass(frozen=True)
+class Belief:
+    """The prior in words and numbers, and the limits."""
+
+    name: PriorName
+    expected: ExpectedLeg | None
+    prior: Prior
+    limits: Limits
+    note: str
+    raw: bool = False  # are the prior's standard deviations a weighting, and no belief
+    bounds: BoundsName = "body"
+    by_hand: ByHand = field(default_factory=ByHand)
+
+    @property
+    def typical(self) -> dict[str, float]:
+        """Where to begin: what was said by hand, else what is expected; empty where nothing is."""
+        said = {name: value for name, (value, _) in self.by_hand.prior.items()}
+        said |= dict(self.by_hand.fix)
+        if self.expected is None:
+            return said
+        return {name: getattr(self.expected, name).value for name in NAMES} | said
