@@ -9,8 +9,8 @@ import pytest
 from exoid.fitting.data.conditioning_chain import Raw
 from exoid.fitting.data.observe import observe
 from exoid.fitting.data.segment import movement
-from exoid.fitting.misfit.condensed import condense, linear_model
-from exoid.fitting.misfit.residual import Stage
+from exoid.fitting.misfit.condense import condense, linear_model
+from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.coordinates import TYPICAL, scaled
 from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.motion.simulate import simulate

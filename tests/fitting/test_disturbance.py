@@ -6,7 +6,8 @@ import pytest
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.misfit.condensed import Sensed
 from exoid.fitting.misfit.disturbance import explain, restricted
-from exoid.fitting.misfit.gram_matrices import CAUSES, gram, grams, hats, matern, node_count, pushes
+from exoid.fitting.misfit.gram import CAUSES
+from exoid.fitting.misfit.gram_matrices import gram, grams, hats, matern, node_count, pushes
 from exoid.fitting.misfit.information import common, spoiled
 from exoid.physics.motion.step import Drive
 

@@ -9,7 +9,8 @@ import pytest
 from exoid.fitting.data.conditioning_chain import MovingAverage, Raw, SettledKalman
 from exoid.fitting.data.observe import observe
 from exoid.fitting.data.segment import movement
-from exoid.fitting.misfit.residual import Stage, predict, residual
+from exoid.fitting.misfit.residual import predict, residual
+from exoid.fitting.misfit.stage import Stage
 from exoid.physics.leg import LegModel
 from exoid.physics.state import LegState
 from exoid.physics.torque import MeasuredTorque, NoTorque

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from exoid.fitting.errors.profile import Profile
-from exoid.fitting.misfit.disturbance import Missed
 from exoid.fitting.misfit.information import common
+from exoid.fitting.misfit.missed import Missed
 from exoid.fitting.misfit.uncertainty import HELD, Shares
 from exoid.fitting.result.fit_result import Estimate, FitResult, MultistartReport, SegmentFit
 from exoid.report.document.fit_json import fit_document

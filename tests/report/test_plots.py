@@ -9,8 +9,8 @@ import pytest
 from matplotlib.figure import Figure
 
 from exoid.fitting.errors.profile import Profile
-from exoid.fitting.misfit.disturbance import Missed
 from exoid.fitting.misfit.information import common
+from exoid.fitting.misfit.missed import Missed
 from exoid.fitting.misfit.uncertainty import HELD, Shares
 from exoid.fitting.result.fit_result import Estimate, FitResult, MultistartReport, SegmentFit
 from exoid.report.pictures.axis import readable, view

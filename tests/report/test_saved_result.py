@@ -10,8 +10,7 @@ import pytest
 from rich.console import Console
 from test_fit_json import fitted
 
-from exoid.fitting.misfit.disturbance import Missed
-from exoid.fitting.misfit.information import Disturbance
+from exoid.fitting.misfit.missed import Disturbance, Missed
 from exoid.fitting.result.fit_result import Estimate, MountingFit
 from exoid.report.document.fit_json import fit_document
 from exoid.report.saved.saved_result import load_result, save_result

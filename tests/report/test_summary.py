@@ -7,7 +7,7 @@ from diagnosis_by_hand import doubtful, found, nothing
 from page_cases import made_up
 from test_fit_json import common
 
-from exoid.fitting.misfit.disturbance import Missed
+from exoid.fitting.misfit.missed import Missed
 from exoid.report.sections.summary import Summary
 
 

@@ -14,7 +14,8 @@ import numpy as np
 
 from exoid.fitting.data.conditioning_chain import Raw
 from exoid.fitting.data.movement import Movement
-from exoid.fitting.misfit.gram_matrices import CAUSES, gram, pushes
+from exoid.fitting.misfit.gram import CAUSES
+from exoid.fitting.misfit.gram_matrices import gram, pushes
 from exoid.fitting.misfit.information import common, spoiled
 from exoid.fitting.misfit.uncertainty import Information
 from exoid.fitting.model.belief import NAMES

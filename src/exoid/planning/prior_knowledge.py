@@ -8,7 +8,7 @@ import jax.numpy as jnp
 import numpy as np
 from jaxtyping import Float
 
-from exoid.fitting.misfit.information import Disturbance
+from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.neighbourhood import prior_information, quantity_gradients
 from exoid.fitting.model.assumptions import Assumptions
 from exoid.fitting.model.belief import NAMES, Belief

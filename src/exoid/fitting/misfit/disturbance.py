@@ -8,33 +8,17 @@ those of greatest restricted likelihood (Patterson & Thompson, Biometrika 58(3),
 for what the parameters absorbed.
 """
 
-from dataclasses import dataclass
-
 import numpy as np
 
-from exoid.fitting.misfit.gram_matrices import CAUSES, UNIT, Cause, Gram, modes
+from exoid.fitting.misfit.gram import CAUSES, UNIT, Cause, Gram
+from exoid.fitting.misfit.gram_matrices import modes
+from exoid.fitting.misfit.missed import Missed
 
 CORRELATED = (0.025, 0.05, 0.1, 0.2, 0.4, 0.8)  # s
 SIZES = np.logspace(-7, 4, 12)  # of u's variance over that of the noise, in units of the gram
 FINER = np.logspace(-0.8, 0.8, 9)  # a fifth of a decade apart
 CLEAR = 4.0  # gain of log likelihood below which the noise alone explains the residual
 ROUNDING = 1e-11  # relative eigenvalue that is none
-
-
-@dataclass(frozen=True)
-class Missed:
-    """What besides white noise is in a residual; `cause` is None where nothing is."""
-
-    cause: Cause | None
-    correlation_time: float  # s
-    ratio: float  # variance of u over that of the noise, in units of its gram
-    noise: float  # s, over the declared noise
-    likelihood: float  # the logarithm of the greatest restricted one
-
-    @property
-    def deviation(self) -> float:
-        """Of u: rad/s^2, which is a torque over J, or rad."""
-        return self.noise * self.ratio**0.5 * (1.0 if self.cause is None else UNIT[self.cause])
 
 
 def explain(

@@ -4,33 +4,16 @@ A disturbance u(t) is linear between nodes: a torque that the model lacks, or an
 encoder. All that its statistics need of the samples are these products.
 """
 
-from dataclasses import dataclass
-from typing import Literal
-
 import numpy as np
 
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.misfit.condensed import Sensed
+from exoid.fitting.misfit.gram import UNIT, Cause, Gram
 from exoid.physics.motion.step import Drive
-
-Cause = Literal["torque", "encoder"]
-CAUSES: tuple[Cause, ...] = ("torque", "encoder")
 
 SPACING = 0.125  # s between the nodes
 NODES = (16, 128)  # at least and at most
-UNIT: dict[Cause, float] = {"torque": 1.0, "encoder": 1e-2}  # rad/s^2, rad: of u in its gram
 JITTER = 1e-8  # of a unit variance, keeps a smooth covariance positive definite
-
-
-@dataclass(frozen=True, eq=False)
-class Gram:
-    """Inner products of one segment: sensitivities A and residual r, and the process' effect S."""
-
-    place: np.ndarray  # coordinates of the segment's unknowns
-    fitted: np.ndarray  # (A, r)'(A, r)
-    cross: np.ndarray  # S'(A, r)
-    process: np.ndarray  # S'S
-    nodes: np.ndarray  # s, times of the nodes
 
 
 def node_times(duration: float, count: int) -> np.ndarray:

@@ -9,66 +9,14 @@ belong to the kind of segment: how a leg was moved at will says nothing of how i
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
-from jaxtyping import Float
 
-from exoid.fitting.misfit.disturbance import ROUNDING, Missed, whitening
-from exoid.fitting.misfit.gram_matrices import CAUSES, Cause, Gram, modes
-
-KINDS = ("passive", "measured", "active")  # of segments; the last leans on a form of its torque
-
-
-@dataclass(frozen=True, eq=False)
-class Disturbance:
-    """What every kind of segment misses, how it is weighed, and the information that is left."""
-
-    kinds: dict[str, Missed]
-    scales: dict[str, float]  # that a kind's residual is divided by, over the least of them
-    information: Float[np.ndarray, "coordinate coordinate"]  # H M^-1 H
-    widening: Float[np.ndarray, " direction"]  # of the errors, along what the data determine
-
-    @property
-    def cause(self) -> Cause | None:
-        """Of the first kind that misses something; None where nothing is missed."""
-        return next((each.cause for each in self.kinds.values() if each.cause), None)
-
-    @property
-    def trusted(self) -> str:
-        """The kind that is weighed most."""
-        return min(self.scales, key=self.scales.__getitem__)
-
-    @property
-    def noise(self) -> float:
-        """White noise over the declared one, of the trusted kind."""
-        return self.kinds[self.trusted].noise
-
-    @property
-    def apart(self) -> bool:
-        """Are the kinds of segments weighed differently?"""
-        return max(self.scales.values()) > 1.0
-
-    @property
-    def scale(self) -> float:
-        """By how much all errors at least are wider than the declared noise makes them.
-
-        The weight of the data against the prior goes by it: where the two disagree, the fit stays
-        with the data. A kind that is weighed less than it tells by itself is none to go by.
-        """
-        return float(max(self.widening.min(), self.noise))
-
-    def weighing(self, kinds: Sequence[str]) -> Float[np.ndarray, " segment"]:
-        """What the residuals of segments of these kinds are divided by, one against the other."""
-        return np.array([self.scales[kind] for kind in kinds])
-
-    def like(self, kind: str) -> Missed:
-        """What a segment of this kind misses; one that was not recorded, as the first that was."""
-        return self.kinds.get(kind, next(iter(self.kinds.values())))
-
-    def causes(self, kinds: Sequence[str]) -> list[Cause]:
-        """Whose grams `spoiled` needs, segment by segment."""
-        return [self.kinds[kind].cause or CAUSES[0] for kind in kinds]
+from exoid.fitting.misfit.disturbance import ROUNDING, whitening
+from exoid.fitting.misfit.gram import Gram
+from exoid.fitting.misfit.gram_matrices import modes
+from exoid.fitting.misfit.missed import KINDS, Disturbance, Missed
 
 
 def spoiled(found: Disturbance, grams: list[Gram], kinds: Sequence[str], size: int) -> Disturbance:

@@ -10,23 +10,13 @@ from jaxtyping import Array, Float, Int
 
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.observation import Observation
+from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.coordinates import Mounting, Own, Shared
 from exoid.physics.leg import GRAVITY, Ratios
 from exoid.physics.motion.step import Drive, march, rk4_step
 from exoid.physics.state import LegState
 
 NOTHING = Drive(*[np.zeros(())] * 3)  # is missing
-
-
-class Stage(eqx.Module):
-    """How much of the motion a misfit looks at, and how freely the simulation moves.
-
-    A start that is far from the leg begins tied to the measured motion by a critically damped
-    spring, which makes the misfit nearly linear in the parameters, and ends free.
-    """
-
-    tether: Float[Any, ""]  # rad/s, natural frequency of the spring; 0 is free
-    steps: Int[Any, ""]  # of the simulation, from the first sample on
 
 
 class Equation(eqx.Module):

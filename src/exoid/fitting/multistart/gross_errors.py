@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from exoid.fitting.misfit.information import Disturbance
+from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.neighbourhood import Local
 from exoid.fitting.model.coordinates import TYPICAL, flattened, unflattened
 from exoid.fitting.multistart.weight_by_kind import explained

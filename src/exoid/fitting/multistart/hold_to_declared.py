@@ -7,7 +7,7 @@ looks. Each is therefore held to what is declared by as much more as the data te
 
 import numpy as np
 
-from exoid.fitting.misfit.information import Disturbance
+from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.model.coordinates import TYPICAL, flattened, unflattened
 from exoid.fitting.model.systematics import OWNED
 from exoid.fitting.multistart.gross_errors import widened

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import jax
 import numpy as np
 
-from exoid.fitting.misfit.information import Disturbance
+from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.neighbourhood import Local, penalties, weighed
 from exoid.fitting.misfit.uncertainty import decomposed, spread
 from exoid.fitting.model.coordinates import TYPICAL, Coordinates, Shared, scaled

@@ -13,9 +13,10 @@ import jax
 import numpy as np
 
 from exoid.fitting.data.observation import Observation
-from exoid.fitting.misfit.disturbance import CLEAR, Missed, explain
-from exoid.fitting.misfit.gram_matrices import CAUSES, Cause, Gram
-from exoid.fitting.misfit.information import KINDS, Disturbance, common, spoiled
+from exoid.fitting.misfit.disturbance import CLEAR, explain
+from exoid.fitting.misfit.gram import CAUSES, Cause, Gram
+from exoid.fitting.misfit.information import common, spoiled
+from exoid.fitting.misfit.missed import KINDS, Disturbance, Missed
 from exoid.fitting.model.coordinates import flattened
 from exoid.fitting.multistart.tethers import FINE, approach
 from exoid.fitting.solve.problem import (

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from exoid.fitting.misfit.information import Disturbance
+from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.result.fit_result import SegmentFit, pooled
 
 ASTRAY = 0.1  # of how far the leg moves, missed beyond the noise: then it is another motion

@@ -6,7 +6,7 @@ from typing import Annotated, Any
 import numpy as np
 from jaxtyping import Float
 
-from exoid.fitting.misfit.information import Disturbance
+from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.uncertainty import Information, Shares, Source
 from exoid.fitting.model.user_values import Means
 from exoid.fitting.multistart.search import Ended

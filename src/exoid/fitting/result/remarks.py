@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from exoid.fitting.misfit.disturbance import CORRELATED, Missed
-from exoid.fitting.misfit.information import Disturbance
+from exoid.fitting.misfit.disturbance import CORRELATED
+from exoid.fitting.misfit.missed import Disturbance, Missed
 from exoid.fitting.model.belief import Belief
 from exoid.fitting.multistart.search import FEASIBLE, Ended, scale_told
 from exoid.fitting.multistart.weight_by_kind import NOISY

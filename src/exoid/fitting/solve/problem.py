@@ -11,10 +11,12 @@ from exoid.fitting.data.movement import Movement
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.data.observe import observe
 from exoid.fitting.misfit.condensed import Sensed
-from exoid.fitting.misfit.gram_matrices import Cause, Gram, declared, grams, pushes
-from exoid.fitting.misfit.information import Disturbance, spoiled
+from exoid.fitting.misfit.gram import Cause, Gram
+from exoid.fitting.misfit.gram_matrices import declared, grams, pushes
+from exoid.fitting.misfit.information import spoiled
+from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.neighbourhood import Local, columns, gradients, neighbourhood
-from exoid.fitting.misfit.residual import Stage
+from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.belief import Belief
 from exoid.fitting.model.constraint import constraint_names
 from exoid.fitting.model.coordinates import QUANTITIES, Coordinates, flattened

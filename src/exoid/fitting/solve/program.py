@@ -9,16 +9,10 @@ from jaxtyping import Array, Float
 
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.observation import Observation
-from exoid.fitting.misfit.condensed import (
-    Condensed,
-    Sensed,
-    condense,
-    linear_model,
-    misfit,
-    sense,
-    weighed,
-)
-from exoid.fitting.misfit.residual import Stage, predict
+from exoid.fitting.misfit.condense import condense, linear_model, misfit, sense, weighed
+from exoid.fitting.misfit.condensed import Condensed, Sensed
+from exoid.fitting.misfit.residual import predict
+from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.constraint import NEVER, Limits, violations
 from exoid.fitting.model.coordinates import (
     Coordinates,

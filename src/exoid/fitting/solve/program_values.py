@@ -8,7 +8,7 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from exoid.fitting.misfit.condensed import Condensed, Sensed
-from exoid.fitting.misfit.residual import Stage
+from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.coordinates import TYPICAL, Coordinates
 from exoid.physics.leg import LegParameters
 

@@ -11,7 +11,7 @@ import jax
 import jax.numpy as jnp
 from jaxtyping import Array, Float
 
-from exoid.fitting.misfit.condensed import along
+from exoid.fitting.misfit.condense import along
 from exoid.fitting.misfit.residual import Equation, advance, equation, residual, sensor_map
 from exoid.fitting.model.coordinates import in_a_row
 from exoid.mismatch.screen.measured_motion import FREE

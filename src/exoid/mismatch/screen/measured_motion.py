@@ -9,7 +9,8 @@ import jax.numpy as jnp
 from jaxtyping import Array, Float
 
 from exoid.fitting.data.observation import Observation
-from exoid.fitting.misfit.residual import Equation, Stage, equation
+from exoid.fitting.misfit.residual import Equation, equation
+from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.coordinates import Coordinates, seated
 from exoid.physics.moment import Cycle, Moment, Place
 from exoid.physics.motion.step import Drive

@@ -4,8 +4,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from exoid.fitting.errors.profile import Profile
-from exoid.fitting.misfit.disturbance import Missed
-from exoid.fitting.misfit.information import Disturbance
+from exoid.fitting.misfit.missed import Disturbance, Missed
 from exoid.fitting.result.fit_result import (
     Estimate,
     FitResult,
