@@ -12,7 +12,7 @@ import pytest
 from exoid.fitting.errors.profile import profiles
 from exoid.fitting.estimate import fit
 from exoid.fitting.multistart.weight_by_kind import explained
-from exoid.fitting.solve.problem import around
+from exoid.fitting.solve.ask import around
 from exoid.recordings.can.dbc import exoid_messages
 from exoid.recordings.filter.kalman import filter
 from exoid.recordings.loading.load import load

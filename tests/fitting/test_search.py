@@ -10,7 +10,7 @@ from exoid.fitting.estimate import movements_of
 from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.multistart.search import HOPELESS, basins, stands_still
 from exoid.fitting.multistart.starts import coordinates
-from exoid.fitting.solve.problem import pose
+from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.program_values import SOLVED
 from fit_cases import BODY, DROP, recorded
 

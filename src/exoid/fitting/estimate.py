@@ -15,12 +15,14 @@ from exoid.fitting.model.assumptions import Assumptions, BoundsName, PriorName, 
 from exoid.fitting.model.belief import NAMES, Belief
 from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.model.user_values import Bounds, Expectations, Fixed
-from exoid.fitting.multistart.search import Ended, search
+from exoid.fitting.multistart.ended import Ended
+from exoid.fitting.multistart.search import search
 from exoid.fitting.multistart.starts import draw, informed
 from exoid.fitting.result.describe import describe
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.remarks import UPWARDS, upwards
-from exoid.fitting.solve.problem import Problem, pose
+from exoid.fitting.solve.pose import pose
+from exoid.fitting.solve.problem import Problem
 from exoid.recordings.loading.named import Given, named_recordings
 from exoid.recordings.motion.extent import Motionless
 from exoid.recordings.recording import Recording

@@ -12,7 +12,9 @@ from exoid.fitting.model.coordinates import Coordinates, Mounting
 from exoid.fitting.model.systematics import OF_THE_GYRO, OWNED
 from exoid.fitting.multistart.starts import first_state, usual_mounting
 from exoid.fitting.result.fit_result import FitResult
-from exoid.fitting.solve.problem import Problem, pose, take
+from exoid.fitting.solve.ask import take
+from exoid.fitting.solve.pose import pose
+from exoid.fitting.solve.problem import Problem
 from exoid.mismatch.screen.hypothesis import Hypothesis
 from exoid.mismatch.screen.measured_motion import Clock
 from exoid.mismatch.screen.optimise import Settled, settle_free

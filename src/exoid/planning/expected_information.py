@@ -23,7 +23,9 @@ from exoid.fitting.model.coordinates import TYPICAL, Coordinates, Own
 from exoid.fitting.model.systematics import OWNED, SOMEWHERE
 from exoid.fitting.multistart.starts import first_state, usual_mounting
 from exoid.fitting.result.estimates import RATIOS
-from exoid.fitting.solve.problem import Problem, pose, sensed
+from exoid.fitting.solve.ask import sensed
+from exoid.fitting.solve.pose import pose
+from exoid.fitting.solve.problem import Problem
 from exoid.planning.candidate_recordings import Candidate
 from exoid.planning.prior_knowledge import LEG, Known, eliminated
 

@@ -16,7 +16,8 @@ from exoid.fitting.model.coordinates import Coordinates, Mounting, Own, Shared, 
 from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.model.systematics import OWNED, Systematics
 from exoid.fitting.result.fit_result import FitResult
-from exoid.fitting.solve.problem import Problem, take
+from exoid.fitting.solve.ask import take
+from exoid.fitting.solve.problem import Problem
 from exoid.physics.leg import GRAVITY, LegParameters
 from exoid.recordings.recording import Sensors, Subject
 from exoid.twin.sensors import SensorKit

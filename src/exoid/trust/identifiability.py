@@ -15,7 +15,7 @@ from exoid.fitting.misfit.neighbourhood import columns
 from exoid.fitting.misfit.uncertainty import HELD, Information, inverse_times
 from exoid.fitting.result.estimates import RATIOS
 from exoid.fitting.result.fit_result import Basis, Estimate, FitResult
-from exoid.fitting.solve.problem import take
+from exoid.fitting.solve.ask import take
 from exoid.trust.directions import Direction, listed, null_directions, weak_directions
 from exoid.trust.legs import strangers
 from exoid.trust.reversal import Reversal, reversals

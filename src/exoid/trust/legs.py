@@ -13,7 +13,8 @@ from exoid.fitting.multistart.tethers import FINE
 from exoid.fitting.multistart.weight_by_kind import explained
 from exoid.fitting.result.estimates import RATIOS
 from exoid.fitting.result.fit_result import FitResult
-from exoid.fitting.solve.problem import Problem, advance, around, take, task
+from exoid.fitting.solve.ask import advance, around, take, task
+from exoid.fitting.solve.problem import Problem
 
 SURPRISE = 30.0  # of chi-square with three degrees of freedom: once in a million
 LARGE = 0.1  # relative difference of a ratio, below which legs are not told apart by it alone

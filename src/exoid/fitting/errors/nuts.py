@@ -9,7 +9,7 @@ from jaxtyping import Array, Bool, Float, PRNGKeyArray
 
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.errors.posterior_density import Target, log_density
-from exoid.fitting.solve.problem import BATCH
+from exoid.fitting.solve.ask import BATCH
 
 ACCEPTANCE = 0.8  # of NUTS, towards which its step is adapted
 FIRST_STEP = 0.5  # in standard deviations

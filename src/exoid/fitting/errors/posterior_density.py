@@ -30,7 +30,7 @@ from exoid.fitting.model.coordinates import (
 )
 from exoid.fitting.model.prior import Prior, log_jacobian, mounting_residual, prior_residual
 from exoid.fitting.result.fit_result import Basis
-from exoid.fitting.solve.problem import around, take
+from exoid.fitting.solve.ask import around, take
 from exoid.fitting.solve.program import mountings
 
 UNDETERMINED = 1e-3  # information per typical step squared, too little to sample along

@@ -24,10 +24,10 @@ from exoid.fitting.model.coordinates import (
     unflattened,
     unscaled,
 )
-from exoid.fitting.multistart.search import FEASIBLE, LIMITED
+from exoid.fitting.multistart.ended import FEASIBLE, LIMITED
 from exoid.fitting.result.estimates import RATIOS
 from exoid.fitting.result.fit_result import Basis, Estimate, FitResult
-from exoid.fitting.solve.problem import advance, around, take, task
+from exoid.fitting.solve.ask import advance, around, take, task
 from exoid.fitting.solve.program_values import Aim
 
 Shape = Literal["two-sided", "lower limit only", "upper limit only", "flat"]

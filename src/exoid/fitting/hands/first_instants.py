@@ -8,7 +8,7 @@ import numpy as np
 
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.data.segment import weightless
-from exoid.fitting.multistart.search import Ended
+from exoid.fitting.multistart.ended import Ended
 from exoid.fitting.multistart.weight_by_kind import NOISY
 from exoid.fitting.solve.problem import Problem
 

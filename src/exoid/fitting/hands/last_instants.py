@@ -11,8 +11,9 @@ import numpy as np
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.data.segment import weightless
 from exoid.fitting.hands.first_instants import disturbed
-from exoid.fitting.multistart.search import LOOKING, Ended
-from exoid.fitting.solve.problem import Problem, advance, take, task
+from exoid.fitting.multistart.ended import LOOKING, Ended
+from exoid.fitting.solve.ask import advance, take, task
+from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
 from exoid.recordings.motion.thresholds import LATE, REST
 

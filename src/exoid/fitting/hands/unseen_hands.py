@@ -7,7 +7,7 @@ import numpy as np
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.hands.first_instants import differ, disturbed, doubtful, without_first_instants
 from exoid.fitting.hands.last_instants import without_hands
-from exoid.fitting.multistart.search import Ended
+from exoid.fitting.multistart.ended import Ended
 from exoid.fitting.solve.problem import Problem
 
 FEW = 4  # starts, where it is only asked whether more than noise is left

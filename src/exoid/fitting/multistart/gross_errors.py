@@ -14,7 +14,8 @@ from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.neighbourhood import Local
 from exoid.fitting.model.coordinates import TYPICAL, flattened, unflattened
 from exoid.fitting.multistart.weight_by_kind import explained
-from exoid.fitting.solve.problem import Problem, advance, around, finite, take, task
+from exoid.fitting.solve.ask import advance, around, finite, take, task
+from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
 
 CONVINCING = 3.0  # gain of log likelihood from which on a seat is held for tilted

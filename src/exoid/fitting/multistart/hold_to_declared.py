@@ -13,7 +13,8 @@ from exoid.fitting.model.systematics import OWNED
 from exoid.fitting.multistart.gross_errors import widened
 from exoid.fitting.multistart.tethers import FINE
 from exoid.fitting.multistart.weight_by_kind import explained, explained_apart
-from exoid.fitting.solve.problem import Problem, advance, around, finite, take, task
+from exoid.fitting.solve.ask import advance, around, finite, take, task
+from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
 
 EXCUSED = 1.3  # widening of an error below which holding it to what is declared changes little

@@ -1,23 +1,23 @@
 """The fit: many starts, brought to the data first, then to what anatomy and bounds allow."""
 
 from collections import Counter
-from dataclasses import dataclass
 
 import jax
 import numpy as np
 
 from exoid.fitting.misfit.missed import Disturbance
-from exoid.fitting.misfit.neighbourhood import Local, penalties, weighed
-from exoid.fitting.misfit.uncertainty import decomposed, spread
-from exoid.fitting.model.coordinates import TYPICAL, Coordinates, Shared, scaled
+from exoid.fitting.misfit.neighbourhood import penalties, weighed
+from exoid.fitting.model.coordinates import Coordinates, Shared, scaled
 from exoid.fitting.model.fixed_values import imposed
+from exoid.fitting.multistart.ended import FEASIBLE, LIMITED, LOOKING, Ended, scale_told
 from exoid.fitting.multistart.gross_errors import with_doubted_clocks, with_tilted_seats
 from exoid.fitting.multistart.hold_to_declared import held, without_excuses
 from exoid.fitting.multistart.simpler_problems import as_declared, with_inertia_kept, without_scale
 from exoid.fitting.multistart.starts import coordinates
 from exoid.fitting.multistart.tethers import COARSE, FINE, tethers, without_thrust
 from exoid.fitting.multistart.weight_by_kind import alone, explained, explained_apart
-from exoid.fitting.solve.problem import BATCH, Problem, advance, around, finite, left, take, task
+from exoid.fitting.solve.ask import BATCH, advance, around, finite, left, take, task
+from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
 
 BASIN = 0.2  # typical steps within which tied starts have come together
@@ -25,23 +25,6 @@ HOPELESS = 1e5  # times the best loss, of a tied start that leads nowhere
 SAME_LOSS = 1e-3  # relative; other minima lie orders of magnitude higher
 FIRST_HORIZON = 1.0  # s of every segment that a start sees first
 PATIENCE = 4  # times that a search with limits goes on where its steps ran out: a long valley
-LIMITED = 1e-3  # the same with limits: a multiplier of ten makes it 1e-3 of half a sum of squares
-LOOKING = np.inf  # the same of a solver that is not to leave its point
-TOLD = 0.5  # relative error of an inertia from which on the data do not tell it
-FEASIBLE = 1e-4  # relative violation that is rounding of the multiplier method
-
-
-@dataclass(frozen=True, eq=False)
-class Ended:
-    """Where all starts ended: the free fits, which start led to which, and the chosen fit."""
-
-    free: Solved
-    member: np.ndarray  # per start: its row of `free`, -1 where it failed
-    failures: dict[str, int]
-    best: Solved  # one row, with prior and limits
-    disturbance: Disturbance  # in the residual of the free fit
-    starts: Coordinates
-    local: Local  # of `best`
 
 
 def search(problem: Problem, starts: np.ndarray) -> tuple[Problem, Ended]:
@@ -223,10 +206,3 @@ def least(ended: Solved) -> int:
     """The best that keeps the limits, or the best."""
     feasible = np.where(ended.violation < FEASIBLE, finite(ended.loss), np.inf)
     return int(np.argmin(feasible if np.isfinite(feasible).any() else finite(ended.loss)))
-
-
-def scale_told(data: np.ndarray) -> bool:
-    """Do the data by themselves fix the inertia, so that a search may begin at theirs?"""
-    inertia = np.eye(data.shape[0])[0]  # the first coordinate
-    error = spread(decomposed(data), np.eye(data.shape[0]), inertia)
-    return bool(error * TYPICAL.shared.log_inertia < TOLD)

@@ -3,7 +3,8 @@
 import numpy as np
 
 from exoid.fitting.model.coordinates import Coordinates, Shared
-from exoid.fitting.solve.problem import Problem, advance, task
+from exoid.fitting.solve.ask import advance, task
+from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
 
 TETHERS = (60.0, 15.0)  # rad/s, of the first stage and the second; then free

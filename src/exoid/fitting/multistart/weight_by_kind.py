@@ -19,16 +19,8 @@ from exoid.fitting.misfit.information import common, spoiled
 from exoid.fitting.misfit.missed import KINDS, Disturbance, Missed
 from exoid.fitting.model.coordinates import flattened
 from exoid.fitting.multistart.tethers import FINE, approach
-from exoid.fitting.solve.problem import (
-    Problem,
-    advance,
-    declared_at,
-    finite,
-    grams_at,
-    left,
-    take,
-    task,
-)
+from exoid.fitting.solve.ask import advance, declared_at, finite, grams_at, left, take, task
+from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
 
 PLAUSIBLE = 0.3  # of what moves the leg: a model that misses more is none

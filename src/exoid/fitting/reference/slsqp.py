@@ -9,11 +9,12 @@ from scipy.optimize import OptimizeResult, approx_fprime, minimize
 
 from exoid.fitting.misfit.neighbourhood import weighed
 from exoid.fitting.model.coordinates import Coordinates
+from exoid.fitting.multistart.ended import FEASIBLE, Ended
 from exoid.fitting.multistart.hold_to_declared import held, less_told
-from exoid.fitting.multistart.search import FEASIBLE, Ended
 from exoid.fitting.multistart.weight_by_kind import explained
 from exoid.fitting.reference.objective import Objective
-from exoid.fitting.solve.problem import Problem, advance, around, finite, task
+from exoid.fitting.solve.ask import advance, around, finite, task
+from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
 
 PRECISION = 1e-7  # change of half a sum of squares in units of noise that ends a search

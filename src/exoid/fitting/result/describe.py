@@ -7,7 +7,8 @@ from exoid.fitting.misfit.uncertainty import Information
 from exoid.fitting.model.belief import NAMES
 from exoid.fitting.model.constraint import constraint_names
 from exoid.fitting.model.coordinates import flattened, unflattened
-from exoid.fitting.multistart.search import SAME_LOSS, Ended
+from exoid.fitting.multistart.ended import Ended
+from exoid.fitting.multistart.search import SAME_LOSS
 from exoid.fitting.result.agreement import astray, believed, of_the_rest
 from exoid.fitting.result.equally_good import equally_good
 from exoid.fitting.result.estimates import (
@@ -26,7 +27,8 @@ from exoid.fitting.result.fit_result import (
 from exoid.fitting.result.limiting_systematics import limiting, suspicions
 from exoid.fitting.result.mountings import FIELDS, beyond_belief, estimate_mountings, known
 from exoid.fitting.result.remarks import limits_met, of_astray, remarks
-from exoid.fitting.solve.problem import Problem, finite, take
+from exoid.fitting.solve.ask import finite, take
+from exoid.fitting.solve.problem import Problem
 
 UNFINISHED = "it was still moving when its steps ran out"
 # Of half a chi-square for a typical step of what is limited: where nothing tells a value, a search

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from exoid.fitting.multistart.search import Ended, scale_told
+from exoid.fitting.multistart.ended import Ended, scale_told
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.leg import GRAVITY
 

@@ -8,7 +8,7 @@ from exoid.fitting.misfit.uncertainty import HELD, Information, Shares
 from exoid.fitting.model.belief import NAMES, Belief
 from exoid.fitting.model.coordinates import QUANTITIES
 from exoid.fitting.model.user_values import Means
-from exoid.fitting.multistart.search import Ended
+from exoid.fitting.multistart.ended import Ended
 from exoid.fitting.result.fit_result import Estimate
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.leg import LegParameters

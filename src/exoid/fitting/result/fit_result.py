@@ -9,7 +9,7 @@ from jaxtyping import Float
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.uncertainty import Information, Shares, Source
 from exoid.fitting.model.user_values import Means
-from exoid.fitting.multistart.search import Ended
+from exoid.fitting.multistart.ended import Ended
 from exoid.fitting.result import summary
 from exoid.fitting.solve.problem import Problem
 

@@ -5,10 +5,11 @@ import numpy as np
 from exoid.fitting.misfit.uncertainty import Information
 from exoid.fitting.model.coordinates import TYPICAL, flattened, unflattened
 from exoid.fitting.model.systematics import OF_THE_GYRO, OF_THE_MASS, OWNED, SOMEWHERE
-from exoid.fitting.multistart.search import Ended
+from exoid.fitting.multistart.ended import Ended
 from exoid.fitting.result.fit_result import Estimate, MountingFit
 from exoid.fitting.result.limiting_systematics import WORDS
-from exoid.fitting.solve.problem import Problem, take
+from exoid.fitting.solve.ask import take
+from exoid.fitting.solve.problem import Problem
 
 MOUNTING = {  # name: symbol, title, unit
     "added_mass_distance": ("r", "distance of the added mass from the knee", "m"),

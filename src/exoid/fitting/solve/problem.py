@@ -1,33 +1,14 @@
-"""The problem of a fit, and how the compiled programs are asked about it."""
+"""The problem of a fit."""
 
-from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
-import jax
 import numpy as np
 
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.data.observation import Observation
-from exoid.fitting.data.observe import observe
-from exoid.fitting.misfit.condensed import Sensed
-from exoid.fitting.misfit.gram import Cause, Gram
-from exoid.fitting.misfit.gram_matrices import declared, grams, pushes
-from exoid.fitting.misfit.information import spoiled
-from exoid.fitting.misfit.missed import Disturbance
-from exoid.fitting.misfit.neighbourhood import Local, columns, gradients, neighbourhood
-from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.belief import Belief
-from exoid.fitting.model.constraint import constraint_names
-from exoid.fitting.model.coordinates import QUANTITIES, Coordinates, flattened
-from exoid.fitting.model.prior import mounting_residual
-from exoid.fitting.model.systematics import OWNED, deviations, exact
-from exoid.fitting.solve.program_cache import run, run_sense
-from exoid.fitting.solve.program_values import Aim, Solved, Task
-from exoid.physics.motion.step import Drive
-
-ROUNDS = 10  # of multipliers; two digits a round
-BATCH = 16  # lanes of start and segment at once: more leave the fast path of the compiled loop
+from exoid.fitting.model.systematics import OWNED
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,147 +49,3 @@ class Problem:
         free = self.known[:, 4:-3] == 0
         mounting = sum(int(free[seat == number].any(axis=0).sum()) for number in set(seat))
         return shared + mounting + int((self.known[:, -3:] == 0).sum())
-
-
-def pose(
-    movements: list[Movement],
-    belief: Belief,
-    reading: str,
-    chain: Chain,
-    *,
-    owned: tuple[str, ...] = OWNED,
-) -> Problem:
-    """The problem of fitting one leg to these movements; of what recordings own, `owned` are
-    unknowns.
-    """
-    observation = observe(movements, reading)
-    own = 4 + len(owned)
-    known = np.zeros((len(movements), own + 3))
-    known[:, 0] = [not each.scaled for each in movements]
-    known[:, 4:own] = exact(movements, owned)
-    known[:, own] = [not each.voluntary for each in movements]
-    if belief.raw:
-        known[:, 4:own] = 1.0  # Eq. 11 as printed knows nothing of them
-    prior = replace(belief.prior, mounting=deviations(movements, owned))
-    belief = replace(belief, prior=prior)
-    return Problem(movements, observation, known, belief, chain, owned)
-
-
-def task(
-    problem: Problem,
-    tether: float,
-    steps: int,
-    tolerance: float,
-    penalty: np.ndarray | None = None,
-) -> Task:
-    """What to ask of the solver; with a `penalty` per constraint, prior and limits take part."""
-    bounded = penalty is not None
-    constraints = len(constraint_names(len(problem.movements)))
-    return Task(
-        stage=Stage(np.asarray(float(tether)), np.asarray(steps)),
-        bounded=np.asarray(float(bounded)),
-        tolerance=np.asarray(tolerance),
-        rounds=np.asarray(ROUNDS if bounded else 1),
-        penalty=np.ones(constraints) if penalty is None else penalty,
-    )
-
-
-def advance(
-    problem: Problem,
-    starts: Coordinates,
-    task: Task,
-    scale: np.ndarray | float = 1.0,
-    aim: Aim | None = None,
-) -> Solved:
-    """Solve from all starts, a batch at a time: a batch ends when its slowest start has.
-
-    The residual counts 1 / `scale`, or of each segment 1 / its entry; an `aim` says so for every
-    start by itself.
-    """
-    count = starts.log_mass.shape[0]
-    if aim is None:
-        aim = aimless(problem, np.broadcast_to(scale, (count, len(problem.movements))))
-    lanes = max(2, BATCH // len(problem.movements))
-    parts = []
-    for first in range(0, count, lanes):
-        rows = np.minimum(np.arange(first, first + lanes), count - 1)
-        belief = problem.belief
-        parts.append(
-            run(
-                take(starts, rows),
-                take(aim, rows),
-                problem.observation,
-                problem.known,
-                belief.prior,
-                belief.limits,
-                task,
-                problem.chain,
-            )
-        )
-    return jax.tree.map(lambda *each: np.concatenate(each)[:count], *parts)
-
-
-def aimless(problem: Problem, scale: np.ndarray) -> Aim:
-    """Starts that are pulled nowhere; `scale` is (start, segment)."""
-    nothing = np.zeros(len(scale))
-    quantities = QUANTITIES + 2 * len(problem.movements)
-    return Aim(np.array(scale), np.zeros((len(scale), quantities)), nothing, nothing)
-
-
-def grams_at(
-    problem: Problem, at: Solved, row: int, causes: Iterable[Cause]
-) -> dict[Cause, list[Gram]]:
-    """The inner products of every segment at one end point, for these causes."""
-    point, seen, durations = take(at.coordinates, row), problem.observation, problem.durations
-    found, places = sensed(problem, point, pushes(seen.time, durations)), columns(point, seen.seat)
-    return {cause: grams(found, seen, durations, places, cause) for cause in causes}
-
-
-def declared_at(problem: Problem, at: Solved, row: int = 0) -> Gram:
-    """What is declared of the recordings, beside the inner products of their segments."""
-    point, prior = take(at.coordinates, row), problem.belief.prior
-
-    def apart(at: Coordinates):
-        return mounting_residual(prior, at.mounting, np)
-
-    return declared(apart(point), gradients(apart, point))
-
-
-def sensed(problem: Problem, point: Coordinates, missing: Drive | None = None) -> Sensed:
-    """Residual and sensitivities of every sample at a point; also to `missing` torques."""
-    seen = problem.observation
-    if missing is None:
-        none = np.zeros((len(problem.movements), 0, seen.time.shape[1] - 1))
-        missing = Drive(none, none, none)
-    free = Stage(np.asarray(0.0), np.asarray(problem.steps))
-    return run_sense(point, seen, problem.known, missing, free, problem.chain)
-
-
-def around(
-    problem: Problem, at: Solved, disturbance: Disturbance | None = None, row: int = 0
-) -> Local:
-    """Derivatives and information at one end point; of the data what a `disturbance` leaves."""
-    one = take(at, row)
-    belief, seat = problem.belief, problem.observation.seat
-    local = neighbourhood(one.coordinates, one.condensed, seat, belief.prior, belief.limits)
-    if disturbance is None:
-        return local
-    return replace(local, data=left(problem, at, row, disturbance).information)
-
-
-def left(problem: Problem, at: Solved, row: int, disturbance: Disturbance) -> Disturbance:
-    """The same disturbance, with the information that it leaves at one end point."""
-    causes, size = disturbance.causes(problem.kinds), flattened(take(at.coordinates, row)).size
-    every = grams_at(problem, at, row, set(causes))
-    each = [every[cause][number] for number, cause in enumerate(causes)]
-    return spoiled(disturbance, each, problem.kinds, size)
-
-
-def take(tree, rows):
-    """These rows of every leaf."""
-    return jax.tree.map(lambda leaf: leaf[np.asarray(rows)], tree)
-
-
-def finite(loss: np.ndarray) -> np.ndarray:
-    """A start whose loss is not a number ended nowhere: it can never be the best."""
-    return np.where(np.isfinite(loss), loss, np.inf)

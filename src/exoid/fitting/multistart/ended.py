@@ -1,0 +1,36 @@
+"""Where all starts of a fit ended."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from exoid.fitting.misfit.missed import Disturbance
+from exoid.fitting.misfit.neighbourhood import Local
+from exoid.fitting.misfit.uncertainty import decomposed, spread
+from exoid.fitting.model.coordinates import TYPICAL, Coordinates
+from exoid.fitting.solve.program_values import Solved
+
+LIMITED = 1e-3  # the same with limits: a multiplier of ten makes it 1e-3 of half a sum of squares
+LOOKING = np.inf  # the same of a solver that is not to leave its point
+TOLD = 0.5  # relative error of an inertia from which on the data do not tell it
+FEASIBLE = 1e-4  # relative violation that is rounding of the multiplier method
+
+
+@dataclass(frozen=True, eq=False)
+class Ended:
+    """Where all starts ended: the free fits, which start led to which, and the chosen fit."""
+
+    free: Solved
+    member: np.ndarray  # per start: its row of `free`, -1 where it failed
+    failures: dict[str, int]
+    best: Solved  # one row, with prior and limits
+    disturbance: Disturbance  # in the residual of the free fit
+    starts: Coordinates
+    local: Local  # of `best`
+
+
+def scale_told(data: np.ndarray) -> bool:
+    """Do the data by themselves fix the inertia, so that a search may begin at theirs?"""
+    inertia = np.eye(data.shape[0])[0]  # the first coordinate
+    error = spread(decomposed(data), np.eye(data.shape[0]), inertia)
+    return bool(error * TYPICAL.shared.log_inertia < TOLD)
