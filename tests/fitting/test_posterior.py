@@ -14,7 +14,7 @@ from exoid.fitting.errors import posterior as module
 from exoid.fitting.errors.posterior import Posterior, r_hat, sample, to_netcdf
 from exoid.fitting.errors.posterior_density import log_density, posed
 from exoid.fitting.estimate import fit
-from exoid.fitting.misfit.disturbance import whitening
+from exoid.fitting.misfit.uncertainty import whitening
 from exoid.fitting.model.systematics import WEIGHED
 from exoid.physics.leg import GRAVITY
 from exoid.recordings.recording import Subject

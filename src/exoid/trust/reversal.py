@@ -8,8 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from exoid.fitting.data.movement import Movement
-from exoid.fitting.data.segment import smoothed_motion
+from exoid.fitting.data.movement import Movement, smoothed_motion
 
 SMOOTHING = 0.06  # s
 CENTRES = (0.35, 0.65)  # of the duration, between which the middle of the movement is looked for

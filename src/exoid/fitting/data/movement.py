@@ -1,12 +1,15 @@
 """A segment as it enters the fit: its channels, its extent, its clock, its noise."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from exoid.fitting.model.systematics import DECLARED_NOTHING, Systematics
 from exoid.recordings.motion.extent import Extent
 from exoid.recordings.recording import Samples, Segment
+from exoid.recordings.signal.condition import local_line
 from exoid.recordings.signal.noise import Noise
 
 
@@ -68,3 +71,24 @@ class Movement:
     def unplaced(self) -> bool:
         """Is it unknown where the added mass sat?"""
         return self.added_mass > 0 and bool(np.isnan(self.added_mass_distance))
+
+
+def weightless(each: Movement, these: NDArray[np.bool_], **changed: Any) -> Movement:
+    """The same movement, in which these samples weigh nothing."""
+    angle, rate = each.angle, each.angular_velocity
+    return replace(
+        each,
+        angle=np.where(these, np.nan, angle),
+        angular_velocity=None if rate is None else np.where(these, np.nan, rate),
+        **changed,
+    )
+
+
+def smoothed_motion(each: Movement, width: float) -> tuple[Samples, Samples]:
+    """Angle and angular velocity as the leg had them, before any chain, smoothed over `width` s."""
+    part = each.segment
+    angle = part.angle if part.raw_angle is None else part.raw_angle
+    gyro = part.angular_velocity if part.raw_angle is None else part.raw_angular_velocity
+    assert angle is not None  # a Segment has one or the other
+    smooth, slope = local_line(part.time, angle, width)
+    return smooth, slope if gyro is None else local_line(part.time, gyro, width)[0]

@@ -4,9 +4,8 @@ import equinox as eqx
 import jax
 import numpy as np
 
-from exoid.fitting.data.movement import Movement
+from exoid.fitting.data.movement import Movement, smoothed_motion
 from exoid.fitting.data.observation import Observation
-from exoid.fitting.data.segment import smoothed_motion
 from exoid.fitting.model.systematics import SOMEWHERE, beside_unplaced
 from exoid.physics.motion.step import Drive
 from exoid.physics.torque import cycle_shape

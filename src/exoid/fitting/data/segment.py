@@ -1,10 +1,6 @@
 """Segments made ready for the fit: channels chosen and cleaned, the extent found."""
 
-from dataclasses import replace
-from typing import Any
-
 import numpy as np
-from numpy.typing import NDArray
 
 from exoid.fitting.data.fitted_samples import Clip, Portion, portion
 from exoid.fitting.data.movement import Movement
@@ -68,17 +64,6 @@ def without_hand(samples: Samples, part: Portion) -> Samples:
     return np.concatenate([np.full(count, np.nan), samples[count:]])
 
 
-def weightless(each: Movement, these: NDArray[np.bool_], **changed: Any) -> Movement:
-    """The same movement, in which these samples weigh nothing."""
-    angle, rate = each.angle, each.angular_velocity
-    return replace(
-        each,
-        angle=np.where(these, np.nan, angle),
-        angular_velocity=None if rate is None else np.where(these, np.nan, rate),
-        **changed,
-    )
-
-
 def check_sense(segment: Segment, angle: Samples, velocity: Samples | None, name: str) -> None:
     """Refuse a gyro that turns the other way than the encoder."""
     if velocity is None:
@@ -89,13 +74,3 @@ def check_sense(segment: Segment, angle: Samples, velocity: Samples | None, name
             f"segment {name}: the angular velocity is the angle's with the other sign. Extension "
             "is positive in both: change the sign of one of them."
         )
-
-
-def smoothed_motion(each: Movement, width: float) -> tuple[Samples, Samples]:
-    """Angle and angular velocity as the leg had them, before any chain, smoothed over `width` s."""
-    part = each.segment
-    angle = part.angle if part.raw_angle is None else part.raw_angle
-    gyro = part.angular_velocity if part.raw_angle is None else part.raw_angular_velocity
-    assert angle is not None  # a Segment has one or the other
-    smooth, slope = local_line(part.time, angle, width)
-    return smooth, slope if gyro is None else local_line(part.time, gyro, width)[0]

@@ -6,10 +6,9 @@ Where the rest of the movement fits without these instants and they do not, they
 
 import numpy as np
 
-from exoid.fitting.data.movement import Movement
-from exoid.fitting.data.segment import weightless
+from exoid.fitting.data.movement import Movement, weightless
+from exoid.fitting.misfit.missed import NOISY
 from exoid.fitting.multistart.ended import Ended
-from exoid.fitting.multistart.weight_by_kind import NOISY
 from exoid.fitting.solve.problem import Problem
 
 WORSE = 3.0  # times what is missed elsewhere, a sample

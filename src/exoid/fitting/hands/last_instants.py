@@ -8,8 +8,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from exoid.fitting.data.movement import Movement
-from exoid.fitting.data.segment import weightless
+from exoid.fitting.data.movement import Movement, weightless
 from exoid.fitting.hands.first_instants import disturbed
 from exoid.fitting.multistart.ended import LOOKING, Ended
 from exoid.fitting.solve.ask import advance, take, task

@@ -13,12 +13,12 @@ import numpy as np
 from exoid.fitting.misfit.gram import CAUSES, UNIT, Cause, Gram
 from exoid.fitting.misfit.gram_matrices import modes
 from exoid.fitting.misfit.missed import Missed
+from exoid.fitting.misfit.uncertainty import ROUNDING, whitening
 
 CORRELATED = (0.025, 0.05, 0.1, 0.2, 0.4, 0.8)  # s
 SIZES = np.logspace(-7, 4, 12)  # of u's variance over that of the noise, in units of the gram
 FINER = np.logspace(-0.8, 0.8, 9)  # a fifth of a decade apart
 CLEAR = 4.0  # gain of log likelihood below which the noise alone explains the residual
-ROUNDING = 1e-11  # relative eigenvalue that is none
 
 
 def explain(
@@ -106,12 +106,3 @@ def noise_beside(
     along = (total[:size, size] / unit) @ basis
     left = total[size, size] - along @ along
     return float(np.sqrt(max(1.0, left / (samples - basis.shape[1]))))
-
-
-def whitening(normal: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Directions along which `normal` is the identity, over the units of its diagonal."""
-    diagonal = np.sqrt(np.diag(normal))
-    unit = np.where(diagonal > 0, diagonal, 1.0)
-    values, vectors = np.linalg.eigh(normal / np.outer(unit, unit))
-    known = values > ROUNDING
-    return vectors[:, known] / np.sqrt(values[known]), unit

@@ -13,10 +13,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from exoid.fitting.misfit.disturbance import ROUNDING, whitening
 from exoid.fitting.misfit.gram import Gram
 from exoid.fitting.misfit.gram_matrices import modes
 from exoid.fitting.misfit.missed import KINDS, Disturbance, Missed
+from exoid.fitting.misfit.uncertainty import ROUNDING, whitening
 
 
 def spoiled(found: Disturbance, grams: list[Gram], kinds: Sequence[str], size: int) -> Disturbance:

@@ -8,6 +8,8 @@ from jaxtyping import Float
 
 from exoid.fitting.misfit.gram import CAUSES, UNIT, Cause
 
+NOISY = 1.1  # over the declared noise, from where on it is worth a word
+
 KINDS = ("passive", "measured", "active")  # of segments; the last leans on a form of its torque
 
 

@@ -8,6 +8,7 @@ from jaxtyping import Float
 
 Source = Literal["data", "prior", "both", "bound"]
 
+ROUNDING = 1e-11  # relative eigenvalue that is none
 NOTHING = 1e-13  # of the largest information: rounding of none
 VAGUE = 1e-2  # per typical step squared, known of everything: no leg is tens of them away
 ON_BOUND = 1e-4  # relative size of what is left of a gradient where an end point lies on a limit
@@ -158,3 +159,12 @@ def inverse_times(decomposed, vector):
     """I^-1 a."""
     values, vectors = decomposed
     return vectors @ ((vectors.T @ vector) / values)
+
+
+def whitening(normal: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Directions along which `normal` is the identity, over the units of its diagonal."""
+    diagonal = np.sqrt(np.diag(normal))
+    unit = np.where(diagonal > 0, diagonal, 1.0)
+    values, vectors = np.linalg.eigh(normal / np.outer(unit, unit))
+    known = values > ROUNDING
+    return vectors[:, known] / np.sqrt(values[known]), unit

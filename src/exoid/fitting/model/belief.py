@@ -6,9 +6,7 @@ from exoid.fitting.model.assumptions import BoundsName, PriorName
 from exoid.fitting.model.constraint import Limits
 from exoid.fitting.model.prior import Prior
 from exoid.fitting.model.user_values import ByHand
-from exoid.physics.anatomy import (
-    ExpectedLeg,
-)
+from exoid.physics.anatomy.expected import ExpectedLeg
 from exoid.physics.leg import LegParameters
 from exoid.physics.parameter import declarations
 

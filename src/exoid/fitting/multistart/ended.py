@@ -10,10 +10,11 @@ from exoid.fitting.misfit.uncertainty import decomposed, spread
 from exoid.fitting.model.coordinates import TYPICAL, Coordinates
 from exoid.fitting.solve.program_values import Solved
 
-LIMITED = 1e-3  # the same with limits: a multiplier of ten makes it 1e-3 of half a sum of squares
-LOOKING = np.inf  # the same of a solver that is not to leave its point
-TOLD = 0.5  # relative error of an inertia from which on the data do not tell it
+LIMITED = 1e-3  # tolerance with limits: a multiplier of ten makes it 1e-3 of half a sum of squares
+LOOKING = np.inf  # tolerance of a solver that is not to leave its point
 FEASIBLE = 1e-4  # relative violation that is rounding of the multiplier method
+SAME_LOSS = 1e-3  # relative; other minima lie orders of magnitude higher
+TOLD = 0.5  # relative error of an inertia from which on the data do not tell it
 
 
 @dataclass(frozen=True, eq=False)

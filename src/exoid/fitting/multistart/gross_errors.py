@@ -6,13 +6,14 @@ the seat's tilt by its marginal likelihood; and where encoder and gyro disagree 
 be the gyro's fault, the encoder's gain or the clock's, the clock's by that disagreement.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.neighbourhood import Local
 from exoid.fitting.model.coordinates import TYPICAL, flattened, unflattened
+from exoid.fitting.multistart.declared import deviation_of, widened
 from exoid.fitting.multistart.weight_by_kind import explained
 from exoid.fitting.solve.ask import advance, around, finite, take, task
 from exoid.fitting.solve.problem import Problem
@@ -135,19 +136,6 @@ def estimated(problem: Problem, name: str, *, declared: bool = False) -> list[in
         if (declared or not said) and (problem.known[own, column] == 0).any():
             entries.append(entry)
     return entries
-
-
-def deviation_of(problem: Problem, name: str) -> np.ndarray:
-    """The standard deviations of all recordings."""
-    return np.asarray(getattr(problem.belief.prior.mounting, name))
-
-
-def widened(problem: Problem, **deviations: np.ndarray) -> Problem:
-    """The same with these standard deviations of what recordings own."""
-    prior = problem.belief.prior
-    assert prior.mounting is not None  # `pose` gives one
-    mounting = replace(prior.mounting, **deviations)
-    return replace(problem, belief=replace(problem.belief, prior=replace(prior, mounting=mounting)))
 
 
 def place_of(at: Solved, name: str, entry: int) -> int:

@@ -10,7 +10,7 @@ import numpy as np
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.model.coordinates import TYPICAL, flattened, unflattened
 from exoid.fitting.model.systematics import OWNED
-from exoid.fitting.multistart.gross_errors import widened
+from exoid.fitting.multistart.declared import widened
 from exoid.fitting.multistart.tethers import FINE
 from exoid.fitting.multistart.weight_by_kind import explained, explained_apart
 from exoid.fitting.solve.ask import advance, around, finite, take, task

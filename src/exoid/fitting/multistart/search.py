@@ -22,7 +22,6 @@ from exoid.fitting.solve.program_values import Solved
 
 BASIN = 0.2  # typical steps within which tied starts have come together
 HOPELESS = 1e5  # times the best loss, of a tied start that leads nowhere
-SAME_LOSS = 1e-3  # relative; other minima lie orders of magnitude higher
 FIRST_HORIZON = 1.0  # s of every segment that a start sees first
 PATIENCE = 4  # times that a search with limits goes on where its steps ran out: a long valley
 

@@ -3,9 +3,8 @@
 import jax
 import numpy as np
 
-from exoid.fitting.data.movement import Movement
+from exoid.fitting.data.movement import Movement, smoothed_motion
 from exoid.fitting.data.observe import cycle_torque
-from exoid.fitting.data.segment import smoothed_motion
 from exoid.fitting.model.constraint import Limits
 from exoid.fitting.model.coordinates import Coordinates, Mounting, Own, Shared
 from exoid.fitting.model.prior_and_limits import leg_limits

@@ -16,7 +16,7 @@ from exoid.fitting.data.observation import Observation
 from exoid.fitting.misfit.disturbance import CLEAR, explain
 from exoid.fitting.misfit.gram import CAUSES, Cause, Gram
 from exoid.fitting.misfit.information import common, spoiled
-from exoid.fitting.misfit.missed import KINDS, Disturbance, Missed
+from exoid.fitting.misfit.missed import KINDS, NOISY, Disturbance, Missed
 from exoid.fitting.model.coordinates import flattened
 from exoid.fitting.multistart.tethers import FINE, approach
 from exoid.fitting.solve.ask import advance, declared_at, finite, grams_at, left, take, task
@@ -24,7 +24,6 @@ from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
 
 PLAUSIBLE = 0.3  # of what moves the leg: a model that misses more is none
-NOISY = 1.1  # over the declared noise, from where on it is worth a word
 # Gain of log likelihood below which all kinds miss the same. To hold that movements at will, which
 # lean on a form of their torque and are short, miss less than the others, takes more.
 DIFFERENT = {"passive": CLEAR, "measured": CLEAR, "active": 2 * CLEAR}

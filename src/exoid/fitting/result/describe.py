@@ -7,8 +7,7 @@ from exoid.fitting.misfit.uncertainty import Information
 from exoid.fitting.model.belief import NAMES
 from exoid.fitting.model.constraint import constraint_names
 from exoid.fitting.model.coordinates import flattened, unflattened
-from exoid.fitting.multistart.ended import Ended
-from exoid.fitting.multistart.search import SAME_LOSS
+from exoid.fitting.multistart.ended import SAME_LOSS, Ended
 from exoid.fitting.result.agreement import astray, believed, of_the_rest
 from exoid.fitting.result.equally_good import equally_good
 from exoid.fitting.result.estimates import (

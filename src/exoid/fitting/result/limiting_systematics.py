@@ -3,7 +3,7 @@
 import numpy as np
 
 from exoid.fitting.misfit.missed import Disturbance
-from exoid.fitting.multistart.gross_errors import deviation_of
+from exoid.fitting.multistart.declared import deviation_of
 from exoid.fitting.result.fit_result import Estimate, MountingFit
 from exoid.fitting.solve.problem import Problem
 

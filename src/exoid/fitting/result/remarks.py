@@ -3,10 +3,9 @@
 import numpy as np
 
 from exoid.fitting.misfit.disturbance import CORRELATED
-from exoid.fitting.misfit.missed import Disturbance, Missed
+from exoid.fitting.misfit.missed import NOISY, Disturbance, Missed
 from exoid.fitting.model.belief import Belief
 from exoid.fitting.multistart.ended import FEASIBLE, Ended, scale_told
-from exoid.fitting.multistart.weight_by_kind import NOISY
 from exoid.fitting.result.noise_remarks import noise_remarks
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.leg import GRAVITY, LegParameters
