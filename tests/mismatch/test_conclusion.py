@@ -11,9 +11,9 @@ from exoid.mismatch.conclude.conclusion import partial
 from exoid.mismatch.evidence.yardstick import Yardstick
 from exoid.mismatch.missing_physics import noise_alone
 from exoid.mismatch.screen.hypothesis import Hypothesis, Products
-from exoid.mismatch.screen.optimise import Settled
 from exoid.mismatch.screen.screened_recording import Bench
-from exoid.mismatch.search.search import Found
+from exoid.mismatch.screen.settled import Settled
+from exoid.mismatch.search.found import Found
 from exoid.physics.terms.device.cuff_compliance import CuffCompliance
 from exoid.physics.terms.tissue.maxwell_element import MaxwellElement
 

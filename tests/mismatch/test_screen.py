@@ -8,7 +8,7 @@ from diagnosis_cases import FRICTION, Detent, session
 
 from exoid.fitting.estimate import fit
 from exoid.mismatch import prepare as preparing
-from exoid.mismatch.evidence.yardstick import count
+from exoid.mismatch.evidence.measure import count
 from exoid.mismatch.prepare import prepare
 from exoid.mismatch.screen import many_pinned
 from exoid.mismatch.screen.hypothesis import Hypothesis

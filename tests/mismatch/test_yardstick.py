@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from exoid.mismatch.evidence.yardstick import Yardstick, long_run
+from exoid.mismatch.evidence.measure import long_run
+from exoid.mismatch.evidence.yardstick import Yardstick
 
 WHITE = Yardstick(samples=2000, scale=1.0)
 

@@ -13,8 +13,8 @@ from exoid.mismatch.answer.diagnosis import (
     Parameter,
     Tested,
 )
-from exoid.mismatch.evidence.locate import Location, Missing, Region
-from exoid.mismatch.evidence.proof import Prediction, Proof
+from exoid.mismatch.evidence.location import Location, Missing, Region
+from exoid.mismatch.evidence.prediction import Prediction, Proof
 from exoid.mismatch.sensors.consistency import SensorError
 
 ODD = 0.1 + 0.2

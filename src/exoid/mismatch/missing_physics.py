@@ -13,14 +13,18 @@ from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.mismatch.conclude.conclusion import Chosen, concluded
 from exoid.mismatch.conclude.unusual_zero import as_a_term, unusual
 from exoid.mismatch.evidence.locate import locate
-from exoid.mismatch.evidence.proof import improves, predict
-from exoid.mismatch.evidence.yardstick import SURE, misfits
+from exoid.mismatch.evidence.measure import misfits
+from exoid.mismatch.evidence.prediction import improves
+from exoid.mismatch.evidence.proof import predict
+from exoid.mismatch.evidence.yardstick import SURE
 from exoid.mismatch.novel.formula import Formula, term_of
 from exoid.mismatch.novel.sparse_regression import describe
 from exoid.mismatch.prepare import prepare
-from exoid.mismatch.screen.optimise import Settled, settle_free
+from exoid.mismatch.screen.optimise import settle_free
 from exoid.mismatch.screen.screened_recording import Bench
-from exoid.mismatch.search.search import Found, look, size
+from exoid.mismatch.screen.settled import Settled
+from exoid.mismatch.search.found import Found, size
+from exoid.mismatch.search.search import look
 from exoid.physics.library import name_of
 from exoid.physics.term import Term
 from exoid.recordings.loading.named import Given, named_recordings

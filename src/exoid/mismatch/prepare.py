@@ -17,8 +17,9 @@ from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.problem import Problem
 from exoid.mismatch.screen.hypothesis import Hypothesis
 from exoid.mismatch.screen.measured_motion import Clock
-from exoid.mismatch.screen.optimise import Settled, settle_free
+from exoid.mismatch.screen.optimise import settle_free
 from exoid.mismatch.screen.screened_recording import Bench
+from exoid.mismatch.screen.settled import Settled
 from exoid.mismatch.sensors.consistency import Consistency, consistency
 from exoid.physics.library import library
 from exoid.physics.term import Term

@@ -2,9 +2,9 @@
 
 from dataclasses import dataclass
 
-from exoid.mismatch.screen.optimise import Settled
 from exoid.mismatch.screen.screened_recording import Bench
-from exoid.mismatch.search.search import Found
+from exoid.mismatch.screen.settled import Settled
+from exoid.mismatch.search.found import Found
 
 
 @dataclass(frozen=True, eq=False)

@@ -2,11 +2,13 @@
 
 import numpy as np
 
-from exoid.mismatch.evidence.proof import Proof, masked
+from exoid.mismatch.evidence.prediction import Proof
+from exoid.mismatch.evidence.proof import masked
 from exoid.mismatch.evidence.yardstick import UNEXPLAINED
-from exoid.mismatch.screen.optimise import Settled, settle_free
+from exoid.mismatch.screen.optimise import settle_free
 from exoid.mismatch.screen.screened_recording import Bench
-from exoid.mismatch.search.search import FLOOR, Found
+from exoid.mismatch.screen.settled import Settled
+from exoid.mismatch.search.found import FLOOR, Found
 from exoid.physics.term import SensorTerm
 
 SHORTEST = 1.5  # s of movement in all, about one swing of a leg

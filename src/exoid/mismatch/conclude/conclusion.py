@@ -21,14 +21,16 @@ from exoid.mismatch.conclude.numbers import (
     tilted,
     weighed,
 )
-from exoid.mismatch.evidence.locate import Location
-from exoid.mismatch.evidence.proof import Prediction, Proof, proof
+from exoid.mismatch.evidence.location import Location
+from exoid.mismatch.evidence.prediction import Prediction, Proof
+from exoid.mismatch.evidence.proof import proof
 from exoid.mismatch.evidence.yardstick import FOLLOWED, Yardstick
 from exoid.mismatch.novel.formula import Formula
-from exoid.mismatch.screen.optimise import Settled
 from exoid.mismatch.screen.screened_recording import Bench
+from exoid.mismatch.screen.settled import Settled
+from exoid.mismatch.search.found import Found, names, size
 from exoid.mismatch.search.resample import inclusion
-from exoid.mismatch.search.search import Found, equivalents, names, size
+from exoid.mismatch.search.search import equivalents
 from exoid.mismatch.sensors.consistency import BIAS
 from exoid.physics.library import library, name_of
 from exoid.physics.parameter import declarations

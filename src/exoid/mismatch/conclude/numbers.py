@@ -5,9 +5,9 @@ import numpy as np
 from exoid.mismatch.answer.diagnosis import Booked, Parameter, Tested
 from exoid.mismatch.evidence.yardstick import Yardstick
 from exoid.mismatch.novel.formula import Formula
-from exoid.mismatch.screen.optimise import Settled
 from exoid.mismatch.screen.screened_recording import Bench
-from exoid.mismatch.search.search import Found, names
+from exoid.mismatch.screen.settled import Settled
+from exoid.mismatch.search.found import Found, names
 from exoid.mismatch.sensors.consistency import BIAS
 from exoid.physics.library import name_of
 from exoid.physics.parameter import declarations

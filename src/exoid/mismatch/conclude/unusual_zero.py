@@ -11,9 +11,11 @@ import numpy as np
 
 from exoid.mismatch.conclude.numbers import CERTAIN, covariance
 from exoid.mismatch.screen.hypothesis import Hypothesis
-from exoid.mismatch.screen.optimise import Settled, settle_free
+from exoid.mismatch.screen.optimise import settle_free
 from exoid.mismatch.screen.screened_recording import Bench
-from exoid.mismatch.search.search import Found, by_evidence
+from exoid.mismatch.screen.settled import Settled
+from exoid.mismatch.search.found import Found
+from exoid.mismatch.search.search import by_evidence
 from exoid.mismatch.search.variants import FREE_ROUNDS
 from exoid.physics.sensing.angle_offset import AngleOffset
 

@@ -1,20 +1,18 @@
 """Where simulation and recording part: the torque that the baseline lacks, in time and in words."""
 
-from dataclasses import dataclass
 from math import degrees
-from typing import Annotated
 
 import jax
 import jax.numpy as jnp
 import numpy as np
-from jaxtyping import Float
 
 from exoid.fitting.misfit.residual import equation
 from exoid.fitting.model.coordinates import seated
+from exoid.mismatch.evidence.location import Location, Missing, Region, Samples
 from exoid.mismatch.screen.hypothesis import Hypothesis
 from exoid.mismatch.screen.measured_motion import FREE, drive_of
-from exoid.mismatch.screen.optimise import Settled
 from exoid.mismatch.screen.screened_recording import Bench
+from exoid.mismatch.screen.settled import Settled
 from exoid.physics.leg import angular_acceleration
 from exoid.physics.state import LegState
 
@@ -26,59 +24,6 @@ SHORTEST = 0.03  # s
 MOST = 6  # places that are named
 TURNING = np.radians(30.0)  # rad/s, below which a leg is at a reversal
 FEW = 12  # bins of angle or speed
-
-Samples = Float[np.ndarray, " sample"]
-
-
-@dataclass(frozen=True, eq=False)
-class Missing:
-    """The torque that a segment's baseline lacks."""
-
-    segment: str
-    time: Annotated[Samples, "s"]
-    angle: Annotated[Samples, "rad"]
-    angular_velocity: Annotated[Samples, "rad/s"]
-    torque: Annotated[Samples, "N m"]
-    band: Annotated[float, "N m"]  # standard deviation
-    modelled: Annotated[Samples | None, "N m"]  # by what was found: without noise
-    width: int  # samples, over which torques are averaged
-
-
-@dataclass(frozen=True)
-class Region:
-    """A stretch of time in which a torque is missing."""
-
-    segment: str
-    begin: Annotated[float, "s"]
-    end: Annotated[float, "s"]
-    region: str
-    description: str
-    torque: Annotated[float, "N m"]  # mean
-
-
-@dataclass(frozen=True, eq=False)
-class Location:
-    """The missing torque of every segment, where it is strongest, and what it goes with."""
-
-    missing: list[Missing]
-    regions: list[Region]
-    by_angle: Annotated[float, "1"]  # share of its variance that the angle alone explains
-    by_speed: Annotated[float, "1"]  # that speed and direction alone explain
-
-    @property
-    def pattern(self) -> str:
-        """In one sentence."""
-        angle, speed = f"{self.by_angle:.0%}", f"{self.by_speed:.0%}"
-        if max(self.by_angle, self.by_speed) < 0.3:
-            return (
-                f"it follows neither angle ({angle}) nor speed ({speed}) alone: time, memory or "
-                "both together"
-            )
-        if self.by_speed > self.by_angle + 0.1:
-            return f"it goes with speed and direction ({speed} of its variance, angle {angle})"
-        if self.by_angle > self.by_speed + 0.1:
-            return f"it goes with the angle ({angle} of its variance, speed {speed})"
-        return f"angle ({angle} of its variance) and speed ({speed}) explain it about alike"
 
 
 def locate(bench: Bench, base: Hypothesis, best: Settled) -> Location:

@@ -1,68 +1,20 @@
 """Does it hold on data that the fit has not seen?"""
 
-from dataclasses import dataclass
-from typing import Annotated
-
 import equinox as eqx
 import numpy as np
-from jaxtyping import Bool, Float
 
 from exoid.fitting.data.observation import Observation
+from exoid.mismatch.evidence.prediction import Prediction, Proof
 from exoid.mismatch.screen.hypothesis import Hypothesis, Products
 from exoid.mismatch.screen.many_free import release
-from exoid.mismatch.screen.optimise import Settled, bounded, settle_free
+from exoid.mismatch.screen.optimise import bounded, settle_free
 from exoid.mismatch.screen.screened_recording import Bench
+from exoid.mismatch.screen.settled import Settled
 
 LOOKS = 3  # at a held-out segment, to find where it begins
 EARLY = 0.6  # of a single segment, on which the fit is made where there is no other
 ROUNDS = 12
 TRAINING_ROUNDS = 5  # from where all segments have it
-
-Samples = Float[np.ndarray, "segment sample"]
-
-
-@dataclass(frozen=True, eq=False)
-class Prediction:
-    """Segments as they were predicted by a fit of the others."""
-
-    angle: Annotated[Samples, "rad"]
-    counted: Bool[np.ndarray, "segment sample"]  # which samples were held out
-    rmse: Annotated[Float[np.ndarray, " segment"], "rad"]
-    squares: Annotated[Float[np.ndarray, " segment"], "1"]  # of both channels over their noise
-
-    @property
-    def total(self) -> float:
-        """rad, over all segments."""
-        weights = self.counted.sum(axis=1)
-        return float(np.sqrt(weights @ self.rmse**2 / weights.sum()))
-
-
-@dataclass(frozen=True, eq=False)
-class Proof:
-    """The same prediction without and with what was found."""
-
-    before: Prediction
-    after: Prediction
-    time: Annotated[Samples, "s"]
-    angle: Annotated[Samples, "rad"]  # measured
-    noise_floor: Annotated[float, "rad"]
-    in_time: bool  # a single segment, its end predicted from its beginning
-
-    @property
-    def better(self) -> int:
-        """Segments that are predicted better than before."""
-        return int(np.sum(self.after.squares < self.before.squares))
-
-    @property
-    def holds(self) -> bool:
-        """Is most of it predicted better, and all of it together?"""
-        return improves(self.before, self.after)
-
-
-def improves(before: Prediction, after: Prediction) -> bool:
-    """Is most of it predicted better, and all of it together?"""
-    better = np.sum(after.squares < before.squares)
-    return bool(2 * better > after.squares.size and after.squares.sum() < before.squares.sum())
 
 
 def predict(bench: Bench, at: Settled) -> Prediction:

@@ -1,13 +1,9 @@
-"""How much a candidate explains, in units that noise and model error allow."""
+"""What a difference between sums of squares is worth, in units that noise and model error allow."""
 
 from dataclasses import dataclass
 
 import numpy as np
 from scipy.stats import chi2, ncx2
-
-from exoid.fitting.data.observation import Observation
-from exoid.mismatch.screen.optimise import Settled
-from exoid.mismatch.screen.screened_recording import Bench
 
 SURE = 30.0  # evidence beyond its price that noise does not reach: with thirty terms, 1 in 10 000
 APART = 10.0  # evidence by which one candidate is better than another: odds of 150 to 1
@@ -15,7 +11,6 @@ MATTERS = 0.02  # of the noise's sum of squares: an effect that explains less ch
 UNEXPLAINED = 1.6  # mean square over the noise from which on something remains unexplained
 FOLLOWED = 0.97  # share of the mismatch that a term must explain to be named, where noise is known
 ALIKE = 1.5  # times what the best leaves: where all leave something, that little is no difference
-LONGEST_LAG = 1.0  # s, over which what is left may be correlated
 
 
 @dataclass(frozen=True)
@@ -64,51 +59,3 @@ class Yardstick:
         """The smallest gain that is clear."""
         found = SURE + self.price(parameters)
         return max(found, MATTERS * self.samples / self.scale)
-
-
-def yardstick(bench: Bench, best: Settled) -> Yardstick:
-    """By what the best candidate leaves: white noise, or what nothing explains.
-
-    What is left and correlated in time counts as few samples: the variance of a sum over it is
-    larger by the sum of its autocorrelation.
-    """
-    seen = bench.seen
-    return Yardstick(count(seen), max(1.0, float(np.mean(inflation(seen, best.course)))))
-
-
-def count(seen: Observation) -> int:
-    """How many samples of both channels there are."""
-    return int((seen.angle_weight > 0).sum() + (seen.velocity_weight > 0).sum())
-
-
-def misfits(seen: Observation, shown: np.ndarray) -> list[list[np.ndarray]]:
-    """What is left over the noise: of every segment its angle and its rate."""
-    data = (seen.angle, seen.angular_velocity)
-    weights = (seen.angle_weight, seen.velocity_weight)
-    return [
-        [
-            (weight[k] * (shown[k, :, channel] - value[k]))[weight[k] > 0]
-            for channel, (value, weight) in enumerate(zip(data, weights, strict=True))
-        ]
-        for k in range(seen.time.shape[0])
-    ]
-
-
-def inflation(seen: Observation, shown: np.ndarray) -> list[float]:
-    """Mean square of what is left, times the sum of its autocorrelation, of every channel."""
-    found = []
-    for number, channels in enumerate(misfits(seen, shown)):
-        step = float(np.median(np.diff(seen.time[number])))
-        for left in channels:
-            if left.size:
-                lags = min(int(LONGEST_LAG / step), left.size // 4)
-                found += [long_run(left, lags)] * left.size
-    return found
-
-
-def long_run(left: np.ndarray, lags: int) -> float:
-    """Newey and West's long-run variance (Econometrica 55(3), 1987), never below the variance."""
-    square = float(np.mean(left**2))
-    weights = 1 - np.arange(1, lags + 1) / (lags + 1)
-    products = [float(left[lag:] @ left[:-lag]) / left.size for lag in range(1, lags + 1)]
-    return max(square, square + 2 * float(weights @ products))

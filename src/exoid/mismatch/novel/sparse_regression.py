@@ -9,7 +9,8 @@ from dataclasses import replace
 import numpy as np
 from scipy.optimize import least_squares
 
-from exoid.mismatch.evidence.locate import Missing, averaged, lacking
+from exoid.mismatch.evidence.locate import averaged, lacking
+from exoid.mismatch.evidence.location import Missing
 from exoid.mismatch.novel.dictionary import OF_ANGLE, Feature, dictionary
 from exoid.mismatch.novel.formula import Formula, split
 from exoid.mismatch.screen.hypothesis import Hypothesis

@@ -1,13 +1,12 @@
 """What a term does along a measured motion, and its derivatives by the term's parameters."""
 
 from functools import partial
-from typing import Any
 
-import equinox as eqx
 import jax
 import jax.numpy as jnp
 from jaxtyping import Array, Float
 
+from exoid.mismatch.screen.hypothesis import Effect
 from exoid.mismatch.screen.measured_motion import Scene, at_step, throughout
 from exoid.physics.library import MOST_PARAMETERS
 from exoid.physics.moment import Moment
@@ -15,13 +14,6 @@ from exoid.physics.motion.step import Drive, march, parabola, rk4
 from exoid.physics.motion.with_terms import delayed
 from exoid.physics.parameter import declarations
 from exoid.physics.term import Reading, Term
-
-
-class Effect(eqx.Module):
-    """What a term does along a course: torques per inertia, and what the sensors show."""
-
-    push: Drive  # rad/s^2, at the stage times
-    shown: Float[Any, "*batch time channel"]  # rad, rad/s
 
 
 def named(term: type[Term], value: Float[Array, " parameter"]) -> Term:

@@ -2,12 +2,21 @@
 
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from typing import Any
 
+import equinox as eqx
 import numpy as np
 from jaxtyping import Float
 
-from exoid.mismatch.screen.effect import Effect
+from exoid.physics.motion.step import Drive
 from exoid.physics.term import Term
+
+
+class Effect(eqx.Module):
+    """What a term does along a course: torques per inertia, and what the sensors show."""
+
+    push: Drive  # rad/s^2, at the stage times
+    shown: Float[Any, "*batch time channel"]  # rad, rad/s
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,8 +8,7 @@ import numpy as np
 
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.solve.program_cache import called
-from exoid.mismatch.screen.effect import Effect
-from exoid.mismatch.screen.hypothesis import Hypothesis, Linear, Products, spread
+from exoid.mismatch.screen.hypothesis import Effect, Hypothesis, Linear, Products, spread
 from exoid.mismatch.screen.measured_motion import Course
 from exoid.mismatch.screen.pinned import Given, Pinned, Requests
 from exoid.mismatch.screen.screened_recording import Bench

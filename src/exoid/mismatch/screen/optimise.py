@@ -1,39 +1,23 @@
 """Bring candidates to their best: Levenberg-Marquardt within bounds, all of them together."""
 
-from dataclasses import dataclass, replace
-from typing import Any
+from dataclasses import replace
 
 import numpy as np
 
 from exoid.fitting.data.observation import Observation
 from exoid.mismatch.screen import many_pinned
-from exoid.mismatch.screen.hypothesis import Hypothesis, Products
+from exoid.mismatch.screen.hypothesis import Hypothesis
 from exoid.mismatch.screen.many_free import release
 from exoid.mismatch.screen.screened_recording import Bench
+from exoid.mismatch.screen.settled import Settled
 
 ROUNDS = 12
-DAMPING = 1e-3  # of the first step, relative to the curvature
 EASIER, HARDER = 0.1, 8.0
 CAREFUL = 1e-2  # damping beyond which a small step says little
 STEADY = 1e-2  # expected gain of a sum of squares below which a candidate rests
 NEARLY = 0.5  # the same while it is pinned, for it goes on running free
 WEAK = 1e-9  # relative curvature of what nothing tells
 PASSES = 4  # in which bounds that a step runs into are found
-
-
-@dataclass(frozen=True, eq=False)
-class Settled:
-    """A candidate at its best, and the derivatives there."""
-
-    candidate: Hypothesis
-    products: Products
-    course: Any  # pinned: the Course along which; free: what the sensors would show
-    damping: float = DAMPING
-    resting: bool = False
-
-    @property
-    def square(self) -> float:
-        return self.products.square
 
 
 def settle(bench: Bench, candidates: list[Hypothesis], *, rounds: int = ROUNDS) -> list[Settled]:

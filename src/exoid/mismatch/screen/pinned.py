@@ -19,7 +19,8 @@ from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.model.coordinates import Coordinates, seated
 from exoid.mismatch.screen.deviation import products
-from exoid.mismatch.screen.effect import Effect, columns, named, remembered, shown
+from exoid.mismatch.screen.effect import columns, named, remembered, shown
+from exoid.mismatch.screen.hypothesis import Effect
 from exoid.mismatch.screen.measured_motion import Clock, Course, Scene, scenes
 from exoid.physics.library import MOST_PARAMETERS
 from exoid.physics.motion.step import Drive

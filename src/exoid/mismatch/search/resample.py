@@ -3,9 +3,10 @@
 import numpy as np
 
 from exoid.mismatch.evidence.yardstick import Yardstick
-from exoid.mismatch.screen.optimise import Settled, bounded
+from exoid.mismatch.screen.optimise import bounded
 from exoid.mismatch.screen.screened_recording import Bench
-from exoid.mismatch.search.search import size
+from exoid.mismatch.screen.settled import Settled
+from exoid.mismatch.search.found import size
 
 DRAWS = 200
 FEWEST = 3  # segments, of which fewer make no sample

@@ -1,14 +1,17 @@
 """Which terms explain the mismatch: all of them pinned, the best of them free, then in pairs."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
-from exoid.mismatch.evidence.yardstick import ALIKE, APART, FOLLOWED, Yardstick, yardstick
+from exoid.mismatch.evidence.measure import yardstick
+from exoid.mismatch.evidence.yardstick import ALIKE, APART, FOLLOWED, Yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis
-from exoid.mismatch.screen.optimise import Settled, settle, settle_free
+from exoid.mismatch.screen.optimise import settle, settle_free
 from exoid.mismatch.screen.screened_recording import Bench
+from exoid.mismatch.screen.settled import Settled
+from exoid.mismatch.search.found import FLOOR, Found, size
 from exoid.mismatch.search.variants import (
     nested,
     pairs,
@@ -25,42 +28,8 @@ REACH = 3.0  # times the best, within which running free may change the order
 ROUNDS = 8  # of pinned steps; what is close by then is brought to its end running free
 PAIR_ROUNDS = 6
 FALSE = 0.5  # of the baseline's square, below which another valley makes it a false one
-FLOOR = 1.3  # mean square over the noise at which nothing more is looked for
 
 Told = Callable[[str], None]
-
-
-@dataclass(frozen=True, eq=False)
-class Found:
-    """What a search found, best first; `pinned` are the sums of squares of the first look."""
-
-    base: Settled
-    begin: Hypothesis  # the baseline where candidates began
-    singles: list[Settled]  # running free
-    pairs: list[Settled]
-    pinned: dict[type[Term], float]
-    failed: list[type[Term]]  # whose derivatives are not finite
-    yardstick: Yardstick
-
-    def clear(self, worse: Settled, better: Settled) -> bool:
-        parameters = size(better) - size(worse)
-        return self.yardstick.clear(worse.square, better.square, max(parameters, 1))
-
-    def followed(self, one: Settled) -> float:
-        """The share of the baseline's excess over the noise that it explains."""
-        return self.yardstick.followed(self.base.square, one.square)
-
-    def evidence(self, one: Settled) -> float:
-        return self.yardstick.evidence(self.base.square, one.square, size(one))
-
-
-def size(one: Settled) -> int:
-    """How many parameters its terms have."""
-    return sum(value.size for value in one.candidate.values)
-
-
-def names(one: Settled) -> list[str]:
-    return [name_of(term) for term in one.candidate.terms]
 
 
 def look(bench: Bench, base: Settled, told: Told) -> Found:

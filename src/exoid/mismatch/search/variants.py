@@ -9,8 +9,9 @@ import numpy as np
 from exoid.fitting.data.observation import Observation
 from exoid.mismatch.screen.hypothesis import Hypothesis
 from exoid.mismatch.screen.many_pinned import linear
-from exoid.mismatch.screen.optimise import Settled, settle_free
+from exoid.mismatch.screen.optimise import settle_free
 from exoid.mismatch.screen.screened_recording import Bench
+from exoid.mismatch.screen.settled import Settled
 from exoid.mismatch.sensors.consistency import BIAS
 from exoid.physics.library import name_of
 from exoid.physics.parameter import declarations

@@ -3,7 +3,7 @@
 import numpy as np
 
 from exoid.mismatch.answer.diagnosis import Diagnosis
-from exoid.mismatch.evidence.proof import Prediction
+from exoid.mismatch.evidence.prediction import Prediction
 from exoid.report.pictures.motion import TIME
 from exoid.report.pictures.panel import Axis, Band, Line, Panel, Picture
 from exoid.report.pictures.role import Role

@@ -3,7 +3,7 @@
 import numpy as np
 
 from exoid.mismatch.answer.diagnosis import Diagnosis
-from exoid.mismatch.evidence.locate import Location
+from exoid.mismatch.evidence.location import Location
 from exoid.report.pictures.motion import TIME
 from exoid.report.pictures.panel import Axis, Band, Cloud, Line, Panel, Picture, Region, Rule
 from exoid.report.pictures.role import Role

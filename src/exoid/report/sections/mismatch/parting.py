@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from exoid.mismatch.answer.diagnosis import Diagnosis
-from exoid.mismatch.evidence.locate import Location
+from exoid.mismatch.evidence.location import Location
 from exoid.report.parts.case import Case
 from exoid.report.pictures.mismatch.torque import show_plane, show_torque, worst
 from exoid.report.pictures.panel import Picture

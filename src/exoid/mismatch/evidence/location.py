@@ -1,0 +1,60 @@
+"""Where simulation and recording part, as it was found."""
+
+from dataclasses import dataclass
+from typing import Annotated
+
+import numpy as np
+from jaxtyping import Float
+
+Samples = Float[np.ndarray, " sample"]
+
+
+@dataclass(frozen=True, eq=False)
+class Missing:
+    """The torque that a segment's baseline lacks."""
+
+    segment: str
+    time: Annotated[Samples, "s"]
+    angle: Annotated[Samples, "rad"]
+    angular_velocity: Annotated[Samples, "rad/s"]
+    torque: Annotated[Samples, "N m"]
+    band: Annotated[float, "N m"]  # standard deviation
+    modelled: Annotated[Samples | None, "N m"]  # by what was found: without noise
+    width: int  # samples, over which torques are averaged
+
+
+@dataclass(frozen=True)
+class Region:
+    """A stretch of time in which a torque is missing."""
+
+    segment: str
+    begin: Annotated[float, "s"]
+    end: Annotated[float, "s"]
+    region: str
+    description: str
+    torque: Annotated[float, "N m"]  # mean
+
+
+@dataclass(frozen=True, eq=False)
+class Location:
+    """The missing torque of every segment, where it is strongest, and what it goes with."""
+
+    missing: list[Missing]
+    regions: list[Region]
+    by_angle: Annotated[float, "1"]  # share of its variance that the angle alone explains
+    by_speed: Annotated[float, "1"]  # that speed and direction alone explain
+
+    @property
+    def pattern(self) -> str:
+        """In one sentence."""
+        angle, speed = f"{self.by_angle:.0%}", f"{self.by_speed:.0%}"
+        if max(self.by_angle, self.by_speed) < 0.3:
+            return (
+                f"it follows neither angle ({angle}) nor speed ({speed}) alone: time, memory or "
+                "both together"
+            )
+        if self.by_speed > self.by_angle + 0.1:
+            return f"it goes with speed and direction ({speed} of its variance, angle {angle})"
+        if self.by_angle > self.by_speed + 0.1:
+            return f"it goes with the angle ({angle} of its variance, speed {speed})"
+        return f"angle ({angle} of its variance) and speed ({speed}) explain it about alike"

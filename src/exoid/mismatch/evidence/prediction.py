@@ -1,0 +1,53 @@
+"""Segments as they are predicted without and with what was found."""
+
+from dataclasses import dataclass
+from typing import Annotated
+
+import numpy as np
+from jaxtyping import Bool, Float
+
+Samples = Float[np.ndarray, "segment sample"]
+
+
+@dataclass(frozen=True, eq=False)
+class Prediction:
+    """Segments as they were predicted by a fit of the others."""
+
+    angle: Annotated[Samples, "rad"]
+    counted: Bool[np.ndarray, "segment sample"]  # which samples were held out
+    rmse: Annotated[Float[np.ndarray, " segment"], "rad"]
+    squares: Annotated[Float[np.ndarray, " segment"], "1"]  # of both channels over their noise
+
+    @property
+    def total(self) -> float:
+        """rad, over all segments."""
+        weights = self.counted.sum(axis=1)
+        return float(np.sqrt(weights @ self.rmse**2 / weights.sum()))
+
+
+@dataclass(frozen=True, eq=False)
+class Proof:
+    """The same prediction without and with what was found."""
+
+    before: Prediction
+    after: Prediction
+    time: Annotated[Samples, "s"]
+    angle: Annotated[Samples, "rad"]  # measured
+    noise_floor: Annotated[float, "rad"]
+    in_time: bool  # a single segment, its end predicted from its beginning
+
+    @property
+    def better(self) -> int:
+        """Segments that are predicted better than before."""
+        return int(np.sum(self.after.squares < self.before.squares))
+
+    @property
+    def holds(self) -> bool:
+        """Is most of it predicted better, and all of it together?"""
+        return improves(self.before, self.after)
+
+
+def improves(before: Prediction, after: Prediction) -> bool:
+    """Is most of it predicted better, and all of it together?"""
+    better = np.sum(after.squares < before.squares)
+    return bool(2 * better > after.squares.size and after.squares.sum() < before.squares.sum())
