@@ -10,8 +10,8 @@ from exoid.fitting.estimate import fit
 from exoid.fitting.model.belief import Belief
 from exoid.fitting.model.constraint import violations
 from exoid.fitting.model.prior_and_limits import believe
-from exoid.planning.candidate_recordings import Candidate
-from exoid.planning.plan import Plan, plan
+from exoid.planning.plan import plan
+from exoid.planning.planned import Candidate, Plan
 from exoid.recordings.recording import Recording, Subject
 
 from .situations import Situation

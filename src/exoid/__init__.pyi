@@ -12,7 +12,8 @@ from .fitting.result.fit_result import FitResult
 from .fitting.solve.program_cache import keep_programs_in
 from .mismatch.answer.diagnosis import Diagnosis
 from .mismatch.missing_physics import diagnose
-from .pendulum.drops import PendulumTest, measure_drops
+from .pendulum.drop import PendulumTest
+from .pendulum.drops import measure_drops
 from .physics.anatomy import expected_leg
 from .physics.leg import LegModel, LegParameters
 from .physics.moment import Moment
@@ -21,7 +22,8 @@ from .physics.parameter import parameter
 from .physics.state import LegState
 from .physics.term import PhysicsTerm, SensorTerm, reading
 from .physics.torque import CycleTorque, MeasuredTorque, NoTorque
-from .planning.plan import Plan, plan
+from .planning.plan import plan
+from .planning.planned import Plan
 from .recordings.formats.own_table import write_table
 from .recordings.loading.from_memory import recording
 from .recordings.loading.load import load
@@ -30,7 +32,8 @@ from .report.plots.diagnosis import plot_diagnosis
 from .report.plots.drops import plot_drops
 from .report.plots.fit import plot_fit
 from .report.saved.saved_result import SavedResult, load_result, save_result
-from .trust.identifiability import Identifiability, identify
+from .trust.identifiability import identify
+from .trust.told import Identifiability
 
 __all__ = [
     "CycleTorque",

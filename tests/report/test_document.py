@@ -21,7 +21,7 @@ from test_saved_result import ODD, check_same, plainly, rich, told
 
 from exoid.fitting.errors.posterior import Posterior
 from exoid.fitting.result.fit_result import FitResult
-from exoid.pendulum.drops import Average
+from exoid.pendulum.drop import Average
 from exoid.physics.library import library
 from exoid.physics.parameter import declarations, parameter
 from exoid.physics.term import PhysicsTerm, SensorTerm, Term

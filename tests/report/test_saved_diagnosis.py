@@ -14,7 +14,7 @@ from test_saved_result import SETTINGS, SOURCES, check_same, plainly
 
 from exoid.fitting.errors.profile import Profile
 from exoid.planning.candidate_recordings import candidates
-from exoid.planning.plan import Option, Plan
+from exoid.planning.planned import Option, Plan
 from exoid.report.document.diagnosis_json import diagnosis_document
 from exoid.report.page import build_page
 from exoid.report.parts.case import Case

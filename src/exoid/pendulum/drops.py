@@ -1,19 +1,15 @@
 """The pendulum test: every passive drop of one leg with its measures, and their averages."""
 
-from dataclasses import dataclass
-from typing import Any
-
 import numpy as np
 
-from exoid.pendulum import summary
 from exoid.pendulum.catalogue import MEASURES, measures
+from exoid.pendulum.drop import Average, Drop, PendulumTest
 from exoid.recordings.landmarks.landmarks import find_landmarks
-from exoid.recordings.landmarks.measure import Measure, NotAllowed
-from exoid.recordings.landmarks.swing import Curve
+from exoid.recordings.landmarks.measure import NotAllowed
 from exoid.recordings.landmarks.track import track_of
 from exoid.recordings.loading.named import Given, named_recordings
 from exoid.recordings.motion.drops import law_for
-from exoid.recordings.recording import Recording, Segment
+from exoid.recordings.recording import Recording
 from exoid.recordings.signal.clean import clean
 from exoid.recordings.signal.condition import classify
 
@@ -24,50 +20,6 @@ REFUSED = {
         "no drop: it does not end lower than it begins (extension is positive, hanging is -90 deg)"
     ),
 }
-
-
-@dataclass(frozen=True, eq=False)
-class Drop:
-    """A segment with what could be read off it; without measures where it is refused whole."""
-
-    name: str  # of the recording, where there are several, and the segment's number in it
-    segment: Segment
-    added_mass: float  # kg
-    measures: dict[str, Measure]
-    curve: Curve | None  # None where it is refused whole
-    reason: str | None = None
-
-
-@dataclass(frozen=True)
-class Average:
-    """The mean over drops, and their scatter."""
-
-    name: str
-    title: str
-    symbol: str
-    unit: str
-    mean: float
-    standard_deviation: float | None  # None of a single drop
-    drops: tuple[str, ...]  # that it was read off
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class PendulumTest:
-    """The drops of one leg. `average` is over those with the least added mass."""
-
-    drops: list[Drop]
-    average: dict[str, Average]
-    left_out: list[str]  # drops with another added mass
-
-    def __repr__(self) -> str:
-        return summary.lines(self)
-
-    def _repr_html_(self) -> str:
-        return summary.page(self)
-
-    def to_dataframe(self) -> Any:
-        """Every measure of every drop for pandas: a row each, with error, unit and reason."""
-        return summary.frame(self)
 
 
 def measure_drops(recordings: Given) -> PendulumTest:

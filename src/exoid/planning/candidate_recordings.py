@@ -1,9 +1,8 @@
 """Recordings that could be made next: drops bare and loaded, on a tilted seat, and cycles."""
 
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import radians
-from typing import Annotated
 
 import jax
 import numpy as np
@@ -12,6 +11,7 @@ from exoid.fitting.data.movement import Movement as Observed
 from exoid.fitting.data.segment import movement
 from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.torque import NoTorque
+from exoid.planning.planned import Candidate
 from exoid.recordings.recording import Recording, Sensors
 from exoid.twin.motion import Movement
 from exoid.twin.protocols import record
@@ -23,24 +23,6 @@ TALL = 1.75  # m, a body whose height is unknown
 TILTS = (-20.0, 20.0)  # deg, of the thigh by the whole seat, the hip left as it is
 SWING = 6.0  # s, after which a relaxed leg hangs nearly still
 PERIODS = (1.2, 1.6, 2.4)  # s, of voluntary cycles
-
-
-@dataclass(frozen=True)
-class Candidate:
-    """One segment that could be recorded."""
-
-    words: str
-    motion: Movement
-    thigh_angle: Annotated[float, "rad"] = 0.0
-
-    @property
-    def effort(self) -> float:
-        """Of the person who records it, against a bare drop."""
-        return 1.0 + 0.5 * (self.motion.added_mass > 0) + 2.0 * (self.thigh_angle != 0)
-
-    @property
-    def voluntary(self) -> bool:
-        return self.motion.amplitude is not None
 
 
 def candidates(height: float | None, amplitude: float | None) -> list[Candidate]:

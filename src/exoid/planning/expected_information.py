@@ -26,7 +26,7 @@ from exoid.fitting.result.estimates import RATIOS
 from exoid.fitting.solve.ask import sensed
 from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.problem import Problem
-from exoid.planning.candidate_recordings import Candidate
+from exoid.planning.planned import Candidate
 from exoid.planning.prior_knowledge import LEG, Known, eliminated
 
 GOALS = (*NAMES, *list(RATIOS)[:3])

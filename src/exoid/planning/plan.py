@@ -1,41 +1,17 @@
 """What to record next: the recording that narrows a quantity most, with the error to expect."""
 
-from dataclasses import dataclass
-
 from exoid.fitting.model.assumptions import Assumptions
 from exoid.fitting.model.systematics import PLACED, WEIGHED
 from exoid.fitting.result.estimates import MASS_AND_DISTANCE, RATIOS
 from exoid.fitting.result.fit_result import FitResult
 from exoid.physics.leg import LegParameters
 from exoid.physics.parameter import declarations
-from exoid.planning.candidate_recordings import Candidate, candidates, moving
+from exoid.planning.candidate_recordings import candidates, moving
 from exoid.planning.expected_information import ENOUGH, GOALS, Design, informations
+from exoid.planning.planned import Candidate, Option, Plan
 from exoid.planning.prior_knowledge import Known, from_anatomy, from_result
 from exoid.recordings.recording import Subject
 from exoid.trust.legs import strangers
-
-
-@dataclass(frozen=True)
-class Option:
-    """One segment that could be added, and the error of the goal that it would leave."""
-
-    candidate: Candidate
-    error: float
-
-
-@dataclass(frozen=True)
-class Plan:
-    """What to record next for one quantity."""
-
-    goal: str
-    symbol: str
-    unit: str
-    value: float
-    before: float  # standard error; inf where nothing tells
-    after: float  # with all the proposed segments in one new recording
-    proposed: list[Candidate]  # empty where none would help
-    options: list[Option]  # one segment each, best first
-    sentences: list[str]
 
 
 def plan(

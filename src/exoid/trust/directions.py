@@ -1,29 +1,17 @@
 """Directions in which parameters can move together: without any trace, or with hardly any."""
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from exoid.fitting.errors.profile import named
 from exoid.fitting.misfit.uncertainty import HELD, Information, determined, inverse_times
 from exoid.fitting.result.estimates import RATIOS
 from exoid.fitting.result.fit_result import Estimate, FitResult
+from exoid.trust.told import Changes, Direction
 
 SHIFT = 0.10  # relative change by which an exact direction is put into words
 TRACE = 1e-3  # of the largest change along a direction; smaller ones are rounding
 VISIBLE = 0.05  # of the largest change; smaller ones are left out of the words
 WEAK = 0.05  # relative standard error from which on a combination counts as hardly told
-
-Changes = dict[str, float]  # parameter or ratio: relative change
-
-
-@dataclass(frozen=True)
-class Direction:
-    """Parameters that may move together, and how far: by `error` times `changes` for one sd."""
-
-    changes: Changes
-    error: float  # inf where no motion of this kind tells
-    words: str
 
 
 def null_directions(

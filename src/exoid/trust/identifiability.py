@@ -5,10 +5,9 @@ besides noise): directions in which the parameters may move without any trace in
 in which they leave hardly any, and the combinations that are well determined.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
-from jaxtyping import Float
 
 from exoid.fitting.errors.profile import named, weights_of
 from exoid.fitting.misfit.neighbourhood import columns
@@ -16,27 +15,14 @@ from exoid.fitting.misfit.uncertainty import HELD, Information, inverse_times
 from exoid.fitting.result.estimates import RATIOS
 from exoid.fitting.result.fit_result import Basis, Estimate, FitResult
 from exoid.fitting.solve.ask import take
-from exoid.trust.directions import Direction, listed, null_directions, weak_directions
+from exoid.trust.directions import listed, null_directions, weak_directions
 from exoid.trust.legs import strangers
-from exoid.trust.reversal import Reversal, reversals
+from exoid.trust.reversal import reversals
+from exoid.trust.told import Identifiability, Reversal
 
 UNDAMPED = 0.1  # 1/s, d / J below which no relaxed leg lies (0.5 to 1.2 do)
 WHOLLY = 0.995  # share that is all
 RESTING = 0.5  # share of a value from which on it rests on the voluntary segments
-
-
-@dataclass(frozen=True, eq=False)
-class Identifiability:
-    """What was told by whom."""
-
-    null_directions: list[Direction]  # exact: a longer recording of the same kind would not help
-    weak_directions: list[Direction]  # practical: this recording hardly tells
-    combinations: dict[str, Estimate]  # what the data alone determine, with the data's own errors
-    names: list[str]  # of the rows of `correlation`
-    correlation: Float[np.ndarray, "name name"]  # of the errors; data, prior and bounds together
-    segment_shares: dict[str, Float[np.ndarray, " segment"]]  # which segments told a combination
-    reversals: list[Reversal]  # every segment against its mirror image in time
-    sentences: list[str]
 
 
 def identify(result: FitResult) -> Identifiability:

@@ -4,29 +4,14 @@ Damping is the only term of Eq. 9 that tells the two apart: where neither the mo
 that is assumed does, the fit must book no damping, whatever the leg has.
 """
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from exoid.fitting.data.movement import Movement, smoothed_motion
+from exoid.trust.told import Reversal
 
 SMOOTHING = 0.06  # s
 CENTRES = (0.35, 0.65)  # of the duration, between which the middle of the movement is looked for
 STEPS = 61  # tried middles
-MIRRORED = 0.05  # odd part over the whole, below which a motion counts as its own mirror image
-
-
-@dataclass(frozen=True)
-class Reversal:
-    """How far a movement is from its own mirror image in time."""
-
-    segment: str
-    voluntary: bool
-    odd: float  # root mean square of the odd part of the angle over that of all of it
-
-    @property
-    def mirrored(self) -> bool:
-        return self.odd < MIRRORED
 
 
 def reversals(movements: list[Movement]) -> list[Reversal]:

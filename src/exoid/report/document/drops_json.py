@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from exoid.pendulum.drops import Drop, PendulumTest
+from exoid.pendulum.drop import Drop, PendulumTest
 from exoid.report.document.plain_json import plain, shown
 
 

@@ -5,11 +5,11 @@ from dataclasses import dataclass
 
 from exoid.fitting.result.fit_result import FitResult
 from exoid.mismatch.answer.diagnosis import Diagnosis
-from exoid.planning.plan import Plan
+from exoid.planning.planned import Plan
 from exoid.recordings.can.quality import LogQuality
 from exoid.recordings.recording import Recording
 from exoid.report.words.person import people
-from exoid.trust.identifiability import Identifiability
+from exoid.trust.told import Identifiability
 
 
 @dataclass(frozen=True, eq=False)

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from exoid.pendulum.drops import Drop
+from exoid.pendulum.drop import Drop
 from exoid.recordings.landmarks.measure import Mark as Landmark
 from exoid.recordings.landmarks.rest import BAND
 from exoid.recordings.landmarks.track import HALF

@@ -6,7 +6,7 @@ from matplotlib import rc_context
 from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 
-from exoid.pendulum.drops import PendulumTest
+from exoid.pendulum.drop import PendulumTest
 from exoid.report.pictures.drops import drop_of
 from exoid.report.plots.arrange import draw_bands
 from exoid.report.plots.style import TEXT

@@ -10,11 +10,11 @@ from exoid.fitting.errors.profile import Profile
 from exoid.fitting.result.fit_result import FitResult
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.physics.term import Term
-from exoid.planning.plan import Plan
+from exoid.planning.planned import Plan
 from exoid.report.parts.case import Origin
 from exoid.report.saved.document import read, write
 from exoid.report.saved.node import DocumentError
-from exoid.trust.identifiability import Identifiability
+from exoid.trust.told import Identifiability
 
 
 @dataclass(frozen=True, eq=False)

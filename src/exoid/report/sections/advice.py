@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import ClassVar
 
-from exoid.planning.plan import Plan
+from exoid.planning.planned import Plan
 from exoid.report.parts.case import Case
 from exoid.report.sections.section import Section
 from exoid.report.tables.plan import files, stated, steps

@@ -9,7 +9,7 @@ from exoid.report.pictures.panel import Picture
 from exoid.report.sections.section import Section
 from exoid.report.sections.table import Table, quantity
 from exoid.report.words.typeset import formula
-from exoid.trust.identifiability import Identifiability
+from exoid.trust.told import Identifiability
 
 ALONE = "Every segment was fitted alone, so there is no one fit to ask what the data determine."
 

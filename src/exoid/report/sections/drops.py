@@ -3,7 +3,8 @@
 from dataclasses import dataclass
 from typing import ClassVar
 
-from exoid.pendulum.drops import Drop, PendulumTest, measure_drops
+from exoid.pendulum.drop import Drop, PendulumTest
+from exoid.pendulum.drops import measure_drops
 from exoid.report.parts.case import Case
 from exoid.report.pictures.drops import show_drop
 from exoid.report.pictures.panel import Picture

@@ -5,7 +5,7 @@ from math import degrees
 
 from rich.console import Console
 
-from exoid.pendulum.drops import Average, Drop, PendulumTest
+from exoid.pendulum.drop import Average, Drop, PendulumTest
 from exoid.recordings.landmarks.measure import Measure
 from exoid.report.words.text import heading, say, table, with_error
 

@@ -23,7 +23,7 @@ from exoid.report.words.text import (
     with_error,
     written,
 )
-from exoid.trust.identifiability import Identifiability
+from exoid.trust.told import Identifiability
 
 ALIKE = 0.2  # relative spread of amplitudes
 BAR = 5  # blocks of a bar of shares

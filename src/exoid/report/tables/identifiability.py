@@ -3,7 +3,7 @@
 from rich.console import Console
 
 from exoid.report.words.text import heading, say
-from exoid.trust.identifiability import Identifiability
+from exoid.trust.told import Identifiability
 
 
 def print_told(told: Identifiability, console: Console) -> None:

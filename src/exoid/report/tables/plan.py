@@ -8,7 +8,7 @@ from rich.console import Console
 
 from exoid.fitting.result.fit_result import FitResult
 from exoid.planning.candidate_recordings import SWING
-from exoid.planning.plan import Plan
+from exoid.planning.planned import Plan
 from exoid.recordings.recording import Subject
 from exoid.report.document.plain_json import plain
 from exoid.report.words.person import identity

@@ -1,0 +1,53 @@
+"""Drops with the measures that were read off them, and their average."""
+
+from dataclasses import dataclass
+from typing import Any
+
+from exoid.pendulum import summary
+from exoid.recordings.landmarks.measure import Measure
+from exoid.recordings.landmarks.swing import Curve
+from exoid.recordings.recording import Segment
+
+
+@dataclass(frozen=True, eq=False)
+class Drop:
+    """A segment with what could be read off it; without measures where it is refused whole."""
+
+    name: str  # of the recording, where there are several, and the segment's number in it
+    segment: Segment
+    added_mass: float  # kg
+    measures: dict[str, Measure]
+    curve: Curve | None  # None where it is refused whole
+    reason: str | None = None
+
+
+@dataclass(frozen=True)
+class Average:
+    """The mean over drops, and their scatter."""
+
+    name: str
+    title: str
+    symbol: str
+    unit: str
+    mean: float
+    standard_deviation: float | None  # None of a single drop
+    drops: tuple[str, ...]  # that it was read off
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class PendulumTest:
+    """The drops of one leg. `average` is over those with the least added mass."""
+
+    drops: list[Drop]
+    average: dict[str, Average]
+    left_out: list[str]  # drops with another added mass
+
+    def __repr__(self) -> str:
+        return summary.lines(self)
+
+    def _repr_html_(self) -> str:
+        return summary.page(self)
+
+    def to_dataframe(self) -> Any:
+        """Every measure of every drop for pandas: a row each, with error, unit and reason."""
+        return summary.frame(self)

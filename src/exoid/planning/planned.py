@@ -1,0 +1,47 @@
+"""What a plan proposes: segments to record next, and the error that they would leave."""
+
+from dataclasses import dataclass
+from typing import Annotated
+
+from exoid.twin.motion import Movement
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """One segment that could be recorded."""
+
+    words: str
+    motion: Movement
+    thigh_angle: Annotated[float, "rad"] = 0.0
+
+    @property
+    def effort(self) -> float:
+        """Of the person who records it, against a bare drop."""
+        return 1.0 + 0.5 * (self.motion.added_mass > 0) + 2.0 * (self.thigh_angle != 0)
+
+    @property
+    def voluntary(self) -> bool:
+        return self.motion.amplitude is not None
+
+
+@dataclass(frozen=True)
+class Option:
+    """One segment that could be added, and the error of the goal that it would leave."""
+
+    candidate: Candidate
+    error: float
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What to record next for one quantity."""
+
+    goal: str
+    symbol: str
+    unit: str
+    value: float
+    before: float  # standard error; inf where nothing tells
+    after: float  # with all the proposed segments in one new recording
+    proposed: list[Candidate]  # empty where none would help
+    options: list[Option]  # one segment each, best first
+    sentences: list[str]
