@@ -1,8 +1,9 @@
 """The house that CONTRIBUTING.md describes: rooms of a size to survey, one above the other."""
 
+import ast
 import importlib.util
 import tomllib
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
@@ -13,6 +14,7 @@ import exoid
 
 ROOT = Path(__file__).parents[1]
 MOST = 12  # modules of a room
+LONGEST = 15  # modules, each of which imports the next when it is loaded
 VERBS = {name for name in exoid.__all__ if name.islower()}
 
 
@@ -69,6 +71,71 @@ def room_of(module: str, rooms: set[str]) -> str:
 def named_as_verbs(graph: grimp.ImportGraph) -> set[str]:
     """Rooms right below exoid that would hide a function of their name."""
     return {each for each in rooms_of(graph) if each.removeprefix("exoid.") in VERBS}
+
+
+def imported_at_once(body: list[ast.stmt]) -> Iterator[ast.Import | ast.ImportFrom]:
+    """Not those within functions, nor those for type checkers alone."""
+    for each in body:
+        if isinstance(each, ast.Import | ast.ImportFrom):
+            yield each
+        elif isinstance(each, ast.If) and ast.unparse(each.test).endswith("TYPE_CHECKING"):
+            yield from imported_at_once(each.orelse)
+        elif isinstance(each, ast.If | ast.With | ast.Try | ast.ClassDef):
+            yield from imported_at_once(each.body)
+
+
+def imports_of(home: Path) -> dict[str, set[str]]:
+    """Of every module below the folder `home`, the others that are loaded with it."""
+    files = {
+        ".".join(path.relative_to(home.parent).with_suffix("").parts).removesuffix(
+            ".__init__"
+        ): path
+        for path in home.rglob("*.py")
+    }
+    found: dict[str, set[str]] = {}
+    for module, path in files.items():
+        named = set()
+        for each in imported_at_once(ast.parse(path.read_text(encoding="utf-8")).body):
+            if isinstance(each, ast.ImportFrom):
+                inside = {f"{each.module}.{alias.name}" for alias in each.names}
+                named |= inside & files.keys() or {each.module}
+            else:
+                named |= {alias.name for alias in each.names}
+        found[module] = named & files.keys() - {module, home.name}
+    return found
+
+
+def longest_chain(imports: dict[str, set[str]]) -> list[str]:
+    """From the top; there may be no circle."""
+    chains: dict[str, list[str]] = {}
+    for module in TopologicalSorter(imports).static_order():
+        below = [chains[each] for each in sorted(imports[module])]
+        chains[module] = [module, *max(below, key=len, default=[])]
+    return max(chains.values(), key=len)
+
+
+def test_no_module_stands_on_a_long_chain_of_others():
+    chain = longest_chain(imports_of(ROOT / "src" / "exoid"))
+    assert len(chain) <= LONGEST, " -> ".join(chain)
+
+
+def test_a_chain_is_what_is_loaded_with_a_module(tmp_path):
+    home = tmp_path / "tower"
+    (home / "cellar").mkdir(parents=True)
+    written = {
+        "__init__.py": "",
+        "cellar/__init__.py": "",
+        "cellar/floor.py": "import os",
+        "wall.py": "from tower.cellar import floor",
+        "roof.py": "from tower.wall import floor\nimport tower.cellar.floor",
+        "flag.py": "if TYPE_CHECKING:\n    import tower.roof\ndef wave():\n    import tower.roof",
+    }
+    for name, text in written.items():
+        (home / name).write_text(text, encoding="utf-8")
+    assert longest_chain(imports_of(home)) == ["tower.roof", "tower.wall", "tower.cellar.floor"]
+    (home / "cellar" / "floor.py").write_text("import tower.roof", encoding="utf-8")
+    with pytest.raises(CycleError):
+        longest_chain(imports_of(home))
 
 
 def test_no_room_is_crowded_hides_a_function_or_imports_what_imports_it():

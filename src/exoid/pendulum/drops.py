@@ -4,7 +4,7 @@ import numpy as np
 
 from exoid.pendulum.catalogue import MEASURES, measures
 from exoid.pendulum.drop import Average, Drop, PendulumTest
-from exoid.recordings.landmarks.landmarks import find_landmarks
+from exoid.recordings.landmarks.find_landmarks import find_landmarks
 from exoid.recordings.landmarks.measure import NotAllowed
 from exoid.recordings.landmarks.track import track_of
 from exoid.recordings.loading.named import Given, named_recordings

@@ -2,19 +2,18 @@
 
 Plain frozen dataclasses over NumPy arrays: reading a file must not load JAX.
 """
-# ruff: noqa: RUF009 (the calls below make dataclass fields)
 
+# ruff: noqa: RUF009 (the calls below make dataclass fields)
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from exoid.recordings import summary
+from exoid.recordings.samples import Samples
 from exoid.recordings.unit_hint import unit_hint
 
-Samples = NDArray[np.float64]  # one value per sample; jaxtyping here would cost 0.1 s at start
 Kind = Literal["passive", "active", "measured"]
 
 KINDS: tuple[Kind, ...] = ("passive", "active", "measured")

@@ -7,7 +7,7 @@ import numpy as np
 from exoid.fitting.data.conditioning_chain import Chain, MovingAverage, Raw, SettledKalman
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.data.observe import LONGEST_STEP
-from exoid.recordings.recording import Samples
+from exoid.recordings.samples import Samples
 from exoid.recordings.signal.condition import moving_average
 
 SETTLING_SAMPLES = 25  # in which the firmware's filter forgets how it was started

@@ -8,7 +8,8 @@ from numpy.typing import NDArray
 
 from exoid.fitting.model.systematics import DECLARED_NOTHING, Systematics
 from exoid.recordings.motion.extent import Extent
-from exoid.recordings.recording import Samples, Segment
+from exoid.recordings.recording import Segment
+from exoid.recordings.samples import Samples
 from exoid.recordings.signal.condition import local_line
 from exoid.recordings.signal.noise import Noise
 

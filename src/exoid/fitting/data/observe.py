@@ -9,7 +9,7 @@ from exoid.fitting.data.observation import Observation
 from exoid.fitting.model.systematics import SOMEWHERE, beside_unplaced
 from exoid.physics.motion.step import Drive
 from exoid.physics.torque import cycle_shape
-from exoid.recordings.recording import Samples
+from exoid.recordings.samples import Samples
 from exoid.recordings.signal.condition import (
     interpolated,
     local_line,

@@ -5,7 +5,8 @@ import numpy as np
 from exoid.fitting.data.fitted_samples import Clip, Portion, portion
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.model.systematics import systematics
-from exoid.recordings.recording import Recording, Samples, Segment
+from exoid.recordings.recording import Recording, Segment
+from exoid.recordings.samples import Samples
 from exoid.recordings.signal.clean import clean
 from exoid.recordings.signal.condition import SMOOTHING, classify, cut, local_line
 

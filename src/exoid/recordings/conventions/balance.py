@@ -5,7 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from exoid.recordings.recording import Samples, Segment
+from exoid.recordings.recording import Segment
+from exoid.recordings.samples import Samples
 
 WINDOW = 0.4  # s, a third of a swing
 STRIDE = 0.05  # s between windows

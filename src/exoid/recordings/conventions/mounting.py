@@ -9,7 +9,7 @@ import numpy as np
 
 from exoid.files.text_file import Notes
 from exoid.recordings.conventions.balance import balance
-from exoid.recordings.landmarks.landmarks import find_landmarks
+from exoid.recordings.landmarks.find_landmarks import find_landmarks
 from exoid.recordings.landmarks.measure import NotAllowed
 from exoid.recordings.landmarks.track import track_of
 from exoid.recordings.recording import Recording, Segment

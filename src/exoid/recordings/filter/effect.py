@@ -5,7 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Bool
 
-from exoid.recordings.recording import Samples, Segment
+from exoid.recordings.recording import Segment
+from exoid.recordings.samples import Samples
 from exoid.recordings.signal.condition import MOTION_SPEED, SMOOTHING, local_line
 
 FEWEST = 50  # moving samples; with fewer a lag cannot be told

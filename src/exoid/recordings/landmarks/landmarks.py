@@ -1,24 +1,14 @@
 """The places of a drop that its measures are read from, each found or refused with the reason."""
 
-from collections.abc import Callable
-from dataclasses import dataclass, replace
-from typing import TypeVar
+from dataclasses import dataclass
 
 import numpy as np
 
-from exoid.recordings.landmarks.measure import NotAllowed
-from exoid.recordings.landmarks.release import Release, find_release
-from exoid.recordings.landmarks.rest import Rest, find_rest
-from exoid.recordings.landmarks.swing import Curve, back, curve, turned, turns
-from exoid.recordings.landmarks.track import FEWEST, HALF, SURE, Peak, Track, local, nearest
-from exoid.recordings.motion.acceleration import Law
-from exoid.recordings.motion.extent import Extent, Motionless
-from exoid.recordings.motion.find_free import find_free
-from exoid.recordings.motion.signal import Signal
-
-SHARE = 0.6  # of its greatest acceleration with which a leg that is let go falls at first
-
-Found = TypeVar("Found")
+from exoid.recordings.landmarks.measure import NotAllowed, given, ordinal
+from exoid.recordings.landmarks.release import Release
+from exoid.recordings.landmarks.rest import Rest
+from exoid.recordings.landmarks.swing import Curve, back
+from exoid.recordings.landmarks.track import HALF, Peak, Track, local, nearest
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,99 +69,3 @@ class Landmarks:
         time = float(inside[np.argmax(sign * np.array(wide))])
         value, error = local(track, time, first).derivative(order)
         return Peak(nearest(track, time), time, HALF, value, error)
-
-
-def find_landmarks(track: Track, handled: bool = True, law: Law | None = None) -> Landmarks:
-    """Everything that can be found on a drop; `handled` by a person, who may catch or lift the leg.
-
-    A `law` is what other drops of this leg have told of it.
-
-    **Raises** `NotAllowed` where nothing moves, or what moves does not fall.
-    """
-    track, extent = freely(track, handled, law)
-    released = attempt(lambda: find_release(track, extent))
-    free = None if isinstance(released, NotAllowed) else released
-    begin = float(track.time[0]) if free is None else free.start.time
-    found = turns(track, begin)
-    start = float(track.angle[0]) if free is None else free.start.value
-    if found and found[0].value > start:
-        raise NotAllowed(f"no drop: it first swings towards extension, up to {found[0].time:.2f} s")
-    return Landmarks(
-        track,
-        curve(track, free),
-        found,
-        released,
-        attempt(lambda: rested(track, extent, found if free is None else [free.start, *found])),
-        None if free is None else held(track, free, found),
-    )
-
-
-def freely(track: Track, handled: bool, law: Law | None) -> tuple[Track, Extent]:
-    """The track up to where a hand caught or lifted the leg, and its movement."""
-    signal = Signal(track.time, track.angle, track.noise, None, np.inf)
-    try:
-        extent = find_free(signal, handled=handled, law=law)
-    except Motionless as fault:
-        raise NotAllowed(f"no fall: {fault}") from fault
-    first = 0 if handled else first_top(track)
-    kept = slice(first, extent.hand and max(extent.hand, FEWEST))
-    return replace(
-        track, sample=track.sample[kept], time=track.time[kept], angle=track.angle[kept]
-    ), extent
-
-
-def first_top(track: Track) -> int:
-    """Where a rig that is let go below its rest swings back for the first time; else 0."""
-    turns = turned(track)
-    return turns[0] if turns and track.angle[turns[0]] > track.angle[0] else 0
-
-
-def rested(track: Track, extent: Extent, turns: list[Peak]) -> Rest:
-    """The rest that a drop ends with, where no hand ended it."""
-    if extent.ended == "caught":
-        raise NotAllowed(f"caught: {extent.why}. Leave it alone until it hangs still")
-    return find_rest(track, turns)
-
-
-def held(track: Track, release: Release, found: list[Peak]) -> NotAllowed | None:
-    """Why a fall is not taken for a free one.
-
-    Gravity pulls most at the release, the leg being nearest to the horizontal there, and damping
-    and stiffness only grow from then on. So a leg that accelerates far more later than just after
-    it began to move was held back by something that then let go.
-    """
-    begin = release.start.time
-    end = (found[0].time if found else float(track.time[-1])) - HALF
-    rows = np.flatnonzero((track.time > begin + HALF) & (track.time < end))
-    if not rows.size:
-        return None
-    early = local(track, begin + HALF, begin).derivative(2)
-    each = [local(track, float(track.time[row]), begin).derivative(2) for row in rows]
-    late = min(each)
-    if early[0] - SURE * early[1] < SHARE * (late[0] + SURE * late[1]):
-        return None
-    after = float(track.time[rows[each.index(late)]]) - begin
-    return NotAllowed(
-        f"no free fall: {after:.2f} s after it began to move the leg accelerates by "
-        f"{np.degrees(-late[0]):.0f} deg/s^2, just after the beginning by "
-        f"{np.degrees(-early[0]):.0f}. A hand was still on it, a muscle held it, or the thigh gave "
-        "way. Let go at once, without a push"
-    )
-
-
-def attempt(find: Callable[[], Found]) -> Found | NotAllowed:
-    """What was found, or why it was not."""
-    try:
-        return find()
-    except NotAllowed as why:
-        return why
-
-
-def given(found: Found | NotAllowed) -> Found:
-    if isinstance(found, NotAllowed):
-        raise found
-    return found
-
-
-def ordinal(number: int) -> str:
-    return {1: "first", 2: "second", 3: "third", 4: "fourth"}.get(number, f"{number}th")

@@ -1,6 +1,9 @@
 """One number read off a drop, with its error and its place on the curve, or why it is not read."""
 
 from dataclasses import dataclass
+from typing import TypeVar
+
+Found = TypeVar("Found")
 
 
 @dataclass(frozen=True)
@@ -28,3 +31,13 @@ class Measure:
 
 class NotAllowed(Exception):
     """What a recording lacks for a measure; it never leaves this folder."""
+
+
+def given(found: Found | NotAllowed) -> Found:
+    if isinstance(found, NotAllowed):
+        raise found
+    return found
+
+
+def ordinal(number: int) -> str:
+    return {1: "first", 2: "second", 3: "third", 4: "fourth"}.get(number, f"{number}th")

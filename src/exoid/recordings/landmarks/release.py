@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from exoid.recordings.landmarks.measure import NotAllowed
 from exoid.recordings.landmarks.track import HALF, SURE, Peak, Track, local, nearest
 from exoid.recordings.motion.extent import Extent
-from exoid.recordings.recording import Samples
+from exoid.recordings.samples import Samples
 from exoid.recordings.signal.condition import MOTION_SPEED
 
 FALL = 0.3  # s of the fall that are followed

@@ -6,7 +6,7 @@ import numpy as np
 
 from exoid.recordings.landmarks.release import Release
 from exoid.recordings.landmarks.track import HALF, Peak, Track, local, peak
-from exoid.recordings.recording import Samples
+from exoid.recordings.samples import Samples
 from exoid.recordings.signal.condition import local_line
 from exoid.recordings.signal.turning_points import reversals
 

@@ -8,7 +8,8 @@ from numpy.polynomial import polynomial
 from numpy.typing import NDArray
 
 from exoid.recordings.landmarks.measure import Mark, NotAllowed
-from exoid.recordings.recording import Samples, Segment
+from exoid.recordings.recording import Segment
+from exoid.recordings.samples import Samples
 
 HALF = 0.1  # s to either side that a polynomial follows, a tenth of a leg's swing
 DEGREE = 4  # the middle of a swing is then followed to 1 in 2000, its acceleration included

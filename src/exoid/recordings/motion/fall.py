@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from exoid.recordings.recording import Samples
+from exoid.recordings.samples import Samples
 
 Table = NDArray[np.float64]
 FINE = 5e-4  # s, between the entries of a response

@@ -18,7 +18,7 @@ from exoid.recordings.motion.thresholds import (
     REST,
     TRAVEL,
 )
-from exoid.recordings.recording import Samples
+from exoid.recordings.samples import Samples
 from exoid.recordings.signal.condition import interpolated, local_line, runs
 
 

@@ -23,7 +23,7 @@ from exoid.recordings.motion.thresholds import (
     SHORT,
     TRAVEL,
 )
-from exoid.recordings.recording import Samples
+from exoid.recordings.samples import Samples
 from exoid.recordings.signal.condition import interpolated, local_line, runs
 from exoid.recordings.signal.turning_points import reversals
 

@@ -27,7 +27,7 @@ from exoid.recordings.motion.thresholds import (
     TRIED,
     WINDOWS,
 )
-from exoid.recordings.recording import Samples
+from exoid.recordings.samples import Samples
 
 POWERS = (3, 4, 5)
 

@@ -8,7 +8,8 @@ from exoid.recordings.motion.find_free import moving
 from exoid.recordings.motion.free_end import smoothed
 from exoid.recordings.motion.signal import signal_of, speed_of
 from exoid.recordings.motion.thresholds import ABOVE, CLEAR, MINOR, SWINGS, TRAVEL
-from exoid.recordings.recording import Kind, Samples, Segment, Sensors
+from exoid.recordings.recording import Kind, Segment, Sensors
+from exoid.recordings.samples import Samples
 from exoid.recordings.signal.condition import classify, cut
 from exoid.recordings.signal.turning_points import RINGING, reversals
 

@@ -9,7 +9,8 @@ from exoid.recordings.motion.thresholds import (
     SPEED_ERROR,
     WIDTHS,
 )
-from exoid.recordings.recording import Samples, Segment, Sensors
+from exoid.recordings.recording import Segment, Sensors
+from exoid.recordings.samples import Samples
 from exoid.recordings.signal.condition import interpolated, local_line
 from exoid.recordings.signal.noise import declared_angle_noise, find_spikes, noise_of
 

@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from exoid.recordings.recording import Kind, Samples, Segment
+from exoid.recordings.recording import Kind, Segment
+from exoid.recordings.samples import Samples
 from exoid.recordings.signal.turning_points import RINGING, reversals
 
 MOTION_SPEED = np.radians(20.0)  # rad/s, the paper's criterion of significant motion

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from scipy.linalg import block_diag
 from scipy.special import chdtrc
 
-from exoid.recordings.recording import Samples
+from exoid.recordings.samples import Samples
 
 WINDOW = 0.5  # s; half a swing: short enough to separate motion and drift
 # By data sheets: of scale [1], delay [s], and what a magnet off its centre adds [rad].

@@ -5,7 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from exoid.recordings.recording import Samples, Sensors
+from exoid.recordings.recording import Sensors
+from exoid.recordings.samples import Samples
 from exoid.recordings.signal.tone import Tone
 
 NEIGHBOURS = 3  # on either side: a quintic, from which a leg departs by 1e-5 rad even at 30 Hz

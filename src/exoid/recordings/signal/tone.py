@@ -11,7 +11,7 @@ from scipy.interpolate import make_lsq_spline
 from scipy.ndimage import median_filter
 from scipy.special import chdtrc, chdtri  # not scipy.stats: half a second of every command
 
-from exoid.recordings.recording import Samples
+from exoid.recordings.samples import Samples
 
 SLOWEST = 9.0  # Hz, of a tone that is no motion: tremor and clonus of a leg are slower
 KNOT = 0.08  # s between the knots of the spline that is the motion

@@ -1,6 +1,6 @@
 """Where a motion turns around."""
 
-from exoid.recordings.recording import Samples
+from exoid.recordings.samples import Samples
 
 RINGING = 0.1  # of its travel: the least that a swing goes
 
