@@ -11,7 +11,7 @@ from exoid.fitting.data.observe import observe
 from exoid.fitting.data.segment import movement
 from exoid.fitting.misfit.condense import condense, linear_model
 from exoid.fitting.misfit.stage import Stage
-from exoid.fitting.model.coordinates import TYPICAL, scaled
+from exoid.fitting.model.coordinates import TYPICAL, Own, Shared, Unknowns, scaled
 from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.motion.simulate import simulate
 from exoid.physics.state import LegState
@@ -72,7 +72,9 @@ def condensed_at(point, seen, known, steps=None):
     shared = jax.tree.map(jnp.asarray, point.shared)
     count = seen.time.size - 1 if steps is None else steps
     stage = Stage(jnp.asarray(0.0), jnp.asarray(count))
-    return condensed(shared, UNMOVED, own, seen, jnp.asarray(known), stage, Raw())
+    each = [jnp.asarray(value) for value in known]
+    parts = Shared(*each[:4]), UNMOVED, Own(*each[4:])
+    return condensed(Unknowns(shared, UNMOVED, own), seen, Unknowns(*parts), stage, Raw())
 
 
 def differences(each, point):

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from exoid.fitting.data.observation import Observation
+from exoid.fitting.data.observation import Clock, Observation
 from exoid.fitting.misfit.condensed import Sensed
 from exoid.fitting.misfit.disturbance import explain, restricted
 from exoid.fitting.misfit.gram import CAUSES
@@ -33,6 +33,7 @@ SEEN = Observation(
     added_mass_moves=ONE,
     added_mass_extent=0 * ONE,
     seat=np.array([0]),
+    clock=Clock(ONE, 0 * ONE, 0 * ONE, 0 * ONE),
 )
 
 

@@ -178,7 +178,7 @@ def test_a_kept_program_depends_on_the_code_of_a_users_own_class(tmp_path):
         module = importlib.util.module_from_spec(spec)
         sys.modules["mine"] = module
         spec.loader.exec_module(module)
-        return program.fingerprint("release", None, (), ((module.Own,), Raw()))
+        return program.fingerprint("release", jax.tree.structure(()), (), ((module.Own,), Raw()))
 
     assert prints(1) != prints(2)
     sys.modules.pop("mine")

@@ -11,6 +11,7 @@ from exoid.fitting.data.observe import observe
 from exoid.fitting.data.segment import movement
 from exoid.fitting.misfit.residual import predict, residual
 from exoid.fitting.misfit.stage import Stage
+from exoid.fitting.model.coordinates import Unknowns
 from exoid.physics.leg import LegModel
 from exoid.physics.state import LegState
 from exoid.physics.torque import MeasuredTorque, NoTorque
@@ -43,7 +44,7 @@ def predicted(point, seen, each, *, tether=FREE, chain=None) -> LegState:
     stage = Stage(jnp.asarray(tether), jnp.asarray(seen.time.size - 1))
     own = jax.tree.map(lambda leaf: jnp.asarray(leaf[0]), point.own)
     shared = jax.tree.map(jnp.asarray, point.shared)
-    shown = predicting(shared, UNMOVED, own, seen, stage, chain or Raw())
+    shown = predicting(Unknowns(shared, UNMOVED, own), seen, stage, chain or Raw())
     return jax.tree.map(lambda samples: np.asarray(samples)[: each.segment.time.size], shown)
 
 

@@ -11,7 +11,7 @@ from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.multistart.search import HOPELESS, basins, stands_still
 from exoid.fitting.multistart.starts import coordinates
 from exoid.fitting.solve.pose import pose
-from exoid.fitting.solve.program_values import SOLVED
+from exoid.fitting.solve.program_values import solved_structure
 from fit_cases import BODY, DROP, recorded
 
 LEG = (4.5, 0.42, 0.26, 0.33, 2.6, 0.0)  # m, J, l, d, c, tau
@@ -24,7 +24,8 @@ def arrived(*legs, loss):
     movements = movements_of([("drop", recorded(DROP))])
     problem = pose(movements, believe(BODY), "1/T", Raw())
     at = coordinates(np.array(legs), movements, 100.0)
-    nowhere = jax.tree.unflatten(SOLVED, [np.zeros(0)] * SOLVED.num_leaves)
+    like = solved_structure()
+    nowhere = jax.tree.unflatten(like, [np.zeros(0)] * like.num_leaves)
     ended = at, np.array(loss, dtype=float)
     return problem, eqx.tree_at(lambda each: (each.coordinates, each.loss), nowhere, ended)
 

@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 
 from exoid.fitting.estimate import fit
+from exoid.fitting.model.coordinates import quantity_names
 from exoid.physics.leg import LegModel
 from exoid.physics.torque import NoTorque
-from exoid.planning.plan import GOALS, plan
+from exoid.planning.plan import plan
 from exoid.planning.prior_knowledge import eliminated
 from exoid.recordings.recording import Subject
 from exoid.twin.motion import Movement
@@ -106,7 +107,7 @@ def test_a_bare_drop_is_proposed_where_only_a_loaded_one_was_recorded():
 def test_voluntary_cycles_are_compared_but_never_proposed():
     cycle = Movement(np.radians(-6), 1.19, amplitude=-4.0)
     result = fit(recorded(DROP, cycle), multistart=2)
-    for goal in GOALS:
+    for goal in quantity_names(0):
         found = plan(result, BODY, goal)
         assert any(option.candidate.voluntary for option in found.options)
         assert not any(option.voluntary for option in found.proposed)

@@ -78,7 +78,7 @@ def found() -> Diagnosis:
         power=1.0,
         inclusion=0.95,
         sensors=[SensorError("gyro_scale", ODD, 0.001, "1")],
-        fit=fitted(),
+        before=fitted(),
         advice=["To tell dry friction apart: move slowly."],
     )
 

@@ -271,7 +271,7 @@ class Richer:
 def test_a_new_field_needs_no_new_line(tmp_path):
     fit = plainly(rich())
     whole = SavedResult(
-        fit, told(), "0", [], {"seed": 1}, diagnosis=replace(found(), fit=fit, advice=[])
+        fit, told(), "0", [], {"seed": 1}, diagnosis=replace(found(), before=fit, advice=[])
     )
     one = Richer(whole, fit, plainly(fitted()), (values(library()[0]), values(library()[-1])))
     for back in (by_netcdf(one, tmp_path), by_json(one)):

@@ -49,7 +49,7 @@ def picture(one) -> bytes:
 
 @pytest.mark.parametrize("make", CASES.values(), ids=CASES)
 def test_a_saved_diagnosis_comes_back_bit_for_bit(tmp_path, make):
-    one = replace(make(), fit=plainly(fitted()))
+    one = replace(make(), before=plainly(fitted()))
     back = saved(tmp_path / "why.nc", one)
     check_same(one, back.diagnosis)
     assert back.diagnosis.fit is back.result

@@ -144,7 +144,7 @@ def settled_parameters(belief: Belief, ratios: dict[str, Estimate]) -> dict[str,
     values = np.array([ratios[name].value for name in COMMON], dtype=float)
     errors = np.array([ratios[name].standard_error or 0.0 for name in COMMON])
     errors = np.maximum(errors, SMALLEST_ERROR * (1 + np.abs(values)))
-    limits, fixed = belief.limits, belief.by_hand.fix
+    limits, fixed = belief.limits, belief.by_hand.leg.fix
     ends = [name in fixed for name in constraint_names(0)]
     # Where the ratio is 0 as well, nothing moves; with J fixed, d and c follow from their ratios.
     movable = [name for name in fixed if name in SIZES or (fixed[name] and "inertia" not in fixed)]

@@ -1,5 +1,6 @@
 """`fit`: from recordings of one leg to its parameters."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Literal
 
@@ -17,12 +18,14 @@ from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.model.user_values import Bounds, Expectations, Fixed
 from exoid.fitting.multistart.ended import Ended
 from exoid.fitting.multistart.search import search
-from exoid.fitting.multistart.starts import draw, informed
+from exoid.fitting.multistart.starts import draw, informed, term_starts
 from exoid.fitting.result.describe import describe
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.remarks import UPWARDS, upwards
 from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.problem import Problem
+from exoid.physics.library import check_terms, library, name_of
+from exoid.physics.term import Term
 from exoid.recordings.loading.named import Given, named_recordings
 from exoid.recordings.motion.extent import Motionless
 from exoid.recordings.recording import Recording
@@ -49,6 +52,7 @@ def fit(
     misfit: Literal["weighted", "paper"] = "weighted",
     clip: Clip = "free",
     at_once: bool = False,
+    terms: Sequence[type[Term] | Term] = (),
     starts: np.ndarray | None = None,
 ) -> FitResult:
     """Fit one leg to all segments of the recordings (Eq. 9-13).
@@ -67,6 +71,15 @@ def fit(
     that where a recording begins with its release, no hand is on the leg from the first sample on;
     else its first instants count where they fit to the rest.
 
+    `terms` are what Eq. 9 leaves out and this model has: classes of the library
+    (`exoid.physics.library`) or of your own. An instance says where its search begins. Their
+    parameters are fixed, bounded and expected by hand as {"coulomb_friction.level": ...}.
+
+    >>> import exoid
+    >>> from exoid.physics.terms.device.coulomb_friction import CoulombFriction
+    >>> found = exoid.fit_leg(exoid.load("drops.csv"), terms=(CoulombFriction,))  # doctest: +SKIP
+    >>> found.terms["coulomb_friction"]["level"].value  # N m  # doctest: +SKIP
+
     **Raises** `ValueError` where the recording cannot be fitted or gravity comes out upwards in
     passive segments, `ArithmeticError` where no start
     succeeded.
@@ -77,14 +90,16 @@ def fit(
     plain = misfit == "paper"
     weight *= PLAIN_SCALE**2 if plain else 1.0
     hand = by_hand(named, fix, bound, expect)
-    belief = believe(named[0][1].subject, Assumptions(prior, weight, plain, bounds, hand))
+    classes = classes_of(terms)
+    belief = believe(named[0][1].subject, Assumptions(prior, weight, plain, bounds, hand), classes)
     if plain:
         movements = [plainly(each) for each in movements]
     chain, movements = conditioned(movements, smooth)
 
     def search_of(movements, reading: str, count: int = multistart) -> tuple[Problem, Ended]:
         given = begin(movements, belief, reading, count, seed) if starts is None else starts
-        return solved(pose(movements, belief, reading, chain), given, method)
+        problem = pose(movements, belief, reading, chain, terms=classes)
+        return solved(problem, given, term_starts(terms, movements, len(given)), method)
 
     tried = {reading: search_of(movements, reading) for reading in readings(named, movements)}
     best = min(tried, key=lambda reading: float(tried[reading][1].best.misfit[0]))
@@ -105,6 +120,19 @@ def fit(
     voluntary = any(each.voluntary for each in movements)
     result = describe(problem, ended, best if voluntary else None, others[0] if others else None)
     return replace(result, notes=[*left_out(named, movements), *result.notes])
+
+
+def classes_of(terms: Sequence[type[Term] | Term]) -> tuple[type[Term], ...]:
+    """The classes of terms.
+
+    **Raises** `ValueError` where one is there twice, or is no term that a search could begin with.
+    """
+    classes = tuple(each if isinstance(each, type) else type(each) for each in terms)
+    twice = [name_of(each) for each in classes if classes.count(each) > 1]
+    if twice:
+        raise ValueError(f"the term {twice[0]} is given twice: once is enough.")
+    check_terms(tuple(each for each in classes if each not in library()))
+    return classes
 
 
 def movements_of(named: list[tuple[str, Recording]], *, clip: Clip = "free") -> list[Movement]:
@@ -217,11 +245,13 @@ def readings(named: list[tuple[str, Recording]], movements: list[Movement]) -> t
     return tuple(sorted(said)) if said else READINGS  # type: ignore[arg-type]
 
 
-def solved(problem: Problem, starts: np.ndarray, method: str) -> tuple[Problem, Ended]:
+def solved(
+    problem: Problem, starts: np.ndarray, terms: tuple[Term, ...], method: str
+) -> tuple[Problem, Ended]:
     """The search by the chosen method."""
     if method == "slsqp":
         from exoid.fitting.reference.slsqp import search_slsqp
 
         with jax.enable_x64(True):  # finite differences of a float32 loss lead nowhere
-            return problem, search_slsqp(problem, starts)
-    return search(problem, starts)
+            return problem, search_slsqp(problem, starts, terms)
+    return search(problem, starts, terms)

@@ -9,7 +9,7 @@ import numpy as np
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.estimate import fit
 from exoid.fitting.result.fit_result import FitResult
-from exoid.mismatch.answer.diagnosis import Diagnosis
+from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter
 from exoid.mismatch.conclude.conclusion import Chosen, concluded
 from exoid.mismatch.conclude.unusual_zero import as_a_term, unusual
 from exoid.mismatch.evidence.locate import locate
@@ -20,6 +20,7 @@ from exoid.mismatch.evidence.yardstick import SURE
 from exoid.mismatch.novel.formula import Formula, term_of
 from exoid.mismatch.novel.sparse_regression import describe
 from exoid.mismatch.prepare import prepare
+from exoid.mismatch.screen.effect import named as named_values
 from exoid.mismatch.screen.optimise import settle_free
 from exoid.mismatch.screen.screened_recording import Bench
 from exoid.mismatch.screen.settled import Settled
@@ -34,6 +35,7 @@ REMAINS = 1.1  # mean square over the noise, from which on a formula is looked f
 LEFT = 0.5  # of what the library leaves, that a formula may leave to take its place
 KNOWN = 0.5  # share of a formula that a term of the library is, up to which it is new
 ROUNDS = 25
+STARTS = 8  # of the fit with what was found: where that is, is known
 USUAL = {"gyro_scale", "sensor_skew"}
 AT_ONCE = 1.5  # times the noise's that a cause may leave of a movement's first instants
 
@@ -59,16 +61,68 @@ def diagnose(
     """
     named = named_recordings(recordings)
     told("fitting the baseline")
-    result = fit(named, multistart=multistart, seed=seed, **assumed)
+    options = {"seed": seed, **assumed}
+    result = fit(named, multistart=multistart, **options)
     if result.basis is None or not any(each.late for each in result.basis.problem.movements):
-        return asked(result, named, terms, seed, told)
-    at_once = fit(named, multistart=multistart, seed=seed, at_once=True, **assumed)
+        return with_model(asked(result, named, terms, seed, told), named, options, told)
+    at_once = fit(named, multistart=multistart, at_once=True, **options)
     whole = asked(at_once, named, terms, seed, told)
     if names_it(whole) and from_the_first(whole, result.basis.problem.movements):
-        return whole
+        return with_model(whole, named, {**options, "at_once": True}, told)
     later = asked(result, named, terms, seed, told)
-    settled = names_it(later) or not later.changed
-    return later if settled or not names_it(whole) else whole
+    if names_it(later) or not later.changed or not names_it(whole):
+        return with_model(later, named, options, told)
+    return with_model(whole, named, {**options, "at_once": True}, told)
+
+
+def with_model(
+    found: Diagnosis,
+    named: list[tuple[str, Recording]],
+    options: dict[str, Any],
+    told: Callable[[str], None],
+) -> Diagnosis:
+    """The same, with the fit of the model that has what was found.
+
+    It begins where the search for what is missing ended. Where it does not follow the recording,
+    or none can begin, the baseline stays the only one.
+    """
+    wanted = extended(found)
+    if not wanted:
+        return found
+    told("fitting the model with what was found")
+    try:
+        after = fit(named, multistart=STARTS, terms=wanted, **options)
+    except ArithmeticError:
+        return found
+    return told_by(found, after) if after.follows else found
+
+
+def told_by(found: Diagnosis, after: FitResult) -> Diagnosis:
+    """The same with the numbers of the fit that has what was found."""
+    known = after.of_terms
+
+    def told(each: Parameter) -> Parameter:
+        fitted = known.get(each.name)
+        if fitted is None or fitted.value is None:
+            return each
+        return replace(each, value=fitted.value, standard_error=fitted.standard_error)
+
+    inertia = after.parameters["inertia"].value
+    return replace(
+        found,
+        after=after,
+        parameters=[told(each) for each in found.parameters],
+        inertia=found.inertia if inertia is None else inertia,
+    )
+
+
+def extended(found: Diagnosis) -> tuple[Term, ...]:
+    """The terms of the model that was concluded, where they were found; none where it is Eq. 9."""
+    work = found.workings
+    if work is None or found.verdict != "mismatch":
+        return ()
+    best = work.best.candidate
+    return tuple(named_values(*each) for each in zip(best.terms, best.values, strict=True))
 
 
 def asked(

@@ -16,7 +16,6 @@ from exoid.fitting.solve.ask import take
 from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.problem import Problem
 from exoid.mismatch.screen.hypothesis import Hypothesis
-from exoid.mismatch.screen.measured_motion import Clock
 from exoid.mismatch.screen.optimise import settle_free
 from exoid.mismatch.screen.screened_recording import Bench
 from exoid.mismatch.screen.settled import Settled
@@ -24,7 +23,6 @@ from exoid.mismatch.sensors.consistency import Consistency, consistency
 from exoid.physics.library import library
 from exoid.physics.term import Term
 from exoid.recordings.recording import Recording
-from exoid.recordings.signal.condition import torque_frequencies
 
 ABSOLUTE = ("log_distance", "tilt")  # what a recording owns by itself, not compared with the first
 
@@ -49,9 +47,9 @@ def prepare(
     problem = replace(problem, observation=observation)
     fitted = released(best, problem)
     inertia = float(fitted.shared.log_inertia)
-    tested, cycles = (*library(), *terms), clock(movements, reading)
+    tested = (*library(), *terms)
     zero = float("inf") if rig else movements[0].systematics.zero
-    bench = Bench(problem, sensors, tested, cycles, inertia, rig, zero)
+    bench = Bench(problem, sensors, tested, inertia, rig, zero)
     point = bench.point(fitted)
     return bench, settle_free(bench, [Hypothesis((), (), point)])[0]
 
@@ -87,16 +85,6 @@ def with_masses(seen: Observation, fitted: Mounting, owned: tuple[str, ...]) -> 
     )
 
 
-def clock(movements: list[Movement], reading: str) -> Clock:
-    """The cycle of every movement; of frequency 0 where nothing is voluntary."""
-    voluntary = [each.voluntary for each in movements]
-    periods = np.array([each.period if each.voluntary else 1.0 for each in movements])
-    frequencies = np.array([torque_frequencies(period)[reading] for period in periods])
-    onsets = np.array([each.onset if each.voluntary else 0.0 for each in movements])
-    numbers = np.arange(len(movements), dtype=float)
-    return Clock(periods, frequencies * voluntary, onsets, numbers)
-
-
 def unknown(movements: list[Movement], *, rig: bool) -> tuple[str, ...]:
     """What of the mountings a diagnosis leaves free: where a mass of unknown distance sat, the tilt
     of a leg's seat, and how the sensors sat compared with the first recording. Its own encoder's
@@ -114,13 +102,17 @@ def unknown(movements: list[Movement], *, rig: bool) -> tuple[str, ...]:
 
 def compared(problem: Problem) -> Problem:
     """The same problem, its first recording's sensors as declared and distances that are known."""
-    known = problem.known.copy()
-    for column, name in enumerate(problem.owned, start=4):
+    first = (np.asarray(problem.observation.seat) == 0)[:, None]
+    placed = np.array([[float(not each.unplaced)] for each in problem.movements])
+
+    def known(name: str) -> np.ndarray:
+        own = getattr(problem.known.mounting, name)
         if name == "log_distance":
-            known[:, column] = [not each.unplaced for each in problem.movements]
-        elif name != "tilt":
-            known[np.asarray(problem.observation.seat) == 0, column] = 1.0
-    return replace(problem, known=known)
+            return placed
+        return own if name == "tilt" else np.where(first, 1.0, own)
+
+    mounting = replace(problem.known.mounting, **{name: known(name) for name in problem.owned})
+    return replace(problem, known=replace(problem.known, mounting=mounting))
 
 
 def released(at: Coordinates, problem: Problem) -> Coordinates:

@@ -1,9 +1,11 @@
 """The leg at one instant, as a term of the missing physics sees it."""
 
+from dataclasses import field
 from typing import Any
 
 import equinox as eqx
 import jax.numpy as jnp
+import numpy as np
 from jaxtyping import Array, Float
 
 from exoid.physics.leg import Ratios
@@ -32,13 +34,23 @@ class Cycle(eqx.Module):
         return jnp.where(clock < 0, 0.0, jnp.where(clock <= self.period / 2, -1.0, 1.0))
 
 
+def untied() -> np.ndarray:
+    """No spring ties the motion to another."""
+    return np.zeros(())
+
+
 class Place(eqx.Module):
-    """What stays the same throughout a segment: leg, cycle, and the segment's number."""
+    """What stays the same throughout a segment: leg, cycle, and the segment's number.
+
+    A critically damped spring of natural frequency `tether` may tie the leg to a measured motion;
+    the ratios hold its stiffness and damping.
+    """
 
     ratios: Ratios
     inertia: Float[Any, "*batch"]  # kg m^2, of all that moves
     cycle: Cycle
     number: Float[Any, "*batch"]  # of the segment, from 0
+    tether: Float[Any, "*batch"] = field(default_factory=untied)  # rad/s, in the ratios
 
 
 class Moment(eqx.Module):
@@ -47,7 +59,7 @@ class Moment(eqx.Module):
     time: Float[Any, "*batch"]  # s, on the segment's clock
     angle: Float[Any, "*batch"]  # rad
     angular_velocity: Float[Any, "*batch"]  # rad/s
-    angular_acceleration: Float[Any, "*batch"]  # rad/s^2, by Eq. 9 without any term
+    angular_acceleration: Float[Any, "*batch"]  # rad/s^2, by Eq. 9 and tether without any term
     place: Place
 
     @property
@@ -63,12 +75,12 @@ class Moment(eqx.Module):
     @property
     def stiffness(self):
         """c [N m/rad]."""
-        return self.place.ratios.stiffness * self.place.inertia
+        return (self.place.ratios.stiffness - self.place.tether**2) * self.place.inertia
 
     @property
     def damping(self):
         """d [N m s/rad]."""
-        return self.place.ratios.damping * self.place.inertia
+        return (self.place.ratios.damping - 2 * self.place.tether) * self.place.inertia
 
     @property
     def tilted(self):

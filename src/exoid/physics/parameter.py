@@ -23,6 +23,17 @@ class Declaration:
     title: str
     starts: Starts = ()
 
+    @property
+    def inertia_power(self) -> int:
+        """How it goes with J where motion alone is known: torques as J, what gives way as 1 / J."""
+        if self.unit.startswith(("N m", "kg")):
+            return 1
+        return -1 if self.unit.endswith("/(N m)") else 0
+
+    def starts_between(self, lowest: float, highest: float) -> tuple[float, ...]:
+        """Where a search begins, for a motion between these angles [rad]."""
+        return self.starts(lowest, highest) if callable(self.starts) else self.starts
+
 
 def parameter(
     symbol: str, unit: str, lower: float, upper: float, title: str = "", starts: Starts = ()

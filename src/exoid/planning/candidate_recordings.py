@@ -10,6 +10,7 @@ import numpy as np
 from exoid.fitting.data.movement import Movement as Observed
 from exoid.fitting.data.segment import movement
 from exoid.physics.leg import LegModel, LegParameters
+from exoid.physics.term import Term
 from exoid.physics.torque import NoTorque
 from exoid.planning.planned import Candidate
 from exoid.recordings.recording import Recording, Sensors
@@ -64,7 +65,11 @@ def candidates(height: float | None, amplitude: float | None) -> list[Candidate]
 
 
 def moving(
-    options: list[Candidate], leg: LegParameters, sensors: Sensors, gyro: bool
+    options: list[Candidate],
+    leg: LegParameters,
+    sensors: Sensors,
+    gyro: bool,
+    terms: tuple[Term, ...] = (),
 ) -> dict[Candidate, Observed]:
     """Every candidate as the fit would see it, without noise.
 
@@ -73,18 +78,15 @@ def moving(
     each = {}
     for tilt in dict.fromkeys(option.thigh_angle for option in options):
         alike = [option for option in options if option.thigh_angle == tilt]
-        made = imagine(alike, leg, tilt, sensors, gyro)
+        made = imagine(alike, LegModel(leg, NoTorque(), np.asarray(tilt), terms), sensors, gyro)
         for number, option in enumerate(alike):
             with suppress(ValueError):
                 each[option] = movement(made, number, option.words)
     return each
 
 
-def imagine(
-    options: list[Candidate], leg: LegParameters, tilt: float, sensors: Sensors, gyro: bool
-) -> Recording:
+def imagine(options: list[Candidate], model: LegModel, sensors: Sensors, gyro: bool) -> Recording:
     """The recording of these candidates by sensors of this noise."""
-    model = LegModel(leg, NoTorque(), np.asarray(tilt))
     made = record(model, [option.motion for option in options], jax.random.key(0), exact=True)
     segments = tuple(
         segment if gyro else replace(segment, raw_angular_velocity=None)

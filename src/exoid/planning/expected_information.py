@@ -6,10 +6,9 @@ prior's sum up to that of the joint fit, in which the new recording has a mounti
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
 
-import jax
 import numpy as np
 
 from exoid.fitting.data.conditioning_chain import Raw
@@ -18,18 +17,15 @@ from exoid.fitting.misfit.gram import CAUSES
 from exoid.fitting.misfit.gram_matrices import gram, pushes
 from exoid.fitting.misfit.information import common, spoiled
 from exoid.fitting.misfit.uncertainty import Information
-from exoid.fitting.model.belief import NAMES
-from exoid.fitting.model.coordinates import TYPICAL, Coordinates, Own
-from exoid.fitting.model.systematics import OWNED, SOMEWHERE
+from exoid.fitting.model.coordinates import TYPICAL, Coordinates, Own, Shared, quantities
+from exoid.fitting.model.systematics import SOMEWHERE
 from exoid.fitting.multistart.starts import first_state, usual_mounting
-from exoid.fitting.result.estimates import RATIOS
 from exoid.fitting.solve.ask import sensed
 from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.problem import Problem
 from exoid.planning.planned import Candidate
-from exoid.planning.prior_knowledge import LEG, Known, eliminated
+from exoid.planning.prior_knowledge import Known, eliminated
 
-GOALS = (*NAMES, *list(RATIOS)[:3])
 MOST = 4  # segments of a proposed recording
 WORTH = 0.85  # of the error before: a further segment that leaves more is not worth its time
 ENOUGH = 2e-3  # of the value: no added mass is weighed, and no leg the same tomorrow, to less
@@ -39,12 +35,13 @@ NEAR = 1.3  # of the least error: within it the simplest recording is proposed
 def informations(known: Known, options: dict[Candidate, Movement]) -> list[np.ndarray]:
     """What every candidate would tell of the leg's coordinates and of the new mounting."""
     movements = [replace(each, systematics=known.systematics) for each in options.values()]
-    problem = pose(movements, known.belief, "1/T", Raw())
+    problem = pose(movements, known.belief, "1/T", Raw(), terms=known.classes)
     states = np.array([first_state(each) for each in movements])
     torque = np.array([option.motion.amplitude or 0.0 for option in options])
     own = Own(torque / np.exp(known.shared.log_inertia), *states.T.copy())
-    point = Coordinates(known.shared, known.log_mass, usual_mounting(movements), own)
-    return [without_own(each) for each in segments_told(known, problem, point)]
+    usual = usual_mounting(movements, owned=known.owned)
+    point = Coordinates(known.shared, known.log_mass, usual, own, known.terms)
+    return [without_own(each, known) for each in segments_told(known, problem, point)]
 
 
 def segments_told(known: Known, problem: Problem, point: Coordinates) -> list[np.ndarray]:
@@ -64,10 +61,16 @@ def segments_told(known: Known, problem: Problem, point: Coordinates) -> list[np
     return told
 
 
-def without_own(segment: np.ndarray) -> np.ndarray:
-    """A segment's information, its own start and torque eliminated, log m (untold) inserted."""
-    both = eliminated(segment, segment.shape[0] - 3)
-    return np.insert(np.insert(both, LEG - 1, 0.0, axis=0), LEG - 1, 0.0, axis=1)
+def without_own(segment: np.ndarray, known: Known) -> np.ndarray:
+    """A segment's information on the coordinates of `known.point` and on the new mounting, its own
+    start and torque eliminated, log m (untold) inserted.
+    """
+    leg, seat, start = len(fields(Shared)), len(known.owned), len(fields(Own))
+    places = np.arange(segment.shape[0])
+    shared, mounting, own, terms = np.split(places, np.cumsum([leg, seat, start]))
+    order = np.concatenate([shared, terms, mounting, own])
+    both = eliminated(segment[np.ix_(order, order)], segment.shape[0] - start)
+    return np.insert(np.insert(both, leg, 0.0, axis=0), leg, 0.0, axis=1)
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,9 +84,12 @@ class Design:
 
     @property
     def value(self) -> float:
-        leg, shared = self.known.leg, self.known.shared
-        each = [*jax.tree.leaves(leg), shared.gravity, shared.stiffness, shared.damping]
-        return float(each[GOALS.index(self.goal)])
+        return float(quantities(self.known.point, np)[self.known.quantities.index(self.goal)])
+
+    @property
+    def size(self) -> int:
+        """Coordinates of the leg and its terms."""
+        return len(self.known.information)
 
     @cached_property
     def start(self) -> np.ndarray:
@@ -93,15 +99,15 @@ class Design:
     @cached_property
     def mounting(self) -> np.ndarray:
         """What is believed of a new recording's mounting."""
-        return np.diag(np.append(np.zeros(LEG), mounting_prior(self.known, self.options)))
+        return np.diag(np.append(np.zeros(self.size), mounting_prior(self.known, self.options)))
 
     def error(self, chosen: Sequence[int]) -> float:
         """The standard error of the goal with these candidates, a recording for every seat."""
         total = self.start
         for seat in {self.options[number].thigh_angle for number in chosen}:
             own = [self.told[n] for n in chosen if self.options[n].thigh_angle == seat]
-            total = total + eliminated(self.mounting + sum(own), LEG)
-        gradient = self.known.gradients[GOALS.index(self.goal)]
+            total = total + eliminated(self.mounting + sum(own), self.size)
+        gradient = self.known.gradients[self.known.quantities.index(self.goal)]
         information = Information(total, np.zeros_like(total), self.known.fixed)
         return information.standard_error(gradient)
 
@@ -146,6 +152,6 @@ def mounting_prior(known: Known, options: Sequence[Candidate]) -> np.ndarray:
     """What is believed of a new mounting: the mass sits where the candidates have it, by tape."""
     distance = max((option.motion.added_mass_distance for option in options), default=0.0)
     placed = known.systematics.distance / (distance or SOMEWHERE)
-    each = {name: getattr(known.systematics, name, placed) for name in OWNED}
-    sizes = {name: float(getattr(TYPICAL.mounting, name)) for name in OWNED}
-    return np.array([(sizes[name] / (each[name] or sizes[name])) ** 2 for name in OWNED])
+    each = {name: getattr(known.systematics, name, placed) for name in known.owned}
+    sizes = {name: float(getattr(TYPICAL.mounting, name)) for name in known.owned}
+    return np.array([(sizes[name] / (each[name] or sizes[name])) ** 2 for name in known.owned])

@@ -2,12 +2,13 @@
 
 from exoid.fitting.model.assumptions import Assumptions
 from exoid.fitting.model.systematics import PLACED, WEIGHED
+from exoid.fitting.model.term_parameters import parameters_of, ratio_name, ratio_unit
 from exoid.fitting.result.estimates import MASS_AND_DISTANCE, RATIOS
 from exoid.fitting.result.fit_result import FitResult
 from exoid.physics.leg import LegParameters
 from exoid.physics.parameter import declarations
 from exoid.planning.candidate_recordings import candidates, moving
-from exoid.planning.expected_information import ENOUGH, GOALS, Design, informations
+from exoid.planning.expected_information import ENOUGH, Design, informations
 from exoid.planning.planned import Candidate, Option, Plan
 from exoid.planning.prior_knowledge import Known, from_anatomy, from_result
 from exoid.recordings.recording import Subject
@@ -24,29 +25,30 @@ def plan(
     """The segments to record next for `goal`, after `result`, or with nothing yet.
 
     The goal is a parameter of the leg, or the ratio to the inertia of its gravity, stiffness or
-    damping, such as "damping_over_inertia".
+    damping, such as "damping_over_inertia"; or a parameter of one of the fit's terms, such as
+    "coulomb_friction.level".
 
     Before any fit the prior is `assumed`, by default that of the body.
 
     **Raises** `ValueError` where the goal is no quantity of a leg, is fixed, or the subject is a
     rig.
     """
-    if goal not in GOALS:
-        raise ValueError(f"the goal is {goal!r}; it can be {', '.join(GOALS)}.")
     if subject.kind == "rig":
         raise ValueError("plans are made for legs; a rig can be taken apart and weighed.")
     known = from_anatomy(subject, assumed) if result is None else from_result(result)
+    if goal not in known.quantities:
+        raise ValueError(f"the goal is {goal!r}; it can be {', '.join(known.quantities)}.")
     if goal in known.belief.by_hand.fix:
         raise ValueError(f"{goal} is fixed by you: there is nothing to narrow.")
     every = candidates(subject.height, known.torque)
-    moved = moving(every, known.leg, known.sensors, known.gyro)
+    moved = moving(every, known.leg, known.sensors, known.gyro, known.model_terms)
     options = list(moved)
     design = Design(known, goal, options, informations(known, moved))
     chosen = design.greedy()
     before, after = design.error([]), design.error(chosen)
     proposed = [options[number] for number in chosen]
     single = [Option(each, design.error([number])) for number, each in enumerate(options)]
-    symbol, unit = named(goal)
+    symbol, unit = named(goal, known)
     return Plan(
         goal=goal,
         symbol=symbol,
@@ -63,8 +65,13 @@ def plan(
     )
 
 
-def named(goal: str) -> tuple[str, str]:
+def named(goal: str, known: Known) -> tuple[str, str]:
     """Symbol and unit."""
+    for name, declared in parameters_of(known.classes):
+        if goal == name:
+            return declared.symbol, declared.unit
+        if goal == ratio_name(name, declared):
+            return f"{declared.symbol} over J", ratio_unit(declared)
     if goal in RATIOS:
         symbol, _, unit = RATIOS[goal]
         return symbol, unit

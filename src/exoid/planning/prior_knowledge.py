@@ -12,13 +12,24 @@ from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.neighbourhood import prior_information, quantity_gradients
 from exoid.fitting.model.assumptions import Assumptions
 from exoid.fitting.model.belief import NAMES, Belief
-from exoid.fitting.model.coordinates import Coordinates, Mounting, Own, Shared, leg_parameters
+from exoid.fitting.model.coordinates import (
+    Coordinates,
+    Mounting,
+    Own,
+    Shared,
+    flattened,
+    leg_parameters,
+    quantity_names,
+    unflattened,
+    with_inertia,
+)
 from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.model.systematics import OWNED, Systematics
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.solve.ask import take
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.leg import GRAVITY, LegParameters
+from exoid.physics.term import Term
 from exoid.recordings.recording import Sensors, Subject
 from exoid.twin.sensors import SensorKit
 
@@ -34,23 +45,46 @@ class Known:
 
     shared: Shared
     log_mass: Float[Any, ""]
-    information: Float[np.ndarray, "5 5"]  # of the data, on `shared` and `log_mass`
+    information: Float[np.ndarray, "known known"]  # of the data, on the coordinates of `point`
     belief: Belief
     systematics: Systematics  # how well what is declared will be known
     disturbance: Disturbance | None  # what the model misses; it will in the next recording too
     sensors: Sensors
     gyro: bool
     torque: float  # N m, amplitude of voluntary cycles; 0 where none is known
+    terms: tuple[Term, ...]  # of the model, as `Coordinates` has them
     checked: bool  # do several movements rest on no form of a torque, one against the other
 
     @property
     def point(self) -> Coordinates:
-        """The leg without any segment."""
-        return Coordinates(self.shared, self.log_mass, NOTHING, Own(*[np.zeros(0)] * 3))
+        """The leg and its terms without any segment."""
+        nothing = Own(*[np.zeros(0)] * 3)
+        return Coordinates(self.shared, self.log_mass, NOTHING, nothing, self.terms)
+
+    @property
+    def quantities(self) -> list[str]:
+        """Which quantity every row of `gradients` is."""
+        return quantity_names(0, self.classes)
+
+    @property
+    def classes(self) -> tuple[type[Term], ...]:
+        """Of the terms."""
+        return tuple(map(type, self.terms))
+
+    @property
+    def owned(self) -> tuple[str, ...]:
+        """What is an unknown of the next recording's mounting."""
+        replaced = {term.replaces for term in self.terms}
+        return tuple(name for name in OWNED if name not in replaced)
 
     @property
     def leg(self) -> LegParameters:
         return jax.tree.map(jnp.asarray, leg_parameters(self.point, np))
+
+    @property
+    def model_terms(self) -> tuple[Term, ...]:
+        """The terms in their own units."""
+        return with_inertia(self.point, np)
 
     @property
     def prior(self) -> np.ndarray:
@@ -58,13 +92,13 @@ class Known:
 
     @property
     def gradients(self) -> np.ndarray:
-        """d (m, J, l, d, c, m l g / J, c / J, d / J) by the leg's coordinates."""
+        """d of every quantity by the coordinates of `point`."""
         return quantity_gradients(self.point)
 
     @property
     def fixed(self) -> np.ndarray:
         """Those of what the user fixed."""
-        return self.gradients[[NAMES.index(name) for name in self.belief.by_hand.fix]]
+        return self.gradients[[self.quantities.index(name) for name in self.belief.by_hand.fix]]
 
 
 def from_anatomy(subject: Subject, assumed: Assumptions | None = None) -> Known:
@@ -89,6 +123,7 @@ def from_anatomy(subject: Subject, assumed: Assumptions | None = None) -> Known:
         ),
         gyro=True,
         torque=0.0,
+        terms=(),
         checked=False,
     )
 
@@ -104,13 +139,17 @@ def from_result(result: FitResult) -> Known:
     best, local = take(basis.ended.best.coordinates, 0), basis.ended.local
     first = basis.problem.movements[0]
     gyro = first.angular_velocity is not None
+    numbers = unflattened(np.arange(flattened(best).size), best)
+    kept = np.array(jax.tree.leaves((numbers.shared, numbers.log_mass, numbers.terms)), dtype=int)
+    others = np.setdiff1d(np.arange(flattened(best).size), kept)
     own = local.data.copy()
-    own[LEG:, LEG:] += local.prior[LEG:, LEG:]  # of the mountings
+    own[np.ix_(others, others)] += local.prior[np.ix_(others, others)]  # of the mountings
+    order = np.append(kept, others)
     ratio = result.ratios.get("torque_over_inertia")
     return Known(
         shared=best.shared,
         log_mass=best.log_mass,
-        information=eliminated(own, LEG),
+        information=eliminated(own[np.ix_(order, order)], kept.size),
         belief=basis.problem.belief,
         systematics=as_found(first.systematics, basis.problem),
         disturbance=basis.ended.disturbance,
@@ -118,6 +157,7 @@ def from_result(result: FitResult) -> Known:
             angle_noise=first.angle_noise, velocity_noise=first.velocity_noise if gyro else None
         ),
         gyro=gyro,
+        terms=best.terms,
         torque=(ratio.value or 0.0) * float(np.exp(best.shared.log_inertia)) if ratio else 0.0,
         checked=sum(not each.voluntary for each in basis.problem.movements) > 1,
     )

@@ -6,8 +6,7 @@ import equinox as eqx
 import numpy as np
 
 from exoid.fitting.misfit.uncertainty import Information
-from exoid.fitting.model.belief import NAMES
-from exoid.fitting.model.coordinates import QUANTITIES
+from exoid.fitting.multistart.simpler_problems import with_inertia_kept
 from exoid.fitting.multistart.starts import usual_mounting
 from exoid.fitting.multistart.tethers import FINE
 from exoid.fitting.multistart.weight_by_kind import explained
@@ -70,7 +69,7 @@ def alone(result: FitResult, recording: int) -> Alone:
     start = replace(best, mounting=usual_mounting(problem.movements, (1,), problem.owned))
     solved = advance(problem, start, task(problem, 0.0, problem.steps, FINE))
     local = around(problem, solved, explained(problem, solved))
-    rows = slice(len(NAMES), QUANTITIES)
+    rows = [problem.quantities.index(name) for name in COMMON]
     none = np.zeros((0, local.data.shape[0]))
     prior = local.prior.copy()
     prior[:LEG], prior[:, :LEG] = 0.0, 0.0  # the leg by itself, its recording as declared
@@ -90,9 +89,7 @@ def blinded(problem: Problem, recording: int) -> Problem:
     seen = problem.observation
     weights = tuple(np.where(own, w, 0.0) for w in (seen.angle_weight, seen.velocity_weight))
     masked = eqx.tree_at(lambda each: (each.angle_weight, each.velocity_weight), seen, weights)
-    known = problem.known.copy()
-    known[:, 0] = 1.0
-    return replace(problem, observation=masked, known=known)
+    return with_inertia_kept(replace(problem, observation=masked))
 
 
 def disagreement(one: Alone, other: Alone, torn: bool) -> str | None:

@@ -10,9 +10,12 @@ import jax.numpy as jnp
 from jaxtyping import Array, Float
 
 from exoid.physics.leg import LegModel
-from exoid.physics.motion.simulate import simulate
+from exoid.physics.moment import Moment, Place
+from exoid.physics.motion.simulate import FIRST, cycle_of, simulate
+from exoid.physics.motion.with_terms import delayed, errors
 from exoid.physics.state import LegState
-from exoid.physics.torque import CycleTorque
+from exoid.physics.term import SensorTerm
+from exoid.physics.torque import CycleTorque, NoTorque
 from exoid.recordings.recording import Kind
 
 REST = 1.5  # s held still before each release
@@ -60,16 +63,42 @@ class Session(eqx.Module):
 def perform(
     model: LegModel, movements: Sequence[Movement], reading: Reading, time_step: float
 ) -> Session:
-    """The movements one after the other, on a grid of `time_step` [s]."""
+    """The movements one after the other, on a grid of `time_step` [s].
+
+    What is wrong with the sensors is so all the time, while a hand holds or lifts the leg as well.
+    """
     parts, starts, ends, size = [], [], [], 0
-    motions = release(model, movements, reading, time_step)
+    sensing = tuple(term for term in model.terms if isinstance(term, SensorTerm))
+    others = tuple(term for term in model.terms if not isinstance(term, SensorTerm))
+    motions = release(replace(model, terms=others), movements, reading, time_step)
     for before, motion, after in surround(motions, time_step):
         released = size + before.angle.size
         starts.append(released - round(REST_MARKED / time_step))
         ends.append(released + motion.angle.size - 1)
         size = ends[-1] + 1 + after.angle.size
         parts += [before, motion, after]
-    return Session(joined(parts), tuple(starts), tuple(ends))
+    shown = sensed(model, sensing, joined(parts), time_step)
+    return Session(shown, tuple(starts), tuple(ends))
+
+
+def sensed(
+    model: LegModel, sensing: tuple[SensorTerm, ...], course: Course, time_step: float
+) -> Course:
+    """What encoder and gyro show of a course."""
+    if not sensing:
+        return course
+    place = Place(model.ratios(), jnp.asarray(model.leg.inertia), cycle_of(NoTorque()), FIRST)
+    time = jnp.arange(course.angle.size) * time_step
+    memory = tuple(jnp.zeros(term.memory_size) for term in sensing)
+
+    def error(time, angle, velocity, acceleration):
+        return errors(sensing, Moment(time, angle, velocity, acceleration, place), memory)
+
+    motion = (course.angle, course.angular_velocity, course.angular_acceleration)
+    each = jax.vmap(error)(time, *motion)
+    velocity = course.angular_velocity + each.angular_velocity
+    late = delayed(time, velocity, course.angular_acceleration, each.delay)
+    return Course(course.angle + each.angle, late, course.angular_acceleration)
 
 
 def release(

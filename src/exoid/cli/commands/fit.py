@@ -10,7 +10,9 @@ from exoid.cli.commands.analysis import ask, check_posterior, compute, profiled,
 from exoid.cli.inputs.assumptions import Bound, BoundsOption, Fix, Prior, assumed
 from exoid.cli.inputs.body import BodyMass, Height, given_body
 from exoid.cli.inputs.choices import Bounds, Clip, FlipOption, Method, Misfit, Reading, ZeroOption
+from exoid.cli.inputs.own_terms import own_terms
 from exoid.cli.inputs.reading import EXAMPLE, Columns, as_told, take
+from exoid.cli.inputs.terms import Model, OwnTerms, With, names_of, saved_model, terms_asked
 from exoid.cli.outputs.destination import FIGURES, check_apart, check_destination
 from exoid.cli.outputs.origin import inputs, origin_of
 from exoid.cli.outputs.page import PAGES, sources_of, write_report
@@ -40,6 +42,9 @@ def fit(
     bound: Bound = None,
     body_mass: BodyMass = None,
     height: Height = None,
+    with_term: With = None,
+    terms: OwnTerms = None,
+    model: Model = None,
     each: Annotated[
         bool, typer.Option("--each", help="Fit every segment alone, then average the ratios.")
     ] = False,
@@ -100,6 +105,8 @@ def fit(
       exoid fit bare.blf loaded.blf --plot a.pdf  two recordings of one leg, with a figure
       exoid fit drop.csv --save drop.nc           kept in a file, to compare with another
       exoid fit drop.csv --fix stiffness=0 --bound damping=0:20 --prior damping=3+-1
+      exoid fit drops.csv --with coulomb_friction  with dry friction in the model
+      exoid fit drops.csv --model why.nc          with what 'exoid diagnose --save why.nc' found
       exoid fit log.asc --dbc my.dbc --signal raw_angle=Knee.Angle --body-mass 77 --height 1.8
     """
     paths = recordings or [EXAMPLE]
@@ -113,6 +120,9 @@ def fit(
         check_posterior(each)
     body = given_body(body_mass=body_mass, height=height)
     by_hand = assumed(prior, bounds, fix, bound)
+    own = own_terms(terms) if terms else ()
+    saved = saved_model(model, own).terms if model else ()
+    chosen = terms_asked(with_term, own, saved)
     if not recordings:
         typer.echo(
             "No recording given: this is the example that comes with exoid, a simulated leg."
@@ -136,6 +146,7 @@ def fit(
         "misfit": misfit.value,
         "clip": clip.value,
     }
+    options |= {"terms": chosen} if chosen else {}
     result = patiently(
         lambda: compute(named, each, options),
         f"fitting {multistart} starts; the first run of a new shape compiles for some seconds",
@@ -144,6 +155,7 @@ def fit(
     introduce(named)
     show(result, told)
     settings = {"lambda": options.pop("weight"), **options, "each": each}
+    settings |= {"terms": names_of(chosen)} if chosen else {}
     settings |= as_told(flip, zero)
     asked = {
         **settings,
@@ -153,7 +165,9 @@ def fit(
         "column": column,
         "dbc": dbc and str(dbc),
     }
-    origin = origin_of(inputs(paths, dbc), asked) if save or report else None
+    files = [Path(terms)] if terms and terms.endswith(".py") else []
+    files += [model] if model else []
+    origin = origin_of(inputs(paths, dbc, *files), asked) if save or report else None
     wanted = (plot is not None or json is not None) and not each
     profiles = patiently(lambda: profiled(result), "profiling") if wanted else None
     if save is not None:

@@ -7,9 +7,12 @@ from typing import Annotated
 import typer
 
 from exoid.cli.inputs.body import given_body
+from exoid.cli.inputs.own_terms import own_terms
+from exoid.cli.inputs.terms import OwnTerms, With, saved_model, terms_asked
 from exoid.cli.outputs.destination import check_absent, check_destination
 from exoid.cli.terminal.waiting import patiently
 
+LEG = {"mass": 4.5, "inertia": 0.44, "com_distance": 0.265, "damping": 0.35, "stiffness": 2.8}
 ANKLE = 0.40  # m
 TINY, HUGE = 1e-3, 1e3  # of a leg's parameters in SI units; beyond them the steps are too coarse
 LOWEST, HIGHEST = -180.0, 20.0  # deg, of a start; a drop from there stays within a knee's reach
@@ -19,11 +22,21 @@ LONGEST = 120.0  # s, of a movement
 
 def simulate(
     output: Annotated[Path, typer.Argument(help="The table to write (.csv); a sidecar joins it.")],
-    mass: Annotated[float, typer.Option(help="m [kg]")] = 4.5,
-    inertia: Annotated[float, typer.Option(help="J about the knee [kg m^2]")] = 0.44,
-    com_distance: Annotated[float, typer.Option(help="l, knee to COM [m]")] = 0.265,
-    damping: Annotated[float, typer.Option(help="d [N m s/rad]")] = 0.35,
-    stiffness: Annotated[float, typer.Option(help="c [N m/rad]")] = 2.8,
+    mass: Annotated[float | None, typer.Option(help="m [kg], by default 4.5")] = None,
+    inertia: Annotated[
+        float | None, typer.Option(help="J about the knee [kg m^2], by default 0.44")
+    ] = None,
+    com_distance: Annotated[
+        float | None, typer.Option(help="l, knee to COM [m], by default 0.265")
+    ] = None,
+    damping: Annotated[float | None, typer.Option(help="d [N m s/rad], by default 0.35")] = None,
+    stiffness: Annotated[float | None, typer.Option(help="c [N m/rad], by default 2.8")] = None,
+    with_term: With = None,
+    terms: OwnTerms = None,
+    model: Annotated[
+        Path | None,
+        typer.Option(help="Leg and terms of a saved fit or diagnosis (.nc).", metavar="FILE"),
+    ] = None,
     drop: Annotated[
         list[float] | None,
         typer.Option(help="A drop from this angle [deg]; repeat. Default: -10, -35, -55."),
@@ -37,8 +50,9 @@ def simulate(
     duration: Annotated[float, typer.Option(min=0.5, max=LONGEST, help="Of each drop [s]")] = 12.0,
     added_mass: Annotated[float, typer.Option(min=0.0, max=50.0, help="At the ankle [kg]")] = 0.0,
     thigh_angle: Annotated[
-        float, typer.Option(min=-60.0, max=60.0, help="Knee above the hip [deg], by the seat.")
-    ] = 0.0,
+        float | None,
+        typer.Option(min=-60.0, max=60.0, help="Knee above the hip [deg], by the seat."),
+    ] = None,
     body_mass: Annotated[float | None, typer.Option(help="For the sidecar [kg]")] = None,
     height: Annotated[float | None, typer.Option(help="For the sidecar [m]")] = None,
     noise: Annotated[
@@ -53,18 +67,25 @@ def simulate(
     Examples:
       exoid simulate leg.csv
       exoid simulate leg.csv --inertia 0.5 --drop -20 --drop -60 --no-noise
+      exoid simulate worn.csv --with coulomb_friction=0.3 --with gyro_bias=0.01
+      exoid simulate again.csv --model why.nc    the leg that a fit or a diagnosis found
       exoid simulate cycles.csv --cycle -3 --torque-amplitude -9.5 --period 2
     """
     check_destination(output, ("csv",))
     check_absent((output, output.with_suffix(".toml")), force)
-    leg = {
+    said = {
         "mass": mass,
         "inertia": inertia,
         "com_distance": com_distance,
         "damping": damping,
         "stiffness": stiffness,
     }
+    said = {name: value for name, value in said.items() if value is not None}
+    own = own_terms(terms) if terms else ()
+    known = None if model is None else saved_model(model, own)
+    leg = LEG | ({} if known is None else numbers_of(known.leg)) | said
     check_leg(leg)
+    having = terms_asked(with_term, own, () if known is None else known.terms, valued_all=True)
     check_starts(drop, cycle, torque_amplitude)
     body = given_body(body_mass=body_mass, height=height)
     import jax
@@ -86,10 +107,12 @@ def simulate(
         for angle in (drop or ([] if cycle else [-10.0, -35.0, -55.0]))
     ]
     cycles = [Movement(float(np.radians(a)), period, torque_amplitude) for a in cycle or []]
+    thigh = 0.0 if known is None else float(known.thigh_angle)
+    thigh = thigh if thigh_angle is None else float(np.radians(thigh_angle))
     parameters = LegParameters(**{name: jnp.asarray(value) for name, value in leg.items()})
     recording = patiently(
         lambda: record(
-            LegModel(parameters, NoTorque(), jnp.asarray(np.radians(thigh_angle))),
+            LegModel(parameters, NoTorque(), jnp.asarray(thigh), having),
             [*drops, *cycles],
             jax.random.key(seed),
             exact=not noise,
@@ -100,6 +123,11 @@ def simulate(
     write_table(recording, output)
     segments = counted(len(recording.segments), "segment")
     typer.echo(f"{output}: {segments}, and {output.with_suffix('.toml')}")
+
+
+def numbers_of(leg) -> dict[str, float]:
+    """The parameters by name."""
+    return {name: float(getattr(leg, name)) for name in LEG}
 
 
 def check_leg(leg: dict[str, float]) -> None:

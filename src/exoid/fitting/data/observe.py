@@ -5,7 +5,7 @@ import jax
 import numpy as np
 
 from exoid.fitting.data.movement import Movement, smoothed_motion
-from exoid.fitting.data.observation import Observation
+from exoid.fitting.data.observation import Observation, clock
 from exoid.fitting.model.systematics import SOMEWHERE, beside_unplaced
 from exoid.physics.motion.step import Drive
 from exoid.physics.torque import cycle_shape
@@ -25,8 +25,8 @@ def observe(movements: list[Movement], reading: str) -> Observation:
     grids = [with_gaps_bridged(each.segment.time) for each in movements]
     size = bucket(max(grid.size for grid in grids))
     rows = [
-        one_observation(each, grid, size, reading)
-        for each, grid in zip(movements, grids, strict=True)
+        one_observation(each, number, grid, size, reading)
+        for number, (each, grid) in enumerate(zip(movements, grids, strict=True))
     ]
     seen = jax.tree.map(lambda *each: np.stack(each), *rows)
     numbers = sorted({each.recording for each in movements})
@@ -60,7 +60,9 @@ def with_gaps_bridged(time: Samples) -> Samples:
     return np.union1d(time, np.concatenate(parts))
 
 
-def one_observation(each: Movement, grid: Samples, size: int, reading: str) -> Observation:
+def one_observation(
+    each: Movement, number: int, grid: Samples, size: int, reading: str
+) -> Observation:
     own = each.segment.time
     at = np.searchsorted(grid, own)
     step = np.median(np.diff(grid))
@@ -93,6 +95,7 @@ def one_observation(each: Movement, grid: Samples, size: int, reading: str) -> O
         added_mass_extent=np.asarray(each.systematics.expected_extent),
         thigh_angle=np.asarray(each.thigh_angle),
         seat=np.asarray(0),
+        clock=clock(each, number, reading),
     )
 
 

@@ -42,7 +42,7 @@ def move_chains(
     unit = jnp.ones(begin.shape[1])
     first, adapt, final = dual_averaging_adaptation(ACCEPTANCE)
 
-    lanes = max(1, BATCH // target.known.shape[0])
+    lanes = max(1, BATCH // target.observation.time.shape[0])
     together = partial(jax.lax.map, batch_size=min(lanes, begin.shape[0]))
 
     def move(carry, number):

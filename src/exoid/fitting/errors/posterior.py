@@ -18,17 +18,15 @@ from exoid.fitting.errors.nuts import move_chains
 from exoid.fitting.errors.posterior_density import Target, points, posed
 from exoid.fitting.misfit.uncertainty import ON_BOUND
 from exoid.fitting.model.belief import NAMES
-from exoid.fitting.model.constraint import violations
+from exoid.fitting.model.constraint import violations_at
 from exoid.fitting.model.coordinates import (
-    QUANTITIES,
     Coordinates,
-    leg_parameters,
     quantities,
-    torque_amplitudes,
 )
+from exoid.fitting.model.term_parameters import parameters_of, ratio_name, ratio_unit
 from exoid.fitting.result.estimates import RATIOS
 from exoid.fitting.result.fit_result import Basis, FitResult
-from exoid.fitting.result.mountings import FIELDS, MOUNTING, known, outside
+from exoid.fitting.result.mountings import FIELDS, MOUNTING, outside
 from exoid.physics.leg import LegParameters
 from exoid.physics.parameter import declarations
 
@@ -98,7 +96,7 @@ def begin(target: Target, chains: int, seed: int) -> np.ndarray:
     generator = np.random.default_rng(seed)
     places = generator.normal(size=(CANDIDATES, target.spread.shape[1]))
     at = points(target, places)
-    limit = violations(target.limits, leg_parameters(at, np), torque_amplitudes(at, np), np)
+    limit = violations_at(target.limits, at, np)
     good = np.flatnonzero(limit.max(axis=0) <= 0)
     if good.size < chains:
         raise ValueError("the limits leave no room around the fit to draw from: see its notes.")
@@ -124,13 +122,14 @@ def numbered(basis: Basis) -> dict[str, tuple[int, str]]:
     movements, declared = basis.problem.movements, dict(declarations(LegParameters))
     unit = {name: declared[name].unit for name in NAMES}
     unit |= {name: entry[2] for name, entry in RATIOS.items()}
-    rows = {name: (row, unit[name]) for row, name in enumerate([*NAMES, *RATIOS][:QUANTITIES])}
     for number, each in enumerate(movements):
         if each.voluntary:
-            row = QUANTITIES + number
-            rows[f"torque_amplitude[{number}]"] = row, "N m"
-            rows[f"torque_over_inertia[{number}]"] = row + len(movements), "1/s^2"
-    return rows
+            unit[f"torque_amplitude[{number}]"] = "N m"
+            unit[f"torque_over_inertia[{number}]"] = "1/s^2"
+    for name, declared in parameters_of(basis.problem.terms):
+        unit |= {name: declared.unit, ratio_name(name, declared): ratio_unit(declared)}
+    rows = enumerate(basis.problem.quantities)
+    return {name: (row, unit[name]) for row, name in rows if name in unit}
 
 
 def placed(basis: Basis, at: Coordinates) -> tuple[dict[str, np.ndarray], dict[str, str]]:
@@ -140,7 +139,7 @@ def placed(basis: Basis, at: Coordinates) -> tuple[dict[str, np.ndarray], dict[s
     seat = np.asarray(problem.observation.seat)
     for field in problem.owned:
         for entry, row in enumerate(getattr(at.mounting, field)):
-            if known(problem, field, entry):
+            if not problem.estimates(field, entry):
                 continue
             name = FIELDS[field]
             recording = problem.movements[int(np.flatnonzero(seat == entry)[0])].recording

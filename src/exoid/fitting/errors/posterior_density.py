@@ -18,20 +18,27 @@ from exoid.fitting.misfit.neighbourhood import columns, prior_information
 from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.misfit.uncertainty import whitening
 from exoid.fitting.model.belief import Belief
-from exoid.fitting.model.constraint import SIZE, Limits, violations
+from exoid.fitting.model.constraint import SIZE, Limits, violations_at
 from exoid.fitting.model.coordinates import (
     Coordinates,
+    Unknowns,
     flattened,
     leg_parameters,
+    of_segments,
     scaled,
-    torque_amplitudes,
     unflattened,
     unscaled,
 )
-from exoid.fitting.model.prior import Prior, log_jacobian, mounting_residual, prior_residual
+from exoid.fitting.model.prior import (
+    Prior,
+    log_jacobian,
+    mounting_residual,
+    prior_residual,
+    term_log_jacobian,
+    term_residual,
+)
 from exoid.fitting.result.fit_result import Basis
 from exoid.fitting.solve.ask import around, take
-from exoid.fitting.solve.program import mountings
 
 UNDETERMINED = 1e-3  # information per typical step squared, too little to sample along
 NARROW = 2e-4  # relative width of what a user fixed: chains cannot move along a surface
@@ -47,7 +54,7 @@ class Target(eqx.Module):
     tilt: Float[Any, " coordinate"]  # keeps the data's slope at the best fit
     scale: Float[Any, " segment"]
     observation: Observation
-    known: Float[Any, "segment unknown"]
+    known: Unknowns
     stage: Stage
     prior: Prior
     limits: Limits
@@ -84,7 +91,7 @@ def posed(basis: Basis) -> tuple[Target, np.ndarray]:
 
 def without_fixed(belief: Belief) -> tuple[Prior, Limits]:
     """What was fixed as a narrow belief, in the place of limits that leave nothing between them."""
-    fixed, limits = belief.by_hand.fix, belief.limits
+    fixed, limits = belief.by_hand.leg.fix, belief.limits
     if not fixed:
         return belief.prior, limits
     weight = float(belief.prior.weight) or 1.0
@@ -132,15 +139,18 @@ def log_density(
     here = jax.lax.stop_gradient(to)
     at, seen = unscaled(here), target.observation
     each = partial(condense, stage=target.stage, chain=chain)
-    condensed = jax.vmap(each, in_axes=(None, 0, 0, 0, 0))(
-        at.shared, mountings(at, seen), at.own, seen, target.known
-    )
-    leg = leg_parameters(point)
+    condensed = jax.vmap(each)(of_segments(at, seen.seat), seen, target.known)
+    leg, prior = leg_parameters(point), target.prior
     data = linear_model(weighed(condensed, target.scale), here, to, seen.seat)
-    belief = [prior_residual(target.prior, leg), mounting_residual(target.prior, point.mounting)]
+    belief = (
+        prior_residual(prior, leg),
+        term_residual(prior, point),
+        mounting_residual(prior, point.mounting),
+    )
     loss = sum(jnp.sum(part**2) for part in (data, *belief)) / 2 + target.tilt @ change
-    within = violations(target.limits, leg, torque_amplitudes(point)).max() <= 0
-    return jnp.where(within, log_jacobian(target.prior, leg) - loss, -jnp.inf)
+    within = violations_at(target.limits, point).max() <= 0
+    volume = log_jacobian(prior, leg) + term_log_jacobian(prior, point)
+    return jnp.where(within, volume - loss, -jnp.inf)
 
 
 def points(target: Target, places: np.ndarray) -> Coordinates:

@@ -15,17 +15,8 @@ from jaxtyping import Float
 
 from exoid.fitting.misfit.neighbourhood import penalties, weighed
 from exoid.fitting.misfit.uncertainty import decomposed, spread
-from exoid.fitting.model.belief import NAMES
-from exoid.fitting.model.coordinates import (
-    QUANTITIES,
-    Coordinates,
-    flattened,
-    scaled,
-    unflattened,
-    unscaled,
-)
+from exoid.fitting.model.coordinates import Coordinates, flattened, scaled, unflattened, unscaled
 from exoid.fitting.multistart.ended import FEASIBLE, LIMITED
-from exoid.fitting.result.estimates import RATIOS
 from exoid.fitting.result.fit_result import Basis, Estimate, FitResult
 from exoid.fitting.solve.ask import advance, around, take, task
 from exoid.fitting.solve.program_values import Aim
@@ -105,24 +96,18 @@ def profiles(result: FitResult) -> dict[str, Profile]:
 
 
 def named(result: FitResult) -> list[tuple[str, Estimate]]:
-    """Parameters, mean torque and ratios."""
+    """Parameters, mean torque, ratios, and what the terms have."""
     torque = result.torque_amplitude
     tau = [] if torque is None else [("torque_amplitude", torque)]
-    return [*result.parameters.items(), *tau, *result.ratios.items()]
+    return [*result.parameters.items(), *tau, *result.ratios.items(), *result.of_terms.items()]
 
 
 def weights_of(name: str, basis: Basis) -> np.ndarray:
     """Which of `coordinates.quantities` this is, or a mean of which."""
-    segments = len(basis.problem.movements)
-    weights = np.zeros(QUANTITIES + 2 * segments)
-    common = [*NAMES, *RATIOS][:QUANTITIES]
-    if name in common:
-        weights[common.index(name)] = 1.0
-        return weights
+    rows = basis.problem.quantities
     voluntary = [number for number, each in enumerate(basis.problem.movements) if each.voluntary]
-    first = QUANTITIES + (segments if name == "torque_over_inertia" else 0)
-    weights[first + np.array(voluntary)] = 1 / len(voluntary)
-    return weights
+    wanted = [name] if name in rows else [f"{name}[{number}]" for number in voluntary]
+    return np.array([float(row in wanted) for row in rows]) / len(wanted)
 
 
 def posed(basis: Basis, name: str, estimate: Estimate) -> Quest | None:

@@ -10,22 +10,29 @@ from typing import Any
 import equinox as eqx
 import jax
 import jax.numpy as jnp
+from jax.flatten_util import ravel_pytree
 from jaxtyping import Array, Float, Int
 
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.observation import Observation
-from exoid.fitting.misfit.condensed import Condensed, Sensed
-from exoid.fitting.misfit.residual import NOTHING, Equation, advance, equation, residual, sensor_map
+from exoid.fitting.misfit.condensed import Condensed, Rollout, Sensed, of_unknowns
+from exoid.fitting.misfit.residual import (
+    NOTHING,
+    Shown,
+    advance,
+    begin,
+    glimpse,
+    late,
+    residual,
+    shows,
+    through,
+)
 from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.coordinates import (
     Coordinates,
-    Mounting,
-    Own,
-    Shared,
+    Unknowns,
     by_segment,
-    in_a_row,
 )
-from exoid.physics.leg import Ratios
 from exoid.physics.motion.step import Drive, march
 from exoid.physics.state import LegState
 
@@ -38,13 +45,7 @@ SHOWING = ("zero", "scale", "bias")  # what its sensors make of it
 
 
 def condense(
-    shared: Shared,
-    mounting: Mounting,
-    own: Own,
-    observation: Observation,
-    known: Float[Array, " unknown"],
-    stage: Stage,
-    chain: Chain,
+    unknowns: Unknowns, observation: Observation, known: Unknowns, stage: Stage, chain: Chain
 ) -> Condensed:
     """Simulate one segment with its sensitivities. `known` is 1 for unknowns that play no part.
 
@@ -54,101 +55,110 @@ def condense(
     # their difference into a torque.
     counted = jnp.where(stage.tether > 0, 0.0, observation.velocity_weight)
     observation = eqx.tree_at(lambda seen: seen.velocity_weight, observation, counted)
+    rollout, change = of_unknowns(unknowns, observation, known, stage)
 
     def gather(index, rows, total):
         return total + outer(rows)
 
-    unknowns = (shared, mounting, own)
     none = jax.tree.map(lambda leaf: jnp.zeros((0, leaf.size)), observation.cycle)
-    size = len(MOVING) + len(SHOWING) + 1
-    nothing = jnp.zeros((size, size))
-    total, change = sweep(unknowns, observation, known, none, stage, chain, gather, nothing)
+    size = change.shape[0] + 1
+    total = sweep(rollout, observation, none, stage, chain, gather, jnp.zeros((size, size)))
     change = jax.scipy.linalg.block_diag(change, jnp.ones((1, 1)))
-    return factorise(change.T @ total @ change, known)
+    return factorise(change.T @ total @ change, ravel_pytree(known)[0])
 
 
 def sense(
-    shared: Shared,
-    mounting: Mounting,
-    own: Own,
+    unknowns: Unknowns,
     observation: Observation,
-    known: Float[Array, " unknown"],
+    known: Unknowns,
     pushes: Drive,
     stage: Stage,
     chain: Chain,
 ) -> Sensed:
     """`condense`, sample by sample; also along torques [J rad/s^2], (push, step)."""
+    rollout, change = of_unknowns(unknowns, observation, known, stage)
 
     def store(index, rows, table):
         return table.at[:, index].set(rows)
 
-    count = pushes.begin.shape[0]
-    size = len(MOVING) + len(SHOWING)
-    empty = jnp.zeros((size + count + 1, observation.time.size, 2))
-    unknowns = (shared, mounting, own)
-    table, change = sweep(unknowns, observation, known, pushes, stage, chain, store, empty)
+    size = change.shape[0]
+    empty = jnp.zeros((size + pushes.begin.shape[0] + 1, observation.time.size, 2))
+    table = sweep(rollout, observation, pushes, stage, chain, store, empty)
     columns = jnp.einsum("bu,btc->utc", change, table[:size])
     return Sensed(table[-1], columns, table[size:-1])
 
 
-def sweep(unknowns, observation, known, pushes, stage, chain, fold, folded):
-    """Simulate with sensitivities; `fold` gathers the rows (dr/db, dr/dpush, r) of every sample.
-
-    b are the coefficients of the equation, the first state and the map of the sensors: however many
-    unknowns there are, only these few move the motion. Also what is b by the unknowns.
+def sweep(rollout: Rollout, observation, pushes, stage, chain, fold, folded):
+    """Simulate with sensitivities; `fold` gathers the rows (dr/db, dr/dpush, r) of every sample, b
+    being the coefficients and the map of the sensors.
     """
-    row, back = in_a_row(unknowns)
+    size, count = rollout.coefficients.size, pushes.begin.shape[0]
+    directions = jnp.concatenate([jnp.eye(size), jnp.zeros((count, size))])
+    terms = rollout.equation(rollout.coefficients)[0].terms
 
-    def setup(row):
-        shared, mounting, own = back(row)
-        eq = equation(shared, mounting, own, observation, stage)
-        moving = [*jax.tree.leaves(eq.ratios), eq.cycle, eq.torque, own.angle, own.angular_velocity]
-        return jnp.concatenate([jnp.stack(moving), sensor_map(mounting)]), eq.share
+    def first(coefficients):
+        eq, start = rollout.equation(coefficients)
+        motion = begin(eq, start, observation, stage)
+        shown = glimpse(eq, motion, jnp.asarray(0), observation, stage)
+        return motion, chain.begin(shown.motion)
 
-    (begin, share), change = setup(row), jax.jacfwd(lambda row: setup(row)[0])(row) * (1 - known)
-    coefficients, sensors = begin[:6], begin[len(MOVING) :]
-    count = pushes.begin.shape[0]
-    directions = jnp.concatenate([jnp.eye(len(MOVING)), jnp.zeros((count, len(MOVING)))])
-    state, by_state = LegState(begin[6], begin[7]), LegState(directions[:, 6], directions[:, 7])
-    memory, by_memory = along(chain.begin, (state,), (by_state,))
+    (motion, memory), (by_motion, by_memory) = along(first, (rollout.coefficients,), (directions,))
 
     def forward(index, carry):
-        def step(coefficients, state, missing):
-            *ratios, cycle, torque = coefficients
-            eq = Equation(Ratios(*ratios), cycle, torque, share)
-            return advance(eq, state, index, observation, stage, missing)
+        def step(coefficients, motion, missing):
+            eq, _ = rollout.equation(coefficients)
+            return advance(eq, motion, index, observation, stage, missing)
 
         def pushed(leaf):
-            return jnp.concatenate([jnp.zeros(len(MOVING)), leaf[:, index]])
+            return jnp.concatenate([jnp.zeros(size), leaf[:, index]])
 
         missing = jax.tree.map(jnp.asarray, NOTHING)
-        tangents = (directions[:, :6], carry[1], jax.tree.map(pushed, pushes))
-        return along(step, (coefficients, carry[0], missing), tangents)
+        tangents = (directions, carry[1], jax.tree.map(pushed, pushes))
+        return along(step, (rollout.coefficients, carry[0], missing), tangents)
+
+    def look(index, carry, memory, by_memory):
+        def seen(coefficients, motion, memory):
+            eq, _ = rollout.equation(coefficients)
+            return through(chain, memory, glimpse(eq, motion, index, observation, stage))
+
+        primals = (rollout.coefficients, carry[0], memory)
+        return along(seen, primals, (directions, carry[1], by_memory))
+
+    def rows(index, shown, by_shown):
+        def misfit(shown, sensors):
+            return residual(shown, sensors, index, observation)
+
+        value, moved = along(lambda shown: misfit(shown, rollout.sensors), (shown,), (by_shown,))
+        eye = jnp.eye(rollout.sensors.size)
+        _, mapped = along(lambda sensors: misfit(shown, sensors), (rollout.sensors,), (eye,))
+        return jnp.concatenate([moved[:size], mapped, moved[size:], value[None]])
 
     def gather(index, carry, gathered):
-        (memory, by_memory), folded = gathered
+        memories, folded = gathered
+        (memory, shown), (by_memory, by_shown) = look(index, carry, *memories)
+        return (memory, by_memory), fold(index, rows(index, shown.motion, by_shown.motion), folded)
 
-        def show(state, memory):
-            memory, shown = chain.push(memory, state)
-            return memory, shown
+    def keep(index, carry, gathered):
+        memories, table = gathered
+        (memory, shown), (by_memory, by_shown) = look(index, carry, *memories)
+        kept = jax.tree.map(lambda all, one: all.at[..., index].set(one), table, (shown, by_shown))
+        return (memory, by_memory), kept
 
-        (memory, shown), (by_memory, by_shown) = along(
-            show, (carry[0], memory), (carry[1], by_memory)
-        )
-        value, moved = along(
-            lambda shown: residual(shown, sensors, index, observation), (shown,), (by_shown,)
-        )
-        _, seen = along(
-            lambda sensors: residual(shown, sensors, index, observation),
-            (sensors,),
-            (jnp.eye(len(SHOWING)),),
-        )
-        size = len(MOVING)
-        rows = jnp.concatenate([moved[:size], seen, moved[size:], value[None]])
-        return (memory, by_memory), fold(index, rows, folded)
+    carry, memories = (motion, by_motion), (memory, by_memory)
+    if not shows(terms):
+        return march(forward, gather, carry, (memories, folded), stage.steps)[1]
+    # Where a gyro may be late, a sample hangs on later ones: all are simulated before one counts.
+    one = jnp.zeros(observation.time.size)
+    each = jnp.zeros((size + count, observation.time.size))
+    room = Shown(LegState(one, one), one, one), Shown(LegState(each, each), each, each)
+    table, by_table = march(forward, keep, carry, (memories, room), stage.steps)[1]
+    shown, by_shown = along(lambda seen: late(seen, observation, stage), (table,), (by_table,))
 
-    first = ((memory, by_memory), folded)
-    return march(forward, gather, (state, by_state), first, stage.steps)[1], change
+    def count_in(index, _, folded):
+        now = jax.tree.map(lambda leaf: leaf[..., index], (shown, by_shown))
+        return fold(index, rows(index, *now), folded)
+
+    return march(lambda index, nothing: nothing, count_in, (), folded, stage.steps)
 
 
 def along(function, primals, tangents):

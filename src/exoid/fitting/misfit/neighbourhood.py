@@ -7,7 +7,7 @@ import numpy as np
 from jaxtyping import Float, Int
 
 from exoid.fitting.misfit.condensed import Condensed
-from exoid.fitting.model.constraint import Limits, violations
+from exoid.fitting.model.constraint import Limits, violations_at
 from exoid.fitting.model.coordinates import (
     Coordinates,
     by_segment,
@@ -15,11 +15,10 @@ from exoid.fitting.model.coordinates import (
     leg_parameters,
     quantities,
     scaled,
-    torque_amplitudes,
     unflattened,
     unscaled,
 )
-from exoid.fitting.model.prior import Prior, mounting_residual, prior_residual
+from exoid.fitting.model.prior import Prior, mounting_residual, prior_residual, term_residual
 
 COMPLEX_STEP = 1e-30  # exact to rounding: no difference is taken
 PENALTY = 100.0  # rho times the variance of a constraint: each round gains two digits
@@ -47,7 +46,7 @@ def neighbourhood(
     """The derivatives at `point` (no leading axis), where the misfit condenses to `condensed`."""
 
     def constraint(at: Coordinates):
-        return violations(limits, leg_parameters(at, np), torque_amplitudes(at, np), np)
+        return violations_at(limits, at, np)
 
     with np.errstate(invalid="ignore"):  # infinite limits are no limits
         by_constraint = gradients(constraint, point)
@@ -65,7 +64,8 @@ def prior_information(point: Coordinates, prior: Prior) -> np.ndarray:
 
     def belief(at: Coordinates):
         leg = prior_residual(prior, leg_parameters(at, np), np)
-        return np.concatenate([leg, mounting_residual(prior, at.mounting, np)])
+        terms = term_residual(prior, at, np)
+        return np.concatenate([leg, terms, mounting_residual(prior, at.mounting, np)])
 
     by_prior = gradients(belief, point)
     return by_prior.T @ by_prior

@@ -11,31 +11,35 @@ from jaxtyping import Array, Float, Int
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.misfit.stage import Stage
-from exoid.fitting.model.coordinates import Mounting, Own, Shared
+from exoid.fitting.model.coordinates import Mounting, Unknowns
+from exoid.fitting.model.term_parameters import over_inertia
 from exoid.physics.leg import GRAVITY, Ratios
-from exoid.physics.motion.step import Drive, march, rk4_step
+from exoid.physics.moment import Cycle, Place
+from exoid.physics.motion.step import Drive, march
+from exoid.physics.motion.with_terms import Motion, at_rest, delayed, extended_step, observed
 from exoid.physics.state import LegState
+from exoid.physics.term import Term
 
 NOTHING = Drive(*[np.zeros(())] * 3)  # is missing
 
 
 class Equation(eqx.Module):
-    """Eq. 9 of one segment, leg and added mass together, per inertia; what sensitivities act on."""
+    """Eq. 9 of one segment, leg and added mass together, per inertia, and what it leaves out."""
 
     ratios: Ratios
     cycle: Float[Any, ""]  # 1/s^2 for unit shape of Eq. 10
     torque: Float[Any, ""]  # 1/(kg m^2), for a measured torque
     share: Float[Any, ""]  # of the leg in the inertia that moves
+    terms: tuple[Term, ...] = ()
 
 
-def equation(
-    shared: Shared, mounting: Mounting, own: Own, observation: Observation, stage: Stage
-) -> Equation:
+def equation(unknowns: Unknowns, observation: Observation, stage: Stage) -> Equation:
     """J + m_a (r^2 + k^2) and m l g + m_a r g move; the tether adds its stiffness and damping.
 
     A recorded second is (1 + clock) s long, so every rate of the equation counts as often.
-    `mounting` is that of the segment, as `seated` gives it.
+    `unknowns` are those of the segment.
     """
+    shared, mounting = unknowns.shared, unknowns.mounting
     inertia, clock = jnp.exp(shared.log_inertia), 1 + of(mounting.clock)
     added = observation.added_mass * jnp.exp(of(mounting.log_added))
     moved = jnp.exp(observation.added_mass_moves * of(mounting.log_distance))
@@ -50,9 +54,10 @@ def equation(
             damping=clock * shared.damping * inertia / total + 2 * stage.tether,
             thigh_angle=observation.thigh_angle + of(mounting.tilt),
         ),
-        cycle=clock**2 * own.torque * inertia / total,
+        cycle=clock**2 * unknowns.own.torque * inertia / total,
         torque=clock**2 / total,
         share=clock**2 * inertia / total,
+        terms=tuple(over_inertia(term, 1 / inertia) for term in unknowns.terms),
     )
 
 
@@ -69,33 +74,100 @@ def of(leaf: Float[Any, "*entry"]) -> Float[Any, ""]:
     return leaf[0] if leaf.size else jnp.zeros(())
 
 
+def place_of(eq: Equation, observation: Observation, stage: Stage) -> Place:
+    """What a term may know of its segment."""
+    inertia, clock = 1 / eq.torque, observation.clock
+    cycle = Cycle(eq.cycle * inertia, clock.period, clock.frequency, clock.onset)
+    return Place(eq.ratios, inertia, cycle, clock.number, stage.tether)
+
+
+def begin(eq: Equation, start: LegState, observation: Observation, stage: Stage) -> Motion:
+    """The motion at the first sample, every term at rest."""
+    place = place_of(eq, observation, stage)
+    pushed = push_at(eq, 0, observation, stage)
+    return at_rest(place, eq.terms, start, observation.time[0], pushed)
+
+
 def advance(
     eq: Equation,
-    state: LegState,
+    motion: Motion,
     index: Int[Array, ""],
     observation: Observation,
     stage: Stage,
     missing: Drive = NOTHING,
-) -> LegState:
+) -> Motion:
     """The step from sample `index` to the next, where a torque `missing` [J rad/s^2] acts too."""
 
-    def push(cycle, torque, missing, guide_angle, guide_velocity):
-        pull = stage.tether**2 * guide_angle + 2 * stage.tether * guide_velocity
-        return eq.cycle * cycle + eq.torque * torque + eq.share * missing + pull
+    def push(cycle, torque, missing, guide):
+        return eq.cycle * cycle + eq.torque * torque + eq.share * missing + pull(guide, stage)
 
-    def guide(at):
-        return observation.guide_angle[at], observation.guide_velocity[at]
-
-    now, after = guide(index), guide(index + 1)
+    now, after = guide(index, observation), guide(index + 1, observation)
     middle = jax.tree.map(lambda a, b: (a + b) / 2, now, after)
     cycle, torque = jax.tree.map(lambda at: at[index], (observation.cycle, observation.torque))
     drive = Drive(
-        begin=push(cycle.begin, torque.begin, missing.begin, *now),
-        middle=push(cycle.middle, torque.middle, missing.middle, *middle),
-        end=push(cycle.end, torque.end, missing.end, *after),
+        begin=push(cycle.begin, torque.begin, missing.begin, now),
+        middle=push(cycle.middle, torque.middle, missing.middle, middle),
+        end=push(cycle.end, torque.end, missing.end, after),
     )
-    step = observation.time[index + 1] - observation.time[index]
-    return rk4_step(eq.ratios, state, step, drive)
+    time = observation.time[index]
+    step = observation.time[index + 1] - time
+    place = place_of(eq, observation, stage)
+    return extended_step(place, eq.terms, motion, time, step, drive)
+
+
+def guide(at: Int[Array, ""], observation: Observation) -> tuple[Array, Array]:
+    """The measured motion that a start is tied to."""
+    return observation.guide_angle[at], observation.guide_velocity[at]
+
+
+def pull(guide: tuple[Array, Array], stage: Stage) -> Array:
+    """What the tether adds to the drive [rad/s^2]."""
+    angle, velocity = guide
+    return stage.tether**2 * angle + 2 * stage.tether * velocity
+
+
+def push_at(eq: Equation, index, observation: Observation, stage: Stage) -> Array:
+    """The drive per inertia [rad/s^2] at a sample."""
+    before = jnp.maximum(jnp.asarray(index) - 1, 0)
+
+    def at(drive: Drive):
+        return jnp.where(index == 0, drive.begin[0], drive.end[before])
+
+    drawn = pull(guide(jnp.asarray(index), observation), stage)
+    return eq.cycle * at(observation.cycle) + eq.torque * at(observation.torque) + drawn
+
+
+class Shown(eqx.Module):
+    """What the sensors show, but for the recording's own map of them."""
+
+    motion: LegState
+    angular_acceleration: Float[Any, "*time"]  # rad/s^2, for the gyro's delay
+    delay: Float[Any, "*time"]  # s, of the gyro
+
+
+def shows(terms: tuple[Term, ...]) -> bool:
+    """Do the sensors show another motion than the leg's?"""
+    return any(type(term).shown is not Term.shown for term in terms)
+
+
+def glimpse(
+    eq: Equation, motion: Motion, index: Int[Array, ""], observation: Observation, stage: Stage
+) -> Shown:
+    """What the sensors show of a sample, before the gyro's delay."""
+    if not shows(eq.terms):
+        none = jnp.zeros_like(motion.leg.angle)
+        return Shown(motion.leg, none, none)
+    place, pushed = place_of(eq, observation, stage), push_at(eq, index, observation, stage)
+    seen = observed(place, eq.terms, motion, observation.time[index], pushed)
+    leg = LegState(seen.shown_angle, seen.shown_velocity)
+    return Shown(leg, seen.shown_acceleration, seen.delay)
+
+
+def late(shown: Shown, observation: Observation, stage: Stage) -> LegState:
+    """A whole segment as the sensors show it, the gyro by its delay behind."""
+    rate, slope = shown.motion.angular_velocity, shown.angular_acceleration
+    behind = delayed(observation.time, rate, slope, shown.delay, stage.steps)
+    return LegState(shown.motion.angle, behind)
 
 
 def residual(
@@ -113,27 +185,41 @@ def residual(
     )
 
 
-def predict(
-    shared: Shared,
-    mounting: Mounting,
-    own: Own,
+def predict(unknowns: Unknowns, observation: Observation, stage: Stage, chain: Chain) -> LegState:
+    """The whole segment as the leg would have moved, and sensors and chain would have shown it."""
+    eq, own = equation(unknowns, observation, stage), unknowns.own
+    start = LegState(own.angle, own.angular_velocity)
+    return predicted(eq, start, sensor_map(unknowns.mounting), observation, stage, chain)
+
+
+def predicted(
+    eq: Equation,
+    start: LegState,
+    sensors: Float[Array, "3"],
     observation: Observation,
     stage: Stage,
     chain: Chain,
 ) -> LegState:
-    """The whole segment as the leg would have moved, and sensors and chain would have shown it."""
-    eq = equation(shared, mounting, own, observation, stage)
-    zero, scale, bias = sensor_map(mounting)
-    start = LegState(own.angle, own.angular_velocity)
+    """The same from the equation, the first state and the map of the sensors."""
+    zero, scale, bias = sensors
+    motion = begin(eq, start, observation, stage)
 
-    def store(index, state, folded):
-        memory, shown = folded
-        memory, now = chain.push(memory, state)
-        return memory, jax.tree.map(lambda all, one: all.at[index].set(one), shown, now)
+    def store(index, motion, folded):
+        memory, table = folded
+        memory, now = through(chain, memory, glimpse(eq, motion, index, observation, stage))
+        return memory, jax.tree.map(lambda all, one: all.at[index].set(one), table, now)
 
-    def forward(index, state):
-        return advance(eq, state, index, observation, stage)
+    def forward(index, motion):
+        return advance(eq, motion, index, observation, stage)
 
-    empty = LegState(jnp.zeros_like(observation.time), jnp.zeros_like(observation.time))
-    shown = march(forward, store, start, (chain.begin(start), empty), stage.steps)[1]
+    first = glimpse(eq, motion, jnp.asarray(0), observation, stage)
+    empty = jax.tree.map(lambda leaf: jnp.zeros(observation.time.shape), first)
+    seen = march(forward, store, motion, (chain.begin(first.motion), empty), stage.steps)[1]
+    shown = late(seen, observation, stage) if shows(eq.terms) else seen.motion
     return LegState(shown.angle + zero, (1 + scale) * shown.angular_velocity + bias)
+
+
+def through(chain: Chain, memory: Any, shown: Shown) -> tuple[Any, Shown]:
+    """A sample after the chain of conditioning, and the chain's memory."""
+    memory, now = chain.push(memory, shown.motion)
+    return memory, Shown(now, shown.angular_acceleration, shown.delay)

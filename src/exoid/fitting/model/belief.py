@@ -29,8 +29,8 @@ class Belief:
     @property
     def typical(self) -> dict[str, float]:
         """Where to begin: what was said by hand, else what is expected; empty where nothing is."""
-        said = {name: value for name, (value, _) in self.by_hand.prior.items()}
-        said |= dict(self.by_hand.fix)
+        hand = self.by_hand.leg
+        said = {name: value for name, (value, _) in hand.prior.items()} | dict(hand.fix)
         if self.expected is None:
             return said
         return {name: getattr(self.expected, name).value for name in NAMES} | said

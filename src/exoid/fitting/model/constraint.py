@@ -1,5 +1,6 @@
 """Constraints g(leg, torque) <= 0, each with its unit and its reason (Eq. 12 and 13)."""
 
+from collections.abc import Sequence
 from dataclasses import fields
 from typing import Any
 
@@ -9,7 +10,15 @@ import jax.numpy as jnp
 import numpy as np
 from jaxtyping import Float, Inexact
 
+from exoid.fitting.model.coordinates import (
+    Coordinates,
+    leg_parameters,
+    torque_amplitudes,
+    with_inertia,
+)
+from exoid.fitting.model.term_parameters import parameters_of, typical_term
 from exoid.physics.leg import LegParameters
+from exoid.physics.term import Term
 
 
 class Limits(eqx.Module):
@@ -24,6 +33,28 @@ class Limits(eqx.Module):
     upper: LegParameters
     torque: Float[Any, ""]  # N m, greatest amplitude
     reach: Float[Any, ""]  # m
+    lower_terms: tuple[Term, ...] = ()
+    upper_terms: tuple[Term, ...] = ()
+
+
+def violations_at(limits: Limits, point: Coordinates, xp=jnp):
+    """Every g of the leg's limits at a point of the fit, then of the terms' own."""
+    torque = torque_amplitudes(point, xp)
+    of_leg = violations(limits, leg_parameters(point, xp), torque, xp)
+    return xp.concatenate([of_leg, term_violations(limits, point, xp)])
+
+
+def term_violations(limits: Limits, point: Coordinates, xp=jnp):
+    """Every g of what the terms' parameters can be, relative to a step of order one."""
+    if not point.terms:
+        return xp.zeros((0, *xp.shape(point.log_mass)))
+    sizes = jax.tree.leaves(tuple(typical_term(type(term)) for term in point.terms))
+    values = jax.tree.leaves(with_inertia(point, xp))
+    lower, upper = map(jax.tree.leaves, (limits.lower_terms, limits.upper_terms))
+    low = [(bound - v) / unit for bound, v, unit in zip(lower, values, sizes, strict=True)]
+    high = [(v - bound) / unit for bound, v, unit in zip(upper, values, sizes, strict=True)]
+    each = xp.stack([*low, *high])
+    return xp.where(xp.isfinite(each), each, NEVER)
 
 
 def violations(
@@ -55,11 +86,13 @@ def violations(
     return xp.where(xp.isfinite(each), each, NEVER)
 
 
-def constraint_names(segments: int) -> list[str]:
-    """Which parameter each entry of `violations` limits, or the rule that it states."""
+def constraint_names(segments: int, terms: Sequence[type[Term]] = ()) -> list[str]:
+    """Which parameter each entry of `violations_at` limits, or the rule that it states."""
     parameters = [entry.name for entry in fields(LegParameters)]
     torques = [f"torque_amplitude[{number}]" for number in range(segments)]
-    return [*parameters, *parameters, "m l^2 <= J", "J <= reach m l", *torques, *torques]
+    rules = ["m l^2 <= J", "J <= reach m l"]
+    of_terms = [name for name, _ in parameters_of(terms)]
+    return [*parameters, *parameters, *rules, *torques, *torques, *of_terms, *of_terms]
 
 
 SIZE = LegParameters(*map(np.asarray, (1.0, 0.1, 0.1, 0.1, 1.0)))

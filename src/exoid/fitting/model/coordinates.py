@@ -4,6 +4,8 @@ Motion fixes m l g / J, c / J, d / J and tau / J (exactly; scaling m, J, d, c an
 changes nothing). The inertia matters only beside a known mass or torque, the mass never.
 """
 
+from collections.abc import Sequence
+from dataclasses import fields, replace
 from typing import Any
 
 import equinox as eqx
@@ -13,9 +15,18 @@ import numpy as np
 from jax.flatten_util import ravel_pytree
 from jaxtyping import Float, Inexact, Int, Num
 
+from exoid.fitting.model.term_parameters import (
+    over_inertia,
+    parameters_of,
+    ratio_name,
+    typical_term,
+)
 from exoid.physics.leg import GRAVITY, LegParameters
+from exoid.physics.parameter import declarations
+from exoid.physics.term import Term
 
-QUANTITIES = 8  # of the leg that a fit reports; two more of every segment
+LEG = [entry.name for entry in fields(LegParameters)]
+USUAL = 0.4  # kg m^2, J of a middling leg
 
 
 class Shared(eqx.Module):
@@ -52,12 +63,25 @@ class Own(eqx.Module):
 
 
 class Coordinates(eqx.Module):
-    """A point of the fit; `own` carries an axis `segment`."""
+    """A point of the fit; `own` carries an axis `segment`.
+
+    The terms' parameters are over J where they are torques, times J where they give way to them.
+    """
 
     shared: Shared
     log_mass: Float[Any, "*batch"]  # log(m / kg)
     mounting: Mounting
     own: Own
+    terms: tuple[Term, ...] = ()
+
+
+class Unknowns(eqx.Module):
+    """What the simulation of one segment hangs on: each leaf a number, or one of every segment."""
+
+    shared: Shared
+    mounting: Mounting
+    own: Own
+    terms: tuple[Term, ...] = ()
 
 
 TYPICAL = Coordinates(
@@ -68,14 +92,20 @@ TYPICAL = Coordinates(
 )  # a step of order one
 
 
+def typical(coordinates: Coordinates) -> Coordinates:
+    """A step of order one of every coordinate, the terms' included."""
+    each = tuple(over_inertia(typical_term(type(term)), USUAL) for term in coordinates.terms)
+    return replace(TYPICAL, terms=each)
+
+
 def scaled(coordinates: Coordinates) -> Coordinates:
-    """In units of `TYPICAL`: what the solver sees."""
-    return jax.tree.map(lambda value, unit: value / unit, coordinates, TYPICAL)
+    """In units of `typical`: what the solver sees."""
+    return jax.tree.map(lambda value, unit: value / unit, coordinates, typical(coordinates))
 
 
 def unscaled(coordinates: Coordinates) -> Coordinates:
-    """Back from units of `TYPICAL`."""
-    return jax.tree.map(lambda value, unit: value * unit, coordinates, TYPICAL)
+    """Back from units of `typical`."""
+    return jax.tree.map(lambda value, unit: value * unit, coordinates, typical(coordinates))
 
 
 def flattened(coordinates: Coordinates) -> np.ndarray:
@@ -101,30 +131,75 @@ def seated(mounting: Mounting, seat: Int[Any, ""]) -> Mounting:
     return jax.tree.map(lambda leaf: leaf[seat][None] if leaf.size else leaf, mounting)
 
 
+def of_segments(point: Coordinates, seat: Int[Any, " segment"]) -> Unknowns:
+    """The unknowns of every segment, by a leading axis."""
+
+    def same(tree):
+        return jax.tree.map(lambda leaf: jnp.broadcast_to(leaf, seat.shape), tree)
+
+    mounting = jax.vmap(seated, in_axes=(None, 0))(point.mounting, seat)
+    return Unknowns(same(point.shared), mounting, point.own, same(point.terms))
+
+
 def by_segment(
     point: Coordinates, seat: Int[Any, " segment"], xp=jnp
 ) -> Num[Any, "segment unknown"]:
-    """The unknowns of every segment in one row: what the leg, its recording and itself own."""
+    """The unknowns of every segment in one row: what the leg, its recording, itself and the terms
+    own.
+    """
     count = point.own.angle.shape[0]
     shared = [xp.broadcast_to(leaf, (count,)) for leaf in jax.tree.leaves(point.shared)]
     mounting = [leaf[seat] for leaf in jax.tree.leaves(point.mounting) if leaf.size]
-    return xp.stack([*shared, *mounting, *jax.tree.leaves(point.own)], axis=1)
+    terms = [xp.broadcast_to(leaf, (count,)) for leaf in jax.tree.leaves(point.terms)]
+    return xp.stack([*shared, *mounting, *jax.tree.leaves(point.own), *terms], axis=1)
 
 
-def in_a_row(unknowns: tuple[Shared, Mounting, Own]):
-    """The unknowns of one segment in a row, in units of `TYPICAL`, and the way back."""
+def in_a_row(unknowns: Unknowns):
+    """The unknowns of one segment in a row, in units of `typical`, and the way back."""
     point, unravel = ravel_pytree(unknowns)
-    typical = (TYPICAL.shared, TYPICAL.mounting, TYPICAL.own)
-    unit, _ = ravel_pytree(jax.tree.map(jnp.full_like, unknowns, typical))
+    mounting, own, terms = unknowns.mounting, unknowns.own, unknowns.terms
+    units = typical(Coordinates(unknowns.shared, jnp.zeros(()), mounting, own, terms))
+    each = Unknowns(units.shared, units.mounting, units.own, units.terms)
+    unit, _ = ravel_pytree(jax.tree.map(jnp.full_like, unknowns, each))
     return point / unit, lambda row: unravel(row * unit)
 
 
 def quantities(coordinates: Coordinates, xp=jnp) -> Inexact[Any, " quantity *column"]:
-    """What a fit reports: m, J, l, d, c, m l g / J, c / J, d / J; of each segment tau, tau / J."""
+    """What a fit reports, as `quantity_names` says: m, J, l, d, c, m l g / J, c / J, d / J; of each
+    segment tau, tau / J; the terms' parameters, and those that go with J by what motion tells.
+    """
     shared, own = coordinates.shared, coordinates.own
     leg = jax.tree.leaves(leg_parameters(coordinates, xp))
     common = xp.stack([*leg, shared.gravity, shared.stiffness, shared.damping])
-    return xp.concatenate([common, torque_amplitudes(coordinates, xp), own.torque])
+    each = [common, torque_amplitudes(coordinates, xp), own.torque]
+    if not coordinates.terms:
+        return xp.concatenate(each)
+    values = jax.tree.leaves(with_inertia(coordinates, xp))
+    ratios = [
+        getattr(term, name)
+        for term in coordinates.terms
+        for name, declared in declarations(type(term))
+        if declared.inertia_power
+    ]
+    return xp.concatenate([*each, xp.stack([*values, *ratios])])
+
+
+def quantity_names(segments: int, terms: Sequence[type[Term]] = ()) -> list[str]:
+    """Which quantity every row of `quantities` is."""
+    return [
+        *LEG,
+        *(f"{name}_over_inertia" for name in ("gravity", "stiffness", "damping")),
+        *(f"torque_amplitude[{number}]" for number in range(segments)),
+        *(f"torque_over_inertia[{number}]" for number in range(segments)),
+        *(name for name, _ in parameters_of(terms)),
+        *(ratio_name(name, each) for name, each in parameters_of(terms) if each.inertia_power),
+    ]
+
+
+def with_inertia(coordinates: Coordinates, xp=jnp) -> tuple[Term, ...]:
+    """The terms in their own units."""
+    inertia = xp.exp(coordinates.shared.log_inertia)
+    return tuple(over_inertia(term, 1 / inertia) for term in coordinates.terms)
 
 
 def leg_parameters(coordinates: Coordinates, xp=jnp) -> LegParameters:

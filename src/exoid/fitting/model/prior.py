@@ -10,10 +10,12 @@ import jax.numpy as jnp
 import numpy as np
 from jaxtyping import Float, Inexact
 
-from exoid.fitting.model.coordinates import Mounting
+from exoid.fitting.model.coordinates import Coordinates, Mounting, with_inertia
 from exoid.physics.anatomy.expected import ExpectedLeg
 from exoid.physics.anatomy.knee import LOG_SCATTER, NONE
 from exoid.physics.leg import LegParameters
+from exoid.physics.parameter import declarations
+from exoid.physics.term import Term
 
 SIZE = {"mass": (1.0, 0.0, 0.0), "com_distance": (0.0, 1.0, 0.0), "inertia": (1.0, 1.0, 1.0)}
 KNEE = ("damping", "stiffness")
@@ -36,6 +38,8 @@ class Prior(eqx.Module):
     own_deviation: LegParameters
     weight: Float[Any, ""]  # lambda of Eq. 11
     mounting: Mounting | None = None  # standard deviations of what recordings own
+    terms: tuple[Term, ...] = ()  # what is expected of the terms' parameters
+    terms_deviation: tuple[Term, ...] = ()  # an infinite one says nothing
 
 
 def prior_residual(prior: Prior, leg: LegParameters, xp=jnp) -> Inexact[Any, " row *column"]:
@@ -105,6 +109,29 @@ def log_jacobian(prior: Prior, leg: LegParameters, xp=jnp) -> Inexact[Any, "*col
 def steepness(ratio: Inexact[Any, "*column"], none: float, xp) -> Inexact[Any, "*column"]:
     """log of the derivative of `softened`."""
     return -xp.log(ratio**2 + 4 * none**2) / 2
+
+
+def term_residual(prior: Prior, point: Coordinates, xp=jnp) -> Inexact[Any, " row *column"]:
+    """sqrt(lambda) (value - expected) / sd of the terms' parameters."""
+    if not prior.terms:
+        return xp.zeros((0, *xp.shape(point.log_mass)))
+    each = jax.tree.map(
+        lambda value, expected, sd: (value - expected) / sd,
+        with_inertia(point, xp),
+        prior.terms,
+        prior.terms_deviation,
+    )
+    return xp.sqrt(prior.weight) * xp.stack(jax.tree.leaves(each))
+
+
+def term_log_jacobian(prior: Prior, point: Coordinates, xp=jnp) -> Inexact[Any, ""]:
+    """log |d (terms' parameters) / d (the fit's coordinates)|, of those of which much is said."""
+    powers = [
+        xp.where(xp.isfinite(getattr(deviation, name)), float(declared.inertia_power), 0.0)
+        for deviation in prior.terms_deviation
+        for name, declared in declarations(type(deviation))
+    ]
+    return (prior.weight > 0) * sum(powers, xp.zeros(())) * point.shared.log_inertia
 
 
 def mounting_residual(

@@ -8,7 +8,8 @@ from exoid.fitting.model.assumptions import Assumptions, BoundsName, PriorName
 from exoid.fitting.model.belief import NAMES, Belief
 from exoid.fitting.model.constraint import Limits
 from exoid.fitting.model.prior import Prior, joint_prior, no_prior, own_units, with_own
-from exoid.fitting.model.user_values import ByHand
+from exoid.fitting.model.term_parameters import parameters_of, term_of
+from exoid.fitting.model.user_values import ByHand, Expectations
 from exoid.physics.anatomy import (
     Body,
     ExpectedLeg,
@@ -19,7 +20,8 @@ from exoid.physics.anatomy import (
 )
 from exoid.physics.anatomy.limits import Allowed, allowed, anybody, strongest
 from exoid.physics.leg import LegParameters
-from exoid.physics.parameter import declarations
+from exoid.physics.parameter import Declaration, declarations
+from exoid.physics.term import Term
 from exoid.recordings.recording import Subject
 
 TALL = 2.0  # m; the reach of a leg whose height is unknown
@@ -28,10 +30,16 @@ TORQUE = 250.0  # N m, of Eq. 13
 NO_REACH = 1e3  # m: Eq. 12 and 13 have none; an infinite one marks a rig
 
 
-def believe(subject: Subject, assumed: Assumptions | None = None) -> Belief:
+def believe(
+    subject: Subject, assumed: Assumptions | None = None, terms: tuple[type[Term], ...] = ()
+) -> Belief:
     """Expected parameters from body mass and height, else from a measured mass and COM distance.
 
     A rig has neither prior nor limits but that it does not make energy, and what is said by hand.
+    `terms` keep the limits that they declare.
+
+    **Raises** `ValueError` where something is said by hand of a term that is not in the model, or
+    that it cannot have.
     """
     assumed = Assumptions() if assumed is None else assumed
     hand = assumed.by_hand
@@ -43,14 +51,80 @@ def believe(subject: Subject, assumed: Assumptions | None = None) -> Belief:
         name = "none" if expected is None else assumed.prior
         prior = prior_of(expected, assumed)
         found = Belief(name, expected, prior, limits, note, assumed.raw and expected is not None)
+    declared = dict(parameters_of(terms))
+    check_known(hand.terms, declared)
+    prior = with_own(found.prior, hand.leg.prior, assumed.weight)
     return replace(
         found,
-        prior=with_own(found.prior, hand.prior, assumed.weight),
-        limits=limits_by_hand(found.limits, hand),
-        note="; ".join([found.note, *(f"yours: {words}" for words in hand.words)]),
+        prior=of_terms(prior, terms, hand.prior, assumed.weight),
+        limits=term_limits(limits_by_hand(found.limits, hand.leg), terms, hand),
+        note="; ".join([found.note, *(f"yours: {words}" for words in hand.words(declared))]),
         bounds=assumed.bounds,
         by_hand=hand,
     )
+
+
+def check_known(hand: ByHand, declared: dict[str, Declaration]) -> None:
+    """Refuse what is said of a parameter that no term of the model has, or of a value beyond it."""
+    for name in {**hand.fix, **hand.bound, **hand.prior}:
+        if name not in declared:
+            known = f"it has {', '.join(declared)}" if declared else "it has no terms"
+            raise ValueError(
+                f"{name} is no parameter of this model: {known}. Add its term "
+                f"(--with {name.partition('.')[0]}), or check the name."
+            )
+    for name, value in hand.fix.items():
+        one = declared[name]
+        if not one.lower <= value <= one.upper:
+            raise ValueError(
+                f"fix of {name}: {value:g} {one.unit} cannot be; it is {one.lower:g} to "
+                f"{one.upper:g} {one.unit}."
+            )
+
+
+def of_terms(
+    prior: Prior, terms: tuple[type[Term], ...], said: Expectations, weight: float
+) -> Prior:
+    """The prior with what is expected by hand of the terms' parameters."""
+    if not terms:
+        return prior
+
+    def model(part: int, none: float) -> tuple[Term, ...]:
+        return tuple(
+            term_of(term, lambda name, _: said.get(name, (0.0, none))[part]) for term in terms
+        )
+
+    own = any(name in dict(parameters_of(terms)) for name in said)
+    weight_of = np.asarray(float(weight)) if own else prior.weight
+    deviations = model(1, float("inf"))
+    return replace(prior, terms=model(0, 0.0), terms_deviation=deviations, weight=weight_of)
+
+
+def term_limits(limits: Limits, terms: tuple[type[Term], ...], hand: ByHand) -> Limits:
+    """The limits with what the terms declare, narrowed or fixed by hand."""
+
+    def model(end: int) -> tuple[Term, ...]:
+        return tuple(
+            term_of(term, lambda name, declared: ends_of(name, declared, hand)[end])
+            for term in terms
+        )
+
+    return replace(limits, lower_terms=model(0), upper_terms=model(1))
+
+
+def ends_of(name: str, declared: Declaration, hand: ByHand) -> tuple[float, float]:
+    """The lower and the upper end of what a term's parameter can be."""
+    if name in hand.fix:
+        return hand.fix[name], hand.fix[name]
+    low, high = hand.bound.get(name, (None, None))
+    lower = declared.lower if low is None else max(low, declared.lower)
+    upper = declared.upper if high is None else min(high, declared.upper)
+    if not lower < upper:
+        raise ValueError(
+            f"bound of {name}: nothing is left of {declared.lower:g} to {declared.upper:g} "
+            f"{declared.unit}, which it can have."
+        )
+    return lower, upper
 
 
 def prior_of(expected: ExpectedLeg | None, assumed: Assumptions) -> Prior:

@@ -106,16 +106,6 @@ def own_deviations(movements: Sequence) -> dict[str, float]:
     return {name: value or 1.0 for name, value in found.items()}
 
 
-def exact(movements: Sequence, owned: Sequence[str] = OWNED) -> np.ndarray:
-    """1 where an entry of a segment's mounting is no unknown: (segment, entry of `owned`)."""
-    return np.array(
-        [
-            [float(is_exact(one, name, movements)) for name in OWNED if name in owned]
-            for one in movements
-        ]
-    ).reshape(len(movements), -1)
-
-
 def is_exact(one, name: str, movements: Sequence) -> bool:
     if name in OF_THE_GYRO and one.angular_velocity is None:
         return True

@@ -1,12 +1,14 @@
-"""What a user fixes, bounds or expects of a leg's parameters by hand, checked and by name."""
+"""What a user fixes, bounds or expects by hand, by name: a leg's parameters, or a term's as
+coulomb_friction.level, which are checked where the terms are known.
+"""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from math import inf, isfinite, isnan
 from typing import Any, Literal
 
 from exoid.physics.leg import LegParameters
-from exoid.physics.parameter import declarations
+from exoid.physics.parameter import Declaration, declarations
 
 Means = Literal["fix", "bound", "prior"]
 Fixed = Mapping[str, float]
@@ -73,9 +75,26 @@ class ByHand:
         return None
 
     @property
-    def words(self) -> list[str]:
-        """Each as an option would have it."""
-        units = {name: declared.unit for name, declared in DECLARED.items()}
+    def leg(self) -> "ByHand":
+        """What is said of the leg alone."""
+        return self.of(lambda name: name in DECLARED)
+
+    @property
+    def terms(self) -> "ByHand":
+        """What is said of terms alone."""
+        return self.of(lambda name: name not in DECLARED)
+
+    def of(self, wanted: Callable[[str], bool]) -> "ByHand":
+        """What is said of the parameters that are wanted."""
+
+        def some(said: Mapping[str, Any]) -> dict[str, Any]:
+            return {name: value for name, value in said.items() if wanted(name)}
+
+        return ByHand(some(self.fix), some(self.bound), some(self.prior))
+
+    def words(self, terms: Mapping[str, Declaration]) -> list[str]:
+        """Each as an option would have it; `terms` declares what is none of the leg's."""
+        units = {name: declared.unit for name, declared in {**DECLARED, **terms}.items()}
         said = [f"{name} = {value:g} {units[name]}, fixed" for name, value in self.fix.items()]
         said += [f"{name} within {span(*ends)} {units[name]}" for name, ends in self.bound.items()]
         return said + [
@@ -92,7 +111,7 @@ def span(low: float | None, high: float | None) -> str:
 
 def parameter(name: str, means: str) -> str:
     """The parameter of this name or symbol."""
-    if name in DECLARED:
+    if name in DECLARED or "." in name:
         return name
     if name in SYMBOLS:
         return SYMBOLS[name]
@@ -102,6 +121,10 @@ def parameter(name: str, means: str) -> str:
 
 def check_value(means: str, name: str, value: float) -> None:
     """Refuse what no leg has."""
+    if name not in DECLARED:
+        if not isfinite(value):
+            raise ValueError(f"{means} of {name}: {value:g} cannot be; it is a number.")
+        return
     low = "positive" if name in POSITIVE else "0 or more"
     if not isfinite(value) or value < 0 or (value == 0 and name in POSITIVE):
         unit = DECLARED[name].unit
@@ -109,8 +132,9 @@ def check_value(means: str, name: str, value: float) -> None:
 
 
 def check_bound(name: str, low: float | None, high: float | None) -> None:
-    ends = (0.0 if low is None else low, inf if high is None else high)
-    if any(map(isnan, ends)) or ends[0] < 0 or not ends[0] < ends[1]:
+    least = 0.0 if name in DECLARED else -inf
+    ends = (least if low is None else low, inf if high is None else high)
+    if any(map(isnan, ends)) or ends[0] < least or not ends[0] < ends[1]:
         raise ValueError(
             f"bound of {name}: {ends[0]:g} to {ends[1]:g} leaves nothing; the lower end comes "
             "first, and no parameter of a leg is negative."

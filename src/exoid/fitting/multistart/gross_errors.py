@@ -128,12 +128,12 @@ def doubtful(problem: Problem) -> list[int]:
 
 def estimated(problem: Problem, name: str, *, declared: bool = False) -> list[int]:
     """The recordings of which this is an unknown; those that declare it only where asked for."""
-    seat, column = np.asarray(problem.observation.seat), 4 + problem.owned.index(name)
+    seat = np.asarray(problem.observation.seat)
     entries = []
     for entry in range(int(seat.max()) + 1):
         own = np.flatnonzero(seat == entry)
         said = name in problem.movements[own[0]].systematics.declared
-        if (declared or not said) and (problem.known[own, column] == 0).any():
+        if (declared or not said) and problem.estimates(name, entry):
             entries.append(entry)
     return entries
 

@@ -1,6 +1,7 @@
 """The fit: many starts, brought to the data first, then to what anatomy and bounds allow."""
 
 from collections import Counter
+from dataclasses import replace
 
 import jax
 import numpy as np
@@ -19,6 +20,7 @@ from exoid.fitting.multistart.weight_by_kind import alone, explained, explained_
 from exoid.fitting.solve.ask import BATCH, advance, around, finite, left, take, task
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
+from exoid.physics.term import Term
 
 BASIN = 0.2  # typical steps within which tied starts have come together
 HOPELESS = 1e5  # times the best loss, of a tied start that leads nowhere
@@ -26,8 +28,10 @@ FIRST_HORIZON = 1.0  # s of every segment that a start sees first
 PATIENCE = 4  # times that a search with limits goes on where its steps ran out: a long valley
 
 
-def search(problem: Problem, starts: np.ndarray) -> tuple[Problem, Ended]:
-    """Fit from every start (m, J, l, d, c, tau).
+def search(
+    problem: Problem, starts: np.ndarray, terms: tuple[Term, ...] = ()
+) -> tuple[Problem, Ended]:
+    """Fit from every start (m, J, l, d, c, tau) with its terms.
 
     Tied to the measured motion over its first second, then over all of it, then free. Each time
     starts that have come together are carried on by the best of them; its free fit meets prior
@@ -35,7 +39,7 @@ def search(problem: Problem, starts: np.ndarray) -> tuple[Problem, Ended]:
     """
     tether, weaker = tethers(problem)
     greatest = 2 / problem.longest_step - 2 * tether
-    begin = coordinates(starts, problem.movements, greatest)
+    begin = coordinates(starts, problem.movements, greatest, terms, problem.owned)
     first = np.searchsorted(np.asarray(problem.observation.time)[0], FIRST_HORIZON)
     horizon = min(max(int(first), 50), problem.steps)
     declared = as_declared(without_scale(problem))
@@ -134,9 +138,10 @@ def data_coordinates(problem: Problem, at: Coordinates) -> np.ndarray:
     """What the data can tell a start by, in typical steps: (start, coordinate)."""
     unit = scaled(at)
     shared = [unit.shared.gravity, unit.shared.stiffness, unit.shared.damping]
-    if (problem.known[:, 0] == 0).any():
+    if problem.tells_inertia:
         shared.append(unit.shared.log_inertia * BASIN)  # hardly told by now: a cell is a step wide
-    return np.concatenate([np.stack(shared, axis=1), unit.own.torque], axis=1)
+    terms = [leaf * BASIN for leaf in jax.tree.leaves(unit.terms)]  # likewise
+    return np.concatenate([np.stack([*shared, *terms], axis=1), unit.own.torque], axis=1)
 
 
 def without_lost(free: Solved, member: np.ndarray, failures: dict[str, int]):
@@ -166,7 +171,7 @@ def settle(problem: Problem, free: Solved, begin: Coordinates, found: Disturbanc
     if told:
         inertia = one.shared.log_inertia
     shared = Shared(inertia, one.shared.gravity, one.shared.stiffness, one.shared.damping)
-    starts = Coordinates(shared, mass, one.mounting, one.own)
+    starts = replace(one, shared=shared, log_mass=mass)
     fixed = problem.belief.by_hand.fix
     if fixed:  # how the data resist is asked where the point will be
         starts = imposed(starts, fixed)

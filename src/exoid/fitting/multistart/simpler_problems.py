@@ -2,6 +2,9 @@
 
 from dataclasses import replace
 
+import jax
+import numpy as np
+
 from exoid.fitting.solve.problem import Problem
 
 
@@ -18,15 +21,14 @@ def without_scale(problem: Problem) -> Problem:
 
 def with_inertia_kept(problem: Problem) -> Problem:
     """The same, every start's inertia where it is."""
-    known = problem.known.copy()
-    known[:, 0] = 1.0
-    return replace(problem, known=known)
+    kept = np.ones(len(problem.movements))
+    shared = replace(problem.known.shared, log_inertia=kept)
+    return replace(problem, known=replace(problem.known, shared=shared))
 
 
 def as_declared(problem: Problem) -> Problem:
     """The same, recordings as they are declared: what differs is small, but far from the leg it may
     pass for anything, the place of an added mass for a leg without inertia.
     """
-    known = problem.known.copy()
-    known[:, 4:-3] = 1.0
-    return replace(problem, known=known)
+    declared = jax.tree.map(np.ones_like, problem.known.mounting)
+    return replace(problem, known=replace(problem.known, mounting=declared))

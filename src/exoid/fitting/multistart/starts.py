@@ -1,5 +1,8 @@
 """Where a multi-start begins: drawn from the limits, from anatomy, and from inverse dynamics."""
 
+from collections.abc import Sequence
+from itertools import product
+
 import jax
 import numpy as np
 
@@ -9,7 +12,10 @@ from exoid.fitting.model.constraint import Limits
 from exoid.fitting.model.coordinates import Coordinates, Mounting, Own, Shared
 from exoid.fitting.model.prior_and_limits import leg_limits
 from exoid.fitting.model.systematics import OWNED
+from exoid.fitting.model.term_parameters import over_inertia, term_of
 from exoid.physics.leg import GRAVITY
+from exoid.physics.parameter import declarations
+from exoid.physics.term import Term
 from exoid.recordings.recording import Subject
 from exoid.recordings.signal.condition import local_line
 
@@ -42,10 +48,33 @@ def draw(count: int, seed: int, limits: Limits | None = None) -> np.ndarray:
     return np.stack([mass, inertia, distance, damping, stiffness, torque], axis=1)
 
 
+def term_starts(
+    terms: Sequence[type[Term] | Term], movements: list[Movement], count: int
+) -> tuple[Term, ...]:
+    """`count` starts of the terms: where an instance is; of a class all it declares, in turn."""
+    angles = np.concatenate([each.angle for each in movements])
+    ends = float(np.nanmin(angles)), float(np.nanmax(angles))
+
+    def begins(term: type[Term] | Term) -> list[tuple[float, ...]]:
+        if isinstance(term, type):
+            return [declared.starts_between(*ends) for _, declared in declarations(term)]
+        return [(float(getattr(term, name)),) for name, _ in declarations(type(term))]
+
+    each = [row for term in terms for row in begins(term)]
+    rows = np.resize(np.array(list(product(*each)), dtype=float), (count, len(each)))
+    classes = [term if isinstance(term, type) else type(term) for term in terms]
+    like = tuple(term_of(term, lambda *_: 0.0) for term in classes)
+    return jax.tree.unflatten(jax.tree.structure(like), list(rows.T))
+
+
 def coordinates(
-    parameters: np.ndarray, movements: list[Movement], greatest_damping: float
+    parameters: np.ndarray,
+    movements: list[Movement],
+    greatest_damping: float,
+    terms: tuple[Term, ...] = (),
+    owned: tuple[str, ...] = OWNED,
 ) -> Coordinates:
-    """The starts (m, J, l, d, c, tau), every movement from its first measured state.
+    """The starts (m, J, l, d, c, tau) with terms, every movement from its first measured state.
 
     d/J is held below `greatest_damping` [1/s]: beyond it the time step cannot carry the motion.
     """
@@ -61,12 +90,13 @@ def coordinates(
             damping=np.minimum(damping / inertia, greatest_damping),
         ),
         log_mass=np.log(mass),
-        mounting=usual_mounting(movements, (mass.size,)),
+        mounting=usual_mounting(movements, (mass.size,), owned),
         own=Own(
             torque=(torque / inertia)[:, None] * voluntary,
             angle=np.broadcast_to(first[:, 0], shape).copy(),
             angular_velocity=np.broadcast_to(first[:, 1], shape).copy(),
         ),
+        terms=tuple(over_inertia(term, inertia) for term in terms),
     )
 
 

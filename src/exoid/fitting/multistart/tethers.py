@@ -1,8 +1,10 @@
 """How a start is brought to the data: tied to the measured motion at first, then ever less."""
 
+from dataclasses import replace
+
 import numpy as np
 
-from exoid.fitting.model.coordinates import Coordinates, Shared
+from exoid.fitting.model.coordinates import Coordinates
 from exoid.fitting.solve.ask import advance, task
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
@@ -28,8 +30,5 @@ def approach(problem: Problem, starts: Coordinates, scale: np.ndarray) -> Solved
 
 def without_thrust(at: Coordinates) -> Coordinates:
     """No negative damping: it would run away once the tether that held it is loosened."""
-    shared = at.shared
-    damped = Shared(
-        shared.log_inertia, shared.gravity, shared.stiffness, np.maximum(shared.damping, 0.0)
-    )
-    return Coordinates(damped, at.log_mass, at.mounting, at.own)
+    damped = replace(at.shared, damping=np.maximum(at.shared.damping, 0.0))
+    return replace(at, shared=damped)

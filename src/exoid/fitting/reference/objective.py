@@ -14,24 +14,25 @@ from exoid.fitting.data.observation import Observation
 from exoid.fitting.misfit.residual import predict, residual
 from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.belief import NAMES
-from exoid.fitting.model.constraint import NEVER, SIZE, SIZE_TORQUE, constraint_names, violations
+from exoid.fitting.model.constraint import NEVER, SIZE, SIZE_TORQUE, term_violations, violations_at
 from exoid.fitting.model.coordinates import (
     TYPICAL,
     Coordinates,
     Mounting,
     Own,
     Shared,
+    Unknowns,
     leg_parameters,
+    of_segments,
     scaled,
-    torque_amplitudes,
 )
-from exoid.fitting.model.prior import Prior, mounting_residual, prior_residual
+from exoid.fitting.model.prior import Prior, mounting_residual, prior_residual, term_residual
+from exoid.fitting.model.term_parameters import over_inertia, parameters_of, step_of, term_of
 from exoid.fitting.multistart.starts import first_state, usual_mounting
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.leg import GRAVITY
 from exoid.physics.state import LegState
 
-LEG = 5  # m, J, l, d, c come first in a vector
 TRUE = np.zeros(3)  # a sensor map that changes nothing
 POSITIVE = 1e-3  # of its typical size: mass and inertia have a logarithm
 
@@ -53,16 +54,17 @@ class Objective:
         point = self.point(vector)
         data, belief = squares(point, self.seen, prior, self.stage, self.problem.chain)
         declared = float(np.sum(mounting_residual(prior, point.mounting, np) ** 2))
-        return float(data / self.scale**2 + self.bounded * belief + declared) / 2
+        terms = float(np.sum(term_residual(prior, point, np) ** 2))
+        return float(data / self.scale**2 + self.bounded * (belief + terms) + declared) / 2
 
     def slack(self, vector: np.ndarray) -> np.ndarray:
         """What is left of every limit, negative where it is violated."""
         positive = vector[:2] - POSITIVE
-        if not self.bounded:
-            return positive
         limits, point = self.problem.belief.limits, self.point(vector)
-        limit = violations(limits, leg_parameters(point, np), torque_amplitudes(point, np), np)
-        held = [name in self.fixed for name in constraint_names(len(self.problem.movements))]
+        if not self.bounded:
+            return np.concatenate([-term_violations(limits, point, np), positive])
+        held = [name in self.fixed for name in self.problem.constraints]
+        limit = violations_at(limits, point, np)
         return np.concatenate([-np.where(held, NEVER, limit), positive])
 
     @cached_property
@@ -73,9 +75,7 @@ class Objective:
     @cached_property
     def axes(self) -> np.ndarray:
         """The directions in which a vector may move: (entry, direction)."""
-        free = np.ones(self.sizes.size, dtype=bool)
-        free[[NAMES.index(name) for name in self.fixed]] = False
-        return np.eye(free.size)[:, free]
+        return np.eye(len(self.names))[:, [name not in self.fixed for name in self.names]]
 
     @cached_property
     def samples(self) -> int:
@@ -106,39 +106,57 @@ class Objective:
         torques = [SIZE_TORQUE] * len(self.voluntary)
         states = [TYPICAL.own.angle] * segments + [TYPICAL.own.angular_velocity] * segments
         owned = [getattr(TYPICAL.mounting, name) for name in self.owned]
-        return np.array([*jax.tree.leaves(SIZE), *torques, *states, *owned], dtype=float)
+        terms = [step_of(declared) for _, declared in parameters_of(self.problem.terms)]
+        leg = jax.tree.leaves(SIZE)
+        return np.array([*leg, *torques, *states, *owned, *terms], dtype=float)
+
+    @cached_property
+    def names(self) -> list[str]:
+        """What every entry of a vector is."""
+        segments = len(self.problem.movements)
+        torques = [f"torque_amplitude[{number}]" for number in self.voluntary]
+        states = [f"{kind}[{n}]" for kind in ("angle", "velocity") for n in range(segments)]
+        terms = [name for name, _ in parameters_of(self.problem.terms)]
+        return [*NAMES, *torques, *states, *self.owned, *terms]
 
     @cached_property
     def owned(self) -> list[str]:
         """The unknowns of the one recording's mounting."""
-        known = self.problem.known[:, 4:-3].min(axis=0)
-        return [name for name, at in zip(self.problem.owned, known, strict=True) if not at]
+        return [name for name in self.problem.owned if self.problem.estimates(name, 0)]
 
     def point(self, vector: np.ndarray) -> Coordinates:
         """The vector in the coordinates in which the misfit is written."""
-        segments = len(self.problem.movements)
-        values, owned = np.split(vector * self.sizes, [vector.size - len(self.owned)])
-        mass, inertia, com_distance, damping, stiffness = (np.asarray(v) for v in values[:LEG])
+        each = dict(zip(self.names, map(np.asarray, vector * self.sizes), strict=True))
+        mass, inertia, com_distance, damping, stiffness = (each[name] for name in NAMES)
         log_mass, log_inertia = logarithms(mass, inertia)
-        torque = np.zeros(segments)
-        torque[self.voluntary] = values[LEG : -2 * segments]
+        torque, angle, velocity = (
+            np.array([each.get(f"{kind}[{n}]", 0.0) for n in range(len(self.problem.movements))])
+            for kind in ("torque_amplitude", "angle", "velocity")
+        )
         shared = Shared(
             log_inertia=log_inertia,
             gravity=mass * com_distance * GRAVITY / inertia,
             stiffness=stiffness / inertia,
             damping=damping / inertia,
         )
-        own = Own(torque / inertia, values[-2 * segments : -segments], values[-segments:])
-        mounting = replace(self.usual, **dict(zip(self.owned, owned[:, None], strict=True)))
-        return Coordinates(shared, log_mass, mounting, own)
+        own = Own(torque / inertia, angle, velocity)
+        mounting = replace(self.usual, **{name: each[name][None] for name in self.owned})
+        terms = tuple(
+            over_inertia(term_of(term, lambda name, _: each[name]), inertia)
+            for term in self.problem.terms
+        )
+        return Coordinates(shared, log_mass, mounting, own, terms)
 
-    def vector(self, start: np.ndarray) -> np.ndarray:
-        """The start (m, J, l, d, c, tau), every movement from its first measured state."""
+    def vector(self, start: np.ndarray, terms: np.ndarray) -> np.ndarray:
+        """The start (m, J, l, d, c, tau) and the terms' parameters, every movement from its first
+        measured state.
+        """
         states = np.array([first_state(each) for each in self.problem.movements])
-        torques = [start[LEG]] * len(self.voluntary)
-        leg = [self.fixed.get(name, value) for name, value in zip(NAMES, start, strict=False)]
+        torques, leg = [start[-1]] * len(self.voluntary), start[:-1]
         owned = np.zeros(len(self.owned))
-        return np.array([*leg, *torques, *states[:, 0], *states[:, 1], *owned]) / self.sizes
+        row = np.array([*leg, *torques, *states[:, 0], *states[:, 1], *owned, *terms])
+        values = [self.fixed.get(name, one) for name, one in zip(self.names, row, strict=True)]
+        return np.array(values) / self.sizes
 
     def flat(self, vector: np.ndarray) -> np.ndarray:
         """The coordinates of `point` as the fit scales and orders them."""
@@ -157,12 +175,14 @@ def squares(
 ) -> tuple[Float[Array, ""], Float[Array, ""]]:
     """The sums of squares of the data residual and of the prior's."""
 
-    def one(own: Own, seen: Observation) -> Float[Array, "time 2"]:
-        shown = predict(point.shared, point.mounting, own, seen, stage, chain)
+    def one(unknowns: Unknowns, seen: Observation) -> Float[Array, "time 2"]:
+        shown = predict(unknowns, seen, stage, chain)
         at = jnp.arange(seen.time.size)
         return jax.vmap(
             lambda angle, velocity, i: residual(LegState(angle, velocity), TRUE, i, seen)
         )(shown.angle, shown.angular_velocity, at)
 
     belief = prior_residual(prior, leg_parameters(point))
-    return jnp.sum(jax.vmap(one)(point.own, observation) ** 2), belief @ belief
+    each = of_segments(point, observation.seat)
+    rows = jax.vmap(one)(each, observation)
+    return jnp.sum(rows**2), belief @ belief

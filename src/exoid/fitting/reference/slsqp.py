@@ -16,6 +16,7 @@ from exoid.fitting.reference.objective import Objective
 from exoid.fitting.solve.ask import advance, around, finite, task
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
+from exoid.physics.term import Term
 
 PRECISION = 1e-7  # change of half a sum of squares in units of noise that ends a search
 ITERATIONS = 300
@@ -24,8 +25,9 @@ GAIN = 1e-5  # of a restart, in the same unit, that is none
 NOTHING_MOVES = np.inf  # tolerance of a solver that is to look at a point, not to leave it
 
 
-def search_slsqp(problem: Problem, starts: np.ndarray) -> Ended:
-    """SLSQP with finite differences from every start (m, J, l, d, c, tau), one after the other.
+def search_slsqp(problem: Problem, starts: np.ndarray, terms: tuple[Term, ...] = ()) -> Ended:
+    """SLSQP with finite differences from every start (m, J, l, d, c, tau) with its terms, one after
+    the other.
 
     Every start is brought to data, prior and limits at once. The best of them without prior and
     limits tells how far the residual exceeds the noise, and is then brought to both under it.
@@ -39,7 +41,8 @@ def search_slsqp(problem: Problem, starts: np.ndarray) -> Ended:
             "Leave --method slsqp out, or fit one recording."
         )
     objective = Objective(problem, 1.0, True)
-    begin = [objective.vector(start) for start in starts]
+    own = np.stack([*jax.tree.leaves(terms), *starts.T])[: len(jax.tree.leaves(terms))].T
+    begin = [objective.vector(*each) for each in zip(starts, own, strict=True)]
     found = [descend(objective, vector) for vector in begin]
     arrived = np.array([each.success for each in found])
     if not arrived.any():

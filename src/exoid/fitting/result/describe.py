@@ -5,13 +5,18 @@ import numpy as np
 from exoid.fitting.misfit.neighbourhood import columns, told
 from exoid.fitting.misfit.uncertainty import Information
 from exoid.fitting.model.belief import NAMES
-from exoid.fitting.model.constraint import constraint_names
-from exoid.fitting.model.coordinates import flattened, unflattened
+from exoid.fitting.model.coordinates import (
+    flattened,
+    leg_parameters,
+    unflattened,
+    with_inertia,
+)
 from exoid.fitting.multistart.ended import SAME_LOSS, Ended
 from exoid.fitting.result.agreement import astray, believed, of_the_rest
 from exoid.fitting.result.equally_good import equally_good
 from exoid.fitting.result.estimates import (
     estimate_ratios,
+    estimate_terms,
     estimate_torque,
     parameter_estimate,
     with_reasons,
@@ -24,7 +29,7 @@ from exoid.fitting.result.fit_result import (
     SegmentFit,
 )
 from exoid.fitting.result.limiting_systematics import limiting, suspicions
-from exoid.fitting.result.mountings import FIELDS, beyond_belief, estimate_mountings, known
+from exoid.fitting.result.mountings import FIELDS, beyond_belief, estimate_mountings
 from exoid.fitting.result.remarks import limits_met, of_astray, remarks
 from exoid.fitting.solve.ask import finite, take
 from exoid.fitting.solve.problem import Problem
@@ -41,11 +46,10 @@ def describe(
 ) -> FitResult:
     """The numbers with their errors, units and reasons."""
     best, local = ended.best, ended.local
-    names = constraint_names(len(problem.movements))
-    belief = problem.belief
+    names, belief = problem.constraints, problem.belief
     fixed = np.array([name in belief.by_hand.fix for name in names])
     active = (best.multiplier[0] > PRESSING) & ~fixed
-    fixed[len(NAMES) :] = False  # both its ends are one
+    fixed &= [name not in names[:row] for row, name in enumerate(names)]  # both its ends are one
     information = Information(
         data=local.data + local.declared,
         prior=local.prior - local.declared,
@@ -62,7 +66,7 @@ def describe(
     strongest = float(belief.limits.torque)
 
     def torque(numbers: list[int]) -> Estimate:
-        return estimate_torque(numbers, ended, information, at_bound, strongest)
+        return estimate_torque(numbers, problem, ended, information, at_bound, strongest)
 
     voluntary = [number for number, each in enumerate(problem.movements) if each.voluntary]
     torques = [
@@ -76,6 +80,7 @@ def describe(
     ratios = estimate_ratios(problem, ended, information, at_bound)
     mountings = estimate_mountings(problem, ended, information)
     suspected = suspicions(problem, mountings, ended.disturbance)
+    terms = estimate_terms(problem, ended, information, at_bound)
     systematic = [*suspected, *limiting({**parameters, **ratios})]
     return FitResult(
         parameters=with_reasons(parameters, not np.isfinite(belief.limits.reach)),
@@ -89,6 +94,10 @@ def describe(
         torque_frequency=reading,
         other_reading_rmse=other_rmse,
         prior=problem.belief.note,
+        terms=terms,
+        leg=leg_parameters(take(best.coordinates, 0), np),
+        thigh_angle=float(problem.movements[0].thigh_angle),
+        fitted_terms=with_inertia(take(best.coordinates, 0), np),
         notes=[
             *of_astray(why, belief, len({each.recording for each in problem.movements}) > 1),
             *of_the_rest(segments, ended.disturbance),
@@ -106,7 +115,7 @@ def owned_places(problem: Problem, ended: Ended) -> dict[str, np.ndarray]:
     numbers = unflattened(np.arange(flattened(point).size), point).mounting
     free = {
         field: [
-            n for entry, n in enumerate(getattr(numbers, field)) if not known(problem, field, entry)
+            n for entry, n in enumerate(getattr(numbers, field)) if problem.estimates(field, entry)
         ]
         for field in problem.owned
     }

@@ -18,7 +18,7 @@ def equally_good(problem: Problem, ended: Ended, rows: np.ndarray):
     if not np.isfinite(limits.reach) or moment <= 0:
         return {}, {}
     told = ended.local.data + ended.local.declared
-    if (problem.known[:, 0] == 0).any() and not scale_told(told):
+    if problem.tells_inertia and not scale_told(told):
         return {}, {}  # J moves the ratios, too: the mass was on the leg in every segment
     low, high = limits.lower, limits.upper
     longest = min(float(high.com_distance), 1 / moment)  # Eq. 12
@@ -42,7 +42,7 @@ def equally_good(problem: Problem, ended: Ended, rows: np.ndarray):
         "damping": (damping * inertia[0], damping * inertia[1]),
         "stiffness": (stiffness * inertia[0], stiffness * inertia[1]),
     }
-    family |= {name: (value, value) for name, value in problem.belief.by_hand.fix.items()}
+    family |= {name: (value, value) for name, value in problem.belief.by_hand.leg.fix.items()}
     start = ended.starts
     each = np.clip(np.exp(start.shared.log_inertia[rows]), *inertia)
     wish = (
@@ -70,7 +70,7 @@ def inertia_range(
 ) -> tuple[float, float]:
     """The inertias that all limits allow at the chosen ratios; one value where J is known."""
     chosen = float(ended.best.leg.inertia[0])
-    if (problem.known[:, 0] == 0).any():
+    if problem.tells_inertia:
         return chosen, chosen
     limits, best = problem.belief.limits, ended.best.coordinates
     lower = [

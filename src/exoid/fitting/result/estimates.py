@@ -5,14 +5,15 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.fitting.misfit.uncertainty import HELD, Information, Shares
-from exoid.fitting.model.belief import NAMES, Belief
-from exoid.fitting.model.coordinates import QUANTITIES
+from exoid.fitting.model.belief import Belief
+from exoid.fitting.model.term_parameters import ratio_name, ratio_unit
 from exoid.fitting.model.user_values import Means
 from exoid.fitting.multistart.ended import Ended
 from exoid.fitting.result.fit_result import Estimate
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.leg import LegParameters
-from exoid.physics.parameter import declarations
+from exoid.physics.library import name_of
+from exoid.physics.parameter import Declaration, declarations
 from exoid.physics.torque import CycleTorque
 
 NO_RATIO = 1e-3  # a ratio below it, at a bound of zero, is the rounding of the bound
@@ -34,6 +35,7 @@ SCALE_FREE_RIG = (
     "motion alone fixes only the ratios to J: record it with a known mass, or with a measured "
     "torque that varies"
 )
+UNTOLD = "nothing in this recording tells it"
 MASS_AND_DISTANCE = "motion shows only the product m l; one of them must come from elsewhere"
 
 
@@ -121,6 +123,7 @@ def with_reasons(parameters: dict[str, Estimate], rig: bool) -> dict[str, Estima
 
 def estimate_torque(
     numbers: list[int],
+    problem: Problem,
     ended: Ended,
     information: Information,
     at_bound: set[str],
@@ -128,7 +131,7 @@ def estimate_torque(
 ) -> Estimate:
     """The mean of tau over these voluntary segments; `strongest` is its limit."""
     declared = dict(declarations(CycleTorque))["amplitude"]
-    rows = QUANTITIES + np.array(numbers)
+    rows = [problem.quantities.index(f"torque_amplitude[{number}]") for number in numbers]
     gradient = ended.local.quantities[rows].mean(axis=0)
     held = all(f"torque_amplitude[{number}]" in at_bound for number in numbers)
     shares = HELD if held else information.shares(gradient)
@@ -157,16 +160,16 @@ def estimate_ratios(
     problem: Problem, ended: Ended, information: Information, at_bound: set[str]
 ) -> dict[str, Estimate]:
     """m l g / J, c / J, d / J, and tau / J as the mean over the voluntary segments."""
-    first, end = len(NAMES), QUANTITIES
-    values = list(ended.best.quantities[0, first:end])
-    gradients = list(ended.local.quantities[first:end])
+    names = problem.quantities
     voluntary = [number for number, each in enumerate(problem.movements) if each.voluntary]
-    if voluntary:
-        rows = end + len(problem.movements) + np.array(voluntary)
-        values.append(ended.best.quantities[0, rows].mean())
-        gradients.append(ended.local.quantities[rows].mean(axis=0))
     estimates = {}
-    for name, value, gradient in zip(RATIOS, values, gradients, strict=False):
+    for name in RATIOS:
+        wanted = [name] if name in names else [f"{name}[{number}]" for number in voluntary]
+        if not wanted:
+            continue
+        rows = [names.index(each) for each in wanted]
+        value = ended.best.quantities[0, rows].mean()
+        gradient = ended.local.quantities[rows].mean(axis=0)
         parameter = name.removesuffix("_over_inertia")
         held = parameter in at_bound & {"damping"}
         shares = HELD if held else information.shares(gradient)
@@ -182,3 +185,73 @@ def estimate_ratios(
             by_hand="fix" if fixed else None,
         )
     return estimates
+
+
+def estimate_terms(
+    problem: Problem, ended: Ended, information: Information, at_bound: set[str]
+) -> dict[str, dict[str, Estimate]]:
+    """Every term's parameters; of those that go with J also what motion alone tells."""
+    rows = {name: row for row, name in enumerate(problem.quantities)}
+
+    def row_of(name: str) -> tuple[float, np.ndarray]:
+        row = rows[name]
+        return float(ended.best.quantities[0, row]), ended.local.quantities[row]
+
+    found: dict[str, dict[str, Estimate]] = {}
+    for term in problem.terms:
+        own = found.setdefault(name_of(term), {})
+        for name, declared in declarations(term):
+            called = f"{name_of(term)}.{name}"
+            value, gradient = row_of(called)
+            own[name] = term_parameter(
+                called, declared, problem, value, information, gradient, at_bound
+            )
+            if declared.inertia_power:
+                value, gradient = row_of(ratio_name(called, declared))
+                shares = own[name].shares if called in at_bound else information.shares(gradient)
+                sign, word = ("/", "over") if declared.inertia_power > 0 else ("*", "times")
+                own[ratio_name(name, declared)] = Estimate(
+                    symbol=f"{declared.symbol} {sign} J",
+                    title=f"{declared.title}, {word} J",
+                    unit=ratio_unit(declared),
+                    value=value,
+                    standard_error=error_of(gradient, information, shares),
+                    shares=shares,
+                    limited_by=information.limits(gradient),
+                )
+    return found
+
+
+def term_parameter(
+    name: str,
+    declared: Declaration,
+    problem: Problem,
+    value: float,
+    information: Information,
+    gradient: np.ndarray,
+    at_bound: set[str],
+) -> Estimate:
+    """One parameter of a term, with what determined it or why nothing did."""
+    by_hand = problem.belief.by_hand.means(name)
+    held = name in at_bound or by_hand == "fix"
+    shares = HELD if held else information.shares(gradient)
+    lower, upper = problem.limits_of_term(name)
+    if held:
+        value = lower if abs(value - lower) < abs(value - upper) else upper
+    expected, deviation = problem.belief.by_hand.prior.get(name, (None, None))
+    lost = SCALE_FREE if declared.inertia_power else UNTOLD
+    return Estimate(
+        symbol=declared.symbol,
+        title=declared.title,
+        unit=declared.unit,
+        value=None if shares is None else value,
+        standard_error=0.0 if by_hand == "fix" else error_of(gradient, information, shares),
+        expected=expected,
+        expected_deviation=deviation,
+        lower=lower,
+        upper=upper,
+        shares=shares,
+        reason=lost if shares is None else why(shares, by_hand),
+        limited_by=information.limits(gradient),
+        by_hand=by_hand,
+    )

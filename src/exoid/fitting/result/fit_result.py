@@ -12,6 +12,9 @@ from exoid.fitting.model.user_values import Means
 from exoid.fitting.multistart.ended import Ended
 from exoid.fitting.result import summary
 from exoid.fitting.solve.problem import Problem
+from exoid.physics.leg import LegModel, LegParameters
+from exoid.physics.term import Term
+from exoid.physics.torque import NoTorque
 
 Curve = Float[np.ndarray, " sample"]
 
@@ -127,6 +130,10 @@ class FitResult:
     torque_frequency: str | None  # the reading of Eq. 4 that fits better, None without cycles
     other_reading_rmse: float | None  # rad, of the reading that fits worse, where both were tried
     prior: str
+    terms: dict[str, dict[str, Estimate]] = field(default_factory=dict)  # by term and parameter
+    leg: LegParameters | None = None  # of the model; None where every segment was fitted alone
+    thigh_angle: Annotated[float, "rad"] = 0.0
+    fitted_terms: tuple[Term, ...] = ()  # with the fit's values
     notes: list[str] = field(default_factory=list)
     basis: "Basis | None" = field(default=None, metadata={"saved": False})  # None: each alone
     astray: str | None = None  # why the simulation does not follow the recording, where it does not
@@ -138,6 +145,26 @@ class FitResult:
         `astray` says why, and the first of the `notes` what to do.
         """
         return self.astray is None
+
+    @property
+    def of_terms(self) -> dict[str, Estimate]:
+        """What the terms have, as coulomb_friction.level."""
+        return {
+            f"{term}.{name}": each
+            for term, parameters in self.terms.items()
+            for name, each in parameters.items()
+        }
+
+    @property
+    def model(self) -> LegModel | None:
+        """The fitted leg with its terms, as `exoid.simulate` takes it; driven by nothing.
+
+        Where nothing tells the scale, it is a leg that moves alike. None where every segment was
+        fitted alone.
+        """
+        if self.leg is None:
+            return None
+        return LegModel(self.leg, NoTorque(), np.asarray(self.thigh_angle), self.fitted_terms)
 
     def __repr__(self) -> str:
         return summary.lines(self)

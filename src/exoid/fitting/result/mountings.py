@@ -38,7 +38,7 @@ def estimate_mountings(
     seat = np.asarray(problem.observation.seat)
 
     def estimate(field: str, entry: int) -> Estimate | None:
-        if field not in problem.owned or known(problem, field, entry):
+        if not problem.estimates(field, entry):
             return None
         at = int(getattr(number, field)[entry])
         gradient = np.eye(flattened(point).size)[at] * getattr(TYPICAL.mounting, field)
@@ -75,7 +75,7 @@ def beyond_belief(problem: Problem, ended: Ended) -> str | None:
         values, deviations = getattr(point.mounting, field), getattr(prior, field)
         for entry in range(values.size):
             away = abs(float(values[entry] / deviations[entry]))
-            if away > furthest and not known(problem, field, entry):
+            if away > furthest and problem.estimates(field, entry):
                 unit = MOUNTING[FIELDS[field]][2]
                 value, usual = (
                     told_as(field, float(each[entry]), unit) for each in (values, deviations)
@@ -92,12 +92,6 @@ def told_as(field: str, value: float, unit: str) -> str:
     if unit.startswith("rad"):
         return f"{np.degrees(value):.2g} {unit.replace('rad', 'deg')}"
     return f"{value:.2g} m^2" if field == "extent" else f"{100 * value:.2g} %"
-
-
-def known(problem: Problem, field: str, entry: int) -> bool:
-    """Is this entry no unknown of the fit?"""
-    column = 4 + problem.owned.index(field)
-    return bool(problem.known[np.asarray(problem.observation.seat) == entry, column].all())
 
 
 def loaded(problem: Problem) -> np.ndarray:

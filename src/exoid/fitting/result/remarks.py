@@ -98,7 +98,7 @@ def of_anatomy(belief: Belief, gravity: float) -> list[str]:
 def unlike_anatomy(belief: Belief, gravity: float) -> list[str]:
     """That they contradict each other; `gravity` as m l g / J."""
     expected = belief.expected
-    if expected is None or expected.covariance is None or belief.by_hand.words or gravity <= 0:
+    if expected is None or expected.covariance is None or belief.by_hand or gravity <= 0:
         return []
     length = expected.inertia.value / (expected.mass.value * expected.com_distance.value)
     scatter = float(np.sqrt(expected.covariance[2][2]))

@@ -32,8 +32,8 @@ def heading(result: Any) -> str:
 
 
 def quantities(result: Any) -> dict[str, Any]:
-    """Parameters, then ratios."""
-    return {**result.parameters, **result.ratios}
+    """Parameters, ratios, then the terms'."""
+    return {**result.parameters, **result.ratios, **result.of_terms}
 
 
 def estimate(each: Any) -> str:

@@ -13,10 +13,10 @@ from exoid.fitting.misfit.information import spoiled
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.neighbourhood import Local, columns, gradients, neighbourhood
 from exoid.fitting.misfit.stage import Stage
-from exoid.fitting.model.constraint import constraint_names
-from exoid.fitting.model.coordinates import QUANTITIES, Coordinates, flattened
+from exoid.fitting.model.coordinates import Coordinates, flattened
 from exoid.fitting.model.prior import mounting_residual
-from exoid.fitting.solve.problem import Problem
+from exoid.fitting.model.term_parameters import parameters_of
+from exoid.fitting.solve.problem import STRICT, Problem
 from exoid.fitting.solve.program_cache import run, run_sense
 from exoid.fitting.solve.program_values import Aim, Solved, Task
 from exoid.physics.motion.step import Drive
@@ -34,13 +34,14 @@ def task(
 ) -> Task:
     """What to ask of the solver; with a `penalty` per constraint, prior and limits take part."""
     bounded = penalty is not None
-    constraints = len(constraint_names(len(problem.movements)))
+    own = [name for name, _ in parameters_of(problem.terms)]
+    first = np.where(np.isin(problem.constraints, own), STRICT, 1.0)
     return Task(
         stage=Stage(np.asarray(float(tether)), np.asarray(steps)),
         bounded=np.asarray(float(bounded)),
         tolerance=np.asarray(tolerance),
-        rounds=np.asarray(ROUNDS if bounded else 1),
-        penalty=np.ones(constraints) if penalty is None else penalty,
+        rounds=np.asarray(ROUNDS if bounded or problem.terms else 1),
+        penalty=first if penalty is None else penalty,
     )
 
 
@@ -82,8 +83,8 @@ def advance(
 def aimless(problem: Problem, scale: np.ndarray) -> Aim:
     """Starts that are pulled nowhere; `scale` is (start, segment)."""
     nothing = np.zeros(len(scale))
-    quantities = QUANTITIES + 2 * len(problem.movements)
-    return Aim(np.array(scale), np.zeros((len(scale), quantities)), nothing, nothing)
+    weights = np.zeros((len(scale), len(problem.quantities)))
+    return Aim(np.array(scale), weights, nothing, nothing)
 
 
 def grams_at(

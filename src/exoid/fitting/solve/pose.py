@@ -2,14 +2,13 @@
 
 from dataclasses import replace
 
-import numpy as np
-
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.data.observe import observe
 from exoid.fitting.model.belief import Belief
-from exoid.fitting.model.systematics import OWNED, deviations, exact
-from exoid.fitting.solve.problem import Problem
+from exoid.fitting.model.systematics import OWNED, deviations
+from exoid.fitting.solve.problem import Problem, known_of
+from exoid.physics.term import Term
 
 
 def pose(
@@ -19,18 +18,19 @@ def pose(
     chain: Chain,
     *,
     owned: tuple[str, ...] = OWNED,
+    terms: tuple[type[Term], ...] = (),
 ) -> Problem:
     """The problem of fitting one leg to these movements; of what recordings own, `owned` are
-    unknowns.
+    unknowns, but for what one of the `terms` is itself.
     """
-    observation = observe(movements, reading)
-    own = 4 + len(owned)
-    known = np.zeros((len(movements), own + 3))
-    known[:, 0] = [not each.scaled for each in movements]
-    known[:, 4:own] = exact(movements, owned)
-    known[:, own] = [not each.voluntary for each in movements]
-    if belief.raw:
-        known[:, 4:own] = 1.0  # Eq. 11 as printed knows nothing of them
+    owned = tuple(name for name in owned if name not in {term.replaces for term in terms})
     prior = replace(belief.prior, mounting=deviations(movements, owned))
-    belief = replace(belief, prior=prior)
-    return Problem(movements, observation, known, belief, chain, owned)
+    return Problem(
+        movements,
+        observe(movements, reading),
+        known_of(movements, belief, owned, terms),
+        replace(belief, prior=prior),
+        chain,
+        owned,
+        terms,
+    )

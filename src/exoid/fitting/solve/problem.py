@@ -2,13 +2,26 @@
 
 from dataclasses import dataclass
 
+import jax
 import numpy as np
 
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.model.belief import Belief
-from exoid.fitting.model.systematics import OWNED
+from exoid.fitting.model.constraint import constraint_names
+from exoid.fitting.model.coordinates import (
+    Mounting,
+    Own,
+    Shared,
+    Unknowns,
+    quantity_names,
+)
+from exoid.fitting.model.systematics import OWNED, is_exact
+from exoid.fitting.model.term_parameters import parameters_of, term_of
+from exoid.physics.term import Term
+
+STRICT = 1e4  # first penalty of a term's own limits, which hold without a prior too
 
 
 @dataclass(frozen=True, eq=False)
@@ -17,10 +30,11 @@ class Problem:
 
     movements: list[Movement]
     observation: Observation
-    known: np.ndarray
+    known: Unknowns  # 1 for what plays no part, by segment
     belief: Belief
     chain: Chain
     owned: tuple[str, ...] = OWNED  # of the mounting: what is no unknown is as declared
+    terms: tuple[type[Term], ...] = ()
 
     @property
     def steps(self) -> int:
@@ -44,8 +58,66 @@ class Problem:
 
     @property
     def unknowns(self) -> int:
-        shared = int((self.known[:, :4] == 0).any(axis=0).sum())
+        def free(each) -> list[np.ndarray]:
+            return [np.asarray(leaf) == 0 for leaf in jax.tree.leaves(each) if leaf.size]
+
         seat = np.asarray(self.observation.seat)
-        free = self.known[:, 4:-3] == 0
-        mounting = sum(int(free[seat == number].any(axis=0).sum()) for number in set(seat))
-        return shared + mounting + int((self.known[:, -3:] == 0).sum())
+        together = sum(bool(leaf.any()) for leaf in free((self.known.shared, self.known.terms)))
+        owned = [leaf[seat == number] for number in set(seat) for leaf in free(self.known.mounting)]
+        own = sum(int(leaf.sum()) for leaf in free(self.known.own))
+        return together + sum(bool(leaf.any()) for leaf in owned) + own
+
+    def estimates(self, name: str, entry: int) -> bool:
+        """Is what this recording owns an unknown of the fit?"""
+        if name not in self.owned:
+            return False
+        own = np.asarray(self.observation.seat) == entry
+        return bool((getattr(self.known.mounting, name)[own] == 0).any())
+
+    def limits_of_term(self, name: str) -> tuple[float, float]:
+        """Lower and upper end of a term's parameter, as coulomb_friction.level."""
+        limits = self.belief.limits
+        row = [each for each, _ in parameters_of(self.terms)].index(name)
+        lower, upper = (
+            float(jax.tree.leaves(each)[row]) for each in (limits.lower_terms, limits.upper_terms)
+        )
+        return lower, upper
+
+    @property
+    def tells_inertia(self) -> bool:
+        """Does the inertia play a part in any segment?"""
+        return bool((self.known.shared.log_inertia == 0).any())
+
+    @property
+    def quantities(self) -> list[str]:
+        """Which quantity every row of `coordinates.quantities` is."""
+        return quantity_names(len(self.movements), self.terms)
+
+    @property
+    def constraints(self) -> list[str]:
+        """What every row of `constraint.violations` limits."""
+        return constraint_names(len(self.movements), self.terms)
+
+
+def known_of(
+    movements: list[Movement],
+    belief: Belief,
+    owned: tuple[str, ...],
+    terms: tuple[type[Term], ...],
+) -> Unknowns:
+    """1 for what plays no part in a segment: the scale of a bare leg, what is exact, torques."""
+    nothing = np.zeros(len(movements))
+    raw = belief.raw  # Eq. 11 as printed knows nothing of mountings
+    each = {
+        name: np.array([[float(raw or is_exact(one, name, movements))] for one in movements])
+        for name in owned
+    }
+    none = np.zeros((len(movements), 0))
+    bare = np.array([float(not one.scaled) for one in movements])
+    relaxed = np.array([float(not one.voluntary) for one in movements])
+    return Unknowns(
+        Shared(bare, nothing, nothing, nothing),
+        Mounting(**{name: each.get(name, none) for name in OWNED}),
+        Own(relaxed, nothing, nothing),
+        tuple(jax.tree.map(lambda _: nothing, term_of(term, lambda *_: 0.0)) for term in terms),
+    )

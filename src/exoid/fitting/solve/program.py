@@ -5,7 +5,6 @@ from functools import partial
 import jax
 import jax.numpy as jnp
 from jax.flatten_util import ravel_pytree
-from jaxtyping import Array, Float
 
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.observation import Observation
@@ -13,18 +12,18 @@ from exoid.fitting.misfit.condense import condense, linear_model, misfit, sense,
 from exoid.fitting.misfit.condensed import Condensed, Sensed
 from exoid.fitting.misfit.residual import predict
 from exoid.fitting.misfit.stage import Stage
-from exoid.fitting.model.constraint import NEVER, Limits, violations
+from exoid.fitting.model.constraint import NEVER, Limits, term_violations, violations
 from exoid.fitting.model.coordinates import (
     Coordinates,
-    Mounting,
+    Unknowns,
     leg_parameters,
+    of_segments,
     quantities,
     scaled,
-    seated,
     torque_amplitudes,
     unscaled,
 )
-from exoid.fitting.model.prior import Prior, mounting_residual, prior_residual
+from exoid.fitting.model.prior import Prior, mounting_residual, prior_residual, term_residual
 from exoid.fitting.solve.augmented_lagrangian import minimise
 from exoid.fitting.solve.program_values import Aim, Solved, Task
 from exoid.physics.motion.step import Drive
@@ -35,7 +34,7 @@ def solve(
     starts: Coordinates,
     aim: Aim,
     observation: Observation,
-    known: Float[Array, "segment unknown"],
+    known: Unknowns,
     prior: Prior,
     limits: Limits,
     task: Task,
@@ -52,7 +51,7 @@ def solve_one(
     start: Coordinates,
     aim: Aim,
     observation: Observation,
-    known: Float[Array, "segment unknown"],
+    known: Unknowns,
     prior: Prior,
     limits: Limits,
     task: Task,
@@ -60,9 +59,7 @@ def solve_one(
 ) -> Solved:
     def at(point: Coordinates) -> Condensed:
         each = partial(condense, stage=task.stage, chain=chain)
-        condensed = jax.vmap(each, in_axes=(None, 0, 0, 0, 0))(
-            point.shared, mountings(point, observation), point.own, observation, known
-        )
+        condensed = jax.vmap(each)(of_segments(point, observation.seat), observation, known)
         return weighed(condensed, aim.noise_scale)
 
     def residual(flat):
@@ -74,6 +71,7 @@ def solve_one(
         believed = unscaled(point)
         expected = [
             task.bounded * prior_residual(prior, leg_parameters(believed)),
+            task.bounded * term_residual(prior, believed),
             mounting_residual(prior, believed.mounting),
         ]
         belief = jnp.concatenate(expected)
@@ -84,7 +82,8 @@ def solve_one(
     def constraint(flat):
         point = unscaled(unravel(flat))
         limit = violations(limits, leg_parameters(point), torque_amplitudes(point))
-        return jnp.where(task.bounded > 0, limit, NEVER)
+        of_leg = jnp.where(task.bounded > 0, limit, NEVER)
+        return jnp.concatenate([of_leg, term_violations(limits, point)])
 
     begin, unravel = ravel_pytree(scaled(start))
     outcome = minimise(
@@ -93,8 +92,8 @@ def solve_one(
     condensed, data, belief = outcome.detail
     end = unscaled(unravel(outcome.point))
     free = Stage(jnp.zeros_like(task.stage.tether), task.stage.steps)
-    simulated = jax.vmap(partial(predict, stage=free, chain=chain), in_axes=(None, 0, 0, 0))(
-        end.shared, mountings(end, observation), end.own, observation
+    simulated = jax.vmap(partial(predict, stage=free, chain=chain))(
+        of_segments(end, observation.seat), observation
     )
     return Solved(
         coordinates=end,
@@ -113,22 +112,15 @@ def solve_one(
     )
 
 
-def mountings(point: Coordinates, observation: Observation) -> Mounting:
-    """What every segment's recording owns."""
-    return jax.vmap(seated, in_axes=(None, 0))(point.mounting, observation.seat)
-
-
 @partial(jax.jit, static_argnames="chain")
 def sense_all(
     point: Coordinates,
     observation: Observation,
-    known: Float[Array, "segment unknown"],
+    known: Unknowns,
     pushes: Drive,
     stage: Stage,
     chain: Chain,
 ) -> Sensed:
     """Residual and sensitivities of every sample of every segment, at one point."""
     each = partial(sense, stage=stage, chain=chain)
-    return jax.vmap(each, in_axes=(None, 0, 0, 0, 0, 0))(
-        point.shared, mountings(point, observation), point.own, observation, known, pushes
-    )
+    return jax.vmap(each)(of_segments(point, observation.seat), observation, known, pushes)

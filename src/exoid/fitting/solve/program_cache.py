@@ -18,6 +18,7 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any, TypeVar
 
+import equinox as eqx
 import jax
 import jax.export
 import numpy as np
@@ -25,7 +26,7 @@ from platformdirs import user_cache_path
 
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.misfit.condensed import Sensed
-from exoid.fitting.solve.program_values import SENSED, SOLVED, Solved
+from exoid.fitting.solve.program_values import SENSED, Solved, solved_structure
 
 SHOWING = ("cli", "report")  # rooms that only say what was computed: no program imports them
 LIBRARIES = ("jax", "jaxlib", "equinox", "lineax", "optimistix")  # whose code is in a program
@@ -82,7 +83,7 @@ def run(starts, aim, observation, known, prior, limits, task, chain: Chain) -> S
         "exoid.fitting.solve.program:solve",
         (starts, aim, observation, known, prior, limits, task),
         chain,
-        SOLVED,
+        solved_structure(tuple(map(type, starts.terms))),
     )
 
 
@@ -115,7 +116,7 @@ def program(name: str, structure, shapes, static):
     A class typed into a notebook has no file by which a later program could know it again.
     """
     options = understood(OPTIONS.get(name, LEAN))
-    if not _folder or None in own_sources(static):
+    if not _folder or None in own_sources((static, *classes(structure))):
         return jax.jit(traceable(name, structure, static), compiler_options=options)
     path = _folder[0] / f"{fingerprint(name, structure, shapes, static)}.stablehlo"
     exported = load(path)
@@ -151,11 +152,18 @@ def traceable(name: str, structure, static):
 def fingerprint(name: str, structure, shapes, static) -> str:
     """What a kept program depends on: its code, its shapes, its libraries and its platform."""
     digest = hashlib.sha256(code_of(Path(__file__).parents[2]))
-    for path in sorted(path for path in own_sources(static) if path):
+    for path in sorted(path for path in own_sources((static, *classes(structure))) if path):
         digest.update(path.read_bytes())
     words = (name, platform.machine(), jax.default_backend(), str(structure), shapes, static)
     digest.update(repr((*map(version, LIBRARIES), *words)).encode())
     return digest.hexdigest()[:32]
+
+
+def classes(structure) -> set[type]:
+    """The models in a tree: a user's own terms are in the program."""
+    data = structure.node_data()
+    own = {data[0]} if data and issubclass(data[0], eqx.Module) else set()
+    return own.union(*(classes(child) for child in structure.children()))
 
 
 @cache

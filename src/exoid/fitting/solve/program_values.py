@@ -1,5 +1,7 @@
 """What the compiled program takes in and gives back. Light to import: no solver is loaded."""
 
+from dataclasses import replace
+from functools import cache
 from typing import Any
 
 import equinox as eqx
@@ -10,7 +12,9 @@ from jaxtyping import Bool, Float, Int
 from exoid.fitting.misfit.condensed import Condensed, Sensed
 from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.coordinates import TYPICAL, Coordinates
+from exoid.fitting.model.term_parameters import typical_term
 from exoid.physics.leg import LegParameters
+from exoid.physics.term import Term
 
 
 class Task(eqx.Module):
@@ -54,10 +58,11 @@ class Solved(eqx.Module):
     angular_velocity: Float[Any, "*start segment time"]  # rad/s
 
 
-def solved_structure():
+@cache
+def solved_structure(terms: tuple[type[Term], ...] = ()):
     """The tree structure of `Solved`, for a program that gives back bare arrays."""
     solved = Solved(
-        coordinates=TYPICAL,
+        coordinates=replace(TYPICAL, terms=tuple(map(typical_term, terms))),
         leg=LegParameters(*[NUMBER] * 5),
         torque=ROW,
         loss=NUMBER,
@@ -75,5 +80,4 @@ def solved_structure():
 
 
 NUMBER, ROW, TABLE = np.zeros(()), np.zeros(1), np.zeros((1, 1))
-SOLVED = solved_structure()
 SENSED = jax.tree.structure(Sensed(TABLE, *[np.zeros((1, 1, 1))] * 2))

@@ -64,6 +64,14 @@ class NovelTorque:
     known: Annotated[float, "1"]  # share of it that is in the library already
 
 
+@dataclass(frozen=True)
+class Suspect:
+    """What a cause that could not be told from others would make of the leg's numbers."""
+
+    terms: list[str]
+    numbers: list[Booked]
+
+
 @dataclass(frozen=True, eq=False)
 class Diagnosis:
     """The answer, and what it rests on."""
@@ -90,7 +98,9 @@ class Diagnosis:
     power: Annotated[float, "1"]
     inclusion: Annotated[float | None, "1"]  # share of resamples that give the same answer
     sensors: list[SensorError]
-    fit: FitResult
+    before: FitResult  # of Eq. 9 alone
+    after: FitResult | None = None  # with what was found; None where nothing was
+    suspected: list[Suspect] = field(default_factory=list)  # where no cause could be told
     advice: list[str] = field(default_factory=list)
     # None where it was read from a file
     workings: Workings | None = field(default=None, metadata={"saved": False})
@@ -100,6 +110,11 @@ class Diagnosis:
 
     def _repr_html_(self) -> str:
         return summary.page(self)
+
+    @property
+    def fit(self) -> FitResult:
+        """The fit to use: with what was found, or of Eq. 9 where nothing was."""
+        return self.before if self.after is None else self.after
 
     @property
     def selected(self) -> list[str]:
@@ -115,7 +130,7 @@ class Diagnosis:
     def follows(self) -> bool:
         """Does the model follow the recording, as it is or with what was found?"""
         return self.fit.follows or (
-            self.changed and roughly(self.proof.after.total, self.fit.segments)
+            self.changed and roughly(self.proof.after.total, self.before.segments)
         )
 
     @property

@@ -6,7 +6,7 @@ import numpy as np
 
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.remarks import unlike_anatomy
-from exoid.mismatch.answer.diagnosis import Diagnosis, Finding, NovelTorque, Verdict
+from exoid.mismatch.answer.diagnosis import Diagnosis, Finding, NovelTorque, Suspect, Verdict
 from exoid.mismatch.answer.workings import Workings
 from exoid.mismatch.conclude.cannot_tell import hands, once, too_little, unrelaxed, unsure
 from exoid.mismatch.conclude.numbers import (
@@ -16,6 +16,7 @@ from exoid.mismatch.conclude.numbers import (
     booked,
     gyro_bias,
     inertia_of,
+    moved,
     parameters_of,
     pinned,
     tilted,
@@ -36,6 +37,7 @@ from exoid.physics.library import library, name_of
 from exoid.physics.parameter import declarations
 
 MOSTLY = 0.8  # the same, where noise is what the samples show
+SUSPECTS = 4  # causes of which it is said what they would change
 SUSPECT = 0.5  # share of the mismatch that a cause must explain to be worth a recording
 REPEAT = (
     "Repeat the same movement several times: what comes back each time is physics, what does not "
@@ -114,10 +116,17 @@ def concluded(
         power=measure.power(found.base.square, best.square, max(parameters, 1)),
         inclusion=included(bench, found, best, formula, seed),
         sensors=bench.sensors.errors,
-        fit=result,
+        before=result,
+        suspected=suspects(bench, found) if verdict == "cannot_tell" else [],
         advice=advice(found, equal, verdict, formula),
         workings=Workings(bench, found, best),
     )
+
+
+def suspects(bench: Bench, found: Found) -> list[Suspect]:
+    """What every single cause that explains much would make of the leg's numbers."""
+    likely = [one for one in found.singles if found.followed(one) > SUSPECT]
+    return [Suspect(names(one), moved(bench, found.base, one)) for one in likely[:SUSPECTS]]
 
 
 def of_zeros(result: FitResult, bench: Bench) -> list[str]:

@@ -91,6 +91,22 @@ def parameters_of(
     return found
 
 
+def moved(bench: Bench, before: Settled, after: Settled) -> list[Booked]:
+    """The ratios that motion tells, without and with a cause, and what goes with the inertia."""
+    one, other = (bench.coordinates(each.candidate).shared for each in (before, after))
+    ratios = {
+        "gravity_over_inertia": ("gravity", "1/s^2"),
+        "stiffness_over_inertia": ("stiffness", "1/s^2"),
+        "damping_over_inertia": ("damping", "1/s"),
+    }
+    each = [
+        Booked(name, float(getattr(one, field)), float(getattr(other, field)), unit)
+        for name, (field, unit) in ratios.items()
+    ]
+    less, more = (float(np.exp(leg.log_inertia)) for leg in (one, other))
+    return [Booked("inertia", less, more, "kg m^2"), *each, *booked(bench, before, after)]
+
+
 def booked(bench: Bench, before: Settled, after: Settled) -> list[Booked]:
     """Damping, stiffness and gravity moment without and with what was found.
 

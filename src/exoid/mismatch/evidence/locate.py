@@ -7,7 +7,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from exoid.fitting.misfit.residual import equation
-from exoid.fitting.model.coordinates import seated
+from exoid.fitting.model.coordinates import Unknowns, seated
 from exoid.mismatch.evidence.location import Location, Missing, Region, Samples
 from exoid.mismatch.screen.hypothesis import Hypothesis
 from exoid.mismatch.screen.measured_motion import FREE, drive_of
@@ -56,7 +56,8 @@ def lacking(
 
     observation = own(seen)
     mounting = seated(coordinates.mounting, observation.seat)
-    eq = equation(coordinates.shared, mounting, own(coordinates.own), observation, FREE)
+    unknowns = Unknowns(coordinates.shared, mounting, own(coordinates.own))
+    eq = equation(unknowns, observation, FREE)
     known = drive_of(eq, observation)
     drive = np.append(known.begin, known.end[-1])[:size]
     time = np.asarray(seen.time[number])[:size]

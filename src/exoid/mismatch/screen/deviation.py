@@ -9,34 +9,35 @@ from functools import partial
 
 import jax
 import jax.numpy as jnp
+from jax.flatten_util import ravel_pytree
 from jaxtyping import Array, Float
 
 from exoid.fitting.misfit.condense import along
-from exoid.fitting.misfit.residual import Equation, advance, equation, residual, sensor_map
+from exoid.fitting.misfit.condensed import numbers_of
+from exoid.fitting.misfit.residual import Equation, advance, residual
 from exoid.fitting.model.coordinates import in_a_row
 from exoid.mismatch.screen.measured_motion import FREE
 from exoid.physics.motion.step import Drive, march
+from exoid.physics.motion.with_terms import Motion
 from exoid.physics.state import LegState
 
 
 def products(
-    shared, mounting, own, course, observation, known, pushes, shown, zero, *, steps, chain
+    unknowns, course, observation, known, pushes, shown, zero, *, steps, chain
 ) -> Float[Array, "column column"]:
     """(J, r)'(J, r) of one segment: baseline unknowns, zeros of gyro and encoder, terms'
     parameters, residual.
 
     The last column is no derivative but where the simulation stands beside the course.
     """
-    row, back = in_a_row((shared, mounting, own))
-    base, terms = known.size, shown.shape[0]
+    row, back = in_a_row(unknowns)
+    base, terms = row.size, shown.shape[0]
 
     def setup(row):
-        shared, mounting, own = back(row)
-        eq = equation(shared, mounting, own, observation, FREE)
-        return eq, sensor_map(mounting), LegState(own.angle, own.angular_velocity)
+        return numbers_of(back(row), observation, FREE)
 
-    (eq, sensors, start), (by_eq, by_sensors, by_start) = along(
-        setup, (row,), (jnp.diag(1 - known),)
+    (eq, start, sensors), (by_eq, by_start, by_sensors) = along(
+        setup, (row,), (jnp.diag(1 - ravel_pytree(known)[0]),)
     )
     pinned = LegState(course.angle, course.angular_velocity)
     steppers = jax.vmap(partial(linear_step, eq, by_eq, pinned, observation))
@@ -94,7 +95,7 @@ def linear_step(eq, by_eq, pinned, observation, index):
     """
 
     def step(eq, state, missing):
-        return advance(eq, state, index, observation, FREE, missing)
+        return advance(eq, Motion(state, ()), index, observation, FREE, missing).leg
 
     zero = jnp.zeros(())
     here, after = (jax.tree.map(lambda leaf, i=i: leaf[i], pinned) for i in (index, index + 1))

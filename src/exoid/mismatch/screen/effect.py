@@ -1,6 +1,7 @@
 """What a term does along a measured motion, and its derivatives by the term's parameters."""
 
 from functools import partial
+from typing import Any
 
 import jax
 import jax.numpy as jnp
@@ -16,7 +17,7 @@ from exoid.physics.parameter import declarations
 from exoid.physics.term import Reading, Term
 
 
-def named(term: type[Term], value: Float[Array, " parameter"]) -> Term:
+def named(term: type[Term], value: Float[Any, " parameter"]) -> Term:
     """The term with these values of its parameters."""
     names = [name for name, _ in declarations(term)]
     return term(**dict(zip(names, value, strict=True)))

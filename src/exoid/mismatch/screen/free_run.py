@@ -7,17 +7,22 @@ import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
+from jax.flatten_util import ravel_pytree
 from jaxtyping import Array, Float, Int
 
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.observation import Observation
-from exoid.fitting.misfit.residual import equation, sensor_map
-from exoid.fitting.model.coordinates import Coordinates, in_a_row, seated
+from exoid.fitting.misfit.condense import outer, sweep
+from exoid.fitting.misfit.condensed import numbers_of, rollout_of
+from exoid.fitting.misfit.residual import predicted
+from exoid.fitting.misfit.stage import Stage
+from exoid.fitting.model.coordinates import (
+    Coordinates,
+    Unknowns,
+    in_a_row,
+    of_segments,
+)
 from exoid.mismatch.screen.effect import named
-from exoid.mismatch.screen.measured_motion import FREE, Clock, drive_of, place_of
-from exoid.physics.motion.step import Drive, march
-from exoid.physics.motion.with_terms import at_rest, delayed, extended_step, observed
-from exoid.physics.state import LegState
 from exoid.physics.term import Term
 
 
@@ -33,8 +38,7 @@ def release(
     point: Coordinates,
     zero: Float[Array, "2"],
     observation: Observation,
-    known: Float[Array, "segment unknown"],
-    clock: Clock,
+    known: Unknowns,
     steps: Int[Array, ""],
     static: tuple[tuple[type[Term], ...], Chain],
 ) -> Released:
@@ -44,66 +48,35 @@ def release(
     residual.
     """
     terms, chain = static
-
-    mounting = jax.vmap(seated, in_axes=(None, 0))(point.mounting, observation.seat)
-    each: Any = partial(segment, terms, chain, steps)
-    by_segment = jax.vmap(each, in_axes=(None, None, None, 0, 0, 0, 0, 0))
-    gram, shown = by_segment(
-        values, zero, point.shared, mounting, point.own, observation, known, clock
-    )
+    each: Any = partial(segment, terms, chain, Stage(jnp.zeros(()), steps), values, zero)
+    by_segment = jax.vmap(each)
+    gram, shown = by_segment(of_segments(point, observation.seat), observation, known)
     return Released(gram, shown)
 
 
-def segment(terms, chain, steps, values, zero, shared, mounting, own, observation, known, clock):
+def segment(terms, chain, stage, values, zero, unknowns, observation, known):
     """One segment's products and what its sensors would show."""
-    base, back = in_a_row((shared, mounting, own))
-    sizes = [value.size for value in values]
-    weights = jnp.stack([observation.angle_weight, observation.velocity_weight], axis=1)
-    data = jnp.stack([observation.angle, observation.angular_velocity], axis=1)
+    base, back = in_a_row(unknowns)
+    cuts = np.cumsum([base.size, zero.size, *(value.size for value in values)])[:-1]
 
-    def shown(unknowns):
-        shared, mounting, own = back(unknowns[: base.size])
-        zero, *numbers = jnp.split(unknowns[base.size :], np.cumsum([2, *sizes])[:-1])
-        each = tuple(named(term, value) for term, value in zip(terms, numbers, strict=True))
-        found = simulate(each, shared, mounting, own, zero, observation, clock, chain, steps)
-        return found, found
+    def numbers(row):
+        own, (bias, offset), *each = jnp.split(row, cuts)
+        eq, start, sensors = numbers_of(back(own), observation, stage)
+        having = tuple(named(term, value) for term, value in zip(terms, each, strict=True))
+        eq = eqx.tree_at(lambda eq: eq.terms, eq, having)
+        return eq, start, sensors + jnp.stack([offset, jnp.zeros(()), bias])
 
-    unknowns = jnp.concatenate([base, zero, *values])
-    slopes, motion = jax.jacfwd(shown, has_aux=True)(unknowns)
-    moving = jnp.concatenate([1 - known, jnp.ones(unknowns.size - base.size)])
-    used = weights > 0
-    rows = jnp.where(used[..., None], weights[..., None] * slopes * moving, 0.0)
-    misfit = jnp.where(used, weights * (motion - data), 0.0)
-    table = jnp.concatenate([rows, misfit[..., None]], axis=-1).reshape(-1, unknowns.size + 1)
-    return table.T @ table, motion
+    row = jnp.concatenate([base, zero, *values])
+    rollout, change = rollout_of(numbers, row)
+    moving = jnp.concatenate([1 - ravel_pytree(known)[0], jnp.ones(row.size - base.size)])
+    none = jax.tree.map(lambda leaf: jnp.zeros((0, leaf.size)), observation.cycle)
 
+    def gather(index, rows, total):
+        return total + outer(rows)
 
-def simulate(terms, shared, mounting, own, offset, observation, clock, chain, steps):
-    """What encoder and gyro would show of one segment: (time, channel)."""
-    eq = equation(shared, mounting, own, observation, FREE)
-    place, drive = place_of(eq, clock), drive_of(eq, observation)
-    time = observation.time
-    pushed = jnp.append(drive.begin, drive.end[-1])
-
-    def forward(index, motion):
-        push = Drive(drive.begin[index], drive.middle[index], drive.end[index])
-        step = time[index + 1] - time[index]
-        return extended_step(place, terms, motion, time[index], step, push)
-
-    def store(index, motion, folded):
-        memory, table = folded
-        seen = observed(place, terms, motion, time[index], pushed[index])
-        memory, now = chain.push(memory, LegState(seen.shown_angle, seen.shown_velocity))
-        row = jnp.stack([now.angle, now.angular_velocity, seen.shown_acceleration, seen.delay])
-        return memory, table.at[index].set(row)
-
-    leg = LegState(own.angle, own.angular_velocity)
-    begin = at_rest(place, terms, leg, time[0], pushed[0])
-    first = observed(place, terms, begin, time[0], pushed[0])
-    memory = chain.begin(LegState(first.shown_angle, first.shown_velocity))
-    empty = (memory, jnp.zeros((time.size, 4)))
-    angle, velocity, acceleration, delay = march(forward, store, begin, empty, steps)[1].T
-    zero, scale, bias = sensor_map(mounting)
-    velocity = delayed(time, velocity, acceleration, delay)
-    velocity = (1 + scale) * velocity + bias + offset[0]
-    return jnp.stack([angle + zero + offset[1], velocity], axis=1)
+    size = change.shape[0] + 1
+    total = sweep(rollout, observation, none, stage, chain, gather, jnp.zeros((size, size)))
+    change = jax.scipy.linalg.block_diag(change * moving, jnp.ones((1, 1)))
+    motion = predicted(*numbers(row), observation, stage, chain)
+    shown = jnp.stack([motion.angle, motion.angular_velocity], axis=1)
+    return change.T @ total @ change, shown

@@ -32,7 +32,7 @@ def release_one(
 ) -> tuple[Products, np.ndarray]:
     size = observation.time.shape[1]
     at = bench.coordinates(candidate)
-    every = (at.own, prolonged(observation, size), bench.problem.known, bench.clock)
+    every = (at.own, prolonged(observation, size), bench.problem.known)
     static, steps = (candidate.terms, bench.problem.chain), np.asarray(bench.problem.steps)
     found = []
     for own, *surroundings in grouped(every, GROUP):

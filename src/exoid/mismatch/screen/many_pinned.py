@@ -89,7 +89,7 @@ def run(bench: Bench, batch, candidates, courses, observation) -> Pinned:
     parts = zip(
         grouped(known.effect, GROUP, axis=2),
         grouped((points.own, along), GROUP, axis=1),
-        grouped((bench.course, observation, bench.problem.known, bench.clock), GROUP),
+        grouped((bench.course, observation, bench.problem.known), GROUP),
         strict=True,
     )
     static = (bench.library, bench.problem.chain)

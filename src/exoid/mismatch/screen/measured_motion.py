@@ -9,10 +9,10 @@ import jax.numpy as jnp
 from jaxtyping import Array, Float
 
 from exoid.fitting.data.observation import Observation
-from exoid.fitting.misfit.residual import Equation, equation
+from exoid.fitting.misfit.residual import Equation, equation, place_of
 from exoid.fitting.misfit.stage import Stage
-from exoid.fitting.model.coordinates import Coordinates, seated
-from exoid.physics.moment import Cycle, Moment, Place
+from exoid.fitting.model.coordinates import Coordinates, of_segments
+from exoid.physics.moment import Moment
 from exoid.physics.motion.step import Drive
 from exoid.physics.motion.with_terms import moment
 from exoid.physics.state import LegState
@@ -28,15 +28,6 @@ class Course(eqx.Module):
     angular_acceleration: Float[Any, "*lane segment time"]  # rad/s^2
 
 
-class Clock(eqx.Module):
-    """The cycle of every segment; of frequency 0 where nothing is voluntary."""
-
-    period: Float[Any, " segment"]  # s
-    frequency: Float[Any, " segment"]  # Hz
-    onset: Float[Any, " segment"]  # s
-    number: Float[Any, " segment"]
-
-
 class Scene(eqx.Module):
     """A segment's motion: the stages of every step, and every sample."""
 
@@ -48,20 +39,19 @@ class Scene(eqx.Module):
     step: Float[Any, "*batch step"]  # s
 
 
-def scenes(point: Coordinates, course: Course, observation: Observation, clock: Clock) -> Scene:
+def scenes(point: Coordinates, course: Course, observation: Observation) -> Scene:
     """Every segment's."""
-    mounting = jax.vmap(seated, in_axes=(None, 0))(point.mounting, observation.seat)
 
-    def one(mounting, own, course, observation, clock):
-        eq = equation(point.shared, mounting, own, observation, FREE)
-        return scene(eq, course, observation, clock)
+    def one(unknowns, course, observation):
+        return scene(equation(unknowns, observation, FREE), course, observation)
 
-    return jax.vmap(one)(mounting, point.own, course, observation, clock)
+    each = of_segments(point, observation.seat)
+    return jax.vmap(one)(each, course, observation)
 
 
-def scene(eq: Equation, course: Course, observation: Observation, clock: Clock) -> Scene:
+def scene(eq: Equation, course: Course, observation: Observation) -> Scene:
     """One segment's; Hermite's rule between samples."""
-    place, drive = place_of(eq, clock), drive_of(eq, observation)
+    place, drive = place_of(eq, observation, FREE), drive_of(eq, observation)
     time, step = observation.time, jnp.diff(observation.time)
     angle, velocity = course.angle, course.angular_velocity
     acceleration = course.angular_acceleration
@@ -78,13 +68,6 @@ def scene(eq: Equation, course: Course, observation: Observation, clock: Clock) 
         acceleration,
         step,
     )
-
-
-def place_of(eq: Equation, clock: Clock) -> Place:
-    """What a term may know of its segment."""
-    inertia = 1 / eq.torque
-    cycle = Cycle(eq.cycle * inertia, clock.period, clock.frequency, clock.onset)
-    return Place(eq.ratios, inertia, cycle, clock.number)
 
 
 def drive_of(eq: Equation, observation: Observation) -> Drive:

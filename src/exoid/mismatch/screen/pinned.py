@@ -17,11 +17,11 @@ from jaxtyping import Array, Float, Int
 
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.observation import Observation
-from exoid.fitting.model.coordinates import Coordinates, seated
+from exoid.fitting.model.coordinates import Coordinates, Unknowns, of_segments
 from exoid.mismatch.screen.deviation import products
 from exoid.mismatch.screen.effect import columns, named, remembered, shown
 from exoid.mismatch.screen.hypothesis import Effect
-from exoid.mismatch.screen.measured_motion import Clock, Course, Scene, scenes
+from exoid.mismatch.screen.measured_motion import Course, Scene, scenes
 from exoid.physics.library import MOST_PARAMETERS
 from exoid.physics.motion.step import Drive
 from exoid.physics.term import Term
@@ -61,8 +61,7 @@ def evaluate(
     courses: Course,
     measured: Course,
     observation: Observation,
-    known: Float[Array, "segment unknown"],
-    clock: Clock,
+    known: Unknowns,
     steps: Int[Array, ""],
     used: Int[Array, ""],
     static: tuple[tuple[type[Term], ...], Chain],
@@ -75,7 +74,7 @@ def evaluate(
     """
     terms, chain = static
     asked = list(zip(terms, requests, strict=True))
-    see = jax.vmap(partial(scenes, observation=observation, clock=clock))
+    see = jax.vmap(partial(scenes, observation=observation))
     first = jax.tree.map(partial(recalled, given), given.effect)
     angle = first.shown[:, 0, :, :, 0] + zero[:, 1, None, None]
     courses = read(asked, see(points, courses), angle, measured, observation)
@@ -86,11 +85,10 @@ def evaluate(
         effects = jax.lax.cond(
             jnp.any(request.lane < used), partial(added, term, request, seen), same, effects
         )
-    mounting = jax.vmap(jax.vmap(seated, in_axes=(None, 0)), in_axes=(0, None))
     summed = jax.tree.map(lambda leaf: jnp.moveaxis(together(leaf), 2, 1), effects)
-    own = (points.shared, mounting(points.mounting, observation.seat), points.own, courses)
+    own = (jax.vmap(of_segments, in_axes=(0, None))(points, observation.seat), courses)
     each = partial(products, steps=steps, chain=chain)
-    by_segment: Any = jax.vmap(each, in_axes=(None, 0, 0, 0, 0, 0, 0, 0, None))
+    by_segment: Any = jax.vmap(each, in_axes=(0, 0, 0, 0, 0, 0, None))
 
     def lane(lane):
         own, summed, zero = lane

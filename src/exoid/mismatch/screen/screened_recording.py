@@ -12,6 +12,7 @@ from exoid.fitting.misfit.neighbourhood import columns
 from exoid.fitting.model.coordinates import (
     TYPICAL,
     Coordinates,
+    Shared,
     flattened,
     scaled,
     unflattened,
@@ -20,7 +21,7 @@ from exoid.fitting.model.coordinates import (
 from exoid.fitting.model.systematics import deviations
 from exoid.fitting.solve.problem import Problem
 from exoid.mismatch.screen.hypothesis import Hypothesis
-from exoid.mismatch.screen.measured_motion import Clock, Course
+from exoid.mismatch.screen.measured_motion import Course
 from exoid.mismatch.sensors.consistency import Consistency
 from exoid.physics.library import name_of
 from exoid.physics.parameter import Declaration, declarations
@@ -38,7 +39,6 @@ class Bench:
     problem: Problem
     sensors: Consistency
     library: tuple[type[Term], ...]
-    clock: Clock
     log_inertia: float  # log(J / kg m^2) of the baseline's fit
     rig: bool
     zero: float  # rad, standard deviation of the encoder's: infinite on a rig, 0 where it is known
@@ -95,6 +95,11 @@ class Bench:
         own = jax.tree.unflatten(jax.tree.structure(TYPICAL.own), rows)
         return Coordinates(shared, np.zeros(()), usual, own)
 
+    @cached_property
+    def numbers(self) -> Coordinates:
+        """Which coordinate each is."""
+        return unflattened(np.arange(flattened(self.like).size), self.like)
+
     def coordinates(self, candidate: Hypothesis) -> Coordinates:
         return unscaled(unflattened(candidate.point, self.like))
 
@@ -125,10 +130,12 @@ class Bench:
         """Of every unknown: the leg neither pulls apart nor makes energy, a term keeps its own."""
         size = candidate.unknowns.size
         lower, upper = np.full(size, -np.inf), np.full(size, np.inf)
-        lower[[1, 3]] = 0.0  # gravity, damping
-        lower[2] = -np.inf if self.rig else 0.0  # stiffness
         inertia = self.log_inertia / float(TYPICAL.shared.log_inertia)
-        lower[0], upper[0] = inertia - FARTHEST, inertia + FARTHEST
+        free = -np.inf if self.rig else 0.0  # of the stiffness
+        least = Shared(*map(np.asarray, (inertia - FARTHEST, 0.0, free, 0.0)))
+        at = np.ravel(jax.tree.leaves(self.numbers.shared))
+        lower[at] = jax.tree.leaves(least)
+        upper[self.numbers.shared.log_inertia] = inertia + FARTHEST
         each: list[Declaration] = [
             declared for term in candidate.terms for _, declared in declarations(term)
         ]

@@ -8,9 +8,6 @@ import jax
 import jax.numpy as jnp
 from jaxtyping import Array, Float, Int, PyTree
 
-from exoid.physics.leg import Ratios, angular_acceleration
-from exoid.physics.state import LegState
-
 
 class Drive(eqx.Module):
     """The torque per inertia [rad/s^2] at the three stage times of every step."""
@@ -71,15 +68,3 @@ def rk4(
         lambda a, b, c, d: (a + 2 * b + 2 * c + d) / 6, first, second, third, fourth
     )
     return moved(mean, step)
-
-
-def rk4_step(
-    ratios: Ratios, state: LegState, step: Float[Array, "*batch"], drive: Drive
-) -> LegState:
-    """One step of Eq. 9 alone."""
-    pushes = {0.0: drive.begin, 0.5: drive.middle, 1.0: drive.end}
-
-    def rate(at: LegState, part: float) -> LegState:
-        return LegState(at.angular_velocity, angular_acceleration(ratios, at, pushes[part]))
-
-    return rk4(rate, state, step)

@@ -52,6 +52,8 @@ def missing(terms: Terms, now: Moment, memory: tuple[Array, ...]) -> Float[Array
 
     What changes the leg's inertia acts on all that moves it, the other terms' torques included.
     """
+    if not terms:
+        return jnp.zeros(())
     pushed = now.angular_acceleration
     for inertial in (False, True):
         at = eqx.tree_at(lambda now: now.angular_acceleration, now, pushed)
@@ -89,24 +91,37 @@ def whole_step(
     place: Place, terms: Terms, motion: Motion, time: Any, step: Any, drive: Drive
 ) -> Motion:
     pushes = {0.0: drive.begin, 0.5: drive.middle, 1.0: drive.end}
+    dry = sticky(terms)
 
     def rate(at: Motion, part: float) -> Motion:
         now = moment(place, at.leg, time + part * step, pushes[part])
-        acceleration = now.angular_acceleration + missing(terms, now, at.memory)
+        moving = LegState(at.leg.angular_velocity, now.angular_acceleration)
+        if terms:
+            pulled = now.angular_acceleration + missing(terms, now, at.memory)
+            moving = LegState(at.leg.angular_velocity, pulled)
+        if dry:
+            moving = jax.tree.map(lambda slope: free * slope, moving)
         changes = tuple(
             term.memory_rate(now, own) for term, own in zip(terms, at.memory, strict=True)
         )
-        return Motion(LegState(free * at.leg.angular_velocity, free * acceleration), changes)
+        return Motion(moving, changes)
 
-    motion = slowed(place, terms, motion, time, step / 2, drive.begin)
-    free = jnp.where(sticks(place, terms, motion, time, drive.begin), 0.0, 1.0)
+    if dry:
+        motion = slowed(place, terms, motion, time, step / 2, drive.begin)
+        free = jnp.where(sticks(place, terms, motion, time, drive.begin), 0.0, 1.0)
     motion = rk4(rate, motion, step)
-    motion = slowed(place, terms, motion, time + step, step / 2, drive.end)
+    if dry:
+        motion = slowed(place, terms, motion, time + step, step / 2, drive.end)
     now = moment(place, motion.leg, time + step, drive.end)
     kept = tuple(
         term.memory_within(now, own) for term, own in zip(terms, motion.memory, strict=True)
     )
     return Motion(motion.leg, kept)
+
+
+def sticky(terms: Terms) -> bool:
+    """Does any of them hold a leg at rest?"""
+    return any(type(term).dry_friction is not Term.dry_friction for term in terms)
 
 
 def sticks(place: Place, terms: Terms, motion: Motion, time: Any, push: Any):
@@ -120,8 +135,6 @@ def sticks(place: Place, terms: Terms, motion: Motion, time: Any, push: Any):
 
 def slowed(place: Place, terms: Terms, motion: Motion, time: Any, step: Any, push: Any) -> Motion:
     """phi' <- sgn(phi') max(0, |phi'| - step F / J)."""
-    if not any(type(term).dry_friction is not Term.dry_friction for term in terms):
-        return motion
     leg = motion.leg
     level = friction(terms, moment(place, leg, time, push)) / place.inertia
     left = jnp.maximum(jnp.abs(leg.angular_velocity) - step * level, 0.0)
@@ -137,10 +150,14 @@ def observed(place: Place, terms: Terms, motion: Motion, time: Any, push: Any) -
     """What the sensors show of an instant, but for the gyro's delay."""
     leg = motion.leg
     now = moment(place, leg, time, push)
+    acceleration = now.angular_acceleration
+    if terms:
+        acceleration = acceleration + missing(terms, now, motion.memory)
+    if sticky(terms):
+        opposed = jnp.sign(leg.angular_velocity) * friction(terms, now) / place.inertia
+        held = sticks(place, terms, motion, time, push)
+        acceleration = jnp.where(held, 0.0, acceleration - opposed)
     error = errors(terms, now, motion.memory)
-    opposed = jnp.sign(leg.angular_velocity) * friction(terms, now) / place.inertia
-    acceleration = now.angular_acceleration + missing(terms, now, motion.memory) - opposed
-    acceleration = jnp.where(sticks(place, terms, motion, time, push), 0.0, acceleration)
     return Seen(
         angle=leg.angle,
         angular_velocity=leg.angular_velocity,
@@ -155,16 +172,19 @@ def observed(place: Place, terms: Terms, motion: Motion, time: Any, push: Any) -
 def errors(terms: Terms, now: Moment, memory: tuple[Array, ...]) -> Reading:
     """What the sensors show minus how the leg moves."""
     each = [term.shown(now, own) for term, own in zip(terms, memory, strict=True)]
-    return sum(each, reading(0.0 * now.angle))
+    return sum(each, reading(jnp.zeros_like(now.angle)))
 
 
-def delayed(time: Any, value: Any, slope: Any, delay: Any) -> Float[Array, " time"]:
+def delayed(
+    time: Any, value: Any, slope: Any, delay: Any, last: Any = None
+) -> Float[Array, " time"]:
     """A signal as it was `delay` [s] before, by cubic Hermite interpolation between samples.
 
-    Beyond its ends it goes on along the tangent.
+    Beyond its ends, the sample `last` where it is given, it goes on along the tangent.
     """
     wanted = time - delay
-    after = jnp.clip(jnp.searchsorted(time, wanted), 1, time.size - 1)
+    last = time.size - 1 if last is None else last
+    after = jnp.clip(jnp.searchsorted(time, wanted), 1, last)
     before = after - 1
     step = time[after] - time[before]
     x = jnp.clip((wanted - time[before]) / step, 0.0, 1.0)

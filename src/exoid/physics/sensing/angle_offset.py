@@ -19,6 +19,7 @@ class AngleOffset(SensorTerm):
         "exoskeleton put on askew, or the thigh was not level."
     )
     isolate: ClassVar[str] = "the accelerometer at rest, or the hanging leg against a plumb line"
+    replaces: ClassVar[str] = "zero"
 
     offset: Float[Any, ""] = parameter("delta", "rad", -0.4, 0.4, "offset", (0.03, -0.03))
 

@@ -16,6 +16,7 @@ class GyroBias(SensorTerm):
     reference: ClassVar[str] = "LSM6DS33 datasheet, Table 3: zero-rate level +-10 deg/s"
     explanation: ClassVar[str] = "The gyro shows a rate while nothing moves."
     isolate: ClassVar[str] = "two seconds at rest before the movement"
+    replaces: ClassVar[str] = "gyro_bias"
 
     bias: Float[Any, ""] = parameter("b", "rad/s", -0.5, 0.5, "bias", (0.005,))
 

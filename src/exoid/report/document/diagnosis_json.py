@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from exoid.mismatch.answer.diagnosis import Diagnosis
+from exoid.report.document.fit_json import model
 from exoid.report.document.plain_json import plain, shown
 from exoid.report.words.diagnosis import headline, sentences
 
@@ -38,6 +39,15 @@ def diagnosis_document(
             "pattern": found.location.pattern,
             "parameters": {each.name: shown(each, ["name"]) for each in found.parameters},
             "booked_before": {each.name: shown(each, ["name"]) for each in found.booked},
+            "before": model(found.before),
+            "after": None if found.after is None else model(found.after),
+            "suspected": [
+                {
+                    "terms": each.terms,
+                    "numbers": {one.name: shown(one, ["name"]) for one in each.numbers},
+                }
+                for each in found.suspected
+            ],
             "heldout_rmse_before": found.proof.before.total,
             "heldout_rmse_after": found.proof.after.total,
             "noise_floor": found.proof.noise_floor,

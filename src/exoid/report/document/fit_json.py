@@ -47,25 +47,45 @@ def fit_document(
             "exoid": version,
             "recordings": list(recordings),
             "settings": settings,
-            "parameters": {
-                name: entry(each) | {"profile": profile(profiles.get(name))}
-                for name, each in (
-                    *result.parameters.items(),
-                    ("torque_amplitude", result.torque_amplitude or no_torque()),
-                )
-            },
-            "ratios": {
-                name: entry(each) | {"profile": profile(profiles.get(name))}
-                for name, each in result.ratios.items()
-            },
+            **model(result, profiles),
             "mountings": [mounting(each) for each in result.mountings],
             "identifiability": None if told is None else identifiability(told),
-            "fit": quality(result),
             "multistart": multistart(result.multistart),
             "segments": [segment(each) for each in result.segments],
             "notes": result.notes,
         }
     )
+
+
+def model(result: FitResult, profiles: Mapping[str, Profile] | None = None) -> dict[str, Any]:
+    """The numbers of a fitted model, and how well it fits."""
+    profiles = profiles or {}
+    return {
+        "parameters": {
+            name: entry(each) | {"profile": profile(profiles.get(name))}
+            for name, each in (
+                *result.parameters.items(),
+                ("torque_amplitude", result.torque_amplitude or no_torque()),
+            )
+        },
+        "ratios": {
+            name: entry(each) | {"profile": profile(profiles.get(name))}
+            for name, each in result.ratios.items()
+        },
+        "terms": terms(result, profiles),
+        "fit": quality(result),
+    }
+
+
+def terms(result: FitResult, profiles: Mapping[str, Profile]) -> dict[str, Any]:
+    """What the model has beside Eq. 9: by term, by parameter."""
+    return {
+        term: {
+            name: entry(each) | {"profile": profile(profiles.get(f"{term}.{name}"))}
+            for name, each in parameters.items()
+        }
+        for term, parameters in result.terms.items()
+    }
 
 
 def entry(each: Estimate) -> dict[str, Any]:

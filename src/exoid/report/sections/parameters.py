@@ -1,7 +1,6 @@
 """The leg's numbers with their errors, beside what anatomy expects and what was allowed."""
 
-from dataclasses import dataclass, replace
-from math import degrees
+from dataclasses import dataclass
 from typing import ClassVar
 
 from exoid.fitting.result.fit_result import Estimate, FitResult
@@ -10,8 +9,15 @@ from exoid.report.pictures.determined import show_parameters
 from exoid.report.pictures.panel import Picture
 from exoid.report.sections.section import Section
 from exoid.report.sections.table import Table, quantity
-from exoid.report.tables.fit import MOUNTED, bounds, expectation, limited_by, remarks
-from exoid.report.words.text import in_unit
+from exoid.report.tables.fit import (
+    MOUNTED,
+    bounds,
+    expectation,
+    in_print,
+    limited_by,
+    remarks,
+    shown_terms,
+)
 from exoid.report.words.typeset import formula
 
 
@@ -25,6 +31,7 @@ class Parameters(Section):
     figure: Picture | None
     table: Table
     ratios: Table
+    terms: Table
     mountings: Table
     prior: str
     remarks: tuple[str, ...]
@@ -36,6 +43,7 @@ class Parameters(Section):
             figure=show_parameters(quantities),
             table=table_of(quantities),
             ratios=ratios_of(case.fit),
+            terms=terms_of(case.fit),
             mountings=mountings_of(case.fit),
             prior=case.fit.prior,
             remarks=tuple(remarks(case.fit)),
@@ -73,6 +81,18 @@ def ratios_of(fit: FitResult) -> Table:
     return Table("Ratios to the inertia: what motion alone can tell", columns)
 
 
+def terms_of(fit: FitResult) -> Table:
+    rows = shown_terms(fit)
+    columns = {
+        "term": [term.replace("_", " ") for term, _ in rows],
+        "parameter": [one.title for _, one in rows],
+        "symbol": [formula(one.symbol) for _, one in rows],
+        "value": [quantity(one) for _, one in rows],
+        "set by": [set_by(one) for _, one in rows],
+    }
+    return Table("Terms: what the model has beside Eq. 9", columns)
+
+
 def mountings_of(fit: FitResult) -> Table:
     """What every recording owned, where there was something to estimate."""
     rows = [
@@ -86,13 +106,6 @@ def mountings_of(fit: FitResult) -> Table:
         "value": [quantity(each) for *_, each in rows],
     }
     return Table("Sensors, seat and added mass, against what is declared of them", columns)
-
-
-def in_print(each: Estimate) -> Estimate:
-    """Angles in degrees."""
-    if "rad" not in each.unit:
-        return each
-    return replace(in_unit(each, degrees(1)), unit=each.unit.replace("rad", "deg"))
 
 
 def with_unit(words: str, unit: str) -> str:

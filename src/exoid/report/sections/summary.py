@@ -160,7 +160,7 @@ def numbers(case: Case) -> Card:
 def believed(case: Case) -> Table:
     """Every number, and how far to believe it."""
     fit = case.fit
-    quantities = {**parameters_of(fit), **fit.ratios}
+    quantities = {**parameters_of(fit), **fit.ratios, **fit.of_terms}
     each = list(quantities.values())
     words = BELIEF | {"data": INCOMPLETE} if misses(case) else BELIEF
     words = words if fit.follows else dict.fromkeys(BELIEF, LOST)

@@ -80,7 +80,7 @@ def quantities(saved: SavedResult) -> dict[str, Estimate]:
     torque = (
         {} if result.torque_amplitude is None else {"torque_amplitude": result.torque_amplitude}
     )
-    return {**result.parameters, **torque, **result.ratios}
+    return {**result.parameters, **torque, **result.ratios, **result.of_terms}
 
 
 def asked(saved: SavedResult) -> dict[str, Any]:

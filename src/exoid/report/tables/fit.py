@@ -1,5 +1,6 @@
 """What a person reads after a fit: values with their errors and units, and what they rest on."""
 
+from dataclasses import replace
 from math import degrees
 
 from rich.console import Console
@@ -46,6 +47,7 @@ def print_fit(result: FitResult, console: Console, told: Identifiability | None 
     print_astray(result, console)
     print_parameters(result, console)
     print_ratios(result, console)
+    print_terms(result, console)
     print_mountings(result, console)
     if told is not None:
         print_told(told, console)
@@ -114,6 +116,43 @@ def print_ratios(result: FitResult, console: Console) -> None:
     if width(columns) > console.width:  # a note says it, too
         del columns["limited by"]
     console.print(table(columns))
+
+
+def print_terms(result: FitResult, console: Console) -> None:
+    """What the model has beside Eq. 9, and of it what motion alone tells."""
+    rows = shown_terms(result)
+    if not rows:
+        return
+    heading(console, "Terms, beside Eq. 9")
+    columns = {
+        "term": [term.replace("_", " ") for term, _ in rows],
+        "": [one.title for _, one in rows],
+        " ": [one.symbol for _, one in rows],
+        "value": [written(one) for _, one in rows],
+        "unit": [one.unit for _, one in rows],
+        "set by": [set_by(one) for _, one in rows],
+    }
+    if width(columns) > console.width:
+        del columns["set by"]
+    if width(columns) > console.width:
+        del columns[""]
+    console.print(table(columns))
+
+
+def shown_terms(result: FitResult) -> list[tuple[str, Estimate]]:
+    """Every term's parameters with its name, angles in degrees."""
+    return [
+        (term, in_print(each))
+        for term, parameters in result.terms.items()
+        for each in parameters.values()
+    ]
+
+
+def in_print(each: Estimate) -> Estimate:
+    """Angles and rates in degrees."""
+    if each.unit not in ("rad", "rad/s"):
+        return each
+    return replace(in_unit(each, degrees(1)), unit=each.unit.replace("rad", "deg"))
 
 
 def limited_by(each: Estimate) -> str:
@@ -241,7 +280,7 @@ def print_remarks(result: FitResult, console: Console) -> None:
 def remarks(result: FitResult) -> list[str]:
     """Why values or errors are missing, each reason once, and the notes."""
     reasons: dict[str, list[str]] = {}
-    for name, each in {**result.parameters, **result.ratios}.items():
+    for name, each in {**result.parameters, **result.ratios, **result.of_terms}.items():
         if each.reason is not None:
             reasons.setdefault(each.reason, []).append(name)
     for each in result.segments:

@@ -1,0 +1,103 @@
+"""What the model has beside Eq. 9, as options name it: terms of the library, or of a user's own."""
+
+from difflib import get_close_matches
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+With = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--with",
+        help="A term beside Eq. 9, such as coulomb_friction or gyro_bias, alone or with its "
+        "values as hysteresis=0.1,0.03; repeat. The site's page of effects lists them.",
+        metavar="TERM",
+    ),
+]
+OwnTerms = Annotated[
+    str | None,
+    typer.Option(
+        "--terms",
+        help="Your own terms: a module, or a file .py, with classes of exoid's Term.",
+        metavar="MODULE",
+    ),
+]
+Model = Annotated[
+    Path | None,
+    typer.Option(help="The model of a saved fit or diagnosis (.nc): its terms.", metavar="FILE"),
+]
+
+
+def terms_asked(
+    given: list[str] | None, own: tuple, saved: tuple = (), *, valued_all: bool = False
+) -> tuple[Any, ...]:
+    """Classes and instances of terms: those of a saved model, then those that were named.
+
+    **Raises** `ValueError` (one sentence) where a name is none, or a value cannot be, or is missing
+    where all are to be `valued_all`.
+    """
+    if not (given or saved):
+        return ()
+    from exoid.physics.library import library, name_of
+
+    known = {name_of(term): term for term in (*library(), *own)}
+    found = {name_of(type(term)): term for term in saved}
+    for word in given or []:
+        name, equals, rest = word.partition("=")
+        name = name.strip()
+        if name not in known:
+            close = get_close_matches(name, known, 1)
+            hint = f"did you mean {close[0]}?" if close else f"there are {', '.join(known)}."
+            raise ValueError(f"--with {name}: there is no such term; {hint}")
+        asked = equals or valued_all
+        found[name] = valued(name, known[name], rest) if asked else known[name]
+    return tuple(found.values())
+
+
+def names_of(terms: tuple[Any, ...]) -> list[str]:
+    """Their names, as settings keep them."""
+    from exoid.physics.library import name_of
+
+    return [name_of(each if isinstance(each, type) else type(each)) for each in terms]
+
+
+def saved_model(model: Path, own: tuple):
+    """The fitted leg with its terms, of a saved fit."""
+    from exoid.report.saved.saved_result import load_result
+
+    found = load_result(model, terms=own).result.model
+    if found is None:
+        raise ValueError(f"{model}: every segment was fitted alone there: it holds no one model.")
+    return found
+
+
+def valued(name: str, term: type, text: str):
+    """A term with the values that were said: in their order, or each as PARAMETER:VALUE."""
+    from exoid.fitting.model.term_parameters import term_of
+    from exoid.physics.parameter import declarations
+
+    declared = dict(declarations(term))
+    form = ", ".join(f"{each} [{one.unit}]" for each, one in declared.items())
+    said: dict[str, float] = {}
+    for place, part in enumerate(text.split(",") if text else []):
+        parameter, colon, number = part.rpartition(":")
+        parameter = parameter.strip() if colon else [*declared, ""][min(place, len(declared))]
+        try:
+            value = float(number)
+        except ValueError:
+            raise ValueError(
+                f"--with {name}={text}: {number!r} is no number; give {form}."
+            ) from None
+        if parameter not in declared:
+            raise ValueError(f"--with {name}={text}: {name} has {form}, and no more.")
+        one = declared[parameter]
+        if not one.lower <= value <= one.upper:
+            raise ValueError(
+                f"--with {name}={text}: {parameter} is {one.lower:g} to {one.upper:g} {one.unit}."
+            )
+        said[parameter] = value
+    missing = [each for each in declared if each not in said]
+    if missing:
+        raise ValueError(f"--with {name}: {', '.join(missing)} is missing; give {form}.")
+    return term_of(term, lambda called, _: said[called.rpartition(".")[2]])
