@@ -7,8 +7,8 @@ from typing import Literal, get_args
 
 import numpy as np
 
-from exoid.physics.library import library, name_of
-from exoid.physics.term import SensorTerm
+from exoid.physics.library import library
+from exoid.physics.term import SensorTerm, name_of
 
 from .effects import SUFFIX
 from .novel import NOVEL

@@ -5,8 +5,8 @@ from dataclasses import dataclass, field
 import jax.numpy as jnp
 import numpy as np
 
-from exoid.physics.library import library, name_of
-from exoid.physics.term import SensorTerm, Term
+from exoid.physics.library import library
+from exoid.physics.term import SensorTerm, Term, name_of
 
 from .novel import NOVEL
 from .scenario import Scenario

@@ -10,8 +10,8 @@ import numpy as np
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.mismatch.screen.effect import named
 from exoid.mismatch.screen.screened_recording import Bench
-from exoid.physics.leg import Ratios
 from exoid.physics.moment import Cycle, Moment, Place
+from exoid.physics.ratios import Ratios
 from exoid.physics.term import Term
 
 from .effects import TERMS

@@ -6,9 +6,9 @@ from math import degrees
 from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
-from exoid.physics.library import library, name_of
+from exoid.physics.library import library
 from exoid.physics.parameter import Declaration, declarations
-from exoid.physics.term import SensorTerm, Term
+from exoid.physics.term import SensorTerm, Term, name_of
 
 GROUPS = {
     "Leg and exoskeleton": lambda term: not term.voluntary and not issubclass(term, SensorTerm),

@@ -11,8 +11,9 @@ from benchmarks.blind.effects import RECIPES, TERMS, Effect
 from scipy.integrate import cumulative_trapezoid, odeint
 from scipy.optimize import least_squares
 
-from exoid.physics.library import library, name_of
+from exoid.physics.library import library
 from exoid.physics.parameter import declarations
+from exoid.physics.term import name_of
 
 DECK = 50  # cards
 COUNT = 2 * np.pi / 4096  # rad, of the encoder

@@ -16,8 +16,8 @@ from exoid.mismatch.screen.many_pinned import linear
 from exoid.mismatch.screen.optimise import settle, settle_free
 from exoid.mismatch.search.variants import polished
 from exoid.physics.leg import LegModel
-from exoid.physics.library import name_of
 from exoid.physics.motion.simulate import simulate
+from exoid.physics.term import name_of
 from exoid.physics.terms.device.backlash import Backlash
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.physics.terms.tissue.maxwell_element import MaxwellElement

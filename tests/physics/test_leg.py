@@ -8,15 +8,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from exoid.physics.leg import (
-    GRAVITY,
-    LegModel,
-    LegParameters,
-    Ratios,
-    angular_acceleration,
-    energy,
-)
+from exoid.physics.leg import GRAVITY, LegModel, LegParameters, angular_acceleration, energy
 from exoid.physics.parameter import declarations
+from exoid.physics.ratios import Ratios
 from exoid.physics.state import LegState
 from exoid.physics.torque import NoTorque
 

@@ -7,9 +7,9 @@ from types import ModuleType
 
 import pytest
 
-from exoid.physics.library import library, name_of, terms_of
+from exoid.physics.library import library, terms_of
 from exoid.physics.parameter import declarations
-from exoid.physics.term import PhysicsTerm, SensorTerm, Term
+from exoid.physics.term import PhysicsTerm, SensorTerm, Term, name_of
 
 KINDS = {"exoid.physics.terms": PhysicsTerm, "exoid.physics.sensing": SensorTerm}
 MODULES = [

@@ -15,14 +15,14 @@ from scipy.integrate import trapezoid
 from scipy.optimize import brentq
 
 from exoid.physics.leg import GRAVITY, LegModel, LegParameters
-from exoid.physics.library import library, name_of
+from exoid.physics.library import library
 from exoid.physics.moment import Cycle, Moment, Place
 from exoid.physics.motion.simulate import simulate
 from exoid.physics.motion.step import Drive
 from exoid.physics.motion.with_terms import at_rest, delayed, extended_step, missing
 from exoid.physics.parameter import declarations
 from exoid.physics.state import LegState
-from exoid.physics.term import SensorTerm, Term
+from exoid.physics.term import SensorTerm, Term, name_of
 from exoid.physics.torque import CycleTorque, NoTorque
 
 LEG = {"mass": 4.4, "inertia": 0.45, "com_distance": 0.27, "damping": 0.35, "stiffness": 2.9}

@@ -24,8 +24,8 @@ from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.remarks import UPWARDS, upwards
 from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.problem import Problem
-from exoid.physics.library import check_terms, library, name_of
-from exoid.physics.term import Term
+from exoid.physics.library import check_terms, library
+from exoid.physics.term import Term, name_of
 from exoid.recordings.loading.named import Given, named_recordings
 from exoid.recordings.motion.extent import Motionless
 from exoid.recordings.recording import Recording

@@ -26,8 +26,7 @@ from exoid.mismatch.screen.screened_recording import Bench
 from exoid.mismatch.screen.settled import Settled
 from exoid.mismatch.search.found import Found, size
 from exoid.mismatch.search.search import look
-from exoid.physics.library import name_of
-from exoid.physics.term import Term
+from exoid.physics.term import Term, name_of
 from exoid.recordings.loading.named import Given, named_recordings
 from exoid.recordings.recording import Recording
 

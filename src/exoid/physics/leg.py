@@ -5,20 +5,15 @@ from typing import Any
 
 import equinox as eqx
 import jax.numpy as jnp
-import numpy as np
 from jaxtyping import Array, Float, Inexact
 
 from exoid.physics.cosine import cos
 from exoid.physics.parameter import parameter
+from exoid.physics.ratios import Ratios, horizontal
 from exoid.physics.state import LegState
 from exoid.physics.torque import Torque
 
 GRAVITY = 9.81  # m/s^2, as the paper has it
-
-
-def horizontal() -> np.ndarray:
-    """The angle [rad] of the thigh of a person who sits as the paper has it."""
-    return np.zeros(())
 
 
 class LegParameters(eqx.Module):
@@ -42,20 +37,6 @@ class LegParameters(eqx.Module):
             damping=self.damping,
             stiffness=self.stiffness,
         )
-
-
-class Ratios(eqx.Module):
-    """Eq. 9 divided by J: all that motion can tell of a leg.
-
-    phi'' = tau_h / J - gravity cos(phi + thigh_angle) - stiffness phi - damping phi'
-    """
-
-    gravity: Float[Array, "*batch"]  # m l g / J, 1/s^2
-    stiffness: Float[Array, "*batch"]  # c / J, 1/s^2
-    damping: Float[Array, "*batch"]  # d / J, 1/s
-    thigh_angle: Float[Any, "*batch"] = field(
-        default_factory=horizontal
-    )  # rad, the knee above the hip
 
 
 class LegModel(eqx.Module):

@@ -8,7 +8,7 @@ from pkgutil import walk_packages
 from types import ModuleType
 
 from exoid.physics.parameter import declarations
-from exoid.physics.term import Term
+from exoid.physics.term import Term, name_of
 
 MOST_PARAMETERS = 6
 
@@ -35,12 +35,6 @@ def terms_of(module: ModuleType) -> list[type[Term]]:
         and each.__module__ == module.__name__
         and not inspect.isabstract(each)
     ]
-
-
-def name_of(term: type[Term]) -> str:
-    """coulomb_friction for CoulombFriction."""
-    letters = (f"_{each.lower()}" if each.isupper() else each for each in term.__name__)
-    return "".join(letters).lstrip("_")
 
 
 def check_terms(terms: tuple[type[Term], ...]) -> None:

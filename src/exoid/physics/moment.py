@@ -8,8 +8,8 @@ import jax.numpy as jnp
 import numpy as np
 from jaxtyping import Array, Float
 
-from exoid.physics.leg import Ratios
-from exoid.physics.torque import cycle_shape
+from exoid.physics.cycle_shape import cycle_shape
+from exoid.physics.ratios import Ratios
 
 
 class Cycle(eqx.Module):

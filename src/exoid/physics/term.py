@@ -86,3 +86,9 @@ class SensorTerm(Term):
     @abstractmethod
     def shown(self, now: Moment, memory: Memory) -> Reading:
         """What the sensors show minus how the leg moves."""
+
+
+def name_of(term: type[Term]) -> str:
+    """coulomb_friction for CoulombFriction."""
+    letters = (f"_{each.lower()}" if each.isupper() else each for each in term.__name__)
+    return "".join(letters).lstrip("_")

@@ -39,7 +39,8 @@ def terms_asked(
     """
     if not (given or saved):
         return ()
-    from exoid.physics.library import library, name_of
+    from exoid.physics.library import library
+    from exoid.physics.term import name_of
 
     known = {name_of(term): term for term in (*library(), *own)}
     found = {name_of(type(term)): term for term in saved}
@@ -57,7 +58,7 @@ def terms_asked(
 
 def names_of(terms: tuple[Any, ...]) -> list[str]:
     """Their names, as settings keep them."""
-    from exoid.physics.library import name_of
+    from exoid.physics.term import name_of
 
     return [name_of(each if isinstance(each, type) else type(each)) for each in terms]
 

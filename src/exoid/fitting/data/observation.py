@@ -3,14 +3,9 @@
 from typing import Any
 
 import equinox as eqx
-import numpy as np
 from jaxtyping import Float, Int
 
-from exoid.fitting.data.movement import Movement
 from exoid.physics.motion.step import Drive
-from exoid.recordings.signal.condition import (
-    torque_frequencies,
-)
 
 
 class Clock(eqx.Module):
@@ -45,11 +40,3 @@ class Observation(eqx.Module):
     thigh_angle: Float[Any, "*segment"]  # rad, the knee above the hip
     seat: Int[Any, "*segment"]  # which recording's mounting it has
     clock: Clock
-
-
-def clock(each: Movement, number: int, reading: str) -> Clock:
-    """The cycle of a movement, and its number among the others."""
-    if not each.voluntary:
-        return Clock(np.asarray(1.0), np.asarray(0.0), np.asarray(0.0), np.asarray(float(number)))
-    frequency = torque_frequencies(each.period)[reading]
-    return Clock(*map(np.asarray, (each.period, frequency, each.onset, float(number))))

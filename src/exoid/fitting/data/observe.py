@@ -5,10 +5,10 @@ import jax
 import numpy as np
 
 from exoid.fitting.data.movement import Movement, smoothed_motion
-from exoid.fitting.data.observation import Observation, clock
+from exoid.fitting.data.observation import Clock, Observation
 from exoid.fitting.model.systematics import SOMEWHERE, beside_unplaced
+from exoid.physics.cycle_shape import cycle_shape
 from exoid.physics.motion.step import Drive
-from exoid.physics.torque import cycle_shape
 from exoid.recordings.samples import Samples
 from exoid.recordings.signal.condition import (
     interpolated,
@@ -118,3 +118,11 @@ def measured_torque(time: Samples, each: Movement) -> Samples:
     if each.kind != "measured" or torque is None:
         return np.zeros_like(time)
     return np.interp(time, each.segment.time, interpolated(each.segment.time, torque))
+
+
+def clock(each: Movement, number: int, reading: str) -> Clock:
+    """The cycle of a movement, and its number among the others."""
+    if not each.voluntary:
+        return Clock(np.asarray(1.0), np.asarray(0.0), np.asarray(0.0), np.asarray(float(number)))
+    frequency = torque_frequencies(each.period)[reading]
+    return Clock(*map(np.asarray, (each.period, frequency, each.onset, float(number))))

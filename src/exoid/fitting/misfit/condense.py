@@ -15,33 +15,17 @@ from jaxtyping import Array, Float, Int
 
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.observation import Observation
-from exoid.fitting.misfit.condensed import Condensed, Rollout, Sensed, of_unknowns
-from exoid.fitting.misfit.residual import (
-    NOTHING,
-    Shown,
-    advance,
-    begin,
-    glimpse,
-    late,
-    residual,
-    shows,
-    through,
-)
+from exoid.fitting.misfit.condensed import Condensed, Sensed
+from exoid.fitting.misfit.rollout import of_unknowns, sweep
 from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.coordinates import (
     Coordinates,
     Unknowns,
     by_segment,
 )
-from exoid.physics.motion.step import Drive, march
-from exoid.physics.state import LegState
+from exoid.physics.motion.step import Drive
 
 ROUNDING = 1e-13  # relative, keeps the Cholesky factor real where two columns are nearly parallel
-MOVING = (
-    *("gravity", "stiffness", "damping", "thigh_angle", "cycle", "torque"),
-    *("angle", "angular_velocity"),
-)  # what a segment's motion depends on: Eq. 9 per inertia, and where it begins
-SHOWING = ("zero", "scale", "bias")  # what its sensors make of it
 
 
 def condense(
@@ -86,88 +70,6 @@ def sense(
     table = sweep(rollout, observation, pushes, stage, chain, store, empty)
     columns = jnp.einsum("bu,btc->utc", change, table[:size])
     return Sensed(table[-1], columns, table[size:-1])
-
-
-def sweep(rollout: Rollout, observation, pushes, stage, chain, fold, folded):
-    """Simulate with sensitivities; `fold` gathers the rows (dr/db, dr/dpush, r) of every sample, b
-    being the coefficients and the map of the sensors.
-    """
-    size, count = rollout.coefficients.size, pushes.begin.shape[0]
-    directions = jnp.concatenate([jnp.eye(size), jnp.zeros((count, size))])
-    terms = rollout.equation(rollout.coefficients)[0].terms
-
-    def first(coefficients):
-        eq, start = rollout.equation(coefficients)
-        motion = begin(eq, start, observation, stage)
-        shown = glimpse(eq, motion, jnp.asarray(0), observation, stage)
-        return motion, chain.begin(shown.motion)
-
-    (motion, memory), (by_motion, by_memory) = along(first, (rollout.coefficients,), (directions,))
-
-    def forward(index, carry):
-        def step(coefficients, motion, missing):
-            eq, _ = rollout.equation(coefficients)
-            return advance(eq, motion, index, observation, stage, missing)
-
-        def pushed(leaf):
-            return jnp.concatenate([jnp.zeros(size), leaf[:, index]])
-
-        missing = jax.tree.map(jnp.asarray, NOTHING)
-        tangents = (directions, carry[1], jax.tree.map(pushed, pushes))
-        return along(step, (rollout.coefficients, carry[0], missing), tangents)
-
-    def look(index, carry, memory, by_memory):
-        def seen(coefficients, motion, memory):
-            eq, _ = rollout.equation(coefficients)
-            return through(chain, memory, glimpse(eq, motion, index, observation, stage))
-
-        primals = (rollout.coefficients, carry[0], memory)
-        return along(seen, primals, (directions, carry[1], by_memory))
-
-    def rows(index, shown, by_shown):
-        def misfit(shown, sensors):
-            return residual(shown, sensors, index, observation)
-
-        value, moved = along(lambda shown: misfit(shown, rollout.sensors), (shown,), (by_shown,))
-        eye = jnp.eye(rollout.sensors.size)
-        _, mapped = along(lambda sensors: misfit(shown, sensors), (rollout.sensors,), (eye,))
-        return jnp.concatenate([moved[:size], mapped, moved[size:], value[None]])
-
-    def gather(index, carry, gathered):
-        memories, folded = gathered
-        (memory, shown), (by_memory, by_shown) = look(index, carry, *memories)
-        return (memory, by_memory), fold(index, rows(index, shown.motion, by_shown.motion), folded)
-
-    def keep(index, carry, gathered):
-        memories, table = gathered
-        (memory, shown), (by_memory, by_shown) = look(index, carry, *memories)
-        kept = jax.tree.map(lambda all, one: all.at[..., index].set(one), table, (shown, by_shown))
-        return (memory, by_memory), kept
-
-    carry, memories = (motion, by_motion), (memory, by_memory)
-    if not shows(terms):
-        return march(forward, gather, carry, (memories, folded), stage.steps)[1]
-    # Where a gyro may be late, a sample hangs on later ones: all are simulated before one counts.
-    one = jnp.zeros(observation.time.size)
-    each = jnp.zeros((size + count, observation.time.size))
-    room = Shown(LegState(one, one), one, one), Shown(LegState(each, each), each, each)
-    table, by_table = march(forward, keep, carry, (memories, room), stage.steps)[1]
-    shown, by_shown = along(lambda seen: late(seen, observation, stage), (table,), (by_table,))
-
-    def count_in(index, _, folded):
-        now = jax.tree.map(lambda leaf: leaf[..., index], (shown, by_shown))
-        return fold(index, rows(index, *now), folded)
-
-    return march(lambda index, nothing: nothing, count_in, (), folded, stage.steps)
-
-
-def along(function, primals, tangents):
-    """The value of `function` and its derivatives along several directions at once."""
-
-    def one(*direction):
-        return jax.jvp(function, primals, direction)
-
-    return jax.vmap(one, out_axes=(None, 0))(*tangents)
 
 
 def outer(rows: Float[Array, "column 2"]) -> Float[Array, "column column"]:

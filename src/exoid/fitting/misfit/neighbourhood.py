@@ -1,12 +1,12 @@
 """The neighbourhood of a point of the fit: what penalties and standard errors are made of."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from jaxtyping import Float, Int
 
-from exoid.fitting.misfit.condensed import Condensed
+from exoid.fitting.misfit.condensed import Condensed, Local
 from exoid.fitting.model.constraint import Limits, violations_at
 from exoid.fitting.model.coordinates import (
     Coordinates,
@@ -23,17 +23,6 @@ from exoid.fitting.model.prior import Prior, mounting_residual, prior_residual, 
 COMPLEX_STEP = 1e-30  # exact to rounding: no difference is taken
 PENALTY = 100.0  # rho times the variance of a constraint: each round gains two digits
 WEAK = 1e-6  # relative curvature that stands in where neither data nor prior has any
-
-
-@dataclass(frozen=True, eq=False)
-class Local:
-    """First derivatives at a point in scaled coordinates, and the information they carry."""
-
-    data: Float[np.ndarray, "coordinate coordinate"]  # Gauss-Newton information of the misfit
-    prior: Float[np.ndarray, "coordinate coordinate"]  # of the prior, and of what is declared
-    declared: Float[np.ndarray, "coordinate coordinate"]  # of what is declared of the recordings
-    quantities: Float[np.ndarray, "quantity coordinate"]  # d of `coordinates.quantities`
-    constraints: Float[np.ndarray, "constraint coordinate"]  # d g
 
 
 def neighbourhood(

@@ -13,10 +13,11 @@ from exoid.fitting.data.observation import Observation
 from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.coordinates import Mounting, Unknowns
 from exoid.fitting.model.term_parameters import over_inertia
-from exoid.physics.leg import GRAVITY, Ratios
+from exoid.physics.leg import GRAVITY
 from exoid.physics.moment import Cycle, Place
 from exoid.physics.motion.step import Drive, march
 from exoid.physics.motion.with_terms import Motion, at_rest, delayed, extended_step, observed
+from exoid.physics.ratios import Ratios
 from exoid.physics.state import LegState
 from exoid.physics.term import Term
 

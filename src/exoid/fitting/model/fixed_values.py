@@ -8,9 +8,8 @@ import numpy as np
 
 from exoid.fitting.model.coordinates import Coordinates
 from exoid.physics.leg import GRAVITY
-from exoid.physics.library import name_of
 from exoid.physics.parameter import Declaration, declarations
-from exoid.physics.term import Term
+from exoid.physics.term import Term, name_of
 
 
 def imposed(point: Coordinates, fixed: Mapping[str, float]) -> Coordinates:

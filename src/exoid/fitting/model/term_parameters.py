@@ -6,9 +6,8 @@ from typing import Any
 import jax
 import numpy as np
 
-from exoid.physics.library import name_of
 from exoid.physics.parameter import Declaration, declarations
-from exoid.physics.term import Term
+from exoid.physics.term import Term, name_of
 
 HANGING = (-2.0, -1.0)  # rad, about where a drop ends
 PART = 0.05  # of a parameter's range, where no start of its says what is much

@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from exoid.fitting.misfit.condensed import Local
 from exoid.fitting.misfit.missed import Disturbance
-from exoid.fitting.misfit.neighbourhood import Local
 from exoid.fitting.misfit.uncertainty import decomposed, spread
 from exoid.fitting.model.coordinates import TYPICAL, Coordinates
 from exoid.fitting.solve.program_values import Solved

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from exoid.fitting.misfit.condensed import Local
 from exoid.fitting.misfit.missed import Disturbance
-from exoid.fitting.misfit.neighbourhood import Local
 from exoid.fitting.model.coordinates import TYPICAL, flattened, unflattened
 from exoid.fitting.multistart.declared import deviation_of, widened
 from exoid.fitting.multistart.weight_by_kind import explained

@@ -12,8 +12,8 @@ from exoid.fitting.multistart.ended import Ended
 from exoid.fitting.result.fit_result import Estimate
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.leg import LegParameters
-from exoid.physics.library import name_of
 from exoid.physics.parameter import Declaration, declarations
+from exoid.physics.term import name_of
 from exoid.physics.torque import CycleTorque
 
 NO_RATIO = 1e-3  # a ratio below it, at a bound of zero, is the rounding of the bound

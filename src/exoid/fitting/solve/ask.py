@@ -6,12 +6,12 @@ from dataclasses import replace
 import jax
 import numpy as np
 
-from exoid.fitting.misfit.condensed import Sensed
+from exoid.fitting.misfit.condensed import Local, Sensed
 from exoid.fitting.misfit.gram import Cause, Gram
 from exoid.fitting.misfit.gram_matrices import declared, grams, pushes
 from exoid.fitting.misfit.information import spoiled
 from exoid.fitting.misfit.missed import Disturbance
-from exoid.fitting.misfit.neighbourhood import Local, columns, gradients, neighbourhood
+from exoid.fitting.misfit.neighbourhood import columns, gradients, neighbourhood
 from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.coordinates import Coordinates, flattened
 from exoid.fitting.model.prior import mounting_residual

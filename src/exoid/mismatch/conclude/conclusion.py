@@ -33,8 +33,9 @@ from exoid.mismatch.search.found import Found, names, size
 from exoid.mismatch.search.resample import inclusion
 from exoid.mismatch.search.search import equivalents
 from exoid.mismatch.sensors.consistency import BIAS
-from exoid.physics.library import library, name_of
+from exoid.physics.library import library
 from exoid.physics.parameter import declarations
+from exoid.physics.term import name_of
 
 MOSTLY = 0.8  # the same, where noise is what the samples show
 SUSPECTS = 4  # causes of which it is said what they would change

@@ -9,8 +9,8 @@ from exoid.mismatch.screen.screened_recording import Bench
 from exoid.mismatch.screen.settled import Settled
 from exoid.mismatch.search.found import Found, names
 from exoid.mismatch.sensors.consistency import BIAS
-from exoid.physics.library import name_of
 from exoid.physics.parameter import declarations
+from exoid.physics.term import name_of
 
 REST_ANGLE, OFFSET = "stiffness_rest_angle", "angle_offset"
 FORMULA = "formula"  # the name of a term that has none

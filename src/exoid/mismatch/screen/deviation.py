@@ -12,9 +12,8 @@ import jax.numpy as jnp
 from jax.flatten_util import ravel_pytree
 from jaxtyping import Array, Float
 
-from exoid.fitting.misfit.condense import along
-from exoid.fitting.misfit.condensed import numbers_of
 from exoid.fitting.misfit.residual import Equation, advance, residual
+from exoid.fitting.misfit.rollout import along, numbers_of
 from exoid.fitting.model.coordinates import in_a_row
 from exoid.mismatch.screen.measured_motion import FREE
 from exoid.physics.motion.step import Drive, march

@@ -12,9 +12,9 @@ from jaxtyping import Array, Float, Int
 
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.observation import Observation
-from exoid.fitting.misfit.condense import outer, sweep
-from exoid.fitting.misfit.condensed import numbers_of, rollout_of
+from exoid.fitting.misfit.condense import outer
 from exoid.fitting.misfit.residual import predicted
+from exoid.fitting.misfit.rollout import numbers_of, rollout_of, sweep
 from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.coordinates import (
     Coordinates,

@@ -23,10 +23,9 @@ from exoid.fitting.solve.problem import Problem
 from exoid.mismatch.screen.hypothesis import Hypothesis
 from exoid.mismatch.screen.measured_motion import Course
 from exoid.mismatch.sensors.consistency import Consistency
-from exoid.physics.library import name_of
 from exoid.physics.parameter import Declaration, declarations
 from exoid.physics.sensing.angle_offset import AngleOffset
-from exoid.physics.term import Term
+from exoid.physics.term import Term, name_of
 
 OUTERMOST = 3.0  # standard deviations of a seat's tilt: one that is farther off is a cause
 FARTHEST = 5.0  # typical steps of the inertia from the fit: a factor of four

@@ -5,8 +5,7 @@ from dataclasses import dataclass
 from exoid.mismatch.evidence.yardstick import Yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis
 from exoid.mismatch.screen.settled import Settled
-from exoid.physics.library import name_of
-from exoid.physics.term import Term
+from exoid.physics.term import Term, name_of
 
 FLOOR = 1.3  # mean square over the noise at which nothing more is looked for
 

@@ -20,8 +20,7 @@ from exoid.mismatch.search.variants import (
     twins,
     with_sure_sensors,
 )
-from exoid.physics.library import name_of
-from exoid.physics.term import Term
+from exoid.physics.term import Term, name_of
 
 SHORT = 4  # candidates that run free, by what they explain pinned
 REACH = 3.0  # times the best, within which running free may change the order

@@ -13,9 +13,8 @@ from exoid.mismatch.screen.optimise import settle_free
 from exoid.mismatch.screen.screened_recording import Bench
 from exoid.mismatch.screen.settled import Settled
 from exoid.mismatch.sensors.consistency import BIAS
-from exoid.physics.library import name_of
 from exoid.physics.parameter import declarations
-from exoid.physics.term import Term
+from exoid.physics.term import Term, name_of
 
 PAIRED = 3  # first terms of a pair
 FREE_ROUNDS = 25
