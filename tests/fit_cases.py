@@ -7,7 +7,8 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from exoid.fitting.model.coordinates import Coordinates, Mounting, Own, Shared
+from exoid.fitting.model.coordinates import Coordinates, Own, Shared
+from exoid.fitting.model.mounting import Mounting
 from exoid.physics.leg import GRAVITY, LegModel, LegParameters
 from exoid.physics.motion.simulate import simulate
 from exoid.physics.state import LegState

@@ -8,7 +8,8 @@ import numpy as np
 
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.data.observation import Observation
-from exoid.fitting.model.coordinates import Coordinates, Mounting
+from exoid.fitting.model.coordinates import Coordinates
+from exoid.fitting.model.mounting import Mounting
 from exoid.fitting.model.systematics import OF_THE_GYRO, OWNED
 from exoid.fitting.multistart.starts import first_state, usual_mounting
 from exoid.fitting.result.fit_result import FitResult

@@ -14,7 +14,6 @@ from exoid.fitting.model.assumptions import Assumptions
 from exoid.fitting.model.belief import NAMES, Belief
 from exoid.fitting.model.coordinates import (
     Coordinates,
-    Mounting,
     Own,
     Shared,
     flattened,
@@ -23,6 +22,7 @@ from exoid.fitting.model.coordinates import (
     unflattened,
     with_inertia,
 )
+from exoid.fitting.model.mounting import Mounting
 from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.model.systematics import OWNED, Systematics
 from exoid.fitting.result.fit_result import FitResult

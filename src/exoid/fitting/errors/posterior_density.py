@@ -17,8 +17,8 @@ from exoid.fitting.misfit.condense import condense, linear_model, weighed
 from exoid.fitting.misfit.neighbourhood import columns, prior_information
 from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.misfit.uncertainty import whitening
-from exoid.fitting.model.belief import Belief
-from exoid.fitting.model.constraint import SIZE, Limits, violations_at
+from exoid.fitting.model.belief import Belief, Limits, Prior
+from exoid.fitting.model.constraint import SIZE, violations_at
 from exoid.fitting.model.coordinates import (
     Coordinates,
     Unknowns,
@@ -30,7 +30,6 @@ from exoid.fitting.model.coordinates import (
     unscaled,
 )
 from exoid.fitting.model.prior import (
-    Prior,
     log_jacobian,
     mounting_residual,
     prior_residual,

@@ -7,7 +7,8 @@ import numpy as np
 from jaxtyping import Float, Int
 
 from exoid.fitting.misfit.condensed import Condensed, Local
-from exoid.fitting.model.constraint import Limits, violations_at
+from exoid.fitting.model.belief import Limits, Prior
+from exoid.fitting.model.constraint import violations_at
 from exoid.fitting.model.coordinates import (
     Coordinates,
     by_segment,
@@ -18,7 +19,7 @@ from exoid.fitting.model.coordinates import (
     unflattened,
     unscaled,
 )
-from exoid.fitting.model.prior import Prior, mounting_residual, prior_residual, term_residual
+from exoid.fitting.model.prior import mounting_residual, prior_residual, term_residual
 
 COMPLEX_STEP = 1e-30  # exact to rounding: no difference is taken
 PENALTY = 100.0  # rho times the variance of a constraint: each round gains two digits

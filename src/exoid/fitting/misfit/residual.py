@@ -11,7 +11,8 @@ from jaxtyping import Array, Float, Int
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.misfit.stage import Stage
-from exoid.fitting.model.coordinates import Mounting, Unknowns
+from exoid.fitting.model.coordinates import Unknowns
+from exoid.fitting.model.mounting import Mounting
 from exoid.fitting.model.term_parameters import over_inertia
 from exoid.physics.leg import GRAVITY
 from exoid.physics.moment import Cycle, Place

@@ -1,40 +1,21 @@
 """Constraints g(leg, torque) <= 0, each with its unit and its reason (Eq. 12 and 13)."""
 
-from collections.abc import Sequence
-from dataclasses import fields
 from typing import Any
 
-import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
-from jaxtyping import Float, Inexact
+from jaxtyping import Inexact
 
+from exoid.fitting.model.belief import Limits
 from exoid.fitting.model.coordinates import (
     Coordinates,
     leg_parameters,
     torque_amplitudes,
     with_inertia,
 )
-from exoid.fitting.model.term_parameters import parameters_of, typical_term
+from exoid.fitting.model.term_parameters import typical_term
 from exoid.physics.leg import LegParameters
-from exoid.physics.term import Term
-
-
-class Limits(eqx.Module):
-    """Bounds as in Eq. 13 and what holds for every rigid leg, m l^2 <= J <= reach m l.
-
-    The left side is Eq. 12. The right side says that no part of the leg is farther from the knee
-    than `reach`, so J = int r^2 dm <= reach int r dm. An infinite limit is no limit. Where the two
-    ends of a bound are one, the parameter is fixed.
-    """
-
-    lower: LegParameters
-    upper: LegParameters
-    torque: Float[Any, ""]  # N m, greatest amplitude
-    reach: Float[Any, ""]  # m
-    lower_terms: tuple[Term, ...] = ()
-    upper_terms: tuple[Term, ...] = ()
 
 
 def violations_at(limits: Limits, point: Coordinates, xp=jnp):
@@ -84,15 +65,6 @@ def violations(
     drive = [(torque - limits.torque) / SIZE_TORQUE, (-torque - limits.torque) / SIZE_TORQUE]
     each = xp.concatenate([every, *drive])
     return xp.where(xp.isfinite(each), each, NEVER)
-
-
-def constraint_names(segments: int, terms: Sequence[type[Term]] = ()) -> list[str]:
-    """Which parameter each entry of `violations_at` limits, or the rule that it states."""
-    parameters = [entry.name for entry in fields(LegParameters)]
-    torques = [f"torque_amplitude[{number}]" for number in range(segments)]
-    rules = ["m l^2 <= J", "J <= reach m l"]
-    of_terms = [name for name, _ in parameters_of(terms)]
-    return [*parameters, *parameters, *rules, *torques, *torques, *of_terms, *of_terms]
 
 
 SIZE = LegParameters(*map(np.asarray, (1.0, 0.1, 0.1, 0.1, 1.0)))

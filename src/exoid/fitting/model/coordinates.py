@@ -15,6 +15,7 @@ import numpy as np
 from jax.flatten_util import ravel_pytree
 from jaxtyping import Float, Inexact, Int, Num
 
+from exoid.fitting.model.mounting import Mounting
 from exoid.fitting.model.term_parameters import (
     over_inertia,
     parameters_of,
@@ -36,22 +37,6 @@ class Shared(eqx.Module):
     gravity: Float[Any, "*batch"]  # m l g / J, 1/s^2
     stiffness: Float[Any, "*batch"]  # c / J, 1/s^2
     damping: Float[Any, "*batch"]  # d / J, 1/s
-
-
-class Mounting(eqx.Module):
-    """What a recording owns: by how much sensors, seat and added mass differ from what is declared.
-
-    A leaf without entries is no unknown of this fit: everything is as declared.
-    """
-
-    log_distance: Float[Any, "..."]  # log(distance of the added mass over the declared one)
-    log_added: Float[Any, "..."]  # log(added mass over the declared one)
-    extent: Float[Any, "..."]  # m^2, its squared radius of gyration less the declared one
-    zero: Float[Any, "..."]  # rad, what the encoder shows with the knee extended
-    tilt: Float[Any, "..."]  # rad, of the thigh beyond the declared angle
-    gyro_scale: Float[Any, "..."]  # relative, less 1
-    gyro_bias: Float[Any, "..."]  # rad/s
-    clock: Float[Any, "..."]  # relative: true seconds in a recorded one, less 1
 
 
 class Own(eqx.Module):

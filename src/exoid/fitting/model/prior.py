@@ -4,42 +4,23 @@ from collections.abc import Mapping
 from dataclasses import fields, replace
 from typing import Any
 
-import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
-from jaxtyping import Float, Inexact
+from jaxtyping import Inexact
 
-from exoid.fitting.model.coordinates import Coordinates, Mounting, with_inertia
+from exoid.fitting.model.belief import Prior
+from exoid.fitting.model.coordinates import Coordinates, with_inertia
+from exoid.fitting.model.mounting import Mounting
 from exoid.physics.anatomy.expected import ExpectedLeg
 from exoid.physics.anatomy.knee import LOG_SCATTER, NONE
 from exoid.physics.leg import LegParameters
 from exoid.physics.parameter import declarations
-from exoid.physics.term import Term
 
 SIZE = {"mass": (1.0, 0.0, 0.0), "com_distance": (0.0, 1.0, 0.0), "inertia": (1.0, 1.0, 1.0)}
 KNEE = ("damping", "stiffness")
 NAMES = [entry.name for entry in fields(LegParameters)]
 TINY = 0.01  # of what is expected: below it a logarithm becomes a line, which has no end
-
-
-class Prior(eqx.Module):
-    """Normal in the logarithms of m, l and J / (m l), and of d / J and c / J; or in own units.
-
-    `whitening` is W with W'W the inverse covariance of the three, `knee` one over the standard
-    deviation of the two; 0 says nothing. `own` are values in the parameters' own units, an infinite
-    deviation says nothing.
-    """
-
-    centre: LegParameters
-    whitening: Float[Any, "row 3"]
-    knee: Float[Any, " 2"]
-    own: LegParameters
-    own_deviation: LegParameters
-    weight: Float[Any, ""]  # lambda of Eq. 11
-    mounting: Mounting | None = None  # standard deviations of what recordings own
-    terms: tuple[Term, ...] = ()  # what is expected of the terms' parameters
-    terms_deviation: tuple[Term, ...] = ()  # an infinite one says nothing
 
 
 def prior_residual(prior: Prior, leg: LegParameters, xp=jnp) -> Inexact[Any, " row *column"]:

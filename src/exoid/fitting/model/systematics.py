@@ -7,7 +7,7 @@ from typing import Annotated
 
 import numpy as np
 
-from exoid.fitting.model.coordinates import Mounting
+from exoid.fitting.model.mounting import Mounting
 from exoid.recordings.recording import Recording
 
 OWNED = tuple(each.name for each in fields(Mounting))

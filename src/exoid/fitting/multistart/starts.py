@@ -8,8 +8,9 @@ import numpy as np
 
 from exoid.fitting.data.movement import Movement, smoothed_motion
 from exoid.fitting.data.observe import cycle_torque
-from exoid.fitting.model.constraint import Limits
-from exoid.fitting.model.coordinates import Coordinates, Mounting, Own, Shared
+from exoid.fitting.model.belief import Limits
+from exoid.fitting.model.coordinates import Coordinates, Own, Shared
+from exoid.fitting.model.mounting import Mounting
 from exoid.fitting.model.prior_and_limits import leg_limits
 from exoid.fitting.model.systematics import OWNED
 from exoid.fitting.model.term_parameters import over_inertia, term_of

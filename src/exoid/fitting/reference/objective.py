@@ -13,12 +13,11 @@ from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.misfit.residual import predict, residual
 from exoid.fitting.misfit.stage import Stage
-from exoid.fitting.model.belief import NAMES
+from exoid.fitting.model.belief import NAMES, Prior
 from exoid.fitting.model.constraint import NEVER, SIZE, SIZE_TORQUE, term_violations, violations_at
 from exoid.fitting.model.coordinates import (
     TYPICAL,
     Coordinates,
-    Mounting,
     Own,
     Shared,
     Unknowns,
@@ -26,7 +25,8 @@ from exoid.fitting.model.coordinates import (
     of_segments,
     scaled,
 )
-from exoid.fitting.model.prior import Prior, mounting_residual, prior_residual, term_residual
+from exoid.fitting.model.mounting import Mounting
+from exoid.fitting.model.prior import mounting_residual, prior_residual, term_residual
 from exoid.fitting.model.term_parameters import over_inertia, parameters_of, step_of, term_of
 from exoid.fitting.multistart.starts import first_state, usual_mounting
 from exoid.fitting.solve.problem import Problem

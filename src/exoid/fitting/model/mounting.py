@@ -1,0 +1,22 @@
+"""What a recording owns beside the leg."""
+
+from typing import Any
+
+import equinox as eqx
+from jaxtyping import Float
+
+
+class Mounting(eqx.Module):
+    """What a recording owns: by how much sensors, seat and added mass differ from what is declared.
+
+    A leaf without entries is no unknown of this fit: everything is as declared.
+    """
+
+    log_distance: Float[Any, "..."]  # log(distance of the added mass over the declared one)
+    log_added: Float[Any, "..."]  # log(added mass over the declared one)
+    extent: Float[Any, "..."]  # m^2, its squared radius of gyration less the declared one
+    zero: Float[Any, "..."]  # rad, what the encoder shows with the knee extended
+    tilt: Float[Any, "..."]  # rad, of the thigh beyond the declared angle
+    gyro_scale: Float[Any, "..."]  # relative, less 1
+    gyro_bias: Float[Any, "..."]  # rad/s
+    clock: Float[Any, "..."]  # relative: true seconds in a recorded one, less 1
