@@ -9,6 +9,7 @@ from exoid.report.figures.figure import Figure
 from exoid.report.figures.marks import MOST, Place, draw_mark
 from exoid.report.figures.style import TEMPLATE
 from exoid.report.pictures.panel import Axis, Line, Note, Panel, Picture
+from exoid.report.pictures.role import Role
 from exoid.report.words.typeset import with_formulas
 
 UNIT = 64  # pixels of a panel of size one
@@ -21,12 +22,13 @@ def draw(picture: Picture) -> Figure:
     """With the same words; where samples are too many to be seen, the caption says so."""
     panels = picture.panels
     shared = all(panel.across == panels[0].across for panel in panels)
-    drawing, named = Drawing(layout={"template": TEMPLATE}), dict[str, bool]()
+    drawing, named = Drawing(layout={"template": TEMPLATE}), set[Role]()
     for number, panel in enumerate(panels, start=1):
-        place = Place(named_axis("x", 1 if shared else number), named_axis("y", number), panel)
+        x, y = named_axis("x", 1 if shared else number), named_axis("y", number)
+        place = Place(drawing, x, y, panel, named)
         absent = (Note(panel.absent, 0.5, 0.0),) if panel.absent else ()
         for mark in (*panel.marks, *absent):
-            draw_mark(drawing, mark, place, named)
+            draw_mark(mark, place)
     arrange(drawing, panels, SHARED if shared else APART, len(panels) if shared else None)
     top = LEGEND if named else EDGE
     height = drawing.layout.height + top + FOOT  # pyright: ignore[reportAttributeAccessIssue]

@@ -3,8 +3,9 @@
 from rich.console import Console
 
 from exoid.mismatch.answer.diagnosis import Diagnosis, Tested
+from exoid.report.tables.table import Column, Table, print_table
 from exoid.report.words.diagnosis import headline, sentences
-from exoid.report.words.text import capital, heading, say, table
+from exoid.report.words.text import capital, heading, say
 
 MOST = 8  # candidates that are listed
 MARGIN = 15  # characters, as wide as the longest heading
@@ -18,8 +19,7 @@ def print_diagnosis(found: Diagnosis, console: Console) -> None:
     heading(console, headline(found))
     for title, sentence in sentences(found).items():
         say(console, f"{title + ':':{MARGIN}s}{sentence}", MARGIN)
-    heading(console, "Candidates")
-    console.print(table(candidates(found)))
+    print_table(candidates(found), console)
     say(
         console,
         "left: mean square of what is left over the noise, 1.00 is the noise itself; evidence: log "
@@ -28,20 +28,21 @@ def print_diagnosis(found: Diagnosis, console: Console) -> None:
     console.print()
 
 
-def candidates(found: Diagnosis) -> dict[str, list[str]]:
-    """The columns of the table: those that ran free, then the rest as they were first seen."""
+def candidates(found: Diagnosis) -> Table:
+    """Those that ran free, the most evident first."""
     rows = [("baseline, Eq. 9", found.baseline.mean_square, "", "")]
     ran = sorted([*found.pairs, *found.singles], key=evidence, reverse=True)[:MOST]
     for one in [*ran, *([found.best] if found.formula is not None else [])]:
         label = " + ".join(one.terms).replace("_", " ")
         mark = "chosen" if one.chosen else ""
         rows.append((label, one.mean_square, f"{one.evidence:.0f}", mark))
-    return {
+    columns = {
         "cause": [row[0] for row in rows],
         "left": [f"{row[1]:.2f}" for row in rows],
         "evidence": [row[2] for row in rows],
-        " ": [row[3] for row in rows],
+        "verdict": Column([row[3] for row in rows], head=" "),
     }
+    return Table("The candidates that ran free", columns, "Candidates")
 
 
 def evidence(one: Tested) -> float:
