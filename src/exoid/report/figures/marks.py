@@ -43,7 +43,7 @@ class Place:
 
     def add(self, kind: str, role: Role | None, **look: Any) -> None:
         """A trace; the first of a role is named in the legend."""
-        legend: dict[str, Any] = {"showlegend": False}
+        legend: dict[str, Any] = {"name": "", "showlegend": False}
         if role is not None and role.title:
             first = role not in self.named
             legend = {"name": role.title, "legendgroup": role.title, "showlegend": first}
@@ -113,7 +113,8 @@ def draw_line(role: Role, x: Values, y: Values, place: Place) -> None:
     if role.look.marker:
         look |= {"mode": "lines+markers", "marker": dots(role.look)}
     told = f"%{{y:.3f}} {tidy(place.panel.up.unit.replace('-', ''))}"
-    place.add("scatter", role, x=compact(x[kept]), y=compact(y[kept]), hovertemplate=told, **look)
+    look |= {"hovertemplate": told} if role.title else {"hoverinfo": "skip"}
+    place.add("scatter", role, x=compact(x[kept]), y=compact(y[kept]), **look)
 
 
 def draw_cloud(mark: Cloud, place: Place) -> None:
