@@ -9,6 +9,7 @@ from plotly.graph_objects import Figure as Drawing
 
 from exoid.report.figures.style import area, bar, dots, line
 from exoid.report.pictures.panel import (
+    NEAR_TOP,
     Band,
     Bars,
     Cloud,
@@ -100,7 +101,7 @@ def draw_mark(mark: Mark, place: Place) -> None:
             tail = {"ax": x, "ay": low, "axref": place.x, "ayref": place.y}
             place.say("", end, high, showarrow=True, arrowcolor=GREY, **tail, **ARROW)
             apart = {"xanchor": "left", "xshift": 4} if x == end else {"yanchor": "bottom"}
-            place.say(name, (x + end) / 2, (low + high) / 2, **apart)
+            place.say(name, (x + end) / 2, high - NEAR_TOP * (high - low), **apart)
         case Note(words, across, height):
             side = "left" if across < 0.1 else "right" if across > 0.9 else "center"
             place.say(words, across, height, xref=f"{place.x} domain", xanchor=side)
