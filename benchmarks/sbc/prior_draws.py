@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from exoid.fitting.model.belief import Prior
+from exoid.fitting.model.limits import Prior
 from exoid.physics.anatomy.knee import NONE
 from exoid.physics.leg import LegParameters
 

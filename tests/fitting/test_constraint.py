@@ -6,8 +6,8 @@ import jax
 import numpy as np
 import pytest
 
-from exoid.fitting.model.belief import constraint_names
 from exoid.fitting.model.constraint import NEVER, violations
+from exoid.fitting.model.limits import constraint_names
 from exoid.fitting.model.prior_and_limits import leg_limits, limits_of, paper_bounds, rig_limits
 from exoid.physics.anatomy import reach
 from exoid.physics.leg import LegParameters

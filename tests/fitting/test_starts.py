@@ -5,9 +5,9 @@ import numpy as np
 import pytest
 
 from exoid.fitting.data.segment import movement
-from exoid.fitting.model.belief import constraint_names
 from exoid.fitting.model.constraint import violations
 from exoid.fitting.model.coordinates import leg_parameters, torque_amplitudes
+from exoid.fitting.model.limits import constraint_names
 from exoid.fitting.model.prior_and_limits import leg_limits, limits_by_hand
 from exoid.fitting.model.user_values import ByHand
 from exoid.fitting.multistart.starts import coordinates, draw, first_state

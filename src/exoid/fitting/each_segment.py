@@ -9,8 +9,9 @@ from exoid.fitting.estimate import PLAIN_SCALE, fit, left_out, movements_of, seg
 from exoid.fitting.misfit.neighbourhood import derivative
 from exoid.fitting.misfit.uncertainty import Information
 from exoid.fitting.model.assumptions import Assumptions, by_hand
-from exoid.fitting.model.belief import NAMES, Belief, constraint_names
+from exoid.fitting.model.belief import NAMES, Belief
 from exoid.fitting.model.constraint import NEVER, violations
+from exoid.fitting.model.limits import constraint_names
 from exoid.fitting.model.prior import prior_residual
 from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.result.estimates import parameter_estimate, with_reasons

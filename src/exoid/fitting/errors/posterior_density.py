@@ -17,7 +17,7 @@ from exoid.fitting.misfit.condense import condense, linear_model, weighed
 from exoid.fitting.misfit.neighbourhood import columns, prior_information
 from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.misfit.uncertainty import whitening
-from exoid.fitting.model.belief import Belief, Limits, Prior
+from exoid.fitting.model.belief import Belief
 from exoid.fitting.model.constraint import SIZE, violations_at
 from exoid.fitting.model.coordinates import (
     Coordinates,
@@ -29,6 +29,7 @@ from exoid.fitting.model.coordinates import (
     unflattened,
     unscaled,
 )
+from exoid.fitting.model.limits import Limits, Prior
 from exoid.fitting.model.prior import (
     log_jacobian,
     mounting_residual,

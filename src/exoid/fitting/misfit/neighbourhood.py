@@ -7,7 +7,6 @@ import numpy as np
 from jaxtyping import Float, Int
 
 from exoid.fitting.misfit.condensed import Condensed, Local
-from exoid.fitting.model.belief import Limits, Prior
 from exoid.fitting.model.constraint import violations_at
 from exoid.fitting.model.coordinates import (
     Coordinates,
@@ -19,6 +18,7 @@ from exoid.fitting.model.coordinates import (
     unflattened,
     unscaled,
 )
+from exoid.fitting.model.limits import Limits, Prior
 from exoid.fitting.model.prior import mounting_residual, prior_residual, term_residual
 
 COMPLEX_STEP = 1e-30  # exact to rounding: no difference is taken

@@ -7,13 +7,13 @@ import jax.numpy as jnp
 import numpy as np
 from jaxtyping import Inexact
 
-from exoid.fitting.model.belief import Limits
 from exoid.fitting.model.coordinates import (
     Coordinates,
     leg_parameters,
     torque_amplitudes,
     with_inertia,
 )
+from exoid.fitting.model.limits import Limits
 from exoid.fitting.model.term_parameters import typical_term
 from exoid.physics.leg import LegParameters
 

@@ -9,8 +9,8 @@ import jax.numpy as jnp
 import numpy as np
 from jaxtyping import Inexact
 
-from exoid.fitting.model.belief import Prior
 from exoid.fitting.model.coordinates import Coordinates, with_inertia
+from exoid.fitting.model.limits import Prior
 from exoid.fitting.model.mounting import Mounting
 from exoid.physics.anatomy.expected import ExpectedLeg
 from exoid.physics.anatomy.knee import LOG_SCATTER, NONE

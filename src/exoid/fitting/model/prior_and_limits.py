@@ -5,7 +5,8 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.fitting.model.assumptions import Assumptions, BoundsName, PriorName
-from exoid.fitting.model.belief import NAMES, Belief, Limits, Prior
+from exoid.fitting.model.belief import NAMES, Belief
+from exoid.fitting.model.limits import Limits, Prior
 from exoid.fitting.model.prior import joint_prior, no_prior, own_units, with_own
 from exoid.fitting.model.term_parameters import parameters_of, term_of
 from exoid.fitting.model.user_values import ByHand, Expectations

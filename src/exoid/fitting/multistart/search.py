@@ -35,7 +35,8 @@ def search(
 
     Tied to the measured motion over its first second, then over all of it, then free. Each time
     starts that have come together are carried on by the best of them; its free fit meets prior
-    and limits. Also the problem, its priors wider where a seat or a clock is unusual (`seldom.py`).
+    and limits. Also the problem, its priors wider where a seat or a clock is unusual
+    (`gross_errors.py`).
     """
     tether, weaker = tethers(problem)
     greatest = 2 / problem.longest_step - 2 * tether

@@ -8,8 +8,8 @@ import numpy as np
 
 from exoid.fitting.data.movement import Movement, smoothed_motion
 from exoid.fitting.data.observe import cycle_torque
-from exoid.fitting.model.belief import Limits
 from exoid.fitting.model.coordinates import Coordinates, Own, Shared
+from exoid.fitting.model.limits import Limits
 from exoid.fitting.model.mounting import Mounting
 from exoid.fitting.model.prior_and_limits import leg_limits
 from exoid.fitting.model.systematics import OWNED

@@ -13,7 +13,7 @@ from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.misfit.residual import predict, residual
 from exoid.fitting.misfit.stage import Stage
-from exoid.fitting.model.belief import NAMES, Prior
+from exoid.fitting.model.belief import NAMES
 from exoid.fitting.model.constraint import NEVER, SIZE, SIZE_TORQUE, term_violations, violations_at
 from exoid.fitting.model.coordinates import (
     TYPICAL,
@@ -25,6 +25,7 @@ from exoid.fitting.model.coordinates import (
     of_segments,
     scaled,
 )
+from exoid.fitting.model.limits import Prior
 from exoid.fitting.model.mounting import Mounting
 from exoid.fitting.model.prior import mounting_residual, prior_residual, term_residual
 from exoid.fitting.model.term_parameters import over_inertia, parameters_of, step_of, term_of

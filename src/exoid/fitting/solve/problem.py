@@ -8,8 +8,9 @@ import numpy as np
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.data.observation import Observation
-from exoid.fitting.model.belief import Belief, constraint_names
+from exoid.fitting.model.belief import Belief
 from exoid.fitting.model.coordinates import Own, Shared, Unknowns, quantity_names
+from exoid.fitting.model.limits import constraint_names
 from exoid.fitting.model.mounting import Mounting
 from exoid.fitting.model.systematics import OWNED, is_exact
 from exoid.fitting.model.term_parameters import parameters_of, term_of

@@ -12,7 +12,6 @@ from exoid.fitting.misfit.condense import condense, linear_model, misfit, sense,
 from exoid.fitting.misfit.condensed import Condensed, Sensed
 from exoid.fitting.misfit.residual import predict
 from exoid.fitting.misfit.stage import Stage
-from exoid.fitting.model.belief import Limits, Prior
 from exoid.fitting.model.constraint import NEVER, term_violations, violations
 from exoid.fitting.model.coordinates import (
     Coordinates,
@@ -24,6 +23,7 @@ from exoid.fitting.model.coordinates import (
     torque_amplitudes,
     unscaled,
 )
+from exoid.fitting.model.limits import Limits, Prior
 from exoid.fitting.model.prior import mounting_residual, prior_residual, term_residual
 from exoid.fitting.solve.augmented_lagrangian import minimise
 from exoid.fitting.solve.program_values import Aim, Solved, Task

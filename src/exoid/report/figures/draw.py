@@ -1,14 +1,15 @@
 """Draws a picture by plotly: its panels above each other."""
 
+from dataclasses import dataclass
 from math import log10
 from typing import Any
 
 from plotly.graph_objects import Figure as Drawing
 
-from exoid.report.figures.figure import Figure
 from exoid.report.figures.marks import MOST, Place, draw_mark
 from exoid.report.figures.style import TEMPLATE
 from exoid.report.pictures.panel import Axis, Line, Note, Panel, Picture
+from exoid.report.pictures.role import Role
 from exoid.report.words.typeset import with_formulas
 
 UNIT = 64  # pixels of a panel of size one
@@ -17,29 +18,46 @@ LEGEND, EDGE, FOOT = 38, 12, 46  # pixels above the panels, and below them
 FINE = 2.5  # powers of ten, below which 1, 2 and 5 of each are named
 
 
+@dataclass(frozen=True, eq=False)
+class Figure:
+    """A picture as plotly draws it, and what is said below it."""
+
+    drawing: Drawing
+    height: int  # pixels
+    caption: str
+
+    @property
+    def document(self) -> str:
+        """The drawing as JSON; its angle brackets are escapes, so that no text ends a script."""
+        text = self.drawing.to_json()
+        assert text is not None  # what plotly drew, it can write
+        return text
+
+
 def draw(picture: Picture) -> Figure:
-    """With the same words; where samples are too many to be seen, the caption says so."""
+    """With its caption; where samples are too many to be seen, the caption says so."""
     panels = picture.panels
     shared = all(panel.across == panels[0].across for panel in panels)
-    drawing, named = Drawing(layout={"template": TEMPLATE}), dict[str, bool]()
+    drawing, named = Drawing(layout={"template": TEMPLATE}), set[Role]()
     for number, panel in enumerate(panels, start=1):
-        place = Place(named_axis("x", 1 if shared else number), named_axis("y", number), panel)
+        x, y = named_axis("x", 1 if shared else number), named_axis("y", number)
+        place = Place(drawing, x, y, panel, named)
         absent = (Note(panel.absent, 0.5, 0.0),) if panel.absent else ()
         for mark in (*panel.marks, *absent):
-            draw_mark(drawing, mark, place, named)
-    arrange(drawing, panels, SHARED if shared else APART, len(panels) if shared else None)
+            draw_mark(mark, place)
+    gap, lowest = (SHARED, len(panels)) if shared else (APART, None)
     top = LEGEND if named else EDGE
-    height = drawing.layout.height + top + FOOT  # pyright: ignore[reportAttributeAccessIssue]
+    height = arrange(drawing, panels, gap, lowest) + top + FOOT
     drawing.update_layout(height=height, showlegend=bool(named), margin={"t": top})
     if any(panel.of(Line) for panel in panels):
         drawing.update_layout(hovermode="x unified", hoversubplots="axis")
     step = max([-(-each.x.size // MOST) for panel in panels for each in panel.of(Line)], default=1)
     drawn = "" if step <= 1 else f" One sample in {step} is drawn."
-    return Figure(picture.name, picture.alt, f"{picture.caption}{drawn}", drawing, picture.linked)
+    return Figure(drawing, height, f"{picture.caption}{drawn}")
 
 
-def arrange(drawing: Drawing, panels: tuple[Panel, ...], gap: int, lowest: int | None) -> None:
-    """The axes of panels above each other; `lowest` is the number of the one that all share."""
+def arrange(drawing: Drawing, panels: tuple[Panel, ...], gap: int, lowest: int | None) -> int:
+    """Panels above each other, and their height; all stand on the axis of number `lowest`."""
     heights = [UNIT * panel.size for panel in panels]
     whole = sum(heights) + gap * (len(panels) - 1)
     top = whole
@@ -55,7 +73,8 @@ def arrange(drawing: Drawing, panels: tuple[Panel, ...], gap: int, lowest: int |
             }
             drawing.update_layout({f"xaxis{at}": anchored})
         top -= height + gap
-    drawing.update_layout(height=int(whole), barmode="overlay", bargap=0.25)
+    drawing.update_layout(barmode="overlay", bargap=0.25)
+    return int(whole)
 
 
 def named_axis(letter: str, number: int) -> str:

@@ -5,11 +5,11 @@ from typing import Any
 
 import numpy as np
 from jaxtyping import Float
-from plotly.graph_objects import Bar, Scatter
 from plotly.graph_objects import Figure as Drawing
 
 from exoid.report.figures.style import area, bar, dots, line
 from exoid.report.pictures.panel import (
+    NEAR_TOP,
     Band,
     Bars,
     Cloud,
@@ -34,111 +34,94 @@ COLOURS = [(at / (len(DIVERGING) - 1), colour) for at, colour in enumerate(DIVER
 
 @dataclass(frozen=True)
 class Place:
-    """The axes of a panel by plotly's names."""
+    """A panel's axes by plotly's names, in a drawing whose legend has the roles `named`."""
 
+    drawing: Drawing
     x: str
     y: str
     panel: Panel
+    named: set[Role]
 
-    @property
-    def axes(self) -> dict[str, str]:
-        return {"xaxis": self.x, "yaxis": self.y}
+    def add(self, kind: str, role: Role | None, **look: Any) -> None:
+        """A trace; the first of a role is named in the legend."""
+        legend: dict[str, Any] = {"name": "", "showlegend": False}
+        if role is not None and role.title:
+            first = role not in self.named
+            legend = {"name": role.title, "legendgroup": role.title, "showlegend": first}
+            self.named.add(role)
+        self.drawing.add_trace({"type": kind, "xaxis": self.x, "yaxis": self.y, **legend, **look})
 
-    @property
-    def references(self) -> dict[str, str]:
-        return {"xref": self.x, "yref": self.y}
+    def shape(self, look: dict[str, Any], x: tuple | None = None, y: tuple | None = None) -> None:
+        """From one place to another; through the whole panel where none is given."""
+        (x0, x1), (y0, y1) = x or (0, 1), y or (0, 1)
+        xref, yref = (
+            f"{name}{'' if ends else ' domain'}" for name, ends in ((self.x, x), (self.y, y))
+        )
+        self.drawing.add_shape(x0=x0, x1=x1, y0=y0, y1=y1, xref=xref, yref=yref, **look)
 
-    def hover(self, *, across: bool) -> str:
-        """What is told of a point; along a curve the time is told once for all of them."""
+    def say(self, words: str, x: float, y: float, **look: Any) -> None:
+        """Words at a place."""
+        where = {"x": x, "y": y, "xref": self.x, "yref": self.y, "showarrow": False}
+        self.drawing.add_annotation(where | {"text": with_formulas(words)} | look)
+
+    def point(self) -> str:
+        """What is told of a point."""
         x, y = (tidy(axis.unit.replace("-", "")) for axis in (self.panel.across, self.panel.up))
-        if not across:
-            return f"%{{y:.3f}} {y}"
         return f"%{{x:.4g}} {x}" + ("" if self.panel.up.hidden else f", %{{y:.4g}} {y}")
 
 
-def draw_mark(drawing: Drawing, mark: Mark, place: Place, named: dict[str, bool]) -> None:
-    """One thing; `named` are those that the legend has already."""
+def draw_mark(mark: Mark, place: Place) -> None:
+    """One thing."""
     match mark:
         case Line(role, x, y):
-            kept = thinned(x)
-            mode = "lines+markers" if role.look.marker else "lines"
-            look = {"line": line(role.look), **legend(role, named)}
-            if role.look.marker:
-                look["marker"] = dots(role.look)
-            samples = {"x": compact(x[kept]), "y": compact(y[kept])}
-            told = place.hover(across=False)
-            drawing.add_trace(
-                Scatter(mode=mode, hovertemplate=told, **samples, **look, **place.axes)
-            )
-        case Points(role):
-            drawing.add_trace(points(mark, place, named))
+            draw_line(role, x, y, place)
+        case Points(role, x, y, dx, dy):
+            each = {axis: [error] * x.size for axis, error in (("x", dx), ("y", dy)) if error}
+            look = {"color": role.look.colour, "thickness": 1.6}
+            errors = {f"error_{axis}": {"array": bars, **look} for axis, bars in each.items()}
+            look = {"mode": "markers", "marker": dots(role.look), "hovertemplate": place.point()}
+            place.add("scatter", role, x=compact(x), y=compact(y), **look, **errors)
         case Band(role, low, high):
-            ends = {"x0": 0, "x1": 1, "y0": low, "y1": high}
-            shape(drawing, "rect", ends | area(role.look), f"{place.x} domain", place.y)
+            place.shape(area(role.look), y=(low, high))
         case Region(role, begin, end):
-            ends = {"x0": begin, "x1": end, "y0": 0, "y1": 1}
-            shape(drawing, "rect", ends | area(role.look), place.x, f"{place.y} domain")
-        case Rule(role, at, True):
-            ends = {"x0": at, "x1": at, "y0": 0, "y1": 1, "line": line(role.look)}
-            shape(drawing, "line", ends, place.x, f"{place.y} domain")
-        case Rule(role, at):
-            ends = {"x0": 0, "x1": 1, "y0": at, "y1": at, "line": line(role.look)}
-            shape(drawing, "line", ends, f"{place.x} domain", place.y)
-        case Bars():
-            drawing.add_trace(bars(mark, place, named))
+            place.shape(area(role.look), x=(begin, end))
+        case Rule(role, at, upright):
+            rule = {"type": "line", "line": line(role.look)}
+            place.shape(rule, **{"x" if upright else "y": (at, at)})
+        case Bars(role, rows, lengths, begin, words):
+            told = f"{place.panel.across.title}: %{{x:.3g}}<extra></extra>"
+            look = {"orientation": "h", "marker": bar(role.look), "hovertemplate": told}
+            base = {} if begin is None else {"base": compact(begin)}
+            beside = {"text": words, "textposition": "outside", "cliponaxis": False}
+            more = base | (beside if words else {})
+            place.add("bar", role, x=compact(lengths), y=compact(rows), **look, **more)
         case Cloud():
-            drawing.add_trace(cloud(mark, place))
-        case Span():
-            draw_span(drawing, mark, place)
+            draw_cloud(mark, place)
+        case Span((x, low), (end, high), name):
+            tail = {"ax": x, "ay": low, "axref": place.x, "ayref": place.y}
+            place.say("", end, high, showarrow=True, arrowcolor=GREY, **tail, **ARROW)
+            apart = {"xanchor": "left", "xshift": 4} if x == end else {"yanchor": "bottom"}
+            place.say(name, (x + end) / 2, high - NEAR_TOP * (high - low), **apart)
         case Note(words, across, height):
             side = "left" if across < 0.1 else "right" if across > 0.9 else "center"
-            words = with_formulas(words)
-            where = {"x": across, "y": height, "xref": f"{place.x} domain", "yref": place.y}
-            drawing.add_annotation(text=words, xanchor=side, showarrow=False, **where)
+            place.say(words, across, height, xref=f"{place.x} domain", xanchor=side)
 
 
-def shape(drawing: Drawing, kind: str, look: dict[str, Any], x: str, y: str) -> None:
-    """An area below all curves, or a line above all bars."""
-    layer = "above" if kind == "line" else "below"
-    drawing.add_shape(type=kind, layer=layer, xref=x, yref=y, **look)
+def draw_line(role: Role, x: Values, y: Values, place: Place) -> None:
+    """A curve, along which the time is told once for all."""
+    kept = thinned(x)
+    look: dict[str, Any] = {"mode": "lines", "line": line(role.look)}
+    if role.look.marker:
+        look |= {"mode": "lines+markers", "marker": dots(role.look)}
+    told = f"%{{y:.3f}} {tidy(place.panel.up.unit.replace('-', ''))}"
+    look |= {"hovertemplate": told} if role.title else {"hoverinfo": "skip"}
+    place.add("scatter", role, x=compact(x[kept]), y=compact(y[kept]), **look)
 
 
-def points(mark: Points, place: Place, named: dict[str, bool]) -> Scatter:
-    """Markers with their errors."""
-    look = mark.role.look
-    errors = {
-        f"error_{axis}": {"array": [error] * mark.x.size, "color": look.colour, "thickness": 1.6}
-        for axis, error in (("x", mark.x_error), ("y", mark.y_error))
-        if error
-    }
-    told, where = place.hover(across=True), {"x": compact(mark.x), "y": compact(mark.y)}
-    more = {**errors, **legend(mark.role, named), **place.axes}
-    return Scatter(mode="markers", marker=dots(look), hovertemplate=told, **where, **more)
-
-
-def bars(mark: Bars, place: Place, named: dict[str, bool]) -> Bar:
-    """Lying bars, from where they begin."""
-    unit = place.panel.across.title
-    return Bar(
-        x=compact(mark.lengths),
-        y=compact(mark.rows),
-        base=None if mark.begin is None else compact(mark.begin),
-        orientation="h",
-        text=mark.words or None,
-        textposition="outside" if mark.words else None,
-        cliponaxis=False,
-        marker=bar(mark.role.look),
-        hovertemplate=f"{unit}: %{{x:.3g}}<extra></extra>",
-        **legend(mark.role, named),
-        **place.axes,
-    )
-
-
-def cloud(mark: Cloud, place: Place) -> Scatter:
+def draw_cloud(mark: Cloud, place: Place) -> None:
     """Marks that point up where the value is positive, in its colour."""
     kept = thinned(mark.x)
-    value = mark.value[kept]
-    title, _, unit = mark.label.partition(" [")
+    value, (title, _, unit) = mark.value[kept], mark.label.rstrip("]").partition(" [")
     look = {
         "size": 7,
         "symbol": np.where(value > 0, "triangle-up", "triangle-down"),
@@ -146,32 +129,11 @@ def cloud(mark: Cloud, place: Place) -> Scatter:
         "colorscale": COLOURS,
         "cmin": -mark.most,
         "cmax": mark.most,
-        "colorbar": {"title": {"text": unit.rstrip("]")}, "thickness": 12, "outlinewidth": 0},
+        "colorbar": {"title": {"text": unit}, "thickness": 12, "outlinewidth": 0},
     }
-    told = f"{place.hover(across=True)}: {title} %{{marker.color:.3f}} {unit.rstrip(']')}"
-    where = {"x": compact(mark.x[kept]), "y": compact(mark.y[kept]), "showlegend": False}
-    return Scatter(
-        mode="markers", marker=look, hovertemplate=f"{told}<extra></extra>", **where, **place.axes
-    )
-
-
-def draw_span(drawing: Drawing, span: Span, place: Place) -> None:
-    """An arrow with two heads and its name."""
-    (x, low), (end, high) = span.begin, span.end
-    tail = {"ax": x, "ay": low, "axref": place.x, "ayref": place.y}
-    ends = {"x": end, "y": high, **tail, **place.references}
-    drawing.add_annotation(text="", arrowcolor=GREY, **ends, **ARROW)
-    apart = {"xanchor": "left", "xshift": 4} if x == end else {"yanchor": "bottom"}
-    middle = {"x": (x + end) / 2, "y": (low + high) / 2, **place.references}
-    drawing.add_annotation(text=with_formulas(span.name), showarrow=False, **middle, **apart)
-
-
-def legend(role: Role, named: dict[str, bool]) -> dict[str, Any]:
-    """The name of a trace, shown where it is the first of it."""
-    first = bool(role.title) and role.title not in named
-    if role.title:
-        named[role.title] = True
-    return {"name": role.title, "legendgroup": role.title, "showlegend": first}
+    told = f"{place.point()}: {title} %{{marker.color:.3f}} {unit}<extra></extra>"
+    where = {"x": compact(mark.x[kept]), "y": compact(mark.y[kept]), "hovertemplate": told}
+    place.add("scatter", None, mode="markers", marker=look, **where)
 
 
 def thinned(samples: Values) -> slice:
@@ -179,6 +141,6 @@ def thinned(samples: Values) -> slice:
     return slice(None, None, max(-(-samples.size // MOST), 1))
 
 
-def compact(samples: Any) -> Float[np.ndarray, "*any"]:
+def compact(samples: Values) -> Float[np.ndarray, "*any"]:
     """With as many digits as a drawing needs."""
     return np.asarray(samples, dtype=np.float32)

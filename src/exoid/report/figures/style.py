@@ -72,7 +72,8 @@ def dots(look: Look) -> dict[str, Any]:
 
 def area(look: Look) -> dict[str, Any]:
     """Of a band."""
-    return {"fillcolor": look.colour, "opacity": FADED * look.opacity, "line": {"width": 0}}
+    plain = {"fillcolor": look.colour, "opacity": FADED * look.opacity, "line": {"width": 0}}
+    return {"type": "rect", "layer": "below", **plain}
 
 
 def bar(look: Look) -> dict[str, Any]:

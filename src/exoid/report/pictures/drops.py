@@ -12,7 +12,7 @@ from exoid.report.pictures.role import Role
 from exoid.report.tables.drops import loaded, shown_unit, value
 
 BELOW = 8.0  # deg under the curve, where the period is drawn
-SIZES = (3.6, 1.8, 1.8)
+SIZES = (4.8, 2.4, 2.4)
 TOLD = ("first_flexion_amplitude", "plateau_amplitude", "relaxation_index")
 SPANS = (("first_flexion_amplitude", "`A1`"), ("plateau_amplitude", "`A0`"))
 

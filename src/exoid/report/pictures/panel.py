@@ -11,6 +11,7 @@ from jaxtyping import Float
 from exoid.report.pictures.role import Role
 
 Values = Float[np.ndarray, " value"]
+NEAR_TOP = 0.1  # of an upright span from its top, where its name stands clear of a curve
 Range = tuple[float, float]
 Place = tuple[float, float]
 

@@ -9,6 +9,7 @@ from matplotlib.figure import SubFigure
 from matplotlib.ticker import AutoLocator, Locator, MaxNLocator, ScalarFormatter
 
 from exoid.report.pictures.panel import (
+    NEAR_TOP,
     Axis,
     Band,
     Bars,
@@ -28,7 +29,6 @@ from exoid.report.words.typeset import with_mathtext
 
 ARROW: dict[str, Any] = {"arrowstyle": "<->", "color": INK, "linewidth": 0.8}
 COLOURS = LinearSegmentedColormap.from_list("diverging", DIVERGING)
-NEAR_TOP = 0.1  # of a height from its top, where its name stands clear of the curve
 LOW = 2.0  # size of a panel, below which it has room for few ticks
 THICK = 0.75  # of a bar, of the room of its row
 

@@ -7,8 +7,8 @@ from exoid.report.parts.case import Case
 from exoid.report.pictures.determined import show_shares
 from exoid.report.pictures.panel import Picture
 from exoid.report.sections.section import Section
-from exoid.report.sections.table import Table, quantity
-from exoid.report.words.typeset import formula
+from exoid.report.tables.leg import quantities_of
+from exoid.report.tables.table import Column, Table
 from exoid.trust.told import Identifiability
 
 ALONE = "Every segment was fitted alone, so there is no one fit to ask what the data determine."
@@ -49,8 +49,8 @@ def combinations(told: Identifiability | None) -> Table:
     each = [] if told is None else list(told.combinations.values())
     columns = {
         "quantity": [one.title for one in each],
-        "symbol": [formula(one.symbol) for one in each],
-        "value": [quantity(one) for one in each],
+        "symbol": Column([one.symbol for one in each], symbols=True),
+        "value": quantities_of(each),
     }
     return Table("From the data alone", columns)
 

@@ -9,10 +9,9 @@ from exoid.report.parts.case import Case
 from exoid.report.pictures.drops import show_drop
 from exoid.report.pictures.panel import Picture
 from exoid.report.sections.section import Section
-from exoid.report.sections.table import Table
 from exoid.report.tables.drops import SOURCE, by_reason, loaded, mean, shown_unit, value
+from exoid.report.tables.table import Column, Table
 from exoid.report.words.text import counted
-from exoid.report.words.typeset import formula
 
 SHOWN = 4  # drops that are drawn; the first ones
 AVERAGE = "mean ± sd"
@@ -57,7 +56,7 @@ def table_of(read: list[Drop], test: PendulumTest) -> Table:
     first = [each[0] for each in known.values()]
     columns = {
         "measure": [one.title for one in first],
-        "symbol": [formula(one.symbol) for one in first],
+        "symbol": Column([one.symbol for one in first], symbols=True),
         "unit": [shown_unit(one.unit) for one in first],
     }
     if len(read) > 1:

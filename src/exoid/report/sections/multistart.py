@@ -8,9 +8,9 @@ from exoid.report.parts.case import Case
 from exoid.report.pictures.panel import Picture
 from exoid.report.pictures.search import pairs_of, show_costs, show_family
 from exoid.report.sections.section import Section
-from exoid.report.sections.table import Table
 from exoid.report.tables.fit import span
-from exoid.report.words.text import counted
+from exoid.report.tables.table import Table
+from exoid.report.words.text import counted, in_words
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,7 +41,7 @@ class Multistart(Section):
             ranges=Table(
                 "Any set within these ranges that keeps the ratios fits equally well",
                 {
-                    "parameter": [name.replace("_", " ") for name in ranges],
+                    "parameter": [in_words(name) for name in ranges],
                     "range": list(ranges.values()),
                 },
             ),

@@ -5,7 +5,7 @@ from typing import ClassVar
 
 from exoid.report.parts.case import Case
 from exoid.report.sections.section import Section
-from exoid.report.sections.table import Table
+from exoid.report.tables.table import Table
 
 
 @dataclass(frozen=True, eq=False)

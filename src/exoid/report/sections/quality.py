@@ -8,7 +8,7 @@ from exoid.recordings.recording import Subject
 from exoid.report.parts.appraisal import Appraisal, appraise
 from exoid.report.parts.case import Case, Source
 from exoid.report.sections.section import Section
-from exoid.report.sections.table import Table
+from exoid.report.tables.table import Table
 from exoid.report.words.text import in_degrees
 
 HANDLED = ("kind", "added_mass", "added_mass_distance", "notes", "extra_keys")  # told elsewhere

@@ -10,10 +10,10 @@ from exoid.report.parts.case import Case
 from exoid.report.sections.parameters import parameters_of
 from exoid.report.sections.quality import appraisals
 from exoid.report.sections.section import Section
-from exoid.report.sections.table import Table, quantity
+from exoid.report.tables.leg import quantities_of
+from exoid.report.tables.table import Column, Table
 from exoid.report.words.diagnosis import named, only_sensors, verdict
-from exoid.report.words.text import capital, counted, in_degrees
-from exoid.report.words.typeset import formula
+from exoid.report.words.text import capital, counted, in_degrees, in_words
 
 State = Literal["good", "care", "open"]
 
@@ -165,9 +165,9 @@ def believed(case: Case) -> Table:
     words = BELIEF | {"data": INCOMPLETE} if misses(case) else BELIEF
     words = words if fit.follows else dict.fromkeys(BELIEF, LOST)
     columns = {
-        "quantity": [name.replace("_", " ") for name in quantities],
-        "symbol": [formula(one.symbol) for one in each],
-        "value": [quantity(one) for one in each],
+        "quantity": [in_words(name) for name in quantities],
+        "symbol": Column([one.symbol for one in each], symbols=True),
+        "value": quantities_of(each),
         "how far to believe it": [words[decided(one)] for one in each],
     }
     return Table("The leg in numbers; ± is one standard error", columns)

@@ -11,6 +11,7 @@ from exoid.report.document.plain_json import plain
 from exoid.report.saved.saved_result import SavedResult
 from exoid.report.tables.compare import HASHED, Compared, Comparison
 from exoid.report.tables.same_leg import strangers
+from exoid.report.tables.table import Column, Table, print_table
 from exoid.report.tables.two_diagnoses import diagnosis_entry, side_by_side
 from exoid.report.words.person import person
 from exoid.report.words.text import (
@@ -19,9 +20,8 @@ from exoid.report.words.text import (
     counted,
     heading,
     in_degrees,
+    in_words,
     say,
-    table,
-    width,
     written,
 )
 
@@ -30,17 +30,7 @@ SIDES = ("first", "second")
 
 def print_comparison(found: Comparison, sides: list[SavedResult], console: Console) -> None:
     """The quantities, what else the fits say of themselves, and what was asked of them."""
-    heading(console, "Parameters, torque and ratios of both")
-    columns = {
-        "quantity": [quantity(each) for each in found.quantities],
-        "first": [value(each.first) for each in found.quantities],
-        "second": [value(each.second) for each in found.quantities],
-        "unit": [each.unit for each in found.quantities],
-        "differ by\n[errors]": [errors(each) for each in found.quantities],
-    }
-    if width(columns) > console.width:
-        columns["quantity"] = [each.symbol for each in found.quantities]
-    console.print(table(columns))
+    print_table(quantities(found.quantities), console)
     say(
         console,
         "± one standard error; the last column is second less first over the error of that "
@@ -55,8 +45,7 @@ def print_comparison(found: Comparison, sides: list[SavedResult], console: Conso
     for sentence in strangers(found, sides):
         say(console, sentence)
     if any(side.diagnosis for side in sides):
-        heading(console, "What the model was missing")
-        console.print(table(side_by_side([side.diagnosis for side in sides])))
+        print_table(side_by_side([side.diagnosis for side in sides]), console)
     for number, side in enumerate(sides):
         heading(console, f"The {SIDES[number]} fit")
         if not side.result.follows:
@@ -68,8 +57,17 @@ def print_comparison(found: Comparison, sides: list[SavedResult], console: Conso
     aligned(console, {name: f"{a} -> {b}" for name, (a, b) in found.settings.items()})
 
 
-def quantity(each: Compared) -> str:
-    return f"{each.name.replace('_', ' ')} {each.symbol}"
+def quantities(each: list[Compared]) -> Table:
+    """Both, and how far they are apart."""
+    names = [f"{in_words(one.name)} {one.symbol}" for one in each]
+    columns = {
+        "quantity": Column(names, spare=1, brief=[one.symbol for one in each]),
+        "first": [value(one.first) for one in each],
+        "second": [value(one.second) for one in each],
+        "unit": [one.unit for one in each],
+        "differ by\n[errors]": [errors(one) for one in each],
+    }
+    return Table("", columns, "Parameters, torque and ratios of both")
 
 
 def value(each: Estimate | None) -> str:

@@ -7,7 +7,8 @@ from rich.console import Console
 
 from exoid.pendulum.drop import Average, Drop, PendulumTest
 from exoid.recordings.landmarks.measure import Measure
-from exoid.report.words.text import heading, say, table, with_error
+from exoid.report.tables.table import Column, Table, print_table
+from exoid.report.words.text import heading, say, with_error
 
 LARGE = 99.5  # of an error, beyond which two digits of it leave no unit
 SOURCE = (
@@ -36,16 +37,16 @@ def print_drops(test: PendulumTest, console: Console) -> None:
 def print_drop(drop: Drop, console: Console) -> None:
     """One drop: what was read, and why the rest was not."""
     begins = f", which begins at {drop.segment.begins:.2f} s" if drop.segment.begins else ""
-    heading(console, f"Drop of segment {drop.name}{begins}{loaded(drop)}")
+    title = f"Drop of segment {drop.name}{begins}{loaded(drop)}"
     read = [each for each in drop.measures.values() if each.value is not None]
     columns = {
         "measure": [each.title for each in read],
-        "": [each.symbol for each in read],
+        "symbol": Column([each.symbol for each in read], head=""),
         "value": [value(each) for each in read],
         "unit": [shown_unit(each.unit) for each in read],
         "at [s]": [f"{each.marks[-1].time:.2f}" if each.marks else "" for each in read],
     }
-    console.print(table(columns))
+    print_table(Table("", columns, title), console)
     refused = {each.title: each.reason for each in drop.measures.values() if each.reason}
     for reason, titles in by_reason(refused).items():
         say(console, f"- not read: {', '.join(titles)}: {reason}.", hanging=2)
@@ -61,15 +62,14 @@ def print_average(test: PendulumTest, console: Console) -> None:
     if all(len(one.drops) < 2 for one in test.average.values()):
         return
     each = list(test.average.values())
-    heading(console, "Average over drops")
     columns = {
         "measure": [one.title for one in each],
-        "": [one.symbol for one in each],
+        "symbol": Column([one.symbol for one in each], head=""),
         "mean ± sd": [mean(one) for one in each],
         "unit": [shown_unit(one.unit) for one in each],
         "drops": [str(len(one.drops)) for one in each],
     }
-    console.print(table(columns))
+    print_table(Table("", columns, "Average over drops"), console)
     if test.left_out:
         names = ", ".join(test.left_out)
         say(console, f"Not in it, with another added mass: segment {names}.")

@@ -11,8 +11,9 @@ from exoid.planning.candidate_recordings import SWING
 from exoid.planning.planned import Plan
 from exoid.recordings.recording import Subject
 from exoid.report.document.plain_json import plain
+from exoid.report.tables.table import Table, print_table
 from exoid.report.words.person import identity
-from exoid.report.words.text import heading, say, table, with_error
+from exoid.report.words.text import heading, say, with_error
 
 SHOWN = 8  # single segments in the table
 
@@ -52,7 +53,7 @@ def print_options(plan: Plan, console: Console) -> None:
         "release": [option.candidate.words for option in known],
         f"error [{plan.unit}]": [f"{option.error:.2g}" for option in known],
     }
-    console.print(table(columns))
+    print_table(Table("", columns), console)
 
 
 def files(plan: Plan) -> str:

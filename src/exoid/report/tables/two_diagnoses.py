@@ -5,6 +5,7 @@ from textwrap import wrap
 from typing import Any
 
 from exoid.mismatch.answer.diagnosis import Diagnosis
+from exoid.report.tables.table import Table
 from exoid.report.words.diagnosis import titles
 from exoid.report.words.text import in_degrees
 
@@ -17,8 +18,8 @@ NOT_ASKED = {"verdict": "not diagnosed"}
 WIDE = 29  # characters of a cell
 
 
-def side_by_side(sides: list[Diagnosis | None]) -> dict[str, list[str]]:
-    """The columns of a table; what does not fit into a cell goes on below it."""
+def side_by_side(sides: list[Diagnosis | None]) -> Table:
+    """What does not fit into a cell goes on below it."""
     told = [NOT_ASKED if each is None else answers(each) for each in sides]
     names = dict.fromkeys(name for each in told for name in each)
     columns: dict[str, list[str]] = {"": [], "first": [], "second": []}
@@ -27,7 +28,7 @@ def side_by_side(sides: list[Diagnosis | None]) -> dict[str, list[str]]:
         for row in zip_longest([name], *cells, fillvalue=""):
             for column, cell in zip(columns.values(), row, strict=True):
                 column.append(cell)
-    return columns
+    return Table("", columns, "What the model was missing")
 
 
 def answers(found: Diagnosis) -> dict[str, str]:

@@ -3,7 +3,6 @@
 from dataclasses import replace
 from math import degrees, floor, log10
 
-from rich.box import SIMPLE_HEAD
 from rich.console import Console
 from rich.padding import Padding
 from rich.table import Table
@@ -91,23 +90,6 @@ def shortened(name: str, widest: int) -> str:
         return name
     kept = widest - 1
     return f"{name[: kept // 3]}…{name[len(name) - kept + kept // 3 :]}"
-
-
-def table(columns: dict[str, list[str]]) -> Table:
-    """A table without frame; columns that hold nothing are left out."""
-    drawn = Table(box=SIMPLE_HEAD, show_edge=False, padding=(0, 1, 0, 0), header_style="bold")
-    shown = {title: cells for title, cells in columns.items() if any(cells)}
-    for title in shown:
-        drawn.add_column(Text(title), no_wrap=True, overflow="ellipsis")
-    for row in zip(*shown.values(), strict=True):
-        drawn.add_row(*(Text(cell) for cell in row))
-    return drawn
-
-
-def width(columns: dict[str, list[str]]) -> int:
-    """Characters that the table takes."""
-    texts = [[*title.split("\n"), *cells] for title, cells in columns.items() if any(cells)]
-    return sum(max(map(len, each)) + 2 for each in texts)
 
 
 def heading(console: Console, title: str) -> None:

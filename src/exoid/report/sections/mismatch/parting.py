@@ -9,7 +9,7 @@ from exoid.report.parts.case import Case
 from exoid.report.pictures.mismatch.torque import show_plane, show_torque, worst
 from exoid.report.pictures.panel import Picture
 from exoid.report.sections.section import Section
-from exoid.report.sections.table import Table
+from exoid.report.tables.table import Table
 from exoid.report.words.diagnosis import only_sensors, where
 from exoid.report.words.text import capital
 

@@ -3,13 +3,13 @@
 from dataclasses import dataclass
 from typing import ClassVar
 
-from exoid.mismatch.answer.diagnosis import Diagnosis, Finding, Parameter
+from exoid.mismatch.answer.diagnosis import Finding, Parameter
 from exoid.report.parts.case import Case
 from exoid.report.pictures.mismatch.causes import show_causes
 from exoid.report.pictures.panel import Picture
 from exoid.report.sections.section import Section
-from exoid.report.sections.table import Table
 from exoid.report.tables.diagnosis import candidates
+from exoid.report.tables.table import Table
 from exoid.report.words.diagnosis import sentences, value, verdict
 
 SAID = (
@@ -51,7 +51,7 @@ class Physics(Section):
             effects=tuple(found.findings),
             parameters=parameters(found.parameters if found.verdict == "mismatch" else []),
             figure=show_causes(found),
-            candidates=ranked(found),
+            candidates=candidates(found),
             excluded=", ".join(found.excluded).replace("_", " "),
         )
 
@@ -64,9 +64,3 @@ def parameters(each: list[Parameter]) -> Table:
         "value": [value(one) for one in each],
     }
     return Table("What was found in numbers; ± is one standard error", columns)
-
-
-def ranked(found: Diagnosis) -> Table:
-    """Every candidate with what it leaves and its evidence."""
-    columns = {head.strip() or "verdict": cells for head, cells in candidates(found).items()}
-    return Table("The candidates that ran free", columns)

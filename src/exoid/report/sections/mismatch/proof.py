@@ -9,7 +9,7 @@ from exoid.report.pictures.mismatch.proof import show_proof
 from exoid.report.pictures.mismatch.torque import worst
 from exoid.report.pictures.panel import Picture
 from exoid.report.sections.section import Section
-from exoid.report.sections.table import Table
+from exoid.report.tables.table import Table
 from exoid.report.words.diagnosis import proof
 from exoid.report.words.text import capital, in_degrees
 

@@ -1,0 +1,88 @@
+"""A table is said once: a terminal and a page show the same cells, each as it has room."""
+
+import io
+import re
+
+import pytest
+from html_tree import parse, rows
+from page_cases import made_up
+from rich.console import Console
+from test_fit_json import fitted
+
+from exoid.report.page import build_page
+from exoid.report.sections.parameters import parameters_of
+from exoid.report.tables.leg import parameters, ratios, segments
+from exoid.report.tables.table import Column, Table, print_table
+from exoid.report.words.keyboard_text import tidy
+from exoid.report.words.typeset import formula
+
+ROOMY = 200  # letters
+
+
+def printed(table, width=ROOMY):
+    stream = io.StringIO()
+    print_table(table, Console(file=stream, width=width))
+    return stream.getvalue()
+
+
+def leg():
+    fit = fitted()
+    return [parameters(parameters_of(fit)), ratios(fit), segments(fit.segments)]
+
+
+@pytest.mark.parametrize("table", leg(), ids=["parameters", "ratios", "segments"])
+def test_what_a_terminal_says_of_a_quantity_a_page_says_with_its_unit(table):
+    text, page = printed(table), {" ".join(row) for row in table.rows}
+    for column in table.columns.values():
+        if isinstance(column, Column) and column.units:
+            for cell, unit in zip(column.cells, column.units, strict=True):
+                assert cell in text
+                assert any(cell in row and (unit in row or "not det" in cell) for row in page)
+
+
+def test_the_rows_of_a_table_are_those_of_the_html():
+    page = parse(build_page(made_up()))
+    shown = [table for name in ("parameters", "motion") for table in page.by_id(name).all("table")]
+    for said in leg():
+        (table,) = [each for each in shown if each.all("caption")[0].text == said.caption]
+        plain = [tuple(tidy(re.sub("<[^>]*>", "", cell)) for cell in row) for row in said.rows]
+        assert [tuple(row.values()) for row in rows(table)] == plain
+        assert list(rows(table)[0]) == [re.sub("\\btau\\b", "τ", head) for head in said.heads]
+
+
+def test_a_narrow_terminal_goes_without_what_is_spared_most_easily():
+    long = ["x" * 20]
+    table = Table("", {"a": long, "b": Column(long, spare=1), "c": Column(long, spare=2)})
+    assert [head for head in "abc" if head in printed(table, 70)] == ["a", "b", "c"]
+    assert [head for head in "abc" if head in printed(table, 50)] == ["a", "b"]
+    assert [head for head in "abc" if head in printed(table, 30)] == ["a"]
+
+
+def test_a_brief_cell_stands_in_where_the_whole_one_finds_no_room():
+    table = Table("", {"a": Column(["inertia J"], spare=1, brief=["J"]), "b": ["y" * 20]})
+    assert "inertia J" in printed(table, 40)
+    narrow = printed(table, 25)
+    assert "J" in narrow
+    assert "inertia" not in narrow
+
+
+def test_symbols_are_typeset_on_a_page_only():
+    table = Table("", {"symbol": Column(["m l g / J"], symbols=True)})
+    assert table.rows == [(formula("m l g / J"),)]
+    assert "m l g / J" in printed(table)
+
+
+def test_columns_that_hold_nothing_are_left_out_of_both():
+    table = Table("", {"a": ["1"], "empty": [""], "units": Column([""], units=[""])})
+    assert table.heads == ["a"]
+    assert "empty" not in printed(table)
+    assert "unit" not in printed(table)
+
+
+def test_what_is_said_of_one_only_is_not_in_the_other():
+    table = Table(
+        "", {"a": ["1"], "p": Column(["2"], only="page"), "t": Column(["3"], only="terminal")}
+    )
+    assert table.rows == [("1", "2")]
+    assert "2" not in printed(table)
+    assert "3" in printed(table)
