@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from html_tree import parse, rows
 from page_cases import made_up, of_friction, of_length, of_nothing
-from test_saved_result import check_same, plainly
+from test_saved_result import check_same
 
 from exoid.fitting.misfit.uncertainty import Shares
 from exoid.pendulum.drops import measure_drops
@@ -315,9 +315,11 @@ def test_the_page_of_a_saved_result_is_the_page(diagnosed, tmp_path):
     assert build_page(again) == build_page(case)
     assert back.diagnosis.after is back.result
     assert case.diagnosis is not None
-    before = replace(plainly(case.diagnosis.before), basis=None)
-    told = replace(case.diagnosis, workings=None, before=before, after=back.result)
+    told = replace(case.diagnosis, workings=None, before=back.diagnosis.before, after=back.result)
     check_same(told, back.diagnosis)
+    check_same(back.diagnosis.before.of_terms, {})
+    for name, each in case.diagnosis.before.ratios.items():
+        assert back.diagnosis.before.ratios[name].value == each.value
 
 
 def test_plan_is_given_as_steps_with_the_error_to_expect(diagnosed):

@@ -5,7 +5,7 @@ from typing import Any
 
 import equinox as eqx
 import numpy as np
-from jaxtyping import Array, Float
+from jaxtyping import Float
 
 
 def horizontal() -> np.ndarray:
@@ -19,9 +19,9 @@ class Ratios(eqx.Module):
     phi'' = tau_h / J - gravity cos(phi + thigh_angle) - stiffness phi - damping phi'
     """
 
-    gravity: Float[Array, "*batch"]  # m l g / J, 1/s^2
-    stiffness: Float[Array, "*batch"]  # c / J, 1/s^2
-    damping: Float[Array, "*batch"]  # d / J, 1/s
+    gravity: Float[Any, "*batch"]  # m l g / J, 1/s^2
+    stiffness: Float[Any, "*batch"]  # c / J, 1/s^2
+    damping: Float[Any, "*batch"]  # d / J, 1/s
     thigh_angle: Float[Any, "*batch"] = field(
         default_factory=horizontal
     )  # rad, the knee above the hip
