@@ -77,7 +77,7 @@ def fit(
 
     >>> import exoid
     >>> from exoid.physics.terms.device.coulomb_friction import CoulombFriction
-    >>> found = exoid.fit_leg(exoid.load("drops.csv"), terms=(CoulombFriction,))  # doctest: +SKIP
+    >>> found = exoid.fit(exoid.load("drops.csv"), terms=(CoulombFriction,))  # doctest: +SKIP
     >>> found.terms["coulomb_friction"]["level"].value  # N m  # doctest: +SKIP
 
     **Raises** `ValueError` where the recording cannot be fitted or gravity comes out upwards in

@@ -8,6 +8,7 @@ import numpy as np
 
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.estimate import fit
+from exoid.fitting.model.term_parameters import parameters_of, term_of
 from exoid.fitting.result.fit_result import FitResult
 from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter
 from exoid.mismatch.conclude.conclusion import Chosen, concluded
@@ -26,6 +27,7 @@ from exoid.mismatch.screen.screened_recording import Bench
 from exoid.mismatch.screen.settled import Settled
 from exoid.mismatch.search.found import Found, size
 from exoid.mismatch.search.search import look
+from exoid.physics.library import library
 from exoid.physics.term import Term, name_of
 from exoid.recordings.loading.named import Given, named_recordings
 from exoid.recordings.recording import Recording
@@ -121,7 +123,20 @@ def extended(found: Diagnosis) -> tuple[Term, ...]:
     if work is None or found.verdict != "mismatch":
         return ()
     best = work.best.candidate
-    return tuple(named_values(*each) for each in zip(best.terms, best.values, strict=True))
+    having = [named_values(*each) for each in zip(best.terms, best.values, strict=True)]
+    return (*having, *told_by_sensors(found, best.terms))
+
+
+def told_by_sensors(found: Diagnosis, having: tuple[type[Term], ...]) -> list[Term]:
+    """What was found of the sensors although every candidate has it, as a gyro's bias."""
+    values = {each.name: each.value for each in found.parameters}
+    others = [each for each in library() if each not in having]
+    return [
+        term_of(each, lambda name, _: values[name])
+        for each in others
+        if name_of(each) in found.selected
+        and all(name in values for name, _ in parameters_of((each,)))
+    ]
 
 
 def asked(

@@ -3,12 +3,13 @@
 from dataclasses import dataclass
 from typing import ClassVar
 
-from exoid.mismatch.answer.diagnosis import Finding, Parameter
+from exoid.mismatch.answer.diagnosis import Diagnosis, Finding, Parameter
 from exoid.report.parts.case import Case
 from exoid.report.pictures.mismatch.causes import show_causes
 from exoid.report.pictures.panel import Picture
 from exoid.report.sections.section import Section
-from exoid.report.tables.diagnosis import candidates
+from exoid.report.tables.diagnosis import candidates, suspects
+from exoid.report.tables.leg import before_and_after
 from exoid.report.tables.table import Table
 from exoid.report.words.diagnosis import sentences, value, verdict
 
@@ -35,6 +36,7 @@ class Physics(Section):
     sentences: dict[str, str]
     effects: tuple[Finding, ...]
     parameters: Table
+    numbers: Table
     figure: Picture
     candidates: Table
     excluded: str
@@ -50,10 +52,18 @@ class Physics(Section):
             sentences={title: lines[title] for title in SAID if title in lines},
             effects=tuple(found.findings),
             parameters=parameters(found.parameters if found.verdict == "mismatch" else []),
+            numbers=numbers(found),
             figure=show_causes(found),
             candidates=candidates(found),
             excluded=", ".join(found.excluded).replace("_", " "),
         )
+
+
+def numbers(found: Diagnosis) -> Table:
+    """The leg with what was found beside the leg without, or what suspects would make of it."""
+    if found.after is not None:
+        return before_and_after(found.before, found.after)
+    return suspects(found) if found.suspected else Table("", {})
 
 
 def parameters(each: list[Parameter]) -> Table:
