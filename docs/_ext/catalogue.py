@@ -35,20 +35,20 @@ def section(term: type[Term]) -> str:
             f"### {capital(term.title)}",
             f"`{name_of(term)}`. {term.explanation}",
             f"```text\n{cleandoc(term.__doc__ or '')}\n```",
-            "\n".join(row(declared) for _, declared in declarations(term)),
+            "\n".join(row(*each) for each in declarations(term)),
             f"Isolated by\n: {term.isolate}",
             f"Source\n: {term.reference}",
         ]
     )
 
 
-def row(declared: Declaration) -> str:
-    """One parameter in a line: its symbol, what it is, unit and range, angles also in degrees."""
+def row(name: str, declared: Declaration) -> str:
+    """One parameter in a line: name, symbol, what it is, unit and range, angles also in degrees."""
     unit = "" if declared.unit == "1" else f" {declared.unit}"
     ends = f"{declared.lower:g} to {declared.upper:g}{unit}"
     if declared.unit == "rad":
         ends += f" ({degrees(declared.lower):.3g} to {degrees(declared.upper):.3g} deg)"
-    return f"- `{declared.symbol}`: {declared.title}, {ends}"
+    return f"- `{name}`, `{declared.symbol}`: {declared.title}, {ends}"
 
 
 def capital(words: str) -> str:
