@@ -8,7 +8,7 @@ import numpy as np
 
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.estimate import fit
-from exoid.fitting.model.term_parameters import parameters_of, term_of
+from exoid.fitting.model import term_parameters
 from exoid.fitting.result.fit_result import FitResult
 from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter
 from exoid.mismatch.conclude.conclusion import Chosen, concluded
@@ -132,10 +132,10 @@ def told_by_sensors(found: Diagnosis, having: tuple[type[Term], ...]) -> list[Te
     values = {each.name: each.value for each in found.parameters}
     others = [each for each in library() if each not in having]
     return [
-        term_of(each, lambda name, _: values[name])
+        term_parameters.term_of(each, lambda name, _: values[name])
         for each in others
         if name_of(each) in found.selected
-        and all(name in values for name, _ in parameters_of((each,)))
+        and all(name in values for name, _ in term_parameters.parameters_of((each,)))
     ]
 
 
