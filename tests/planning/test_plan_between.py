@@ -80,6 +80,7 @@ def test_the_proposed_recording_tells_the_rivals_apart():
     assert found.probability > 0.5
     brought = advantage(first, made(found.proposed, seed=5)) - before
     assert brought > 0.5 * found.log_odds
+    assert brought == pytest.approx(found.if_right[0], rel=0.5)  # made by another level
     last = [found.options[-1].candidate]
     assert brought > advantage(first, made(last, seed=5)) - before
     assert [each.log_odds for each in found.options] == sorted(

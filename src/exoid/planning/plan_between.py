@@ -34,7 +34,7 @@ def plan_between(fits: Sequence[FitResult], subject: Subject) -> Contrast:
     names = [rival_name(each.terms) for each in known]
     noise = min(each.noise_scale for each in fits)
     at_hand = odds_at_hand(fits, noise)
-    contest = Contest(tuple(pursuits(known, candidates(subject.height, None), noise)))
+    contest = Contest(len(known), tuple(pursuits(known, candidates(subject.height, None), noise)))
     single = [
         Telling(each, contest.log_odds([n]), probability(contest.log_odds([n])))
         for n, each in enumerate(contest.options)
@@ -49,6 +49,7 @@ def plan_between(fits: Sequence[FitResult], subject: Subject) -> Contrast:
         proposed=[contest.options[number] for number in chosen],
         log_odds=expected,
         probability=probability(expected),
+        if_right=contest.if_right(chosen or best),
         options=sorted(single, key=lambda each: -each.log_odds),
         sentences=advice(fits, names, known, at_hand, told=told, helpless=not (told or chosen)),
     )
@@ -91,7 +92,8 @@ def pursuits(known: list[Known], every: list[Candidate], noise: float) -> list[P
 class Contest:
     """Every rival after every other."""
 
-    pursuits: tuple[Pursuit, ...]
+    rivals: int
+    pursuits: tuple[Pursuit, ...]  # those after the same one in a row
 
     @property
     def options(self) -> list[Candidate]:
@@ -100,6 +102,12 @@ class Contest:
     def log_odds(self, chosen: Sequence[int]) -> float:
         """To expect of these candidates, of the pair that is hardest to tell apart."""
         return min(each.log_odds(chosen) for each in self.pursuits)
+
+    def if_right(self, chosen: Sequence[int]) -> list[float]:
+        """The same of each model by itself: against the rival that follows it best."""
+        each = [one.log_odds(chosen) for one in self.pursuits]
+        others = self.rivals - 1
+        return [min(each[n : n + others]) for n in range(0, len(each), others)]
 
     def greedy(self) -> list[int]:
         """Segment after segment, the simplest of the nearly best, until they are sure to tell."""

@@ -65,5 +65,6 @@ class Contrast:
     proposed: list[Candidate]  # empty where nothing is needed, or nothing would tell
     log_odds: float  # expected of all the proposed segments; of the best, where none is
     probability: float
+    if_right: list[float]  # the log odds of the same segments where this rival is right
     options: list[Telling]  # one segment each, best first
     sentences: list[str]

@@ -19,6 +19,7 @@ def print_contrast(found: Contrast, console: Console) -> None:
     columns = {
         "model": found.rivals,
         "log odds at hand": [f"{each:.1f}" for each in found.at_hand],
+        "expected if right": [f"{each:.1f}" for each in found.if_right],
     }
     print_table(Table("", columns), console)
     if found.proposed:
@@ -57,6 +58,7 @@ def contrast_document(found: Contrast, subject: Subject) -> dict[str, Any]:
             "proposed": [segment_document(each) for each in found.proposed],
             "expected_log_odds": found.log_odds,
             "probability": found.probability,
+            "expected_log_odds_if_right": found.if_right,
             "options": [
                 {
                     **segment_document(each.candidate),
