@@ -23,7 +23,8 @@ from .physics.state import LegState
 from .physics.term import PhysicsTerm, SensorTerm, reading
 from .physics.torque import CycleTorque, MeasuredTorque, NoTorque
 from .planning.plan import plan
-from .planning.planned import Plan
+from .planning.plan_between import plan_between
+from .planning.planned import Contrast, Plan
 from .recordings.formats.own_table import write_table
 from .recordings.loading.from_memory import recording
 from .recordings.loading.load import load
@@ -36,6 +37,7 @@ from .trust.identifiability import identify
 from .trust.told import Identifiability
 
 __all__ = [
+    "Contrast",
     "CycleTorque",
     "Diagnosis",
     "FitResult",
@@ -70,6 +72,7 @@ __all__ = [
     "measure_drops",
     "parameter",
     "plan",
+    "plan_between",
     "plot_diagnosis",
     "plot_drops",
     "plot_fit",

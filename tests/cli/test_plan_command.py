@@ -63,6 +63,16 @@ def test_a_goal_that_does_not_exist_is_refused(command, recordings):
     assert "--goal" in refusal(command("plan", recordings / "drop.csv", "--goal", "beauty"))
 
 
+def test_rivals_that_cannot_be_told_apart_are_refused(command, recordings):
+    drop = recordings / "drop.csv"
+    misspelt = refusal(command("plan", drop, "--between", "coulom_friction,hysteresis"))
+    assert "--between coulom_friction: there is no such term; did you mean coulomb_f" in misspelt
+    assert "two terms" in refusal(command("plan", drop, "--between", "hysteresis"))
+    assert "needs a recording" in refusal(command("plan", "--between", "hysteresis,backlash"))
+    both = command("plan", drop, "--between", "hysteresis,backlash", "--goal", "damping")
+    assert "give one" in refusal(both)
+
+
 def test_a_missing_recording_is_named(command, tmp_path):
     assert "nothing.csv" in refusal(command("plan", tmp_path / "nothing.csv"))
 

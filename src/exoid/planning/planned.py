@@ -45,3 +45,26 @@ class Plan:
     proposed: list[Candidate]  # empty where none would help
     options: list[Option]  # one segment each, best first
     sentences: list[str]
+
+
+@dataclass(frozen=True)
+class Telling:
+    """One segment that could be added, and how far it would tell rivals apart."""
+
+    candidate: Candidate
+    log_odds: float  # natural logarithm, expected; of the pair hardest to tell apart
+    probability: float  # that they reach 20 to 1
+
+
+@dataclass(frozen=True)
+class Contrast:
+    """What to record next to tell rival models apart."""
+
+    rivals: list[str]
+    at_hand: list[float]  # log odds of each against the best, by the recordings at hand
+    proposed: list[Candidate]  # empty where nothing is needed, or nothing would tell
+    log_odds: float  # expected of all the proposed segments; of the best, where none is
+    probability: float
+    if_right: list[float]  # the log odds of the same segments where this rival is right
+    options: list[Telling]  # one segment each, best first
+    sentences: list[str]

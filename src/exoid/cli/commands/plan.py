@@ -11,7 +11,9 @@ from exoid.cli.commands.analysis import compute, prepare
 from exoid.cli.inputs.assumptions import Bound, BoundsOption, Fix, Prior, assumed
 from exoid.cli.inputs.body import BodyMass, Height, given_body
 from exoid.cli.inputs.choices import Bounds, FlipOption, ZeroOption
+from exoid.cli.inputs.own_terms import own_terms
 from exoid.cli.inputs.reading import Columns, read
+from exoid.cli.inputs.terms import Between, OwnTerms, rivals_asked
 from exoid.cli.outputs.destination import check_apart, check_destination
 from exoid.cli.outputs.results import end, introduce
 from exoid.cli.terminal.waiting import patiently
@@ -37,7 +39,11 @@ def plan(
             help="What was recorded of this leg so far; nothing plans the first session."
         ),
     ] = None,
-    goal: Annotated[Goal, typer.Option(help="What to narrow.")] = Goal.inertia,
+    goal: Annotated[
+        Goal | None, typer.Option(help="What to narrow.", show_default="inertia")
+    ] = None,
+    between: Between = None,
+    terms: OwnTerms = None,
     prior: Prior = None,
     bounds: BoundsOption = Bounds.body,
     fix: Fix = None,
@@ -53,16 +59,18 @@ def plan(
         Path | None, typer.Option(help="Everything for machines.", metavar="FILE")
     ] = None,
 ) -> None:
-    """Say which recording would narrow a quantity most, and how far.
+    """Say which recording would narrow a quantity most, or tell rival causes apart.
 
     \b
     Examples:
       exoid plan --body-mass 77 --height 1.80     the first session of a person
       exoid plan drop.csv                         what to add for the inertia
       exoid plan drop.csv --goal damping          for the damping
+      exoid plan drop.csv --between coulomb_friction,hysteresis    to tell which of them acts
     """
     check_destination(json)
     check_apart([json], recordings or [])
+    rivals = rivals_of(between, goal, terms, recordings)
     body = given_body(body_mass=body_mass, height=height)
     from exoid.recordings.recording import Subject
 
@@ -73,8 +81,11 @@ def plan(
         named.append((path.name, replace(loaded, subject=replace(loaded.subject, **body))))
     subject = named[0][1].subject if named else replace(Subject(kind="leg"), **body)
     options = {"multistart": multistart, "seed": seed, **assumed(prior, bounds, fix, bound)}
+    if rivals:
+        tell_apart(named, subject, rivals, options, json)
+        return
     result, found = patiently(
-        lambda: planned(named, subject, goal.value, options),
+        lambda: planned(named, subject, (goal or Goal.inertia).value, options),
         "planning; the first run of a new shape compiles for some seconds",
     )
     introduce(named)
@@ -91,6 +102,44 @@ def plan(
         write_json(plan_document(found, result, subject), json)
         typer.echo(f"wrote {json}", err=True)
     end(result is None or result.follows)
+
+
+def rivals_of(between: str | None, goal: Goal | None, terms: str | None, recordings) -> tuple:
+    """The terms of --between.
+
+    **Raises** `ValueError` where it has nothing to go by.
+    """
+    if between is None:
+        if terms is not None:
+            raise ValueError("--terms says what --between may name: give --between too.")
+        return ()
+    if goal is not None:
+        raise ValueError("--between tells causes apart, --goal narrows a quantity: give one.")
+    if not recordings:
+        raise ValueError("--between needs a recording: it compares how the causes fit it.")
+    return rivals_asked(between, own_terms(terms) if terms else ())
+
+
+def tell_apart(named, subject, rivals: tuple, options: dict, json: Path | None) -> None:
+    """Fit with each of the rivals, and print what would tell them apart."""
+    from rich.console import Console
+
+    from exoid.planning.plan_between import plan_between
+    from exoid.report.tables.plan_between import contrast_document, print_contrast
+
+    def work():
+        fits = [compute(named, False, {**options, "terms": (term,)}) for term in rivals]
+        return fits, plan_between(fits, subject)
+
+    fits, found = patiently(work, "planning; the first run of a new shape compiles for a minute")
+    introduce(named)
+    print_contrast(found, Console())
+    if json is not None:
+        from exoid.report.document.plain_json import write_json
+
+        write_json(contrast_document(found, subject), json)
+        typer.echo(f"wrote {json}", err=True)
+    end(any(each.follows for each in fits))
 
 
 def planned(named, subject, goal: str, options: dict):

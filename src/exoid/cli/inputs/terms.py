@@ -23,6 +23,12 @@ OwnTerms = Annotated[
         metavar="MODULE",
     ),
 ]
+Between = Annotated[
+    str | None,
+    typer.Option(
+        help="Rival causes to tell apart, such as coulomb_friction,hysteresis.", metavar="TERMS"
+    ),
+]
 Model = Annotated[
     Path | None,
     typer.Option(help="The model of a saved fit or diagnosis (.nc): its terms.", metavar="FILE"),
@@ -30,7 +36,12 @@ Model = Annotated[
 
 
 def terms_asked(
-    given: list[str] | None, own: tuple, saved: tuple = (), *, valued_all: bool = False
+    given: list[str] | None,
+    own: tuple,
+    saved: tuple = (),
+    *,
+    valued_all: bool = False,
+    option: str = "--with",
 ) -> tuple[Any, ...]:
     """Classes and instances of terms: those of a saved model, then those that were named.
 
@@ -50,10 +61,22 @@ def terms_asked(
         if name not in known:
             close = get_close_matches(name, known, 1)
             hint = f"did you mean {close[0]}?" if close else f"there are {', '.join(known)}."
-            raise ValueError(f"--with {name}: there is no such term; {hint}")
+            raise ValueError(f"{option} {name}: there is no such term; {hint}")
         asked = equals or valued_all
         found[name] = valued(name, known[name], rest) if asked else known[name]
     return tuple(found.values())
+
+
+def rivals_asked(between: str, own: tuple) -> tuple[Any, ...]:
+    """The terms between which to tell.
+
+    **Raises** `ValueError` where a name is none, or there are no two.
+    """
+    words = [word.strip() for word in between.split(",") if word.strip()]
+    found = terms_asked(words, own, option="--between")
+    if len(found) < 2:
+        raise ValueError(f"--between {between}: name two terms or more, with commas between.")
+    return found
 
 
 def names_of(terms: tuple[Any, ...]) -> list[str]:

@@ -52,13 +52,14 @@ class Advice(Section):
 def tasks_of(plan: Plan) -> tuple[str, ...]:
     """What to do, equal ones counted."""
     return tuple(
-        f"{words}, {counted(count, 'time')}" if count > 1 else words for words, count in steps(plan)
+        f"{words}, {counted(count, 'time')}" if count > 1 else words
+        for words, count in steps(plan.proposed)
     )
 
 
 def goal(plan: Plan) -> str:
     """What the steps are for."""
     return (
-        f"Now {stated(plan, plan.before)}. After the following, as segments of {files(plan)}, "
-        f"expect {stated(plan, plan.after)}:"
+        f"Now {stated(plan, plan.before)}. After the following, as segments of "
+        f"{files(plan.proposed)}, expect {stated(plan, plan.after)}:"
     )

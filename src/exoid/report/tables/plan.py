@@ -8,7 +8,7 @@ from rich.console import Console
 
 from exoid.fitting.result.fit_result import FitResult
 from exoid.planning.candidate_recordings import SWING
-from exoid.planning.planned import Plan
+from exoid.planning.planned import Candidate, Plan
 from exoid.recordings.recording import Subject
 from exoid.report.document.plain_json import plain
 from exoid.report.tables.table import Table, print_table
@@ -24,22 +24,27 @@ def print_plan(plan: Plan, console: Console) -> None:
     say(console, f"Now:   {stated(plan, plan.before)}")
     if plan.proposed:
         say(console, f"After: {stated(plan, plan.after)}, expected with what follows")
-        heading(console, f"Record, as segments of {files(plan)}")
-        for number, (words, count) in enumerate(steps(plan), start=1):
-            times = f"{count} times: " if count > 1 else ""
-            say(console, f"{number}. {times}{words}.", hanging=3)
-        say(
-            console,
-            "Angles are of the knee, 0 straight, -90 hanging. Each time: hold still for 2 s, let "
-            f"go without a push, hands off until the leg hangs still, {SWING:g} s at least. The "
-            "person relaxes. Stop where knee or seat do not allow the swing. Then fit it together "
-            "with what there is: exoid fit OLD NEW.",
-        )
+        print_steps(plan.proposed, console)
         print_options(plan, console)
     if plan.sentences:
         heading(console, "Notes")
     for sentence in plan.sentences:
         say(console, f"- {sentence}", hanging=2)
+
+
+def print_steps(proposed: list[Candidate], console: Console) -> None:
+    """What to do, step by step."""
+    heading(console, f"Record, as segments of {files(proposed)}")
+    for number, (words, count) in enumerate(steps(proposed), start=1):
+        times = f"{count} times: " if count > 1 else ""
+        say(console, f"{number}. {times}{words}.", hanging=3)
+    say(
+        console,
+        "Angles are of the knee, 0 straight, -90 hanging. Each time: hold still for 2 s, let "
+        f"go without a push, hands off until the leg hangs still, {SWING:g} s at least. The "
+        "person relaxes. Stop where knee or seat do not allow the swing. Then fit it together "
+        "with what there is: exoid fit OLD NEW.",
+    )
 
 
 def print_options(plan: Plan, console: Console) -> None:
@@ -56,15 +61,15 @@ def print_options(plan: Plan, console: Console) -> None:
     print_table(Table("", columns), console)
 
 
-def files(plan: Plan) -> str:
+def files(proposed: list[Candidate]) -> str:
     """A seat that is tilted anew is a recording of its own: it owns the error of its angle."""
-    seats = {each.thigh_angle for each in plan.proposed}
+    seats = {each.thigh_angle for each in proposed}
     return "one file" if len(seats) < 2 else "one file for each tilt of the seat"
 
 
-def steps(plan: Plan) -> list[tuple[str, int]]:
+def steps(proposed: list[Candidate]) -> list[tuple[str, int]]:
     """What to do, bare drops first, equal ones counted."""
-    ordered = sorted(plan.proposed, key=lambda each: (each.effort, each.words))
+    ordered = sorted(proposed, key=lambda each: (each.effort, each.words))
     return [(words, len(list(same))) for words, same in groupby(each.words for each in ordered)]
 
 
@@ -79,19 +84,6 @@ def plan_document(
     plan: Plan, result: FitResult | None = None, subject: Subject | None = None
 ) -> dict[str, Any]:
     """The plan in SI units and radians, after the fit `result`; null where nothing is known."""
-
-    def segment(each) -> dict[str, Any]:
-        motion = each.motion
-        return {
-            "words": each.words,
-            "kind": motion.kind,
-            "start_angle_rad": float(motion.start_angle),
-            "duration_s": motion.duration,
-            "added_mass_kg": motion.added_mass,
-            "added_mass_distance_m": motion.added_mass_distance or None,
-            "thigh_angle_rad": float(each.thigh_angle),
-        }
-
     return plain(
         {
             "subject": identity(subject or Subject()),
@@ -103,11 +95,25 @@ def plan_document(
             "value": plan.value,
             "standard_error_before": plan.before,
             "standard_error_after": plan.after,
-            "proposed": [segment(each) for each in plan.proposed],
+            "proposed": [segment_document(each) for each in plan.proposed],
             "options": [
-                {**segment(option.candidate), "standard_error": option.error}
+                {**segment_document(option.candidate), "standard_error": option.error}
                 for option in plan.options
             ],
             "sentences": plan.sentences,
         }
     )
+
+
+def segment_document(each: Candidate) -> dict[str, Any]:
+    """A segment to record."""
+    motion = each.motion
+    return {
+        "words": each.words,
+        "kind": motion.kind,
+        "start_angle_rad": float(motion.start_angle),
+        "duration_s": motion.duration,
+        "added_mass_kg": motion.added_mass,
+        "added_mass_distance_m": motion.added_mass_distance or None,
+        "thigh_angle_rad": float(each.thigh_angle),
+    }

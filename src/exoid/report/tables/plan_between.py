@@ -1,0 +1,72 @@
+"""A plan that tells rival causes apart, as a person reads it, and as JSON."""
+
+from typing import Any
+
+from rich.console import Console
+
+from exoid.planning.planned import Contrast
+from exoid.recordings.recording import Subject
+from exoid.report.document.plain_json import plain
+from exoid.report.tables.plan import SHOWN, print_steps, segment_document
+from exoid.report.tables.table import Table, print_table
+from exoid.report.words.person import identity
+from exoid.report.words.text import heading, say
+
+
+def print_contrast(found: Contrast, console: Console) -> None:
+    """What the recordings at hand say, what to record, and what to expect of it."""
+    heading(console, f"What to record next to tell {' from '.join(found.rivals)}")
+    columns = {
+        "model": found.rivals,
+        "log odds at hand": [f"{each:.1f}" for each in found.at_hand],
+        "expected if right": [f"{each:.1f}" for each in found.if_right],
+    }
+    print_table(Table("", columns), console)
+    if found.proposed:
+        say(
+            console,
+            f"Expected with what follows: log odds of {found.log_odds:.1f} against whichever is "
+            f"wrong; they reach 20 to 1 with a probability of {found.probability:.0%}.",
+        )
+        print_steps(found.proposed, console)
+    print_tellings(found, console)
+    if found.sentences:
+        heading(console, "Notes")
+    for sentence in found.sentences:
+        say(console, f"- {sentence}", hanging=2)
+
+
+def print_tellings(found: Contrast, console: Console) -> None:
+    """Every single segment, best first, and what it would tell."""
+    shown = found.options[:SHOWN]
+    heading(console, "One segment more, and what it would tell")
+    columns = {
+        "release": [each.candidate.words for each in shown],
+        "log odds": [f"{each.log_odds:.2g}" for each in shown],
+        "20 to 1": [f"{each.probability:.0%}" for each in shown],
+    }
+    print_table(Table("", columns), console)
+
+
+def contrast_document(found: Contrast, subject: Subject) -> dict[str, Any]:
+    """The plan in SI units and radians."""
+    return plain(
+        {
+            "subject": identity(subject),
+            "between": found.rivals,
+            "log_odds_at_hand": found.at_hand,
+            "proposed": [segment_document(each) for each in found.proposed],
+            "expected_log_odds": found.log_odds,
+            "probability": found.probability,
+            "expected_log_odds_if_right": found.if_right,
+            "options": [
+                {
+                    **segment_document(each.candidate),
+                    "expected_log_odds": each.log_odds,
+                    "probability": each.probability,
+                }
+                for each in found.options
+            ],
+            "sentences": found.sentences,
+        }
+    )

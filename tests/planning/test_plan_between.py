@@ -1,0 +1,95 @@
+"""Rivals told apart by a recording that a plan proposes, made and fitted with both."""
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+from exoid.fitting.estimate import fit
+from exoid.physics.leg import LegModel
+from exoid.physics.terms.device.coulomb_friction import CoulombFriction
+from exoid.physics.terms.device.quadratic_drag import QuadraticDrag
+from exoid.physics.torque import NoTorque
+from exoid.planning.expected_odds import DECISIVE, Pursuit, probability
+from exoid.planning.plan_between import plan_between
+from exoid.planning.planned import Candidate
+from exoid.planning.prior_knowledge import from_anatomy
+from exoid.recordings.recording import Subject
+from exoid.twin.motion import Movement
+from exoid.twin.protocols import record
+from fit_cases import BODY, leg
+
+RIVALS = (CoulombFriction, QuadraticDrag)
+FRICTION = CoulombFriction(jnp.asarray(0.006))  # N m, too little for one short drop
+SHORT = Candidate("a swing", Movement(np.radians(-60), 1.5))
+
+
+def made(chosen: list[Candidate], seed: int):
+    """The candidates of one seat, recorded of a leg with dry friction."""
+    (tilt,) = {each.thigh_angle for each in chosen}
+    model = LegModel(leg(), NoTorque(), np.asarray(tilt), (FRICTION,))
+    return record(model, [each.motion for each in chosen], jax.random.key(seed), subject=BODY)
+
+
+def advantage(*recordings) -> float:
+    """By how much friction fits better than its rival, as log odds."""
+    named = [(f"{number}", each) for number, each in enumerate(recordings)]
+    right, wrong = (fit(named, terms=(term,), multistart=2) for term in RIVALS)
+    return (wrong.loss - right.loss) / right.noise_scale**2
+
+
+def following(misfit, room: np.ndarray, belief: np.ndarray) -> float:
+    """Half of what is left of a misfit: least squares of everything at once."""
+    rows = np.concatenate([room, np.linalg.cholesky(belief).T])
+    left = np.concatenate([misfit, np.zeros(len(belief))])
+    return 0.5 * float(np.sum((left - rows @ np.linalg.lstsq(rows, left)[0]) ** 2))
+
+
+def test_log_odds_are_half_of_what_the_rival_cannot_follow():
+    rival = from_anatomy(BODY)
+    random, size, owned = np.random.default_rng(0), len(rival.information), len(rival.owned)
+    rows = random.normal(size=(40, size + 1 + owned))
+    rows[:, size] *= 0.1  # near enough that no limit is met
+    option = Candidate("a drop", Movement(np.radians(-10), 6.0))
+    found = Pursuit(rival, [option], [rows.T @ rows])
+    belief = np.zeros((size + owned, size + owned))
+    belief[:size, :size] = found.start[:size, :size]
+    belief[size:, size:] = found.mounting[size + 1 :, size + 1 :]
+    room = np.delete(rows, size, axis=1)
+    expected = following(rows[:, size], room, belief)
+    assert found.log_odds([0]) == pytest.approx(expected, rel=1e-6)
+    tight = Pursuit(rival, [option], [rows.T @ rows])
+    tight.__dict__["room"] = np.zeros((2, size)) + np.array([[-1e-9], [1e-9]])
+    assert tight.log_odds([0]) > found.log_odds([0])  # a rival that may not bend follows worse
+
+
+def test_the_probability_is_that_of_odds_drawn_at_random():
+    drawn = np.random.default_rng(0).normal(size=200_000)
+    for mean in (0.5, 3.0, 8.0):
+        reached = np.mean(mean + np.sqrt(2 * mean) * drawn > DECISIVE)
+        assert probability(mean) == pytest.approx(reached, abs=0.005)  # of 200 000 draws: 4 sigma
+    assert probability(0.0) == 0.0
+
+
+@pytest.mark.slow
+def test_the_proposed_recording_tells_the_rivals_apart():
+    first = made([SHORT], seed=0)
+    found = plan_between([fit(first, terms=(term,), multistart=2) for term in RIVALS], BODY)
+    before = -min(found.at_hand)
+    assert before < DECISIVE  # one short swing does not tell
+    assert found.probability > 0.5
+    brought = advantage(first, made(found.proposed, seed=5)) - before
+    assert brought > 0.5 * found.log_odds
+    assert brought == pytest.approx(found.if_right[0], rel=0.5)  # made by another level
+    last = [found.options[-1].candidate]
+    assert brought > advantage(first, made(last, seed=5)) - before
+    assert [each.log_odds for each in found.options] == sorted(
+        (each.log_odds for each in found.options), reverse=True
+    )
+
+
+def test_what_cannot_be_told_apart_is_refused():
+    with pytest.raises(ValueError, match="two or more models"):
+        plan_between([], BODY)
+    with pytest.raises(ValueError, match="rig"):
+        plan_between([], Subject(kind="rig"))
