@@ -18,7 +18,7 @@ COMMANDS = {
     "diagnose": "Say where simulation and recording part, which physics was left out, and prove "
     "it.",
     "report": "Fit and diagnose a leg and write one page about it, to look at, print and pass on.",
-    "plan": "Say which recording would narrow a quantity most, and how far.",
+    "plan": "Say which recording would narrow a quantity most, or tell rival causes apart.",
     "compare": "Show two saved results side by side: two days, two sides, or two settings.",
     "record": "Record the node's frames, and what is known of the leg, until Ctrl-C.",
     "simulate": "Simulate drops and cycles of a leg and write them as a recording.",
