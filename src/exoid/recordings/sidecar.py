@@ -36,6 +36,10 @@ def write_sidecar(
     replace_files({Path(path): [sidecar_text(subject, protocol, sensors, extra_tables or {})]})
 
 
+# Keys of older sidecars that say nothing of the leg: kept without a word.
+KEPT = ("shank_radius_m", "torque_known")
+
+
 def no_keys() -> tuple[dict[str, Any], dict[str, Any], Notes]:
     return {name: kind() for name, kind in TABLES.items()}, {}, ()
 
@@ -55,6 +59,7 @@ def read_keys(path: Path) -> tuple[dict[str, Any], dict[str, Any], Notes]:
             notes += [
                 f"unknown {key} in [{name}] is kept, but not used.{place(key)}"
                 for key in table.extra_keys
+                if key not in KEPT
             ]
     return tables, extra, tuple(f"{path}: {note}" for note in notes)
 
