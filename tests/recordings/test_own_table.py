@@ -211,7 +211,7 @@ def test_unknown_columns_and_keys_are_kept_and_named_with_the_nearest_known(writ
     assert_same(recording, read_table(tmp_path / "copy.csv")[0])
 
 
-def test_keys_of_a_sidecar_that_have_no_effect_are_named_and_kept(write):
+def test_keys_of_older_sidecars_are_kept_without_a_word(write):
     toml = (
         "[subject]\nshank_length_m = 0.42\nshank_radius_m = 0.06\n[protocol]\ntorque_known = true\n"
     )
