@@ -54,6 +54,7 @@ def fit(
     at_once: bool = False,
     terms: Sequence[type[Term] | Term] = (),
     starts: np.ndarray | None = None,
+    near: np.ndarray | None = None,
 ) -> FitResult:
     """Fit one leg to all segments of the recordings (Eq. 9-13).
 
@@ -63,13 +64,14 @@ def fit(
     it. By hand, in printed units: `fix` {"stiffness": 0.0}, `bound` {"damping": (0.0, 20.0)} (None
     leaves an end), `expect` {"damping": (3.0, 1.0)}, a value and its standard deviation in the
     place of the table's. What the sidecar's [fit] says of other parameters holds too. `smooth` is
-    the window of Eq. 3 in samples, applied to
-    data and simulation alike. `misfit` "paper" is Eq. 11 as printed: the angle alone in rad, and
-    the prior in the parameters' own units. `starts`, (start, 6) in the order m, J, l, d, c, tau,
-    replace the draw from the limits by `seed`. `clip` "paper" keeps what lies between the first and
-    the last sample faster than 20 deg/s (Eq. 3-4), in place of what moved freely. `at_once` says
-    that where a recording begins with its release, no hand is on the leg from the first sample on;
-    else its first instants count where they fit to the rest.
+    the window of Eq. 3 in samples, applied to data and simulation alike. `misfit` "paper" is
+    Eq. 11 as printed: the angle alone in rad, and the prior in the parameters' own units. `starts`,
+    (start, 6) in the order m, J, l, d, c, tau, replace the draw from the limits by `seed`. `near`
+    is such a row that the fit is known to end close to, with `terms` that have values: no start is
+    led to the measured motion first. `clip` "paper" keeps what lies between the first and the last
+    sample faster than 20 deg/s (Eq. 3-4), in place of what moved freely. `at_once` says that where
+    a recording begins with its release, no hand is on the leg from the first sample on; else its
+    first instants count where they fit to the rest, unless a term remembers what was before.
 
     `terms` are what Eq. 9 leaves out and this model has: classes of the library
     (`exoid.physics.library`) or of your own. An instance says where its search begins. Their
@@ -81,8 +83,7 @@ def fit(
     >>> found.terms["coulomb_friction"]["level"].value  # N m  # doctest: +SKIP
 
     **Raises** `ValueError` where the recording cannot be fitted or gravity comes out upwards in
-    passive segments, `ArithmeticError` where no start
-    succeeded.
+    passive segments, `ArithmeticError` where no start succeeded.
     """
     named = named_recordings(recordings)
     check_one_leg(named)
@@ -98,12 +99,19 @@ def fit(
 
     def search_of(movements, reading: str, count: int = multistart) -> tuple[Problem, Ended]:
         given = begin(movements, belief, reading, count, seed) if starts is None else starts
+        if near is not None:
+            given = np.vstack([near, given[1:]])
         problem = pose(movements, belief, reading, chain, terms=classes)
-        return solved(problem, given, term_starts(terms, movements, len(given)), method)
+        own = term_starts(terms, movements, len(given))
+        if method == "slsqp":
+            return problem, by_slsqp(problem, given, own)
+        return search(problem, given, own, near=near is not None)
 
     tried = {reading: search_of(movements, reading) for reading in readings(named, movements)}
     best = min(tried, key=lambda reading: float(tried[reading][1].best.misfit[0]))
     problem, ended = tried[best]
+    # What a term remembers is only known of a leg that has not moved yet.
+    at_once = at_once or any(each.memory_size > 0 for each in classes)
     if method == "lm" and clip == "free" and not plain:
         problem, ended = without_unseen_hands(
             problem,
@@ -245,13 +253,9 @@ def readings(named: list[tuple[str, Recording]], movements: list[Movement]) -> t
     return tuple(sorted(said)) if said else READINGS  # type: ignore[arg-type]
 
 
-def solved(
-    problem: Problem, starts: np.ndarray, terms: tuple[Term, ...], method: str
-) -> tuple[Problem, Ended]:
-    """The search by the chosen method."""
-    if method == "slsqp":
-        from exoid.fitting.reference.slsqp import search_slsqp
+def by_slsqp(problem: Problem, starts: np.ndarray, terms: tuple[Term, ...]) -> Ended:
+    """The search by the reference method."""
+    from exoid.fitting.reference.slsqp import search_slsqp
 
-        with jax.enable_x64(True):  # finite differences of a float32 loss lead nowhere
-            return problem, search_slsqp(problem, starts, terms)
-    return search(problem, starts, terms)
+    with jax.enable_x64(True):  # finite differences of a float32 loss lead nowhere
+        return search_slsqp(problem, starts, terms)

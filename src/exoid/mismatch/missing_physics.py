@@ -4,11 +4,13 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
+import jax
 import numpy as np
 
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.estimate import fit
 from exoid.fitting.model import term_parameters
+from exoid.fitting.model.coordinates import leg_parameters, torque_amplitudes
 from exoid.fitting.result.fit_result import FitResult
 from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter
 from exoid.mismatch.conclude.conclusion import Chosen, concluded
@@ -36,7 +38,7 @@ REMAINS = 1.1  # mean square over the noise, from which on a formula is looked f
 LEFT = 0.5  # of what the library leaves, that a formula may leave to take its place
 KNOWN = 0.5  # share of a formula that a term of the library is, up to which it is new
 ROUNDS = 25
-STARTS = 8  # of the fit with what was found: where that is, is known
+STARTS = 8  # masses and inertias of the fit with what was found
 USUAL = {"gyro_scale", "sensor_skew"}
 AT_ONCE = 1.5  # times the noise's that a cause may leave of a movement's first instants
 
@@ -92,7 +94,7 @@ def with_model(
         return found
     told("fitting the model with what was found")
     try:
-        after = fit(named, multistart=STARTS, terms=wanted, **options)
+        after = fit(named, multistart=STARTS, terms=wanted, near=leg_of(found), **options)
     except ArithmeticError:
         return found
     return told_by(found, after) if after.follows else found
@@ -125,6 +127,17 @@ def extended(found: Diagnosis) -> tuple[Term, ...]:
     best = work.best.candidate
     having = [named_values(*each) for each in zip(best.terms, best.values, strict=True)]
     return (*having, *told_by_sensors(found, best.terms))
+
+
+def leg_of(found: Diagnosis) -> np.ndarray:
+    """(m, J, l, d, c, tau) of the model that was concluded."""
+    work = found.workings
+    assert work is not None  # something was found
+    at = work.bench.coordinates(work.best.candidate)
+    torques = torque_amplitudes(at, np)
+    moved = torques[[each.voluntary for each in work.bench.problem.movements]]
+    torque = moved.mean() if moved.size else 0.0
+    return np.array([*jax.tree.leaves(leg_parameters(at, np)), torque], dtype=float)
 
 
 def told_by_sensors(found: Diagnosis, having: tuple[type[Term], ...]) -> list[Term]:

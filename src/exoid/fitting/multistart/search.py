@@ -10,11 +10,17 @@ from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.neighbourhood import penalties, weighed
 from exoid.fitting.model.coordinates import Coordinates, Shared, scaled
 from exoid.fitting.model.fixed_values import imposed
+from exoid.fitting.model.term_parameters import over_inertia
 from exoid.fitting.multistart.ended import FEASIBLE, LIMITED, LOOKING, Ended, scale_told
 from exoid.fitting.multistart.gross_errors import with_doubted_clocks, with_tilted_seats
 from exoid.fitting.multistart.hold_to_declared import held, without_excuses
-from exoid.fitting.multistart.simpler_problems import as_declared, with_inertia_kept, without_scale
-from exoid.fitting.multistart.starts import coordinates
+from exoid.fitting.multistart.simpler_problems import (
+    as_declared,
+    with_inertia_kept,
+    without_scale,
+    without_terms,
+)
+from exoid.fitting.multistart.starts import coordinates, usual_mounting
 from exoid.fitting.multistart.tethers import COARSE, FINE, tethers, without_thrust
 from exoid.fitting.multistart.weight_by_kind import alone, explained, explained_apart
 from exoid.fitting.solve.ask import BATCH, advance, around, finite, left, take, task
@@ -29,29 +35,22 @@ PATIENCE = 4  # times that a search with limits goes on where its steps ran out:
 
 
 def search(
-    problem: Problem, starts: np.ndarray, terms: tuple[Term, ...] = ()
+    problem: Problem, starts: np.ndarray, terms: tuple[Term, ...] = (), *, near: bool = False
 ) -> tuple[Problem, Ended]:
     """Fit from every start (m, J, l, d, c, tau) with its terms.
 
-    Tied to the measured motion over its first second, then over all of it, then free. Each time
-    starts that have come together are carried on by the best of them; its free fit meets prior
-    and limits. Also the problem, its priors wider where a seat or a clock is unusual
+    Starts are led to the measured motion, then run free; where the first is `near` the end, it does
+    at once, and the others are other masses and inertias at its ratios. The best free fit meets
+    prior and limits. Also the problem, its priors wider where a seat or a clock is unusual
     (`gross_errors.py`).
     """
-    tether, weaker = tethers(problem)
+    tether, _ = tethers(problem)
     greatest = 2 / problem.longest_step - 2 * tether
     begin = coordinates(starts, problem.movements, greatest, terms, problem.owned)
-    first = np.searchsorted(np.asarray(problem.observation.time)[0], FIRST_HORIZON)
-    horizon = min(max(int(first), 50), problem.steps)
-    declared = as_declared(without_scale(problem))
-    tied = advance(declared, begin, task(problem, tether, horizon, COARSE))
-    rows, member, failures = basins(problem, tied)
-    gathered = without_thrust(take(tied.coordinates, rows))
-    looser = advance(declared, gathered, task(problem, weaker, problem.steps, COARSE))
-    rows, again, lost = basins(problem, looser)
-    member = np.where(member < 0, -1, again[member])
-    failures = dict(Counter(failures) + Counter(lost))
-    gathered = without_thrust(take(looser.coordinates, rows))
+    if near:
+        gathered, member, failures = take(begin, [0]), np.zeros(len(starts), dtype=int), {}
+    else:
+        gathered, member, failures = led_to_the_data(problem, begin, terms)
     free = advance(without_scale(problem), gathered, task(problem, 0.0, problem.steps, FINE))
     member, failures = without_lost(free, member, failures)
     problem, free, disturbance = with_what_is_missed(problem, free)
@@ -66,6 +65,52 @@ def search(
         problem = doubted  # the suspicion widens errors, and moves no value
         local = around(problem, best, disturbance)
     return problem, Ended(free, member, failures, best, disturbance, begin, local)
+
+
+def led_to_the_data(
+    problem: Problem, begin: Coordinates, terms: tuple[Term, ...]
+) -> tuple[Coordinates, np.ndarray, dict[str, int]]:
+    """Starts that have come together, one of each basin; each start's basin; why some were lost.
+
+    Tied to the measured motion over its first second, then over all of it. Each time starts that
+    have come together are carried on by the best of them. Ties make up for what Eq. 9 leaves out,
+    so terms wait where they begin: starts that have come together go on once with each of these.
+    """
+    bare = without_terms(problem)
+    tether, weaker = tethers(bare)
+    first = np.searchsorted(np.asarray(bare.observation.time)[0], FIRST_HORIZON)
+    horizon = min(max(int(first), 50), bare.steps)
+    declared = as_declared(without_scale(bare))
+    usual = usual_mounting(bare.movements, begin.log_mass.shape)
+    tied = advance(
+        declared,
+        replace(begin, mounting=usual, terms=()),
+        task(bare, tether, horizon, COARSE),
+    )
+    rows, member, failures = basins(bare, tied)
+    gathered = without_thrust(take(tied.coordinates, rows))
+    looser = advance(declared, gathered, task(bare, weaker, bare.steps, COARSE))
+    rows, again, lost = basins(bare, looser)
+    member = np.where(member < 0, -1, again[member])
+    failures = dict(Counter(failures) + Counter(lost))
+    gathered = without_thrust(take(looser.coordinates, rows))
+    mounting = take(begin.mounting, np.zeros(len(rows), dtype=int))  # every start's is as declared
+    return *with_terms(replace(gathered, mounting=mounting), member, terms), failures
+
+
+def with_terms(
+    gathered: Coordinates, member: np.ndarray, terms: tuple[Term, ...]
+) -> tuple[Coordinates, np.ndarray]:
+    """The basins with every beginning of the terms that a start of theirs has, and the basin that
+    each start is of then. `terms` are of all starts.
+    """
+    each = np.stack([member, *jax.tree.leaves(terms)], axis=1)
+    each, first, number = np.unique(each, axis=0, return_index=True, return_inverse=True)
+    kept = each[:, 0] >= 0
+    at = take(gathered, each[kept, 0].astype(int))
+    inertia = np.exp(at.shared.log_inertia)
+    own = tuple(over_inertia(take(term, first[kept]), inertia) for term in terms)
+    return replace(at, terms=own), np.where(kept, np.cumsum(kept) - 1, -1)[number.ravel()]
 
 
 def with_what_is_missed(problem: Problem, free: Solved) -> tuple[Problem, Solved, Disturbance]:
@@ -141,8 +186,7 @@ def data_coordinates(problem: Problem, at: Coordinates) -> np.ndarray:
     shared = [unit.shared.gravity, unit.shared.stiffness, unit.shared.damping]
     if problem.tells_inertia:
         shared.append(unit.shared.log_inertia * BASIN)  # hardly told by now: a cell is a step wide
-    terms = [leaf * BASIN for leaf in jax.tree.leaves(unit.terms)]  # likewise
-    return np.concatenate([np.stack([*shared, *terms], axis=1), unit.own.torque], axis=1)
+    return np.concatenate([np.stack(shared, axis=1), unit.own.torque], axis=1)
 
 
 def without_lost(free: Solved, member: np.ndarray, failures: dict[str, int]):

@@ -23,6 +23,7 @@ from exoid.physics.motion.step import Drive
 
 ROUNDS = 10  # of multipliers; two digits a round
 BATCH = 16  # lanes of start and segment at once: more leave the fast path of the compiled loop
+PAIR = 2  # starts at once with terms: few are left, and a lane that only fills costs as much
 
 
 def task(
@@ -58,9 +59,9 @@ def advance(
     start by itself.
     """
     count = starts.log_mass.shape[0]
+    lanes = PAIR if problem.terms else max(PAIR, BATCH // len(problem.movements))
     if aim is None:
         aim = aimless(problem, np.broadcast_to(scale, (count, len(problem.movements))))
-    lanes = max(2, BATCH // len(problem.movements))
     parts = []
     for first in range(0, count, lanes):
         rows = np.minimum(np.arange(first, first + lanes), count - 1)
