@@ -2,15 +2,19 @@
 
 from dataclasses import replace
 
+import jax
 import numpy as np
 import pytest
 
 from exoid.fitting.each_segment import averaged, fit_each, only
 from exoid.fitting.estimate import fit
 from exoid.fitting.result.fit_result import Estimate
-from exoid.physics.leg import GRAVITY
+from exoid.physics.leg import GRAVITY, LegModel
+from exoid.physics.terms.device.coulomb_friction import CoulombFriction
+from exoid.physics.torque import NoTorque
 from exoid.twin.motion import Movement
-from fit_cases import CYCLE, DROP, LOADED, leg, recorded
+from exoid.twin.protocols import record
+from fit_cases import BODY, CYCLE, DROP, LOADED, leg, recorded
 
 FEW = {"multistart": 4}
 OTHER_DROP = Movement(float(np.radians(-30)), DROP.duration)
@@ -99,3 +103,22 @@ def test_the_mean_of_a_single_value_has_no_error():
 
 def test_the_leg_of_the_cases_has_these_ratios():
     assert float(leg().stiffness / leg().inertia) == pytest.approx(RATIOS["stiffness_over_inertia"])
+
+
+def test_a_term_is_the_mean_of_the_segments_and_may_be_fixed():
+    rubbing = LegModel(leg(), NoTorque(), terms=(CoulombFriction(np.asarray(0.2)),))
+    drops = record(rubbing, (DROP, OTHER_DROP), jax.random.key(0), subject=BODY)
+    friction = {"terms": (CoulombFriction,), **FEW}
+    each = [fit([("leg", only(drops, number))], **friction) for number in (0, 1)]
+    found = fit_each([("leg", drops)], **friction)
+    name = "level_over_inertia"
+    mean = np.mean([one.terms["coulomb_friction"][name].value for one in each])
+    own = found.terms["coulomb_friction"]
+    assert own[name].value == pytest.approx(mean, rel=1e-12)
+    assert own[name].value == pytest.approx(0.2 / 0.42, rel=0.05)
+    inertia = found.parameters["inertia"].value
+    assert own["level"].value == pytest.approx(own[name].value * inertia, rel=1e-12)
+    assert found.model is None
+    held = fit_each([("leg", drops)], **friction, fix={"coulomb_friction.level": 0.1})
+    level = held.terms["coulomb_friction"]["level"]
+    assert (level.value, level.set_by) == (0.1, "fixed by you")

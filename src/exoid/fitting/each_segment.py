@@ -5,7 +5,14 @@ from dataclasses import replace
 import jax
 import numpy as np
 
-from exoid.fitting.estimate import PLAIN_SCALE, fit, left_out, movements_of, segments_of
+from exoid.fitting.estimate import (
+    PLAIN_SCALE,
+    classes_of,
+    fit,
+    left_out,
+    movements_of,
+    segments_of,
+)
 from exoid.fitting.misfit.neighbourhood import derivative
 from exoid.fitting.misfit.uncertainty import Information
 from exoid.fitting.model.assumptions import Assumptions, by_hand
@@ -14,9 +21,12 @@ from exoid.fitting.model.constraint import NEVER, violations
 from exoid.fitting.model.limits import constraint_names
 from exoid.fitting.model.prior import prior_residual
 from exoid.fitting.model.prior_and_limits import believe
+from exoid.fitting.model.term_parameters import ratio_name
 from exoid.fitting.result.estimates import parameter_estimate, with_reasons
 from exoid.fitting.result.fit_result import Estimate, FitResult
 from exoid.physics.leg import GRAVITY, LegParameters
+from exoid.physics.parameter import declarations
+from exoid.physics.term import Term, name_of
 from exoid.recordings.loading.named import Given, named_recordings
 from exoid.recordings.recording import Recording
 
@@ -56,7 +66,11 @@ def fit_each(given: Given, **options) -> FitResult:
     hand = by_hand(recordings, *(options.get(name) for name in ("fix", "bound", "expect")))
     names = options.get("prior", "auto"), options.get("bounds", "body")
     assumed = Assumptions(names[0], weight, plain, names[1], hand)
-    belief = believe(recordings[0][1].subject, assumed)
+    classes = classes_of(options.get("terms", ()))
+    belief = believe(recordings[0][1].subject, assumed, classes)
+    parameters = with_reasons(
+        settled_parameters(belief, ratios), not np.isfinite(belief.limits.reach)
+    )
     said = dict.fromkeys(note for each in results for note in each.notes)
     lost = [each.notes[0] for each in results if not each.follows][:1]
     readings = {each.torque_frequency for each in results} - {None}
@@ -64,10 +78,11 @@ def fit_each(given: Given, **options) -> FitResult:
         said[MIXED] = None
     return replace(
         results[0],
-        parameters=with_reasons(
-            settled_parameters(belief, ratios), not np.isfinite(belief.limits.reach)
-        ),
+        parameters=parameters,
         ratios=ratios,
+        terms={name_of(each): mean_term(each, results, parameters["inertia"]) for each in classes},
+        leg=None,
+        fitted_terms=(),
         torque_amplitude=mean_torque([r.torque_amplitude for r in results]),
         segments=[segment for each in results for segment in each.segments],
         loss=sum(each.loss for each in results),
@@ -136,6 +151,38 @@ def mean_torque(each: list[Estimate | None]) -> Estimate | None:
     if not there or any(one.value is None for one in there):
         return there[0] if there else None
     return averaged(there)
+
+
+def mean_term(term: type[Term], results: list[FitResult], inertia: Estimate) -> dict[str, Estimate]:
+    """A term's parameters as means over the segments; what goes with J from its mean over J."""
+    each = [result.terms[name_of(term)] for result in results]
+    means = {
+        name: averaged([one[name] for one in each])
+        if all(one[name].value is not None for one in each)
+        else next(one[name] for one in each if one[name].value is None)
+        for name in each[0]
+    }
+    for name, declared in declarations(term):
+        if declared.inertia_power and means[name].value is not None:
+            ratio = means[ratio_name(name, declared)]
+            means[name] = scaled(means[name], ratio, inertia, declared.inertia_power)
+    return means
+
+
+def scaled(own: Estimate, ratio: Estimate, inertia: Estimate, power: int) -> Estimate:
+    """ratio J^power with its error, where the prior tells J; the mean as it is where it does not.
+
+    Fixed by hand, it stays where it is.
+    """
+    if own.by_hand == "fix" or inertia.value is None or ratio.value is None:
+        return own
+    scale = inertia.value**power
+    of_inertia = power * ratio.value * (inertia.standard_error or 0.0) / inertia.value
+    return replace(
+        own,
+        value=ratio.value * scale,
+        standard_error=float(np.hypot(ratio.standard_error or 0.0, of_inertia) * abs(scale)),
+    )
 
 
 def settled_parameters(belief: Belief, ratios: dict[str, Estimate]) -> dict[str, Estimate]:
