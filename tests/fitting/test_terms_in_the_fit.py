@@ -7,6 +7,7 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
+from exoid.fitting.errors.posterior import sample
 from exoid.fitting.errors.profile import profiles
 from exoid.fitting.estimate import fit
 from exoid.fitting.model.term_parameters import over_inertia, parameters_of, term_of
@@ -101,6 +102,8 @@ def test_a_value_that_is_fixed_stays_and_one_that_is_expected_draws(rubbing):
     assert (level.value, level.standard_error, level.set_by) == (0.2, 0.0, "fixed by you")
     # Then the ratio, which the motion tells, tells the inertia.
     assert fixed.parameters["inertia"].value == pytest.approx(0.2 * 0.42 / FRICTION, rel=0.01)
+    drawn = sample(fixed, draws=10, warmup=10, chains=2)
+    assert drawn.samples["coulomb_friction.level"] == pytest.approx(0.2, rel=2e-3)
 
 
 def test_an_end_of_a_range_that_holds_is_said(rubbing):

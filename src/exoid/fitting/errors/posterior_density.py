@@ -1,5 +1,6 @@
 """The density that a posterior is drawn from, in coordinates of unit scale around the best fit."""
 
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -17,7 +18,7 @@ from exoid.fitting.misfit.condense import condense, linear_model, weighed
 from exoid.fitting.misfit.neighbourhood import columns, prior_information
 from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.misfit.uncertainty import whitening
-from exoid.fitting.model.belief import Belief
+from exoid.fitting.model.belief import NAMES, Belief
 from exoid.fitting.model.constraint import SIZE, violations_at
 from exoid.fitting.model.coordinates import (
     Coordinates,
@@ -37,8 +38,12 @@ from exoid.fitting.model.prior import (
     term_log_jacobian,
     term_residual,
 )
+from exoid.fitting.model.term_parameters import parameters_of, step_of, term_of
 from exoid.fitting.result.fit_result import Basis
 from exoid.fitting.solve.ask import around, take
+from exoid.physics.leg import LegParameters
+from exoid.physics.parameter import Declaration
+from exoid.physics.term import Term
 
 UNDETERMINED = 1e-3  # information per typical step squared, too little to sample along
 NARROW = 2e-4  # relative width of what a user fixed: chains cannot move along a surface
@@ -91,23 +96,50 @@ def posed(basis: Basis) -> tuple[Target, np.ndarray]:
 
 def without_fixed(belief: Belief) -> tuple[Prior, Limits]:
     """What was fixed as a narrow belief, in the place of limits that leave nothing between them."""
-    fixed, limits = belief.by_hand.leg.fix, belief.limits
+    fixed, prior, limits = belief.by_hand.fix, belief.prior, belief.limits
     if not fixed:
-        return belief.prior, limits
-    weight = float(belief.prior.weight) or 1.0
-    size = {name: abs(value) or float(getattr(SIZE, name)) for name, value in fixed.items()}
-    width = {name: np.asarray(NARROW * one * np.sqrt(weight)) for name, one in size.items()}
+        return prior, limits
+    weight = float(prior.weight) or 1.0
+    terms = dict(parameters_of([type(term) for term in limits.lower_terms]))
+    size = {name: abs(value) or size_of(name, terms) for name, value in fixed.items()}
+    width = {name: NARROW * one * np.sqrt(weight) for name, one in size.items()}
     prior = replace(
-        belief.prior,
-        own=replace(belief.prior.own, **{name: np.asarray(one) for name, one in fixed.items()}),
-        own_deviation=replace(belief.prior.own_deviation, **width),
+        prior,
+        own=with_values(prior.own, fixed),
+        own_deviation=with_values(prior.own_deviation, width),
+        terms=with_term_values(prior.terms, fixed),
+        terms_deviation=with_term_values(prior.terms_deviation, width),
         weight=np.asarray(weight),
     )
+    lowest, highest = dict.fromkeys(fixed, -np.inf), dict.fromkeys(fixed, np.inf)
     return prior, replace(
         limits,
-        lower=replace(limits.lower, **dict.fromkeys(fixed, np.asarray(-np.inf))),
-        upper=replace(limits.upper, **dict.fromkeys(fixed, np.asarray(np.inf))),
+        lower=with_values(limits.lower, lowest),
+        upper=with_values(limits.upper, highest),
+        lower_terms=with_term_values(limits.lower_terms, lowest),
+        upper_terms=with_term_values(limits.upper_terms, highest),
     )
+
+
+def size_of(name: str, terms: dict[str, Declaration]) -> float:
+    """A step of order one of a parameter of the leg or of a term."""
+    return step_of(terms[name]) if name in terms else float(getattr(SIZE, name))
+
+
+def with_values(leg: LegParameters, values: Mapping[str, float]) -> LegParameters:
+    """The leg with those of the values that are its own."""
+    return replace(leg, **{name: np.asarray(values[name]) for name in NAMES if name in values})
+
+
+def with_term_values(terms: tuple[Term, ...], values: Mapping[str, float]) -> tuple[Term, ...]:
+    """The terms with those of the values that are their own, as coulomb_friction.level."""
+
+    def one(term: Term) -> Term:
+        return term_of(
+            type(term), lambda name, _: values.get(name, getattr(term, name.partition(".")[2]))
+        )
+
+    return tuple(map(one, terms))
 
 
 def curved(basis: Basis) -> tuple[np.ndarray, np.ndarray]:
