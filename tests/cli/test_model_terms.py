@@ -32,6 +32,13 @@ def test_from_a_simulated_term_to_its_fit_to_its_simulation_to_its_plan(command,
     done = command("fit", again, "--model", saved, "--multistart", 2)
     assert done.returncode == 0
     assert "F_c / J" in done.stdout
+    done = command("plan", worn, "--model", saved, "--goal", "coulomb_friction.level",
+                   "--multistart", 2)  # fmt: skip
+    assert done.returncode == 0
+    assert "What to record next for coulomb_friction.level F_c" in done.stdout
+    said = refusal(command("plan", worn, "--model", saved, "--goal", "hysteresis.level"))
+    assert "--goal hysteresis.level: it can be inertia" in said
+    assert "coulomb_friction.level_over_inertia" in said
 
 
 @pytest.mark.parametrize(

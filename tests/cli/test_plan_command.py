@@ -2,12 +2,14 @@
 
 import json
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 from command_line import refusal
 from sessions import DROP, LEG, SUBJECT, session
 
+from exoid.cli.commands import plan
 from exoid.recordings.formats.own_table import write_table
 from exoid.recordings.motion.split import split
 from exoid.twin.motion import Movement
@@ -68,9 +70,24 @@ def test_rivals_that_cannot_be_told_apart_are_refused(command, recordings):
     misspelt = refusal(command("plan", drop, "--between", "coulom_friction,hysteresis"))
     assert "--between coulom_friction: there is no such term; did you mean coulomb_f" in misspelt
     assert "two terms" in refusal(command("plan", drop, "--between", "hysteresis"))
-    assert "needs a recording" in refusal(command("plan", "--between", "hysteresis,backlash"))
+    assert "need a recording" in refusal(command("plan", "--between", "hysteresis,backlash"))
     both = command("plan", drop, "--between", "hysteresis,backlash", "--goal", "damping")
-    assert "give one" in refusal(both)
+    assert "leave --goal" in refusal(both)
+
+
+def test_terms_of_ones_own_are_asked_for_by_name(command, recordings, tmp_path):
+    mine = tmp_path / "mine.py"
+    mine.write_text("from exoid.physics.terms.device.quadratic_drag import QuadraticDrag\n"
+                    "class Mud(QuadraticDrag):\n    title = 'mud'\n")  # fmt: skip
+    for name in ("plan", "fit"):
+        said = refusal(command(name, recordings / "drop.csv", "--terms", mine))
+        assert "give --with with the names of those that you want; there are mud" in said
+
+
+def test_what_a_diagnosis_suspects_is_told_apart_by_default(monkeypatch):
+    monkeypatch.setattr(plan, "suspected_in", lambda model, own: ["coulomb_friction", "backlash"])
+    rivals, chosen = plan.asked(None, plan.INERTIA, None, (), Path("why.nc"))
+    assert ([each.__name__ for each in rivals], chosen) == (["CoulombFriction", "Backlash"], ())
 
 
 def test_a_missing_recording_is_named(command, tmp_path):

@@ -91,6 +91,10 @@ def diagnose(
     found = in_phases(lambda told: diagnosed(named, own, options, told))
     introduce(named)
     show(found)
+    rivals = [each.terms[0] for each in found.suspected if len(each.terms) == 1]
+    if len(rivals) > 1:
+        files, names = " ".join(map(str, paths)), ",".join(rivals)
+        typer.echo(f"Which recording tells them apart: exoid plan {files} --between {names}\n")
     if plot is not None:
         patiently(lambda: draw(found, plot), "drawing")
         typer.echo(f"wrote {plot}", err=True)

@@ -115,7 +115,7 @@ def fit(
     check_destination(posterior, ("nc",))
     check_destination(save, ("nc",))
     check_destination(report, PAGES)
-    check_apart([plot, json, posterior, save, report], paths)
+    check_apart([plot, json, posterior, save, report], [*paths, *([model] if model else [])])
     if posterior is not None:
         check_posterior(each)
     body = given_body(body_mass=body_mass, height=height)

@@ -1,7 +1,6 @@
 """exoid plan: what to record next."""
 
 from dataclasses import replace
-from enum import StrEnum
 from pathlib import Path
 from typing import Annotated
 
@@ -13,23 +12,31 @@ from exoid.cli.inputs.body import BodyMass, Height, given_body
 from exoid.cli.inputs.choices import Bounds, FlipOption, ZeroOption
 from exoid.cli.inputs.own_terms import own_terms
 from exoid.cli.inputs.reading import Columns, read
-from exoid.cli.inputs.terms import Between, OwnTerms, rivals_asked
+from exoid.cli.inputs.terms import (
+    Between,
+    Model,
+    OwnTerms,
+    With,
+    rivals_asked,
+    saved_model,
+    suspected_in,
+    terms_asked,
+)
 from exoid.cli.outputs.destination import check_apart, check_destination
 from exoid.cli.outputs.results import end, introduce
 from exoid.cli.terminal.waiting import patiently
 
-
-class Goal(StrEnum):
-    """What a plan is to narrow."""
-
-    inertia = "inertia"
-    damping = "damping"
-    stiffness = "stiffness"
-    mass = "mass"
-    com_distance = "com_distance"
-    gravity_over_inertia = "gravity_over_inertia"
-    stiffness_over_inertia = "stiffness_over_inertia"
-    damping_over_inertia = "damping_over_inertia"
+INERTIA = "inertia"
+GOALS = (
+    INERTIA,
+    "damping",
+    "stiffness",
+    "mass",
+    "com_distance",
+    "gravity_over_inertia",
+    "stiffness_over_inertia",
+    "damping_over_inertia",
+)
 
 
 def plan(
@@ -40,10 +47,17 @@ def plan(
         ),
     ] = None,
     goal: Annotated[
-        Goal | None, typer.Option(help="What to narrow.", show_default="inertia")
-    ] = None,
+        str,
+        typer.Option(
+            help="What to narrow: inertia, damping, stiffness, gravity_over_inertia, "
+            "damping_over_inertia, stiffness_over_inertia, or a term's as coulomb_friction.level.",
+            metavar="QUANTITY",
+        ),
+    ] = INERTIA,
     between: Between = None,
+    with_term: With = None,
     terms: OwnTerms = None,
+    model: Model = None,
     prior: Prior = None,
     bounds: BoundsOption = Bounds.body,
     fix: Fix = None,
@@ -66,11 +80,16 @@ def plan(
       exoid plan --body-mass 77 --height 1.80     the first session of a person
       exoid plan drop.csv                         what to add for the inertia
       exoid plan drop.csv --goal damping          for the damping
+      exoid plan drop.csv --with coulomb_friction --goal coulomb_friction.level
+      exoid plan drop.csv --model why.nc          after 'exoid diagnose drop.csv --save why.nc'
       exoid plan drop.csv --between coulomb_friction,hysteresis    to tell which of them acts
     """
     check_destination(json)
-    check_apart([json], recordings or [])
-    rivals = rivals_of(between, goal, terms, recordings)
+    check_apart([json], [*(recordings or []), *([model] if model else [])])
+    own = own_terms(terms) if terms else ()
+    rivals, chosen = asked(between, goal, with_term, own, model)
+    if (rivals or chosen) and not recordings:
+        raise ValueError("terms need a recording: a first session is planned for Eq. 9 alone.")
     body = given_body(body_mass=body_mass, height=height)
     from exoid.recordings.recording import Subject
 
@@ -85,7 +104,7 @@ def plan(
         tell_apart(named, subject, rivals, options, json)
         return
     result, found = patiently(
-        lambda: planned(named, subject, (goal or Goal.inertia).value, options),
+        lambda: planned(named, subject, goal, options | ({"terms": chosen} if chosen else {})),
         "planning; the first run of a new shape compiles for some seconds",
     )
     introduce(named)
@@ -104,20 +123,37 @@ def plan(
     end(result is None or result.follows)
 
 
-def rivals_of(between: str | None, goal: Goal | None, terms: str | None, recordings) -> tuple:
-    """The terms of --between.
+def asked(
+    between: str | None, goal: str, given: list[str] | None, own: tuple, model: Path | None
+) -> tuple[tuple, tuple]:
+    """The rival terms between which to tell, or the terms of the model that is planned for.
 
-    **Raises** `ValueError` where it has nothing to go by.
+    After a diagnosis that could not tell, the rivals are those that it suspects.
+
+    **Raises** `ValueError` where both are asked for, or the goal is none of that model.
     """
-    if between is None:
-        if terms is not None:
-            raise ValueError("--terms says what --between may name: give --between too.")
-        return ()
-    if goal is not None:
-        raise ValueError("--between tells causes apart, --goal narrows a quantity: give one.")
-    if not recordings:
-        raise ValueError("--between needs a recording: it compares how the causes fit it.")
-    return rivals_asked(between, own_terms(terms) if terms else ())
+    if between is not None:
+        if goal != INERTIA or given or model:
+            raise ValueError("--between tells causes apart: leave --goal, --with and --model out.")
+        return rivals_asked(between, own), ()
+    suspected = suspected_in(model, own) if model and not given and goal == INERTIA else []
+    if len(suspected) > 1:
+        return rivals_asked(",".join(suspected), own), ()
+    chosen = terms_asked(given, own, saved_model(model, own).terms if model else ())
+    check_goal(goal, chosen)
+    return (), chosen
+
+
+def check_goal(goal: str, chosen: tuple) -> None:
+    """Refuse what is no quantity of the model, before anything is computed."""
+    from exoid.fitting.model.term_parameters import parameters_of, ratio_name
+
+    classes = [each if isinstance(each, type) else type(each) for each in chosen]
+    declared = parameters_of(classes)
+    ratios = [ratio_name(name, each) for name, each in declared if each.inertia_power]
+    goals = [*GOALS, *(name for name, _ in declared), *ratios]
+    if goal not in goals:
+        raise ValueError(f"--goal {goal}: it can be {', '.join(goals)}.")
 
 
 def tell_apart(named, subject, rivals: tuple, options: dict, json: Path | None) -> None:

@@ -46,12 +46,18 @@ def terms_asked(
     """Classes and instances of terms: those of a saved model, then those that were named.
 
     **Raises** `ValueError` (one sentence) where a name is none, or a value cannot be, or is missing
-    where all are to be `valued_all`.
+    where all are to be `valued_all`; where terms of one's `own` are loaded and none is asked for.
     """
+    from exoid.physics.term import name_of
+
+    if own and not (given or saved):
+        raise ValueError(
+            f"--terms only says where your own terms are: give {option} with the names of those "
+            f"that you want; there are {', '.join(map(name_of, own))}."
+        )
     if not (given or saved):
         return ()
     from exoid.physics.library import library
-    from exoid.physics.term import name_of
 
     known = {name_of(term): term for term in (*library(), *own)}
     found = {name_of(type(term)): term for term in saved}
@@ -94,6 +100,15 @@ def saved_model(model: Path, own: tuple):
     if found is None:
         raise ValueError(f"{model}: every segment was fitted alone there: it holds no one model.")
     return found
+
+
+def suspected_in(model: Path, own: tuple) -> list[str]:
+    """The causes between which a saved diagnosis could not tell; none of a fit."""
+    from exoid.report.saved.saved_result import load_result
+
+    found = load_result(model, terms=own).diagnosis
+    suspected = [] if found is None else found.suspected
+    return [each.terms[0] for each in suspected if len(each.terms) == 1]
 
 
 def valued(name: str, term: type, text: str):
