@@ -1,5 +1,6 @@
 """A picture is drawn twice, for print and for a page: both hold its numbers, and no others."""
 
+from dataclasses import replace
 from itertools import chain
 
 import numpy as np
@@ -33,6 +34,7 @@ from exoid.report.pictures.panel import (
     Span,
 )
 from exoid.report.pictures.profiles import profile_of
+from exoid.report.pictures.role import Role
 from exoid.report.pictures.search import costs_of, family_of, pairs_of
 from exoid.report.plots.draw import draw as draw_print
 from exoid.report.words.typeset import with_formulas, with_mathtext
@@ -45,7 +47,11 @@ def panels_of(name: str) -> list[Panel]:
     parameters = show_parameters(fit.parameters)
     assert parameters is not None
     return {
-        "motion": lambda: [*motion_of(fit.segments[0]), *motion_of(without_gyro(fit.segments[1]))],
+        "motion": lambda: [
+            *motion_of(fit.segments[0], replace(fit.segments[0], begins=1.0)),
+            *motion_of(without_gyro(fit.segments[1]), without_gyro(fit.segments[1])),
+            *motion_of(without_gyro(fit.segments[1])),
+        ],
         "costs": lambda: [costs_of(fit.multistart)],
         "shares": lambda: [shares_of(fit)],
         "families": lambda: [family_of(fit, pair) for pair in pairs_of(fit)],
@@ -212,3 +218,24 @@ def test_every_role_that_a_legend_names_has_a_name_of_its_own():
             drawn = draw_page(Picture("one", "", "", (panel,))).drawing
             shown = [each.name for each in drawn.data if each.showlegend]
             assert len(shown) == len(set(shown))
+
+
+def test_what_a_model_left_out_is_drawn_behind_what_it_has():
+    segment = fitted().segments[0]
+    bare = replace(
+        segment,
+        simulated_angle=segment.simulated_angle + 0.1,
+        simulated_velocity=segment.simulated_velocity + 0.2,
+        begins=segment.begins + 0.5,
+    )
+    angle, residual, velocity, slip = motion_of(segment, bare)
+    for panel, role, moved in (
+        (angle, Role.SIMULATED_WITHOUT, 0.1),
+        (residual, Role.RESIDUAL_WITHOUT, 0.1),
+        (velocity, Role.SIMULATED_WITHOUT, 0.2),
+        (slip, Role.RESIDUAL_WITHOUT, 0.2),
+    ):
+        *_, behind, front = panel.of(Line)
+        assert behind.role is role
+        assert behind.y - front.y == pytest.approx(np.degrees(moved))
+        assert behind.x - front.x == pytest.approx(0.5)

@@ -41,6 +41,8 @@ class Role(Enum):
     MEASURED = "measured", Look(SKY, 2.4)
     SIMULATED = "simulated", Look(BLACK, 0.9, (4.0, 1.5))
     RESIDUAL = "simulated - measured", Look(RED, 0.7)
+    SIMULATED_WITHOUT = "simulated by Eq. 9 alone", Look(AMBER, 1.1, (1.0, 1.5))
+    RESIDUAL_WITHOUT = "Eq. 9 alone - measured", Look(AMBER, 0.7)
     NOISE = "noise of the sensor (±2 sd)", Look(BLACK, opacity=0.18)
     START = " start", Look(BLUE, marker="circle", size=3.0, opacity=0.5)
     MEMBER = "fits equally well", Look(BLUE, marker="circle", size=3.0, opacity=0.5)

@@ -31,8 +31,11 @@ class Motion(Section):
     @classmethod
     def of(cls, case: Case) -> "Motion":
         fit, chosen = case.fit, chosen_segments(case.fit)
+        found = case.diagnosis
+        before = found.before.segments if found is not None and found.after is not None else []
+        bare = {each.name: each for each in before}
         drawn = tuple(
-            (f"Segment {each.name}, {each.kind}", show_motion(each, number))
+            (f"Segment {each.name}, {each.kind}", show_motion(each, number, bare.get(each.name)))
             for number, each in enumerate(chosen)
         )
         return cls(
