@@ -16,7 +16,7 @@ from jaxtyping import Array, Float, Int
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.misfit.condensed import Condensed, Sensed
-from exoid.fitting.misfit.rollout import of_unknowns, sweep
+from exoid.fitting.misfit.rollout import Rollout, of_unknowns, sweep
 from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.coordinates import (
     Coordinates,
@@ -40,6 +40,18 @@ def condense(
     counted = jnp.where(stage.tether > 0, 0.0, observation.velocity_weight)
     observation = eqx.tree_at(lambda seen: seen.velocity_weight, observation, counted)
     rollout, change = of_unknowns(unknowns, observation, known, stage)
+    total = products(rollout, change, observation, stage, chain)
+    return factorise(total, ravel_pytree(known)[0])
+
+
+def products(
+    rollout: Rollout,
+    change: Float[Array, "number column"],
+    observation: Observation,
+    stage: Stage,
+    chain: Chain,
+) -> Float[Array, "row row"]:
+    """(dr/dz, r)'(dr/dz, r) of a segment, where `change` is its rollout's numbers by z."""
 
     def gather(index, rows, total):
         return total + outer(rows)
@@ -48,7 +60,7 @@ def condense(
     size = change.shape[0] + 1
     total = sweep(rollout, observation, none, stage, chain, gather, jnp.zeros((size, size)))
     change = jax.scipy.linalg.block_diag(change, jnp.ones((1, 1)))
-    return factorise(change.T @ total @ change, ravel_pytree(known)[0])
+    return change.T @ total @ change
 
 
 def sense(

@@ -30,11 +30,8 @@ def term_violations(limits: Limits, point: Coordinates, xp=jnp):
     if not point.terms:
         return xp.zeros((0, *xp.shape(point.log_mass)))
     sizes = jax.tree.leaves(tuple(typical_term(type(term)) for term in point.terms))
-    values = jax.tree.leaves(with_inertia(point, xp))
-    lower, upper = map(jax.tree.leaves, (limits.lower_terms, limits.upper_terms))
-    low = [(bound - v) / unit for bound, v, unit in zip(lower, values, sizes, strict=True)]
-    high = [(v - bound) / unit for bound, v, unit in zip(upper, values, sizes, strict=True)]
-    each = xp.stack([*low, *high])
+    ends = limits.lower_terms, limits.upper_terms
+    each = xp.stack(beyond(with_inertia(point, xp), *ends, sizes))
     return xp.where(xp.isfinite(each), each, NEVER)
 
 
@@ -53,18 +50,22 @@ def violations(
         heavy * SIZE.damping,
         heavy * SIZE.stiffness,
     ]
-    values, lower, upper = (jax.tree.leaves(each) for each in (leg, limits.lower, limits.upper))
-    low = [(bound - v) / unit for bound, v, unit in zip(lower, values, size, strict=True)]
-    high = [(v - bound) / unit for bound, v, unit in zip(upper, values, size, strict=True)]
     moment = leg.mass * leg.com_distance
     # Eq. 12 and the reach are of a leg; on a rig, whose reach is infinite, m and l mean nothing.
     body = xp.isfinite(limits.reach)
     rigid = xp.where(body, (moment * leg.com_distance - leg.inertia) / SIZE.inertia, NEVER)
     within = (leg.inertia - limits.reach * moment) / SIZE.inertia
-    every = xp.stack([*low, *high, rigid, within])
+    every = xp.stack([*beyond(leg, limits.lower, limits.upper, size), rigid, within])
     drive = [(torque - limits.torque) / SIZE_TORQUE, (-torque - limits.torque) / SIZE_TORQUE]
     each = xp.concatenate([every, *drive])
     return xp.where(xp.isfinite(each), each, NEVER)
+
+
+def beyond(values: Any, lower: Any, upper: Any, sizes: list) -> list:
+    """How far every leaf is below its lower and above its upper end, in units of its size."""
+    leaves = list(zip(*map(jax.tree.leaves, (values, lower, upper)), sizes, strict=True))
+    low = [(least - value) / size for value, least, _, size in leaves]
+    return low + [(value - most) / size for value, _, most, size in leaves]
 
 
 SIZE = LegParameters(*map(np.asarray, (1.0, 0.1, 0.1, 0.1, 1.0)))

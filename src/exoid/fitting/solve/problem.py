@@ -90,7 +90,7 @@ class Problem:
 
     @property
     def constraints(self) -> list[str]:
-        """What every row of `constraint.violations` limits."""
+        """What every row of `constraint.violations_at` limits."""
         return constraint_names(len(self.movements), self.terms)
 
 

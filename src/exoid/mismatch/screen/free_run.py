@@ -12,9 +12,9 @@ from jaxtyping import Array, Float, Int
 
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.observation import Observation
-from exoid.fitting.misfit.condense import outer
+from exoid.fitting.misfit.condense import products
 from exoid.fitting.misfit.residual import predicted
-from exoid.fitting.misfit.rollout import numbers_of, rollout_of, sweep
+from exoid.fitting.misfit.rollout import numbers_of, rollout_of
 from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.coordinates import (
     Coordinates,
@@ -69,14 +69,7 @@ def segment(terms, chain, stage, values, zero, unknowns, observation, known):
     row = jnp.concatenate([base, zero, *values])
     rollout, change = rollout_of(numbers, row)
     moving = jnp.concatenate([1 - ravel_pytree(known)[0], jnp.ones(row.size - base.size)])
-    none = jax.tree.map(lambda leaf: jnp.zeros((0, leaf.size)), observation.cycle)
-
-    def gather(index, rows, total):
-        return total + outer(rows)
-
-    size = change.shape[0] + 1
-    total = sweep(rollout, observation, none, stage, chain, gather, jnp.zeros((size, size)))
-    change = jax.scipy.linalg.block_diag(change * moving, jnp.ones((1, 1)))
+    total = products(rollout, change * moving, observation, stage, chain)
     motion = predicted(*numbers(row), observation, stage, chain)
     shown = jnp.stack([motion.angle, motion.angular_velocity], axis=1)
-    return change.T @ total @ change, shown
+    return total, shown
