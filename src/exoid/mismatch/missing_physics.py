@@ -39,7 +39,6 @@ LEFT = 0.5  # of what the library leaves, that a formula may leave to take its p
 KNOWN = 0.5  # share of a formula that a term of the library is, up to which it is new
 ROUNDS = 25
 STARTS = 8  # masses and inertias of the fit with what was found
-USUAL = {"gyro_scale", "sensor_skew"}
 AT_ONCE = 1.5  # times the noise's that a cause may leave of a movement's first instants
 
 
@@ -225,8 +224,8 @@ def choose(bench: Bench, found: Found) -> Chosen:
 
 
 def only_sensors(one: Settled) -> bool:
-    """Is it what sensors usually do: a scale, a delay?"""
-    return all(name_of(term) in USUAL for term in one.candidate.terms)
+    """Is it what every gyro has some of: a scale, a delay?"""
+    return all(term.everyday for term in one.candidate.terms)
 
 
 def formulated(bench: Bench, found: Found, chosen: Chosen) -> tuple[Chosen, Formula | None]:

@@ -49,6 +49,7 @@ class Term(eqx.Module):
     voluntary: ClassVar[bool] = False  # does it change the torque of Eq. 10, and nothing else
     living: ClassVar[bool] = False  # does it take a person's leg, so that no rig has it
     inertial: ClassVar[bool] = False  # does its torque hang on the acceleration
+    everyday: ClassVar[bool] = False  # does every gyro have some of it
     replaces: ClassVar[str] = ""  # what a fit estimates of every recording and the term is itself
 
     def torque(self, now: Moment, memory: Memory) -> Float[Array, ""]:

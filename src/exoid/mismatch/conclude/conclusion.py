@@ -77,9 +77,8 @@ def concluded(
     if verdict == "mismatch" and formula is None and not declared:
         doubts = partial(found, best)
         verdict, reasons = ("cannot_tell", doubts) if doubts else (verdict, reasons)
-    if bias is not None and verdict != "cannot_tell":
-        verdict = "mismatch"
-        selected = [*selected, BIAS]
+    biased = [BIAS] if bias is not None and verdict != "cannot_tell" else []
+    verdict = "mismatch" if biased else verdict
     if verdict == "none":
         reasons = [*of_zeros(result, bench), *of_what_hides(result)]
     equal = [] if formula or not best.candidate.terms else equivalents(found, best)
@@ -91,8 +90,7 @@ def concluded(
     if doubts:
         verdict, reasons = "cannot_tell", doubts
     novel = novel and verdict == "mismatch"  # nothing is called new by who cannot tell
-    if left:
-        selected = [name for name in selected if name == BIAS]
+    selected = [*([] if left else selected), *biased]
     tried = [len(list(declarations(term))) for term in found.pinned]
     return Diagnosis(
         verdict=verdict,

@@ -10,9 +10,11 @@ from exoid.mismatch.screen.settled import Settled
 from exoid.mismatch.search.found import Found, names
 from exoid.mismatch.sensors.consistency import BIAS
 from exoid.physics.parameter import declarations
+from exoid.physics.sensing.angle_offset import AngleOffset
 from exoid.physics.term import name_of
+from exoid.physics.terms.tissue.stiffness_rest_angle import StiffnessRestAngle
 
-REST_ANGLE, OFFSET = "stiffness_rest_angle", "angle_offset"
+REST_ANGLE, OFFSET = name_of(StiffnessRestAngle), name_of(AngleOffset)
 FORMULA = "formula"  # the name of a term that has none
 CERTAIN = 5.0  # standard deviations
 BIASED = np.radians(0.1)  # rad/s, from which on a gyro's bias is worth a word

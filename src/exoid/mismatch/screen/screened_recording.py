@@ -43,6 +43,11 @@ class Bench:
     zero: float  # rad, standard deviation of the encoder's: infinite on a rig, 0 where it is known
 
     @property
+    def zeros(self) -> tuple[str, ...]:
+        """Of the first recording's sensors what every candidate leaves free (`Hypothesis.zero`)."""
+        return ("gyro_bias", "zero") if self.zero > 0 else ("gyro_bias",)
+
+    @property
     def segments(self) -> int:
         return len(self.problem.movements)
 

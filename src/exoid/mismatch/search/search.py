@@ -20,7 +20,7 @@ from exoid.mismatch.search.variants import (
     twins,
     with_sure_sensors,
 )
-from exoid.physics.term import Term, name_of
+from exoid.physics.term import Term
 
 SHORT = 4  # candidates that run free, by what they explain pinned
 REACH = 3.0  # times the best, within which running free may change the order
@@ -116,10 +116,9 @@ def applies(bench: Bench, term: type[Term]) -> bool:
         return False
     if term.voluntary:
         return any(each.voluntary for each in bench.problem.movements)
-    name = name_of(term)
-    if name == "gyro_bias" or (name == "angle_offset" and bench.zero > 0):
-        return False  # it is free in every fit
-    if name in ("gyro_scale", "sensor_skew"):
+    if term.replaces in bench.zeros:
+        return False
+    if term.everyday:
         return bool((bench.seen.velocity_weight > 0).any())
     return True
 

@@ -12,7 +12,6 @@ from exoid.mismatch.screen.many_pinned import linear
 from exoid.mismatch.screen.optimise import settle_free
 from exoid.mismatch.screen.screened_recording import Bench
 from exoid.mismatch.screen.settled import Settled
-from exoid.mismatch.sensors.consistency import BIAS
 from exoid.physics.parameter import declarations
 from exoid.physics.term import Term, name_of
 
@@ -84,7 +83,7 @@ def with_sure_sensors(bench: Bench, base: Settled, singles: list[Settled]) -> li
     """
     known = {name_of(term): term for term in bench.library}
     sure = [each for each in bench.sensors.errors if each.clear and each.name in known]
-    sure = [each for each in sure if each.name != BIAS]  # a bias is free anyway
+    sure = [each for each in sure if known[each.name].replaces not in bench.zeros]
     if not sure:
         return []
     terms = tuple(known[each.name] for each in sure)

@@ -18,9 +18,13 @@ from exoid.mismatch.sensors.smooth import (
     smoothed,
     smoother_of,
 )
+from exoid.physics.sensing.gyro_bias import GyroBias
+from exoid.physics.sensing.gyro_scale import GyroScale
+from exoid.physics.sensing.sensor_skew import SensorSkew
+from exoid.physics.term import name_of
 
-BIAS = "gyro_bias"
-ERRORS = ("gyro_scale", BIAS, "sensor_skew")  # in the order of the columns
+BIAS, DELAY = name_of(GyroBias), name_of(SensorSkew)
+ERRORS = (name_of(GyroScale), BIAS, DELAY)  # in the order of the columns
 UNITS = ("1", "rad/s", "s")
 ROUNDS = 3  # a late gyro is shifted by what the last round found
 CLEAR = 25.0  # sum of squares that an error must explain to be one: 5 standard deviations
@@ -51,7 +55,7 @@ class Consistency:
     @property
     def delay(self) -> float:
         """By which the gyro clearly is late [s], else 0."""
-        known = [each.value for each in self.errors if each.name == "sensor_skew" and each.clear]
+        known = [each.value for each in self.errors if each.name == DELAY and each.clear]
         return known[0] if known else 0.0
 
 

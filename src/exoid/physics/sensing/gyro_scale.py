@@ -27,6 +27,7 @@ class GyroScale(SensorTerm):
         "beside a watch shows whether it is the clock"
     )
     twin: ClassVar[str] = "clock_rate"
+    everyday: ClassVar[bool] = True
     replaces: ClassVar[str] = "gyro_scale"
 
     scale: Float[Any, ""] = parameter("s", "1", -0.3, 0.3, "scale error", (0.01,))

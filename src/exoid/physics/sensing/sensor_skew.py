@@ -18,6 +18,7 @@ class SensorSkew(SensorTerm):
         "Gyro and encoder are not of the same instant: one is read later, or filtered."
     )
     isolate: ClassVar[str] = "quick movements by hand; the delay shows without any leg model"
+    everyday: ClassVar[bool] = True
 
     skew: Float[Any, ""] = parameter("t_s", "s", -0.06, 0.06, "delay of the gyro", (0.001,))
 
