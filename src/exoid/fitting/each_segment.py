@@ -45,6 +45,10 @@ def fit_each(given: Given, **options) -> FitResult:
 
     Ratios are the mean over segments, with the standard error of their scatter; the parameters are
     what prior and limits make of the mean ratios.
+
+    >>> each = exoid.fit_each("drops.csv")
+    >>> round(each.ratios["gravity_over_inertia"].value)  # 1/s^2
+    27
     """
     recordings = named_recordings(given)
     moving = movements_of(recordings, clip=options.get("clip", "free"))

@@ -60,6 +60,10 @@ def diagnose(
 
     **Raises** `ValueError` where a recording cannot be fitted or gravity comes out upwards,
     `ArithmeticError` where no start of the baseline's fit succeeded.
+
+    >>> found = exoid.diagnose("drops.csv", multistart=4)
+    >>> found.verdict, found.selected
+    ('none', [])
     """
     named = named_recordings(recordings)
     told("fitting the baseline")

@@ -36,7 +36,12 @@ class Average:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class PendulumTest:
-    """The drops of one leg. `average` is over those with the least added mass."""
+    """The drops of one leg. `average` is over those with the least added mass.
+
+    >>> test = exoid.measure_drops("drops.csv")
+    >>> len(test.drops), test.left_out
+    (2, [])
+    """
 
     drops: list[Drop]
     average: dict[str, Average]

@@ -28,6 +28,10 @@ def measure_drops(recordings: Given) -> PendulumTest:
     `recordings` are of one leg, given as to `fit`. The definitions are in
     `exoid.pendulum.definitions`. What a recording does not allow has no value, and a
     reason. Nothing here is a diagnosis.
+
+    >>> test = exoid.measure_drops("drops.csv")
+    >>> len(test.drops)
+    2
     """
     named = named_recordings(recordings, alone="")
     drops = [

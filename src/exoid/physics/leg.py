@@ -17,7 +17,12 @@ GRAVITY = 9.81  # m/s^2, as the paper has it
 
 
 class LegParameters(eqx.Module):
-    """Shank, foot and exoskeleton together. The ranges are the bounds of Eq. 13."""
+    """Shank, foot and exoskeleton together. The ranges are the bounds of Eq. 13.
+
+    >>> leg = exoid.LegParameters(*map(jnp.asarray, (4.5, 0.42, 0.26, 0.33, 2.6)))
+    >>> float(leg.inertia)  # kg m^2
+    0.42
+    """
 
     mass: Inexact[Any, "*batch"] = parameter("m", "kg", 2.0, 6.0, "mass")
     inertia: Inexact[Any, "*batch"] = parameter("J", "kg m^2", 0.15, 1.0, "inertia about the knee")
@@ -44,6 +49,10 @@ class LegModel(eqx.Module):
 
     On a seat that holds the thigh at an angle, gravity acts with cos(phi + thigh_angle). `terms`
     are what Eq. 9 leaves out: `exoid.physics.term`.
+
+    >>> leg = exoid.LegParameters(*map(jnp.asarray, (4.5, 0.42, 0.26, 0.33, 2.6)))
+    >>> exoid.LegModel(leg, exoid.NoTorque()).terms
+    ()
     """
 
     leg: LegParameters

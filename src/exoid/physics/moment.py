@@ -54,7 +54,14 @@ class Place(eqx.Module):
 
 
 class Moment(eqx.Module):
-    """An instant of a motion."""
+    """An instant of a motion.
+
+    >>> class Mud(exoid.PhysicsTerm):
+    ...     title = reference = explanation = isolate = "mud"
+    ...     level: jax.Array = exoid.parameter("D", "N m s/rad", 0.0, 5.0)
+    ...     def torque(self, now: exoid.Moment, memory):
+    ...         return -self.level * now.angular_velocity
+    """
 
     time: Float[Any, "*batch"]  # s, on the segment's clock
     angle: Float[Any, "*batch"]  # rad

@@ -38,7 +38,12 @@ class Declaration:
 def parameter(
     symbol: str, unit: str, lower: float, upper: float, title: str = "", starts: Starts = ()
 ):
-    """Declare a parameter field: its symbol, unit, bounds and the words that tables print."""
+    """Declare a parameter field: its symbol, unit, bounds and the words that tables print.
+
+    >>> class Mud(exoid.PhysicsTerm):
+    ...     title = reference = explanation = isolate = "mud"
+    ...     level: jax.Array = exoid.parameter("D", "N m s/rad", 0.0, 5.0, "drag", (0.1,))
+    """
     return eqx.field(
         metadata={"parameter": Declaration(symbol, unit, lower, upper, title, starts)},
     )

@@ -5,7 +5,11 @@ from jaxtyping import Array, Float
 
 
 class LegState(eqx.Module):
-    """Angle and angular velocity of the shank, extension positive, 0 = shank horizontal."""
+    """Angle and angular velocity of the shank, extension positive, 0 = shank horizontal.
+
+    >>> float(exoid.LegState(jnp.radians(-20.0), jnp.asarray(0.0)).angular_velocity)  # rad/s
+    0.0
+    """
 
     angle: Float[Array, "*batch"]  # rad
     angular_velocity: Float[Array, "*batch"]  # rad/s

@@ -25,7 +25,11 @@ class Reading(eqx.Module):
 
 
 def reading(angle: Any = 0.0, angular_velocity: Any = 0.0, delay: Any = 0.0) -> Reading:
-    """A `Reading`; what is not said is right."""
+    """A `Reading`; what is not said is right.
+
+    >>> float(exoid.reading(angle=0.01).delay)  # s
+    0.0
+    """
     return Reading(jnp.asarray(angle), jnp.asarray(angular_velocity), jnp.asarray(delay))
 
 
@@ -78,11 +82,29 @@ class Term(eqx.Module):
 
 
 class PhysicsTerm(Term):
-    """A torque on the leg that Eq. 9 does not have: `torque`, or `dry_friction` that sticks."""
+    """A torque on the leg that Eq. 9 does not have: `torque`, or `dry_friction` that sticks.
+
+    >>> class Mud(exoid.PhysicsTerm):
+    ...     title = reference = explanation = isolate = "mud"
+    ...     level: jax.Array = exoid.parameter("D", "N m s/rad", 0.0, 5.0, "drag", (0.1,))
+    ...     def torque(self, now, memory):
+    ...         return -self.level * now.angular_velocity
+    >>> leg = exoid.LegParameters(*map(jnp.asarray, (4.5, 0.42, 0.26, 0.33, 2.6)))
+    >>> model = exoid.LegModel(leg, exoid.NoTorque(), terms=(Mud(jnp.asarray(0.1)),))
+    """
 
 
 class SensorTerm(Term):
-    """An error of a sensor: the leg moves as Eq. 9 says, but is shown otherwise."""
+    """An error of a sensor: the leg moves as Eq. 9 says, but is shown otherwise.
+
+    >>> class Stretched(exoid.SensorTerm):
+    ...     title = reference = explanation = isolate = "stretched"
+    ...     gain: jax.Array = exoid.parameter("g", "1", -0.1, 0.1, "gain", (0.01,))
+    ...     def shown(self, now, memory):
+    ...         return exoid.reading(self.gain * now.angle)
+    >>> float(Stretched(jnp.asarray(0.01)).gain)
+    0.01
+    """
 
     @abstractmethod
     def shown(self, now: Moment, memory: Memory) -> Reading:

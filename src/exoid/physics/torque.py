@@ -19,7 +19,11 @@ class Torque(eqx.Module):
 
 
 class NoTorque(Torque):
-    """tau_h = 0: a relaxed leg, or an unpowered rig."""
+    """tau_h = 0: a relaxed leg, or an unpowered rig.
+
+    >>> float(exoid.NoTorque()(jnp.asarray(0.5)))  # N m
+    0.0
+    """
 
     def __call__(self, time: Float[Array, "*time"]) -> Float[Array, "*time"]:
         return jnp.zeros_like(time)
@@ -30,6 +34,10 @@ class CycleTorque(Torque):
 
     With f = 1/T this is -tau |sin(2 pi t / T)|, of one sign throughout, as the paper's words have
     it; its Eq. 4 says f = 2/T, which gives four lobes of mean zero. Both are time-symmetric.
+
+    >>> torque = exoid.CycleTorque(*map(jnp.asarray, (-9.5, 1.8, 1 / 1.8, 0.0)))  # N m, s, Hz, s
+    >>> round(float(torque(jnp.asarray(0.45))), 2)  # N m, a quarter of the period after its onset
+    9.5
     """
 
     amplitude: Float[Array, ""] = parameter("tau", "N m", -250.0, 250.0, "torque amplitude")
@@ -42,7 +50,12 @@ class CycleTorque(Torque):
 
 
 class MeasuredTorque(Torque):
-    """A torque that was measured at `time`, linear between its samples."""
+    """A torque that was measured at `time`, linear between its samples.
+
+    >>> torque = exoid.MeasuredTorque(time=jnp.array([0.0, 1.0]), torque=jnp.array([0.0, 3.0]))
+    >>> float(torque(jnp.asarray(0.5)))  # N m
+    1.5
+    """
 
     time: Float[Array, " samples"]  # s
     torque: Float[Array, " samples"]  # N m

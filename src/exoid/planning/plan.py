@@ -32,6 +32,11 @@ def plan(
 
     **Raises** `ValueError` where the goal is no quantity of a leg, is fixed, or the subject is a
     rig.
+
+    >>> result = exoid.fit("drops.csv")
+    >>> wanted = exoid.plan(result, exoid.load("drops.csv").recording.subject, "inertia")
+    >>> wanted.after < wanted.before  # kg m^2
+    True
     """
     if subject.kind == "rig":
         raise ValueError("plans are made for legs; a rig can be taken apart and weighed.")

@@ -28,6 +28,14 @@ def plan_between(fits: Sequence[FitResult], subject: Subject) -> Contrast:
 
     **Raises** `ValueError` where there are no two rivals, or not of the same recordings, or the
     subject is a rig.
+
+    >>> from exoid.physics.terms.device.coulomb_friction import CoulombFriction
+    >>> from exoid.physics.terms.tissue.cubic_stiffness import CubicStiffness
+    >>> recording = exoid.load("drops.csv").recording
+    >>> fits = [exoid.fit(recording, terms=(each,)) for each in (CoulombFriction, CubicStiffness)]
+    >>> contrast = exoid.plan_between(fits, recording.subject)
+    >>> 0 < contrast.probability <= 1
+    True
     """
     check_rivals(fits, subject)
     known = [from_result(each) for each in fits]

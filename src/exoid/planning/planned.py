@@ -34,7 +34,13 @@ class Option:
 
 @dataclass(frozen=True)
 class Plan:
-    """What to record next for one quantity."""
+    """What to record next for one quantity.
+
+    >>> subject = exoid.Subject(kind="leg", body_mass=77.0, height=1.8)
+    >>> plan = exoid.plan(None, subject, "damping_over_inertia")
+    >>> plan.unit, plan.after < plan.before
+    ('1/s', True)
+    """
 
     goal: str
     symbol: str
@@ -58,7 +64,15 @@ class Telling:
 
 @dataclass(frozen=True)
 class Contrast:
-    """What to record next to tell rival models apart."""
+    """What to record next to tell rival models apart.
+
+    >>> from exoid.physics.terms.device.coulomb_friction import CoulombFriction
+    >>> from exoid.physics.terms.tissue.cubic_stiffness import CubicStiffness
+    >>> recording = exoid.load("drops.csv").recording
+    >>> fits = [exoid.fit(recording, terms=(each,)) for each in (CoulombFriction, CubicStiffness)]
+    >>> exoid.plan_between(fits, recording.subject).rivals
+    ['coulomb_friction', 'cubic_stiffness']
+    """
 
     rivals: list[str]
     at_hand: list[float]  # log odds of each against the best, by the recordings at hand

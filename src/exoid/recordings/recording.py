@@ -43,7 +43,11 @@ def extra():
 
 @dataclass(frozen=True)
 class Subject:
-    """Whose leg, or which rig. None means unknown, never a default."""
+    """Whose leg, or which rig. None means unknown, never a default.
+
+    >>> exoid.Subject(kind="leg", body_mass=77.0, height=1.8).age is None  # unknown
+    True
+    """
 
     kind: Literal["leg", "rig"] | None = text("kind", ("leg", "rig"))
     id: str | None = text("id")
@@ -70,7 +74,11 @@ class Subject:
 
 @dataclass(frozen=True)
 class Protocol:
-    """How the leg was moved. A tuple holds one value per segment."""
+    """How the leg was moved. A tuple holds one value per segment.
+
+    >>> exoid.Protocol(kind=("passive", "active"), cycle_period=(float("nan"), 1.8)).kind
+    ('passive', 'active')
+    """
 
     kind: Kind | tuple[Kind, ...] | None = text("kind", KINDS)
     cycle_period: float | tuple[float, ...] | None = ranged("cycle_period_s", "s", 0.05, 120.0)
@@ -89,6 +97,9 @@ class Sensors:
 
     `flip`, `zero` and `angle_zero` say how a file differs from exoid's convention; `load` mends its
     samples accordingly and clears them (`recordings/conventions/mounting.py`).
+
+    >>> exoid.Sensors(encoder_counts=4096.0).angle_noise is None  # not told
+    True
     """
 
     encoder_counts: float | None = ranged("encoder_counts", "counts per turn", 16.0, 2.0**26)
@@ -125,7 +136,12 @@ def channel(column: str, unit: str, upper: float):
 
 @dataclass(frozen=True, eq=False)
 class Segment:
-    """One release, or one movement cycle with its rest before it. NaN marks a missing sample."""
+    """One release, or one movement cycle with its rest before it. NaN marks a missing sample.
+
+    >>> segment = exoid.Segment(np.arange(3) * 0.01, raw_angle=np.radians([-20.0, -20.1, -20.3]))
+    >>> list(segment.channels())
+    ['time', 'raw_angle']
+    """
 
     time: Samples = field(metadata={"column": "time_s", "unit": "s", "upper": 1e19})
     angle: Samples | None = channel("angle_rad", "rad", 14.0)
@@ -155,6 +171,10 @@ class Recording:
     **Raises** `ValueError` (one line: what, which segment and sample, what to do) when times do
     not increase, lengths differ, no angle was measured, a value is infinite or beyond what a
     knee can do, or a per-segment entry of the metadata does not match the segments.
+
+    >>> recording = exoid.load("drops.csv").recording
+    >>> len(recording.segments), recording.subject.body_mass  # kg
+    (2, 77.0)
     """
 
     segments: tuple[Segment, ...]

@@ -29,6 +29,10 @@ def identify(result: FitResult) -> Identifiability:
     """Ask a fit what it knows, and from whom.
 
     **Raises** `ValueError` for a result that has no one fit to ask (`fit_each`).
+
+    >>> told = exoid.identify(exoid.fit("drops.csv"))
+    >>> len(told.segment_shares["damping_over_inertia"])  # a part of each segment
+    2
     """
     if not isinstance(result, FitResult):
         raise ValueError(

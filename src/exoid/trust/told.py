@@ -36,7 +36,12 @@ class Reversal:
 
 @dataclass(frozen=True, eq=False)
 class Identifiability:
-    """What was told by whom."""
+    """What was told by whom.
+
+    >>> told = exoid.identify(exoid.fit("drops.csv"))
+    >>> {"mass", "inertia"} <= set(told.names)
+    True
+    """
 
     null_directions: list[Direction]  # exact: a longer recording of the same kind would not help
     weak_directions: list[Direction]  # practical: this recording hardly tells

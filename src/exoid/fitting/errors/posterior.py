@@ -37,7 +37,12 @@ CANDIDATES = 10_000  # from the quadratic picture, among which the chains begin
 
 @dataclass(frozen=True, eq=False)
 class Posterior:
-    """Draws of every quantity that data, prior and limits determine."""
+    """Draws of every quantity that data, prior and limits determine.
+
+    >>> drawn = exoid.sample(exoid.fit("drops.csv"), draws=20, warmup=20, chains=2)
+    >>> drawn.samples["inertia"].shape, drawn.units["inertia"]
+    ((2, 20), 'kg m^2')
+    """
 
     samples: dict[str, Float[np.ndarray, "chain draw"]]
     units: dict[str, str]
@@ -65,6 +70,10 @@ def sample(
 
     **Raises** `ValueError` for a result without one fit (`fit_each`), where packages are missing,
     or where the limits leave no room.
+
+    >>> drawn = exoid.sample(exoid.fit("drops.csv"), draws=20, warmup=20, chains=2)
+    >>> drawn.samples["damping_over_inertia"].shape
+    (2, 20)
     """
     check_packages()
     basis = result.basis

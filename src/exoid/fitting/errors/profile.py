@@ -34,7 +34,12 @@ WIDE = 0.5  # of a value, to either side, where nothing tells how far to look
 
 @dataclass(frozen=True, eq=False)
 class Profile:
-    """The least loss for every value of one quantity."""
+    """The least loss for every value of one quantity.
+
+    >>> profile = exoid.profiles(exoid.fit("drops.csv"))["damping_over_inertia"]
+    >>> profile.lower < profile.estimate.value < profile.upper
+    True
+    """
 
     name: str
     estimate: Estimate
@@ -69,6 +74,10 @@ def profiles(result: FitResult) -> dict[str, Profile]:
     One of which hardly a point can be reached within the limits has no profile, and is left out.
 
     **Raises** `ValueError` for a result that has no one fit to profile (`fit_each`).
+
+    >>> each = exoid.profiles(exoid.fit("drops.csv"))
+    >>> each["gravity_over_inertia"].estimate.unit
+    '1/s^2'
     """
     basis = result.basis
     if basis is None:

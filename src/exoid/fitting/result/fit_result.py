@@ -117,7 +117,13 @@ class MultistartReport:
 
 @dataclass(frozen=True, eq=False)
 class FitResult:
-    """The chosen parameters and ratios, how well they fit, and what else fits as well."""
+    """The chosen parameters and ratios, how well they fit, and what else fits as well.
+
+    >>> result = exoid.fit("drops.csv")
+    >>> each = result.ratios["damping_over_inertia"]
+    >>> round(each.value, 1), each.unit, each.determined_by
+    (0.8, '1/s', 'data')
+    """
 
     parameters: dict[str, Estimate]  # mass, inertia, com_distance, damping, stiffness (, torque)
     ratios: dict[str, Estimate]

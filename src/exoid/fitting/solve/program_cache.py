@@ -47,6 +47,8 @@ def keep_programs_in(folder: Path | None = None) -> None:
 
     Whoever can write there can run code as this user. Where it cannot be made, nothing is kept, and
     every process compiles anew.
+
+    >>> exoid.keep_programs_in()
     """
     folder = user_cache_path("exoid") / "programs" if folder is None else folder
     try:

@@ -74,7 +74,12 @@ class Suspect:
 
 @dataclass(frozen=True, eq=False)
 class Diagnosis:
-    """The answer, and what it rests on."""
+    """The answer, and what it rests on.
+
+    >>> found = exoid.diagnose("drops.csv", multistart=4)
+    >>> found.verdict, found.fit is found.before
+    ('none', True)
+    """
 
     verdict: Verdict
     reasons: list[str]  # why not more could be said

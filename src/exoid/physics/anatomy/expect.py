@@ -50,6 +50,10 @@ def expected_leg(
     0.01 kg m^2. Damping and stiffness are those of a relaxed knee; they spread over decades.
 
     **Raises** `ValueError` when body mass and height are not those of one person in kg and m.
+
+    >>> leg = exoid.expected_leg(77.0, 1.80)
+    >>> 0.3 < leg.inertia.value < 0.6  # kg m^2
+    True
     """
     body = Body(body_mass, height, sex, age)
     check_body(body)

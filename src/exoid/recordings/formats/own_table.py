@@ -87,6 +87,10 @@ def write_table(recording: Recording, path: str | Path) -> None:
 
     Both are first written in full beside their targets and then moved into place: a failure
     leaves the files that were there as they were.
+
+    >>> exoid.write_table(exoid.load("drops.csv").recording, "again.csv")
+    >>> len(exoid.load("again.csv").recording.segments)
+    2
     """
     path = Path(path)
     if path.suffix.lower() not in WRITTEN:

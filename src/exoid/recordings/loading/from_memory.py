@@ -52,6 +52,12 @@ def recording(
     `zero` and `columns` mean what they do in `load`.
 
     **Raises** `ValueError` (one line) for what cannot be a recording.
+
+    >>> time = np.arange(500) * 0.01  # s
+    >>> swing = -90 + 60 * np.exp(-0.4 * time) * np.cos(5 * time)  # deg
+    >>> recording = exoid.recording(time_s=time, raw_angle_deg=swing, subject={"kind": "leg"})
+    >>> len(recording.segments)
+    1
     """
     chosen = {name: each for name, each in channels.items() if isinstance(each, str)}
     chosen |= columns or {}

@@ -45,6 +45,10 @@ def load(
 
     **Raises** `ValueError` (one line: what, where, what to do) and `OSError`; with `strict` also
     for anything that a CAN log lost.
+
+    >>> loaded = exoid.load("drops.csv")
+    >>> len(loaded.recording.segments), loaded.notes
+    (2, ())
     """
     path = Path(path)
     check_request(path, dbc, signals)

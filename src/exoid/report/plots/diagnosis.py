@@ -20,6 +20,8 @@ WIDE, TALL = 10.5, 9.4  # inches
 def plot_diagnosis(found: Diagnosis) -> Figure:
     """Missing torque over time and over the phase plane; the causes by what they leave; the
     residual of every held-out segment without and with what was found.
+
+    >>> exoid.plot_diagnosis(exoid.diagnose("drops.csv", multistart=4)).savefig("why.png")
     """
     with rc_context(TEXT):
         layout = ConstrainedLayoutEngine(w_pad=0.07, h_pad=0.05)

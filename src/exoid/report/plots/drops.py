@@ -23,6 +23,8 @@ def plot_drops(test: PendulumTest) -> Figure:
     peaks, plateau and rest; spans name the amplitudes A1 and A0, the period T and the time to rest.
 
     **Raises** `ValueError` where no segment could be read.
+
+    >>> exoid.plot_drops(exoid.measure_drops("drops.csv")).savefig("drops.png")
     """
     readable = [each for each in test.drops if each.curve is not None]
     drops = readable[:SHOWN]

@@ -43,6 +43,8 @@ EMBEDDED: dict[Any, Any] = {"pdf.fonttype": 42, "svg.fonttype": "path"}
 def plot_fit(result: FitResult, profiles: dict[str, Profile] | None = None) -> Figure:
     """Angle and angular velocity with their residuals per segment; below, what determined the
     numbers, and how much worse the fit gets where one of them is held elsewhere.
+
+    >>> exoid.plot_fit(exoid.fit("drops.csv")).savefig("fit.png")
     """
     segments = chosen_segments(result)
     gyro = any(each.angular_velocity is not None for each in segments)

@@ -23,6 +23,10 @@ class SavedResult:
 
     `result` has no `basis` and `diagnosis` no `workings`: they print, draw and compare, but to ask
     further (profiles, posterior, plan) takes the fit itself.
+
+    >>> exoid.save_result(exoid.fit("drops.csv"), "fit.nc", settings={"who": "me"})
+    >>> exoid.load_result("fit.nc").settings["who"]
+    'me'
     """
 
     result: FitResult
@@ -49,6 +53,9 @@ def save_result(
 
     `found` is what else a `SavedResult` has: `profiles`, `diagnosis` (of this fit), `plan`,
     `origin`. `recordings` has path, sha256 and segments of every file; `settings` what was asked.
+
+    >>> result = exoid.fit("drops.csv")
+    >>> exoid.save_result(result, "fit.nc", told=exoid.identify(result))
     """
     about = (version("exoid"), recordings, settings or {})
     write(SavedResult(result, told, *about, **found), Path(path))
@@ -61,6 +68,10 @@ def load_result(path: str | Path, *, terms: Sequence[type[Term]] = ()) -> SavedR
 
     **Raises** `ValueError` (one line) where the file is another one, or not as it was saved;
     `OSError` where there is none.
+
+    >>> exoid.save_result(exoid.fit("drops.csv"), "fit.json")
+    >>> exoid.load_result("fit.json").result.follows
+    True
     """
     path = Path(path)
     if path.is_dir():
