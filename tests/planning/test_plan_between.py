@@ -1,5 +1,7 @@
 """Rivals told apart by a recording that a plan proposes, made and fitted with both."""
 
+from dataclasses import replace
+
 import jax
 import jax.numpy as jnp
 import numpy as np
@@ -74,7 +76,8 @@ def test_the_probability_is_that_of_odds_drawn_at_random():
 @pytest.mark.slow
 def test_the_proposed_recording_tells_the_rivals_apart():
     first = made([SHORT], seed=0)
-    found = plan_between([fit(first, terms=(term,), multistart=2) for term in RIVALS], BODY)
+    fits = [fit(first, terms=(term,), multistart=2) for term in RIVALS]
+    found = plan_between(fits, BODY)
     before = -min(found.at_hand)
     assert before < DECISIVE  # one short swing does not tell
     assert found.probability > 0.5
@@ -83,6 +86,10 @@ def test_the_proposed_recording_tells_the_rivals_apart():
     assert brought == pytest.approx(found.if_right[0], rel=0.5)  # made by another level
     last = [found.options[-1].candidate]
     assert brought > advantage(first, made(last, seed=5)) - before
+    assert not any("does not follow" in each for each in found.sentences)
+    lost = replace(fits[1], astray="it runs away")
+    assert any("quadratic_drag the simulation does not" in each
+               for each in plan_between([fits[0], lost], BODY).sentences)  # fmt: skip
     assert [each.log_odds for each in found.options] == sorted(
         (each.log_odds for each in found.options), reverse=True
     )

@@ -154,9 +154,21 @@ def advice(
         said.append("no recording of this kind tells them apart; what might is said below.")
         terms = dict.fromkeys(type(term) for each in known for term in each.terms)
         said.extend(f"{name_of(term)} shows in {term.isolate}." for term in terms)
+    said.extend(
+        of_strays([name for name, each in zip(names, fits, strict=True) if not each.follows])
+    )
     if all(each.disturbance.cause is not None for each in fits):
         said.append(
             "none of them follows the recordings down to the noise: another cause may be at work, "
             "alone or beside them. exoid diagnose searches for it."
         )
     return said
+
+
+def of_strays(names: list[str]) -> list[str]:
+    """That these do not follow what was recorded."""
+    return [
+        f"with {name} the simulation does not follow the recordings at hand: what is planned "
+        "against it is not to be believed."
+        for name in names
+    ]
