@@ -7,7 +7,8 @@ from typing import Annotated
 import typer
 
 from exoid.cli.inputs.own_terms import own_terms
-from exoid.cli.outputs.destination import check_apart, check_destination
+from exoid.cli.inputs.terms import OwnTerms
+from exoid.cli.outputs.destination import Json, check_apart, check_destination
 from exoid.cli.terminal.waiting import patiently
 
 
@@ -16,13 +17,8 @@ def compare(
         Path, typer.Argument(help="What --save of 'exoid fit' or 'exoid diagnose' wrote (.nc).")
     ],
     second: Annotated[Path, typer.Argument(help="Another one.")],
-    terms: Annotated[
-        str | None,
-        typer.Option(help="Your own terms, where a result has some.", metavar="MODULE"),
-    ] = None,
-    json: Annotated[
-        Path | None, typer.Option(help="Everything for machines.", metavar="FILE")
-    ] = None,
+    terms: OwnTerms = None,
+    json: Json = None,
 ) -> None:
     """Show two saved results side by side: two days, two sides, or two settings.
 

@@ -6,8 +6,8 @@ from typing import Annotated
 import typer
 
 from exoid.cli.inputs.choices import FlipOption, ZeroOption
-from exoid.cli.inputs.reading import Columns, read
-from exoid.cli.outputs.destination import check_absent, check_apart, check_destination
+from exoid.cli.inputs.reading import Columns, Dbc, Signals, Strict, read
+from exoid.cli.outputs.destination import Force, check_absent, check_apart, check_destination
 from exoid.cli.terminal.waiting import patiently
 
 
@@ -28,17 +28,12 @@ def convert(
         bool, typer.Option("--whole", help="One continuous segment, nothing between left out.")
     ] = False,
     column: Columns = None,
-    dbc: Annotated[Path | None, typer.Option(help="Your own DBC, with --signal.")] = None,
-    signal: Annotated[
-        list[str] | None,
-        typer.Option(help="CHANNEL=MESSAGE.SIGNAL; repeat.", metavar="MAP"),
-    ] = None,
+    dbc: Dbc = None,
+    signal: Signals = None,
     flip: FlipOption = None,
     zero: ZeroOption = None,
-    strict: Annotated[
-        bool, typer.Option("--strict", help="Any loss in a log is an error.")
-    ] = False,
-    force: Annotated[bool, typer.Option("--force", help="Replace what is there.")] = False,
+    strict: Strict = False,
+    force: Force = False,
 ) -> None:
     """Write a recording as exoid's table (.csv or .parquet) with its sidecar (.toml).
 

@@ -1,6 +1,5 @@
 """exoid diagnose: where simulation and recording part, and which physics was left out."""
 
-from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
 
@@ -9,10 +8,11 @@ import typer
 from exoid.cli.commands.analysis import ask, diagnosed
 from exoid.cli.inputs.assumptions import Bound, BoundsOption, Fix, Prior, assumed
 from exoid.cli.inputs.body import BodyMass, Height, given_body
-from exoid.cli.inputs.choices import Bounds, FlipOption, ZeroOption
+from exoid.cli.inputs.choices import Bounds, FlipOption, Seed, ZeroOption
 from exoid.cli.inputs.own_terms import own_terms
-from exoid.cli.inputs.reading import EXAMPLE, Columns, as_told, take
-from exoid.cli.outputs.destination import FIGURES, check_apart, check_destination
+from exoid.cli.inputs.reading import EXAMPLE, Columns, Dbc, Signals, as_told, take_all
+from exoid.cli.inputs.terms import OwnTerms
+from exoid.cli.outputs.destination import FIGURES, Json, Report, check_apart, check_destination
 from exoid.cli.outputs.origin import inputs, origin_of
 from exoid.cli.outputs.page import PAGES, planned, sources_of, write_report
 from exoid.cli.outputs.results import described, end, introduce, keep
@@ -32,35 +32,22 @@ def diagnose(
     bound: Bound = None,
     body_mass: BodyMass = None,
     height: Height = None,
-    terms: Annotated[
-        str | None,
-        typer.Option(
-            help="Your own terms: a module, or a file .py, with classes of exoid's Term.",
-            metavar="MODULE",
-        ),
-    ] = None,
-    seed: Annotated[int, typer.Option(min=0, help="Of the starts; same seed, same result.")] = 0,
+    terms: OwnTerms = None,
+    seed: Seed = 0,
     column: Columns = None,
-    dbc: Annotated[Path | None, typer.Option(help="Your own DBC, with --signal.")] = None,
-    signal: Annotated[
-        list[str] | None,
-        typer.Option(help="CHANNEL=MESSAGE.SIGNAL; repeat.", metavar="MAP"),
-    ] = None,
+    dbc: Dbc = None,
+    signal: Signals = None,
     flip: FlipOption = None,
     zero: ZeroOption = None,
     plot: Annotated[
         Path | None, typer.Option(help="Figure: where, which, before and after.", metavar="FILE")
     ] = None,
-    json: Annotated[
-        Path | None, typer.Option(help="Everything for machines.", metavar="FILE")
-    ] = None,
+    json: Json = None,
     save: Annotated[
         Path | None,
         typer.Option(help="All of it (.nc), for exoid compare and exoid report.", metavar="FILE"),
     ] = None,
-    report: Annotated[
-        Path | None, typer.Option(help="Page (.html) to look at and print.", metavar="FILE")
-    ] = None,
+    report: Report = None,
 ) -> None:
     """Say where simulation and recording part, which physics was left out, and prove it.
 
@@ -84,10 +71,7 @@ def diagnose(
     if not recordings:
         typer.echo("No recording given: this is the example that comes with exoid.")
     told = {"column": column, "flip": flip, "zero": zero}
-    named, taken = [], [take(path, dbc, signal, False, **told) for path in paths]
-    for path, one in zip(paths, taken, strict=True):
-        loaded = one.recording
-        named.append((path.name, replace(loaded, subject=replace(loaded.subject, **body))))
+    named, taken = take_all(paths, body, dbc=dbc, signal=signal, **told)
     found = in_phases(lambda told: diagnosed(named, own, options, told))
     introduce(named)
     show(found)

@@ -7,8 +7,8 @@ from typing import Annotated
 import typer
 
 from exoid.cli.inputs.choices import FlipOption, ZeroOption
-from exoid.cli.inputs.reading import EXAMPLE, Columns, read
-from exoid.cli.outputs.destination import FIGURES, check_apart, check_destination
+from exoid.cli.inputs.reading import EXAMPLE, Columns, Dbc, Signals, read
+from exoid.cli.outputs.destination import FIGURES, Json, check_apart, check_destination
 from exoid.cli.outputs.results import introduce
 from exoid.cli.terminal.waiting import patiently
 
@@ -21,18 +21,14 @@ def drops(
         ),
     ] = None,
     column: Columns = None,
-    dbc: Annotated[Path | None, typer.Option(help="Your own DBC, with --signal.")] = None,
-    signal: Annotated[
-        list[str] | None, typer.Option(help="CHANNEL=MESSAGE.SIGNAL; repeat.", metavar="MAP")
-    ] = None,
+    dbc: Dbc = None,
+    signal: Signals = None,
     flip: FlipOption = None,
     zero: ZeroOption = None,
     plot: Annotated[
         Path | None, typer.Option(help="Figure: every measure on its curve.", metavar="FILE")
     ] = None,
-    json: Annotated[
-        Path | None, typer.Option(help="Everything for machines.", metavar="FILE")
-    ] = None,
+    json: Json = None,
 ) -> None:
     """Read the pendulum-test measures off every passive drop: no model, no fit, no diagnosis.
 

@@ -1,6 +1,5 @@
 """exoid fit: from recordings to the leg's parameters."""
 
-from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
 
@@ -9,11 +8,20 @@ import typer
 from exoid.cli.commands.analysis import ask, check_posterior, compute, profiled, write_posterior
 from exoid.cli.inputs.assumptions import Bound, BoundsOption, Fix, Prior, assumed
 from exoid.cli.inputs.body import BodyMass, Height, given_body
-from exoid.cli.inputs.choices import Bounds, Clip, FlipOption, Method, Misfit, Reading, ZeroOption
+from exoid.cli.inputs.choices import (
+    Bounds,
+    Clip,
+    FlipOption,
+    Method,
+    Misfit,
+    Reading,
+    Seed,
+    ZeroOption,
+)
 from exoid.cli.inputs.own_terms import own_terms
-from exoid.cli.inputs.reading import EXAMPLE, Columns, as_told, take
+from exoid.cli.inputs.reading import EXAMPLE, Columns, Dbc, Signals, Strict, as_told, take_all
 from exoid.cli.inputs.terms import Model, OwnTerms, With, names_of, saved_model, terms_asked
-from exoid.cli.outputs.destination import FIGURES, check_apart, check_destination
+from exoid.cli.outputs.destination import FIGURES, Json, Report, check_apart, check_destination
 from exoid.cli.outputs.origin import inputs, origin_of
 from exoid.cli.outputs.page import PAGES, sources_of, write_report
 from exoid.cli.outputs.results import draw, end, introduce, keep, show, write_document
@@ -31,7 +39,7 @@ def fit(
         ),
     ] = None,
     multistart: Annotated[int, typer.Option(min=1, max=100_000, help="Number of starts.")] = 64,
-    seed: Annotated[int, typer.Option(min=0, help="Of the starts; same seed, same result.")] = 0,
+    seed: Seed = 0,
     prior: Prior = None,
     weight: Annotated[
         float,
@@ -66,24 +74,15 @@ def fit(
         typer.Option(help="free: what moved freely. paper: the ends below 20 deg/s are cut off."),
     ] = Clip.free,
     column: Columns = None,
-    dbc: Annotated[Path | None, typer.Option(help="Your own DBC, with --signal.")] = None,
-    signal: Annotated[
-        list[str] | None,
-        typer.Option(
-            help="CHANNEL=MESSAGE.SIGNAL, such as raw_angle=Knee.Angle; repeat.", metavar="MAP"
-        ),
-    ] = None,
+    dbc: Dbc = None,
+    signal: Signals = None,
     flip: FlipOption = None,
     zero: ZeroOption = None,
-    strict: Annotated[
-        bool, typer.Option("--strict", help="Any loss in a log is an error.")
-    ] = False,
+    strict: Strict = False,
     plot: Annotated[
         Path | None, typer.Option(help="Figure: measured, simulated, starts.", metavar="FILE")
     ] = None,
-    json: Annotated[
-        Path | None, typer.Option(help="Everything for machines.", metavar="FILE")
-    ] = None,
+    json: Json = None,
     posterior: Annotated[
         Path | None,
         typer.Option(help="Draws of every quantity for ArviZ (.nc); a minute.", metavar="FILE"),
@@ -92,9 +91,7 @@ def fit(
         Path | None,
         typer.Option(help="The fit (.nc), for exoid compare and report.", metavar="FILE"),
     ] = None,
-    report: Annotated[
-        Path | None, typer.Option(help="Page (.html) to look at and print.", metavar="FILE")
-    ] = None,
+    report: Report = None,
 ) -> None:
     """Find mass, inertia, COM distance, damping, stiffness and torque of a leg.
 
@@ -127,15 +124,9 @@ def fit(
         typer.echo(
             "No recording given: this is the example that comes with exoid, a simulated leg."
         )
-    reading = {"column": column, "flip": flip, "zero": zero}
-    named, taken = [], [take(path, dbc, signal, strict, **reading) for path in paths]
-    for path, one in zip(paths, taken, strict=True):
-        loaded = one.recording
-        protocol = loaded.protocol
-        if torque_frequency is not None:
-            protocol = replace(protocol, torque_frequency=torque_frequency.value)
-        subject = replace(loaded.subject, **body)
-        named.append((path.name, replace(loaded, subject=subject, protocol=protocol)))
+    reading = {"strict": strict, "column": column, "flip": flip, "zero": zero}
+    known = {"torque_frequency": torque_frequency.value} if torque_frequency else {}
+    named, taken = take_all(paths, body, known, dbc=dbc, signal=signal, **reading)
     options = {
         "multistart": multistart,
         "seed": seed,

@@ -9,9 +9,9 @@ import typer
 from exoid.cli.commands.analysis import compute, prepare
 from exoid.cli.inputs.assumptions import Bound, BoundsOption, Fix, Prior, assumed
 from exoid.cli.inputs.body import BodyMass, Height, given_body
-from exoid.cli.inputs.choices import Bounds, FlipOption, ZeroOption
+from exoid.cli.inputs.choices import Bounds, FlipOption, Seed, ZeroOption
 from exoid.cli.inputs.own_terms import own_terms
-from exoid.cli.inputs.reading import Columns, read
+from exoid.cli.inputs.reading import Columns, take_all
 from exoid.cli.inputs.terms import (
     Between,
     Model,
@@ -22,7 +22,7 @@ from exoid.cli.inputs.terms import (
     suspected_in,
     terms_asked,
 )
-from exoid.cli.outputs.destination import check_apart, check_destination
+from exoid.cli.outputs.destination import Json, check_apart, check_destination
 from exoid.cli.outputs.results import end, introduce
 from exoid.cli.terminal.waiting import patiently
 
@@ -66,12 +66,10 @@ def plan(
     height: Height = None,
     column: Columns = None,
     multistart: Annotated[int, typer.Option(min=1, max=100_000, help="Starts of the fit.")] = 64,
-    seed: Annotated[int, typer.Option(min=0, help="Of the starts.")] = 0,
+    seed: Seed = 0,
     flip: FlipOption = None,
     zero: ZeroOption = None,
-    json: Annotated[
-        Path | None, typer.Option(help="Everything for machines.", metavar="FILE")
-    ] = None,
+    json: Json = None,
 ) -> None:
     """Say which recording would narrow a quantity most, or tell rival causes apart.
 
@@ -93,11 +91,7 @@ def plan(
     body = given_body(body_mass=body_mass, height=height)
     from exoid.recordings.recording import Subject
 
-    named = []
-    for path in recordings or []:
-        told = {"column": column, "flip": flip, "zero": zero}
-        loaded = read(path, None, None, False, **told)
-        named.append((path.name, replace(loaded, subject=replace(loaded.subject, **body))))
+    named, _ = take_all(recordings or [], body, column=column, flip=flip, zero=zero)
     subject = named[0][1].subject if named else replace(Subject(kind="leg"), **body)
     options = {"multistart": multistart, "seed": seed, **assumed(prior, bounds, fix, bound)}
     if rivals:

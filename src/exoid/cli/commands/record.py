@@ -9,7 +9,7 @@ import typer
 from exoid.cli.inputs.ask_body import ask_body
 from exoid.cli.inputs.body import given_body
 from exoid.cli.inputs.choices import Side
-from exoid.cli.outputs.destination import check_absent, check_destination
+from exoid.cli.outputs.destination import Force, check_absent, check_destination
 from exoid.cli.terminal.keys import check_keyboard, keyboard
 from exoid.cli.terminal.screen import Screen
 from exoid.cli.terminal.stopping import stoppable
@@ -48,7 +48,7 @@ def record(
         str | None, typer.Option("--session", help="For the sidecar.", metavar="TEXT")
     ] = None,
     note: Annotated[str | None, typer.Option(help="For the sidecar.", metavar="TEXT")] = None,
-    force: Annotated[bool, typer.Option("--force", help="Replace what is there.")] = False,
+    force: Force = False,
 ) -> None:
     """Record the node's frames, and what is known of the leg, until Ctrl-C.
 

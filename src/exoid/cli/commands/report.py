@@ -1,6 +1,5 @@
 """exoid report: everything about a recording on one page."""
 
-from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -9,9 +8,10 @@ import typer
 from exoid.cli.commands.analysis import ask, compute, diagnosed
 from exoid.cli.inputs.assumptions import Bound, BoundsOption, Fix, Prior, assumed
 from exoid.cli.inputs.body import BodyMass, Height, given_body
-from exoid.cli.inputs.choices import Bounds, FlipOption, ZeroOption
+from exoid.cli.inputs.choices import Bounds, FlipOption, Seed, ZeroOption
 from exoid.cli.inputs.own_terms import own_terms
-from exoid.cli.inputs.reading import EXAMPLE, Columns, as_told, take
+from exoid.cli.inputs.reading import EXAMPLE, Columns, Dbc, Signals, as_told, take_all
+from exoid.cli.inputs.terms import OwnTerms
 from exoid.cli.outputs.destination import check_apart, check_destination
 from exoid.cli.outputs.origin import inputs, origin_of
 from exoid.cli.outputs.page import PAGES, planned, sources_of, write_report
@@ -40,20 +40,14 @@ def report(
     body_mass: BodyMass = None,
     height: Height = None,
     multistart: Annotated[int, typer.Option(min=1, max=100_000, help="Number of starts.")] = STARTS,
-    seed: Annotated[int, typer.Option(min=0, help="Of the starts; same seed, same result.")] = 0,
-    terms: Annotated[
-        str | None,
-        typer.Option(help="Your own terms, as in exoid diagnose.", metavar="MODULE"),
-    ] = None,
+    seed: Seed = 0,
+    terms: OwnTerms = None,
     diagnosis: Annotated[
         bool, typer.Option("--diagnosis/--no-diagnosis", help="Look for missing physics.")
     ] = True,
     column: Columns = None,
-    dbc: Annotated[Path | None, typer.Option(help="Your own DBC, with --signal.")] = None,
-    signal: Annotated[
-        list[str] | None,
-        typer.Option(help="CHANNEL=MESSAGE.SIGNAL; repeat.", metavar="MAP"),
-    ] = None,
+    dbc: Dbc = None,
+    signal: Signals = None,
     flip: FlipOption = None,
     zero: ZeroOption = None,
 ) -> None:
@@ -99,11 +93,7 @@ def report(
     if not recordings:
         typer.echo("No recording given: this is the example that comes with exoid.")
     told = {"column": column, "flip": flip, "zero": zero}
-    taken = [take(path, dbc, signal, False, **told) for path in paths]
-    named = [
-        (path.name, replace(one.recording, subject=replace(one.recording.subject, **body)))
-        for path, one in zip(paths, taken, strict=True)
-    ]
+    named, taken = take_all(paths, body, dbc=dbc, signal=signal, **told)
     options = {"multistart": multistart, "seed": seed, **by_hand}
     tested = own if diagnosis else None
     result, found = in_phases(lambda told: analysed(named, options, tested, told))

@@ -9,7 +9,7 @@ import typer
 from exoid.cli.inputs.body import given_body
 from exoid.cli.inputs.own_terms import own_terms
 from exoid.cli.inputs.terms import OwnTerms, With, saved_model, terms_asked
-from exoid.cli.outputs.destination import check_absent, check_destination
+from exoid.cli.outputs.destination import Force, check_absent, check_destination
 from exoid.cli.terminal.waiting import patiently
 
 LEG = {"mass": 4.5, "inertia": 0.44, "com_distance": 0.265, "damping": 0.35, "stiffness": 2.8}
@@ -59,7 +59,7 @@ def simulate(
         bool, typer.Option("--noise/--no-noise", help="Of AS5600 and LSM6DS3.")
     ] = True,
     seed: Annotated[int, typer.Option(min=0, max=2**32 - 1, help="Of the noise.")] = 0,
-    force: Annotated[bool, typer.Option("--force", help="Replace what is there.")] = False,
+    force: Force = False,
 ) -> None:
     """Simulate drops and cycles of a leg and write them as a recording.
 

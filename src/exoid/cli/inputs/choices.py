@@ -77,6 +77,7 @@ class Side(StrEnum):
     right = "right"
 
 
+Seed = Annotated[int, typer.Option(min=0, help="Of the starts; same seed, same result.")]
 FlipOption = Annotated[
     Flip | None, typer.Option("--flip", help="What counts flexion as positive in this file.")
 ]

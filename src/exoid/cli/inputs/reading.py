@@ -1,5 +1,6 @@
 """Recordings as the commands read them, with what their readers noticed."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
 
@@ -8,6 +9,14 @@ import typer
 from exoid.cli.inputs.choices import Flip, Zero
 from exoid.cli.terminal.waiting import patiently
 
+Dbc = Annotated[Path | None, typer.Option(help="Your own DBC, with --signal.")]
+Signals = Annotated[
+    list[str] | None,
+    typer.Option(
+        help="CHANNEL=MESSAGE.SIGNAL, such as raw_angle=Knee.Angle; repeat.", metavar="MAP"
+    ),
+]
+Strict = Annotated[bool, typer.Option("--strict", help="Any loss in a log is an error.")]
 EXAMPLE = Path(__file__).parents[2] / "example" / "session.blf"
 Columns = Annotated[
     list[str] | None,
@@ -21,9 +30,9 @@ Columns = Annotated[
 
 def read(
     path: Path,
-    dbc: Path | None,
-    signal: list[str] | None,
-    strict: bool,
+    dbc: Path | None = None,
+    signal: list[str] | None = None,
+    strict: bool = False,
     *,
     whole: bool = False,
     flip: Flip | None = None,
@@ -35,11 +44,31 @@ def read(
     return take(path, dbc, signal, strict, whole=whole, **told).recording
 
 
+def take_all(paths: list[Path], body: dict, protocol: dict | None = None, **options):
+    """Recordings of one leg by their files' names, with what was said of its body and its protocol;
+    and what their readers noticed. `options` are those of `take`.
+    """
+    taken = [take(path, **options) for path in paths]
+    recordings = [each.recording for each in taken]
+    named = [
+        (
+            path.name,
+            replace(
+                each,
+                subject=replace(each.subject, **body),
+                protocol=replace(each.protocol, **(protocol or {})),
+            ),
+        )
+        for path, each in zip(paths, recordings, strict=True)
+    ]
+    return named, taken
+
+
 def take(
     path: Path,
-    dbc: Path | None,
-    signal: list[str] | None,
-    strict: bool,
+    dbc: Path | None = None,
+    signal: list[str] | None = None,
+    strict: bool = False,
     *,
     whole: bool = False,
     flip: Flip | None = None,

@@ -3,8 +3,16 @@
 from collections.abc import Iterable
 from pathlib import Path
 from tempfile import TemporaryFile
+from typing import Annotated
+
+import typer
 
 FIGURES = ("pdf", "svg", "png")
+Json = Annotated[Path | None, typer.Option(help="Everything for machines.", metavar="FILE")]
+Report = Annotated[
+    Path | None, typer.Option(help="Page (.html) to look at and print.", metavar="FILE")
+]
+Force = Annotated[bool, typer.Option("--force", help="Replace what is there.")]
 
 
 def check_destination(path: Path | None, kinds: tuple[str, ...] = ()) -> None:
