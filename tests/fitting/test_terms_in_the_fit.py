@@ -16,6 +16,7 @@ from exoid.physics.library import library
 from exoid.physics.sensing.gyro_bias import GyroBias
 from exoid.physics.sensing.sensor_skew import SensorSkew
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
+from exoid.physics.terms.tissue.maxwell_element import MaxwellElement
 from exoid.physics.torque import NoTorque
 from exoid.planning.plan import plan
 from exoid.report.saved.saved_result import load_result, save_result
@@ -148,6 +149,12 @@ def test_a_late_gyro_comes_back_to_a_tenth_of_a_millisecond():
     assert each.terms["sensor_skew"]["skew"].value == pytest.approx(0.008, abs=1e-4)
     for name, truth in RATIOS.items():
         assert likely(each.ratios[name], truth), name
+
+
+def test_a_term_that_remembers_says_what_its_errors_leave_out(found):
+    assert not any("remembers" in each for each in found.notes)
+    relaxing = fit(worn(), multistart=2, terms=(MaxwellElement,))
+    assert any("maxwell_element remembers what was before" in each for each in relaxing.notes)
 
 
 def test_profiles_directions_and_plans_know_the_terms(found):

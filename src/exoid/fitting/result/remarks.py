@@ -10,6 +10,7 @@ from exoid.fitting.result.noise_remarks import noise_remarks
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.leg import GRAVITY, LegParameters
 from exoid.physics.parameter import declarations
+from exoid.physics.term import name_of
 
 UPWARDS = (
     "gravity comes out upwards (m l g / J is negative): no leg falls like this. The angle must be "
@@ -30,6 +31,7 @@ def remarks(problem: Problem, ended: Ended, at_bound: set[str]) -> list[str]:
     if guessed:
         each = ", ".join(f"{one.name} {one.kind}" for one in guessed)
         said.append(f"the sidecar does not say how the leg was moved; by its motion: {each}.")
+    said += of_memory(problem)
     said += of_late(problem)
     said += of_kept(problem)
     said += noise_remarks(problem.movements)
@@ -59,6 +61,17 @@ def remarks(problem: Problem, ended: Ended, at_bound: set[str]) -> list[str]:
             "tau and tau / J are means over the voluntary segments, each with its own effort."
         )
     return said
+
+
+def of_memory(problem: Problem) -> list[str]:
+    """What the errors leave out where a term has a state that nobody saw as a segment began."""
+    remembering = [name_of(term) for term in problem.terms if term.memory_size]
+    return [
+        f"{name} remembers what was before the first fitted sample, and is taken to be at rest "
+        "there. A leg that had begun to move makes its numbers, d / J and c / J wrong by more than "
+        "their errors say."
+        for name in remembering
+    ]
 
 
 def of_late(problem: Problem) -> list[str]:
