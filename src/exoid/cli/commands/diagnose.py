@@ -11,7 +11,7 @@ from exoid.cli.inputs.body import BodyMass, Height, given_body
 from exoid.cli.inputs.choices import Bounds, FlipOption, Seed, ZeroOption
 from exoid.cli.inputs.own_terms import own_terms
 from exoid.cli.inputs.reading import EXAMPLE, Columns, Dbc, Signals, as_told, take_all
-from exoid.cli.inputs.terms import OwnTerms
+from exoid.cli.inputs.terms import OwnTerms, rivals_in
 from exoid.cli.outputs.destination import FIGURES, Json, Report, check_apart, check_destination
 from exoid.cli.outputs.origin import inputs, origin_of
 from exoid.cli.outputs.page import PAGES, planned, sources_of, write_report
@@ -75,7 +75,7 @@ def diagnose(
     found = in_phases(lambda told: diagnosed(named, own, options, told))
     introduce(named)
     show(found)
-    rivals = [each.terms[0] for each in found.suspected if len(each.terms) == 1]
+    rivals = rivals_in(found)
     if len(rivals) > 1:
         files, names = " ".join(map(str, paths)), ",".join(rivals)
         typer.echo(f"Which recording tells them apart: exoid plan {files} --between {names}\n")

@@ -107,8 +107,12 @@ def suspected_in(model: Path, own: tuple) -> list[str]:
     from exoid.report.saved.saved_result import load_result
 
     found = load_result(model, terms=own).diagnosis
-    suspected = [] if found is None else found.suspected
-    return [each.terms[0] for each in suspected if len(each.terms) == 1]
+    return [] if found is None else rivals_in(found)
+
+
+def rivals_in(found) -> list[str]:
+    """The single causes that a diagnosis suspects, as --between takes them."""
+    return [each.terms[0] for each in found.suspected if len(each.terms) == 1]
 
 
 def valued(name: str, term: type, text: str):
