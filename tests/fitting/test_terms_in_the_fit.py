@@ -15,10 +15,12 @@ from exoid.physics.leg import LegModel
 from exoid.physics.library import library
 from exoid.physics.sensing.gyro_bias import GyroBias
 from exoid.physics.sensing.sensor_skew import SensorSkew
+from exoid.physics.terms.device.backlash import Backlash
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.physics.terms.tissue.maxwell_element import MaxwellElement
 from exoid.physics.torque import NoTorque
 from exoid.planning.plan import plan
+from exoid.recordings.signal.condition import cut
 from exoid.report.saved.saved_result import load_result, save_result
 from exoid.trust.identifiability import identify
 from exoid.twin.motion import Movement
@@ -152,9 +154,13 @@ def test_a_late_gyro_comes_back_to_a_tenth_of_a_millisecond():
 
 
 def test_a_term_that_remembers_says_what_its_errors_leave_out(found):
-    assert not any("remembers" in each for each in found.notes)
-    relaxing = fit(worn(), multistart=2, terms=(MaxwellElement,))
-    assert any("maxwell_element remembers what was before" in each for each in relaxing.notes)
+    assert not any("remember" in each for each in found.notes)
+    whole = worn()
+    relaxing = fit(whole, multistart=2, terms=(MaxwellElement,))
+    assert any("maxwell_element may remember for seconds" in each for each in relaxing.notes)
+    begun = replace(whole, segments=tuple(cut(each, slice(140, None)) for each in whole.segments))
+    playing = fit(begun, multistart=2, terms=(Backlash,))
+    assert any("what backlash remembers of before is unknown" in each for each in playing.notes)
 
 
 def test_profiles_directions_and_plans_know_the_terms(found):

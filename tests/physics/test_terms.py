@@ -19,7 +19,7 @@ from exoid.physics.library import library
 from exoid.physics.moment import Cycle, Moment, Place
 from exoid.physics.motion.simulate import simulate
 from exoid.physics.motion.step import Drive
-from exoid.physics.motion.with_terms import at_rest, delayed, extended_step, missing
+from exoid.physics.motion.with_terms import at_rest, delayed, extended_step, let_go, missing
 from exoid.physics.parameter import declarations
 from exoid.physics.state import LegState
 from exoid.physics.term import SensorTerm, Term, name_of
@@ -668,6 +668,29 @@ def test_what_a_term_remembers_accounts_for_its_energy(name):
     assert constant(kept, 1e-9)  # of 10 J: ten times what 10 Hz lose in steps of 1600 Hz
     assert falling(lost)
     assert (lost[:, -1] < lost[:, 0] - 1e-3).all()
+
+
+@pytest.mark.parametrize("name", [name for name, term in TERMS.items() if term.memory_size])
+def test_where_a_fall_from_rest_has_led_tells_what_it_left_in_memory(name):
+    """To 1 %, 0.03 s after the release and from the leg's state alone."""
+    none, fallen = jnp.zeros(()), round(0.03 * FINE)
+
+    def one(values):
+        still = Cycle(none, jnp.ones(()), none, none)
+        ratios = LegModel(leg(), NoTorque(), jnp.array(THIGH)).ratios()
+        place = Place(ratios, jnp.array(LEG["inertia"]), still, none)
+        terms, drive = (TERMS[name](*values),), Drive(none, none, none)
+
+        def advance(number, at):
+            return extended_step(place, terms, at, number / FINE, jnp.array(1 / FINE), drive)
+
+        held = at_rest(place, terms, state(velocity=0), none, none)
+        true = jax.lax.fori_loop(0, fallen, advance, held)
+        return true.memory[0], let_go(place, terms, true.leg, none, none).memory[0], held.memory[0]
+
+    true, told, held = jax.jit(jax.vmap(one), compiler_options=QUICK)(jnp.array(starts(name)))
+    assert np.abs(true - held).max() > 1e-4 or name == "activation_lag"  # which no cycle drives
+    assert np.abs(told - true).max() < 1e-2 * np.abs(true - held).max() + 1e-12
 
 
 # ------------------------------------------------------------------------------------ dry friction

@@ -17,7 +17,7 @@ from exoid.fitting.model.term_parameters import over_inertia
 from exoid.physics.leg import GRAVITY
 from exoid.physics.moment import Cycle, Place
 from exoid.physics.motion.step import Drive, march
-from exoid.physics.motion.with_terms import Motion, at_rest, delayed, extended_step, observed
+from exoid.physics.motion.with_terms import Motion, delayed, extended_step, let_go, observed
 from exoid.physics.ratios import Ratios
 from exoid.physics.state import LegState
 from exoid.physics.term import Term
@@ -84,10 +84,10 @@ def place_of(eq: Equation, observation: Observation, stage: Stage) -> Place:
 
 
 def begin(eq: Equation, start: LegState, observation: Observation, stage: Stage) -> Motion:
-    """The motion at the first sample, every term at rest."""
+    """The motion at the first sample, of a leg that was let go at rest."""
     place = place_of(eq, observation, stage)
     pushed = push_at(eq, 0, observation, stage)
-    return at_rest(place, eq.terms, start, observation.time[0], pushed)
+    return let_go(place, eq.terms, start, observation.time[0], pushed)
 
 
 def advance(

@@ -5,6 +5,7 @@ from typing import Literal
 
 import numpy as np
 from jaxtyping import Float
+from scipy.special import erfcx
 
 Source = Literal["data", "prior", "both", "bound"]
 
@@ -12,6 +13,7 @@ ROUNDING = 1e-11  # relative eigenvalue that is none
 NOTHING = 1e-13  # of the largest information: rounding of none
 VAGUE = 1e-2  # per typical step squared, known of everything: no leg is tens of them away
 ON_BOUND = 1e-4  # relative size of what is left of a gradient where an end point lies on a limit
+STEEP = 300.0  # from which on a half of a bell is an exponential to 1e-4
 DECIDED = 0.9  # share of the precision from which on one source alone determined a value
 
 
@@ -42,7 +44,7 @@ class Information:
 
     `data` and `prior` are (coordinate, coordinate); `active` holds the gradients of the constraints
     that hold as equalities there, (constraint, coordinate), `fixed` those that a user wanted to.
-    `kinds` has the parts of several kinds of segments, in any unit that they share; `owned` the
+    `pressed` holds those that the end point only leans against, with their multipliers. `kinds` has the parts of several kinds of segments, in any unit that they share; `owned` the
     coordinates of what recordings own.
     """
 
@@ -54,10 +56,14 @@ class Information:
         fixed: np.ndarray | None = None,
         kinds: dict[str, np.ndarray] | None = None,
         owned: dict[str, np.ndarray] | None = None,
+        pressed: tuple[np.ndarray, np.ndarray] | None = None,
     ):
         self.open = np.eye(data.shape[0]) if fixed is None else null_space(fixed, data.shape[0])
         self.free = null_space(active, data.shape[0])
-        self.posterior = decomposed(self.free.T @ (data + prior) @ self.free)
+        known = self.free.T @ (data + prior) @ self.free
+        if pressed is not None:
+            known = known + one_sided(known, pressed[0] @ self.free, pressed[1])
+        self.posterior = decomposed(known)
         self.likelihood = decomposed(self.free.T @ data @ self.free)
         self.unbounded = decomposed(self.open.T @ (data + prior) @ self.open)
         self.parts = (data, prior)
@@ -126,6 +132,31 @@ def decomposed(information: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     linearly: what leans on it a little must not inherit all of it.
     """
     return np.linalg.eigh(information + VAGUE * np.eye(information.shape[0]))
+
+
+def one_sided(
+    information: np.ndarray, gradients: np.ndarray, multipliers: np.ndarray
+) -> np.ndarray:
+    """What limits tell that the end point leans against: beyond them is nothing, within all is free.
+
+    The slack s of a limit with the multiplier mu has the density exp(-mu s - s^2 / (2 sigma^2)) for
+    s >= 0, with sigma its error without the limit. The information is what leaves it E[s^2].
+    """
+    told = np.zeros_like(information)
+    for gradient, multiplier in zip(gradients, multipliers, strict=True):
+        error = spread(decomposed(information + told), np.eye(gradient.size), gradient)
+        if 0.0 < error < np.inf:
+            left = second_moment(multiplier * error)
+            told = told + (1 / left - 1) / error**2 * np.outer(gradient, gradient)
+    return told
+
+
+def second_moment(t: float) -> float:
+    """E[x^2] for the density exp(-t x - x^2 / 2), x >= 0: 1 for no slope t, 2 / t^2 for a steep one."""
+    if t > STEEP:
+        return 2 / t**2
+    mean = np.sqrt(2 / np.pi) / erfcx(t / np.sqrt(2)) - t
+    return float(1 - t * mean)
 
 
 def spread(decomposed, free, gradient) -> float:

@@ -14,6 +14,7 @@ from exoid.fitting.model.term_parameters import over_inertia
 from exoid.fitting.multistart.ended import FEASIBLE, LIMITED, LOOKING, Ended, scale_told
 from exoid.fitting.multistart.gross_errors import with_doubted_clocks, with_tilted_seats
 from exoid.fitting.multistart.hold_to_declared import held, without_excuses
+from exoid.fitting.multistart.join_terms import join_terms
 from exoid.fitting.multistart.simpler_problems import (
     as_declared,
     with_inertia_kept,
@@ -23,7 +24,7 @@ from exoid.fitting.multistart.simpler_problems import (
 from exoid.fitting.multistart.starts import coordinates, usual_mounting
 from exoid.fitting.multistart.tethers import COARSE, FINE, tethers, without_thrust
 from exoid.fitting.multistart.weight_by_kind import alone, explained, explained_apart
-from exoid.fitting.solve.ask import BATCH, advance, around, finite, left, take, task
+from exoid.fitting.solve.ask import BATCH, PAIR, advance, around, finite, left, take, task
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
 from exoid.physics.term import Term
@@ -51,7 +52,7 @@ def search(
         gathered, member, failures = take(begin, [0]), np.zeros(len(starts), dtype=int), {}
     else:
         gathered, member, failures = led_to_the_data(problem, begin, terms)
-    free = advance(without_scale(problem), gathered, task(problem, 0.0, problem.steps, FINE))
+    free, member, failures = join_terms(without_scale(problem), gathered, member, failures)
     member, failures = without_lost(free, member, failures)
     problem, free, disturbance = with_what_is_missed(problem, free)
     free, disturbance, less = without_excuses(problem, free, disturbance)
@@ -204,7 +205,7 @@ def without_lost(free: Solved, member: np.ndarray, failures: dict[str, int]):
 def settle(problem: Problem, free: Solved, begin: Coordinates, found: Disturbance) -> Solved:
     """The best free fit under prior and limits, from several inertias and masses."""
     best = int(np.argmin(finite(free.loss)))
-    lanes = max(2, BATCH // len(problem.movements))
+    lanes = max(PAIR, BATCH // len(problem.movements))
     one = take(free.coordinates, [best] * lanes)
     local = weighed(around(problem, free, row=best), found.scale)
     others = np.resize(np.arange(begin.log_mass.size), lanes)

@@ -53,7 +53,8 @@ def describe(
     information = Information(
         data=local.data + local.declared,
         prior=local.prior - local.declared,
-        active=local.constraints[active | fixed],
+        active=local.constraints[fixed],
+        pressed=(local.constraints[active], best.multiplier[0, active]),
         fixed=local.constraints[fixed],
         kinds=told_by_kind(problem, ended),
         owned=owned_places(problem, ended),

@@ -64,14 +64,23 @@ def remarks(problem: Problem, ended: Ended, at_bound: set[str]) -> list[str]:
 
 
 def of_memory(problem: Problem) -> list[str]:
-    """What the errors leave out where a term has a state that nobody saw as a segment began."""
-    remembering = [name_of(term) for term in problem.terms if term.memory_size]
-    return [
-        f"{name} remembers what was before the first fitted sample, and is taken to be at rest "
-        "there. A leg that had begun to move makes its numbers, d / J and c / J wrong by more than "
-        "their errors say."
-        for name in remembering
-    ]
+    """What the errors leave out where a term remembers what nobody recorded."""
+    moving = [each.name for each in problem.movements if each.extent and each.extent.in_motion]
+    said = []
+    for term in problem.terms:
+        if term.memory_size and moving:
+            said.append(
+                f"segment {', '.join(moving)} begins in motion: what {name_of(term)} remembers of "
+                "before is unknown, and taken as of a leg let go just then. Its numbers, d / J and "
+                "c / J may be wrong by more than their errors say. Record from a hold on."
+            )
+        elif term.lasting:
+            said.append(
+                f"{name_of(term)} may remember for seconds how the leg was moved before it was "
+                "held, and is taken to be at rest there: a short hold makes its numbers, d / J and "
+                "c / J wrong by more than their errors say. Hold the leg longer."
+            )
+    return said
 
 
 def of_late(problem: Problem) -> list[str]:

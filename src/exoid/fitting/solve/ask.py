@@ -32,8 +32,12 @@ def task(
     steps: int,
     tolerance: float,
     penalty: np.ndarray | None = None,
+    rounds: int = ROUNDS,
 ) -> Task:
-    """What to ask of the solver; with a `penalty` per constraint, prior and limits take part."""
+    """What to ask of the solver; with a `penalty` per constraint, prior and limits take part.
+
+    `rounds` are at most those of multipliers, where there are limits.
+    """
     bounded = penalty is not None
     own = [name for name, _ in parameters_of(problem.terms)]
     first = np.where(np.isin(problem.constraints, own), STRICT, 1.0)
@@ -41,7 +45,7 @@ def task(
         stage=Stage(np.asarray(float(tether)), np.asarray(steps)),
         bounded=np.asarray(float(bounded)),
         tolerance=np.asarray(tolerance),
-        rounds=np.asarray(ROUNDS if bounded or problem.terms else 1),
+        rounds=np.asarray(rounds if bounded or problem.terms else 1),
         penalty=first if penalty is None else penalty,
     )
 
