@@ -17,9 +17,10 @@ from scipy.optimize import brentq
 from exoid.physics.leg import GRAVITY, LegModel, LegParameters
 from exoid.physics.library import library
 from exoid.physics.moment import Cycle, Moment, Place
+from exoid.physics.motion.let_go import let_go
 from exoid.physics.motion.simulate import simulate
 from exoid.physics.motion.step import Drive
-from exoid.physics.motion.with_terms import at_rest, delayed, extended_step, let_go, missing
+from exoid.physics.motion.with_terms import at_rest, delayed, extended_step, missing
 from exoid.physics.parameter import declarations
 from exoid.physics.state import LegState
 from exoid.physics.term import SensorTerm, Term, name_of

@@ -16,8 +16,9 @@ from exoid.fitting.model.mounting import Mounting
 from exoid.fitting.model.term_parameters import over_inertia
 from exoid.physics.leg import GRAVITY
 from exoid.physics.moment import Cycle, Place
+from exoid.physics.motion.let_go import let_go
 from exoid.physics.motion.step import Drive, march
-from exoid.physics.motion.with_terms import Motion, delayed, extended_step, let_go, observed
+from exoid.physics.motion.with_terms import Motion, delayed, extended_step, observed
 from exoid.physics.ratios import Ratios
 from exoid.physics.state import LegState
 from exoid.physics.term import Term

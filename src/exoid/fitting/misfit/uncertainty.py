@@ -42,9 +42,10 @@ HELD = Shares(0.0, 0.0, 1.0)  # on a bound
 class Information:
     """Gauss-Newton information of a fit in its own coordinates, around the end point.
 
-    `data` and `prior` are (coordinate, coordinate); `active` holds the gradients of the constraints
-    that hold as equalities there, (constraint, coordinate), `fixed` those that a user wanted to.
-    `pressed` holds those that the end point only leans against, with their multipliers. `kinds` has the parts of several kinds of segments, in any unit that they share; `owned` the
+    `data` and `prior` are (coordinate, coordinate). Of constraints that hold as equalities there,
+    `active` has the gradients, (constraint, coordinate), and `fixed` those of what a user fixed;
+    `pressed` has the gradients and multipliers of limits that the end point leans against. `kinds`
+    has the parts of several kinds of segments, in any unit that they share; `owned` the
     coordinates of what recordings own.
     """
 
@@ -137,7 +138,7 @@ def decomposed(information: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 def one_sided(
     information: np.ndarray, gradients: np.ndarray, multipliers: np.ndarray
 ) -> np.ndarray:
-    """What limits tell that the end point leans against: beyond them is nothing, within all is free.
+    """What limits tell that the end point leans against: the truth lies within, and anywhere there.
 
     The slack s of a limit with the multiplier mu has the density exp(-mu s - s^2 / (2 sigma^2)) for
     s >= 0, with sigma its error without the limit. The information is what leaves it E[s^2].
@@ -152,7 +153,7 @@ def one_sided(
 
 
 def second_moment(t: float) -> float:
-    """E[x^2] for the density exp(-t x - x^2 / 2), x >= 0: 1 for no slope t, 2 / t^2 for a steep one."""
+    """E[x^2] for the density exp(-t x - x^2 / 2), x >= 0: 1 for t = 0, at last 2 / t^2."""
     if t > STEEP:
         return 2 / t**2
     mean = np.sqrt(2 / np.pi) / erfcx(t / np.sqrt(2)) - t

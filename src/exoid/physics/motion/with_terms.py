@@ -15,11 +15,6 @@ from exoid.physics.term import Reading, Term, reading
 
 Terms = tuple[Term, ...]
 
-FALL = (-0.02, 0.1)  # s, before the first state; one that is simulated early falls after it
-FALL_STEPS = 8
-CORRECTIONS = 4  # of where it began and how long it lasted
-STILL = 1e-3  # rad/s^2: what is pulled by less does not fall
-
 
 class Motion(eqx.Module):
     """The leg's state and that of every term."""
@@ -50,45 +45,6 @@ def at_rest(place: Place, terms: Terms, leg: LegState, time: Any, push: Any) -> 
     """The motion as it begins, every term at rest."""
     now = moment(place, leg, time, push)
     return Motion(leg, tuple(term.memory_at_rest(now) for term in terms))
-
-
-def let_go(place: Place, terms: Terms, leg: LegState, time: Any, push: Any) -> Motion:
-    """The motion at a first state that a leg let go at rest has come to.
-
-    What the terms remember then is what the fall from rest left them. From where and for how long
-    it fell, its first state tells.
-    """
-    if not any(term.memory_size for term in terms):
-        return at_rest(place, terms, leg, time, push)
-    drive = Drive(push, push, push)
-
-    def fallen(held, lasted):
-        def part(_, motion):
-            return extended_step(place, terms, motion, time, lasted / FALL_STEPS, drive)
-
-        rest = at_rest(place, terms, LegState(held, jnp.zeros_like(held)), time, push)
-        return jax.lax.fori_loop(0, FALL_STEPS, part, rest)
-
-    def corrected(_, found):
-        held, lasted = found
-        motion = fallen(held, lasted)
-        pulled = acceleration(place, terms, motion, time, push)
-        slope = jnp.where(jnp.abs(pulled) > STILL, pulled, STILL)
-        late = (leg.angular_velocity - motion.leg.angular_velocity) / slope
-        lasted = jnp.clip(lasted + late, *FALL)
-        return held + leg.angle - motion.leg.angle - late * motion.leg.angular_velocity, lasted
-
-    found = leg.angle, jnp.zeros_like(leg.angle)
-    found = jax.lax.fori_loop(0, CORRECTIONS, corrected, found)
-    return Motion(leg, fallen(*found).memory)
-
-
-def acceleration(place: Place, terms: Terms, motion: Motion, time: Any, push: Any):
-    """Of the leg [rad/s^2], as one that moves the way it is pulled."""
-    now = moment(place, motion.leg, time, push)
-    pulled = now.angular_acceleration + missing(terms, now, motion.memory)
-    level = friction(terms, now) / place.inertia
-    return jnp.sign(pulled) * jnp.maximum(jnp.abs(pulled) - level, 0.0)
 
 
 def missing(terms: Terms, now: Moment, memory: tuple[Array, ...]) -> Float[Array, "*batch"]:
