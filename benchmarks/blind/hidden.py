@@ -9,7 +9,7 @@ import numpy as np
 
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.mismatch.screen.effect import named
-from exoid.mismatch.screen.screened_recording import Bench
+from exoid.mismatch.screen.prepared_recording import Bench
 from exoid.physics.moment import Cycle, Moment, Place
 from exoid.physics.ratios import Ratios
 from exoid.physics.term import Term

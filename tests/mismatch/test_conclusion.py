@@ -11,8 +11,8 @@ from exoid.mismatch.conclude.conclusion import partial
 from exoid.mismatch.evidence.yardstick import Yardstick
 from exoid.mismatch.missing_physics import noise_alone
 from exoid.mismatch.screen.hypothesis import Hypothesis, Products
-from exoid.mismatch.screen.screened_recording import Bench
-from exoid.mismatch.screen.settled import Settled
+from exoid.mismatch.screen.optimum import Optimum
+from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import Found
 from exoid.physics.terms.device.cuff_compliance import CuffCompliance
 from exoid.physics.terms.tissue.maxwell_element import MaxwellElement
@@ -23,7 +23,7 @@ NOTHING = Hypothesis((), (), np.zeros(4))
 
 def leaving(square):
     """A candidate that leaves so much."""
-    return Settled(NOTHING, Products(np.zeros((1, 1, 1)), np.array([[square]])), course=None)
+    return Optimum(NOTHING, Products(np.zeros((1, 1, 1)), np.array([[square]])), course=None)
 
 
 @pytest.mark.parametrize(
@@ -53,9 +53,9 @@ def test_parameters_may_have_been_spent_on_a_few_first_samples(samples, size, al
 @pytest.mark.parametrize(("term", "doubted"), [(MaxwellElement, True), (CuffCompliance, False)])
 def test_what_remembers_for_seconds_may_remember_what_nobody_recorded(term, doubted):
     """A leg that was held for a second before the drop has not forgotten how it came there."""
-    bench = Mock(spec=Bench, rig=False)
+    prepared = Mock(spec=PreparedRecording, rig=False)
     best = leaving(9000.0)
     best = replace(best, candidate=replace(NOTHING, terms=(term,)))
-    reasons = unrelaxed(bench, best)
+    reasons = unrelaxed(prepared, best)
     assert bool(reasons) == doubted
     assert not doubted or "Hold it still for 10 s" in reasons[0]

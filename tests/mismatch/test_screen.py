@@ -29,7 +29,7 @@ from small_library import SMALL
 
 @pytest.fixture(scope="module")
 def ready():
-    """A bench with a small library, on drops with dry friction."""
+    """A prepared with a small library, on drops with dry friction."""
     patch = pytest.MonkeyPatch()
     patch.setattr(preparing, "library", lambda: SMALL)
     recordings = [("drops", session(FRICTION))]
@@ -37,39 +37,41 @@ def ready():
     patch.undo()
 
 
-def candidates(bench, base):
+def candidates(prepared, base):
     point = base.candidate.point
     return [
         Hypothesis((term,), (value,), point)
-        for term in bench.library
-        for value in bench.starts(term)
+        for term in prepared.library
+        for value in prepared.starts(term)
     ]
 
 
 def test_the_true_term_reaches_the_noise_pinned_and_free(ready):
-    bench, base = ready
-    samples = count(bench.seen)
-    start = [each for each in candidates(bench, base) if each.terms == (CoulombFriction,)]
-    for found in (settle(bench, start)[0], settle_free(bench, start)[0]):
+    prepared, base = ready
+    samples = count(prepared.seen)
+    start = [each for each in candidates(prepared, base) if each.terms == (CoulombFriction,)]
+    for found in (settle(prepared, start)[0], settle_free(prepared, start)[0]):
         # The sum of squares of noise is its number within four deviations.
         assert abs(found.square - samples) < 4 * np.sqrt(2 * samples)
         # J is the prior's, and the friction goes with it.
-        inertia = np.exp(bench.coordinates(found.candidate).shared.log_inertia)
+        inertia = np.exp(prepared.coordinates(found.candidate).shared.log_inertia)
         assert found.candidate.values[0][0] / inertia == pytest.approx(0.08 / 0.42, rel=0.02)
 
 
 def test_no_other_term_reaches_the_noise(ready):
-    bench, base = ready
-    for found in settle(bench, candidates(bench, base)):
+    prepared, base = ready
+    for found in settle(prepared, candidates(prepared, base)):
         if found.candidate.terms != (CoulombFriction,):
-            assert found.square > 1.5 * count(bench.seen), name_of(found.candidate.terms[0])
+            assert found.square > 1.5 * count(prepared.seen), name_of(found.candidate.terms[0])
 
 
 def test_pinned_and_free_agree_where_the_model_is_right(ready):
-    bench, base = ready
-    start = [each for each in candidates(bench, base) if each.terms == (CoulombFriction,)]
-    free = settle_free(bench, start)[0]
-    pinned = many_pinned.evaluate(bench, [free.candidate], [bench.course], bench.seen)[0][0]
+    prepared, base = ready
+    start = [each for each in candidates(prepared, base) if each.terms == (CoulombFriction,)]
+    free = settle_free(prepared, start)[0]
+    pinned = many_pinned.evaluate(prepared, [free.candidate], [prepared.course], prepared.seen)[0][
+        0
+    ]
     # Second order in the noise, but that a reversal is smeared over its step.
     assert pinned.square == pytest.approx(free.square, rel=0.3)
     # Of leg and friction; friction swallows a start's small velocity, whose derivative then is 0.
@@ -78,42 +80,42 @@ def test_pinned_and_free_agree_where_the_model_is_right(ready):
 
 
 def test_a_first_term_taken_as_linear_counts_like_itself(ready):
-    bench, base = ready
-    by_name = {name_of(each.terms[0]): each for each in candidates(bench, base)}
+    prepared, base = ready
+    by_name = {name_of(each.terms[0]): each for each in candidates(prepared, base)}
     first, second = by_name["coulomb_friction"], by_name["detent"]
     both = Hypothesis((*first.terms, *second.terms), (*first.values, *second.values), first.point)
-    eased = linear(bench, [first], [bench.course])[0]
+    eased = linear(prepared, [first], [prepared.course])[0]
     eased = Hypothesis(both.terms, both.values, both.point, both.zero, eased)
     one, other = (
-        many_pinned.evaluate(bench, [each], [bench.course], bench.seen)[0][0]
+        many_pinned.evaluate(prepared, [each], [prepared.course], prepared.seen)[0][0]
         for each in (both, eased)
     )
     assert other.each == pytest.approx(one.each, rel=1e-9, abs=1e-6)
 
 
 def test_more_requests_than_fit_at_once_are_all_answered(ready):
-    bench, base = ready
-    many = [each for each in candidates(bench, base) if each.terms == (MaxwellElement,)] * 5
-    found = many_pinned.evaluate(bench, many, [bench.course] * len(many), bench.seen)
+    prepared, base = ready
+    many = [each for each in candidates(prepared, base) if each.terms == (MaxwellElement,)] * 5
+    found = many_pinned.evaluate(prepared, many, [prepared.course] * len(many), prepared.seen)
     squares = [products.square for products, _ in found]
     assert squares[:3] * 5 == pytest.approx(squares, rel=1e-12)
 
 
 def test_a_step_into_a_bound_stays_on_it(ready):
-    bench, base = ready
+    prepared, base = ready
     point = base.candidate.point
-    found = settle(bench, [Hypothesis((CoulombFriction,), (np.array([49.0]),), point)])[0]
-    lower, upper = bench.bounds(found.candidate)
+    found = settle(prepared, [Hypothesis((CoulombFriction,), (np.array([49.0]),), point)])[0]
+    lower, upper = prepared.bounds(found.candidate)
     assert (found.candidate.unknowns >= lower).all()
     assert (found.candidate.unknowns <= upper).all()
 
 
 def test_the_smoothed_course_is_what_the_sensors_show(ready):
-    bench, _ = ready
-    used = np.asarray(bench.seen.angle_weight) > 0
-    left = (bench.course.angle - bench.seen.angle)[used] * bench.seen.angle_weight[used]
+    prepared, _ = ready
+    used = np.asarray(prepared.seen.angle_weight) > 0
+    left = (prepared.course.angle - prepared.seen.angle)[used] * prepared.seen.angle_weight[used]
     assert 0.5 < np.mean(np.square(left)) < 1.2
-    assert jax.tree.leaves(bench.course)[0].shape == bench.seen.time.shape
+    assert jax.tree.leaves(prepared.course)[0].shape == prepared.seen.time.shape
 
 
 def played(angle: float, seed: int) -> Segment:
@@ -135,11 +137,11 @@ def test_the_encoder_leads_past_the_jumps_of_the_gyro():
     # A sample on the wrong side of a jump costs as much as the noise of hundreds.
     segments = tuple(played(angle, seed) for seed, angle in enumerate((-0.2, -0.5, -0.8)))
     recordings = [("drops", Recording(segments, BODY, Protocol(kind="passive"), NOISE))]
-    bench, base = prepare(fit(recordings), recordings, ())
+    prepared, base = prepare(fit(recordings), recordings, ())
     start = Hypothesis((Backlash,), (np.array([0.008]),), base.candidate.point)
-    (walled,) = settle_free(bench, [start], rounds=25)
-    found = polished(bench, walled.candidate)
+    (walled,) = settle_free(prepared, [start], rounds=25)
+    found = polished(prepared, walled.candidate)
     assert found.candidate.values[0][0] == pytest.approx(0.005, rel=0.02)
-    samples = count(bench.seen)
+    samples = count(prepared.seen)
     assert abs(found.square - samples) < 4 * np.sqrt(2 * samples)
     assert walled.square > found.square + 100  # no noise makes such a difference

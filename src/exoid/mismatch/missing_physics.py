@@ -25,8 +25,8 @@ from exoid.mismatch.novel.sparse_regression import describe
 from exoid.mismatch.prepare import prepare
 from exoid.mismatch.screen.effect import named as named_values
 from exoid.mismatch.screen.optimise import settle_free
-from exoid.mismatch.screen.screened_recording import Bench
-from exoid.mismatch.screen.settled import Settled
+from exoid.mismatch.screen.optimum import Optimum
+from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import Found, size
 from exoid.mismatch.search.search import look
 from exoid.physics.library import library
@@ -136,9 +136,9 @@ def leg_of(found: Diagnosis) -> np.ndarray:
     """(m, J, l, d, c, tau) of the model that was concluded."""
     work = found.workings
     assert work is not None  # something was found
-    at = work.bench.coordinates(work.best.candidate)
+    at = work.prepared.coordinates(work.best.candidate)
     torques = torque_amplitudes(at, np)
-    moved = torques[[each.voluntary for each in work.bench.problem.movements]]
+    moved = torques[[each.voluntary for each in work.prepared.problem.movements]]
     torque = moved.mean() if moved.size else 0.0
     return np.array([*jax.tree.leaves(leg_parameters(at, np)), torque], dtype=float)
 
@@ -163,21 +163,21 @@ def asked(
     told: Callable[[str], None],
 ) -> Diagnosis:
     """What is missing in a fit."""
-    bench, base = prepare(result, named, terms)
-    found = look(bench, base, told)
+    prepared, base = prepare(result, named, terms)
+    found = look(prepared, base, told)
     told("proving it on held-out data")
-    chosen = choose(bench, found)
+    chosen = choose(prepared, found)
     formula = None
     if chosen.best.square > REMAINS * found.yardstick.samples:
         told("looking for a formula")
-        chosen, formula = formulated(bench, found, chosen)
-    if formula is None and unusual(bench, found, chosen.best):
-        bench, found, best = as_a_term(bench, found, chosen.best)
-        chosen = Chosen(best, predict(bench, found.base), predict(bench, best))
+        chosen, formula = formulated(prepared, found, chosen)
+    if formula is None and unusual(prepared, found, chosen.best):
+        prepared, found, best = as_a_term(prepared, found, chosen.best)
+        chosen = Chosen(best, predict(prepared, found.base), predict(prepared, best))
     told("locating the mismatch")
-    location = locate(bench, found.begin, chosen.best)
+    location = locate(prepared, found.begin, chosen.best)
     declared = all(recording.sensors.angle_noise is not None for _, recording in named)
-    return concluded(result, bench, found, chosen, formula, location, declared, seed)
+    return concluded(result, prepared, found, chosen, formula, location, declared, seed)
 
 
 def names_it(found: Diagnosis) -> bool:
@@ -191,7 +191,7 @@ def from_the_first(found: Diagnosis, movements: list[Movement]) -> bool:
     """
     work = found.workings
     assert work is not None  # it was just made
-    each = misfits(work.bench.seen, work.best.course)
+    each = misfits(work.prepared.seen, work.best.course)
     early = [
         one[: movement.late]
         for channels, movement in zip(each, movements, strict=True)
@@ -207,13 +207,13 @@ def noise_alone(left: np.ndarray, parameters: int) -> bool:
     return float(left @ left) < AT_ONCE * (left.size - parameters)
 
 
-def choose(bench: Bench, found: Found) -> Chosen:
+def choose(prepared: PreparedRecording, found: Found) -> Chosen:
     """From the baseline to a term, from there to two: only where it is clear, and where it holds.
 
     Two terms are only believed where they explain all there is: what bends one way or another can
     be had from many pairs.
     """
-    before = predict(bench, found.base)
+    before = predict(prepared, found.base)
     chosen = Chosen(found.base, before, before)
     whole = [one for one in found.pairs[:1] if found.yardstick.explains(one.square)]
     single = found.singles[:1]
@@ -221,33 +221,35 @@ def choose(bench: Bench, found: Found) -> Chosen:
         single = [max(*single, *whole, key=found.evidence)]
     for better in (*single, *whole):
         if found.clear(chosen.best, better):
-            after = predict(bench, better)
+            after = predict(prepared, better)
             if improves(chosen.after, after) or chosen.best is found.base:
                 chosen = Chosen(better, before, after)
     return chosen
 
 
-def only_sensors(one: Settled) -> bool:
+def only_sensors(one: Optimum) -> bool:
     """Is it what every gyro has some of: a scale, a delay?"""
     return all(term.everyday for term in one.candidate.terms)
 
 
-def formulated(bench: Bench, found: Found, chosen: Chosen) -> tuple[Chosen, Formula | None]:
+def formulated(
+    prepared: PreparedRecording, found: Found, chosen: Chosen
+) -> tuple[Chosen, Formula | None]:
     """The best formula as a term, where it explains more than the library does."""
-    formula = describe(bench, found.begin)
+    formula = describe(prepared, found.begin)
     if formula.known > KNOWN:
         return chosen, None
     term = term_of(formula)
     start = replace(found.begin, terms=(term,), values=(formula.values,))
-    one = settle_free(bench, [start], rounds=ROUNDS)[0]
+    one = settle_free(prepared, [start], rounds=ROUNDS)[0]
     if better(found, one, chosen.best) and found.clear(found.base, one):
-        after = predict(bench, one)
+        after = predict(prepared, one)
         if improves(chosen.after, after):
             return Chosen(one, chosen.before, after), formula.at(one.candidate.values[0])
     return chosen, None
 
 
-def better(found: Found, one: Settled, best: Settled) -> bool:
+def better(found: Found, one: Optimum, best: Optimum) -> bool:
     """Does a formula explain so much more than the library that it must be something else?"""
     if not found.yardstick.explains(best.square):
         return one.square < LEFT * best.square

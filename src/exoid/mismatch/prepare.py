@@ -1,4 +1,4 @@
-"""From recordings to a bench: the baseline fit, the sensors against each other, whole movements."""
+"""Recordings prepared: the baseline fit, the sensors against each other, whole movements."""
 
 from dataclasses import replace
 
@@ -18,8 +18,8 @@ from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.problem import Problem
 from exoid.mismatch.screen.hypothesis import Hypothesis
 from exoid.mismatch.screen.optimise import settle_free
-from exoid.mismatch.screen.screened_recording import Bench
-from exoid.mismatch.screen.settled import Settled
+from exoid.mismatch.screen.optimum import Optimum
+from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.sensors.consistency import Consistency, consistency
 from exoid.physics.library import library
 from exoid.physics.term import Term
@@ -32,8 +32,8 @@ def prepare(
     result: FitResult,
     recordings: list[tuple[str, Recording]],
     terms: tuple[type[Term], ...] = (),
-) -> tuple[Bench, Settled]:
-    """A bench with the library and the user's `terms`, and the baseline at its best on it."""
+) -> tuple[PreparedRecording, Optimum]:
+    """The recordings, ready for the library and the user's `terms`, and the baseline at its best."""
     basis = result.basis
     assert basis is not None  # a joint fit has one
     reading = result.torque_frequency or "1/T"
@@ -50,9 +50,9 @@ def prepare(
     inertia = float(fitted.shared.log_inertia)
     tested = (*library(), *terms)
     zero = float("inf") if rig else movements[0].systematics.zero
-    bench = Bench(problem, sensors, tested, inertia, rig, zero)
-    point = bench.point(fitted)
-    return bench, settle_free(bench, [Hypothesis((), (), point)])[0]
+    prepared = PreparedRecording(problem, sensors, tested, inertia, rig, zero)
+    point = prepared.point(fitted)
+    return prepared, settle_free(prepared, [Hypothesis((), (), point)])[0]
 
 
 def without_edges(seen: Observation, sensors: Consistency) -> Observation:

@@ -12,7 +12,7 @@ from exoid.report.document.replacing import replacing
 from exoid.report.figures.draw import draw
 from exoid.report.parts.case import Case
 from exoid.report.sections.advice import Advice
-from exoid.report.sections.determined import Told
+from exoid.report.sections.determined import Determined
 from exoid.report.sections.drops import Drops
 from exoid.report.sections.mismatch.parting import Parting
 from exoid.report.sections.mismatch.physics import Physics
@@ -32,7 +32,7 @@ SECTIONS: tuple[type[Section], ...] = (
     Quality,
     Drops,
     Parameters,
-    Told,
+    Determined,
     Motion,
     Multistart,
     Parting,

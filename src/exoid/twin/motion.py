@@ -44,7 +44,7 @@ class Movement:
         return "passive" if self.amplitude is None else "active"
 
 
-class Course(eqx.Module):
+class ShownMotion(eqx.Module):
     """A stretch of motion on a grid of equal steps, as encoder and gyro are shown it."""
 
     angle: Samples  # rad
@@ -55,7 +55,7 @@ class Course(eqx.Module):
 class Session(eqx.Module):
     """The motion of a whole session, and the samples at which its segments start and end."""
 
-    course: Course
+    course: ShownMotion
     start: tuple[int, ...] = eqx.field(static=True)
     end: tuple[int, ...] = eqx.field(static=True)
 
@@ -82,8 +82,8 @@ def perform(
 
 
 def sensed(
-    model: LegModel, sensing: tuple[SensorTerm, ...], course: Course, time_step: float
-) -> Course:
+    model: LegModel, sensing: tuple[SensorTerm, ...], course: ShownMotion, time_step: float
+) -> ShownMotion:
     """What encoder and gyro show of a course."""
     if not sensing:
         return course
@@ -98,12 +98,12 @@ def sensed(
     each = jax.vmap(error)(time, *motion)
     velocity = course.angular_velocity + each.angular_velocity
     late = delayed(time, velocity, course.angular_acceleration, each.delay)
-    return Course(course.angle + each.angle, late, course.angular_acceleration)
+    return ShownMotion(course.angle + each.angle, late, course.angular_acceleration)
 
 
 def release(
     model: LegModel, movements: Sequence[Movement], reading: Reading, time_step: float
-) -> list[Course]:
+) -> list[ShownMotion]:
     """The motion of every movement from its release to its catch, all in one compiled program."""
     samples = [1 + round(movement.duration / time_step) for movement in movements]
     time = jnp.arange(max(samples)) * time_step
@@ -112,7 +112,7 @@ def release(
         torque = CycleTorque(amplitude, period, CYCLES[reading] / period, jnp.zeros(()))
         driven = replace(model, leg=model.leg.with_added_mass(mass, distance), torque=torque)
         moved = simulate(driven, LegState(start, jnp.zeros_like(start)), time, number)
-        return Course(moved.shown_angle, moved.shown_velocity, moved.angular_acceleration)
+        return ShownMotion(moved.shown_angle, moved.shown_velocity, moved.angular_acceleration)
 
     rows = [
         (k, m.start_angle, m.duration, m.amplitude or 0.0, m.added_mass, m.added_mass_distance)
@@ -122,7 +122,7 @@ def release(
     return [jax.tree.map(lambda s, i=i, n=n: s[i, :n], moved) for i, n in enumerate(samples)]
 
 
-def surround(motions: list[Course], time_step: float):
+def surround(motions: list[ShownMotion], time_step: float):
     """Each motion between the rest before it and the catch and lift after it."""
     begins = [motion.angle[0] for motion in motions]
     for motion, begin, following in zip(motions, begins, [*begins[1:], None], strict=True):
@@ -131,29 +131,29 @@ def surround(motions: list[Course], time_step: float):
         yield hold(begin, round(REST / time_step)), motion, joined([caught, *raised])
 
 
-def hold(angle: Float[Array, ""], samples: int) -> Course:
+def hold(angle: Float[Array, ""], samples: int) -> ShownMotion:
     still = jnp.zeros(samples)
-    return Course(still + angle, still, still)
+    return ShownMotion(still + angle, still, still)
 
 
-def catch(motion: Course, time_step: float) -> Course:
+def catch(motion: ShownMotion, time_step: float) -> ShownMotion:
     """A hand stops the leg: its velocity decays with `CATCH`, then it is held."""
     time = jnp.arange(1, round(CAUGHT / time_step)) * time_step
     angle, velocity = motion.angle[-1], motion.angular_velocity[-1]
     slowing = velocity * jnp.exp(-time / CATCH)
-    return Course(angle + CATCH * (velocity - slowing), slowing, -slowing / CATCH)
+    return ShownMotion(angle + CATCH * (velocity - slowing), slowing, -slowing / CATCH)
 
 
-def lift(start: Float[Array, ""], end: Float[Array, ""], time_step: float) -> Course:
+def lift(start: Float[Array, ""], end: Float[Array, ""], time_step: float) -> ShownMotion:
     """A raised cosine from one angle to another."""
     rate, half = jnp.pi / LIFT, (end - start) / 2
     phase = jnp.linspace(0, jnp.pi, round(LIFT / time_step))
-    return Course(
+    return ShownMotion(
         start + half * (1 - jnp.cos(phase)),
         half * rate * jnp.sin(phase),
         half * rate**2 * jnp.cos(phase),
     )
 
 
-def joined(parts: list[Course]) -> Course:
+def joined(parts: list[ShownMotion]) -> ShownMotion:
     return jax.tree.map(lambda *each: jnp.concatenate(each), *parts)

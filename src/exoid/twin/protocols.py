@@ -12,7 +12,7 @@ from exoid.physics.motion.simulate import Trajectory
 from exoid.recordings.filter import kalman
 from exoid.recordings.motion.split import split
 from exoid.recordings.recording import Kind, Protocol, Recording, Segment, Sensors, Subject
-from exoid.twin.motion import Course, Movement, Reading, perform
+from exoid.twin.motion import Movement, Reading, ShownMotion, perform
 from exoid.twin.sensors import SensorKit, measure
 
 TICK = 0.01  # s, the firmware's sample time
@@ -54,13 +54,15 @@ def session(
     )
 
 
-def truth(course: Course, time: np.ndarray) -> Segment:
+def truth(course: ShownMotion, time: np.ndarray) -> Segment:
     """The motion itself, as if sensors and filter were perfect."""
     angle, velocity = np.asarray(course.angle), np.asarray(course.angular_velocity)
     return Segment(time, angle, velocity, np.asarray(course.angular_acceleration), angle, velocity)
 
 
-def observe(kit: SensorKit, course: Course, time: kalman.Samples, key: PRNGKeyArray) -> Segment:
+def observe(
+    kit: SensorKit, course: ShownMotion, time: kalman.Samples, key: PRNGKeyArray
+) -> Segment:
     """What the node logs of a motion: raw readings, and its own filter's float32 estimate."""
     shown = (course.angle, course.angular_velocity)
     motion = Trajectory(jnp.asarray(time), *shown, course.angular_acceleration, *shown)

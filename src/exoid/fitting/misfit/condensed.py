@@ -25,7 +25,7 @@ class Sensed(eqx.Module):
 
 
 @dataclass(frozen=True, eq=False)
-class Local:
+class Neighbourhood:
     """First derivatives at a point in scaled coordinates, and the information they carry."""
 
     data: Float[np.ndarray, "coordinate coordinate"]  # Gauss-Newton information of the misfit

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 from jaxtyping import Float, Int
 
-from exoid.fitting.misfit.condensed import Condensed, Local
+from exoid.fitting.misfit.condensed import Condensed, Neighbourhood
 from exoid.fitting.model.constraint import violations_at
 from exoid.fitting.model.coordinates import (
     Coordinates,
@@ -32,7 +32,7 @@ def neighbourhood(
     seat: Int[np.ndarray, " segment"],
     prior: Prior,
     limits: Limits,
-) -> Local:
+) -> Neighbourhood:
     """The derivatives at `point` (no leading axis), where the misfit condenses to `condensed`."""
 
     def constraint(at: Coordinates):
@@ -40,7 +40,7 @@ def neighbourhood(
 
     with np.errstate(invalid="ignore"):  # infinite limits are no limits
         by_constraint = gradients(constraint, point)
-    return Local(
+    return Neighbourhood(
         data=told(condensed, columns(point, seat), flattened(point).size),
         prior=prior_information(point, prior),
         declared=declared_information(point, prior),
@@ -79,7 +79,7 @@ def gradients(function: Callable[[Coordinates], np.ndarray], point: Coordinates)
     )
 
 
-def weighed(local: Local, scale: float) -> Local:
+def weighed(local: Neighbourhood, scale: float) -> Neighbourhood:
     """The same where the residual counts 1 / `scale`."""
     return replace(local, data=local.data / scale**2)
 
@@ -107,7 +107,7 @@ def told(condensed: Condensed, columns: np.ndarray, size: int) -> np.ndarray:
     return total
 
 
-def penalties(local: Local) -> Float[np.ndarray, " constraint"]:
+def penalties(local: Neighbourhood) -> Float[np.ndarray, " constraint"]:
     """rho of every constraint: PENALTY over the variance that data and prior leave to it."""
     total = local.data + local.prior
     total = total + np.diag(WEAK * (1 + np.diag(total)))

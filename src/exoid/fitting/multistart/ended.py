@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from exoid.fitting.misfit.condensed import Local
+from exoid.fitting.misfit.condensed import Neighbourhood
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.uncertainty import decomposed, spread
 from exoid.fitting.model.coordinates import TYPICAL, Coordinates
@@ -27,7 +27,7 @@ class Ended:
     best: Solved  # one row, with prior and limits
     disturbance: Disturbance  # in the residual of the free fit
     starts: Coordinates
-    local: Local  # of `best`
+    local: Neighbourhood  # of `best`
 
 
 def scale_told(data: np.ndarray) -> bool:

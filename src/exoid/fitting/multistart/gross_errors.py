@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from exoid.fitting.misfit.condensed import Local
+from exoid.fitting.misfit.condensed import Neighbourhood
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.model.coordinates import TYPICAL, flattened, unflattened
 from exoid.fitting.multistart.declared import deviation_of, widened
@@ -30,7 +30,7 @@ BEYOND = 2.0  # times it the gyro's own may be
 
 
 @dataclass(frozen=True, eq=False)
-class Found:
+class Tilt:
     """A tilt and the variance with which all but its prior tells it [rad, rad^2]."""
 
     value: float
@@ -86,7 +86,7 @@ def tilted(problem: Problem, free: Solved, row: int) -> Problem | None:
     return widened(problem, tilt=deviation) if chosen else None
 
 
-def found(problem: Problem, at: Solved, row: int, entry: int, total: np.ndarray) -> Found:
+def found(problem: Problem, at: Solved, row: int, entry: int, total: np.ndarray) -> Tilt:
     """A tilt as all but its own prior tells it."""
     place, unit = place_of(at, "tilt", entry), float(TYPICAL.mounting.tilt)
     sure = total + 1e-9 * np.diag(np.diag(total)) + 1e-9 * np.eye(len(total))
@@ -94,10 +94,10 @@ def found(problem: Problem, at: Solved, row: int, entry: int, total: np.ndarray)
     before = (unit / deviation_of(problem, "tilt")[entry]) ** 2
     alone = max(told - before, 1e-9 * told)
     value = float(at.coordinates.mounting.tilt[row, entry])
-    return Found(value * told / alone, unit**2 / alone)
+    return Tilt(value * told / alone, unit**2 / alone)
 
 
-def with_doubted_clocks(problem: Problem, best: Solved, local: Local) -> Problem | None:
+def with_doubted_clocks(problem: Problem, best: Solved, local: Neighbourhood) -> Problem | None:
     """With wider priors for the clocks of recordings in which the sensors disagree in scale.
 
     Motion shows only (1 + gyro scale) / (1 + clock) over the encoder's gain, but m l g / J goes by

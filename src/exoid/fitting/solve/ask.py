@@ -6,7 +6,7 @@ from dataclasses import replace
 import jax
 import numpy as np
 
-from exoid.fitting.misfit.condensed import Local, Sensed
+from exoid.fitting.misfit.condensed import Neighbourhood, Sensed
 from exoid.fitting.misfit.gram import Cause, Gram
 from exoid.fitting.misfit.gram_matrices import declared, grams, pushes
 from exoid.fitting.misfit.information import spoiled
@@ -123,7 +123,7 @@ def sensed(problem: Problem, point: Coordinates, missing: Drive | None = None) -
 
 def around(
     problem: Problem, at: Solved, disturbance: Disturbance | None = None, row: int = 0
-) -> Local:
+) -> Neighbourhood:
     """Derivatives and information at one end point; of the data what a `disturbance` leaves."""
     one = take(at, row)
     belief, seat = problem.belief, problem.observation.seat

@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass
 
-from exoid.mismatch.screen.screened_recording import Bench
-from exoid.mismatch.screen.settled import Settled
+from exoid.mismatch.screen.optimum import Optimum
+from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import Found
 
 
@@ -11,6 +11,6 @@ from exoid.mismatch.search.found import Found
 class Workings:
     """The recording as candidates saw it, all of them, and the best one."""
 
-    bench: Bench
+    prepared: PreparedRecording
     found: Found
-    best: Settled
+    best: Optimum

@@ -6,8 +6,8 @@ from exoid.mismatch.evidence.prediction import Proof
 from exoid.mismatch.evidence.proof import masked
 from exoid.mismatch.evidence.yardstick import UNEXPLAINED
 from exoid.mismatch.screen.optimise import settle_free
-from exoid.mismatch.screen.screened_recording import Bench
-from exoid.mismatch.screen.settled import Settled
+from exoid.mismatch.screen.optimum import Optimum
+from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import FLOOR, Found
 from exoid.physics.term import SensorTerm
 
@@ -18,15 +18,15 @@ CYCLES = 3  # that a claim about the leg needs where all are voluntary
 APART = 0.05  # relative, by which the slowest must be slower than the fastest
 
 
-def too_little(bench: Bench, found: Found) -> list[str]:
+def too_little(prepared: PreparedRecording, found: Found) -> list[str]:
     """Why hardly anything could be seen in this recording, in sentences; none where it could."""
     reasons = []
-    duration = sum(each.segment.time[-1] for each in bench.problem.movements)
+    duration = sum(each.segment.time[-1] for each in prepared.problem.movements)
     if duration < SHORTEST:
         reasons.append(
             f"{duration:.1f} s of movement are too short: record drops until the leg rests"
         )
-    low, high = bench.range
+    low, high = prepared.range
     if high - low < QUIETEST:
         reasons.append(
             f"the leg moves by {np.degrees(high - low):.0f} deg only: release it from higher up"
@@ -34,10 +34,10 @@ def too_little(bench: Bench, found: Found) -> list[str]:
     return reasons
 
 
-def hands(bench: Bench) -> list[str]:
+def hands(prepared: PreparedRecording) -> list[str]:
     """That nobody can say why begins and ends of movements differ from the rest."""
-    late = [each for each in bench.problem.movements if each.late]
-    kept = [each.name for each in bench.problem.movements if each.kept is not None]
+    late = [each for each in prepared.problem.movements if each.late]
+    kept = [each.name for each in prepared.problem.movements if each.kept is not None]
     reasons = []
     if late:
         longest = max(float(each.segment.time[each.late]) for each in late)
@@ -55,10 +55,10 @@ def hands(bench: Bench) -> list[str]:
     return reasons
 
 
-def unremembered(bench: Bench) -> list[str]:
+def unremembered(prepared: PreparedRecording) -> list[str]:
     """That a leg which begins in motion may remember what nobody recorded."""
-    begun = [one.name for one in bench.problem.movements if one.extent and one.extent.in_motion]
-    if bench.rig or not begun:
+    begun = [one.name for one in prepared.problem.movements if one.extent and one.extent.in_motion]
+    if prepared.rig or not begun:
         return []
     return [
         f"no cause explains it down to the noise, and segment {', '.join(begun)} begins in motion: "
@@ -66,10 +66,10 @@ def unremembered(bench: Bench) -> list[str]:
     ]
 
 
-def unrelaxed(bench: Bench, best: Settled) -> list[str]:
+def unrelaxed(prepared: PreparedRecording, best: Optimum) -> list[str]:
     """That what fits best may remember how the leg came to where it was held."""
     remembering = [term.title for term in best.candidate.terms if term.lasting]
-    if bench.rig or not remembering:
+    if prepared.rig or not remembering:
         return []
     return [
         f"{' and '.join(remembering)} fits best, but not down to the noise: how the leg was moved "
@@ -77,38 +77,40 @@ def unrelaxed(bench: Bench, best: Settled) -> list[str]:
     ]
 
 
-def once(bench: Bench, best: Settled) -> list[str]:
+def once(prepared: PreparedRecording, best: Optimum) -> list[str]:
     """That the best explains all but a few segments: what happened there is no physics of the leg,
     which acts in all of them.
     """
-    seen = bench.seen
+    seen = prepared.seen
     counts = (seen.angle_weight > 0).sum(axis=1) + (seen.velocity_weight > 0).sum(axis=1)
     excess = best.products.each[:, -1, -1] - counts
     few, others = np.split(np.argsort(-excess), [int(FEW * counts.size)])
     if not few.size:
         return []
     kept = np.isin(np.arange(counts.size), others)
-    left = settle_free(bench, [best.candidate], masked(seen, kept[:, None]))[0].square
+    left = settle_free(prepared, [best.candidate], masked(seen, kept[:, None]))[0].square
     if left > FLOOR * counts[others].sum():
         return []
     odd = [k for k in sorted(few) if excess[k] > (UNEXPLAINED - 1) * counts[k]]
     if not odd:
         return []
-    names = ", ".join(bench.problem.movements[k].name for k in odd)
+    names = ", ".join(prepared.problem.movements[k].name for k in odd)
     return [
         f"what remains lies in segment {names} alone, and physics of the leg acts in all of them: "
         "a hand may have touched it there. Leave it out, or record it again"
     ]
 
 
-def unsure(bench: Bench, best: Settled, proof: Proof, *, explained: bool) -> list[str]:
+def unsure(
+    prepared: PreparedRecording, best: Optimum, proof: Proof, *, explained: bool
+) -> list[str]:
     """Why what was found must not be claimed."""
-    reasons = [] if explained else unremembered(bench)
+    reasons = [] if explained else unremembered(prepared)
     sensors_only = all(issubclass(term, SensorTerm) for term in best.candidate.terms)
     if not proof.holds:
         where = "the recording's own end" if proof.in_time else "held-out segments"
         reasons.append(f"it does not predict {where} better than the model without it")
-    movements = bench.problem.movements
+    movements = prepared.problem.movements
     if all(each.voluntary for each in movements) and not sensors_only:
         periods = [each.period for each in movements]
         if len(periods) < CYCLES or max(periods) < (1 + APART) * min(periods):

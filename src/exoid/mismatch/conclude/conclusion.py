@@ -27,8 +27,8 @@ from exoid.mismatch.evidence.prediction import Prediction, Proof
 from exoid.mismatch.evidence.proof import proof
 from exoid.mismatch.evidence.yardstick import FOLLOWED, Yardstick
 from exoid.mismatch.novel.formula import Formula
-from exoid.mismatch.screen.screened_recording import Bench
-from exoid.mismatch.screen.settled import Settled
+from exoid.mismatch.screen.optimum import Optimum
+from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import Found, names, size
 from exoid.mismatch.search.resample import inclusion
 from exoid.mismatch.search.search import equivalents
@@ -50,14 +50,14 @@ REPEAT = (
 class Chosen:
     """The best explanation that holds on held-out data, and what it and the baseline predict."""
 
-    best: Settled
+    best: Optimum
     before: Prediction
     after: Prediction
 
 
 def concluded(
     result: FitResult,
-    bench: Bench,
+    prepared: PreparedRecording,
     found: Found,
     chosen: Chosen,
     formula: Formula | None,
@@ -70,23 +70,23 @@ def concluded(
     Where the sensors' noise is `declared` and the best explains only part of the mismatch, the rest
     is something new, and no term is named.
     """
-    best, shown = chosen.best, proof(bench, chosen.before, chosen.after)
-    selected = named_terms(bench, best, found.yardstick, formula)
+    best, shown = chosen.best, proof(prepared, chosen.before, chosen.after)
+    selected = named_terms(prepared, best, found.yardstick, formula)
     bias = gyro_bias(best, found.yardstick)
-    verdict, reasons = judge(bench, found, best, shown)
+    verdict, reasons = judge(prepared, found, best, shown)
     if verdict == "mismatch" and formula is None and not declared:
         doubts = partial(found, best)
         verdict, reasons = ("cannot_tell", doubts) if doubts else (verdict, reasons)
     biased = [BIAS] if bias is not None and verdict != "cannot_tell" else []
     verdict = "mismatch" if biased else verdict
     if verdict == "none":
-        reasons = [*of_zeros(result, bench), *of_what_hides(result)]
+        reasons = [*of_zeros(result, prepared), *of_what_hides(result)]
     equal = [] if formula or not best.candidate.terms else equivalents(found, best)
     parameters = size(best)
     measure = found.yardstick
     left = declared and not measure.explains(best.square) and found.followed(best) < FOLLOWED
     novel = formula is not None or (verdict == "mismatch" and left)
-    doubts = (once(bench, best) or unrelaxed(bench, best)) if novel else []
+    doubts = (once(prepared, best) or unrelaxed(prepared, best)) if novel else []
     if doubts:
         verdict, reasons = "cannot_tell", doubts
     novel = novel and verdict == "mismatch"  # nothing is called new by who cannot tell
@@ -100,9 +100,9 @@ def concluded(
         equivalent=named_alike(equal, best) if verdict != "none" else [],
         novel=novel,
         formula=described(formula) if formula and novel else None,
-        parameters=[*parameters_of(bench, best, measure, formula), *([bias] if bias else [])],
-        inertia=inertia_of(bench, best),
-        booked=booked(bench, found.base, best),
+        parameters=[*parameters_of(prepared, best, measure, formula), *([bias] if bias else [])],
+        inertia=inertia_of(prepared, best),
+        booked=booked(prepared, found.base, best),
         location=location,
         proof=shown,
         baseline=weighed(found, found.base, best),
@@ -113,24 +113,24 @@ def concluded(
         excluded=[name_of(term) for term in found.failed],
         false_alarm_rate=measure.false_alarm_rate(tried),
         power=measure.power(found.base.square, best.square, max(parameters, 1)),
-        inclusion=included(bench, found, best, formula, seed),
-        sensors=bench.sensors.errors,
+        inclusion=included(prepared, found, best, formula, seed),
+        sensors=prepared.sensors.errors,
         before=result,
-        suspected=suspects(bench, found) if verdict == "cannot_tell" else [],
+        suspected=suspects(prepared, found) if verdict == "cannot_tell" else [],
         advice=advice(found, equal, verdict, formula),
-        workings=Workings(bench, found, best),
+        workings=Workings(prepared, found, best),
     )
 
 
-def suspects(bench: Bench, found: Found) -> list[Suspect]:
+def suspects(prepared: PreparedRecording, found: Found) -> list[Suspect]:
     """What every single cause that explains much would make of the leg's numbers."""
     likely = [one for one in found.singles if found.followed(one) > SUSPECT]
-    return [Suspect(names(one), moved(bench, found.base, one)) for one in likely[:SUSPECTS]]
+    return [Suspect(names(one), moved(prepared, found.base, one)) for one in likely[:SUSPECTS]]
 
 
-def of_zeros(result: FitResult, bench: Bench) -> list[str]:
+def of_zeros(result: FitResult, prepared: PreparedRecording) -> list[str]:
     """What to say of zeros of encoders that are certainly off, and no cause of anything."""
-    usual = {each.source: each.systematics.zero for each in bench.problem.movements}
+    usual = {each.source: each.systematics.zero for each in prepared.problem.movements}
     said = []
     for each in result.mountings:
         value, error = (each.zero.value, each.zero.standard_error) if each.zero else (None, None)
@@ -161,7 +161,7 @@ def described(formula: Formula) -> NovelTorque:
     return NovelTorque(formula.words, formula.explained, formula.known)
 
 
-def findings(selected: list[str], best: Settled) -> list[Finding]:
+def findings(selected: list[str], best: Optimum) -> list[Finding]:
     """What is missing in words: of the library, or of a user's own terms."""
     known = {name_of(term): term for term in (*library(), *best.candidate.terms)}
     terms = [(name, known[name]) for name in selected]
@@ -169,26 +169,28 @@ def findings(selected: list[str], best: Settled) -> list[Finding]:
 
 
 def included(
-    bench: Bench, found: Found, best: Settled, formula: Formula | None, seed: int
+    prepared: PreparedRecording, found: Found, best: Optimum, formula: Formula | None, seed: int
 ) -> float | None:
     """How often resampled segments give the same answer."""
     if best is found.base:
         return None
     others = [found.base, *found.singles, *([] if len(best.candidate.terms) < 2 else found.pairs)]
     rivals = [found.base] if formula else [one for one in others if one is not best]
-    return inclusion(bench, best, rivals, found.yardstick, seed)
+    return inclusion(prepared, best, rivals, found.yardstick, seed)
 
 
 def named_terms(
-    bench: Bench, best: Settled, measure: Yardstick, formula: Formula | None
+    prepared: PreparedRecording, best: Optimum, measure: Yardstick, formula: Formula | None
 ) -> list[str]:
     """The terms by name; a tilted thigh is an offset whose opposite is the spring's rest angle."""
     if formula:
         return []
-    return [name for name in names(best) if name != REST_ANGLE or not tilted(bench, best, measure)]
+    return [
+        name for name in names(best) if name != REST_ANGLE or not tilted(prepared, best, measure)
+    ]
 
 
-def named_alike(equal: list[Settled], best: Settled) -> list[str]:
+def named_alike(equal: list[Optimum], best: Optimum) -> list[str]:
     """What this recording cannot tell from the best, itself included: names joined by " + "."""
     known = [names(one) for one in equal]
     for term in best.candidate.terms if equal else ():
@@ -197,26 +199,28 @@ def named_alike(equal: list[Settled], best: Settled) -> list[str]:
     return [" + ".join(each) for each in known]
 
 
-def judge(bench: Bench, found: Found, best: Settled, shown: Proof) -> tuple[Verdict, list[str]]:
+def judge(
+    prepared: PreparedRecording, found: Found, best: Optimum, shown: Proof
+) -> tuple[Verdict, list[str]]:
     """None, mismatch, or an honest doubt."""
-    little = too_little(bench, found)
+    little = too_little(prepared, found)
     if best is found.base:
         left = found.base.square / found.yardstick.samples
         if little:
             return "cannot_tell", little
         if not found.yardstick.explains(found.base.square):
-            return "cannot_tell", once(bench, best) or [
+            return "cannot_tell", once(prepared, best) or [
                 f"simulation and recording differ by {left**0.5:.2g} times the noise, but no cause "
                 "explains it clearly better than another"
             ]
-        doubts = hands(bench)
+        doubts = hands(prepared)
         return ("cannot_tell", doubts) if doubts else ("none", [])
     explained = found.yardstick.explains(best.square)
-    doubts = [*little, *unsure(bench, best, shown, explained=explained)]
+    doubts = [*little, *unsure(prepared, best, shown, explained=explained)]
     return ("cannot_tell", doubts) if doubts else ("mismatch", [])
 
 
-def partial(found: Found, best: Settled) -> list[str]:
+def partial(found: Found, best: Optimum) -> list[str]:
     """That the best leaves too much of the mismatch, where nobody knows how much is noise."""
     share = found.followed(best)
     if found.yardstick.explains(best.square) or share >= MOSTLY:
@@ -242,7 +246,7 @@ def by_share(found: Found, selected: list[str]) -> list[str]:
 
 
 def advice(
-    found: Found, equal: list[Settled], verdict: Verdict, formula: Formula | None
+    found: Found, equal: list[Optimum], verdict: Verdict, formula: Formula | None
 ) -> list[str]:
     """What to record next, to tell apart what is `equal` or what is suspected."""
     if verdict == "none":

@@ -5,8 +5,8 @@ import numpy as np
 from exoid.mismatch.answer.diagnosis import Booked, Parameter, Tested
 from exoid.mismatch.evidence.yardstick import Yardstick
 from exoid.mismatch.novel.formula import Formula
-from exoid.mismatch.screen.screened_recording import Bench
-from exoid.mismatch.screen.settled import Settled
+from exoid.mismatch.screen.optimum import Optimum
+from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import Found, names
 from exoid.mismatch.sensors.consistency import BIAS
 from exoid.physics.parameter import declarations
@@ -20,7 +20,7 @@ CERTAIN = 5.0  # standard deviations
 BIASED = np.radians(0.1)  # rad/s, from which on a gyro's bias is worth a word
 
 
-def weighed(found: Found, one: Settled, best: Settled) -> Tested:
+def weighed(found: Found, one: Optimum, best: Optimum) -> Tested:
     """What a candidate leaves, running free."""
     left = one.square / found.yardstick.samples
     chosen = one is best and best is not found.base
@@ -33,12 +33,12 @@ def pinned(found: Found) -> list[Tested]:
     return [Tested([name_of(t)], square / samples, None) for t, square in found.pinned.items()]
 
 
-def inertia_of(bench: Bench, best: Settled) -> float:
+def inertia_of(prepared: PreparedRecording, best: Optimum) -> float:
     """kg m^2, that torques go with: drops alone tell only their ratio to it."""
-    return float(np.exp(bench.coordinates(best.candidate).shared.log_inertia))
+    return float(np.exp(prepared.coordinates(best.candidate).shared.log_inertia))
 
 
-def gyro_bias(best: Settled, measure: Yardstick) -> Parameter | None:
+def gyro_bias(best: Optimum, measure: Yardstick) -> Parameter | None:
     """The bias of the gyro, which is free in every fit, where it is worth a word."""
     at = best.candidate.point.size
     precision = float(best.products.total[at, at])
@@ -51,10 +51,10 @@ def gyro_bias(best: Settled, measure: Yardstick) -> Parameter | None:
     return Parameter(f"{BIAS}.bias", value, "rad/s", error)
 
 
-def covariance(bench: Bench, one: Settled) -> np.ndarray:
+def covariance(prepared: PreparedRecording, one: Optimum) -> np.ndarray:
     """Of all unknowns, for the inertia that the fit took; 0 of what is fixed or not told."""
     normal = one.products.total[:-1, :-1].copy()
-    lower, upper = bench.bounds(one.candidate)
+    lower, upper = prepared.bounds(one.candidate)
     fixed = lower == upper
     fixed[0] = True
     normal[fixed], normal[:, fixed] = 0.0, 0.0
@@ -63,7 +63,7 @@ def covariance(bench: Bench, one: Settled) -> np.ndarray:
     return np.linalg.pinv(normal / np.outer(unit, unit), hermitian=True) / np.outer(unit, unit)
 
 
-def tilted(bench: Bench, best: Settled, measure: Yardstick) -> bool:
+def tilted(prepared: PreparedRecording, best: Optimum, measure: Yardstick) -> bool:
     """Are a rest angle and an offset opposite, within the error of their sum?"""
     candidate = best.candidate
     ends = candidate.point.size + 2 + np.cumsum([value.size for value in candidate.values])
@@ -71,16 +71,16 @@ def tilted(bench: Bench, best: Settled, measure: Yardstick) -> bool:
     if not {REST_ANGLE, OFFSET} <= set(at):
         return False
     both = [at[REST_ANGLE], at[OFFSET]]
-    variance = max(covariance(bench, best)[np.ix_(both, both)].sum(), 0.0) * measure.scale
+    variance = max(covariance(prepared, best)[np.ix_(both, both)].sum(), 0.0) * measure.scale
     return bool(abs(candidate.unknowns[both].sum()) < CERTAIN * np.sqrt(variance))
 
 
 def parameters_of(
-    bench: Bench, best: Settled, measure: Yardstick, formula: Formula | None
+    prepared: PreparedRecording, best: Optimum, measure: Yardstick, formula: Formula | None
 ) -> list[Parameter]:
     """Values and errors of the terms' parameters, for the inertia that the fit took."""
     candidate = best.candidate
-    variance = np.maximum(np.diag(covariance(bench, best)), 0.0) * measure.scale
+    variance = np.maximum(np.diag(covariance(prepared, best)), 0.0) * measure.scale
     told = np.diag(best.products.total)[:-1] > 0
     found, at = [], candidate.point.size + 2
     for term, values in zip(candidate.terms, candidate.values, strict=True):
@@ -93,9 +93,9 @@ def parameters_of(
     return found
 
 
-def moved(bench: Bench, before: Settled, after: Settled) -> list[Booked]:
+def moved(prepared: PreparedRecording, before: Optimum, after: Optimum) -> list[Booked]:
     """The ratios that motion tells, without and with a cause, and what goes with the inertia."""
-    one, other = (bench.coordinates(each.candidate).shared for each in (before, after))
+    one, other = (prepared.coordinates(each.candidate).shared for each in (before, after))
     ratios = {
         "gravity_over_inertia": ("gravity", "1/s^2"),
         "stiffness_over_inertia": ("stiffness", "1/s^2"),
@@ -106,15 +106,15 @@ def moved(bench: Bench, before: Settled, after: Settled) -> list[Booked]:
         for name, (field, unit) in ratios.items()
     ]
     less, more = (float(np.exp(leg.log_inertia)) for leg in (one, other))
-    return [Booked("inertia", less, more, "kg m^2"), *each, *booked(bench, before, after)]
+    return [Booked("inertia", less, more, "kg m^2"), *each, *booked(prepared, before, after)]
 
 
-def booked(bench: Bench, before: Settled, after: Settled) -> list[Booked]:
+def booked(prepared: PreparedRecording, before: Optimum, after: Optimum) -> list[Booked]:
     """Damping, stiffness and gravity moment without and with what was found.
 
     A rig's zero is anywhere, so that its gravity and its stiffness are one restoring moment.
     """
-    pairs = [bench.coordinates(one.candidate).shared for one in (before, after)]
+    pairs = [prepared.coordinates(one.candidate).shared for one in (before, after)]
     rows = [
         {
             "damping": (float(leg.damping * np.exp(leg.log_inertia)), "N m s/rad"),
@@ -123,5 +123,5 @@ def booked(bench: Bench, before: Settled, after: Settled) -> list[Booked]:
         }
         for leg in pairs
     ]
-    told = ["damping"] if bench.rig else list(rows[0])
+    told = ["damping"] if prepared.rig else list(rows[0])
     return [Booked(name, rows[0][name][0], rows[1][name][0], rows[0][name][1]) for name in told]

@@ -1,8 +1,8 @@
 """An encoder's zero that is farther off than is usual: no leg explains it, and it is worth a name.
 
-Every candidate leaves the zero of the encoder free, as far as it usually is off (`Bench.usual`). A
-zero that is clearly farther off is a cause like others: here it becomes a term, beside a baseline
-that takes the zero as declared.
+Every candidate leaves the zero of the encoder free, as far as it usually is off
+(`PreparedRecording.usual`). A zero that is clearly farther off is a cause like others: here it
+becomes a term, beside a baseline that takes the zero as declared.
 """
 
 from dataclasses import replace
@@ -12,8 +12,8 @@ import numpy as np
 from exoid.mismatch.conclude.numbers import CERTAIN, covariance
 from exoid.mismatch.screen.hypothesis import Hypothesis
 from exoid.mismatch.screen.optimise import settle_free
-from exoid.mismatch.screen.screened_recording import Bench
-from exoid.mismatch.screen.settled import Settled
+from exoid.mismatch.screen.optimum import Optimum
+from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import Found
 from exoid.mismatch.search.search import by_evidence
 from exoid.mismatch.search.variants import FREE_ROUNDS
@@ -22,20 +22,22 @@ from exoid.physics.sensing.angle_offset import AngleOffset
 RIVALS = 4  # of the other causes, each with and without the zero
 
 
-def unusual(bench: Bench, found: Found, best: Settled) -> bool:
+def unusual(prepared: PreparedRecording, found: Found, best: Optimum) -> bool:
     """Is the zero certainly off, as the best explanation has it, and by more than is usual?"""
-    if not 0 < bench.zero < np.inf:  # known, or free to be anything
+    if not 0 < prepared.zero < np.inf:  # known, or free to be anything
         return False
     value, place = abs(float(best.candidate.zero[1])), best.candidate.point.size + 1
-    variance = covariance(bench, best)[place, place] * found.yardstick.scale
-    return bool(value > bench.zero and value**2 > CERTAIN**2 * variance)
+    variance = covariance(prepared, best)[place, place] * found.yardstick.scale
+    return bool(value > prepared.zero and value**2 > CERTAIN**2 * variance)
 
 
-def as_a_term(bench: Bench, found: Found, best: Settled) -> tuple[Bench, Found, Settled]:
+def as_a_term(
+    prepared: PreparedRecording, found: Found, best: Optimum
+) -> tuple[PreparedRecording, Found, Optimum]:
     """The zero as a term of the best and of its rivals, who are also tried without it, and a
     baseline that has it as declared.
     """
-    declared = replace(bench, zero=0.0)
+    declared = replace(prepared, zero=0.0)
     rivals = [one for one in (*found.singles, *found.pairs) if one is not best][:RIVALS]
     base, *plain = [at_rest(declared, without_zero(one.candidate)) for one in (found.base, *rivals)]
     named = [at_rest(declared, with_term(one.candidate)) for one in (best, *rivals)]
@@ -62,5 +64,5 @@ def with_term(candidate: Hypothesis) -> Hypothesis:
     return replace(start, terms=(*start.terms, AngleOffset), values=(*start.values, value))
 
 
-def at_rest(bench: Bench, candidate: Hypothesis) -> Settled:
-    return settle_free(bench, [candidate], rounds=FREE_ROUNDS)[0]
+def at_rest(prepared: PreparedRecording, candidate: Hypothesis) -> Optimum:
+    return settle_free(prepared, [candidate], rounds=FREE_ROUNDS)[0]

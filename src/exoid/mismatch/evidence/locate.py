@@ -11,8 +11,8 @@ from exoid.fitting.model.coordinates import Unknowns, seated
 from exoid.mismatch.evidence.location import Location, Missing, Region, Samples
 from exoid.mismatch.screen.hypothesis import Hypothesis
 from exoid.mismatch.screen.measured_motion import FREE, drive_of
-from exoid.mismatch.screen.screened_recording import Bench
-from exoid.mismatch.screen.settled import Settled
+from exoid.mismatch.screen.optimum import Optimum
+from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.physics.leg import angular_acceleration
 from exoid.physics.state import LegState
 
@@ -26,12 +26,12 @@ TURNING = np.radians(30.0)  # rad/s, below which a leg is at a reversal
 FEW = 12  # bins of angle or speed
 
 
-def locate(bench: Bench, base: Hypothesis, best: Settled) -> Location:
+def locate(prepared: PreparedRecording, base: Hypothesis, best: Optimum) -> Location:
     """The torque that would make the baseline move as the sensors show, and as `best` does."""
     shown = np.asarray(best.course) if best.candidate.terms else None
     missing = [
-        lacking(bench, base, number, None if shown is None else shown[number])
-        for number in range(bench.segments)
+        lacking(prepared, base, number, None if shown is None else shown[number])
+        for number in range(prepared.segments)
     ]
     regions = [region for each in missing for region in regions_of(each)]
     regions.sort(key=lambda each: abs(each.torque) * (each.end - each.begin), reverse=True)
@@ -42,13 +42,13 @@ def locate(bench: Bench, base: Hypothesis, best: Settled) -> Location:
 
 
 def lacking(
-    bench: Bench, base: Hypothesis, number: int, shown: np.ndarray | None = None
+    prepared: PreparedRecording, base: Hypothesis, number: int, shown: np.ndarray | None = None
 ) -> Missing:
     """J (phi'' - Eq. 9) along the measured motion and along the simulated one that is `shown`,
     (time, channel), averaged over a few samples. The sensors' zeros are the baseline's.
     """
-    coordinates, seen = bench.coordinates(base), bench.seen
-    reference = bench.sensors.references[number]
+    coordinates, seen = prepared.coordinates(base), prepared.seen
+    reference = prepared.sensors.references[number]
     size = reference.angle.size
 
     def own(tree):
@@ -77,7 +77,7 @@ def lacking(
     rough = excess(reference.angle, reference.angular_velocity, reference.angular_acceleration)
     torque = averaged(rough, width)
     band = reference.smoother.spread(width) / float(eq.torque)
-    name = bench.problem.movements[number].name
+    name = prepared.problem.movements[number].name
     weighs = np.asarray(seen.angle_weight[number]) + np.asarray(seen.velocity_weight[number]) > 0
     free = slice(int(np.argmax(weighs)), size)  # before it a hand was on the leg
     motion = (time[free], reference.angle[free], reference.angular_velocity[free])

@@ -4,19 +4,19 @@ import numpy as np
 
 from exoid.fitting.data.observation import Observation
 from exoid.mismatch.evidence.yardstick import Yardstick
-from exoid.mismatch.screen.screened_recording import Bench
-from exoid.mismatch.screen.settled import Settled
+from exoid.mismatch.screen.optimum import Optimum
+from exoid.mismatch.screen.prepared_recording import PreparedRecording
 
 LONGEST_LAG = 1.0  # s, over which what is left may be correlated
 
 
-def yardstick(bench: Bench, best: Settled) -> Yardstick:
+def yardstick(prepared: PreparedRecording, best: Optimum) -> Yardstick:
     """By what the best candidate leaves: white noise, or what nothing explains.
 
     What is left and correlated in time counts as few samples: the variance of a sum over it is
     larger by the sum of its autocorrelation.
     """
-    seen = bench.seen
+    seen = prepared.seen
     return Yardstick(count(seen), max(1.0, float(np.mean(inflation(seen, best.course)))))
 
 

@@ -8,8 +8,8 @@ from exoid.mismatch.evidence.prediction import Prediction, Proof
 from exoid.mismatch.screen.hypothesis import Hypothesis, Products
 from exoid.mismatch.screen.many_free import release
 from exoid.mismatch.screen.optimise import bounded, settle_free
-from exoid.mismatch.screen.screened_recording import Bench
-from exoid.mismatch.screen.settled import Settled
+from exoid.mismatch.screen.optimum import Optimum
+from exoid.mismatch.screen.prepared_recording import PreparedRecording
 
 LOOKS = 3  # at a held-out segment, to find where it begins
 EARLY = 0.6  # of a single segment, on which the fit is made where there is no other
@@ -17,41 +17,41 @@ ROUNDS = 12
 TRAINING_ROUNDS = 5  # from where all segments have it
 
 
-def predict(bench: Bench, at: Settled) -> Prediction:
+def predict(prepared: PreparedRecording, at: Optimum) -> Prediction:
     """Hold out every segment in turn; of a single one its end."""
-    single = bench.segments == 1
-    return predict_end(bench, at) if single else predict_others(bench, at)
+    single = prepared.segments == 1
+    return predict_end(prepared, at) if single else predict_others(prepared, at)
 
 
-def proof(bench: Bench, before: Prediction, after: Prediction) -> Proof:
+def proof(prepared: PreparedRecording, before: Prediction, after: Prediction) -> Proof:
     """Two predictions of the same data, side by side."""
-    seen = bench.seen
+    seen = prepared.seen
     noise = seen.angle_weight
     floor = float(np.sqrt(np.mean(1 / noise[noise > 0] ** 2)))
     data = (np.asarray(seen.time), np.asarray(seen.angle))
-    return Proof(before, after, *data, floor, bench.segments == 1)
+    return Proof(before, after, *data, floor, prepared.segments == 1)
 
 
-def predict_others(bench: Bench, at: Settled) -> Prediction:
+def predict_others(prepared: PreparedRecording, at: Optimum) -> Prediction:
     """Every segment from the others: leg and terms from them, only its own start from itself."""
-    count = bench.segments
-    candidates = [without(bench, at, held_out).candidate for held_out in range(count)]
+    count = prepared.segments
+    candidates = [without(prepared, at, held_out).candidate for held_out in range(count)]
     for _ in range(LOOKS):
-        found = release(bench, candidates, bench.seen)
+        found = release(prepared, candidates, prepared.seen)
         candidates = [
-            started(bench, candidate, products, number)
+            started(prepared, candidate, products, number)
             for number, (candidate, (products, _)) in enumerate(zip(candidates, found, strict=True))
         ]
-    found = release(bench, candidates, bench.seen)
+    found = release(prepared, candidates, prepared.seen)
     shown = np.stack([seen[number] for number, (_, seen) in enumerate(found)])
-    return prediction(bench.seen, shown, np.asarray(bench.seen.angle_weight) > 0)
+    return prediction(prepared.seen, shown, np.asarray(prepared.seen.angle_weight) > 0)
 
 
-def without(bench: Bench, at: Settled, held_out: int) -> Settled:
+def without(prepared: PreparedRecording, at: Optimum, held_out: int) -> Optimum:
     """The candidate as the other segments have it."""
-    others = np.arange(bench.segments)[:, None] != held_out
-    training = masked(bench.seen, others)
-    return settle_free(bench, [at.candidate], training, rounds=TRAINING_ROUNDS)[0]
+    others = np.arange(prepared.segments)[:, None] != held_out
+    training = masked(prepared.seen, others)
+    return settle_free(prepared, [at.candidate], training, rounds=TRAINING_ROUNDS)[0]
 
 
 def masked(seen: Observation, kept: np.ndarray) -> Observation:
@@ -63,9 +63,11 @@ def masked(seen: Observation, kept: np.ndarray) -> Observation:
     )
 
 
-def started(bench: Bench, candidate: Hypothesis, products: Products, number: int) -> Hypothesis:
+def started(
+    prepared: PreparedRecording, candidate: Hypothesis, products: Products, number: int
+) -> Hypothesis:
     """The candidate with what the segment `number` owns brought to its best there."""
-    own = bench.places[number][-3:]
+    own = prepared.places[number][-3:]
     normal, gradient = products.each[number][:-1, :-1], products.each[number][:-1, -1]
     limits = np.full(own.size, np.inf)
     step = bounded(normal[np.ix_(own, own)], gradient[own], 0.0, -limits, limits)
@@ -74,13 +76,13 @@ def started(bench: Bench, candidate: Hypothesis, products: Products, number: int
     return candidate.at(unknowns)
 
 
-def predict_end(bench: Bench, at: Settled) -> Prediction:
+def predict_end(prepared: PreparedRecording, at: Optimum) -> Prediction:
     """The end of a single segment, from a fit of its beginning."""
-    seen = bench.seen
+    seen = prepared.seen
     used = np.asarray(seen.angle_weight) > 0
     last = np.flatnonzero(used[0])
     early = np.arange(used.shape[1]) <= last[int(EARLY * last.size)]
-    fitted = settle_free(bench, [at.candidate], masked(seen, early), rounds=ROUNDS)[0]
+    fitted = settle_free(prepared, [at.candidate], masked(seen, early), rounds=ROUNDS)[0]
     return prediction(seen, np.asarray(fitted.course), used & ~early)
 
 

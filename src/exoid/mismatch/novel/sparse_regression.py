@@ -14,7 +14,7 @@ from exoid.mismatch.evidence.location import Missing
 from exoid.mismatch.novel.dictionary import OF_ANGLE, Feature, dictionary
 from exoid.mismatch.novel.formula import Formula, split
 from exoid.mismatch.screen.hypothesis import Hypothesis
-from exoid.mismatch.screen.screened_recording import Bench
+from exoid.mismatch.screen.prepared_recording import PreparedRecording
 
 MOST = 3  # features of a formula
 WORTH = 0.02  # share that a further feature must explain
@@ -22,10 +22,10 @@ INDEPENDENT = 0.05  # s, after which a missing torque is a new value
 TRIES = 40  # steps of a refinement
 
 
-def describe(bench: Bench, base: Hypothesis) -> Formula:
+def describe(prepared: PreparedRecording, base: Hypothesis) -> Formula:
     """The sparsest formula for what the baseline lacks."""
-    rows = [lacking(bench, base, number) for number in range(bench.segments)]
-    basis = np.linalg.qr(baseline(bench, rows))[0]
+    rows = [lacking(prepared, base, number) for number in range(prepared.segments)]
+    basis = np.linalg.qr(baseline(prepared, rows))[0]
     target = beside(basis, np.concatenate([each.torque for each in rows])[:, None])[:, 0]
     starts = [each for each in dictionary() if met(each, rows)]
     left = beside(basis, table(starts, rows))
@@ -114,13 +114,13 @@ def table(features, rows: list[Missing]) -> np.ndarray:
     )
 
 
-def baseline(bench: Bench, rows: list[Missing]) -> np.ndarray:
+def baseline(prepared: PreparedRecording, rows: list[Missing]) -> np.ndarray:
     """What the leg's own parameters, and the voluntary torque of each segment, can take up."""
     legs, pushes = [], []
     for number, each in enumerate(rows):
         leg = (np.cos(each.angle), each.angle, each.angular_velocity)
         legs.append(np.stack([averaged(one, each.width) for one in leg], axis=1))
-        shape = np.asarray(bench.seen.cycle.begin[number])
+        shape = np.asarray(prepared.seen.cycle.begin[number])
         push = np.zeros((each.angle.size, len(rows)))
         push[:, number] = averaged(np.append(shape, shape[-1])[: each.angle.size], each.width)
         pushes.append(push)

@@ -9,7 +9,7 @@ import numpy as np
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.solve.program_cache import called
 from exoid.mismatch.screen.hypothesis import Hypothesis, Products, spread
-from exoid.mismatch.screen.screened_recording import Bench
+from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.screen.segment_groups import grouped
 
 GROUP = 4  # segments of a program, so that one serves every recording
@@ -19,28 +19,28 @@ RELEASED = jax.tree.structure((TABLE, TABLE))
 
 
 def release(
-    bench: Bench, candidates: list[Hypothesis], observation: Observation
+    prepared: PreparedRecording, candidates: list[Hypothesis], observation: Observation
 ) -> list[tuple[Products, np.ndarray]]:
     """The products of candidates, one after the other, and what each shows: (segment, time,
     channel).
     """
-    return [release_one(bench, each, observation) for each in candidates]
+    return [release_one(prepared, each, observation) for each in candidates]
 
 
 def release_one(
-    bench: Bench, candidate: Hypothesis, observation: Observation
+    prepared: PreparedRecording, candidate: Hypothesis, observation: Observation
 ) -> tuple[Products, np.ndarray]:
     size = observation.time.shape[1]
-    at = bench.coordinates(candidate)
-    every = (at.own, prolonged(observation, size), bench.problem.known)
-    static, steps = (candidate.terms, bench.problem.chain), np.asarray(bench.problem.steps)
+    at = prepared.coordinates(candidate)
+    every = (at.own, prolonged(observation, size), prepared.problem.known)
+    static, steps = (candidate.terms, prepared.problem.chain), np.asarray(prepared.problem.steps)
     found = []
     for own, *surroundings in grouped(every, GROUP):
         point = replace(at, own=own)
         arguments = (candidate.values, point, candidate.zero, *surroundings, steps)
         found.append(called("exoid.mismatch.screen.free_run:release", arguments, static, RELEASED))
-    gram, shown = (np.concatenate(each)[: bench.segments] for each in zip(*found, strict=True))
-    products = spread(candidate, bench.places, bench.usual, gram, list(range(gram.shape[-1])))
+    gram, shown = (np.concatenate(each)[: prepared.segments] for each in zip(*found, strict=True))
+    products = spread(candidate, prepared.places, prepared.usual, gram, list(range(gram.shape[-1])))
     return products, shown[:, :size]
 
 

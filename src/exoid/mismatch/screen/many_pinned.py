@@ -9,9 +9,9 @@ import numpy as np
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.solve.program_cache import called
 from exoid.mismatch.screen.hypothesis import Effect, Hypothesis, Linear, Products, spread
-from exoid.mismatch.screen.measured_motion import Course
+from exoid.mismatch.screen.measured_motion import MeasuredMotion
 from exoid.mismatch.screen.pinned import Given, Pinned, Requests
-from exoid.mismatch.screen.screened_recording import Bench
+from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.screen.segment_groups import grouped
 from exoid.physics.library import MOST_PARAMETERS
 from exoid.physics.motion.step import Drive
@@ -22,43 +22,48 @@ GROUP = 2  # segments of a program, so that one serves every recording
 GIVEN = 4  # first terms that lanes may have linear, the first of them none
 ROWS, TABLE = np.zeros((1, 1, 1)), np.zeros((1, 1, 1, 1))
 NONE = Effect(Drive(ROWS, ROWS, ROWS), ROWS)
-PINNED = jax.tree.structure(Pinned(TABLE, Course(ROWS, ROWS, ROWS), NONE))
+PINNED = jax.tree.structure(Pinned(TABLE, MeasuredMotion(ROWS, ROWS, ROWS), NONE))
 
 
 def evaluate(
-    bench: Bench, candidates: list[Hypothesis], courses: list[Course], observation: Observation
-) -> list[tuple[Products, Course]]:
+    prepared: PreparedRecording,
+    candidates: list[Hypothesis],
+    courses: list[MeasuredMotion],
+    observation: Observation,
+) -> list[tuple[Products, MeasuredMotion]]:
     """The products of every candidate, and the course along which they are."""
-    results: list[tuple[Products, Course] | None] = [None] * len(candidates)
+    results: list[tuple[Products, MeasuredMotion] | None] = [None] * len(candidates)
     waiting = list(range(len(candidates)))
     while waiting:
-        batch, waiting = packed(bench, waiting, candidates)
-        found = run(bench, batch, candidates, courses, observation)
+        batch, waiting = packed(prepared, waiting, candidates)
+        found = run(prepared, batch, candidates, courses, observation)
         for lane, number in enumerate(batch):
             own = jax.tree.map(lambda leaf, lane=lane: leaf[lane], found.course)
-            results[number] = (placed(bench, candidates[number], found.gram[lane]), own)
+            results[number] = (placed(prepared, candidates[number], found.gram[lane]), own)
     return results  # type: ignore[return-value]
 
 
-def linear(bench: Bench, candidates: list[Hypothesis], courses: list[Course]) -> list[Linear]:
+def linear(
+    prepared: PreparedRecording, candidates: list[Hypothesis], courses: list[MeasuredMotion]
+) -> list[Linear]:
     """What the terms of a few candidates do along their courses."""
-    found = run(bench, list(range(len(candidates))), candidates, courses, bench.seen).first
+    found = run(prepared, list(range(len(candidates))), candidates, courses, prepared.seen).first
     return [
         Linear(jax.tree.map(lambda leaf, lane=lane: leaf[lane], found), one.values[0])
         for lane, one in enumerate(candidates)
     ]
 
 
-def room(bench: Bench) -> dict[type[Term], int]:
+def room(prepared: PreparedRecording) -> dict[type[Term], int]:
     """How many requests of every term the compiled program takes at once."""
-    return {term: max(2, len(bench.starts(term))) for term in bench.library}
+    return {term: max(2, len(prepared.starts(term))) for term in prepared.library}
 
 
 def packed(
-    bench: Bench, waiting: list[int], candidates: list[Hypothesis]
+    prepared: PreparedRecording, waiting: list[int], candidates: list[Hypothesis]
 ) -> tuple[list[int], list[int]]:
     """As many of the waiting as fit into one run, and the rest."""
-    space = room(bench)
+    space = room(prepared)
     lanes = sum(space.values())
     used: Counter[type[Term]] = Counter()
     batch, rest = [], []
@@ -77,29 +82,31 @@ def packed(
     return batch, rest
 
 
-def run(bench: Bench, batch, candidates, courses, observation) -> Pinned:
+def run(prepared: PreparedRecording, batch, candidates, courses, observation) -> Pinned:
     """The program on a batch; the last lane takes the requests that nobody made."""
-    space = room(bench)
+    space = room(prepared)
     lanes = sum(space.values()) + 1
     lane = [*batch, *[batch[0]] * (lanes - len(batch))]
     first, chosen = ([candidates[number] for number in numbers] for numbers in (batch, lane))
-    asked = tuple(requests(bench, term, space[term], first, lanes - 1) for term in bench.library)
-    known, points = given(bench, chosen), stacked([bench.coordinates(one) for one in chosen])
+    asked = tuple(
+        requests(prepared, term, space[term], first, lanes - 1) for term in prepared.library
+    )
+    known, points = given(prepared, chosen), stacked([prepared.coordinates(one) for one in chosen])
     along, zero = stacked([courses[number] for number in lane]), np.array([c.zero for c in chosen])
     parts = zip(
         grouped(known.effect, GROUP, axis=2),
         grouped((points.own, along), GROUP, axis=1),
-        grouped((bench.course, observation, bench.problem.known), GROUP),
+        grouped((prepared.course, observation, prepared.problem.known), GROUP),
         strict=True,
     )
-    static = (bench.library, bench.problem.chain)
-    steps, used = np.asarray(bench.problem.steps), np.asarray(len(batch))
+    static = (prepared.library, prepared.problem.chain)
+    steps, used = np.asarray(prepared.problem.steps), np.asarray(len(batch))
     found = []
     for effect, (own, course), around in parts:
         of_lanes = (asked, replace(known, effect=effect), replace(points, own=own), zero, course)
         arguments = (*of_lanes, *around, steps, used)
         found.append(called("exoid.mismatch.screen.pinned:evaluate", arguments, static, PINNED))
-    return joined(found, bench.segments)
+    return joined(found, prepared.segments)
 
 
 def joined(parts: list[Pinned], count: int) -> Pinned:
@@ -116,10 +123,12 @@ def joined(parts: list[Pinned], count: int) -> Pinned:
 
 
 def requests(
-    bench: Bench, term: type[Term], size: int, batch: list[Hypothesis], spare: int
+    prepared: PreparedRecording, term: type[Term], size: int, batch: list[Hypothesis], spare: int
 ) -> Requests:
     """Everything that a batch asks of a term; what it does not ask goes to a spare lane."""
-    value = np.tile(bench.starts(term)[0], (size, 1)).reshape(size, len(list(declarations(term))))
+    value = np.tile(prepared.starts(term)[0], (size, 1)).reshape(
+        size, len(list(declarations(term)))
+    )
     lanes, slots = np.full(size, spare), np.zeros(size, dtype=int)
     made = 0
     for lane, one in enumerate(batch):
@@ -130,9 +139,9 @@ def requests(
     return Requests(value, lanes, slots)
 
 
-def given(bench: Bench, lanes: list[Hypothesis]) -> Given:
+def given(prepared: PreparedRecording, lanes: list[Hypothesis]) -> Given:
     """The first terms that are linear, each once, and whose they are."""
-    segments, size = bench.seen.time.shape
+    segments, size = prepared.seen.time.shape
     rows = (1 + MOST_PARAMETERS, segments)
     push = np.zeros((*rows, size - 1))
     effects = [Effect(Drive(push, push, push), np.zeros((*rows, size, 2)))]
@@ -155,11 +164,11 @@ def stacked(trees: list):
     return jax.tree.map(lambda *leaves: np.stack(leaves), *trees)
 
 
-def placed(bench: Bench, candidate: Hypothesis, gram: np.ndarray) -> Products:
+def placed(prepared: PreparedRecording, candidate: Hypothesis, gram: np.ndarray) -> Products:
     """The products over all unknowns of a candidate."""
-    base = bench.places.shape[1]
+    base = prepared.places.shape[1]
     rows = list(range(base + 2))
     for slot, value in enumerate(candidate.values):
         first = base + 2 + slot * MOST_PARAMETERS
         rows += range(first, first + value.size)
-    return spread(candidate, bench.places, bench.usual, gram, [*rows, gram.shape[-1] - 1])
+    return spread(candidate, prepared.places, prepared.usual, gram, [*rows, gram.shape[-1] - 1])

@@ -20,7 +20,7 @@ from exoid.physics.state import LegState
 FREE = Stage(jnp.zeros(()), jnp.zeros((), int))
 
 
-class Course(eqx.Module):
+class MeasuredMotion(eqx.Module):
     """The leg's motion that a candidate reads from the sensors."""
 
     angle: Float[Any, "*lane segment time"]  # rad
@@ -39,7 +39,7 @@ class Scene(eqx.Module):
     step: Float[Any, "*batch step"]  # s
 
 
-def scenes(point: Coordinates, course: Course, observation: Observation) -> Scene:
+def scenes(point: Coordinates, course: MeasuredMotion, observation: Observation) -> Scene:
     """Every segment's."""
 
     def one(unknowns, course, observation):
@@ -49,7 +49,7 @@ def scenes(point: Coordinates, course: Course, observation: Observation) -> Scen
     return jax.vmap(one)(each, course, observation)
 
 
-def scene(eq: Equation, course: Course, observation: Observation) -> Scene:
+def scene(eq: Equation, course: MeasuredMotion, observation: Observation) -> Scene:
     """One segment's; Hermite's rule between samples."""
     place, drive = place_of(eq, observation, FREE), drive_of(eq, observation)
     time, step = observation.time, jnp.diff(observation.time)

@@ -8,8 +8,8 @@ from exoid.fitting.data.observation import Observation
 from exoid.mismatch.screen import many_pinned
 from exoid.mismatch.screen.hypothesis import Hypothesis
 from exoid.mismatch.screen.many_free import release
-from exoid.mismatch.screen.screened_recording import Bench
-from exoid.mismatch.screen.settled import Settled
+from exoid.mismatch.screen.optimum import Optimum
+from exoid.mismatch.screen.prepared_recording import PreparedRecording
 
 ROUNDS = 12
 EASIER, HARDER = 0.1, 8.0
@@ -20,44 +20,46 @@ WEAK = 1e-9  # relative curvature of what nothing tells
 PASSES = 4  # in which bounds that a step runs into are found
 
 
-def settle(bench: Bench, candidates: list[Hypothesis], *, rounds: int = ROUNDS) -> list[Settled]:
+def settle(
+    prepared: PreparedRecording, candidates: list[Hypothesis], *, rounds: int = ROUNDS
+) -> list[Optimum]:
     """Fit every candidate to the data, along the motion that it reads from the sensors."""
 
     def evaluate(candidates, courses):
-        return many_pinned.evaluate(bench, candidates, courses, bench.seen)
+        return many_pinned.evaluate(prepared, candidates, courses, prepared.seen)
 
-    courses = [bench.course] * len(candidates)
-    return descend(bench, candidates, courses, evaluate, rounds, NEARLY)
+    courses = [prepared.course] * len(candidates)
+    return descend(prepared, candidates, courses, evaluate, rounds, NEARLY)
 
 
 def settle_free(
-    bench: Bench,
+    prepared: PreparedRecording,
     candidates: list[Hypothesis],
     observation: Observation | None = None,
     *,
     rounds: int = ROUNDS,
-) -> list[Settled]:
+) -> list[Optimum]:
     """Fit candidates of the same terms to the observation, running free."""
-    seen = bench.seen if observation is None else observation
+    seen = prepared.seen if observation is None else observation
 
     def evaluate(candidates, _):
-        return release(bench, candidates, seen)
+        return release(prepared, candidates, seen)
 
-    return descend(bench, candidates, [None] * len(candidates), evaluate, rounds, STEADY)
+    return descend(prepared, candidates, [None] * len(candidates), evaluate, rounds, STEADY)
 
 
-def descend(bench, candidates, courses, evaluate, rounds, steady) -> list[Settled]:
+def descend(prepared, candidates, courses, evaluate, rounds, steady) -> list[Optimum]:
     """Steps of all candidates together, until each expects to gain less than `steady`."""
     found = evaluate(candidates, courses)
     at = [
-        Settled(candidate, products, course)
+        Optimum(candidate, products, course)
         for candidate, (products, course) in zip(candidates, found, strict=True)
     ]
     for _ in range(rounds):
         moving = [number for number, each in enumerate(at) if not each.resting]
         if not moving:
             break
-        steps = [step(bench, at[number]) for number in moving]
+        steps = [step(prepared, at[number]) for number in moving]
         moved = [candidate for candidate, _ in steps]
         found = evaluate(moved, [at[number].course for number in moving])
         for number, (candidate, gain), (products, course) in zip(moving, steps, found, strict=True):
@@ -66,23 +68,23 @@ def descend(bench, candidates, courses, evaluate, rounds, steady) -> list[Settle
 
 
 def judged(
-    before: Settled, candidate: Hypothesis, gain: float, products, course, steady: float
-) -> Settled:
+    before: Optimum, candidate: Hypothesis, gain: float, products, course, steady: float
+) -> Optimum:
     """Where a candidate stands after a step: there, or where it was and more careful."""
     careful = before.damping > CAREFUL
     if not products.square < before.square + steady:
         return replace(before, damping=before.damping * HARDER, resting=gain < steady)
     easier = before.damping * EASIER
-    return Settled(candidate, products, course, easier, resting=gain < steady and not careful)
+    return Optimum(candidate, products, course, easier, resting=gain < steady and not careful)
 
 
-def step(bench: Bench, at: Settled) -> tuple[Hypothesis, float]:
+def step(prepared: PreparedRecording, at: Optimum) -> tuple[Hypothesis, float]:
     """The next place to try, and the gain to expect there."""
     unknowns = at.candidate.unknowns
     normal, gradient = at.products.total[:-1, :-1], at.products.total[:-1, -1]
     if not np.isfinite(at.products.total).all():
         return at.candidate, 0.0
-    lower, upper = bench.bounds(at.candidate)
+    lower, upper = prepared.bounds(at.candidate)
     change = bounded(normal, gradient, at.damping, lower - unknowns, upper - unknowns)
     gain = -(2 * gradient @ change + change @ normal @ change)
     return at.candidate.at(unknowns + change), float(gain)

@@ -21,7 +21,7 @@ from exoid.fitting.model.coordinates import Coordinates, Unknowns, of_segments
 from exoid.mismatch.screen.deviation import products
 from exoid.mismatch.screen.effect import columns, named, remembered, shown
 from exoid.mismatch.screen.hypothesis import Effect
-from exoid.mismatch.screen.measured_motion import Course, Scene, scenes
+from exoid.mismatch.screen.measured_motion import MeasuredMotion, Scene, scenes
 from exoid.physics.library import MOST_PARAMETERS
 from exoid.physics.motion.step import Drive
 from exoid.physics.term import Term
@@ -33,7 +33,7 @@ class Pinned(eqx.Module):
     """(J, r)'(J, r) of every lane and segment: baseline unknowns, zeros, terms, residual."""
 
     gram: Float[Any, "lane segment column column"]
-    course: Course  # along which
+    course: MeasuredMotion  # along which
     first: Effect  # of the first lanes: what their first term does, and its derivatives
 
 
@@ -58,8 +58,8 @@ def evaluate(
     given: Given,
     points: Coordinates,
     zero: Float[Array, "lane 2"],  # rad/s of the gyro, rad of the encoder
-    courses: Course,
-    measured: Course,
+    courses: MeasuredMotion,
+    measured: MeasuredMotion,
     observation: Observation,
     known: Unknowns,
     steps: Int[Array, ""],
@@ -137,7 +137,9 @@ def of_lanes(seen: Scene, request: Requests) -> Scene:
     return jax.tree.map(lambda leaf: leaf[request.lane], seen)
 
 
-def read(asked, seen: Scene, angle: Array, measured: Course, observation: Observation) -> Course:
+def read(
+    asked, seen: Scene, angle: Array, measured: MeasuredMotion, observation: Observation
+) -> MeasuredMotion:
     """The leg's motion behind what the sensors show, if the lanes' terms are right.
 
     `angle` is what the given terms show.
@@ -154,7 +156,7 @@ def read(asked, seen: Scene, angle: Array, measured: Course, observation: Observ
         angle = angle.at[request.lane].add(found)
     slope = jax.vmap(jax.vmap(rate), in_axes=(0, None))
     velocity = slope(angle, observation.time)
-    errors = Course(angle, velocity, slope(velocity, observation.time))
+    errors = MeasuredMotion(angle, velocity, slope(velocity, observation.time))
     return jax.tree.map(jnp.subtract, measured, errors)
 
 

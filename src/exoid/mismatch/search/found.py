@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from exoid.mismatch.evidence.yardstick import Yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis
-from exoid.mismatch.screen.settled import Settled
+from exoid.mismatch.screen.optimum import Optimum
 from exoid.physics.term import Term, name_of
 
 FLOOR = 1.3  # mean square over the noise at which nothing more is looked for
@@ -14,30 +14,30 @@ FLOOR = 1.3  # mean square over the noise at which nothing more is looked for
 class Found:
     """What a search found, best first; `pinned` are the sums of squares of the first look."""
 
-    base: Settled
+    base: Optimum
     begin: Hypothesis  # the baseline where candidates began
-    singles: list[Settled]  # running free
-    pairs: list[Settled]
+    singles: list[Optimum]  # running free
+    pairs: list[Optimum]
     pinned: dict[type[Term], float]
     failed: list[type[Term]]  # whose derivatives are not finite
     yardstick: Yardstick
 
-    def clear(self, worse: Settled, better: Settled) -> bool:
+    def clear(self, worse: Optimum, better: Optimum) -> bool:
         parameters = size(better) - size(worse)
         return self.yardstick.clear(worse.square, better.square, max(parameters, 1))
 
-    def followed(self, one: Settled) -> float:
+    def followed(self, one: Optimum) -> float:
         """The share of the baseline's excess over the noise that it explains."""
         return self.yardstick.followed(self.base.square, one.square)
 
-    def evidence(self, one: Settled) -> float:
+    def evidence(self, one: Optimum) -> float:
         return self.yardstick.evidence(self.base.square, one.square, size(one))
 
 
-def size(one: Settled) -> int:
+def size(one: Optimum) -> int:
     """How many parameters its terms have."""
     return sum(value.size for value in one.candidate.values)
 
 
-def names(one: Settled) -> list[str]:
+def names(one: Optimum) -> list[str]:
     return [name_of(term) for term in one.candidate.terms]

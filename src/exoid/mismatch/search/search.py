@@ -9,8 +9,8 @@ from exoid.mismatch.evidence.measure import yardstick
 from exoid.mismatch.evidence.yardstick import ALIKE, APART, FOLLOWED, Yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis
 from exoid.mismatch.screen.optimise import settle, settle_free
-from exoid.mismatch.screen.screened_recording import Bench
-from exoid.mismatch.screen.settled import Settled
+from exoid.mismatch.screen.optimum import Optimum
+from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import FLOOR, Found, size
 from exoid.mismatch.search.variants import (
     nested,
@@ -31,34 +31,34 @@ FALSE = 0.5  # of the baseline's square, below which another valley makes it a f
 Told = Callable[[str], None]
 
 
-def look(bench: Bench, base: Settled, told: Told) -> Found:
+def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
     """Every term by itself; pairs where no single one is enough. What explains best may show that
     the baseline lay in a false valley: then all begins again from the leg that it found.
     """
-    begin = beginning(bench, base)
-    usable = [term for term in bench.library if applies(bench, term)]
+    begin = beginning(prepared, base)
+    usable = [term for term in prepared.library if applies(prepared, term)]
     told(f"testing {len(usable)} candidates")
     starts = [
         replace(begin, terms=(term,), values=(value,))
         for term in usable
-        for value in bench.starts(term)
+        for value in prepared.starts(term)
     ]
-    first = best_of(settle(bench, starts, rounds=ROUNDS))
+    first = best_of(settle(prepared, starts, rounds=ROUNDS))
     failed = [term for (term,), one in first.items() if not sound(one)]
     ranked = ordered([one for one in first.values() if sound(one)])
     near = [one for one in ranked[:SHORT] if one.square < REACH * ranked[0].square]
     told("simulating the best of them")
-    singles = [polished(bench, one.candidate) for one in near]
-    singles += [*twins(bench, singles, singles), *nested(bench, singles)]
+    singles = [polished(prepared, one.candidate) for one in near]
+    singles += [*twins(prepared, singles, singles), *nested(prepared, singles)]
     leader = least(*singles)
     if leader.square < FALSE * base.square:
-        better = polished(bench, replace(leader.candidate, terms=(), values=()))
+        better = polished(prepared, replace(leader.candidate, terms=(), values=()))
         if better.square < FALSE * base.square:
-            return look(bench, better, told)
-    measure = yardstick(bench, least(base, *singles))
+            return look(prepared, better, told)
+    measure = yardstick(prepared, least(base, *singles))
     singles = by_evidence(singles, base, measure)
     pinned = {one.candidate.terms[0]: one.square for one in ranked}
-    found = with_sure_sensors(bench, base, singles)
+    found = with_sure_sensors(prepared, base, singles)
     sensors = [one for one in found if len(one.candidate.terms) > 1]
     alone = [one for one in found if len(one.candidate.terms) == 1]
     singles = by_evidence([*singles, *alone], base, measure)
@@ -67,70 +67,72 @@ def look(bench: Bench, base: Settled, told: Told) -> Found:
         told("simulating the others")
         tried = {one.candidate.terms for one in singles}
         others = [one for one in ranked if one.candidate.terms not in tried]
-        singles += [simulated(bench, base, one, starts) for one in others]
+        singles += [simulated(prepared, base, one, starts) for one in others]
         singles = by_evidence(singles, base, measure)
         best = least(base, *singles).square
     if best < FLOOR * measure.samples:
         return Found(base, begin, singles, sensors, pinned, failed, measure)
     told("testing pairs")
-    seconds = pairs(bench, ranked, singles)
-    pairs_at_best = best_of(settle(bench, seconds, rounds=PAIR_ROUNDS))
+    seconds = pairs(prepared, ranked, singles)
+    pairs_at_best = best_of(settle(prepared, seconds, rounds=PAIR_ROUNDS))
     both = ordered([one for one in pairs_at_best.values() if sound(one)])
     told("simulating the best pairs")
     joint = [
-        polished(bench, one.candidate)
+        polished(prepared, one.candidate)
         for one in both[:SHORT]
         if one.square < REACH * both[0].square
     ]
     joint += sensors
-    singles = by_evidence([*singles, *reduced(bench, ordered(joint)[:1])], base, measure)
-    singles += nested(bench, singles)
-    measure = yardstick(bench, least(base, *singles, *joint))
+    singles = by_evidence([*singles, *reduced(prepared, ordered(joint)[:1])], base, measure)
+    singles += nested(prepared, singles)
+    measure = yardstick(prepared, least(base, *singles, *joint))
     joint = by_evidence(joint, base, measure)
-    joint = by_evidence([*joint, *twins(bench, joint[:1], joint)], base, measure)
+    joint = by_evidence([*joint, *twins(prepared, joint[:1], joint)], base, measure)
     return Found(base, begin, by_evidence(singles, base, measure), joint, pinned, failed, measure)
 
 
-def simulated(bench: Bench, base: Settled, one: Settled, starts: list[Hypothesis]) -> Settled:
+def simulated(
+    prepared: PreparedRecording, base: Optimum, one: Optimum, starts: list[Hypothesis]
+) -> Optimum:
     """Running free from where it came pinned, or from all its `starts` where that led nowhere: what
     acts for a few samples only, such as a stop, is not seen along a motion with noise.
     """
     if one.square < base.square:
-        return polished(bench, one.candidate)
+        return polished(prepared, one.candidate)
     own = [start for start in starts if start.terms == one.candidate.terms]
-    return least(*(polished(bench, start) for start in own))
+    return least(*(polished(prepared, start) for start in own))
 
 
-def beginning(bench: Bench, base: Settled) -> Hypothesis:
+def beginning(prepared: PreparedRecording, base: Optimum) -> Hypothesis:
     """Where candidates begin: at the baseline, but with no zero that only a missing cause made."""
     at = base.candidate
-    if abs(at.zero[1]) <= bench.zero:
+    if abs(at.zero[1]) <= prepared.zero:
         return at
-    declared = replace(bench, zero=0.0)
+    declared = replace(prepared, zero=0.0)
     return settle_free(declared, [replace(at, zero=at.zero * [1.0, 0.0])])[0].candidate
 
 
-def applies(bench: Bench, term: type[Term]) -> bool:
+def applies(prepared: PreparedRecording, term: type[Term]) -> bool:
     """Can it act here: a voluntary torque, or a gyro?"""
-    if term.living and bench.rig:
+    if term.living and prepared.rig:
         return False
     if term.voluntary:
-        return any(each.voluntary for each in bench.problem.movements)
-    if term.replaces in bench.zeros:
+        return any(each.voluntary for each in prepared.problem.movements)
+    if term.replaces in prepared.zeros:
         return False
     if term.everyday:
-        return bool((bench.seen.velocity_weight > 0).any())
+        return bool((prepared.seen.velocity_weight > 0).any())
     return True
 
 
-def sound(one: Settled) -> bool:
+def sound(one: Optimum) -> bool:
     """Are its sum of squares and all derivatives finite?"""
     return bool(np.isfinite(one.products.total).all())
 
 
-def best_of(settled: list[Settled]) -> dict[tuple[type[Term], ...], Settled]:
+def best_of(settled: list[Optimum]) -> dict[tuple[type[Term], ...], Optimum]:
     """Of all starts of the same terms the best."""
-    best: dict[tuple[type[Term], ...], Settled] = {}
+    best: dict[tuple[type[Term], ...], Optimum] = {}
     for one in settled:
         terms = one.candidate.terms
         if terms not in best or not one.square >= best[terms].square:
@@ -138,30 +140,30 @@ def best_of(settled: list[Settled]) -> dict[tuple[type[Term], ...], Settled]:
     return best
 
 
-def least(*settled: Settled) -> Settled:
+def least(*settled: Optimum) -> Optimum:
     """What leaves least."""
     return min(settled, key=lambda one: one.square if np.isfinite(one.square) else np.inf)
 
 
-def ordered(settled: list[Settled]) -> list[Settled]:
+def ordered(settled: list[Optimum]) -> list[Optimum]:
     return sorted(settled, key=lambda one: one.square)
 
 
-def by_evidence(settled: list[Settled], base: Settled, measure: Yardstick) -> list[Settled]:
+def by_evidence(settled: list[Optimum], base: Optimum, measure: Yardstick) -> list[Optimum]:
     """The best first; of those that are alike the simplest first."""
     known = list(best_of([one for one in settled if sound(one)]).values())
     known.sort(key=lambda one: measure.evidence(base.square, one.square, size(one)), reverse=True)
     return sorted(known, key=lambda one: size(one) if alike(one, known[0], measure) else np.inf)
 
 
-def alike(one: Settled, best: Settled, measure: Yardstick) -> bool:
+def alike(one: Optimum, best: Optimum, measure: Yardstick) -> bool:
     """Can this recording not tell a candidate from the best?"""
     if not measure.explains(best.square):
         return one.square < ALIKE * best.square
     return measure.evidence(one.square, best.square, size(best) - size(one)) < APART
 
 
-def equivalents(found: Found, best: Settled) -> list[Settled]:
+def equivalents(found: Found, best: Optimum) -> list[Optimum]:
     """The candidates that this recording cannot tell from the best, itself included."""
     rivals = found.pairs if len(best.candidate.terms) > 1 else found.singles
     top = max(rivals, key=found.evidence)

@@ -10,8 +10,8 @@ from exoid.fitting.data.observation import Observation
 from exoid.mismatch.screen.hypothesis import Hypothesis
 from exoid.mismatch.screen.many_pinned import linear
 from exoid.mismatch.screen.optimise import settle_free
-from exoid.mismatch.screen.screened_recording import Bench
-from exoid.mismatch.screen.settled import Settled
+from exoid.mismatch.screen.optimum import Optimum
+from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.physics.parameter import declarations
 from exoid.physics.term import Term, name_of
 
@@ -22,14 +22,16 @@ BESIDE = 2  # of the best single terms are tried beside what the sensors surely 
 SOFTEST = 1e-3  # N m/rad, of a leg that has a rest angle
 
 
-def polished(bench: Bench, start: Hypothesis) -> Settled:
+def polished(prepared: PreparedRecording, start: Hypothesis) -> Optimum:
     """Running free from a start.
 
     Where a gyro's reading jumps, every sample beside a jump is a wall: the encoder leads past them.
     """
     if any(term.jumps for term in start.terms):
-        start = settle_free(bench, [start], by_encoder(bench.seen), rounds=FREE_ROUNDS)[0].candidate
-    return settle_free(bench, [start], rounds=FREE_ROUNDS)[0]
+        start = settle_free(prepared, [start], by_encoder(prepared.seen), rounds=FREE_ROUNDS)[
+            0
+        ].candidate
+    return settle_free(prepared, [start], rounds=FREE_ROUNDS)[0]
 
 
 def by_encoder(seen: Observation) -> Observation:
@@ -37,32 +39,34 @@ def by_encoder(seen: Observation) -> Observation:
     return eqx.tree_at(lambda seen: seen.velocity_weight, seen, 0.0 * seen.velocity_weight)
 
 
-def reduced(bench: Bench, joint: list[Settled]) -> list[Settled]:
+def reduced(prepared: PreparedRecording, joint: list[Optimum]) -> list[Optimum]:
     """Each term of a pair alone again, from where the pair is: is the other one needed?"""
     return [
-        polished(bench, replace(one.candidate, terms=(term,), values=(value,)))
+        polished(prepared, replace(one.candidate, terms=(term,), values=(value,)))
         for one in joint
         for term, value in zip(one.candidate.terms, one.candidate.values, strict=True)
     ]
 
 
-def twins(bench: Bench, some: list[Settled], known: list[Settled]) -> list[Settled]:
+def twins(prepared: PreparedRecording, some: list[Optimum], known: list[Optimum]) -> list[Optimum]:
     """What is exactly the same torque under another name: a rest angle, and a constant torque."""
-    pair = [term for term in bench.library if name_of(term) in TWINS]
+    pair = [term for term in prepared.library if name_of(term) in TWINS]
     done = {frozenset(one.candidate.terms) for one in known}
     found = []
     for one in some:
         for mine, twin in permutations(pair, 2):
             wanted = [twin if term is mine else term for term in one.candidate.terms]
             if mine in one.candidate.terms and frozenset(wanted) not in done:
-                start = renamed(bench, one.candidate, mine, twin)
-                found.append(settle_free(bench, [start], rounds=FREE_ROUNDS)[0])
+                start = renamed(prepared, one.candidate, mine, twin)
+                found.append(settle_free(prepared, [start], rounds=FREE_ROUNDS)[0])
     return found
 
 
-def renamed(bench: Bench, candidate: Hypothesis, mine: type[Term], twin: type[Term]) -> Hypothesis:
+def renamed(
+    prepared: PreparedRecording, candidate: Hypothesis, mine: type[Term], twin: type[Term]
+) -> Hypothesis:
     """The candidate with the twin of one of its terms, as large: c phi_0 is the torque."""
-    shared = bench.coordinates(candidate).shared
+    shared = prepared.coordinates(candidate).shared
     stiffness = max(float(shared.stiffness * np.exp(shared.log_inertia)), SOFTEST)
     factor = 1 / stiffness if name_of(mine) == TWINS[0] else stiffness
     declared = next(each for _, each in declarations(twin))
@@ -76,14 +80,16 @@ def renamed(bench: Bench, candidate: Hypothesis, mine: type[Term], twin: type[Te
     return replace(candidate, terms=terms, values=values, linear=None)
 
 
-def with_sure_sensors(bench: Bench, base: Settled, singles: list[Settled]) -> list[Settled]:
+def with_sure_sensors(
+    prepared: PreparedRecording, base: Optimum, singles: list[Optimum]
+) -> list[Optimum]:
     """Everything at once that the sensors surely say of each other, alone and with each of the best
     single terms: a sensor that is wrong in one way is seldom right in all others, and what it does
     wrong stays, whatever else is missing.
     """
-    known = {name_of(term): term for term in bench.library}
-    sure = [each for each in bench.sensors.errors if each.clear and each.name in known]
-    sure = [each for each in sure if known[each.name].replaces not in bench.zeros]
+    known = {name_of(term): term for term in prepared.library}
+    sure = [each for each in prepared.sensors.errors if each.clear and each.name in known]
+    sure = [each for each in sure if known[each.name].replaces not in prepared.zeros]
     if not sure:
         return []
     terms = tuple(known[each.name] for each in sure)
@@ -93,10 +99,10 @@ def with_sure_sensors(bench: Bench, base: Settled, singles: list[Settled]) -> li
         replace(one, terms=(*terms, *one.terms), values=(*values, *one.values), linear=None)
         for one in (base.candidate, *best)
     ]
-    return [settle_free(bench, [one], rounds=FREE_ROUNDS)[0] for one in starts]
+    return [settle_free(prepared, [one], rounds=FREE_ROUNDS)[0] for one in starts]
 
 
-def nested(bench: Bench, singles: list[Settled]) -> list[Settled]:
+def nested(prepared: PreparedRecording, singles: list[Optimum]) -> list[Optimum]:
     """A simple term again from where a richer one is that holds all its parameters."""
     found = []
     for rich in singles:
@@ -108,15 +114,17 @@ def nested(bench: Bench, singles: list[Settled]) -> list[Settled]:
             if len(wanted) < len(known) and known.keys() >= set(wanted):
                 value = np.array([known[name] for name in wanted])
                 start = replace(rich.candidate, terms=(other,), values=(value,), linear=None)
-                found.append(settle_free(bench, [start], rounds=FREE_ROUNDS)[0])
+                found.append(settle_free(prepared, [start], rounds=FREE_ROUNDS)[0])
     return found
 
 
-def pairs(bench: Bench, ranked: list[Settled], singles: list[Settled]) -> list[Hypothesis]:
+def pairs(
+    prepared: PreparedRecording, ranked: list[Optimum], singles: list[Optimum]
+) -> list[Hypothesis]:
     """The best single terms, each with every other."""
     refined = {one.candidate.terms[0]: one for one in singles}
     firsts = [refined.get(one.candidate.terms[0], one).candidate for one in ranked[:PAIRED]]
-    found = linear(bench, firsts, [one.course for one in ranked[:PAIRED]])
+    found = linear(prepared, firsts, [one.course for one in ranked[:PAIRED]])
     made = []
     for number, (first, known) in enumerate(zip(firsts, found, strict=True)):
         done = {one.terms[0] for one in firsts[: number + 1]}
@@ -129,7 +137,7 @@ def pairs(bench: Bench, ranked: list[Settled], singles: list[Settled]) -> list[H
                 known,
             )
             for second in ranked
-            for value in bench.starts(second.candidate.terms[0])
+            for value in prepared.starts(second.candidate.terms[0])
             if second.candidate.terms[0] not in done
         ]
     return made

@@ -23,7 +23,7 @@ class Motion(eqx.Module):
     memory: tuple[Array, ...]
 
 
-class Seen(eqx.Module):
+class ObservedMotion(eqx.Module):
     """A motion and what the sensors show of it."""
 
     angle: Float[Any, "*time"]  # rad
@@ -146,7 +146,7 @@ def friction(terms: Terms, now: Moment) -> Float[Array, "*batch"]:
     return sum([term.dry_friction(now) for term in terms], jnp.zeros(()))
 
 
-def observed(place: Place, terms: Terms, motion: Motion, time: Any, push: Any) -> Seen:
+def observed(place: Place, terms: Terms, motion: Motion, time: Any, push: Any) -> ObservedMotion:
     """What the sensors show of an instant, but for the gyro's delay."""
     leg = motion.leg
     now = moment(place, leg, time, push)
@@ -158,7 +158,7 @@ def observed(place: Place, terms: Terms, motion: Motion, time: Any, push: Any) -
         held = sticks(place, terms, motion, time, push)
         acceleration = jnp.where(held, 0.0, acceleration - opposed)
     error = errors(terms, now, motion.memory)
-    return Seen(
+    return ObservedMotion(
         angle=leg.angle,
         angular_velocity=leg.angular_velocity,
         angular_acceleration=acceleration,

@@ -49,7 +49,7 @@ class Track:
 
 
 @dataclass(frozen=True, eq=False)
-class Local:
+class LocalPolynomial:
     """A polynomial in x = (t - centre) / HALF, and the covariance of its coefficients."""
 
     centre: float  # s
@@ -93,7 +93,9 @@ def derivative_row(order: int, x: float) -> Samples:
     return np.array(factors) * x ** np.maximum(powers - order, 0) / HALF**order
 
 
-def local(track: Track, centre: float, begin: float = -np.inf, half: float = HALF) -> Local:
+def local(
+    track: Track, centre: float, begin: float = -np.inf, half: float = HALF
+) -> LocalPolynomial:
     """The polynomial through the samples `half` s around `centre` that are not before `begin`."""
     time = track.time
     first = int(np.searchsorted(time, max(centre - half, begin)))
@@ -104,7 +106,7 @@ def local(track: Track, centre: float, begin: float = -np.inf, half: float = HAL
     q, r = np.linalg.qr(polynomial.polyvander(x, DEGREE))
     inverse = np.linalg.inv(r)
     coefficients = inverse @ (q.T @ track.angle[first:last])
-    return Local(centre, coefficients, track.noise**2 * inverse @ inverse.T)
+    return LocalPolynomial(centre, coefficients, track.noise**2 * inverse @ inverse.T)
 
 
 def peak(track: Track, near: int, order: int = 0, begin: float = -np.inf) -> Peak:

@@ -41,7 +41,7 @@ def law_for(recording: Recording, number: int) -> Law | None:
 
 
 @dataclass(frozen=True, eq=False)
-class Compared:
+class ComparedDrops:
     """Movements of passive segments, and the laws that showed where they end, by number."""
 
     found: dict[int, Extent | Motionless]
@@ -49,14 +49,14 @@ class Compared:
 
 
 @lru_cache(maxsize=8)  # every segment of a recording asks for it
-def compared(recording: Recording) -> Compared:
+def compared(recording: Recording) -> ComparedDrops:
     passive = [n for n in range(len(recording.segments)) if passively(recording, n)]
     signals = {n: signal_of(recording.segments[n], recording.sensors) for n in passive}
     handled = recording.subject.kind != "rig"
     found = {n: free_or_not(signal, handled, MARKED) for n, signal in signals.items()}
     moved = {n: each for n, each in found.items() if isinstance(each, Extent)}
     if not handled:
-        return Compared(found, {})
+        return ComparedDrops(found, {})
     at_once = [n for n, each in moved.items() if each.held_until is None]
     if len(at_once) < len(moved) / 2:  # nobody marked this recording at its releases
         again = {n: free_or_not(signals[n], handled, SHORTEST) for n in at_once}
@@ -68,7 +68,7 @@ def compared(recording: Recording) -> Compared:
         if len(alike) > 1 and law is not None:
             laws |= dict.fromkeys(alike, law)
     ends = {n: ended(signals[n], moved[n], law) for n, law in laws.items()}
-    return Compared(found | moved | ends, laws)
+    return ComparedDrops(found | moved | ends, laws)
 
 
 def passively(recording: Recording, number: int) -> bool:

@@ -5,7 +5,7 @@ import numpy as np
 from exoid.recordings.motion.acceleration import Law
 from exoid.recordings.motion.extent import Extent, Motionless
 from exoid.recordings.motion.free_end import free_end, surely_free, swung
-from exoid.recordings.motion.letting_go import Case, LettingGo, begun_free, let_go
+from exoid.recordings.motion.letting_go import LettingGo, ReleaseWindow, begun_free, let_go
 from exoid.recordings.motion.signal import Signal, Speed, speed_of
 from exoid.recordings.motion.thresholds import (
     CLEAR,
@@ -95,7 +95,7 @@ def released(
     early = HOLD + speed.width
     last = min(int(np.searchsorted(time, about + FALL)), time.size - 1)
     pull = abs(float(speed.velocity[last])) / FALL
-    case = Case(signal, (about - early - HELD, about + FALL), pull, room)
+    case = ReleaseWindow(signal, (about - early - HELD, about + FALL), pull, room)
     found = let_go(case, max(about - early, float(time[0])), about + speed.width / 2)
     if not seen and begun_free(case) < found.chi_square + ODDS * max(1.0, found.misfit):
         return None

@@ -48,7 +48,7 @@ class LettingGo:
 
 
 @dataclass(frozen=True, eq=False)
-class Case:
+class ReleaseWindow:
     """The samples that judge a release, and how large a fall they show."""
 
     signal: Signal
@@ -58,7 +58,7 @@ class Case:
     legs: tuple[Swing, ...] = tuple(Swing(*each) for each in LEGS)
 
 
-def let_go(case: Case, low: float, high: float) -> LettingGo:
+def let_go(case: ReleaseWindow, low: float, high: float) -> LettingGo:
     """The release between `low` and `high` s: first roughly and of many legs, then finely."""
     rough = np.arange(low, high + COARSE, COARSE)
     widths = WINDOWS[:: WINDOWS.size // 2]
@@ -82,17 +82,17 @@ def wobble(tried: Samples, widths: Samples, square: Table, scale: float) -> floa
     return float(np.sqrt(np.average((effective - mean) ** 2, weights=weight)))
 
 
-def table_of(case: Case, leg: Swing, tried: Samples, widths: Samples) -> Table:
+def table_of(case: ReleaseWindow, leg: Swing, tried: Samples, widths: Samples) -> Table:
     """Chi-square of every duration and instant."""
     return np.stack([misfits(case, leg, tried, width) for width in widths.tolist()])
 
 
-def spread(case: Case, square: Table) -> float:
+def spread(case: ReleaseWindow, square: Table) -> float:
     """By how much the model is rougher than the noise."""
     return max(1.0, float(square.min()) / max(samples_within(case) - 8, 1))
 
 
-def summed(tried: Samples, square: Table, scale: float, case: Case) -> LettingGo:
+def summed(tried: Samples, square: Table, scale: float, case: ReleaseWindow) -> LettingGo:
     """Mean, error and bounds by the likelihood of all that was tried."""
     best = float(square.min())
     weight = np.exp(-(square - best) / 2 / scale)
@@ -111,18 +111,18 @@ def quantile(values: Table, weight: Table, share: float) -> float:
     return float(values.ravel()[order][min(np.searchsorted(total, share), total.size - 1)])
 
 
-def samples_within(case: Case) -> int:
+def samples_within(case: ReleaseWindow) -> int:
     each = (case.signal.angle, case.signal.velocity)
     inside = within(case)
     return sum(int(np.sum(inside & ~np.isnan(one))) for one in each if one is not None)
 
 
-def within(case: Case) -> NDArray[np.bool_]:
+def within(case: ReleaseWindow) -> NDArray[np.bool_]:
     time = case.signal.time
     return (time >= case.window[0]) & (time <= case.window[1])
 
 
-def misfits(case: Case, leg: Swing, tried: Samples, width: float) -> Samples:
+def misfits(case: ReleaseWindow, leg: Swing, tried: Samples, width: float) -> Samples:
     """Chi-square of every tried instant, its amplitudes at their best."""
     since = case.signal.time[None, :] - tried[:, None]
     table, data = rows(case, [columns(since, leg, width, order) for order in (0, 1)])
@@ -133,7 +133,7 @@ def misfits(case: Case, leg: Swing, tried: Samples, width: float) -> Samples:
     return least_squares(table, np.concatenate([data, np.zeros(believed.shape[:2])], axis=1))
 
 
-def begun_free(case: Case) -> float:
+def begun_free(case: ReleaseWindow) -> float:
     """Chi-square of a leg that is free from the first sample on, at rest or in motion."""
     since = case.signal.time[None, :] - case.signal.time[0]
     level, none = np.ones_like(since), np.zeros_like(since)
@@ -146,7 +146,7 @@ def begun_free(case: Case) -> float:
     return min(float(least_squares(*one)[0]) for one in each)
 
 
-def rows(case: Case, tables: list[Table]) -> tuple[Table, Table]:
+def rows(case: ReleaseWindow, tables: list[Table]) -> tuple[Table, Table]:
     """Columns and data of angle and gyro, where they were measured, over their noise."""
     signal, found, data = case.signal, [], []
     channels = ((signal.angle, signal.angle_noise), (signal.velocity, signal.velocity_noise))

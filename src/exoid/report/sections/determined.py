@@ -15,7 +15,7 @@ ALONE = "Every segment was fitted alone, so there is no one fit to ask what the 
 
 
 @dataclass(frozen=True, eq=False)
-class Told(Section):
+class Determined(Section):
     """Identifiability in sentences, the combinations that the data fix, and shares."""
 
     name: ClassVar[str] = "told"
@@ -27,7 +27,7 @@ class Told(Section):
     figure: Picture
 
     @classmethod
-    def of(cls, case: Case) -> "Told":
+    def of(cls, case: Case) -> "Determined":
         told = case.told
         return cls(
             sentences=(ALONE,) if told is None else said(told),

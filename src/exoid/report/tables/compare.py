@@ -13,7 +13,7 @@ HASHED = 12  # digits of a hash that are shown
 
 
 @dataclass(frozen=True)
-class Compared:
+class ComparedQuantity:
     """One quantity of both; None where a fit does not have it, or does not tell it."""
 
     name: str
@@ -52,7 +52,7 @@ class Compared:
 class Comparison:
     """What two fits say of the same quantities, and what was asked of them."""
 
-    quantities: list[Compared]
+    quantities: list[ComparedQuantity]
     settings: dict[str, tuple[str, str]]  # those that differ
     same_recordings: bool
 
@@ -64,7 +64,9 @@ def compare(first: SavedResult, second: SavedResult) -> Comparison:
     rows = []
     for name in names:
         known = one.get(name) or other[name]
-        rows.append(Compared(name, known.symbol, known.unit, one.get(name), other.get(name)))
+        rows.append(
+            ComparedQuantity(name, known.symbol, known.unit, one.get(name), other.get(name))
+        )
     same = hashes(first) == hashes(second) != []
     differ = changed(asked(first), asked(second))
     if not same:  # then the sidecars are others by nature

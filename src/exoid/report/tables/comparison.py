@@ -9,7 +9,7 @@ from exoid.fitting.result.fit_result import Estimate
 from exoid.report.document.fit_json import entry
 from exoid.report.document.plain_json import plain
 from exoid.report.saved.saved_result import SavedResult
-from exoid.report.tables.compare import HASHED, Compared, Comparison
+from exoid.report.tables.compare import HASHED, ComparedQuantity, Comparison
 from exoid.report.tables.same_leg import strangers
 from exoid.report.tables.table import Column, Table, print_table
 from exoid.report.tables.two_diagnoses import diagnosis_entry, side_by_side
@@ -57,7 +57,7 @@ def print_comparison(found: Comparison, sides: list[SavedResult], console: Conso
     aligned(console, {name: f"{a} -> {b}" for name, (a, b) in found.settings.items()})
 
 
-def quantities(each: list[Compared]) -> Table:
+def quantities(each: list[ComparedQuantity]) -> Table:
     """Both, and how far they are apart."""
     names = [f"{in_words(one.name)} {one.symbol}" for one in each]
     columns = {
@@ -74,7 +74,7 @@ def value(each: Estimate | None) -> str:
     return "" if each is None else written(each)
 
 
-def errors(each: Compared) -> str:
+def errors(each: ComparedQuantity) -> str:
     """The difference in standard errors, with its sign."""
     apart = each.standard_errors
     return "" if apart is None else f"{apart:+.1f}"

@@ -1,7 +1,7 @@
 """Do two saved results look like one leg?"""
 
 from exoid.report.saved.saved_result import SavedResult
-from exoid.report.tables.compare import Compared, Comparison
+from exoid.report.tables.compare import ComparedQuantity, Comparison
 from exoid.trust.legs import COMMON, LARGE, SURPRISE
 
 
@@ -45,7 +45,7 @@ def bodies(saved: SavedResult) -> list[str]:
     return list(dict.fromkeys(f"{mass:g} kg, {tall:g} m" for mass, tall in each if mass and tall))
 
 
-def far_apart(each: Compared) -> bool:
+def far_apart(each: ComparedQuantity) -> bool:
     """By the rule for recordings that are fitted together, of one ratio at a time."""
     errors = each.standard_errors
     if each.difference is None or errors is None or errors**2 < SURPRISE:
@@ -54,7 +54,7 @@ def far_apart(each: Compared) -> bool:
     return abs(each.difference) > LARGE * size
 
 
-def both(each: Compared) -> list[float]:
+def both(each: ComparedQuantity) -> list[float]:
     """The values, where both are told."""
     sides = (each.first, each.second)
     return [one.value for one in sides if one is not None and one.value is not None]

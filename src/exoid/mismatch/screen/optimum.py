@@ -9,12 +9,12 @@ DAMPING = 1e-3  # of the first step, relative to the curvature
 
 
 @dataclass(frozen=True, eq=False)
-class Settled:
+class Optimum:
     """A candidate at its best, and the derivatives there."""
 
     candidate: Hypothesis
     products: Products
-    course: Any  # pinned: the Course along which; free: what the sensors would show
+    course: Any  # pinned: the MeasuredMotion along which; free: what the sensors would show
     damping: float = DAMPING
     resting: bool = False
 

@@ -21,7 +21,7 @@ from exoid.fitting.model.coordinates import (
 from exoid.fitting.model.systematics import deviations
 from exoid.fitting.solve.problem import Problem
 from exoid.mismatch.screen.hypothesis import Hypothesis
-from exoid.mismatch.screen.measured_motion import Course
+from exoid.mismatch.screen.measured_motion import MeasuredMotion
 from exoid.mismatch.sensors.consistency import Consistency
 from exoid.physics.parameter import Declaration, declarations
 from exoid.physics.sensing.angle_offset import AngleOffset
@@ -32,7 +32,7 @@ FARTHEST = 5.0  # typical steps of the inertia from the fit: a factor of four
 
 
 @dataclass(frozen=True, eq=False)
-class Bench:
+class PreparedRecording:
     """A recording ready for candidates."""
 
     problem: Problem
@@ -56,7 +56,7 @@ class Bench:
         return self.problem.observation
 
     @cached_property
-    def course(self) -> Course:
+    def course(self) -> MeasuredMotion:
         """What the sensors show, in the shape of the observation."""
         size = self.seen.time.shape[1]
 
@@ -64,7 +64,7 @@ class Bench:
             rows = [getattr(each, name) for each in self.sensors.references]
             return np.stack([np.pad(row, (0, size - row.size), mode="edge") for row in rows])
 
-        return Course(*map(padded, ("angle", "angular_velocity", "angular_acceleration")))
+        return MeasuredMotion(*map(padded, ("angle", "angular_velocity", "angular_acceleration")))
 
     @cached_property
     def places(self) -> np.ndarray:
