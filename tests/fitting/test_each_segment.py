@@ -6,7 +6,7 @@ import jax
 import numpy as np
 import pytest
 
-from exoid.fitting.each_segment import averaged, fit_each, only
+from exoid.fitting.each_segment import averaged, fit_each, mean_ratio, only, settled_parameters
 from exoid.fitting.estimate import fit
 from exoid.fitting.result.fit_result import Estimate
 from exoid.physics.leg import GRAVITY, LegModel
@@ -99,6 +99,24 @@ def test_the_mean_of_a_single_value_has_no_error():
     assert averaged([one]).standard_error is None
     both = averaged([one, replace(one, value=8.0)])
     assert (both.value, both.standard_error) == (7.0, 1.0)
+
+
+def test_a_ratio_that_a_segment_does_not_tell_is_no_part_of_the_mean():
+    told = Estimate("d/J", "damping / J", "1/s", 2.0, 0.1)
+    untold = replace(told, value=None, standard_error=None)
+    assert mean_ratio([told, untold, replace(told, value=4.0)]).value == 3.0
+    assert mean_ratio([untold, untold]).value is None
+
+
+def test_what_no_segment_tells_has_no_say_in_the_parameters(alone):
+    ratios = {name: alone[0].ratios[name] for name in RATIOS}
+    belief = alone[0].basis.problem.belief
+    whole = settled_parameters(belief, ratios, alone[0].leg)
+    name = "stiffness_over_inertia"
+    lost = ratios | {name: replace(ratios[name], value=None, standard_error=None)}
+    part = settled_parameters(belief, lost, alone[0].leg)
+    assert part["stiffness"].value is None or part["stiffness"].determined_by == "prior"
+    assert part["inertia"].value == pytest.approx(whole["inertia"].value, rel=0.05)
 
 
 def test_the_leg_of_the_cases_has_these_ratios():

@@ -6,14 +6,17 @@ from unittest.mock import Mock
 import numpy as np
 import pytest
 
+from exoid.fitting.result.fit_result import Estimate
 from exoid.mismatch.conclude.cannot_tell import unrelaxed
 from exoid.mismatch.conclude.conclusion import partial
 from exoid.mismatch.evidence.yardstick import Yardstick
-from exoid.mismatch.missing_physics import noise_alone
+from exoid.mismatch.missing_physics import for_inertia, noise_alone
 from exoid.mismatch.screen.hypothesis import Hypothesis, Products
 from exoid.mismatch.screen.optimum import Optimum
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import Found
+from exoid.physics.parameter import declarations
+from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.physics.terms.device.cuff_compliance import CuffCompliance
 from exoid.physics.terms.tissue.maxwell_element import MaxwellElement
 
@@ -59,3 +62,13 @@ def test_what_remembers_for_seconds_may_remember_what_nobody_recorded(term, doub
     reasons = unrelaxed(prepared, best)
     assert bool(reasons) == doubted
     assert not doubted or "Hold it still for 10 s" in reasons[0]
+
+
+def test_a_torque_over_j_is_given_for_the_inertia_of_the_diagnosis_with_its_whole_error():
+    declared = dict(declarations(CoulombFriction))["level"]
+    ratio = Estimate("F_c / J", "friction, over J", "1/s^2", 0.5, 0.2)
+    each = for_inertia(ratio, declared, 0.4)
+    assert (each.value, each.standard_error) == pytest.approx((0.2, 0.08))
+    soft = dict(declarations(CuffCompliance))["compliance"]
+    assert for_inertia(ratio, soft, 0.4).value == pytest.approx(1.25)
+    assert for_inertia(replace(ratio, standard_error=None), soft, 0.4).standard_error is None

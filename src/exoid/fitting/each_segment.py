@@ -61,10 +61,10 @@ def fit_each(given: Given, **options) -> FitResult:
     if len(results) < 2:
         notes = [*left_out(recordings, moving), *results[0].notes]
         return replace(results[0], notes=notes)
-    ratios = {name: averaged([each.ratios[name] for each in results]) for name in COMMON}
+    ratios = {name: mean_ratio([each.ratios[name] for each in results]) for name in COMMON}
     torques = [r.ratios["torque_over_inertia"] for r in results if len(r.ratios) > len(COMMON)]
     if torques:
-        ratios["torque_over_inertia"] = averaged(torques)
+        ratios["torque_over_inertia"] = mean_ratio(torques)
     plain = options.get("misfit") == "paper"
     weight = options.get("weight", 1.0) * (PLAIN_SCALE**2 if plain else 1.0)
     hand = by_hand(recordings, *(options.get(name) for name in ("fix", "bound", "expect")))
@@ -73,7 +73,7 @@ def fit_each(given: Given, **options) -> FitResult:
     classes = classes_of(options.get("terms", ()))
     belief = believe(recordings[0][1].subject, assumed, classes)
     parameters = with_reasons(
-        settled_parameters(belief, ratios), not np.isfinite(belief.limits.reach)
+        settled_parameters(belief, ratios, results[0].leg), not np.isfinite(belief.limits.reach)
     )
     said = dict.fromkeys(note for each in results for note in each.notes)
     lost = [each.notes[0] for each in results if not each.follows][:1]
@@ -149,6 +149,12 @@ def averaged(each: list[Estimate]) -> Estimate:
     return replace(each[0], value=float(values.mean()), standard_error=error, shares=None)
 
 
+def mean_ratio(each: list[Estimate]) -> Estimate:
+    """The mean over the segments that tell it."""
+    told = [one for one in each if one.value is not None]
+    return averaged(told) if told else each[0]
+
+
 def mean_torque(each: list[Estimate | None]) -> Estimate | None:
     """The mean over the voluntary segments, where it is known of all of them."""
     there = [one for one in each if one is not None]
@@ -189,13 +195,22 @@ def scaled(own: Estimate, ratio: Estimate, inertia: Estimate, power: int) -> Est
     )
 
 
-def settled_parameters(belief: Belief, ratios: dict[str, Estimate]) -> dict[str, Estimate]:
-    """P at the mean ratios: prior and limits choose m and J, two unknowns for SciPy's SLSQP."""
+def settled_parameters(
+    belief: Belief, ratios: dict[str, Estimate], like: LegParameters | None
+) -> dict[str, Estimate]:
+    """P at the mean ratios: prior and limits choose m and J, two unknowns for SciPy's SLSQP.
+
+    A ratio that nothing tells is there as that of a leg `like` these, and weighs nothing.
+    """
     from scipy.optimize import minimize
 
-    values = np.array([ratios[name].value for name in COMMON], dtype=float)
+    known = np.array([ratios[name].value is not None for name in COMMON])
+    assert like is not None  # every segment's own fit has one
+    usual = [like.mass * like.com_distance * GRAVITY, like.stiffness, like.damping]
+    told = [ratios[name].value for name in COMMON]
+    values = np.where(known, np.array(told, dtype=float), np.array(usual) / like.inertia)
     errors = np.array([ratios[name].standard_error or 0.0 for name in COMMON])
-    errors = np.maximum(errors, SMALLEST_ERROR * (1 + np.abs(values)))
+    errors = np.where(known, np.maximum(errors, SMALLEST_ERROR * (1 + np.abs(values))), np.inf)
     limits, fixed = belief.limits, belief.by_hand.leg.fix
     ends = [name in fixed for name in constraint_names(0)]
     # Where the ratio is 0 as well, nothing moves; with J fixed, d and c follow from their ratios.

@@ -11,7 +11,7 @@ from exoid.fitting.data.movement import Movement
 from exoid.fitting.estimate import fit
 from exoid.fitting.model import term_parameters
 from exoid.fitting.model.coordinates import leg_parameters, torque_amplitudes
-from exoid.fitting.result.fit_result import FitResult
+from exoid.fitting.result.fit_result import Estimate, FitResult
 from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter
 from exoid.mismatch.conclude.conclusion import Chosen, concluded
 from exoid.mismatch.conclude.unusual_zero import as_a_term, unusual
@@ -30,6 +30,7 @@ from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import Found, size
 from exoid.mismatch.search.search import look
 from exoid.physics.library import library
+from exoid.physics.parameter import Declaration
 from exoid.physics.term import Term, name_of
 from exoid.recordings.loading.named import Given, named_recordings
 from exoid.recordings.recording import Recording
@@ -104,8 +105,19 @@ def with_model(
 
 
 def told_by(found: Diagnosis, after: FitResult) -> Diagnosis:
-    """The same with the numbers of the fit that has what was found."""
+    """The same with the numbers of the fit that has what was found.
+
+    What that fit only tells over J is given for the inertia that goes with the diagnosis.
+    """
+    inertia = after.parameters["inertia"].value or found.inertia
     known = after.of_terms
+    for name, declared in term_parameters.parameters_of(
+        [type(term) for term in after.fitted_terms]
+    ):
+        if declared.inertia_power and known[name].value is None:
+            known[name] = for_inertia(
+                known[term_parameters.ratio_name(name, declared)], declared, inertia
+            )
 
     def told(each: Parameter) -> Parameter:
         fitted = known.get(each.name)
@@ -113,13 +125,17 @@ def told_by(found: Diagnosis, after: FitResult) -> Diagnosis:
             return each
         return replace(each, value=fitted.value, standard_error=fitted.standard_error)
 
-    inertia = after.parameters["inertia"].value
-    return replace(
-        found,
-        after=after,
-        parameters=[told(each) for each in found.parameters],
-        inertia=found.inertia if inertia is None else inertia,
+    parameters = [told(each) for each in found.parameters]
+    return replace(found, after=after, parameters=parameters, inertia=inertia)
+
+
+def for_inertia(ratio: Estimate, declared: Declaration, inertia: float) -> Estimate:
+    """A parameter over J, or times J, as that of a leg with this inertia."""
+    scale = inertia**declared.inertia_power
+    value, error = (
+        None if each is None else each * scale for each in (ratio.value, ratio.standard_error)
     )
+    return replace(ratio, value=value, standard_error=error)
 
 
 def extended(found: Diagnosis) -> tuple[Term, ...]:

@@ -33,7 +33,7 @@ def prepare(
     recordings: list[tuple[str, Recording]],
     terms: tuple[type[Term], ...] = (),
 ) -> tuple[PreparedRecording, Optimum]:
-    """The recordings, ready for the library and the user's `terms`, and the baseline at its best."""
+    """The recordings, ready for the library and own `terms`, and the baseline at its best."""
     basis = result.basis
     assert basis is not None  # a joint fit has one
     reading = result.torque_frequency or "1/T"

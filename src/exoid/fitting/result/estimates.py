@@ -156,6 +156,13 @@ def error_of(gradient: np.ndarray, information: Information, shares: Shares | No
     return None if shares in (None, HELD) else information.standard_error(gradient)
 
 
+def ratio_value(value: float, shares: Shares | None) -> float | None:
+    """What is quoted: nothing that is not told, and no rounding of a bound at zero."""
+    if shares is None:
+        return None
+    return 0.0 if shares == HELD and abs(value) < NO_RATIO else value
+
+
 def estimate_ratios(
     problem: Problem, ended: Ended, information: Information, at_bound: set[str]
 ) -> dict[str, Estimate]:
@@ -177,10 +184,10 @@ def estimate_ratios(
         fixed = held and parameter in problem.belief.by_hand.fix
         estimates[name] = Estimate(
             *RATIOS[name],
-            value=0.0 if held and abs(value) < NO_RATIO else float(value),
+            value=ratio_value(float(value), shares),
             standard_error=0.0 if fixed else error_of(gradient, information, shares),
             shares=shares,
-            reason=FIXED if fixed else ON_BOUND if held else None,
+            reason=FIXED if fixed else ON_BOUND if held else UNTOLD if shares is None else None,
             limited_by=information.limits(gradient),
             by_hand="fix" if fixed else None,
         )
@@ -214,9 +221,10 @@ def estimate_terms(
                     symbol=f"{declared.symbol} {sign} J",
                     title=f"{declared.title}, {word} J",
                     unit=ratio_unit(declared),
-                    value=value,
+                    value=ratio_value(value, shares),
                     standard_error=error_of(gradient, information, shares),
                     shares=shares,
+                    reason=UNTOLD if shares is None else None,
                     limited_by=information.limits(gradient),
                 )
     return found

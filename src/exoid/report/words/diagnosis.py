@@ -6,6 +6,10 @@ from exoid.report.words.text import in_degrees, with_error
 
 SEEN = 0.01  # share of a number, from which on its change is worth a word
 USUAL = {"damping": 0.3, "stiffness": 2.5, "gravity_moment": 12.0}  # of a leg, in their units
+NO_LEG = (
+    "no number of it is given: with what was found the model still does not follow the recording, "
+    "and they would be wrong by more than any error says."
+)
 CERTAIN = 0.001  # below this share a chance is written as "below"
 
 
@@ -48,6 +52,8 @@ def sentences(found: Diagnosis) -> dict[str, str]:
         if rivals:
             lines["Or"] = f"{rivals}: this recording cannot tell them apart"
         lines["Reason"] = " ".join(explanations(found))
+        if found.changed and found.after is None and found.formula is None:
+            lines["The leg"] = NO_LEG
     elif found.reasons:
         lines["Why"] = "; ".join(found.reasons) + "."
         if found.changed:
