@@ -47,13 +47,14 @@ def plan(
         ),
     ] = None,
     goal: Annotated[
-        str,
+        str | None,
         typer.Option(
             help="What to narrow: inertia, damping, stiffness, gravity_over_inertia, "
             "damping_over_inertia, stiffness_over_inertia, or a term's as coulomb_friction.level.",
             metavar="QUANTITY",
+            show_default=INERTIA,
         ),
-    ] = INERTIA,
+    ] = None,
     between: Between = None,
     with_term: With = None,
     terms: OwnTerms = None,
@@ -98,7 +99,9 @@ def plan(
         tell_apart(named, subject, rivals, options, json)
         return
     result, found = patiently(
-        lambda: planned(named, subject, goal, options | ({"terms": chosen} if chosen else {})),
+        lambda: planned(
+            named, subject, goal or INERTIA, options | ({"terms": chosen} if chosen else {})
+        ),
         "planning; the first run of a new shape compiles for some seconds",
     )
     introduce(named)
@@ -118,7 +121,7 @@ def plan(
 
 
 def asked(
-    between: str | None, goal: str, given: list[str] | None, own: tuple, model: Path | None
+    between: str | None, goal: str | None, given: list[str] | None, own: tuple, model: Path | None
 ) -> tuple[tuple, tuple]:
     """The rival terms between which to tell, or the terms of the model that is planned for.
 
@@ -127,14 +130,14 @@ def asked(
     **Raises** `ValueError` where both are asked for, or the goal is none of that model.
     """
     if between is not None:
-        if goal != INERTIA or given or model:
+        if goal or given or model:
             raise ValueError("--between tells causes apart: leave --goal, --with and --model out.")
         return rivals_asked(between, own), ()
-    suspected = suspected_in(model, own) if model and not given and goal == INERTIA else []
+    suspected = suspected_in(model, own) if model and not given and not goal else []
     if len(suspected) > 1:
         return rivals_asked(",".join(suspected), own), ()
     chosen = terms_asked(given, own, saved_model(model, own).terms if model else ())
-    check_goal(goal, chosen)
+    check_goal(goal or INERTIA, chosen)
     return (), chosen
 
 
