@@ -15,7 +15,7 @@ from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.motion.simulate import simulate
 from exoid.physics.torque import MeasuredTorque, NoTorque
 from exoid.recordings.formats.own_table import read_table
-from exoid.recordings.recording import Recording, Segment, Subject
+from exoid.recordings.recording import Recording, Segment, Sensors, Subject
 from exoid.twin.motion import Movement
 from exoid.twin.protocols import record
 from fit_cases import BODY, CYCLE, DROP, LOADED, NOISE, exact, leg, one, recorded, state
@@ -137,6 +137,20 @@ def test_an_inertia_that_nothing_tells_stays_where_a_start_had_it():
     result = fit(one(rig, "measured", RIG), multistart=8)
     assert result.parameters["inertia"].value is None
     assert 0.01 < float(result.basis.ended.best.leg.inertia[0]) < 10
+
+
+def test_a_damping_near_zero_is_no_more_told_than_the_inertia_that_it_goes_with():
+    """J moves it little, less than the encoder's noise here, but nothing says which J it is of."""
+    made = recorded(DROP, subject=RIG, damping=1e-3)
+    noise = np.random.default_rng(0).normal(scale=0.02, size=made.segments[0].time.size)
+    part = made.segments[0]
+    coarse = Segment(part.time, raw_angle=part.raw_angle + noise)
+    result = fit(replace(made, segments=(coarse,), sensors=Sensors()), multistart=4)
+    assert result.ratios["damping_over_inertia"].determined_by == "data"
+    assert result.parameters["inertia"].value is None
+    damping = result.parameters["damping"]
+    assert damping.value is None and damping.standard_error is None
+    assert "only the ratios to J" in damping.reason
 
 
 @pytest.mark.parametrize("recording", [rigged(torque=False), None], ids=["a rig", "no prior"])

@@ -18,6 +18,7 @@ from exoid.fitting.result.estimates import (
     estimate_ratios,
     estimate_terms,
     estimate_torque,
+    goes_with_scale,
     parameter_estimate,
     with_reasons,
 )
@@ -64,10 +65,16 @@ def describe(
         name: parameter_estimate(name, belief, float(value), information, gradient, at_bound)
         for name, value, gradient in zip(NAMES, best.quantities[0], local.quantities, strict=False)
     }
+    ratios = estimate_ratios(problem, ended, information, at_bound)
+    inertia = parameters["inertia"]
+    for name in ("damping", "stiffness"):
+        ratio = ratios[f"{name}_over_inertia"]
+        parameters[name] = goes_with_scale(parameters[name], ratio, inertia)
     strongest = float(belief.limits.torque)
 
     def torque(numbers: list[int]) -> Estimate:
-        return estimate_torque(numbers, problem, ended, information, at_bound, strongest)
+        own = estimate_torque(numbers, problem, ended, information, at_bound, strongest)
+        return goes_with_scale(own, ratios["torque_over_inertia"], inertia)
 
     voluntary = [number for number, each in enumerate(problem.movements) if each.voluntary]
     torques = [
@@ -78,10 +85,9 @@ def describe(
     why = astray(believed(segments, ended.disturbance), limits_met(problem, at_bound))
     why = beyond_belief(problem, ended) if why is None else why
     why = UNSETTLED if why is None and best.exhausted[0] else why
-    ratios = estimate_ratios(problem, ended, information, at_bound)
     mountings = estimate_mountings(problem, ended, information)
     suspected = suspicions(problem, mountings, ended.disturbance)
-    terms = estimate_terms(problem, ended, information, at_bound)
+    terms = estimate_terms(problem, ended, information, at_bound, inertia)
     systematic = [*suspected, *limiting({**parameters, **ratios})]
     return FitResult(
         parameters=with_reasons(parameters, not np.isfinite(belief.limits.reach)),

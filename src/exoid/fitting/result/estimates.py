@@ -106,6 +106,19 @@ def narrowed(shares: Shares | None) -> bool:
     return shares is not None and shares.source == "bound"
 
 
+def goes_with_scale(own: Estimate, ratio: Estimate, inertia: Estimate) -> Estimate:
+    """A quantity that is a told `ratio` times J^(1 or -1): where nothing tells J, nothing tells it.
+
+    Near zero it would seem told: there J moves it little, but only as it was guessed.
+    """
+    told = own.shares not in (None, HELD) and ratio.shares not in (None, HELD)
+    if inertia.shares is not None or not told or own.by_hand is not None:
+        return own
+    return replace(
+        own, value=None, standard_error=None, shares=None, reason=SCALE_FREE, limited_by={}
+    )
+
+
 def with_reasons(parameters: dict[str, Estimate], rig: bool) -> dict[str, Estimate]:
     """Say of every missing value why it is missing."""
     scale_known = parameters["inertia"].value is not None
@@ -195,7 +208,11 @@ def estimate_ratios(
 
 
 def estimate_terms(
-    problem: Problem, ended: Ended, information: Information, at_bound: set[str]
+    problem: Problem,
+    ended: Ended,
+    information: Information,
+    at_bound: set[str],
+    inertia: Estimate,
 ) -> dict[str, dict[str, Estimate]]:
     """Every term's parameters; of those that go with J also what motion alone tells."""
     rows = {name: row for row, name in enumerate(problem.quantities)}
@@ -217,7 +234,7 @@ def estimate_terms(
                 value, gradient = row_of(ratio_name(called, declared))
                 shares = own[name].shares if called in at_bound else information.shares(gradient)
                 sign, word = ("/", "over") if declared.inertia_power > 0 else ("*", "times")
-                own[ratio_name(name, declared)] = Estimate(
+                ratio = Estimate(
                     symbol=f"{declared.symbol} {sign} J",
                     title=f"{declared.title}, {word} J",
                     unit=ratio_unit(declared),
@@ -227,6 +244,8 @@ def estimate_terms(
                     reason=UNTOLD if shares is None else None,
                     limited_by=information.limits(gradient),
                 )
+                own[name] = goes_with_scale(own[name], ratio, inertia)
+                own[ratio_name(name, declared)] = ratio
     return found
 
 
