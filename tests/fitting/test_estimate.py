@@ -149,7 +149,8 @@ def test_a_damping_near_zero_is_no_more_told_than_the_inertia_that_it_goes_with(
     assert result.ratios["damping_over_inertia"].determined_by == "data"
     assert result.parameters["inertia"].value is None
     damping = result.parameters["damping"]
-    assert damping.value is None and damping.standard_error is None
+    assert damping.value is None
+    assert damping.standard_error is None
     assert "only the ratios to J" in damping.reason
 
 

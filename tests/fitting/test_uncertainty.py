@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from exoid.fitting.misfit.uncertainty import HELD, Information, second_moment
+from exoid.fitting.misfit.uncertainty import HELD, Information, Pressed, second_moment
 
 FIRST, SECOND = np.eye(2)
 NONE = np.zeros((0, 2))
@@ -143,9 +143,9 @@ def test_a_limit_that_is_leant_against_leaves_what_lies_within(pressure):
     while len(draws) < 20_000:
         more = centre + rng.normal(size=(400_000, 2)) @ root.T
         draws = np.concatenate([draws, more[more[:, 0] > 0]])
-    information = Information(
-        TILTED, np.zeros((2, 2)), NONE, pressed=(-FIRST[None], np.array([pressure]))
-    )
+    beyond = np.array([pressure * np.linalg.inv(TILTED)[0, 0]])
+    pressed = Pressed(-FIRST[None], beyond, np.array([np.inf]))
+    information = Information(TILTED, np.zeros((2, 2)), NONE, pressed=pressed)
     for direction in (FIRST, SECOND):
         scatter = np.sqrt(np.mean(((draws - held) @ direction) ** 2))
         assert information.standard_error(direction) == pytest.approx(scatter, rel=0.04)
@@ -157,3 +157,9 @@ def test_the_second_moment_of_half_a_bell_is_the_integrals():
         density = np.exp(-slope * there - there**2 / 2)
         expected = np.trapezoid(there**2 * density, there) / np.trapezoid(density, there)
         assert second_moment(slope) == pytest.approx(expected, rel=1e-4)
+
+
+def test_a_narrow_window_leaves_no_more_than_its_width():
+    window = Pressed(-FIRST[None], np.zeros(1), np.array([0.01]))
+    information = Information(TILTED, np.zeros((2, 2)), NONE, pressed=window)
+    assert information.standard_error(FIRST) == pytest.approx(0.01 / np.sqrt(3), rel=1e-3)

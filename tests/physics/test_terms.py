@@ -17,7 +17,7 @@ from scipy.optimize import brentq
 from exoid.physics.leg import GRAVITY, LegModel, LegParameters
 from exoid.physics.library import library
 from exoid.physics.moment import Cycle, Moment, Place
-from exoid.physics.motion.let_go import let_go
+from exoid.physics.motion.after_release import after_release
 from exoid.physics.motion.simulate import simulate
 from exoid.physics.motion.step import Drive
 from exoid.physics.motion.with_terms import at_rest, delayed, extended_step, missing
@@ -687,9 +687,15 @@ def test_where_a_fall_from_rest_has_led_tells_what_it_left_in_memory(name):
 
         held = at_rest(place, terms, state(velocity=0), none, none)
         true = jax.lax.fori_loop(0, fallen, advance, held)
-        return true.memory[0], let_go(place, terms, true.leg, none, none).memory[0], held.memory[0]
+        rising = state(velocity=2.0)  # no fall leads there: it began in motion
+        begun = after_release(place, terms, rising, none, none).memory[0]
+        stood = at_rest(place, terms, rising, none, none).memory[0]
+        told = after_release(place, terms, true.leg, none, none).memory[0]
+        return true.memory[0], told, held.memory[0], begun, stood
 
-    true, told, held = jax.jit(jax.vmap(one), compiler_options=QUICK)(jnp.array(starts(name)))
+    found = jax.jit(jax.vmap(one), compiler_options=QUICK)(jnp.array(starts(name)))
+    true, told, held, begun, stood = map(np.asarray, found)
+    assert np.array_equal(begun, stood)
     assert np.abs(true - held).max() > 1e-4 or name == "activation_lag"  # which no cycle drives
     assert np.abs(told - true).max() < 1e-2 * np.abs(true - held).max() + 1e-12
 

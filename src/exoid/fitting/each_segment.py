@@ -152,7 +152,7 @@ def averaged(each: list[Estimate]) -> Estimate:
 def mean_ratio(each: list[Estimate]) -> Estimate:
     """The mean over the segments that tell it."""
     told = [one for one in each if one.value is not None]
-    return averaged(told) if told else each[0]
+    return averaged(told) if len(told) > 1 else [*told, *each][0]
 
 
 def mean_torque(each: list[Estimate | None]) -> Estimate | None:

@@ -16,7 +16,7 @@ from exoid.fitting.model.mounting import Mounting
 from exoid.fitting.model.term_parameters import over_inertia
 from exoid.physics.leg import GRAVITY
 from exoid.physics.moment import Cycle, Place
-from exoid.physics.motion.let_go import let_go
+from exoid.physics.motion.after_release import after_release
 from exoid.physics.motion.step import Drive, march
 from exoid.physics.motion.with_terms import Motion, delayed, extended_step, observed
 from exoid.physics.ratios import Ratios
@@ -88,7 +88,7 @@ def begin(eq: Equation, start: LegState, observation: Observation, stage: Stage)
     """The motion at the first sample, of a leg that was let go at rest."""
     place = place_of(eq, observation, stage)
     pushed = push_at(eq, 0, observation, stage)
-    return let_go(place, eq.terms, start, observation.time[0], pushed)
+    return after_release(place, eq.terms, start, observation.time[0], pushed)
 
 
 def advance(

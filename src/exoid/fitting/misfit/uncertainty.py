@@ -1,6 +1,6 @@
 """Standard errors, and whether the data, the prior or a bound determined a value."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
@@ -13,7 +13,8 @@ ROUNDING = 1e-11  # relative eigenvalue that is none
 NOTHING = 1e-13  # of the largest information: rounding of none
 VAGUE = 1e-2  # per typical step squared, known of everything: no leg is tens of them away
 ON_BOUND = 1e-4  # relative size of what is left of a gradient where an end point lies on a limit
-STEEP = 300.0  # from which on a half of a bell is an exponential to 1e-4
+STEEP = 300.0  # t from which on x^2 is nothing beside t x
+EVENLY = 1 / 3  # mean square of what is anywhere between 0 and 1
 DECIDED = 0.9  # share of the precision from which on one source alone determined a value
 
 
@@ -39,12 +40,21 @@ class Shares:
 HELD = Shares(0.0, 0.0, 1.0)  # on a bound
 
 
+@dataclass(frozen=True)
+class Pressed:
+    """Limits g <= 0 that an end point leans against."""
+
+    gradients: Float[np.ndarray, "limit coordinate"]
+    beyond: Float[np.ndarray, " limit"]  # the g of the optimum without that limit
+    room: Float[np.ndarray, " limit"]  # to the other end, where there is one; else infinite
+
+
 class Information:
     """Gauss-Newton information of a fit in its own coordinates, around the end point.
 
     `data` and `prior` are (coordinate, coordinate). Of constraints that hold as equalities there,
     `active` has the gradients, (constraint, coordinate), and `fixed` those of what a user fixed;
-    `pressed` has the gradients and multipliers of limits that the end point leans against. `kinds`
+    `pressed` are limits that the end point leans against, as in `one_sided`. `kinds`
     has the parts of several kinds of segments, in any unit that they share; `owned` the
     coordinates of what recordings own.
     """
@@ -57,13 +67,14 @@ class Information:
         fixed: np.ndarray | None = None,
         kinds: dict[str, np.ndarray] | None = None,
         owned: dict[str, np.ndarray] | None = None,
-        pressed: tuple[np.ndarray, np.ndarray] | None = None,
+        pressed: Pressed | None = None,
     ):
         self.open = np.eye(data.shape[0]) if fixed is None else null_space(fixed, data.shape[0])
         self.free = null_space(active, data.shape[0])
         known = self.free.T @ (data + prior) @ self.free
         if pressed is not None:
-            known = known + one_sided(known, pressed[0] @ self.free, pressed[1])
+            inside = replace(pressed, gradients=pressed.gradients @ self.free)
+            known = known + one_sided(known, inside)
         self.posterior = decomposed(known)
         self.likelihood = decomposed(self.free.T @ data @ self.free)
         self.unbounded = decomposed(self.open.T @ (data + prior) @ self.open)
@@ -135,19 +146,20 @@ def decomposed(information: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return np.linalg.eigh(information + VAGUE * np.eye(information.shape[0]))
 
 
-def one_sided(
-    information: np.ndarray, gradients: np.ndarray, multipliers: np.ndarray
-) -> np.ndarray:
-    """What limits tell that the end point leans against: the truth lies within, and anywhere there.
+def one_sided(information: np.ndarray, pressed: Pressed) -> np.ndarray:
+    """What limits tell of an end point on them: the truth may lie anywhere inside.
 
-    The slack s of a limit with the multiplier mu has the density exp(-mu s - s^2 / (2 sigma^2)) for
-    s >= 0, with sigma its error without the limit. The information is what leaves it E[s^2].
+    Without its limit g would be normal around `beyond` with the error sigma. What is inside has the
+    density exp(-t x - x^2 / 2), x = -g / sigma, t = beyond / sigma, and the mean square distance
+    from the end point that the information returned here leaves.
     """
     told = np.zeros_like(information)
-    for gradient, multiplier in zip(gradients, multipliers, strict=True):
+    rows = zip(pressed.gradients, pressed.beyond, pressed.room, strict=True)
+    for gradient, beyond, room in rows:
         error = spread(decomposed(information + told), np.eye(gradient.size), gradient)
         if 0.0 < error < np.inf:
-            left = second_moment(multiplier * error)
+            left = min(second_moment(beyond / error), EVENLY * (room / error) ** 2)
+            left = max(left, ROUNDING)
             told = told + (1 / left - 1) / error**2 * np.outer(gradient, gradient)
     return told
 

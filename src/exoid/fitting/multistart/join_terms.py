@@ -13,7 +13,7 @@ from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
 
 BEATEN = 2.0  # times the best loss, after one bout of the solver
-AWAY = "its terms led it away from the recording"
+BEHIND = "with its terms it was far behind the best after one bout of the solver"
 
 
 def join_terms(
@@ -39,6 +39,8 @@ def join_terms(
     end = np.full(loss.size, -1)
     end[kept] = np.arange(kept.size)
     better = end.reshape(loss.shape)[np.argmin(loss, axis=0), np.arange(loss.shape[1])]
+    rows = np.unique(better[better >= 0])  # of two ends, a start has the better one
+    better = np.where(better < 0, -1, np.searchsorted(rows, better))
     found = np.append(better, -1)[member]
-    away = {AWAY: int(((member >= 0) & (found < 0)).sum())}
-    return free, found, dict(Counter(failures) + Counter(away))
+    behind = {BEHIND: int(((member >= 0) & (found < 0)).sum())}
+    return take(free, rows), found, dict(Counter(failures) + Counter(behind))

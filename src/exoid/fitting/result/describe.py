@@ -3,8 +3,9 @@
 import numpy as np
 
 from exoid.fitting.misfit.neighbourhood import columns, told
-from exoid.fitting.misfit.uncertainty import Information
+from exoid.fitting.misfit.uncertainty import Information, Pressed, decomposed, inverse_times
 from exoid.fitting.model.belief import NAMES
+from exoid.fitting.model.constraint import NEVER, violations_at
 from exoid.fitting.model.coordinates import (
     flattened,
     leg_parameters,
@@ -32,7 +33,7 @@ from exoid.fitting.result.fit_result import (
 from exoid.fitting.result.limiting_systematics import limiting, suspicions
 from exoid.fitting.result.mountings import FIELDS, beyond_belief, estimate_mountings
 from exoid.fitting.result.remarks import limits_met, of_astray, remarks
-from exoid.fitting.solve.ask import finite, take
+from exoid.fitting.solve.ask import around, finite, take
 from exoid.fitting.solve.problem import Problem
 
 UNFINISHED = "it was still moving when its steps ran out"
@@ -49,18 +50,18 @@ def describe(
     best, local = ended.best, ended.local
     names, belief = problem.constraints, problem.belief
     fixed = np.array([name in belief.by_hand.fix for name in names])
-    active = (best.multiplier[0] > PRESSING) & ~fixed
+    leaning = (best.multiplier[0] > PRESSING) & ~fixed
     fixed &= [name not in names[:row] for row, name in enumerate(names)]  # both its ends are one
     information = Information(
         data=local.data + local.declared,
         prior=local.prior - local.declared,
         active=local.constraints[fixed],
-        pressed=(local.constraints[active], best.multiplier[0, active]),
+        pressed=pressed_at(problem, ended, np.flatnonzero(leaning)),
         fixed=local.constraints[fixed],
         kinds=told_by_kind(problem, ended),
         owned=owned_places(problem, ended),
     )
-    at_bound = {name for name, hold in zip(names, active, strict=True) if hold}
+    at_bound = {name for name, hold in zip(names, leaning, strict=True) if hold}
     parameters = {
         name: parameter_estimate(name, belief, float(value), information, gradient, at_bound)
         for name, value, gradient in zip(NAMES, best.quantities[0], local.quantities, strict=False)
@@ -114,6 +115,22 @@ def describe(
         astray=why,
         basis=Basis(problem, ended, information),
     )
+
+
+def pressed_at(problem: Problem, ended: Ended, rows: np.ndarray) -> Pressed:
+    """Limits that hold the best fit: how far beyond them it would be, by what it minimised."""
+    best, gradients, names = ended.best, ended.local.constraints[rows], problem.constraints
+    searched = around(problem, best)
+    known = decomposed(searched.data + searched.prior)
+    variance = np.array([each @ inverse_times(known, each) for each in gradients])
+    values = violations_at(problem.belief.limits, take(best.coordinates, 0), np)
+
+    def room(row: int) -> float:
+        ends = [k for k, name in enumerate(names) if name == names[row] and k != row]
+        return min((-values[k] for k in ends if values[k] != NEVER), default=np.inf)
+
+    beyond = best.multiplier[0, rows] * variance
+    return Pressed(gradients, beyond, np.array([room(row) for row in rows]))
 
 
 def owned_places(problem: Problem, ended: Ended) -> dict[str, np.ndarray]:

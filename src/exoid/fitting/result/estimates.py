@@ -112,7 +112,7 @@ def goes_with_scale(own: Estimate, ratio: Estimate, inertia: Estimate) -> Estima
     Near zero it would seem told: there J moves it little, but only as it was guessed.
     """
     told = own.shares not in (None, HELD) and ratio.shares not in (None, HELD)
-    if inertia.shares is not None or not told or own.by_hand is not None:
+    if inertia.shares is not None or not told or own.by_hand in ("fix", "prior"):
         return own
     return replace(
         own, value=None, standard_error=None, shares=None, reason=SCALE_FREE, limited_by={}
@@ -191,7 +191,8 @@ def estimate_ratios(
         value = ended.best.quantities[0, rows].mean()
         gradient = ended.local.quantities[rows].mean(axis=0)
         parameter = name.removesuffix("_over_inertia")
-        held = parameter in at_bound & {"damping"}
+        at_zero = parameter == "stiffness" and abs(value) < NO_RATIO
+        held = parameter in at_bound and (parameter == "damping" or at_zero)
         shares = HELD if held else information.shares(gradient)
         held = shares == HELD
         fixed = held and parameter in problem.belief.by_hand.fix
@@ -238,7 +239,7 @@ def estimate_terms(
                     symbol=f"{declared.symbol} {sign} J",
                     title=f"{declared.title}, {word} J",
                     unit=ratio_unit(declared),
-                    value=ratio_value(value, shares),
+                    value=0.0 if own[name].value == 0.0 else None if shares is None else value,
                     standard_error=error_of(gradient, information, shares),
                     shares=shares,
                     reason=UNTOLD if shares is None else None,

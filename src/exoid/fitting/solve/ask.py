@@ -36,7 +36,7 @@ def task(
 ) -> Task:
     """What to ask of the solver; with a `penalty` per constraint, prior and limits take part.
 
-    `rounds` are at most those of multipliers, where there are limits.
+    `rounds` are the most updates of the multipliers, where there are limits.
     """
     bounded = penalty is not None
     own = [name for name, _ in parameters_of(problem.terms)]

@@ -19,27 +19,32 @@ from exoid.physics.motion.with_terms import (
 )
 from exoid.physics.state import LegState
 
-FALL = (-0.02, 0.1)  # s, from the release to the first state; one before it was simulated early
-STEPS = 8  # of the fall
+LONGEST = 0.1  # s from the release to the first state
+STEPS = 16  # of the fall, none longer than a sample's
 CORRECTIONS = 4  # of where it began and how long it lasted
 STILL = 1e-3  # rad/s^2: what is pulled by less does not fall
+REACHED = 0.03  # rad and rad/s, by which a fall may miss the state
 
 
-def let_go(place: Place, terms: Terms, leg: LegState, time: Any, push: Any) -> Motion:
+def after_release(place: Place, terms: Terms, leg: LegState, time: Any, push: Any) -> Motion:
     """The motion at a first state, its memory what the fall from rest to there left.
 
-    Where the fall began, and how long it lasted, follow from the state by Newton's method.
+    Where the fall began, and how long it lasted, follow from the state by Newton's method. Where no
+    fall within `LONGEST` leads there, the leg began in motion: the terms are at rest with it.
     """
+    standing = at_rest(place, terms, leg, time, push)
     if not any(term.memory_size for term in terms):
-        return at_rest(place, terms, leg, time, push)
+        return standing
     drive = Drive(push, push, push)
 
     def fallen(begin: Array, lasted: Array) -> Motion:
-        def part(_, motion):
-            return extended_step(place, terms, motion, time, lasted / STEPS, drive)
+        step, released = lasted / STEPS, time - lasted
 
-        held = at_rest(place, terms, LegState(begin, jnp.zeros_like(begin)), time, push)
-        return jax.lax.fori_loop(0, STEPS, part, held)
+        def part(number, motion):
+            return extended_step(place, terms, motion, released + number * step, step, drive)
+
+        held = LegState(begin, jnp.zeros_like(begin))
+        return jax.lax.fori_loop(0, STEPS, part, at_rest(place, terms, held, released, push))
 
     def corrected(_, fall):
         begin, lasted = fall
@@ -47,13 +52,19 @@ def let_go(place: Place, terms: Terms, leg: LegState, time: Any, push: Any) -> M
         reached = motion.leg
         pulled = acceleration(place, terms, motion, time, push)
         slope = jnp.where(jnp.abs(pulled) > STILL, pulled, STILL)
-        longer = (leg.angular_velocity - reached.angular_velocity) / slope
-        begin = begin + leg.angle - reached.angle - longer * reached.angular_velocity
-        return begin, jnp.clip(lasted + longer, *FALL)
+        faster = (leg.angular_velocity - reached.angular_velocity) / slope
+        after = jnp.clip(lasted + faster, 0.0, LONGEST)
+        begin = begin + leg.angle - reached.angle - (after - lasted) * reached.angular_velocity
+        return begin, after
 
     at_once = leg.angle, jnp.zeros_like(leg.angle)
-    fall = jax.lax.fori_loop(0, CORRECTIONS, corrected, at_once)
-    return Motion(leg, fallen(*fall).memory)
+    motion = fallen(*jax.lax.fori_loop(0, CORRECTIONS, corrected, at_once))
+    missed = jax.tree.map(lambda one, other: jnp.abs(one - other) < REACHED, motion.leg, leg)
+    there = missed.angle & missed.angular_velocity
+    memory = jax.tree.map(
+        lambda fell, stood: jnp.where(there, fell, stood), motion.memory, standing.memory
+    )
+    return Motion(leg, memory)
 
 
 def acceleration(
