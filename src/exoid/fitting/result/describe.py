@@ -130,7 +130,7 @@ def pressed_at(problem: Problem, ended: Ended, rows: np.ndarray) -> Pressed:
         return min((-values[k] for k in ends if values[k] != NEVER), default=np.inf)
 
     beyond = best.multiplier[0, rows] * variance
-    return Pressed(gradients, beyond, np.array([room(row) for row in rows]))
+    return Pressed(gradients, beyond, np.array([room(row) for row in rows.tolist()]))
 
 
 def owned_places(problem: Problem, ended: Ended) -> dict[str, np.ndarray]:
