@@ -9,7 +9,7 @@ import numpy as np
 
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.mismatch.screen.effect import named
-from exoid.mismatch.screen.prepared_recording import Bench
+from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.physics.moment import Cycle, Moment, Place
 from exoid.physics.ratios import Ratios
 from exoid.physics.term import Term
@@ -30,7 +30,9 @@ def explained(found: Diagnosis, truth: Mapping[str, Any]) -> float:
     assert workings is not None  # it was not read from a file
     best = workings.best.candidate
     (formula,) = (named(*each) for each in zip(best.terms, best.values, strict=True))
-    rows = [columns(found, workings.bench, number) for number in range(workings.bench.segments)]
+    rows = [
+        columns(found, workings.prepared, number) for number in range(workings.prepared.segments)
+    ]
     true, told = (
         np.concatenate([torque(term, each) for each in found.location.missing]) / scale
         for term, scale in ((hidden, truth["baseline"]["J"]), (formula, found.inertia))
@@ -47,10 +49,10 @@ def explained(found: Diagnosis, truth: Mapping[str, Any]) -> float:
     return float(1 - np.sum(left[:, 1] ** 2) / np.sum(left[:, 0] ** 2))
 
 
-def columns(found: Diagnosis, bench: Bench, number: int) -> np.ndarray:
+def columns(found: Diagnosis, prepared: PreparedRecording, number: int) -> np.ndarray:
     """Gravity, spring, damper, voluntary torque of a segment."""
     each = found.location.missing[number]
-    shape = np.asarray(bench.seen.cycle.begin[number])
+    shape = np.asarray(prepared.seen.cycle.begin[number])
     shape = np.append(shape, shape[-1])[: each.angle.size]
     return np.stack([np.cos(each.angle), each.angle, each.angular_velocity, shape], axis=1)
 

@@ -3,6 +3,7 @@
 import json
 from dataclasses import replace
 from pathlib import Path
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
@@ -86,8 +87,11 @@ def test_terms_of_ones_own_are_asked_for_by_name(command, recordings, tmp_path):
 
 def test_what_a_diagnosis_suspects_is_told_apart_by_default(monkeypatch):
     monkeypatch.setattr(plan, "suspected_in", lambda model, own: ["coulomb_friction", "backlash"])
-    rivals, chosen = plan.asked(None, plan.INERTIA, None, (), Path("why.nc"))
+    rivals, chosen = plan.asked(None, None, None, (), Path("why.nc"))
     assert ([each.__name__ for each in rivals], chosen) == (["CoulombFriction", "Backlash"], ())
+    # A goal is asked of the model that was saved.
+    monkeypatch.setattr(plan, "saved_model", lambda model, own: Mock(terms=()))
+    assert plan.asked(None, plan.INERTIA, None, (), Path("why.nc")) == ((), ())
 
 
 def test_a_missing_recording_is_named(command, tmp_path):
