@@ -34,5 +34,5 @@ def test_what_the_fit_estimates_anyway_is_told_as_an_error_of_a_sensor():
 
 def test_where_no_model_follows_it_is_said_that_the_leg_has_no_numbers():
     one = found()
-    assert "no number of it is given" in sentences(replace(one, after=None))["The leg"]
+    assert "none better can be given" in sentences(replace(one, after=None))["The leg"]
     assert "The leg" not in sentences(replace(one, after=one.before))

@@ -138,7 +138,7 @@ def posed(basis: Basis, name: str, estimate: Estimate) -> Quest | None:
 
 
 def matching(basis: Basis, gradient: np.ndarray, error: float | None) -> float:
-    """The noise scale with which data and prior leave this quantity its standard error.
+    """The noise scale with which data and prior leave this quantity its error without limits.
 
     A disturbance widens every direction by its own factor; a profile has one, which must be right
     for its quantity.
@@ -147,13 +147,13 @@ def matching(basis: Basis, gradient: np.ndarray, error: float | None) -> float:
     if error is None:
         return found.scale
     plain = weighed(around(basis.problem, basis.ended.best), 1 / found.scale).data
-    free, least = basis.information.open, min(1.0, float(found.widening.min()))
+    open_ways, least = basis.information.open, min(1.0, float(found.widening.min()))
     unlimited = basis.information.without_bounds(gradient)  # a profile meets its limits itself
     low, high = float(np.log(least)), float(np.log(found.widening.max())) + 1e-6
     for _ in range(HALVINGS):
         middle = (low + high) / 2
-        total = free.T @ (plain / np.exp(2 * middle) + local.prior) @ free
-        wide = spread(decomposed(total), free, gradient) > unlimited
+        total = open_ways.T @ (plain / np.exp(2 * middle) + local.prior) @ open_ways
+        wide = spread(decomposed(total), open_ways, gradient) > unlimited
         low, high = (low, middle) if wide else (middle, high)
     return float(np.exp(high))
 

@@ -59,8 +59,8 @@ def after_release(place: Place, terms: Terms, leg: LegState, time: Any, push: An
 
     at_once = leg.angle, jnp.zeros_like(leg.angle)
     motion = fallen(*jax.lax.fori_loop(0, CORRECTIONS, corrected, at_once))
-    missed = jax.tree.map(lambda one, other: jnp.abs(one - other) < REACHED, motion.leg, leg)
-    there = missed.angle & missed.angular_velocity
+    near = jax.tree.map(lambda one, other: jnp.abs(one - other) < REACHED, motion.leg, leg)
+    there = near.angle & near.angular_velocity
     memory = jax.tree.map(
         lambda fell, stood: jnp.where(there, fell, stood), motion.memory, standing.memory
     )

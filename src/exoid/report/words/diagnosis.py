@@ -7,8 +7,8 @@ from exoid.report.words.text import in_degrees, with_error
 SEEN = 0.01  # share of a number, from which on its change is worth a word
 USUAL = {"damping": 0.3, "stiffness": 2.5, "gravity_moment": 12.0}  # of a leg, in their units
 NO_LEG = (
-    "no number of it is given: with what was found the model still does not follow the recording, "
-    "and they would be wrong by more than any error says."
+    "its numbers by Eq. 9 alone are wrong by more than any error says, and none better can be "
+    "given: with what was found the model still does not follow the recording."
 )
 CERTAIN = 0.001  # below this share a chance is written as "below"
 
