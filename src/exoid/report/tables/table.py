@@ -88,11 +88,13 @@ def with_unit(cell: str, unit: str) -> str:
 
 
 def print_table(table: Table, console: Console) -> None:
-    """Without frame, under its title, as wide as the terminal at most."""
+    """Without frame, under its title, as wide as the terminal at most: what is too long for it goes
+    on in a second line.
+    """
     columns = fitted(table, console.width)
     drawn = Grid(box=SIMPLE_HEAD, show_edge=False, padding=(0, 1, 0, 0), header_style="bold")
     for head in columns:
-        drawn.add_column(Text(head), no_wrap=True, overflow="ellipsis")
+        drawn.add_column(Text(head), overflow="fold")
     for row in zip(*columns.values(), strict=True):
         drawn.add_row(*(Text(cell) for cell in row))
     if table.title:
