@@ -1,6 +1,7 @@
 """Terms join starts that Eq. 9 alone has led to the data."""
 
 from collections import Counter
+from dataclasses import replace
 
 import jax
 import numpy as np
@@ -12,6 +13,7 @@ from exoid.fitting.solve.ask import advance, finite, take, task
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
 
+NEARBY = 100.0  # tolerance, in units of noise, of a leg on its way to terms that change after it
 BEATEN = 2.0  # times the best loss, after one bout of the solver
 BEHIND = "with its terms it was far behind the best after one bout of the solver"
 
@@ -29,7 +31,8 @@ def join_terms(
     if not problem.terms:
         return advance(problem, gathered, fine), member, failures
     bout = task(problem, 0.0, problem.steps, COARSE, rounds=1)
-    led = advance(with_terms_kept(problem), gathered, bout).coordinates
+    towards = replace(bout, tolerance=np.asarray(NEARBY))
+    led = advance(with_terms_kept(problem), gathered, towards).coordinates
     both = jax.tree.map(lambda *each: np.concatenate(each), gathered, led)
     tried = advance(problem, both, bout)
     kept = np.flatnonzero(finite(tried.loss) <= BEATEN * finite(tried.loss).min())
