@@ -36,7 +36,7 @@ def leaving(square):
 )
 def test_a_part_is_no_cause_where_nobody_declared_the_noise(left, doubted):
     base = leaving(101_000.0)
-    found = Found(base, NOTHING, [], [], {}, [], Yardstick(SAMPLES, scale=1.0))
+    found = Found(base, NOTHING, [], [], [], [], Yardstick(SAMPLES, scale=1.0))
     reasons = partial(found, leaving(left))
     assert bool(reasons) == doubted
     if doubted:

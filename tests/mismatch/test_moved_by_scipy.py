@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import pytest
 
+from exoid.fitting.estimate import fit
 from exoid.mismatch.missing_physics import diagnose
 from hands import Device, Hand, Knee, dropped
 
@@ -81,3 +82,28 @@ def test_a_tilted_thigh_is_one_cause_and_not_two():
     assert (found.verdict, found.selected) == ("mismatch", ["angle_offset"])
     offset = {each.name: each for each in found.parameters}["angle_offset.offset"]
     assert abs(abs(offset.value) - np.radians(8.0)) < 3 * offset.standard_error
+
+
+@dataclass(frozen=True)
+class Sprung(Knee):
+    """Its spring rests at another angle than 0."""
+
+    rest: float = -0.5  # rad
+
+    def pull(self, angle, rate):
+        return super().pull(angle, rate) + self.stiffness * self.rest
+
+
+@pytest.mark.parametrize(("damping", "verdict"), [(3.0, "cannot_tell"), (7.0, "none")])
+def test_a_leg_that_a_hidden_cause_would_change_is_not_called_certain(damping, verdict):
+    """Damped so strongly, a leg hardly tells a spring that rests elsewhere from another gravity."""
+    knee = Sprung(28.0, 1.5, damping)
+    recording = session(knee)
+    found, alone = diagnose(recording, multistart=8), fit(recording, multistart=8)
+    assert found.verdict == verdict
+    assert "stiffness rest angle" in " ".join(found.reasons)
+    for name in ("gravity", "stiffness", "damping"):
+        one = found.fit.ratios[f"{name}_over_inertia"]
+        assert abs(one.value - getattr(knee, name)) < 3 * one.standard_error
+    gravity = alone.ratios["gravity_over_inertia"]
+    assert abs(gravity.value - knee.gravity) > 20 * gravity.standard_error

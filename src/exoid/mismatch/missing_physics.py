@@ -14,6 +14,7 @@ from exoid.fitting.model.coordinates import leg_parameters, torque_amplitudes
 from exoid.fitting.result.fit_result import Estimate, FitResult
 from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter
 from exoid.mismatch.conclude.conclusion import Chosen, concluded
+from exoid.mismatch.conclude.rivals import with_rivals
 from exoid.mismatch.conclude.unusual_zero import as_a_term, unusual
 from exoid.mismatch.evidence.locate import locate
 from exoid.mismatch.evidence.measure import misfits
@@ -93,15 +94,21 @@ def with_model(
     It begins where the search for what is missing ended. Where it does not follow the recording,
     or none can begin, the baseline stays the only one.
     """
-    wanted = extended(found)
+    wanted, work = extended(found), found.workings
+    assert work is not None  # it was just made
     if not wanted:
-        return found
+        before = with_rivals(found.before, work, work.found.base)
+        said = before.notes[: len(before.notes) - len(found.before.notes)]
+        reasons = [*found.reasons, *(each.rstrip(".") for each in said)]
+        return replace(found, before=before, reasons=reasons)
     told("fitting the model with what was found")
     try:
         after = fit(named, multistart=STARTS, terms=wanted, near=leg_of(found), **options)
     except ArithmeticError:
         return found
-    return told_by(found, after) if after.follows else found
+    if not after.follows:
+        return found
+    return told_by(found, with_rivals(after, work, work.best))
 
 
 def told_by(found: Diagnosis, after: FitResult) -> Diagnosis:

@@ -103,11 +103,11 @@ def saved_model(model: Path, own: tuple):
 
 
 def suspected_in(model: Path, own: tuple) -> list[str]:
-    """The causes between which a saved diagnosis could not tell; none of a fit."""
+    """The causes that keep a saved diagnosis from an answer; none of a fit."""
     from exoid.report.saved.saved_result import load_result
 
     found = load_result(model, terms=own).diagnosis
-    return [] if found is None else rivals_in(found)
+    return rivals_in(found) if found is not None and found.after is None else []
 
 
 def rivals_in(found) -> list[str]:

@@ -66,7 +66,7 @@ class NovelTorque:
 
 @dataclass(frozen=True)
 class Suspect:
-    """What a cause that could not be told from others would make of the leg's numbers."""
+    """What a cause that it may be would make of the leg's numbers."""
 
     terms: list[str]
     numbers: list[Booked]
@@ -105,7 +105,7 @@ class Diagnosis:
     sensors: list[SensorError]
     before: FitResult  # of Eq. 9 alone
     after: FitResult | None = None  # with what was found; None where nothing was
-    suspected: list[Suspect] = field(default_factory=list)  # where no cause could be told
+    suspected: list[Suspect] = field(default_factory=list)  # what it may be, where more than one
     advice: list[str] = field(default_factory=list)
     # None where it was read from a file
     workings: Workings | None = field(default=None, metadata={"saved": False})

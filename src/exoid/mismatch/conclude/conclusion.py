@@ -22,6 +22,7 @@ from exoid.mismatch.conclude.numbers import (
     tilted,
     weighed,
 )
+from exoid.mismatch.conclude.rivals import hidden, of_hidden
 from exoid.mismatch.evidence.location import Location
 from exoid.mismatch.evidence.prediction import Prediction, Proof
 from exoid.mismatch.evidence.proof import proof
@@ -34,7 +35,6 @@ from exoid.mismatch.search.resample import inclusion
 from exoid.mismatch.search.search import equivalents
 from exoid.mismatch.sensors.consistency import BIAS
 from exoid.physics.library import library
-from exoid.physics.parameter import declarations
 from exoid.physics.term import name_of
 
 MOSTLY = 0.8  # the same, where noise is what the samples show
@@ -74,6 +74,9 @@ def concluded(
     selected = named_terms(prepared, best, found.yardstick, formula)
     bias = gyro_bias(best, found.yardstick)
     verdict, reasons = judge(prepared, found, best, shown)
+    unseen = hidden(prepared, found, result) if verdict == "none" else []
+    if unseen:
+        verdict, reasons = "cannot_tell", [of_hidden(prepared, found, result, unseen[0])]
     if verdict == "mismatch" and formula is None and not declared:
         doubts = partial(found, best)
         verdict, reasons = ("cannot_tell", doubts) if doubts else (verdict, reasons)
@@ -82,6 +85,7 @@ def concluded(
     if verdict == "none":
         reasons = [*of_zeros(result, prepared), *of_what_hides(result)]
     equal = [] if formula or not best.candidate.terms else equivalents(found, best)
+    likely = unseen or [one for one in found.singles if found.followed(one) > SUSPECT]
     parameters = size(best)
     measure = found.yardstick
     left = declared and not measure.explains(best.square) and found.followed(best) < FOLLOWED
@@ -91,7 +95,8 @@ def concluded(
         verdict, reasons = "cannot_tell", doubts
     novel = novel and verdict == "mismatch"  # nothing is called new by who cannot tell
     selected = [*([] if left else selected), *biased]
-    tried = [len(list(declarations(term))) for term in found.pinned]
+    suspected = likely if verdict == "cannot_tell" else equal if len(equal) > 1 else []
+    tried = [size(one) for one in found.pinned]
     return Diagnosis(
         verdict=verdict,
         reasons=reasons,
@@ -116,16 +121,18 @@ def concluded(
         inclusion=included(prepared, found, best, formula, seed),
         sensors=prepared.sensors.errors,
         before=result,
-        suspected=suspects(prepared, found) if verdict == "cannot_tell" else [],
-        advice=advice(found, equal, verdict, formula),
+        suspected=suspects(prepared, found, suspected, best),
+        advice=advice(equal or likely[:2], verdict, formula),
         workings=Workings(prepared, found, best),
     )
 
 
-def suspects(prepared: PreparedRecording, found: Found) -> list[Suspect]:
-    """What every single cause that explains much would make of the leg's numbers."""
-    likely = [one for one in found.singles if found.followed(one) > SUSPECT]
-    return [Suspect(names(one), moved(prepared, found.base, one)) for one in likely[:SUSPECTS]]
+def suspects(
+    prepared: PreparedRecording, found: Found, each: list[Optimum], best: Optimum
+) -> list[Suspect]:
+    """What the likeliest causes would make of the leg's numbers; the one that is named is first."""
+    each = sorted(each, key=lambda one: one is not best)[:SUSPECTS]
+    return [Suspect(names(one), moved(prepared, found.base, one)) for one in each]
 
 
 def of_zeros(result: FitResult, prepared: PreparedRecording) -> list[str]:
@@ -234,26 +241,23 @@ def partial(found: Found, best: Optimum) -> list[str]:
 def ranked(found: Found, selected: list[str], formula: Formula | None) -> list[str]:
     """Names, best first: what was selected, then every other single term by what it explains."""
     singles = [names(one)[0] for one in found.singles if names(one)]
-    others = [name_of(term) for term in sorted(found.pinned, key=found.pinned.__getitem__)]
+    others = [names(one)[0] for one in found.pinned]
     first = [] if formula else by_share(found, selected)
     return list(dict.fromkeys([*first, *singles, *others]))
 
 
 def by_share(found: Found, selected: list[str]) -> list[str]:
     """Of two effects the one first that explains more by itself."""
-    alone = {name_of(term): square for term, square in found.pinned.items()}
+    alone = {names(one)[0]: one.square for one in found.pinned}
     return sorted(selected, key=lambda name: alone.get(name, np.inf))
 
 
-def advice(
-    found: Found, equal: list[Optimum], verdict: Verdict, formula: Formula | None
-) -> list[str]:
-    """What to record next, to tell apart what is `equal` or what is suspected."""
+def advice(rivals: list[Optimum], verdict: Verdict, formula: Formula | None) -> list[str]:
+    """What to record next, to tell `rivals` apart."""
     if verdict == "none":
         return []
     if formula is not None:
         return ["Change one thing at a time (speed, angle, load) and watch which moves the torque."]
-    rivals = equal or [one for one in found.singles[:2] if found.followed(one) > SUSPECT]
     if verdict == "mismatch" and len(rivals) < 2:
         return []
     terms = dict.fromkeys(term for one in rivals for term in one.candidate.terms)

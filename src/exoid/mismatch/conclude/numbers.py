@@ -30,7 +30,7 @@ def weighed(found: Found, one: Optimum, best: Optimum) -> Tested:
 def pinned(found: Found) -> list[Tested]:
     """What every term leaves at first sight, along the motion that the sensors show."""
     samples = found.yardstick.samples
-    return [Tested([name_of(t)], square / samples, None) for t, square in found.pinned.items()]
+    return [Tested(names(one), one.square / samples, None) for one in found.pinned]
 
 
 def inertia_of(prepared: PreparedRecording, best: Optimum) -> float:

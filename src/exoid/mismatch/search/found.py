@@ -12,13 +12,13 @@ FLOOR = 1.3  # mean square over the noise at which nothing more is looked for
 
 @dataclass(frozen=True, eq=False)
 class Found:
-    """What a search found, best first; `pinned` are the sums of squares of the first look."""
+    """What a search found, best first; `pinned` are those of the first look."""
 
     base: Optimum
     begin: Hypothesis  # the baseline where candidates began
     singles: list[Optimum]  # running free
     pairs: list[Optimum]
-    pinned: dict[type[Term], float]
+    pinned: list[Optimum]
     failed: list[type[Term]]  # whose derivatives are not finite
     yardstick: Yardstick
 

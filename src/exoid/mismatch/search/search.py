@@ -57,7 +57,6 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
             return look(prepared, better, told)
     measure = yardstick(prepared, least(base, *singles))
     singles = by_evidence(singles, base, measure)
-    pinned = {one.candidate.terms[0]: one.square for one in ranked}
     found = with_sure_sensors(prepared, base, singles)
     sensors = [one for one in found if len(one.candidate.terms) > 1]
     alone = [one for one in found if len(one.candidate.terms) == 1]
@@ -71,7 +70,7 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
         singles = by_evidence(singles, base, measure)
         best = least(base, *singles).square
     if best < FLOOR * measure.samples:
-        return Found(base, begin, singles, sensors, pinned, failed, measure)
+        return Found(base, begin, singles, sensors, ranked, failed, measure)
     told("testing pairs")
     seconds = pairs(prepared, ranked, singles)
     pairs_at_best = best_of(settle(prepared, seconds, rounds=PAIR_ROUNDS))
@@ -88,7 +87,7 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
     measure = yardstick(prepared, least(base, *singles, *joint))
     joint = by_evidence(joint, base, measure)
     joint = by_evidence([*joint, *twins(prepared, joint[:1], joint)], base, measure)
-    return Found(base, begin, by_evidence(singles, base, measure), joint, pinned, failed, measure)
+    return Found(base, begin, by_evidence(singles, base, measure), joint, ranked, failed, measure)
 
 
 def simulated(

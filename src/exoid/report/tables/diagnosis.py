@@ -8,6 +8,7 @@ from exoid.report.tables.table import Column, Table, print_table
 from exoid.report.words.diagnosis import headline, sentences
 from exoid.report.words.text import capital, heading, in_words, say
 
+IN_ERRORS = "The errors of the leg's numbers hold how far these are apart, each by its odds."
 MOST = 8  # candidates that are listed
 MARGIN = 15  # characters, as wide as the longest heading
 
@@ -25,7 +26,7 @@ def print_diagnosis(found: Diagnosis, console: Console) -> None:
         say(console, "± one standard error, with the part for what is still missing.")
     if found.suspected:
         print_table(suspects(found), console)
-        say(console, "No error bar holds this: until the cause is known, it is the model's own.")
+        say(console, IN_ERRORS)
     print_table(candidates(found), console)
     say(
         console,
@@ -47,7 +48,7 @@ def suspects(found: Diagnosis) -> Table:
         cells = [f"{one.after:.3g}" for one in each.numbers]
         columns[name] = Column(cells, head=name.replace(" ", "\n"))
     columns["unit"] = [one.unit for one in first]
-    title = "What each suspected cause would make of the leg"
+    title = "What each cause that it may be would make of the leg"
     return Table(title, columns, title)
 
 

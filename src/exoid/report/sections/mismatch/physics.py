@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import ClassVar
 
-from exoid.mismatch.answer.diagnosis import Diagnosis, Finding, Parameter
+from exoid.mismatch.answer.diagnosis import Finding, Parameter
 from exoid.report.parts.case import Case
 from exoid.report.pictures.mismatch.causes import show_causes
 from exoid.report.pictures.panel import Picture
@@ -36,7 +36,8 @@ class Physics(Section):
     sentences: dict[str, str]
     effects: tuple[Finding, ...]
     parameters: Table
-    numbers: Table
+    numbers: Table  # of the leg, where something was found
+    suspected: Table
     figure: Picture
     candidates: Table
     excluded: str
@@ -46,24 +47,18 @@ class Physics(Section):
         found = case.diagnosis
         if found is None:
             return None
-        lines = sentences(found)
+        lines, after = sentences(found), found.after
         return cls(
             headline=verdict(found),
             sentences={title: lines[title] for title in SAID if title in lines},
             effects=tuple(found.findings),
             parameters=parameters(found.parameters if found.verdict == "mismatch" else []),
-            numbers=numbers(found),
+            numbers=Table("", {}) if after is None else before_and_after(found.before, after),
+            suspected=suspects(found) if found.suspected else Table("", {}),
             figure=show_causes(found),
             candidates=candidates(found),
             excluded=", ".join(found.excluded).replace("_", " "),
         )
-
-
-def numbers(found: Diagnosis) -> Table:
-    """The leg with what was found beside the leg without, or what suspects would make of it."""
-    if found.after is not None:
-        return before_and_after(found.before, found.after)
-    return suspects(found) if found.suspected else Table("", {})
 
 
 def parameters(each: list[Parameter]) -> Table:

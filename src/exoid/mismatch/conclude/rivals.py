@@ -1,0 +1,103 @@
+"""What this recording cannot tell from the answer, and what that leaves unknown of the leg."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from exoid.fitting.result.fit_result import Estimate, FitResult
+from exoid.mismatch.answer.diagnosis import Booked
+from exoid.mismatch.answer.workings import Workings
+from exoid.mismatch.conclude.numbers import moved
+from exoid.mismatch.evidence.yardstick import APART
+from exoid.mismatch.screen.optimum import Optimum
+from exoid.mismatch.screen.prepared_recording import PreparedRecording
+from exoid.mismatch.search.found import Found, names
+
+FELT = 2.0  # standard errors by which a cause that is hardly seen must move a number
+LARGE = 0.1  # share of the variance, from which on a cause is worth a word
+OF_RATIO = {"stiffness": "stiffness_over_inertia", "damping": "damping_over_inertia"}
+
+
+def hidden(prepared: PreparedRecording, found: Found, result: FitResult) -> list[Optimum]:
+    """Causes that the data prefer to Eq. 9 alone, yet that change too little to be claimed: Eq. 9
+    takes nearly all of them for something else, and its numbers are wrong by as much.
+    """
+    likely = [one for one in found.singles if found.evidence(one) > APART]
+    return [one for one in likely if felt(result, moved(prepared, found.base, one))]
+
+
+def felt(result: FitResult, numbers: list[Booked]) -> bool:
+    """Is any ratio elsewhere, by its error?"""
+    return any(
+        abs(one.after - one.before) > FELT * (result.ratios[one.name].standard_error or np.inf)
+        for one in numbers
+        if one.name in result.ratios
+    )
+
+
+def of_hidden(prepared: PreparedRecording, found: Found, result: FitResult, first: Optimum) -> str:
+    """Why nothing can be said, where something may hide in Eq. 9."""
+    changes = [
+        f"{result.ratios[one.name].symbol} {one.before:.3g} -> {one.after:.3g} {one.unit}"
+        for one in moved(prepared, found.base, first)
+        if one.name in result.ratios
+    ]
+    return (
+        f"{words(names(first))} would explain more than noise can be, but too little to be "
+        f"claimed, and the leg would be another: {', '.join(changes)}"
+    )
+
+
+def with_rivals(result: FitResult, work: Workings, shown: Optimum) -> FitResult:
+    """The fit of `shown`, its errors with what the ratios would be by every other cause.
+
+    Variances add the mean square distance to the numbers of all candidates, each counted by its
+    odds, exp(evidence / 2): Hoeting et al., Statistical Science 14(4), 1999. What did not run free
+    counts as it came out at the first look.
+    """
+    found = work.found
+    each = [found.base, *found.singles, *found.pairs]
+    freed = {one.candidate.terms for one in each}
+    each += [one for one in (work.best, *found.pinned) if one.candidate.terms not in freed]
+    evidence = np.array([found.evidence(one) for one in each])
+    odds = np.exp((evidence - evidence.max()) / 2)
+    away = [
+        {number.name: number.after - number.before for number in moved(work.prepared, shown, one)}
+        for one in each
+    ]
+    parts = {
+        name: odds / odds.sum() * np.square([one.get(name, 0.0) for one in away])
+        for name in result.ratios
+    }
+    spread = {name: float(np.sqrt(part.sum())) for name, part in parts.items()}
+    inertia = result.parameters["inertia"].value or 0.0
+    ratios = {name: widened(one, spread[name]) for name, one in result.ratios.items()}
+    parameters = {
+        name: widened(one, inertia * spread.get(OF_RATIO.get(name, ""), 0.0))
+        for name, one in result.parameters.items()
+    }
+    wide = {
+        name: one.symbol
+        for name, one in result.ratios.items()
+        if spread[name] > FELT * (one.standard_error or np.inf)
+    }
+    share = sum((parts[name] / spread[name] ** 2 for name in wide), np.zeros(len(each)))
+    rivals = [words(names(each[k])) or "Eq. 9 alone" for k in np.flatnonzero(share > LARGE)]
+    note = f"± of {', '.join(wide.values())} holds what else it may be: {', '.join(rivals)}."
+    notes = [note, *result.notes] if wide else result.notes
+    return replace(result, ratios=ratios, parameters=parameters, notes=notes)
+
+
+def widened(each: Estimate, spread: float) -> Estimate:
+    """With a standard deviation more; where there is no error, there is none to widen."""
+    if not each.standard_error or not spread:
+        return each
+    total = float(np.hypot(each.standard_error, spread))
+    kept = (each.standard_error / total) ** 2
+    shares = {name: kept * share for name, share in (each.limited_by or {}).items()}
+    return replace(each, standard_error=total, limited_by={**shares, "rival causes": 1 - kept})
+
+
+def words(terms: list[str]) -> str:
+    """Causes that act together, as a sentence has them."""
+    return " + ".join(terms).replace("_", " ")
