@@ -36,7 +36,7 @@ gc.set_threshold(100_000, 20, 100)
 hypothesis.settings.register_profile("exoid", derandomize=True, deadline=None, database=None)
 hypothesis.settings.load_profile("exoid")
 
-FULL = 1.2e9  # bytes; one test adds up to 0.4e9, and a worker stays below 2e9
+LITTLE = 1.2e9  # bytes of memory; one test adds up to 0.4e9
 
 SHARED = Path(__file__).parents[2] / "shared" / "data"
 
@@ -79,11 +79,23 @@ def _keeping(programs):
 def _forgetting():
     """What was compiled for past tests goes, once there is much of it."""
     yield
-    if resident() > FULL:
+    if resident() > full():
         jax.clear_caches()
         gc.collect()
         with suppress(AttributeError, OSError):  # glibc alone keeps what was freed, and can give it
             ctypes.CDLL(None).malloc_trim(0)
+
+
+def full() -> float:
+    """The memory [bytes] from which on a worker forgets: half of the machine's is theirs. What it
+    forgets is traced and loaded anew, which takes longer than most tests.
+    """
+    workers = int(os.environ.get("PYTEST_XDIST_WORKER_COUNT", "1"))
+    try:
+        whole = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGESIZE")
+    except (AttributeError, ValueError, OSError):
+        return LITTLE
+    return max(LITTLE, whole / (2 * workers))
 
 
 def resident() -> float:

@@ -22,7 +22,15 @@ from exoid.recordings.sidecar import read_sidecar
 
 COMMANDS = {name: app.load(name) for name in app.COMMANDS}
 DOCS = Path(__file__).parents[1] / "docs"
-SLOW = ("tutorial.md",)  # it diagnoses
+# Pages that fit often, or diagnose.
+SLOW = (
+    "tutorial.md",
+    "model.md",
+    *(
+        f"how-to/{each}.md"
+        for each in ("extended-model", "own-term", "python", "several-recordings")
+    ),
+)
 PAGES = [
     pytest.param(page, marks=pytest.mark.proof) if page in SLOW else page
     for page in sorted(each.relative_to(DOCS).as_posix() for each in DOCS.rglob("*.md"))

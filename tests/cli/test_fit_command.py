@@ -9,7 +9,11 @@ import pytest
 from command_line import apart
 from sessions import DROP, EPOCH, LEG, RATIOS, session, write_frames, write_log
 
-FORMATS = (".blf", ".asc", ".log", ".trc", ".csv", ".mf4")
+QUICK = (".blf", ".csv")
+FORMATS = (
+    *QUICK,
+    *(pytest.param(each, marks=pytest.mark.proof) for each in (".asc", ".log", ".trc", ".mf4")),
+)
 SAME = 1e-3  # standard errors between two seeds: the solver's tolerance
 QUANTISED = 0.5  # standard errors by which rounding in a format may move a ratio
 LIKELY = 4.5  # standard errors within which the truth lies, but for one draw in 100 000
@@ -111,7 +115,12 @@ def test_the_same_seed_gives_the_same_bytes_and_another_the_same_leg(
 
 
 @pytest.mark.parametrize(
-    ("suffix", "begin"), [(".png", b"\x89PNG"), (".pdf", b"%PDF"), (".svg", b"<?xml")]
+    ("suffix", "begin"),
+    [
+        (".pdf", b"%PDF"),
+        pytest.param(".png", b"\x89PNG", marks=pytest.mark.proof),
+        pytest.param(".svg", b"<?xml", marks=pytest.mark.proof),
+    ],
 )
 def test_a_figure_is_drawn_in_the_format_of_its_name(command, recordings, tmp_path, suffix, begin):
     path = tmp_path / f"figure{suffix}"
@@ -121,6 +130,7 @@ def test_a_figure_is_drawn_in_the_format_of_its_name(command, recordings, tmp_pa
     assert [each.name for each in tmp_path.iterdir()] == [path.name]
 
 
+@pytest.mark.proof
 def test_without_a_prior_only_the_ratios_are_told(command, recordings, fitted, tmp_path):
     document = command.document(recordings / "drop.csv", "--prior", "none", folder=tmp_path)
     assert document["parameters"]["inertia"]["value"] is None
@@ -143,6 +153,7 @@ def test_each_segment_alone_gives_the_mean_of_the_ratios(command, recordings, tm
         assert document["ratios"][name]["value"] == pytest.approx(truth, rel=5e-3)
 
 
+@pytest.mark.proof
 def test_smoothing_data_and_simulation_alike_does_not_move_the_ratios(
     command, recordings, fitted, tmp_path
 ):
@@ -151,6 +162,7 @@ def test_smoothing_data_and_simulation_alike_does_not_move_the_ratios(
     assert max(apart(fitted["ratios"], document["ratios"]).values()) < 2  # it weighs samples anew
 
 
+@pytest.mark.proof
 def test_slsqp_finds_the_same_leg(command, recordings, fitted, tmp_path):
     options = ("--method", "slsqp", "--multistart", 2)
     document = command.document(recordings / "drop.csv", *options, folder=tmp_path)
@@ -221,6 +233,7 @@ def test_ctrl_c_ends_it_at_once_with_one_line(command, recordings, tmp_path):
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.proof
 def test_a_cache_that_cannot_be_made_or_read_costs_only_time(command, recordings, tmp_path):
     (tmp_path / "file").touch()
     told = {}

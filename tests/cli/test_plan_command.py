@@ -56,6 +56,7 @@ def test_a_first_session_is_planned_without_any_recording(command, tmp_path):
     assert kinds == {True, False}
 
 
+@pytest.mark.proof
 def test_a_plan_for_what_no_motion_tells_says_so(command, recordings):
     done = command("plan", recordings / "drop.csv", "--goal", "com_distance")
     assert done.returncode == 0
@@ -98,6 +99,7 @@ def test_a_missing_recording_is_named(command, tmp_path):
     assert "nothing.csv" in refusal(command("plan", tmp_path / "nothing.csv"))
 
 
+@pytest.mark.proof
 def test_bare_and_loaded_recordings_give_the_scale_and_the_place_of_the_mass(
     command, recordings, loaded, tmp_path
 ):

@@ -123,6 +123,7 @@ def test_the_leg_of_the_cases_has_these_ratios():
     assert float(leg().stiffness / leg().inertia) == pytest.approx(RATIOS["stiffness_over_inertia"])
 
 
+@pytest.mark.proof
 def test_a_term_is_the_mean_of_the_segments_and_may_be_fixed():
     rubbing = LegModel(leg(), NoTorque(), terms=(CoulombFriction(np.asarray(0.2)),))
     drops = record(rubbing, (DROP, OTHER_DROP), jax.random.key(0), subject=BODY)

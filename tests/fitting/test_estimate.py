@@ -84,6 +84,7 @@ def test_the_ratios_of_twenty_subjects_are_found_within_their_errors():
     assert np.sqrt(np.mean(np.square(all_errors))) > 0.7  # nor are the errors too large
 
 
+@pytest.mark.proof
 def test_a_known_mass_beside_a_bare_drop_gives_what_depends_on_the_scale():
     result = fit(recorded(DROP, LOADED), multistart=8)
     found = {name: each.value for name, each in result.parameters.items()}

@@ -26,6 +26,7 @@ def rubbing():
     return fit(record(worn, DROPS, jax.random.key(0), subject=BODY), multistart=2)
 
 
+@pytest.mark.proof
 def test_dry_friction_is_not_explained_by_zero_seat_or_clock(rubbing):
     found = rubbing.basis.ended.best.coordinates.mounting
     for name in FREE:
@@ -34,6 +35,7 @@ def test_dry_friction_is_not_explained_by_zero_seat_or_clock(rubbing):
     assert rubbing.disturbance.cause == "torque"
 
 
+@pytest.mark.proof
 def test_the_gyro_is_not_blamed_for_what_the_model_misses():
     """In 0.4 N m of dry friction the fit takes 0.8 % of scale from a gyro that is exact."""
     worn = LegModel(leg(), NoTorque(), terms=(CoulombFriction(jnp.asarray(0.4)),))

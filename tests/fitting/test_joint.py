@@ -101,6 +101,7 @@ def test_starts_own_their_starts_and_find_the_same_joint_fit(bare, heavy):
     assert result.multistart.at_best == 12
 
 
+@pytest.mark.proof
 def test_loaded_drops_alone_leave_the_scale_to_the_prior(heavy):
     for recording in (heavy, unplaced(heavy)):
         result = fit(recording, multistart=2)
@@ -134,6 +135,7 @@ def test_one_recording_has_a_mounting_of_its_own():
         assert abs(each.value) < 4 * each.standard_error
 
 
+@pytest.mark.proof
 def test_the_seats_angle_is_taken_from_the_sidecar():
     """Two drops on a seat that was tilted between them: gravity turns, the leg stays."""
     model = LegModel(TRUTH, NoTorque(), np.asarray(0.35))

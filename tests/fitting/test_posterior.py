@@ -75,6 +75,7 @@ def monte_carlo(draws: np.ndarray) -> tuple[float, float, float]:
     return float(draws.mean()), float(draws.std()), float(arviz.ess(draws))
 
 
+@pytest.mark.proof
 def test_mean_and_deviation_are_the_fits_value_and_standard_error(fitted, drawn):
     """Of data that determine their quantities to 1e-3, where the density is nearly Gaussian."""
     for name in (*DETERMINED, *RATIOS):

@@ -77,6 +77,7 @@ def test_no_knee_pulls_at_m_l_and_j_where_motion_tells_its_ratios(knee):
     assert float(slopes) == pytest.approx(float(relaxed), abs=1e-9)
 
 
+@pytest.mark.proof
 @pytest.mark.parametrize("knee", KNEES)
 def test_a_knee_moves_no_mass_by_a_tenth_of_its_scatter(knee):
     """The same drop with and without the prior of d and c."""

@@ -71,6 +71,7 @@ WRONG = {
 QUICK = "all of them"  # on every run; each by itself as a proof
 
 
+@pytest.mark.proof
 @pytest.mark.parametrize(
     "wrong",
     [

@@ -80,6 +80,7 @@ def test_what_a_term_is_itself_is_no_unknown_of_the_mounting(found):
     assert "gyro_bias" not in found.basis.problem.owned
 
 
+@pytest.mark.proof
 def test_a_known_mass_tells_the_torque_itself():
     recording = worn(CoulombFriction(jnp.asarray(FRICTION)), movements=(*DROPS, LOADED))
     each = fit(recording, multistart=4, terms=(CoulombFriction,))
@@ -98,6 +99,7 @@ def test_a_term_that_does_not_act_moves_nothing(rubbing):
         assert likely(with_it.ratios[name], truth), name
 
 
+@pytest.mark.proof
 def test_a_value_that_is_fixed_stays_and_one_that_is_expected_draws(rubbing):
     terms = (CoulombFriction, GyroBias)
     fixed = fit(rubbing, multistart=2, terms=terms, fix={"coulomb_friction.level": 0.2})
@@ -146,6 +148,7 @@ def test_what_no_model_can_have_is_refused(rubbing, options, said):
         fit(rubbing, multistart=1, **options)
 
 
+@pytest.mark.proof
 def test_a_late_gyro_comes_back_to_a_tenth_of_a_millisecond():
     each = fit(worn(SensorSkew(jnp.asarray(0.008))), multistart=2, terms=(SensorSkew,))
     assert each.terms["sensor_skew"]["skew"].value == pytest.approx(0.008, abs=1e-4)
@@ -153,6 +156,7 @@ def test_a_late_gyro_comes_back_to_a_tenth_of_a_millisecond():
         assert likely(each.ratios[name], truth), name
 
 
+@pytest.mark.proof
 def test_a_term_that_remembers_says_what_its_errors_leave_out(found):
     assert not any("remember" in each for each in found.notes)
     whole = worn()
@@ -163,6 +167,7 @@ def test_a_term_that_remembers_says_what_its_errors_leave_out(found):
     assert any("what backlash remembers of before is unknown" in each for each in playing.notes)
 
 
+@pytest.mark.proof
 def test_profiles_directions_and_plans_know_the_terms(found):
     profile = profiles(found)["coulomb_friction.level_over_inertia"]
     estimate = found.terms["coulomb_friction"]["level_over_inertia"]
@@ -192,7 +197,7 @@ def worn_exactly():
     return record(model, DROPS, jax.random.key(1), subject=BODY, exact=True)
 
 
-@pytest.mark.slow
+@pytest.mark.proof
 def test_slsqp_ends_where_least_squares_do(rubbing, found):
     reference = fit(rubbing, multistart=1, terms=(CoulombFriction, GyroBias), method="slsqp")
     for name, each in found.of_terms.items():

@@ -95,7 +95,7 @@ def fitted(*arguments, **options):
 
 @pytest.mark.parametrize("sensors", [NOISE, CAMERA], ids=["exoskeleton", "camera"])
 @pytest.mark.parametrize("torque", [own_way, stiffened])
-@pytest.mark.parametrize("seed", [0, 1])
+@pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.proof)])
 def test_bad_cycles_neither_move_nor_widen_what_a_good_drop_tells(torque, sensors, seed):
     both = fitted(torque, sensors=sensors, seed=seed)
     drop = fitted(torque, sensors=sensors, seed=seed, kinds=("passive",))
@@ -115,7 +115,7 @@ def test_bad_cycles_neither_move_nor_widen_what_a_good_drop_tells(torque, sensor
     assert any("divided by" in note and "active" in note for note in both.notes)
 
 
-@pytest.mark.parametrize("seed", [0, 1])
+@pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.proof)])
 def test_a_bad_drop_neither_moves_nor_widens_what_good_cycles_tell(seed):
     both = fitted(reflex=twitching, seed=seed)
     cycles = fitted(reflex=twitching, seed=seed, kinds=("active",))
@@ -127,7 +127,9 @@ def test_a_bad_drop_neither_moves_nor_widens_what_good_cycles_tell(seed):
         assert found.shares.kind == "active"
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize(
+    "seed", [0, *(pytest.param(each, marks=pytest.mark.proof) for each in (1, 2, 3))]
+)
 def test_where_nothing_is_missed_all_count_alike(seed):
     found = fitted(seed=seed)
     assert found.disturbance.cause is None

@@ -88,6 +88,7 @@ def test_nothing_is_found_where_nothing_is(of_nothing):
     assert of_nothing.selected == of_nothing.equivalent == []
 
 
+@pytest.mark.proof
 def test_a_wrong_gyro_is_a_sensor_and_no_torque():
     found = diagnose(session(GyroScale(jnp.asarray(-0.02))))
     assert found.selected == ["gyro_scale"]
@@ -95,11 +96,13 @@ def test_a_wrong_gyro_is_a_sensor_and_no_torque():
     assert value.value == pytest.approx(-0.02, abs=0.001)
 
 
+@pytest.mark.proof
 def test_a_zero_as_it_usually_is_bends_nothing_to_it():
     found = diagnose(session(GyroScale(jnp.asarray(-0.03)), AngleOffset(jnp.asarray(0.012))))
     assert found.selected == ["gyro_scale"]
 
 
+@pytest.mark.proof
 def test_a_zero_that_is_certain_but_usual_is_told():
     recording = session(AngleOffset(jnp.asarray(-0.012)))
     level = replace(recording.protocol, thigh_angle_uncertainty=1e-4)
@@ -127,6 +130,7 @@ def test_a_zero_that_is_farther_off_is_named_and_proved_with_all_of_its_error():
     assert zero.standard_error > 0.5 * np.radians(0.2)  # no drop tells it apart from a seat's tilt
 
 
+@pytest.mark.proof
 def test_two_effects_are_both_named():
     found = diagnose(session(FRICTION, GyroScale(jnp.asarray(0.03))))
     assert sorted(found.selected) == ["coulomb_friction", "gyro_scale"]
@@ -148,6 +152,7 @@ def test_what_happened_in_one_segment_is_no_new_physics():
     assert "lies in segment 1 alone" in found.reasons[0]
 
 
+@pytest.mark.proof
 def test_a_leg_that_is_like_no_other_may_hide_something(of_nothing):
     child = Subject(kind="leg", body_mass=30.0, height=1.35)
     found = diagnose(replace(session(), subject=child))
@@ -157,6 +162,7 @@ def test_a_leg_that_is_like_no_other_may_hide_something(of_nothing):
     assert of_nothing.reasons == []
 
 
+@pytest.mark.proof
 def test_a_term_of_the_users_own_is_tested_like_any_other():
     found = diagnose(session(Detent(jnp.asarray(0.2))), terms=(Detent,))
     assert found.selected == ["detent"]
@@ -221,6 +227,7 @@ def test_a_leg_that_hardly_moves_cannot_tell():
     assert found.selected == []
 
 
+@pytest.mark.proof
 def test_without_a_gyro_friction_is_found_by_the_encoder_alone():
     recording = session(FRICTION)
     segments = tuple(Segment(each.time, raw_angle=each.raw_angle) for each in recording.segments)

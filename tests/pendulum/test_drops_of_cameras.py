@@ -14,6 +14,7 @@ SPASTIC = Oscillator(decay=1.5, frequency=5.5)
 DEGREE = np.radians(1.0)
 
 
+@pytest.mark.proof
 @pytest.mark.parametrize("seed", range(4))
 @pytest.mark.parametrize("step", [1 / 30, 1 / 60])
 def test_noise_on_a_leg_at_rest_is_no_swing(step, seed):

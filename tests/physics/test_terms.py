@@ -318,12 +318,14 @@ def test_all_that_a_term_says_is_finite_wherever_a_leg_may_be(name):
     assert all(np.isfinite(leaf).all() for leaf in jax.tree.leaves(found))
 
 
+@pytest.mark.proof
 @every_term
 def test_the_motion_is_finite_wherever_a_search_begins(name):
     found = motion(name, starts(name))
     assert all(np.isfinite(leaf).all() for leaf in jax.tree.leaves(found))
 
 
+@pytest.mark.proof
 @every_term
 def test_the_gradient_of_what_is_shown_is_finite_where_a_search_begins(name):
     rows, changes = along_every_parameter(starts(name))
@@ -671,6 +673,7 @@ def test_what_a_term_remembers_accounts_for_its_energy(name):
     assert (lost[:, -1] < lost[:, 0] - 1e-3).all()
 
 
+@pytest.mark.proof
 @pytest.mark.parametrize("name", [name for name, term in TERMS.items() if term.memory_size])
 def test_where_a_fall_from_rest_has_led_tells_what_it_left_in_memory(name):
     """To 1 %, 0.03 s after the release and from the leg's state alone."""

@@ -73,7 +73,7 @@ def test_the_probability_is_that_of_odds_drawn_at_random():
     assert probability(0.0) == 0.0
 
 
-@pytest.mark.slow
+@pytest.mark.proof
 def test_the_proposed_recording_tells_the_rivals_apart():
     first = made([SHORT], seed=0)
     fits = [fit(first, terms=(term,), multistart=2) for term in RIVALS]

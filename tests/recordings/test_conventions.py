@@ -262,6 +262,7 @@ def test_a_continuous_log_of_flexion_is_named_though_no_drop_is_found_in_it(tmp_
         understand(log, cut_apart)
 
 
+@pytest.mark.proof
 @pytest.mark.parametrize("folder", ["real", "audit", "others", "concealed"])
 def test_no_recording_of_others_is_doubted(shared, folder):
     """Rigs, people, cameras, spastic legs, caught drops, heavy tails, hum: none is a mistake."""

@@ -50,7 +50,9 @@ def browser():
         started.close()
 
 
-@pytest.fixture(scope="module", params=["example", "friction"])
+@pytest.fixture(
+    scope="module", params=["example", pytest.param("friction", marks=pytest.mark.proof)]
+)
 def report(request, common):
     """The page of the bundled example, or that of a leg with dry friction: one worker makes it."""
     path = common / f"{request.param}.html"

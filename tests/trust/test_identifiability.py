@@ -116,6 +116,7 @@ def skewed(time, period):
     return -45 * (1 - np.cos(2 * np.pi * (phase + 0.12 * np.sin(2 * np.pi * phase) ** 2)))
 
 
+@pytest.mark.proof
 def test_a_controlled_cycle_is_not_believed():
     """Within Eq. 13 it is sub-degree, d is at zero and J is free to be wrong by a factor of two;
     the limits of a body forbid that, and the fit does not follow.
@@ -127,6 +128,7 @@ def test_a_controlled_cycle_is_not_believed():
     assert "record a drop" in said
 
 
+@pytest.mark.proof
 def test_a_skewed_cycle_is_only_said_to_rest_on_the_form_of_the_torque():
     found = identify(fit(cycled(skewed), multistart=4))
     assert not found.reversals[0].mirrored
@@ -153,6 +155,7 @@ def test_a_drop_is_not_its_own_mirror_image(bare):
     assert bare.reversals[0].odd > 0.2
 
 
+@pytest.mark.proof
 def test_what_one_short_swing_hardly_tells_is_said():
     """By sensors so coarse that the swing shows its period, and hardly what made it."""
     short = replace(DROP, start_angle=float(jnp.radians(-62.0)), duration=1.1)

@@ -56,6 +56,7 @@ def test_one_recording_has_nobody_to_differ_from(first):
     assert said(first) == []
 
 
+@pytest.mark.proof
 def test_legs_that_a_moved_sensor_could_nearly_join_are_noticed(first):
     """All ratios differ by less than a tenth: each is explained alone, both are not together."""
     other = recorded(DROP, LOW, seed=1, damping=0.35, stiffness=2.75)

@@ -26,6 +26,7 @@ def together(device, *hands, knee=STIFF):
     return replace(made[0][0], segments=segments), [release for _, release in made]
 
 
+@pytest.mark.proof
 @pytest.mark.parametrize("device", [GYRO, CAMERA])
 @pytest.mark.parametrize("after", [0.8, 1.3])
 def test_a_leg_that_is_caught_near_its_rest_is_known_by_the_other_drops(device, after):

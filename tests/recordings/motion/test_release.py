@@ -24,6 +24,7 @@ def found(*case, **options):
     return find_free(signal_of(segment, recording.sensors)), release, segment.time
 
 
+@pytest.mark.proof
 @pytest.mark.parametrize("device", [GYRO, ENCODER, CAMERA, SLOW_CAMERA, FAST])
 @pytest.mark.parametrize("knee", [ADULT, SPASTIC])
 @pytest.mark.parametrize("fade", [0.02, 0.1])
