@@ -71,8 +71,7 @@ def filter_effect(segment: Segment) -> FilterEffect | None:
     """What the filter did in this recording; None where nothing was filtered, or too short."""
     if segment.angle is None or segment.time.size < FEWEST:
         return None
-    raw = segment.angle if segment.raw_angle is None else segment.raw_angle
-    speed = np.abs(local_line(segment.time, raw, SMOOTHING)[1])
+    speed = np.abs(local_line(segment.time, segment.best_angle, SMOOTHING)[1])
     found = [
         channel_effect(segment, filtered, PAIRS[filtered], speed > MOTION_SPEED)
         for filtered in PAIRS

@@ -46,11 +46,9 @@ class Speed:
 
 def signal_of(segment: Segment, sensors: Sensors) -> Signal:
     """The raw channels, else the filtered ones; single wild samples are left out."""
-    angle = segment.angle if segment.raw_angle is None else segment.raw_angle
-    velocity = segment.angular_velocity
+    angle, velocity = segment.best_angle, segment.angular_velocity
     if segment.raw_angular_velocity is not None:
         velocity = segment.raw_angular_velocity
-    assert angle is not None  # a Segment has one or the other
     declared = declared_angle_noise(sensors, [angle])
     angle, noise = credible(segment.time, angle, declared, angle=True)
     if velocity is None:

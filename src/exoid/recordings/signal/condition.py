@@ -63,8 +63,7 @@ def best_velocity(segment: Segment) -> Samples:
         return interpolated(segment.time, segment.angular_velocity)
     if segment.raw_angular_velocity is not None:
         return local_line(segment.time, segment.raw_angular_velocity, SMOOTHING)[0]
-    angle = next(a for a in (segment.raw_angle, segment.angle) if a is not None)
-    return local_line(segment.time, angle, SMOOTHING)[1]
+    return local_line(segment.time, segment.best_angle, SMOOTHING)[1]
 
 
 def local_line(time: Samples, samples: Samples, width: float) -> tuple[Samples, Samples]:
@@ -109,7 +108,7 @@ def classify(segment: Segment) -> Kind | None:
     """Back at its start: a voluntary cycle, or a drop with the lift after it; ended lower: a
     passive drop; a lift or still: None.
     """
-    measured = next(a for a in (segment.angle, segment.raw_angle) if a is not None)
+    measured = segment.best_angle if segment.angle is None else segment.angle
     angle = interpolated(segment.time, measured)
     if np.ptp(angle) == 0:
         return None
