@@ -5,8 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from exoid.recordings.motion.find_free import moving
-from exoid.recordings.motion.free_end import smoothed
-from exoid.recordings.motion.signal import signal_of, speed_of
+from exoid.recordings.motion.signal import signal_of, smoothed, speed_of
 from exoid.recordings.motion.thresholds import ABOVE, CLEAR, MINOR, SWINGS, TRAVEL
 from exoid.recordings.recording import Kind, Segment, Sensors
 from exoid.recordings.samples import Samples
