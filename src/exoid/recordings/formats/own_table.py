@@ -115,7 +115,11 @@ def as_csv(columns: Mapping[str, Any]) -> list[str]:
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(columns)
-    writer.writerows(zip(*(Column(*each).texts for each in columns.items()), strict=True))
+    cells = (
+        Column("", each).texts if isinstance(each, np.ndarray) else each
+        for each in columns.values()
+    )
+    writer.writerows(zip(*cells, strict=True))
     return [text.getvalue()]
 
 
@@ -269,7 +273,7 @@ def late_starts(recording: Recording) -> Notes:
 def cut(columns: Mapping[str, Cells], rows: slice) -> Segment:
     """One segment. A channel that is empty throughout it was not measured in it."""
     cells = {name: each[rows] for name, each in columns.items()}
-    channels = {
+    channels: dict[str, Any] = {
         field: np.array(cells[name])
         for name, field in CHANNELS.items()
         if name in cells and (name == "time_s" or not np.isnan(np.asarray(cells[name])).all())

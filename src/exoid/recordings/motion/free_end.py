@@ -24,8 +24,7 @@ from exoid.recordings.motion.thresholds import (
     TRAVEL,
 )
 from exoid.recordings.samples import Samples
-from exoid.recordings.signal.condition import runs
-from exoid.recordings.signal.turning_points import reversals
+from exoid.recordings.signal.condition import reversals, runs
 
 Rest = tuple[int, int]  # its first sample, and one past its last
 Ending = Literal["at rest", "caught", "recording stopped"]

@@ -9,8 +9,7 @@ from exoid.recordings.motion.signal import signal_of, smoothed, speed_of
 from exoid.recordings.motion.thresholds import ABOVE, CLEAR, MINOR, SWINGS, TRAVEL
 from exoid.recordings.recording import Kind, Segment, Sensors
 from exoid.recordings.samples import Samples
-from exoid.recordings.signal.condition import classify, cut
-from exoid.recordings.signal.turning_points import RINGING, reversals
+from exoid.recordings.signal.condition import RINGING, classify, cut, reversals
 
 
 @dataclass(frozen=True)
