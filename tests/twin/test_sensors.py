@@ -7,8 +7,7 @@ import numpy as np
 import pytest
 
 from exoid.physics.leg import GRAVITY
-from exoid.physics.motion.simulate import Trajectory
-from exoid.twin.sensors import Accelerometer, Encoder, Gyroscope, SensorKit, measure
+from exoid.twin.sensors import Accelerometer, Encoder, Gyroscope, SensorKit, ShownMotion, measure
 
 DEGREE = np.pi / 180
 KEY = jax.random.key(1)
@@ -20,13 +19,13 @@ def swing():
     """phi = -1.2 + 0.8 sin(5 t), with exact derivatives."""
     time = jnp.arange(0, 4, 0.001)
     angle, velocity = -1.2 + 0.8 * jnp.sin(5 * time), 4.0 * jnp.cos(5 * time)
-    return Trajectory(time, angle, velocity, -20 * jnp.sin(5 * time), angle, velocity)
+    return ShownMotion(angle, velocity, -20 * jnp.sin(5 * time))
 
 
 def still(angle, samples=1000):
     nothing = jnp.zeros(samples)
     held = nothing + angle
-    return Trajectory(jnp.arange(samples) * 0.01, held, nothing, nothing, held, nothing)
+    return ShownMotion(held, nothing, nothing)
 
 
 @pytest.mark.parametrize("noise", [0.030 * DEGREE, 0.043 * DEGREE])
@@ -121,4 +120,4 @@ def test_a_key_decides_the_outcome_and_every_sensor_has_its_own_noise(swing):
         one.acceleration_z - force[1],
     ]
     correlation = np.corrcoef(np.array(noise)) - np.eye(4)
-    assert np.abs(correlation).max() < 4.5 / np.sqrt(swing.time.size)
+    assert np.abs(correlation).max() < 4.5 / np.sqrt(swing.angle.size)

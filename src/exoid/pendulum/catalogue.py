@@ -19,46 +19,39 @@ class Definition:
     read: Callable[[Landmarks], read.Reading]
 
 
+TITLES = {"plateau_angle": "plateau (resting) angle"}  # the others are called by their name
+
 MEASURES: dict[str, Definition] = {
-    "start_angle": Definition("start angle", "phi_s", "rad", read.start_angle),
-    "first_flexion_amplitude": Definition(
-        "first flexion amplitude", "A1", "rad", read.first_flexion_amplitude
-    ),
-    "plateau_angle": Definition("plateau (resting) angle", "phi_r", "rad", read.plateau_angle),
-    "plateau_amplitude": Definition("plateau amplitude", "A0", "rad", read.plateau_amplitude),
-    "relaxation_index": Definition("relaxation index", "A1 / A0", "1", read.relaxation_index),
-    "normalised_relaxation_index": Definition(
-        "normalised relaxation index",
-        f"A1 / ({read.NORM} A0)",
-        "1",
-        partial(read.relaxation_index, norm=read.NORM),
-    ),
-    "number_of_oscillations": Definition(
-        "number of oscillations", "N", "1", read.number_of_oscillations
-    ),
-    "period": Definition("period", "T", "s", read.period),
-    "time_to_rest": Definition("time to rest", "t_r", "s", read.time_to_rest),
-    **{
-        f"logarithmic_decrement_{number}": Definition(
-            f"logarithmic decrement {number}",
-            f"D{number}",
+    name: Definition(TITLES.get(name, name.replace("_", " ")), symbol, unit, formula)
+    for name, symbol, unit, formula in (
+        ("start_angle", "phi_s", "rad", read.start_angle),
+        ("first_flexion_amplitude", "A1", "rad", read.first_flexion_amplitude),
+        ("plateau_angle", "phi_r", "rad", read.plateau_angle),
+        ("plateau_amplitude", "A0", "rad", read.plateau_amplitude),
+        ("relaxation_index", "A1 / A0", "1", read.relaxation_index),
+        (
+            "normalised_relaxation_index",
+            f"A1 / ({read.NORM} A0)",
             "1",
-            partial(read.logarithmic_decrement, number=number),
-        )
-        for number in range(1, read.CYCLES + 1)
-    },
-    "peak_flexion_velocity": Definition(
-        "peak flexion velocity", "w_f", "rad/s", read.peak_flexion_velocity
-    ),
-    "peak_extension_velocity": Definition(
-        "peak extension velocity", "w_e", "rad/s", read.peak_extension_velocity
-    ),
-    "peak_flexion_acceleration": Definition(
-        "peak flexion acceleration", "a_f", "rad/s^2", read.peak_flexion_acceleration
-    ),
-    "peak_extension_acceleration": Definition(
-        "peak extension acceleration", "a_e", "rad/s^2", read.peak_extension_acceleration
-    ),
+            partial(read.relaxation_index, norm=read.NORM),
+        ),
+        ("number_of_oscillations", "N", "1", read.number_of_oscillations),
+        ("period", "T", "s", read.period),
+        ("time_to_rest", "t_r", "s", read.time_to_rest),
+        *(
+            (
+                f"logarithmic_decrement_{n}",
+                f"D{n}",
+                "1",
+                partial(read.logarithmic_decrement, number=n),
+            )
+            for n in range(1, read.CYCLES + 1)
+        ),
+        ("peak_flexion_velocity", "w_f", "rad/s", read.peak_flexion_velocity),
+        ("peak_extension_velocity", "w_e", "rad/s", read.peak_extension_velocity),
+        ("peak_flexion_acceleration", "a_f", "rad/s^2", read.peak_flexion_acceleration),
+        ("peak_extension_acceleration", "a_e", "rad/s^2", read.peak_extension_acceleration),
+    )
 }
 
 

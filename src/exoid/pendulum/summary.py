@@ -6,30 +6,31 @@ from typing import Any
 
 from exoid.files.extras import require
 from exoid.pendulum.catalogue import MEASURES
+from exoid.recordings.landmarks.measure import Measure
 from exoid.recordings.summary import html_table
 
 FIELDS = ("drop", "measure", "symbol", "value", "standard_error", "unit", "reason")
+UNREAD = Measure("", "", "", "")  # of a drop that is refused whole
 
 
 def lines(test: Any) -> str:
     """Every average on a line of its own, below how many drops were read."""
-    each = [f"  {one.symbol} = {mean(one)}{unit(one)} ({one.title})" for one in averages(test)]
+    each = [
+        f"  {one.symbol} = {mean(one)}{unit(one)} ({one.title})" for one in test.average.values()
+    ]
     return "\n".join([heading(test), *each])
 
 
 def page(test: Any) -> str:
     """The same as HTML."""
-    rows = [(one.symbol, one.title, mean(one), one.unit, len(one.drops)) for one in averages(test)]
+    each = test.average.values()
+    rows = [(one.symbol, one.title, mean(one), one.unit, len(one.drops)) for one in each]
     return html_table(heading(test), ("", "measure", "mean ± sd", "unit", "drops"), rows)
 
 
 def heading(test: Any) -> str:
     read = sum(each.reason is None for each in test.drops)
     return f"PendulumTest: {read} of {len(test.drops)} segments read"
-
-
-def averages(test: Any) -> list[Any]:
-    return [*test.average.values()]
 
 
 def mean(one: Any) -> str:
@@ -49,19 +50,11 @@ def frame(test: Any) -> Any:
     import pandas
 
     rows = [
-        (drop.name, name, each.symbol, *found(drop, name), each.unit, why(drop, name))
+        (drop.name, name, each.symbol, read.value, read.standard_error, each.unit, why)
         for drop in test.drops
         for name, each in MEASURES.items()
+        for read in [drop.measures.get(name, UNREAD)]
+        for why in [drop.reason or read.reason]
     ]
     made = pandas.DataFrame(rows, columns=pandas.Index(FIELDS))
     return made.astype({"value": float, "standard_error": float})
-
-
-def found(drop: Any, name: str) -> tuple[float | None, float | None]:
-    read = drop.measures.get(name)
-    return (read.value, read.standard_error) if read else (None, None)
-
-
-def why(drop: Any, name: str) -> str | None:
-    """Why a measure has no value."""
-    return drop.reason or drop.measures[name].reason

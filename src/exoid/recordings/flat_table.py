@@ -17,28 +17,25 @@ def flat(recording: Recording) -> dict[str, Any]:
     """
     segments = recording.segments
     sizes = [each.time.size for each in segments]
+    measured = [each.channels() for each in segments]
     columns: dict[str, Any] = {
         name: np.concatenate(
             [
-                np.full(size, np.nan) if (samples := getattr(each, field)) is None else samples
-                for each, size in zip(segments, sizes, strict=True)
+                each.get(field, np.full(size, np.nan))
+                for each, size in zip(measured, sizes, strict=True)
             ]
         )
         for name, field in CHANNELS.items()
-        if any(getattr(each, field) is not None for each in segments)
+        if any(field in each for each in measured)
     }
     time = {"time_s": columns.pop("time_s"), SEGMENT: np.repeat(np.arange(len(sizes)), sizes)}
-    extra = dict.fromkeys(chain(*(each.extra_columns for each in segments)))
     texts = {
-        name: list(
-            chain(
-                *(
-                    each.extra_columns.get(name, [""] * size)
-                    for each, size in zip(segments, sizes, strict=True)
-                )
-            )
-        )
-        for name in extra
+        name: [
+            cell
+            for each, size in zip(segments, sizes, strict=True)
+            for cell in each.extra_columns.get(name, [""] * size)
+        ]
+        for name in chain(*(each.extra_columns for each in segments))
     }
     if twice := [name for name in texts if name in time | columns]:
         raise ValueError(f"column {twice[0]} is there twice. Delete or rename one.")

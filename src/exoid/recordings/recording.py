@@ -160,6 +160,13 @@ class Segment:
         found = {f.name: getattr(self, f.name) for f in known(self)}
         return {name: samples for name, samples in found.items() if samples is not None}
 
+    @property
+    def best_angle(self) -> Samples:
+        """The encoder's angle, or the filtered one where there is no other [rad]."""
+        angle = self.angle if self.raw_angle is None else self.raw_angle
+        assert angle is not None  # a Recording's segment has one or the other
+        return angle
+
     def __repr__(self) -> str:
         return summary.segment_line(self)
 

@@ -40,8 +40,11 @@ def write_sidecar(
 KEPT = ("shank_radius_m", "torque_known")
 
 
-def no_keys() -> tuple[dict[str, Any], dict[str, Any], Notes]:
-    return {name: kind() for name, kind in TABLES.items()}, {}, ()
+def keys_beside(path: Path, absent: str) -> tuple[dict[str, Any], dict[str, Any], Notes]:
+    """What `read_keys` gives; nothing is known where there is no file, and that is said."""
+    if path.exists():
+        return read_keys(path)
+    return {name: kind() for name, kind in TABLES.items()}, {}, (absent,)
 
 
 def read_keys(path: Path) -> tuple[dict[str, Any], dict[str, Any], Notes]:

@@ -62,8 +62,7 @@ def duration(segment: Any) -> float:
 
 def span(segment: Any) -> str:
     """The angle's range in degrees."""
-    angle = segment.angle if segment.raw_angle is None else segment.raw_angle
-    low, high = np.degrees([np.nanmin(angle), np.nanmax(angle)])
+    low, high = np.degrees([np.nanmin(segment.best_angle), np.nanmax(segment.best_angle)])
     return f"{low:.1f} .. {high:.1f}"
 
 

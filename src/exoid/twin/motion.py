@@ -17,6 +17,7 @@ from exoid.physics.state import LegState
 from exoid.physics.term import SensorTerm
 from exoid.physics.torque import CycleTorque, NoTorque
 from exoid.recordings.recording import Kind
+from exoid.twin.sensors import ShownMotion
 
 REST = 1.5  # s held still before each release
 REST_MARKED = 1.0  # s of that rest which belong to the segment
@@ -24,7 +25,6 @@ CATCH = 0.03  # s, time constant with which a hand stops the leg
 CAUGHT = 1.0  # s from the catch to the next lift
 LIFT = 1.5  # s from where one movement ended to where the next begins
 
-Samples = Float[Array, " time"]
 Reading = Literal["1/T", "2/T"]  # of Eq. 4
 CYCLES = {"1/T": 1.0, "2/T": 2.0}  # of the torque's sine in one period
 
@@ -42,14 +42,6 @@ class Movement:
     @property
     def kind(self) -> Kind:
         return "passive" if self.amplitude is None else "active"
-
-
-class ShownMotion(eqx.Module):
-    """A stretch of motion on a grid of equal steps, as encoder and gyro are shown it."""
-
-    angle: Samples  # rad
-    angular_velocity: Samples  # rad/s
-    angular_acceleration: Samples  # rad/s^2
 
 
 class Session(eqx.Module):

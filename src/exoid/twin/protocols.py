@@ -8,12 +8,11 @@ import numpy as np
 from jaxtyping import PRNGKeyArray
 
 from exoid.physics.leg import LegModel
-from exoid.physics.motion.simulate import Trajectory
 from exoid.recordings.filter import kalman
 from exoid.recordings.motion.split import split
 from exoid.recordings.recording import Kind, Protocol, Recording, Segment, Sensors, Subject
-from exoid.twin.motion import Movement, Reading, ShownMotion, perform
-from exoid.twin.sensors import SensorKit, measure
+from exoid.twin.motion import Movement, Reading, perform
+from exoid.twin.sensors import SensorKit, ShownMotion, measure
 
 TICK = 0.01  # s, the firmware's sample time
 NOBODY = Subject()
@@ -64,9 +63,7 @@ def observe(
     kit: SensorKit, course: ShownMotion, time: kalman.Samples, key: PRNGKeyArray
 ) -> Segment:
     """What the node logs of a motion: raw readings, and its own filter's float32 estimate."""
-    shown = (course.angle, course.angular_velocity)
-    motion = Trajectory(jnp.asarray(time), *shown, course.angular_acceleration, *shown)
-    seen = measure(kit, motion, key)
+    seen = measure(kit, course, key)
     ticks = np.full(time.size - 1, TICK, dtype=np.float32)
     angle, rate = (jnp.asarray(raw, jnp.float32) for raw in (seen.angle, seen.angular_velocity))
     state = kalman.filter(ticks, angle, rate).state

@@ -10,7 +10,6 @@ import jax.numpy as jnp
 from jaxtyping import Array, Float, Int, PRNGKeyArray
 
 from exoid.physics.leg import GRAVITY
-from exoid.physics.motion.simulate import Trajectory
 
 DEGREE = jnp.pi / 180  # rad
 STANDARD_GRAVITY = 9.80665  # m/s^2, in which the accelerometer's mg are counted
@@ -18,6 +17,14 @@ FULL_SCALE = 2**15  # counts of a signed 16-bit word
 
 Samples = Float[Array, " time"]
 Counts = Int[Array, " time"]
+
+
+class ShownMotion(eqx.Module):
+    """A stretch of motion on a grid of equal steps, as encoder and gyro are shown it."""
+
+    angle: Samples  # rad
+    angular_velocity: Samples  # rad/s
+    angular_acceleration: Samples  # rad/s^2
 
 
 class Encoder(eqx.Module):
@@ -100,13 +107,13 @@ class Accelerometer(eqx.Module):
         """Standard deviation before quantisation [m/s^2]."""
         return self.noise_density * self.bandwidth**0.5
 
-    def specific_force(self, motion: Trajectory) -> tuple[Samples, Samples]:
+    def specific_force(self, motion: ShownMotion) -> tuple[Samples, Samples]:
         """a_x = -r phi'^2 + g sin(phi), a_z = r phi'' + g cos(phi) [m/s^2]."""
         along = -self.distance * motion.angular_velocity**2 + GRAVITY * jnp.sin(motion.angle)
         across = self.distance * motion.angular_acceleration + GRAVITY * jnp.cos(motion.angle)
         return along, across
 
-    def measure(self, motion: Trajectory, key: PRNGKeyArray) -> tuple[Samples, Samples]:
+    def measure(self, motion: ShownMotion, key: PRNGKeyArray) -> tuple[Samples, Samples]:
         """a_x and a_z [m/s^2] as they are logged."""
         along, across = self.specific_force(motion)
         key_x, key_z = jax.random.split(key)
@@ -133,7 +140,7 @@ class Readings(eqx.Module):
     acceleration_z: Samples  # m/s^2, across it
 
 
-def measure(kit: SensorKit, motion: Trajectory, key: PRNGKeyArray) -> Readings:
+def measure(kit: SensorKit, motion: ShownMotion, key: PRNGKeyArray) -> Readings:
     """The readings of every sensor; the noise of each is independent."""
     encoder_key, gyro_key, force_key = jax.random.split(key, 3)
     return Readings(

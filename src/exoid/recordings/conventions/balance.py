@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from exoid.recordings.conventions.file_clock import measured
 from exoid.recordings.recording import Segment
 from exoid.recordings.samples import Samples
 
@@ -61,16 +62,12 @@ def balance(segment: Segment) -> Balance | None:
 
 def weak_form(segment: Segment) -> NDArray[np.float64]:
     """A row for every window: int psi'' phi, -int psi cos(phi), -int psi sin(phi), int psi' phi."""
-    measured = segment.angle if segment.raw_angle is None else segment.raw_angle
-    assert measured is not None  # a Segment has one or the other
-    seen = ~np.isnan(measured)
-    time, angle = segment.time[seen], measured[seen]
-    reach = float(np.ptp(angle)) if angle.size else 0.0
+    time, angle = measured(segment)
     rows = []
-    stride = max(STRIDE, (time[-1] - time[0]) / MOST) if angle.size else STRIDE
-    for begin in np.arange(time[0], time[-1] - WINDOW, stride) if angle.size else ():
+    stride = max(STRIDE, (time[-1] - time[0]) / MOST)
+    for begin in np.arange(time[0], time[-1] - WINDOW, stride):
         part = slice(*np.searchsorted(time, [begin, begin + WINDOW]))
-        if part.stop - part.start >= FEWEST and np.ptp(angle[part]) > MOVING * reach:
+        if part.stop - part.start >= FEWEST and np.ptp(angle[part]) > MOVING * np.ptp(angle):
             rows.append(window(time[part] - begin, angle[part]))
     return np.array(rows).reshape(-1, 4)
 

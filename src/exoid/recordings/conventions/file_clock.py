@@ -57,10 +57,8 @@ def fastest(segment: Segment) -> float:
 
 def measured(segment: Segment) -> tuple[Samples, Samples]:
     """Times and angles of the encoder, or of a filter where there is no other."""
-    angle = segment.angle if segment.raw_angle is None else segment.raw_angle
-    assert angle is not None  # a Segment has one or the other
-    seen = ~np.isnan(angle)
-    return segment.time[seen], angle[seen]
+    seen = ~np.isnan(segment.best_angle)
+    return segment.time[seen], segment.best_angle[seen]
 
 
 def unlike_rate(recording: Recording) -> Notes:

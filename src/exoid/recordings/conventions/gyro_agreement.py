@@ -27,15 +27,11 @@ class Agreement:
 
 def agreement(segment: Segment) -> Agreement | None:
     """The regression of the first pair there is; None where the two are no common motion."""
-    for angle_name, gyro_name in PAIRS:
-        angle, gyro = getattr(segment, angle_name), getattr(segment, gyro_name)
-        if angle is not None and gyro is not None:
-            return regressed(segment, angle_name, gyro_name)
-    return None
-
-
-def regressed(segment: Segment, angle_name: str, gyro_name: str) -> Agreement | None:
-    angle, gyro = getattr(segment, angle_name), getattr(segment, gyro_name)
+    channels = segment.channels()
+    pair = next((pair for pair in PAIRS if channels.keys() >= {*pair}), None)
+    if pair is None:
+        return None
+    angle, gyro = (channels[name] for name in pair)
     if np.sum(~np.isnan(angle)) < FEWEST:
         return None
     slope = local_line(segment.time, angle, SMOOTHING)[1]
@@ -48,11 +44,9 @@ def regressed(segment: Segment, angle_name: str, gyro_name: str) -> Agreement | 
     if not both > 0:
         return None
     columns = {entry.name: entry.metadata["column"] for entry in known(segment)}
+    of_angle, of_gyro = (columns[name] for name in pair)
     return Agreement(
-        float(mine @ other / np.sum(mine**2)),
-        float(mine @ other / both),
-        columns[gyro_name],
-        columns[angle_name],
+        float(mine @ other / np.sum(mine**2)), float(mine @ other / both), of_gyro, of_angle
     )
 
 

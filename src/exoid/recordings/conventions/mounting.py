@@ -41,7 +41,7 @@ def turned(recording: Recording) -> tuple[Recording, Notes]:
     turned = FLIPPED.get(told.flip or "", ())
     sign = -1.0 if "angle" in turned else 1.0
     shift = HANGING if told.zero == "hanging" else -sign * (told.angle_zero or 0.0)
-    segments = tuple(shifted(flipped(each, turned), shift) for each in recording.segments)
+    segments = tuple(mended(each, turned, shift) for each in recording.segments)
     zero = None if told.zero == "hanging" else told.zero
     sensors = replace(told, flip=None, zero=zero, angle_zero=None)
     notes = [f"the sign of {named(turned)} is changed, as told."] if turned else []
@@ -70,7 +70,7 @@ def settled(recording: Recording, drops: Recording) -> tuple[Recording, Notes]:
     declared = recording.sensors.angle_zero_uncertainty
     kept = spread if declared is None else declared
     sensors = replace(recording.sensors, zero=None, angle_zero_uncertainty=kept)
-    segments = tuple(shifted(each, shift) for each in recording.segments)
+    segments = tuple(mended(each, (), shift) for each in recording.segments)
     note = (
         f"the zero of the angle is unknown: the leg hangs at {np.degrees(rest):.4g} deg, taken for "
         f"{np.degrees(RESTS):.3g} +- {np.degrees(kept):.2g} deg. Measure it to know more."
@@ -104,15 +104,8 @@ def rest_of(drops: Recording, segment: Segment) -> float | None:
     return swung.angle if swung is not None and swung.angle_error < SURE else None
 
 
-def flipped(segment: Segment, channels: tuple[str, ...]) -> Segment:
-    """The segment with the sign of some channels changed."""
-    return replace(
-        segment, **{n: -samples for n, samples in segment.channels().items() if n in channels}
-    )
-
-
-def shifted(segment: Segment, shift: float) -> Segment:
-    """The segment with `shift` [rad] added to its angles."""
-    return replace(
-        segment, **{n: s + shift for n, s in segment.channels().items() if n in ANGLES and shift}
-    )
+def mended(segment: Segment, turned: tuple[str, ...], shift: float) -> Segment:
+    """The segment with some signs changed, then `shift` [rad] added to its angles."""
+    channels = {n: -each if n in turned else each for n, each in segment.channels().items()}
+    shifts = {n: channels[n] + shift for n in ANGLES if n in channels and shift}
+    return replace(segment, **channels | shifts)

@@ -16,7 +16,7 @@ MOST = 50_000  # samples; more would tell the lag no better than to the microsec
 SURE = 1e-3  # s, standard error of a lag that can be told
 LEAST_GAIN = 0.2  # below it the two channels do not show the same motion
 MATTERS = np.pi / 4096  # rad; half a count of the encoder
-PAIRS = {"angle": "raw_angle", "angular_velocity": "raw_angular_velocity"}
+CHANNELS = {"angle": "angle", "angular_velocity": "rate"}  # and what they are called
 
 
 @dataclass(frozen=True)
@@ -39,7 +39,7 @@ class FilterEffect:
     def lines(self) -> list[str]:
         """What was found, and a warning where a fit would meet the filter instead of the leg."""
         told = [
-            f"{name_of(each.channel)} {abs(each.lag) * 1e3:.2f} ms "
+            f"{CHANNELS[each.channel]} {abs(each.lag) * 1e3:.2f} ms "
             f"{'late' if each.lag >= 0 else 'early'}, gain {each.gain:.4f}"
             for each in self.channels
         ]
@@ -71,12 +71,8 @@ def filter_effect(segment: Segment) -> FilterEffect | None:
     """What the filter did in this recording; None where nothing was filtered, or too short."""
     if segment.angle is None or segment.time.size < FEWEST:
         return None
-    raw = segment.angle if segment.raw_angle is None else segment.raw_angle
-    speed = np.abs(local_line(segment.time, raw, SMOOTHING)[1])
-    found = [
-        channel_effect(segment, filtered, PAIRS[filtered], speed > MOTION_SPEED)
-        for filtered in PAIRS
-    ]
+    speed = np.abs(local_line(segment.time, segment.best_angle, SMOOTHING)[1])
+    found = [channel_effect(segment, each, speed > MOTION_SPEED) for each in CHANNELS]
     return FilterEffect(
         tuple(each for each in found if each is not None),
         float(speed.max()),
@@ -85,13 +81,13 @@ def filter_effect(segment: Segment) -> FilterEffect | None:
 
 
 def channel_effect(
-    segment: Segment, filtered: str, raw: str, moving: Bool[np.ndarray, " time"]
+    segment: Segment, channel: str, moving: Bool[np.ndarray, " time"]
 ) -> ChannelEffect | None:
     """Lag and gain of one channel; None where it was not recorded both ways, or nothing moved.
 
     Both are smoothed alike, so the noise of the raw samples goes and the filter's effect stays.
     """
-    after, before = getattr(segment, filtered), getattr(segment, raw)
+    after, before = getattr(segment, channel), getattr(segment, f"raw_{channel}")
     if after is None or before is None:
         return None
     time = segment.time
@@ -111,7 +107,7 @@ def channel_effect(
         if gain < LEAST_GAIN or error > SURE:
             return None
         lag = float(np.clip(lag + further, -LONGEST, LONGEST))
-    return ChannelEffect(filtered, lag, gain)
+    return ChannelEffect(channel, lag, gain)
 
 
 def matched(target: Samples, source: Samples, slope: Samples) -> tuple[float, float, float]:
@@ -123,7 +119,3 @@ def matched(target: Samples, source: Samples, slope: Samples) -> tuple[float, fl
     rest = target - gain * source + late * slope - level
     error = np.sqrt(rest @ rest / rest.size * np.linalg.inv(columns @ columns.T)[1, 1])
     return float(gain), float(late / gain), float(error / abs(gain))
-
-
-def name_of(channel: str) -> str:
-    return {"angle": "angle", "angular_velocity": "rate"}[channel]

@@ -1,5 +1,6 @@
 """Excel's .xlsx, by openpyxl: of its sheets, the first that holds samples."""
 
+from dataclasses import replace
 from datetime import date, datetime, time, timedelta
 from pathlib import Path
 from typing import Any
@@ -22,18 +23,16 @@ def read_excel(path: Path) -> Sheet:
     try:
         names = [sheet.title for sheet in book.worksheets]
         for sheet in book.worksheets:
-            rows = [row_of(cells) for cells in sheet.iter_rows(values_only=True)]
+            rows = [[*map(cell_of, cells)] for cells in sheet.iter_rows(values_only=True)]
             if sum(any(map(is_number, row)) for row in rows) > 1:
-                return with_name(sheet_of_rows(squared(rows), Place("row", 1)), sheet.title, names)
+                found = sheet_of_rows(squared(rows), Place("row", 1))
+                said = f"sheet {printable(sheet.title)} of {len(names)} is read."
+                return found if len(names) == 1 else replace(found, notes=(*found.notes, said))
     finally:
         book.close()
     raise ValueError(
         f"holds no table of numbers in its sheets: {', '.join(map(printable, names))}."
     )
-
-
-def row_of(cells: tuple[Any, ...]) -> Row:
-    return [cell_of(cell) for cell in cells]
 
 
 def cell_of(cell: Any) -> Cell:
@@ -54,11 +53,3 @@ def squared(rows: list[Row]) -> list[Row]:
     """All rows as wide as the widest: openpyxl cuts them where nothing follows."""
     width = max(map(len, rows))
     return [row + [float("nan")] * (width - len(row)) for row in rows]
-
-
-def with_name(sheet: Sheet, title: str, names: list[str]) -> Sheet:
-    """Say which sheet it is, where there are several."""
-    if len(names) == 1:
-        return sheet
-    said = f"sheet {printable(title)} of {len(names)} is read."
-    return Sheet(sheet.columns, sheet.place, sheet.rate, (*sheet.notes, said))

@@ -39,20 +39,14 @@ def variables(path: Path) -> Arrays:
     with path.open("rb") as file:
         head = file.read(USER_BLOCK + len(HDF5))
     hdf5 = head[USER_BLOCK:] == HDF5 or head.startswith(HDF5)
-    return packed(dict(in_hdf5(path) if hdf5 else in_version_5(path)))
+    if hdf5:
+        import h5py
 
-
-def in_version_5(path: Path) -> Iterator[tuple[str, Any]]:
+        with h5py.File(path, "r") as content:
+            return packed(dict(held(content, "", 0)))
     import scipy.io
 
-    return flattened(scipy.io.loadmat(str(path), simplify_cells=True))
-
-
-def in_hdf5(path: Path) -> Iterator[tuple[str, Any]]:
-    import h5py
-
-    with h5py.File(path, "r") as file:
-        yield from held(file, "", 0)
+    return packed(dict(flattened(scipy.io.loadmat(str(path), simplify_cells=True))))
 
 
 def held(group: Any, prefix: str, depth: int) -> Iterator[tuple[str, Any]]:

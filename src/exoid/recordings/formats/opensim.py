@@ -36,9 +36,5 @@ def read_opensim(path: Path) -> Sheet:
     if told is None:
         return sheet
     unit = "deg" if told[1].lower() in ("yes", "true", "1") else "rad"
-    return replace(sheet, columns=tuple(with_unit(column, unit) for column in sheet.columns))
-
-
-def with_unit(column, unit: str):
-    """A coordinate that is a knee's, in the unit that the header says."""
-    return replace(column, unit=unit) if recognised((column,), "angle") else column
+    columns = (replace(c, unit=unit) if recognised((c,), "angle") else c for c in sheet.columns)
+    return replace(sheet, columns=tuple(columns))

@@ -8,26 +8,26 @@ import csv
 import io
 import re
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from exoid.files.extras import require
-from exoid.files.text_file import Notes, naming, near, replace_files
+from exoid.files.text_file import Notes, naming, replace_files
 from exoid.recordings.columns import CHANNELS, IN_DEGREES, NUMERIC
 from exoid.recordings.conventions.file_clock import SINCE
 from exoid.recordings.flat_table import flat
 from exoid.recordings.formats.delimited import is_own, legible, sheet_of_text
 from exoid.recordings.formats.sheets import TEXTS, read_sheet
 from exoid.recordings.recording import BadSample, Recording, Segment, Subject
-from exoid.recordings.sidecar import no_keys, read_columns, read_keys, sidecar_text
-from exoid.recordings.tables.assemble import Named, assemble
-from exoid.recordings.tables.sheet import Cells, Place
+from exoid.recordings.sidecar import keys_beside, read_columns, sidecar_text
+from exoid.recordings.tables.assemble import Named, assemble, kept, without_empty
+from exoid.recordings.tables.sheet import Cells, Column, Place
 
-NUMBER = r"(?:[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)?"
-NUMBERS = re.compile(f"{NUMBER}(?:,{NUMBER})*", re.ASCII)
+NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
 NOT_IN_NUMBERS = re.compile(r"[^0-9+\-.eE,\n]")  # no letters but e: `inf` is not read
 MISSING = ("", "nan")  # what a cell without a number holds; NumPy and pandas write the second
 WRITTEN = (".csv", ".parquet")
@@ -52,18 +52,16 @@ def read_table(
         raise ValueError(f"{path}: this is the sidecar. Name the .csv beside it.")
     known = sidecar.exists()
     chosen = {**(read_columns(sidecar) if known else {}), **(columns or {})}
-    tables, extra, key_notes = read_keys(sidecar) if known else no_keys()
+    tables, extra, key_notes = keys_beside(
+        sidecar,
+        f"{sidecar} does not exist: of subject, protocol and sensors only what options say is "
+        "known.",
+    )
     with naming(path):
         named = named_columns(path, chosen, tables["sensors"].sample_rate)
-        starts = segment_starts(named.columns, named.place)
-        samples = build(named, starts, Subject(kind=tables["subject"].kind))
+        samples = build(named, Subject(kind=tables["subject"].kind))
     with naming(sidecar):  # what fails now, with all samples sound, fails by a key
         recording = replace(samples, **tables, extra_tables=extra)
-    if not known:
-        key_notes = (
-            f"{sidecar} does not exist: of subject, protocol and sensors only what options say is "
-            "known.",
-        )
     notes = named.notes + late_starts(recording)
     return recording, tuple(f"{path}: {note}" for note in notes) + key_notes
 
@@ -79,6 +77,8 @@ def named_columns(path: Path, chosen: Mapping[str, str], rate: float | None) -> 
     degrees = {
         IN_DEGREES[name]: f"{name}: read as degrees" for name in columns if name in IN_DEGREES
     }
+    for own, name in [(IN_DEGREES[name], name) for name in columns if name in IN_DEGREES]:
+        columns[own] = np.radians(columns.pop(name))
     return Named(columns, Place("line", FIRST_LINE), degrees, notes)
 
 
@@ -97,18 +97,30 @@ def write_table(recording: Recording, path: str | Path) -> None:
         raise ValueError(f"{path}: a recording is written to a name that ends in .csv or .parquet.")
     tables = (recording.subject, recording.protocol, recording.sensors)
     sidecar = sidecar_text(*tables, recording.extra_tables)
-    samples = table_lines(recording) if path.suffix.lower() == ".csv" else parquet_of(recording)
+    columns = flat(recording)
+    check_names([*columns])
+    samples = as_csv(columns) if path.suffix.lower() == ".csv" else parquet_of(columns)
     replace_files({path.with_suffix(".toml"): [sidecar], path: samples})
 
 
-def parquet_of(recording: Recording) -> bytes:
-    """The same table as Parquet."""
+def parquet_of(columns: Mapping[str, Any]) -> bytes:
     require("pyarrow", "a Parquet file is written")
     from exoid.recordings.formats.parquet import as_parquet
 
-    columns = flat(recording)
-    check_names([*columns])
     return as_parquet(columns)
+
+
+def as_csv(columns: Mapping[str, Any]) -> list[str]:
+    """The CSV: numbers as short as they are exact, missing samples empty."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(columns)
+    cells = (
+        Column("", each).texts if isinstance(each, np.ndarray) else each
+        for each in columns.values()
+    )
+    writer.writerows(zip(*cells, strict=True))
+    return [text.getvalue()]
 
 
 def parse_table(text: str) -> tuple[dict[str, Cells], Notes]:
@@ -118,15 +130,11 @@ def parse_table(text: str) -> tuple[dict[str, Cells], Notes]:
     body = body.rstrip("\n")
     check_lines(body)
     unknown = [name for name in names if name not in NUMERIC]
-    if unknown or NOT_IN_NUMBERS.search(body):
-        columns = parse_cells(names, body)
-    else:
-        columns = dict(zip(names, parse_numbers(names, body).T, strict=True))
-    channels = [name for name in names if name in NUMERIC - {"time_s", "segment"}]
-    empty = [name for name in channels if np.isnan(columns[name]).all()]
-    notes = [f"column {name} holds no number and is left out." for name in empty]
-    notes += [f"unknown column {name} is kept as text.{near(name, NUMERIC)}" for name in unknown]
-    return {name: columns[name] for name in names if name not in empty}, tuple(notes)
+    plain = not unknown and not NOT_IN_NUMBERS.search(body)
+    columns = (parse_numbers(names, body) if plain else None) or parse_cells(names, body)
+    notes: list[str] = []
+    columns = without_empty(columns, notes)
+    return columns, (*notes, *kept(unknown))
 
 
 def header(line: str) -> list[str]:
@@ -164,55 +172,43 @@ def check_lines(body: str) -> None:
         raise ValueError(f"line {line} is empty. Delete it, so that every line is one sample.")
 
 
-def parse_numbers(names: list[str], body: str) -> np.ndarray:
-    """All cells as numbers, NaN where a cell is empty, by NumPy's parser in C."""
+def parse_numbers(names: list[str], body: str) -> dict[str, Cells] | None:
+    """All cells as numbers, NaN where a cell is empty, by NumPy's parser in C; None where it
+    cannot read them.
+    """
     filled = f"\n{body}\n"
     for gap, missing in ((",,", ",nan,"), (",,", ",nan,"), ("\n,", "\nnan,"), (",\n", ",nan\n")):
         filled = filled.replace(gap, missing) if gap in filled else filled
     try:
         table = np.loadtxt(filled[1:-1].split("\n"), delimiter=",", comments=None, ndmin=2)
-    except ValueError as error:
-        raise first_bad_cell(names, body) or error from error
-    if table.shape[1] != len(names):
-        raise first_bad_cell(names, body) or ValueError("the lines do not fit the header.")
-    return table
+        return dict(zip(names, table.T, strict=True))
+    except ValueError:
+        return None
 
 
 def parse_cells(names: list[str], body: str) -> dict[str, Cells]:
-    """The same for a file with text or spaces in it, some three times slower."""
+    """The same line by line, for a file with text or spaces in it, or with a bad line, which is
+    named.
+    """
+    reader, rows = csv.reader(io.StringIO(body), strict=True), []
     try:
-        rows = list(csv.reader(io.StringIO(body), strict=True))
-        cells = dict(zip(names, zip(*rows, strict=True), strict=True))
-        return {
-            name: parse_column(column) if name in NUMERIC else column
-            for name, column in cells.items()
-        }
-    except (ValueError, csv.Error) as error:
-        raise first_bad_cell(names, body) or ValueError(str(error)) from error
-
-
-def parse_column(cells: tuple[str, ...]) -> np.ndarray:
-    numbers = ["" if missing(cell) else cell for cell in cells]
-    if NOT_IN_NUMBERS.search("".join(numbers).replace(" ", "")):
-        raise ValueError("text in a column of numbers")  # which cell: first_bad_cell
-    return np.array([float(cell) if cell else np.nan for cell in numbers])
+        for row in reader:
+            if problem := bad_row(names, row):
+                raise ValueError(f"line {reader.line_num + FIRST_LINE - 1}{problem}")
+            rows.append(row)
+    except csv.Error as error:
+        line = reader.line_num + FIRST_LINE - 1
+        raise ValueError(f"line {line}: {error}. Check the quotes.") from error
+    return {
+        name: np.array([np.nan if missing(cell) else float(cell) for cell in cells])
+        if name in NUMERIC
+        else cells
+        for name, cells in zip(names, zip(*rows, strict=True), strict=True)
+    }
 
 
 def missing(cell: str) -> bool:
     return cell.strip(" ").lower() in MISSING
-
-
-def first_bad_cell(names: list[str], body: str) -> ValueError | None:
-    """What is wrong with the first line that cannot be read, looked for only after a failure."""
-    reader = csv.reader(io.StringIO(body), strict=True)
-    try:
-        for row in reader:
-            plain = len(row) == len(names) and NUMBERS.fullmatch(",".join(row))
-            if not plain and (problem := bad_row(names, row)):
-                return ValueError(f"line {reader.line_num + FIRST_LINE - 1}{problem}")
-    except csv.Error as error:
-        return ValueError(f"line {reader.line_num + FIRST_LINE - 1}: {error}. Check the quotes.")
-    return None
 
 
 def bad_row(names: list[str], row: list[str]) -> str | None:
@@ -222,7 +218,7 @@ def bad_row(names: list[str], row: list[str]) -> str | None:
             "Is a cell missing, or are there decimal commas?"
         )
     for name, cell in zip(names, row, strict=True):
-        if name in NUMERIC and not (missing(cell) or NUMBERS.fullmatch(cell.strip(" "))):
+        if name in NUMERIC and not (NUMBER.fullmatch(cell.strip(" ")) or missing(cell)):
             return (
                 f", column {name}: {cell[:40]!r} is not a number. "
                 "Leave the cell empty where a sample is missing."
@@ -248,9 +244,10 @@ def segment_starts(columns: Mapping[str, Cells], place: Place) -> np.ndarray:
     return starts
 
 
-def build(named: Named, starts: np.ndarray, subject: Subject) -> Recording:
+def build(named: Named, subject: Subject) -> Recording:
     """The samples, checked by the recording's own rules; a bad one is named by its line as well."""
     columns = named.columns
+    starts = segment_starts(columns, named.place)
     stops = [*starts[1:], len(columns["time_s"])]
     segments = tuple(
         cut(columns, slice(start, stop)) for start, stop in zip(starts, stops, strict=True)
@@ -275,31 +272,11 @@ def late_starts(recording: Recording) -> Notes:
 
 def cut(columns: Mapping[str, Cells], rows: slice) -> Segment:
     """One segment. A channel that is empty throughout it was not measured in it."""
-    channels = {}
-    for name in columns:
-        if name in CHANNELS or name in IN_DEGREES:
-            samples = np.array(columns[name][rows])
-            if name == "time_s" or not np.isnan(samples).all():
-                inside = np.radians(samples) if name in IN_DEGREES else samples
-                channels[CHANNELS[IN_DEGREES.get(name, name)]] = inside
-    extra = {name: tuple(columns[name][rows]) for name in columns if name not in NUMERIC}
+    cells = {name: each[rows] for name, each in columns.items()}
+    channels: dict[str, Any] = {
+        field: np.array(cells[name])
+        for name, field in CHANNELS.items()
+        if name in cells and (name == "time_s" or not np.isnan(np.asarray(cells[name])).all())
+    }
+    extra = {name: tuple(each) for name, each in cells.items() if name not in NUMERIC}
     return Segment(**channels, extra_columns=extra)
-
-
-def table_lines(recording: Recording) -> Iterable[str]:
-    """The CSV: numbers as short as they are exact, missing samples empty."""
-    columns = flat(recording)
-    check_names([*columns])
-    yield as_csv([columns])
-    cells = [as_cells(each) if isinstance(each, np.ndarray) else each for each in columns.values()]
-    yield as_csv(zip(*cells, strict=True))
-
-
-def as_cells(samples: np.ndarray) -> list[str]:
-    return [repr(value) if value == value else "" for value in samples.tolist()]
-
-
-def as_csv(rows: Iterable[Iterable[str]]) -> str:
-    text = io.StringIO()
-    csv.writer(text, lineterminator="\n").writerows(rows)
-    return text.getvalue()

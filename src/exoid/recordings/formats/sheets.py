@@ -12,25 +12,15 @@ from exoid.files.library_faults import is_ours
 from exoid.recordings.tables.sheet import Sheet
 
 TEXTS = (".csv", ".tsv", ".txt", ".dat")
-# Suffix: module and function here, the package it needs and the extra that brings it.
-READERS: dict[str, tuple[str, str, str | None]] = {
-    **dict.fromkeys(TEXTS, ("delimited", "read_delimited", None)),
-    ".mot": ("opensim", "read_opensim", None),
-    ".sto": ("opensim", "read_opensim", None),
-    ".npz": ("npz", "read_npz", None),
-    ".mat": ("matlab", "read_matlab", None),
-    ".c3d": ("c3d", "read_c3d", "ezc3d"),
-    ".xlsx": ("excel", "read_excel", "openpyxl"),
-    ".xlsm": ("excel", "read_excel", "openpyxl"),
-    ".parquet": ("parquet", "read_parquet", "pyarrow"),
-}
-CALLED = {
-    ".c3d": "a C3D file",
-    ".xlsx": "an Excel workbook",
-    ".xlsm": "an Excel workbook",
-    ".parquet": "a Parquet file",
-    ".mat": "a MATLAB file",
-    ".npz": "a NumPy archive",
+# Suffix: the module of its reader, what such a file is called, and the package that it needs.
+READERS: dict[str, tuple[str, str | None, str | None]] = {
+    **dict.fromkeys(TEXTS, ("delimited", None, None)),
+    **dict.fromkeys((".mot", ".sto"), ("opensim", None, None)),
+    **dict.fromkeys((".xlsx", ".xlsm"), ("excel", "an Excel workbook", "openpyxl")),
+    ".npz": ("npz", "a NumPy archive", None),
+    ".mat": ("matlab", "a MATLAB file", None),
+    ".c3d": ("c3d", "a C3D file", "ezc3d"),
+    ".parquet": ("parquet", "a Parquet file", "pyarrow"),
 }
 ELSEWHERE = {
     ".xls": "is in Excel's format of before 2007. Save it as .xlsx or .csv.",
@@ -55,17 +45,17 @@ def read_sheet(path: Path, wanted: Collection[str] = ()) -> Sheet:
     suffix = path.suffix.lower()
     if suffix in ELSEWHERE:
         raise ValueError(ELSEWHERE[suffix])
-    module, name, package = READERS[suffix]
+    module, called, package = READERS[suffix]
     if package is not None:
-        require(package, f"{CALLED[suffix]} is read")
+        require(package, f"{called} is read")
     if path.is_dir():
         raise ValueError("this is a directory. Name the file in it.")
     if not path.is_file():
         raise ValueError("cannot be read: No such file or directory. Check the name.")
-    reader = getattr(import_module(f"exoid.recordings.formats.{module}"), name)
+    reader = getattr(import_module(f"exoid.recordings.formats.{module}"), f"read_{module}")
     if suffix == ".c3d":
         reader = partial(reader, wanted=wanted)
-    return reader(path) if suffix not in CALLED else guarded(reader, path, CALLED[suffix])
+    return reader(path) if called is None else guarded(reader, path, called)
 
 
 def guarded(reader: Callable[[Path], Sheet], path: Path, called: str) -> Sheet:

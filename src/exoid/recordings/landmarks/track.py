@@ -67,9 +67,7 @@ def track_of(segment: Segment, noise: float) -> Track:
 
     **Raises** `NotAllowed` where it is sampled too slowly, or interrupted.
     """
-    angle = segment.angle if segment.raw_angle is None else segment.raw_angle
-    assert angle is not None  # a Segment has one or the other
-    sample = np.flatnonzero(~np.isnan(angle))
+    sample = np.flatnonzero(~np.isnan(segment.best_angle))
     time = segment.time[sample]
     if time.size < FEWEST:
         raise NotAllowed(f"too short: it holds {time.size} samples of the angle")
@@ -83,7 +81,7 @@ def track_of(segment: Segment, noise: float) -> Track:
         raise NotAllowed(
             f"interrupted: no angle was measured from {time[at]:.2f} to {time[at + 1]:.2f} s"
         )
-    return Track(sample, time, angle[sample], noise)
+    return Track(sample, time, segment.best_angle[sample], noise)
 
 
 def derivative_row(order: int, x: float) -> Samples:

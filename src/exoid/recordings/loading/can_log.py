@@ -45,7 +45,7 @@ def read_can_log(
             segment, quality = read_signals(log, Path(dbc), signals)
         else:
             segment, quality = read_exo(log)
-            sensors = sensors or EXO_SENSORS
+            sensors = EXO_SENSORS if sensors in (None, Sensors()) else sensors
         if strict:
             quality.require_complete()
         recording = Recording(

@@ -11,7 +11,7 @@ import numpy as np
 from exoid.files.text_file import naming, near
 from exoid.recordings.columns import NUMERIC, TARGETS
 from exoid.recordings.conventions.apply import understand
-from exoid.recordings.formats.own_table import build, late_starts, segment_starts
+from exoid.recordings.formats.own_table import build, late_starts
 from exoid.recordings.loading.load import load
 from exoid.recordings.loading.warn_user import tell
 from exoid.recordings.motion.split import cut_table
@@ -74,8 +74,7 @@ def recording(
         arrays = {own_name(name): each for name, each in channels.items() if name not in chosen}
         sheet = sheet_of({**arrays_of(data), **arrays}, [*arrays])
         named = assemble(sheet, chosen, None if tables[2] is None else tables[2].sample_rate)
-        starts = segment_starts(named.columns, named.place)
-        samples = build(named, starts, Subject(kind=None if tables[0] is None else tables[0].kind))
+        samples = build(named, Subject(kind=None if tables[0] is None else tables[0].kind))
         found, more = understand(
             described(samples, tables), cut_table, whole=whole, flip=flip, zero=zero
         )

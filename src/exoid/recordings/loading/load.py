@@ -10,8 +10,8 @@ from exoid.recordings.conventions.apply import understand
 from exoid.recordings.formats.own_table import read_table
 from exoid.recordings.formats.sheets import is_table
 from exoid.recordings.motion.split import cut_apart, cut_table
-from exoid.recordings.recording import Protocol, Recording, Sensors, Subject
-from exoid.recordings.sidecar import no_keys, read_keys, read_sidecar
+from exoid.recordings.recording import Recording
+from exoid.recordings.sidecar import keys_beside
 
 LOG_HEADER = b"timestamp,arbitration_id,"  # of python-can's own .csv
 
@@ -61,17 +61,12 @@ def load(
         raise ValueError(f"{path}: a CAN log has no columns to name. Give --dbc and --signal.")
     from exoid.recordings.loading.can_log import read_can_log
 
-    subject, protocol, sensors, notes = beside(path)
-    recording, quality = read_can_log(
-        path,
-        dbc=dbc,
-        signals=signals,
-        strict=strict,
-        subject=subject,
-        protocol=protocol,
-        sensors=sensors,
+    sidecar = path.with_suffix(".toml")
+    tables, extra, notes = keys_beside(
+        sidecar, f"no {sidecar.name} beside the log: subject and protocol are unknown"
     )
-    recording = replace(recording, extra_tables=further_tables(path))
+    recording, quality = read_can_log(path, dbc=dbc, signals=signals, strict=strict, **tables)
+    recording = replace(recording, extra_tables=extra)
     with naming(path):
         recording, more = understand(recording, cut_apart, whole=whole, flip=flip, zero=zero)
     return Loaded(recording, (*notes, *more), quality)
@@ -94,19 +89,3 @@ def is_log(path: Path) -> bool:
     """Is this .csv one that python-can wrote?"""
     with path.open("rb") as file:
         return file.read(len(LOG_HEADER)) == LOG_HEADER
-
-
-def beside(path: Path) -> tuple[Subject, Protocol, Sensors | None, tuple[str, ...]]:
-    """What the sidecar says; a log without one is of an unknown subject."""
-    sidecar = path.with_suffix(".toml")
-    if not sidecar.exists():
-        note = f"no {sidecar.name} beside the log: subject and protocol are unknown"
-        return Subject(), Protocol(), None, (note,)
-    subject, protocol, sensors, notes = read_sidecar(sidecar)
-    return subject, protocol, None if sensors == Sensors() else sensors, notes
-
-
-def further_tables(path: Path):
-    """The tables of the sidecar that describe no recording, such as [fit]."""
-    sidecar = path.with_suffix(".toml")
-    return (read_keys(sidecar) if sidecar.exists() else no_keys())[1]

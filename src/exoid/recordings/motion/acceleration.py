@@ -24,7 +24,7 @@ from exoid.recordings.motion.thresholds import (
     USUAL,
 )
 from exoid.recordings.samples import Samples
-from exoid.recordings.signal.condition import interpolated, local_line
+from exoid.recordings.signal.condition import local_line
 
 
 @dataclass(frozen=True, eq=False)
@@ -149,14 +149,14 @@ def derivatives(signal: Signal) -> Derivatives:
 
 
 def smoothed_over(signal: Signal, width: float) -> Derivatives:
-    time, filled = signal.time, interpolated(signal.time, signal.angle)
-    count = max(3, round(width / signal.step))
+    time, count = signal.time, signal.count(width)
     spread = float(np.std(np.arange(count) * signal.step))
     if signal.velocity is not None:
+        angle = local_line(time, signal.angle, width)[0]
         speed, acceleration = local_line(time, signal.velocity, width)
         error = signal.velocity_noise / (spread * np.sqrt(count))
-        return Derivatives(local_line(time, filled, width)[0], speed, acceleration, error, width)
-    angle, rough = local_line(time, filled, width / 2)  # twice: a parabola over the whole width
-    speed, acceleration = local_line(time, rough, width / 2)
-    error = float(np.sqrt(5) * signal.angle_noise / (spread**2 * np.sqrt(count)))
+    else:  # twice: a parabola over the whole width
+        angle, rough = local_line(time, signal.angle, width / 2)
+        speed, acceleration = local_line(time, rough, width / 2)
+        error = float(np.sqrt(5) * signal.angle_noise / (spread**2 * np.sqrt(count)))
     return Derivatives(angle, speed, acceleration, error, width)

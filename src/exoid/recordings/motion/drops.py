@@ -10,7 +10,7 @@ from functools import lru_cache
 from exoid.recordings.motion.acceleration import Law, law_of
 from exoid.recordings.motion.extent import Extent, Motionless
 from exoid.recordings.motion.find_free import find_free
-from exoid.recordings.motion.free_end import free_end, surely_free, swung
+from exoid.recordings.motion.free_end import Swings, free_end, swung
 from exoid.recordings.motion.signal import Signal, signal_of, speed_of
 from exoid.recordings.motion.thresholds import MARKED, SHORTEST
 from exoid.recordings.recording import Recording
@@ -91,14 +91,17 @@ def free_or_not(signal: Signal, handled: bool, shortest: float) -> Extent | Moti
         return fault
 
 
+def seen_in(signal: Signal, extent: Extent) -> Swings:
+    return swung(signal, speed_of(signal), extent.start, extent.free)
+
+
 def sure(signal: Signal, extent: Extent) -> slice:
     """The samples in which no hand can have been on the leg."""
-    seen, _ = swung(signal, speed_of(signal), extent.start)
-    free = surely_free(seen, extent.free)
+    free = seen_in(signal, extent).sure
     return slice(free.start, max(min(free.stop, extent.stop), free.start + 1))
 
 
 def ended(signal: Signal, extent: Extent, law: Law) -> Extent:
     """The same movement with its end by a law that all drops have told."""
-    end = free_end(signal, speed_of(signal), extent.start, extent.free, handled=True, law=law)
-    return replace(extent, stop=end.stop, hand=end.hand, ended=end.ended, why=end.why)
+    seen = seen_in(signal, extent)
+    return replace(extent, **vars(free_end(signal, speed_of(signal), seen, handled=True, law=law)))

@@ -4,9 +4,9 @@ import numpy as np
 
 from exoid.recordings.motion.acceleration import Law
 from exoid.recordings.motion.extent import Extent, Motionless
-from exoid.recordings.motion.free_end import free_end, surely_free, swung
+from exoid.recordings.motion.free_end import free_end, swung
 from exoid.recordings.motion.letting_go import LettingGo, ReleaseWindow, begun_free, let_go
-from exoid.recordings.motion.signal import Signal, Speed, speed_of
+from exoid.recordings.motion.signal import Signal, Speed, smoothed, speed_of
 from exoid.recordings.motion.thresholds import (
     CLEAR,
     FALL,
@@ -19,7 +19,7 @@ from exoid.recordings.motion.thresholds import (
     TRAVEL,
 )
 from exoid.recordings.samples import Samples
-from exoid.recordings.signal.condition import interpolated, local_line, runs
+from exoid.recordings.signal.condition import runs
 
 
 def find_free(
@@ -36,13 +36,12 @@ def find_free(
     gone = 0 if found is None else int(np.searchsorted(signal.time, found.gone))
     held = None if found is None or found.release - signal.time[0] < shortest else found
     start, free = (0, 0) if held is None else (nearest(signal.time, held.release), gone)
-    end = free_end(signal, speed, start, free, handled=handled, law=law)
-    sure = surely_free(swung(signal, speed, start)[0], free).stop
-    how = {"stop": end.stop, "hand": end.hand, "ended": end.ended, "why": end.why, "sure": sure}
+    seen = swung(signal, speed, start, free)
+    end = vars(free_end(signal, speed, seen, handled=handled, law=law)) | {"sure": seen.sure.stop}
     if held is None:
-        return Extent(None, float(signal.time[0]), 0.0, 0, 0, **how, doubted=gone)
+        return Extent(None, float(signal.time[0]), 0.0, 0, 0, **end, doubted=gone)
     last = int(np.searchsorted(signal.time, held.begin, side="right")) - 1
-    return Extent(max(last, 0), held.release, held.error, start, free, **how)
+    return Extent(max(last, 0), held.release, held.error, start, free, **end)
 
 
 def first_movement(signal: Signal, speed: Speed) -> tuple[int, int]:
@@ -50,10 +49,8 @@ def first_movement(signal: Signal, speed: Speed) -> tuple[int, int]:
 
     **Raises** `Motionless`.
     """
-    filled = interpolated(signal.time, signal.angle)
-    smooth = local_line(signal.time, filled, speed.width)[0]
-    count = max(3, round(speed.width / signal.step))
-    least = max(TRAVEL, CLEAR * signal.angle_noise / np.sqrt(count))
+    smooth, noise = smoothed(signal, speed.width)
+    least = max(TRAVEL, CLEAR * noise)
     for first, last in moving(signal.time, speed):
         if np.ptp(smooth[max(first - 1, 0) : last + 2]) > least:
             return departure(smooth[: last + 1], speed, first, least), last
@@ -95,7 +92,8 @@ def released(
     early = HOLD + speed.width
     last = min(int(np.searchsorted(time, about + FALL)), time.size - 1)
     pull = abs(float(speed.velocity[last])) / FALL
-    case = ReleaseWindow(signal, (about - early - HELD, about + FALL), pull, room)
+    inside = (time >= about - early - HELD) & (time <= about + FALL)
+    case = ReleaseWindow(signal.part(inside), pull, room)
     found = let_go(case, max(about - early, float(time[0])), about + speed.width / 2)
     if not seen and begun_free(case) < found.chi_square + ODDS * max(1.0, found.misfit):
         return None

@@ -10,7 +10,7 @@ from typing import Literal
 import numpy as np
 
 from exoid.recordings.motion.acceleration import Law, free_until, gripped_at, kept_there
-from exoid.recordings.motion.signal import Signal, Speed
+from exoid.recordings.motion.signal import Signal, Speed, smoothed
 from exoid.recordings.motion.thresholds import (
     BEYOND,
     BRIEF,
@@ -24,8 +24,7 @@ from exoid.recordings.motion.thresholds import (
     TRAVEL,
 )
 from exoid.recordings.samples import Samples
-from exoid.recordings.signal.condition import interpolated, local_line, runs
-from exoid.recordings.signal.turning_points import reversals
+from exoid.recordings.signal.condition import reversals, runs
 
 Rest = tuple[int, int]  # its first sample, and one past its last
 Ending = Literal["at rest", "caught", "recording stopped"]
@@ -43,27 +42,36 @@ class End:
 
 @dataclass(frozen=True, eq=False)
 class Swings:
-    """The release, where there was one, the turning points after it and the last sample."""
+    """The release, where there was one, the turning points after it, and the rest or the last
+    sample.
+    """
 
     at: list[int]
     angle: Samples  # rad, there
     error: float  # rad
+    free: int  # the first sample that surely is free
+    rest: Rest | None
+
+    @property
+    def sure(self) -> slice:
+        """The samples in which no hand can have ended the last swing."""
+        *turns, end = self.at
+        sure = turns[-1 if len(turns) == 2 else -2] if len(turns) > 1 else (self.free + end) // 2
+        return slice(self.free, max(sure, self.free) + 1)
 
 
 def free_end(
-    signal: Signal, speed: Speed, begin: int, free: int, *, handled: bool, law: Law | None = None
+    signal: Signal, speed: Speed, seen: Swings, *, handled: bool, law: Law | None = None
 ) -> End:
-    """Where the motion from `begin` on, free from `free` on, ends; `handled`: by a person.
+    """Where a motion with these swings ends; `handled`: by a person.
 
     A `law` is what other drops of this leg have told of it.
     """
-    seen, rest = swung(signal, speed, begin)
+    rest = seen.rest
     if handled:
-        hand = hand_in(signal, seen, free, rest)
-        hand = hand or holding(signal, speed, seen, free, rest, None)
+        hand = hand_in(signal, seen) or holding(signal, speed, seen, None)
         if hand is None and law is not None:
-            hand = holding(signal, speed, seen, free, rest, law)
-            hand = hand or gripping(signal, seen, free, rest, law)
+            hand = holding(signal, speed, seen, law) or gripping(signal, seen, law)
         if hand is not None:
             return hand
     if rest is None:
@@ -73,29 +81,17 @@ def free_end(
     return End(min(stop, rest[1]), "at rest", "the leg came to rest by itself")
 
 
-def swung(signal: Signal, speed: Speed, begin: int) -> tuple[Swings, Rest | None]:
-    """The swings from `begin` on, and the rest that ends them."""
+def swung(signal: Signal, speed: Speed, begin: int, free: int) -> Swings:
+    """The swings from `begin` on, and the rest that ends them, whose angle is the last."""
     smooth, noise = smoothed(signal, speed.width)
     rest = rest_after(signal, speed, smooth, begin, noise)
-    seen = swings(smooth, begin, signal.time.size, noise, rest)
-    if begin == 0 and abs(speed.velocity[0]) > speed.still and len(seen.at) > 2:
-        seen = Swings(seen.at[1:], seen.angle[1:], seen.error)  # it began within a swing
-    return seen, rest
-
-
-def smoothed(signal: Signal, width: float) -> tuple[Samples, float]:
-    """The angle over windows of `width` s, and its error."""
-    filled = interpolated(signal.time, signal.angle)
-    count = max(3, round(width / signal.step))
-    return local_line(signal.time, filled, width)[0], signal.angle_noise / np.sqrt(count)
-
-
-def swings(smooth: Samples, begin: int, stop: int, noise: float, rest: Rest | None) -> Swings:
-    """The extremes up to the rest, whose angle is the last; else up to the last sample."""
-    end = stop - 1 if rest is None else rest[0]
+    end = signal.time.size - 1 if rest is None else rest[0]
     turns = [begin + at for at in reversals(smooth[begin : end + 1], max(TRAVEL, CLEAR * noise))]
     last = smooth[end] if rest is None else np.median(smooth[slice(*rest)])
-    return Swings([begin, *turns, end], np.array([*smooth[[begin, *turns]], last]), noise)
+    at, angle = [begin, *turns, end], np.array([*smooth[[begin, *turns]], last])
+    if begin == 0 and abs(speed.velocity[0]) > speed.still and turns:
+        at, angle = at[1:], angle[1:]  # it began within a swing
+    return Swings(at, angle, noise, free, rest)
 
 
 def rest_after(
@@ -114,16 +110,16 @@ def rest_after(
     return None
 
 
-def hand_in(signal: Signal, seen: Swings, free: int, rest: Rest | None) -> End | None:
+def hand_in(signal: Signal, seen: Swings) -> End | None:
     """The first trace of a hand."""
-    place = outside(seen)
+    place, rest = outside(seen), seen.rest
     if place is not None:
         sure = seen.at[max(place - 2, 1)]
-        return caught(signal, slice(free, sure + 1), seen.at[place])
+        return caught(signal, slice(seen.free, sure + 1), seen.at[place])
     if rest is None:
         return None
     if cut_short(seen.angle.tolist()):
-        return caught(signal, surely_free(seen, free), seen.at[-1])
+        return caught(signal, seen.sure, seen.at[-1])
     if rest[1] < signal.time.size:
         left = int(np.searchsorted(signal.time, signal.time[rest[1] - 1] - LATE))
         kept = int(np.searchsorted(signal.time, signal.time[rest[0]] + KEPT, side="right"))
@@ -132,11 +128,9 @@ def hand_in(signal: Signal, seen: Swings, free: int, rest: Rest | None) -> End |
     return None
 
 
-def holding(
-    signal: Signal, speed: Speed, seen: Swings, free: int, rest: Rest | None, law: Law | None
-) -> End | None:
+def holding(signal: Signal, speed: Speed, seen: Swings, law: Law | None) -> End | None:
     """A hand that keeps a leg where it would not stay by itself."""
-    size = signal.time.size
+    size, rest = signal.time.size, seen.rest
     if rest is None:
         still = runs(np.abs(speed.velocity) < speed.still)
         if not still or still[-1][1] < size - 1:
@@ -144,24 +138,16 @@ def holding(
         rest = (still[-1][0], size)
         if signal.time[-1] - signal.time[rest[0]] < BRIEF:
             return None
-    sure = surely_free(seen, free)
-    if sure.stop > rest[0] or not kept_there(signal, sure, slice(*rest), law):
+    if seen.sure.stop > rest[0] or not kept_there(signal, seen.sure, slice(*rest), law):
         return None
-    return caught(signal, sure, rest[0], law)
+    return caught(signal, seen.sure, rest[0], law)
 
 
-def gripping(signal: Signal, seen: Swings, free: int, rest: Rest | None, law: Law) -> End | None:
+def gripping(signal: Signal, seen: Swings, law: Law) -> End | None:
     """A hand that slows the leg down as no free leg of this `law` does."""
-    sure = surely_free(seen, free)
-    at = gripped_at(signal, sure, signal.time.size if rest is None else rest[0], law)
-    return None if at is None else caught(signal, sure, at, law)
-
-
-def surely_free(seen: Swings, free: int) -> slice:
-    """The samples in which no hand can have ended the last swing."""
-    *turns, end = seen.at
-    sure = turns[-1 if len(turns) == 2 else -2] if len(turns) > 1 else (free + end) // 2
-    return slice(free, max(sure, free) + 1)
+    limit = signal.time.size if seen.rest is None else seen.rest[0]
+    at = gripped_at(signal, seen.sure, limit, law)
+    return None if at is None else caught(signal, seen.sure, at, law)
 
 
 def caught(signal: Signal, free: slice, limit: int, law: Law | None = None) -> End:

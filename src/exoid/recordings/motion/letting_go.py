@@ -32,7 +32,6 @@ from exoid.recordings.samples import Samples
 POWERS = (3, 4, 5)
 
 Table = NDArray[np.float64]
-Span = tuple[float, float]  # s
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,7 +51,6 @@ class ReleaseWindow:
     """The samples that judge a release, and how large a fall they show."""
 
     signal: Signal
-    window: Span
     pull: float  # rad/s^2, about the first acceleration
     room: tuple[float, ...] = ODD  # rad, of b, c, e
     legs: tuple[Swing, ...] = tuple(Swing(*each) for each in LEGS)
@@ -113,13 +111,7 @@ def quantile(values: Table, weight: Table, share: float) -> float:
 
 def samples_within(case: ReleaseWindow) -> int:
     each = (case.signal.angle, case.signal.velocity)
-    inside = within(case)
-    return sum(int(np.sum(inside & ~np.isnan(one))) for one in each if one is not None)
-
-
-def within(case: ReleaseWindow) -> NDArray[np.bool_]:
-    time = case.signal.time
-    return (time >= case.window[0]) & (time <= case.window[1])
+    return sum(int(np.sum(~np.isnan(one))) for one in each if one is not None)
 
 
 def misfits(case: ReleaseWindow, leg: Swing, tried: Samples, width: float) -> Samples:
@@ -136,13 +128,12 @@ def misfits(case: ReleaseWindow, leg: Swing, tried: Samples, width: float) -> Sa
 def begun_free(case: ReleaseWindow) -> float:
     """Chi-square of a leg that is free from the first sample on, at rest or in motion."""
     since = case.signal.time[None, :] - case.signal.time[0]
-    level, none = np.ones_like(since), np.zeros_like(since)
 
-    def columns_of(leg: Swing, order: int) -> Table:
-        motion = [falling(since, 0.0, leg, order), falling(since, 0.0, leg, order + 1)]
-        return np.stack([*motion, *((level, none) if order == 0 else (none, level))], axis=-1)
+    def motion(leg: Swing, order: int) -> Table:
+        each = [falling(since, 0.0, leg, order), falling(since, 0.0, leg, order + 1)]
+        return beside_levels(each, order)
 
-    each = [rows(case, [columns_of(leg, 0), columns_of(leg, 1)]) for leg in case.legs]
+    each = [rows(case, [motion(leg, 0), motion(leg, 1)]) for leg in case.legs]
     return min(float(least_squares(*one)[0]) for one in each)
 
 
@@ -152,7 +143,7 @@ def rows(case: ReleaseWindow, tables: list[Table]) -> tuple[Table, Table]:
     channels = ((signal.angle, signal.angle_noise), (signal.velocity, signal.velocity_noise))
     for table, (samples, noise) in zip(tables, channels, strict=True):
         if samples is not None:
-            seen = within(case) & ~np.isnan(samples)
+            seen = ~np.isnan(samples)
             found.append(table[:, seen] / noise)
             data.append(np.broadcast_to(samples[seen] / noise, found[-1].shape[:2]))
     return np.concatenate(found, axis=1), np.concatenate(data, axis=1)
@@ -170,14 +161,13 @@ def least_squares(table: Table, data: Table) -> Samples:
 
 
 def columns(since: Table, leg: Swing, width: float, order: int) -> Table:
-    """What unit amplitudes add to the angle (order 0) or the velocity (order 1).
-
-    The last two columns are the level and the gyro's bias.
-    """
+    """What unit amplitudes add to the angle (order 0) or the velocity (order 1)."""
     x = np.maximum(since - width / 2, 0) / FALL
-    each = [falling(since, width, leg, order)]
-    for power in POWERS:
-        each.append(x**power if order == 0 else power * x ** (power - 1) / FALL)
-    level = np.ones_like(since)
-    each += [level, 0 * level] if order == 0 else [0 * level, level]
-    return np.stack(each, axis=-1)
+    rest = [x**power if order == 0 else power * x ** (power - 1) / FALL for power in POWERS]
+    return beside_levels([falling(since, width, leg, order), *rest], order)
+
+
+def beside_levels(each: list[Table], order: int) -> Table:
+    """With two more columns: the level of the angle and the gyro's bias."""
+    level, none = np.ones_like(each[0]), np.zeros_like(each[0])
+    return np.stack([*each, *((level, none) if order == 0 else (none, level))], axis=-1)

@@ -5,13 +5,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from exoid.recordings.motion.find_free import moving
-from exoid.recordings.motion.free_end import smoothed
-from exoid.recordings.motion.signal import signal_of, speed_of
+from exoid.recordings.motion.signal import signal_of, smoothed, speed_of
 from exoid.recordings.motion.thresholds import ABOVE, CLEAR, MINOR, SWINGS, TRAVEL
 from exoid.recordings.recording import Kind, Segment, Sensors
 from exoid.recordings.samples import Samples
-from exoid.recordings.signal.condition import classify, cut
-from exoid.recordings.signal.turning_points import RINGING, reversals
+from exoid.recordings.signal.condition import RINGING, classify, cut, reversals
 
 
 @dataclass(frozen=True)

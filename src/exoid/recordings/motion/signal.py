@@ -1,17 +1,14 @@
 """A segment as the search for its movement sees it: angle and gyro, each with its noise."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
-from exoid.recordings.motion.thresholds import (
-    QUIET,
-    SPEED_ERROR,
-    WIDTHS,
-)
+from exoid.recordings.motion.thresholds import QUIET, SPEED_ERROR, WIDTHS
 from exoid.recordings.recording import Segment, Sensors
 from exoid.recordings.samples import Samples
-from exoid.recordings.signal.condition import interpolated, local_line
+from exoid.recordings.signal.condition import local_line
 from exoid.recordings.signal.noise import declared_angle_noise, find_spikes, noise_of
 
 
@@ -28,6 +25,15 @@ class Signal:
     @property
     def step(self) -> float:
         return float(np.median(np.diff(self.time)))
+
+    def part(self, inside: NDArray[np.bool_]) -> "Signal":
+        """The samples that are `inside`."""
+        velocity = None if self.velocity is None else self.velocity[inside]
+        return replace(self, time=self.time[inside], angle=self.angle[inside], velocity=velocity)
+
+    def count(self, width: float) -> int:
+        """The samples of a window of `width` s; three carry a line and a check."""
+        return max(3, round(width / self.step))
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,11 +52,9 @@ class Speed:
 
 def signal_of(segment: Segment, sensors: Sensors) -> Signal:
     """The raw channels, else the filtered ones; single wild samples are left out."""
-    angle = segment.angle if segment.raw_angle is None else segment.raw_angle
-    velocity = segment.angular_velocity
+    angle, velocity = segment.best_angle, segment.angular_velocity
     if segment.raw_angular_velocity is not None:
         velocity = segment.raw_angular_velocity
-    assert angle is not None  # a Segment has one or the other
     declared = declared_angle_noise(sensors, [angle])
     angle, noise = credible(segment.time, angle, declared, angle=True)
     if velocity is None:
@@ -63,7 +67,7 @@ def signal_of(segment: Segment, sensors: Sensors) -> Signal:
 
 def bias(time: Samples, angle: Samples, velocity: Samples) -> float:
     """Of a gyro, beside the slope of the angle [rad/s]: it is no movement."""
-    slope = local_line(time, interpolated(time, angle), max(WIDTHS))[1]
+    slope = local_line(time, angle, max(WIDTHS))[1]
     return float(np.nanmedian(velocity - slope))
 
 
@@ -87,15 +91,21 @@ def windowed(signal: Signal, width: float) -> Speed:
 
     Half a window at either end has the value of the first whole one: shorter windows are noisier.
     """
-    time, count = signal.time, max(3, round(width / signal.step))
+    time, count = signal.time, signal.count(width)
     whole = (time >= time[0] + width / 2) & (time <= time[-1] - width / 2)
     if not whole.any():
         whole[:] = True
     if signal.velocity is not None:
-        mean = local_line(time, signal.velocity, width)[0]
-        mean = np.interp(time, time[whole], mean[whole])
-        return Speed(mean, signal.velocity_noise / np.sqrt(count), width)
-    slope = local_line(time, interpolated(time, signal.angle), width)[1]
-    slope = np.interp(time, time[whole], slope[whole])
-    places = np.arange(count) * signal.step
-    return Speed(slope, signal.angle_noise / (np.std(places) * np.sqrt(count)), width)
+        found = local_line(time, signal.velocity, width)[0]
+        error = signal.velocity_noise / np.sqrt(count)
+    else:
+        found = local_line(time, signal.angle, width)[1]
+        places = np.arange(count) * signal.step
+        error = signal.angle_noise / (np.std(places) * np.sqrt(count))
+    return Speed(np.interp(time, time[whole], found[whole]), error, width)
+
+
+def smoothed(signal: Signal, width: float) -> tuple[Samples, float]:
+    """The angle over windows of `width` s, and its error."""
+    smooth = local_line(signal.time, signal.angle, width)[0]
+    return smooth, signal.angle_noise / np.sqrt(signal.count(width))

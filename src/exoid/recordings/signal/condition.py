@@ -9,11 +9,11 @@ from numpy.typing import NDArray
 
 from exoid.recordings.recording import Kind, Segment
 from exoid.recordings.samples import Samples
-from exoid.recordings.signal.turning_points import RINGING, reversals
 
 MOTION_SPEED = np.radians(20.0)  # rad/s, the paper's criterion of significant motion
 SMOOTHING = 0.05  # s, of the velocity that decides what moves; half a leg's swing takes 0.5 s
 FREE, SHRINKS = 3, 0.9  # swings that no muscle makes, and to what share each shrinks
+RINGING = 0.1  # of its travel: the least that a swing goes
 NEAR = 0.35  # of the range of a movement; a drop ends at 0.5 (no damping) to 1 of it, lower
 
 Signal = Any  # a NumPy or a JAX array, time first
@@ -63,8 +63,7 @@ def best_velocity(segment: Segment) -> Samples:
         return interpolated(segment.time, segment.angular_velocity)
     if segment.raw_angular_velocity is not None:
         return local_line(segment.time, segment.raw_angular_velocity, SMOOTHING)[0]
-    angle = next(a for a in (segment.raw_angle, segment.angle) if a is not None)
-    return local_line(segment.time, angle, SMOOTHING)[1]
+    return local_line(segment.time, segment.best_angle, SMOOTHING)[1]
 
 
 def local_line(time: Samples, samples: Samples, width: float) -> tuple[Samples, Samples]:
@@ -105,11 +104,29 @@ def runs(mask: NDArray[np.bool_]) -> list[tuple[int, int]]:
     return [(int(a), int(b) - 1) for a, b in zip(edges[::2], edges[1::2], strict=True)]
 
 
+def reversals(angle: Samples, least: float) -> list[int]:
+    """Where a sequence turns around by at least `least`: the extremes between such turns."""
+    found: list[int] = []
+    low = high = 0
+    falling: bool | None = None
+    for at, value in enumerate(angle.tolist()):
+        low, high = (at if value < angle[low] else low), (at if value > angle[high] else high)
+        if falling is not False and value - angle[low] >= least:
+            if falling:
+                found.append(low)
+            falling, high = False, at
+        elif falling is not True and angle[high] - value >= least:
+            if falling is False:
+                found.append(high)
+            falling, low = True, at
+    return found
+
+
 def classify(segment: Segment) -> Kind | None:
     """Back at its start: a voluntary cycle, or a drop with the lift after it; ended lower: a
     passive drop; a lift or still: None.
     """
-    measured = next(a for a in (segment.angle, segment.raw_angle) if a is not None)
+    measured = segment.best_angle if segment.angle is None else segment.angle
     angle = interpolated(segment.time, measured)
     if np.ptp(angle) == 0:
         return None

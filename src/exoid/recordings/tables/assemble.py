@@ -67,9 +67,12 @@ def assemble(sheet: Sheet, chosen: Mapping[str, str], rate: float | None = None)
     check_angle(columns, sheet)
     notes += [f"read {'; '.join(units)}."] if units else []
     others = [column for column in sheet.columns if column.name not in taken]
-    ours = "time_s" in sheet.names
-    notes += kept(others) if ours else left_out(sheet, others)
-    columns |= {column.name: as_texts(column) for column in others if ours}
+    unknown = [column.name for column in others]
+    if "time_s" in sheet.names:
+        notes += kept(unknown)
+        columns |= {column.name: column.texts for column in others}
+    else:
+        notes += left_out(sheet, unknown)
     return Named(without_empty(columns, notes), sheet.place, sources, tuple(notes))
 
 
@@ -219,26 +222,17 @@ def check_angle(columns: Mapping[str, Cells], sheet: Sheet) -> None:
         )
 
 
-def kept(others: list[Column]) -> list[str]:
-    return [
-        f"unknown column {each.name} is kept as text.{near(each.name, NUMERIC)}" for each in others
-    ]
+def kept(others: list[str]) -> list[str]:
+    return [f"unknown column {name} is kept as text.{near(name, NUMERIC)}" for name in others]
 
 
-def left_out(sheet: Sheet, others: list[Column]) -> list[str]:
+def left_out(sheet: Sheet, others: list[str]) -> list[str]:
     if not others:
         return []
-    names = listed([column.name for column in others])
-    velocity = any("velocity" in each.name.lower() or "gyr" in each.name.lower() for each in others)
+    velocity = any("velocity" in name.lower() or "gyr" in name.lower() for name in others)
     ask = sheet.ask.format("raw_velocity_deg_s")
     hint = f" A gyro among them is named: {ask}." if velocity else ""
-    return [f"not read: {names}.{hint}"]
-
-
-def as_texts(column: Column) -> tuple[str, ...]:
-    if not column.numeric:
-        return tuple(column.cells)
-    return tuple("" if cell != cell else repr(cell) for cell in np.asarray(column.cells).tolist())
+    return [f"not read: {listed(others)}.{hint}"]
 
 
 def without_empty(columns: dict[str, Cells], notes: list[str]) -> dict[str, Cells]:
@@ -246,7 +240,7 @@ def without_empty(columns: dict[str, Cells], notes: list[str]) -> dict[str, Cell
     empty = [
         name
         for name, cells in columns.items()
-        if name in UNITS and name != "time_s" and np.isnan(np.asarray(cells, float)).all()
+        if name in NUMERIC - {"time_s", SEGMENT} and np.isnan(np.asarray(cells, float)).all()
     ]
     notes += [f"column {name} holds no number and is left out." for name in empty]
     return {name: cells for name, cells in columns.items() if name not in empty}

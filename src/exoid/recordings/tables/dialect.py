@@ -111,9 +111,6 @@ def split(lines: list[str], separator: str):
     """The cells of each line; a line is a row, whatever its quotes say."""
     if separator == BLANK:
         return [line.split() for line in lines]
-    plain = "\n".join(lines)
-    if '"' not in plain:
-        return [line.split(separator) if line.strip() else [] for line in lines]
     return [
         next(csv.reader([line], delimiter=separator, skipinitialspace=True), [])
         if line.strip()

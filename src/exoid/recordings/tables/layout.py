@@ -170,7 +170,6 @@ def named(column: Column, number: int) -> Column:
 
 def remains(rows: list[Row], layout: Layout, place: Place) -> tuple[str, ...]:
     """What lies below the samples, for their owner to know."""
-    below = [at for at in range(layout.end, len(rows)) if not is_empty(rows[at])]
-    if not below:
+    if all(map(is_empty, rows[layout.end :])):
         return ()
     return (f"the samples end at the empty {place(layout.end)}; what follows it is left out.",)

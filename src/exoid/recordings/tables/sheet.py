@@ -21,6 +21,13 @@ class Column:
     def numeric(self) -> bool:
         return isinstance(self.cells, np.ndarray)
 
+    @property
+    def texts(self) -> tuple[str, ...]:
+        """What its cells say, a number as short as it is exact."""
+        if not isinstance(self.cells, np.ndarray):
+            return tuple(self.cells)
+        return tuple("" if cell != cell else repr(cell) for cell in self.cells.tolist())
+
 
 @dataclass(frozen=True)
 class Place:
