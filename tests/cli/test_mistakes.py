@@ -16,7 +16,6 @@ from exoid.cli.commands.drops import drops
 from exoid.cli.commands.fit import fit
 from exoid.cli.commands.plan import plan
 from exoid.cli.commands.report import report
-from exoid.cli.inputs.choices import Flip, Zero
 from exoid.recordings.formats.own_table import write_table
 from exoid.recordings.loading.load import load
 from exoid.recordings.recording import Segment, Subject
@@ -96,10 +95,10 @@ def test_it_is_one_line_and_exit_code_2(command, tmp_path):
 @pytest.mark.parametrize(
     ("mistake", "options"),
     [
-        ("flexion", {"flip": Flip.all}),
-        ("flexion of the encoder", {"flip": Flip.angle}),
-        ("gyro of the other sign", {"flip": Flip.gyro}),
-        ("hanging", {"zero": Zero.hanging}),
+        ("flexion", {"flip": "all"}),
+        ("flexion of the encoder", {"flip": "angle"}),
+        ("gyro of the other sign", {"flip": "gyro"}),
+        ("hanging", {"zero": "hanging"}),
     ],
 )
 def test_the_option_that_is_named_mends_the_file_for_good(tmp_path, mistake, options):

@@ -2,9 +2,12 @@
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, fields
+from typing import Any
 
 import equinox as eqx
+from jaxtyping import Float
 
+Parameter = Float[Any, ""]  # a number of a term
 Starts = tuple[float, ...] | Callable[[float, float], tuple[float, ...]]
 
 

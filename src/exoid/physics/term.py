@@ -11,6 +11,7 @@ from jaxtyping import Array, Float
 from exoid.physics.moment import Moment
 
 Memory = Float[Array, " memory"]
+Scalar = Float[Array, ""]
 
 
 class Reading(eqx.Module):
@@ -56,11 +57,11 @@ class Term(eqx.Module):
     everyday: ClassVar[bool] = False  # does every gyro have some of it
     replaces: ClassVar[str] = ""  # what a fit estimates of every recording and the term is itself
 
-    def torque(self, now: Moment, memory: Memory) -> Float[Array, ""]:
+    def torque(self, now: Moment, memory: Memory) -> Scalar:
         """The missing torque [N m], extension positive."""
         return jnp.zeros(())
 
-    def dry_friction(self, now: Moment) -> Float[Array, ""]:
+    def dry_friction(self, now: Moment) -> Scalar:
         """The torque [N m] that holds a leg at rest, and opposes one that moves."""
         return jnp.zeros(())
 

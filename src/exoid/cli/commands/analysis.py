@@ -1,6 +1,8 @@
 """What the commands compute, its heavy parts loaded when they run."""
 
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 AGREED, RARE = 1.01, 0.01  # r_hat and share of divergences up to which draws are good
 
@@ -17,27 +19,27 @@ def prepare() -> None:
 
 def compute(named, each: bool, options: dict):
     """The fit."""
-    from exoid.fitting.solve.program_cache import with_sound_programs
-
-    prepare()
     if each:
         from exoid.fitting.each_segment import fit_each as fit
     else:
         from exoid.fitting.estimate import fit
-    try:
-        return with_sound_programs(lambda: fit(named, **options))
-    except ValueError as fault:
-        raise ValueError(f"{', '.join(name for name, _ in named)}: {fault}") from fault
+    return soundly(named, lambda: fit(named, **options))
 
 
 def diagnosed(named, own, options: dict, told):
-    """The diagnosis, with programs kept between processes."""
-    from exoid.fitting.solve.program_cache import with_sound_programs
+    """The diagnosis."""
     from exoid.mismatch.missing_physics import diagnose as find
+
+    return soundly(named, lambda: find(named, terms=own, told=told, **options))
+
+
+def soundly(named, work: Callable[[], Any]):
+    """What `work` finds, with programs kept between processes; a refusal names the recordings."""
+    from exoid.fitting.solve.program_cache import with_sound_programs
 
     prepare()
     try:
-        return with_sound_programs(lambda: find(named, terms=own, told=told, **options))
+        return with_sound_programs(work)
     except ValueError as fault:
         raise ValueError(f"{', '.join(name for name, _ in named)}: {fault}") from fault
 

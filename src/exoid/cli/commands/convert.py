@@ -6,8 +6,8 @@ from typing import Annotated
 import typer
 
 from exoid.cli.inputs.choices import FlipOption, ZeroOption
-from exoid.cli.inputs.reading import Columns, Dbc, Signals, Strict, read
-from exoid.cli.outputs.destination import Force, check_absent, check_apart, check_destination
+from exoid.cli.inputs.reading import Columns, Dbc, Signals, Strict, take
+from exoid.cli.outputs.destination import Force, check_absent, check_outputs
 from exoid.cli.terminal.waiting import patiently
 
 
@@ -48,11 +48,10 @@ def convert(
       exoid convert log.asc -o knee.csv --dbc my.dbc --signal raw_angle=Knee.Angle
     """
     sidecar = output.with_suffix(".toml")
-    check_destination(output, ("csv", "parquet"))
-    check_apart([output, sidecar], [recording])
+    check_outputs((output, ("csv", "parquet")), (sidecar, ()), inputs=[recording])
     check_absent((output, sidecar), force)
-    told = {"column": column, "flip": flip, "zero": zero}
-    loaded = read(recording, dbc, signal, strict, whole=whole, **told)
+    told = {"column": column, "dbc": dbc, "signal": signal, "flip": flip, "zero": zero}
+    loaded = take(recording, strict=strict, whole=whole, **told).recording
     from exoid.recordings.formats.own_table import write_table
     from exoid.report.words.text import counted
 

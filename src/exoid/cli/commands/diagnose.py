@@ -8,14 +8,13 @@ import typer
 from exoid.cli.commands.analysis import ask, diagnosed
 from exoid.cli.inputs.assumptions import Bound, BoundsOption, Fix, Prior, assumed
 from exoid.cli.inputs.body import BodyMass, Height, given_body
-from exoid.cli.inputs.choices import Bounds, FlipOption, Seed, ZeroOption
-from exoid.cli.inputs.own_terms import own_terms
+from exoid.cli.inputs.choices import FlipOption, Seed, ZeroOption
 from exoid.cli.inputs.reading import EXAMPLE, Columns, Dbc, Signals, as_told, take_all
-from exoid.cli.inputs.terms import OwnTerms, rivals_in
-from exoid.cli.outputs.destination import FIGURES, Json, Report, check_apart, check_destination
+from exoid.cli.inputs.terms import OwnTerms, own_terms, rivals_in
+from exoid.cli.outputs.destination import FIGURES, PAGES, SAVED, Json, Report, check_outputs
 from exoid.cli.outputs.origin import inputs, origin_of
-from exoid.cli.outputs.page import PAGES, planned, sources_of, write_report
-from exoid.cli.outputs.results import described, end, introduce, keep
+from exoid.cli.outputs.page import planned, sources_of, write_report
+from exoid.cli.outputs.results import end, introduce, keep, put, put_document, show, traced
 from exoid.cli.terminal.waiting import in_phases, patiently
 
 
@@ -27,7 +26,7 @@ def diagnose(
         ),
     ] = None,
     prior: Prior = None,
-    bounds: BoundsOption = Bounds.body,
+    bounds: BoundsOption = "body",
     fix: Fix = None,
     bound: Bound = None,
     body_mass: BodyMass = None,
@@ -60,62 +59,45 @@ def diagnose(
       exoid diagnose drops.csv --terms my_terms.py   with terms of your own
     """
     paths = recordings or [EXAMPLE]
-    check_destination(plot, FIGURES)
-    check_destination(json)
-    check_destination(save, ("nc",))
-    check_destination(report, PAGES)
-    check_apart([plot, json, save, report], paths)
+    check_outputs((plot, FIGURES), (json, ()), (save, SAVED), (report, PAGES), inputs=paths)
     body = given_body(body_mass=body_mass, height=height)
     options = {"seed": seed, **assumed(prior, bounds, fix, bound)}
-    own = own_terms(terms) if terms is not None else ()
+    own = own_terms(terms)
     if not recordings:
         typer.echo("No recording given: this is the example that comes with exoid.")
-    told = {"column": column, "flip": flip, "zero": zero}
-    named, taken = take_all(paths, body, dbc=dbc, signal=signal, **told)
+    told = {"column": column, "dbc": dbc, "signal": signal, "flip": flip, "zero": zero}
+    named, taken = take_all(paths, body, **told)
+    from exoid.report.document.diagnosis_json import diagnosis_document
+    from exoid.report.tables.diagnosis import print_diagnosis
+
     found = in_phases(lambda told: diagnosed(named, own, options, told))
     introduce(named)
-    show(found)
+    show(lambda console: print_diagnosis(found, console))
     rivals = rivals_in(found)
     if len(rivals) > 1:
-        files, names = " ".join(map(str, paths)), ",".join(rivals)
-        typer.echo(f"Which recording tells them apart: exoid plan {files} --between {names}\n")
-    if plot is not None:
-        patiently(lambda: draw(found, plot), "drawing")
-        typer.echo(f"wrote {plot}", err=True)
-    if json is not None:
-        settings = {**options, "terms": terms, **as_told(flip, zero)}
-        write(found, described(zip(paths, named, strict=True)), settings, json)
-        typer.echo(f"wrote {json}", err=True)
+        recorded, names = " ".join(map(str, paths)), ",".join(rivals)
+        typer.echo(f"Which recording tells them apart: exoid plan {recorded} --between {names}\n")
+    files = list(zip(paths, named, strict=True))
+    settings = {**options, "terms": terms}
+    put(plot, lambda path: draw(found, path), "drawing")
+    put_document(
+        json,
+        lambda: diagnosis_document(found, **traced(files), settings=settings | as_told(flip, zero)),
+    )
     if save is None and report is None:
         end(found.follows)
         return
-    asked = {**options, "terms": terms, **body, "signal": signal, "dbc": dbc and str(dbc)}
+    asked = {**settings, **body, "signal": signal, "dbc": dbc and str(dbc)}
     asked |= {**as_told(flip, zero), "column": column}
     origin = origin_of(inputs(paths, dbc, Path(terms) if terms else None), asked)
     more = patiently(lambda: further(found, named[0][1].subject), "planning what to record next")
-    if save is not None:
-        files = zip(paths, named, strict=True)
-        patiently(lambda: keep(found.fit, files, asked, save, origin=origin, **more), "saving")
-        typer.echo(f"wrote {save}", err=True)
-    if report is not None:
-        sources = sources_of(taken, named)
-        patiently(
-            lambda: write_report(report, sources, found.fit, origin, **more), "writing the page"
-        )
-        typer.echo(f"wrote {report}", err=True)
+    put(save, lambda path: keep(found.fit, files, asked, path, origin=origin, **more), "saving")
+    put(
+        report,
+        lambda path: write_report(path, sources_of(taken, named), found.fit, origin, **more),
+        "writing the page",
+    )
     end(found.follows)
-
-
-def show(found) -> None:
-    """The answer, on stdout."""
-    from contextlib import suppress
-
-    from rich.console import Console
-
-    from exoid.report.tables.diagnosis import print_diagnosis
-
-    with suppress(SystemExit):  # rich's answer to a closed pipe; files are still to be written
-        print_diagnosis(found, Console())
 
 
 def draw(found, path: Path) -> None:
@@ -124,19 +106,6 @@ def draw(found, path: Path) -> None:
     from exoid.report.plots.fit import save_figure
 
     save_figure(plot_diagnosis(found), path)
-
-
-def write(found, recordings, settings: dict, path: Path) -> None:
-    """The document for machines."""
-    from importlib.metadata import version
-
-    from exoid.report.document.diagnosis_json import diagnosis_document
-    from exoid.report.document.plain_json import write_json
-
-    document = diagnosis_document(
-        found, version=version("exoid"), recordings=recordings, settings=settings
-    )
-    write_json(document, path)
 
 
 def further(found, subject) -> dict:

@@ -1,6 +1,5 @@
 """exoid example: the recording that comes with exoid, as a pattern for one's own."""
 
-import os
 import shlex
 from pathlib import Path
 from typing import Annotated
@@ -9,6 +8,7 @@ import typer
 
 from exoid.cli.inputs.reading import EXAMPLE
 from exoid.cli.outputs.destination import check_absent
+from exoid.files.text_file import replace_files
 
 FILES = (EXAMPLE, EXAMPLE.with_suffix(".toml"))
 NEXT = """
@@ -44,20 +44,7 @@ def example(
     targets = [folder / each.name for each in FILES]
     check_absent(targets, force)
     folder.mkdir(parents=True, exist_ok=True)
-    copy(targets)
+    replace_files({to: each.read_bytes() for to, each in zip(targets, FILES, strict=True)})
     recording, sidecar = targets
     typer.echo(f"wrote {recording} and {sidecar}")
     typer.echo(NEXT.format(shlex.quote(str(recording)), sidecar.name))
-
-
-def copy(targets: list[Path]) -> None:
-    """Both files in full, or none."""
-    parts = [each.with_name(f".{each.name}.{os.getpid()}.part") for each in targets]
-    try:
-        for source, part in zip(FILES, parts, strict=True):
-            part.write_bytes(source.read_bytes())
-        for part, target in zip(parts, targets, strict=True):
-            part.replace(target)
-    finally:
-        for part in parts:
-            part.unlink(missing_ok=True)

@@ -8,23 +8,21 @@ import typer
 from exoid.cli.commands.analysis import ask, check_posterior, compute, profiled, write_posterior
 from exoid.cli.inputs.assumptions import Bound, BoundsOption, Fix, Prior, assumed
 from exoid.cli.inputs.body import BodyMass, Height, given_body
-from exoid.cli.inputs.choices import (
-    Bounds,
-    Clip,
-    FlipOption,
-    Method,
-    Misfit,
-    Reading,
-    Seed,
-    ZeroOption,
-)
-from exoid.cli.inputs.own_terms import own_terms
+from exoid.cli.inputs.choices import Clip, FlipOption, Method, Misfit, Reading, Seed, ZeroOption
 from exoid.cli.inputs.reading import EXAMPLE, Columns, Dbc, Signals, Strict, as_told, take_all
-from exoid.cli.inputs.terms import Model, OwnTerms, With, names_of, saved_model, terms_asked
-from exoid.cli.outputs.destination import FIGURES, Json, Report, check_apart, check_destination
+from exoid.cli.inputs.terms import (
+    Model,
+    OwnTerms,
+    With,
+    names_of,
+    own_terms,
+    saved_model,
+    terms_asked,
+)
+from exoid.cli.outputs.destination import FIGURES, PAGES, SAVED, Json, Report, check_outputs
 from exoid.cli.outputs.origin import inputs, origin_of
-from exoid.cli.outputs.page import PAGES, sources_of, write_report
-from exoid.cli.outputs.results import draw, end, introduce, keep, show, write_document
+from exoid.cli.outputs.page import sources_of, write_report
+from exoid.cli.outputs.results import end, introduce, keep, put, put_document, show, traced
 from exoid.cli.terminal.waiting import patiently
 
 HEAVIEST_PRIOR = 1e6  # it decides alone long before
@@ -45,7 +43,7 @@ def fit(
         float,
         typer.Option("--lambda", min=0.0, max=HEAVIEST_PRIOR, help="Weight of the prior, Eq. 11."),
     ] = 1.0,
-    bounds: BoundsOption = Bounds.body,
+    bounds: BoundsOption = "body",
     fix: Fix = None,
     bound: Bound = None,
     body_mass: BodyMass = None,
@@ -58,7 +56,7 @@ def fit(
     ] = False,
     method: Annotated[
         Method, typer.Option(help="lm: all starts at once. slsqp: SciPy's, as a reference.")
-    ] = Method.lm,
+    ] = "lm",
     smooth: Annotated[
         int,
         typer.Option(min=1, help="Samples of the moving average, Eq. 3, on data and simulation."),
@@ -68,11 +66,11 @@ def fit(
     ] = None,
     misfit: Annotated[
         Misfit, typer.Option(help="paper: Eq. 11 as printed, angle only, prior unscaled.")
-    ] = Misfit.weighted,
+    ] = "weighted",
     clip: Annotated[
         Clip,
         typer.Option(help="free: what moved freely. paper: the ends below 20 deg/s are cut off."),
-    ] = Clip.free,
+    ] = "free",
     column: Columns = None,
     dbc: Dbc = None,
     signal: Signals = None,
@@ -107,35 +105,31 @@ def fit(
       exoid fit log.asc --dbc my.dbc --signal raw_angle=Knee.Angle --body-mass 77 --height 1.8
     """
     paths = recordings or [EXAMPLE]
-    check_destination(plot, FIGURES)
-    check_destination(json)
-    check_destination(posterior, ("nc",))
-    check_destination(save, ("nc",))
-    check_destination(report, PAGES)
-    check_apart([plot, json, posterior, save, report], [*paths, *([model] if model else [])])
+    outputs = (plot, FIGURES), (json, ()), (posterior, SAVED), (save, SAVED), (report, PAGES)
+    check_outputs(*outputs, inputs=[*paths, *([model] if model else [])])
     if posterior is not None:
         check_posterior(each)
     body = given_body(body_mass=body_mass, height=height)
     by_hand = assumed(prior, bounds, fix, bound)
-    own = own_terms(terms) if terms else ()
+    own = own_terms(terms)
     saved = saved_model(model, own).terms if model else ()
     chosen = terms_asked(with_term, own, saved)
     if not recordings:
         typer.echo(
             "No recording given: this is the example that comes with exoid, a simulated leg."
         )
-    reading = {"strict": strict, "column": column, "flip": flip, "zero": zero}
-    known = {"torque_frequency": torque_frequency.value} if torque_frequency else {}
-    named, taken = take_all(paths, body, known, dbc=dbc, signal=signal, **reading)
+    reading = {"column": column, "dbc": dbc, "signal": signal, "flip": flip, "zero": zero}
+    known = {"torque_frequency": torque_frequency} if torque_frequency else {}
+    named, taken = take_all(paths, body, known, strict=strict, **reading)
     options = {
         "multistart": multistart,
         "seed": seed,
         **by_hand,
         "weight": weight,
-        "method": method.value,
+        "method": method,
         "smooth": smooth,
-        "misfit": misfit.value,
-        "clip": clip.value,
+        "misfit": misfit,
+        "clip": clip,
     }
     options |= {"terms": chosen} if chosen else {}
     result = patiently(
@@ -143,8 +137,11 @@ def fit(
         f"fitting {multistart} starts; the first run of a new shape compiles for some seconds",
     )
     told = None if each else patiently(lambda: ask(result), "asking what the recording told")
+    from exoid.report.document.fit_json import fit_document
+    from exoid.report.tables.fit import print_fit
+
     introduce(named)
-    show(result, told)
+    show(lambda console: print_fit(result, console, told))
     settings = {"lambda": options.pop("weight"), **options, "each": each}
     settings |= {"terms": names_of(chosen)} if chosen else {}
     settings |= as_told(flip, zero)
@@ -161,24 +158,23 @@ def fit(
     origin = origin_of(inputs(paths, dbc, *files), asked) if save or report else None
     wanted = (plot is not None or json is not None) and not each
     profiles = patiently(lambda: profiled(result), "profiling") if wanted else None
-    if save is not None:
-        sources, more = zip(paths, named, strict=True), {"told": told, "profiles": profiles}
-        patiently(lambda: keep(result, sources, asked, save, origin=origin, **more), "saving")
-        typer.echo(f"wrote {save}", err=True)
-    if plot is not None:
-        patiently(lambda: draw(result, profiles, plot), "drawing")
-        typer.echo(f"wrote {plot}", err=True)
-    if json is not None:
-        sources = zip(paths, named, strict=True)
-        write_document(result, told, profiles, sources, settings, json)
-        typer.echo(f"wrote {json}", err=True)
-    if report is not None:
-        sources = sources_of(taken, named)
-        patiently(
-            lambda: write_report(report, sources, result, origin, told=told), "writing the page"
-        )
-        typer.echo(f"wrote {report}", err=True)
+    sources, more = list(zip(paths, named, strict=True)), {"told": told, "profiles": profiles}
+    put(save, lambda path: keep(result, sources, asked, path, origin=origin, **more), "saving")
+    put(plot, lambda path: draw(result, profiles, path), "drawing")
+    put_document(json, lambda: fit_document(result, **traced(sources), settings=settings, **more))
+    put(
+        report,
+        lambda path: write_report(path, sources_of(taken, named), result, origin, told=told),
+        "writing the page",
+    )
     if posterior is not None:
         drawn = patiently(lambda: write_posterior(result, seed, posterior), "drawing from the fit")
         typer.echo(f"wrote {posterior}: {drawn}", err=True)
     end(result.follows)
+
+
+def draw(result, profiles, path: Path) -> None:
+    """The figure."""
+    from exoid.report.plots.fit import plot_fit, save_figure
+
+    save_figure(plot_fit(result, profiles), path)

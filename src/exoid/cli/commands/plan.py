@@ -9,21 +9,21 @@ import typer
 from exoid.cli.commands.analysis import compute, prepare
 from exoid.cli.inputs.assumptions import Bound, BoundsOption, Fix, Prior, assumed
 from exoid.cli.inputs.body import BodyMass, Height, given_body
-from exoid.cli.inputs.choices import Bounds, FlipOption, Seed, ZeroOption
-from exoid.cli.inputs.own_terms import own_terms
+from exoid.cli.inputs.choices import FlipOption, Seed, ZeroOption
 from exoid.cli.inputs.reading import Columns, take_all
 from exoid.cli.inputs.terms import (
     Between,
     Model,
     OwnTerms,
     With,
+    own_terms,
     rivals_asked,
     saved_model,
     suspected_in,
     terms_asked,
 )
-from exoid.cli.outputs.destination import Json, check_apart, check_destination
-from exoid.cli.outputs.results import end, introduce
+from exoid.cli.outputs.destination import Json, check_outputs
+from exoid.cli.outputs.results import end, introduce, put_document, show
 from exoid.cli.terminal.waiting import patiently
 
 INERTIA = "inertia"
@@ -60,7 +60,7 @@ def plan(
     terms: OwnTerms = None,
     model: Model = None,
     prior: Prior = None,
-    bounds: BoundsOption = Bounds.body,
+    bounds: BoundsOption = "body",
     fix: Fix = None,
     bound: Bound = None,
     body_mass: BodyMass = None,
@@ -83,9 +83,8 @@ def plan(
       exoid plan drop.csv --model why.nc          after 'exoid diagnose drop.csv --save why.nc'
       exoid plan drop.csv --between coulomb_friction,hysteresis    to tell which of them acts
     """
-    check_destination(json)
-    check_apart([json], [*(recordings or []), *([model] if model else [])])
-    own = own_terms(terms) if terms else ()
+    check_outputs((json, ()), inputs=[*(recordings or []), *([model] if model else [])])
+    own = own_terms(terms)
     rivals, chosen = asked(between, goal, with_term, own, model)
     if (rivals or chosen) and not recordings:
         raise ValueError("terms need a recording: a first session is planned for Eq. 9 alone.")
@@ -107,16 +106,10 @@ def plan(
     introduce(named)
     if result is not None and not result.follows:
         typer.echo(f"{result.notes[0]}\n")
-    from rich.console import Console
-
     from exoid.report.tables.plan import plan_document, print_plan
 
-    print_plan(found, Console())
-    if json is not None:
-        from exoid.report.document.plain_json import write_json
-
-        write_json(plan_document(found, result, subject), json)
-        typer.echo(f"wrote {json}", err=True)
+    show(lambda console: print_plan(found, console))
+    put_document(json, lambda: plan_document(found, result, subject))
     end(result is None or result.follows)
 
 
@@ -155,8 +148,6 @@ def check_goal(goal: str, chosen: tuple) -> None:
 
 def tell_apart(named, subject, rivals: tuple, options: dict, json: Path | None) -> None:
     """Fit with each of the rivals, and print what would tell them apart."""
-    from rich.console import Console
-
     from exoid.planning.plan_between import plan_between
     from exoid.report.tables.plan_between import contrast_document, print_contrast
 
@@ -166,12 +157,8 @@ def tell_apart(named, subject, rivals: tuple, options: dict, json: Path | None) 
 
     fits, found = patiently(work, "planning; the first run of a new shape compiles for a minute")
     introduce(named)
-    print_contrast(found, Console())
-    if json is not None:
-        from exoid.report.document.plain_json import write_json
-
-        write_json(contrast_document(found, subject), json)
-        typer.echo(f"wrote {json}", err=True)
+    show(lambda console: print_contrast(found, console))
+    put_document(json, lambda: contrast_document(found, subject))
     end(any(each.follows for each in fits))
 
 

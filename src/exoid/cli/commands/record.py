@@ -6,8 +6,7 @@ from typing import Annotated
 
 import typer
 
-from exoid.cli.inputs.ask_body import ask_body
-from exoid.cli.inputs.body import given_body
+from exoid.cli.inputs.body import ask_body, given_body
 from exoid.cli.inputs.choices import Side
 from exoid.cli.outputs.destination import Force, check_absent, check_destination
 from exoid.cli.terminal.keys import check_keyboard, keyboard
@@ -81,7 +80,7 @@ def record(
     )
     if added_mass_distance is not None and added_mass is None:
         raise ValueError("--added-mass-distance is given without --added-mass. Give both.")
-    subject = Subject(id=subject_id, side=side and side.value, session=visit, notes=note)
+    subject = Subject(id=subject_id, side=side, session=visit, notes=note)
     subject = replace(subject, **ask_body(body))
     from exoid.cli.live.ending import conclude
     from exoid.cli.live.session import Session

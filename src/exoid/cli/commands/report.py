@@ -8,16 +8,15 @@ import typer
 from exoid.cli.commands.analysis import ask, compute, diagnosed
 from exoid.cli.inputs.assumptions import Bound, BoundsOption, Fix, Prior, assumed
 from exoid.cli.inputs.body import BodyMass, Height, given_body
-from exoid.cli.inputs.choices import Bounds, FlipOption, Seed, ZeroOption
-from exoid.cli.inputs.own_terms import own_terms
+from exoid.cli.inputs.choices import FlipOption, Seed, ZeroOption
 from exoid.cli.inputs.reading import EXAMPLE, Columns, Dbc, Signals, as_told, take_all
-from exoid.cli.inputs.terms import OwnTerms
-from exoid.cli.outputs.destination import check_apart, check_destination
+from exoid.cli.inputs.terms import OwnTerms, own_terms
+from exoid.cli.outputs.destination import PAGES, SAVED, check_outputs
 from exoid.cli.outputs.origin import inputs, origin_of
-from exoid.cli.outputs.page import PAGES, planned, sources_of, write_report
-from exoid.cli.outputs.results import end
-from exoid.cli.outputs.saved_page import SAVED, retell
-from exoid.cli.terminal.waiting import in_phases, patiently
+from exoid.cli.outputs.page import planned, sources_of, write_report
+from exoid.cli.outputs.results import end, put
+from exoid.cli.outputs.saved_page import retell
+from exoid.cli.terminal.waiting import in_phases
 
 STARTS = 64
 
@@ -34,7 +33,7 @@ def report(
         Path, typer.Option("--output", "-o", help="Page to write (.html).", metavar="FILE")
     ] = Path("report.html"),
     prior: Prior = None,
-    bounds: BoundsOption = Bounds.body,
+    bounds: BoundsOption = "body",
     fix: Fix = None,
     bound: Bound = None,
     body_mass: BodyMass = None,
@@ -64,15 +63,14 @@ def report(
       exoid report why.nc -o why.html                what --save kept, without computing it again
     """
     paths = recordings or [EXAMPLE]
-    check_destination(output, PAGES)
-    check_apart([output], paths)
+    check_outputs((output, PAGES), inputs=paths)
     if terms is not None and not diagnosis:
         raise ValueError("--terms are causes for the diagnosis: leave out --no-diagnosis.")
-    own = own_terms(terms) if terms is not None else ()
-    if any(path.suffix.lower() == SAVED for path in paths):
+    own = own_terms(terms)
+    if any(path.suffix.lower().lstrip(".") in SAVED for path in paths):
         given = {
             "--prior": bool(prior),
-            "--bounds": bounds is not Bounds.body,
+            "--bounds": bounds != "body",
             "--fix": bool(fix),
             "--bound": bool(bound),
             "--body-mass": body_mass is not None,
@@ -92,8 +90,8 @@ def report(
     by_hand = assumed(prior, bounds, fix, bound)
     if not recordings:
         typer.echo("No recording given: this is the example that comes with exoid.")
-    told = {"column": column, "flip": flip, "zero": zero}
-    named, taken = take_all(paths, body, dbc=dbc, signal=signal, **told)
+    told = {"column": column, "dbc": dbc, "signal": signal, "flip": flip, "zero": zero}
+    named, taken = take_all(paths, body, **told)
     options = {"multistart": multistart, "seed": seed, **by_hand}
     tested = own if diagnosis else None
     result, found = in_phases(lambda told: analysed(named, options, tested, told))
@@ -102,8 +100,11 @@ def report(
     settings |= {"dbc": dbc and str(dbc), **as_told(flip, zero), "column": column}
     origin = origin_of(inputs(paths, dbc, script), settings)
     sources = sources_of(taken, named)
-    patiently(lambda: write_report(output, sources, result, origin, **found), "writing the page")
-    typer.echo(f"wrote {output}", err=True)
+    put(
+        output,
+        lambda path: write_report(path, sources, result, origin, **found),
+        "writing the page",
+    )
     end((found.get("diagnosis") or result).follows)
 
 

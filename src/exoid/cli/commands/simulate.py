@@ -7,8 +7,7 @@ from typing import Annotated
 import typer
 
 from exoid.cli.inputs.body import given_body
-from exoid.cli.inputs.own_terms import own_terms
-from exoid.cli.inputs.terms import OwnTerms, With, saved_model, terms_asked
+from exoid.cli.inputs.terms import OwnTerms, With, own_terms, saved_model, terms_asked
 from exoid.cli.outputs.destination import Force, check_absent, check_destination
 from exoid.cli.terminal.waiting import patiently
 
@@ -81,7 +80,7 @@ def simulate(
         "stiffness": stiffness,
     }
     said = {name: value for name, value in said.items() if value is not None}
-    own = own_terms(terms) if terms else ()
+    own = own_terms(terms)
     known = None if model is None else saved_model(model, own)
     leg = LEG | ({} if known is None else numbers_of(known.leg)) | said
     check_leg(leg)

@@ -7,12 +7,12 @@ from typing import Annotated, Any
 
 import typer
 
-from exoid.cli.inputs.choices import Bounds, Table
+from exoid.cli.inputs.choices import TABLES, Bounds
 
 Prior = Annotated[
     list[str] | None,
     typer.Option(
-        help=f"Anatomical table ({', '.join(Table)}), or what you expect of a parameter: "
+        help=f"Anatomical table ({', '.join(TABLES)}), or what you expect of a parameter: "
         "damping=3+-1; repeat.",
         metavar="TABLE|NAME=VALUE+-SD",
     ),
@@ -50,10 +50,10 @@ def assumed(
     tables = [word for word in words if "=" not in word]
     if len(tables) > 1:
         raise ValueError(f"--prior takes one table, not {' and '.join(tables)}.")
-    if tables and tables[0] not in list(Table):
+    if tables and tables[0] not in TABLES:
         raise ValueError(
             f"--prior {tables[0]}: this is no table and no expectation. It can be "
-            f"{', '.join(Table)}, or NAME=VALUE+-SD such as damping=3+-1."
+            f"{', '.join(TABLES)}, or NAME=VALUE+-SD such as damping=3+-1."
         )
     said = ByHand(
         dict(named("--fix", word, value_of) for word in fix or []),
@@ -62,8 +62,8 @@ def assumed(
     )
     each = {"fix": said.fix, "bound": said.bound, "expect": said.prior}
     return {
-        "prior": tables[0] if tables else Table.auto.value,
-        "bounds": bounds.value,
+        "prior": tables[0] if tables else TABLES[0],
+        "bounds": bounds,
         **{name: dict(given) for name, given in each.items() if given},
     }
 

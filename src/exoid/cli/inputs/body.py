@@ -1,11 +1,20 @@
-"""Body mass and height, as both commands take them."""
+"""The body, as options and answers on a terminal say it."""
 
+import sys
 from typing import Annotated
 
 import typer
 
 BodyMass = Annotated[float | None, typer.Option(help="kg; replaces the sidecar's.", metavar="KG")]
 Height = Annotated[float | None, typer.Option(help="m; replaces the sidecar's.", metavar="M")]
+
+
+QUESTIONS = {
+    "body_mass": "Body mass [kg]",
+    "height": "Height [m]",
+    "added_mass": "Mass added to the shank [kg]",
+    "added_mass_distance": "Its distance from the knee [m]",
+}
 
 
 def given_body(**options: float | None) -> dict[str, float]:
@@ -17,3 +26,31 @@ def given_body(**options: float | None) -> dict[str, float]:
     for name, value in wanted.items():
         check_entry({**declared[name], "key": f"--{name.replace('_', '-')}"}, value, None)
     return wanted
+
+
+def ask_body(given: dict[str, float]) -> dict[str, float]:
+    """What was given, and what is answered; an empty answer leaves it unknown.
+
+    Without a terminal nothing is asked.
+    """
+    if not (sys.stdin.isatty() and sys.stderr.isatty()):
+        return given
+    known = dict(given)
+    for name, question in QUESTIONS.items():
+        needless = name == "added_mass_distance" and not known.get("added_mass")
+        if name not in known and not needless:
+            known |= answer(name, question)
+    return known
+
+
+def answer(name: str, question: str) -> dict[str, float]:
+    while True:
+        said = typer.prompt(
+            f"{question}, empty if unknown", default="", show_default=False, err=True
+        )
+        if not said.strip():
+            return {}
+        try:
+            return given_body(**{name: float(said)})
+        except ValueError as fault:
+            typer.echo(f"exoid: {fault}", err=True)

@@ -1,81 +1,19 @@
 """The words that options can take."""
 
-from enum import StrEnum
-from typing import Annotated
+from typing import Annotated, Literal
 
 import typer
 
-
-class Table(StrEnum):
-    """Where the expected parameters come from."""
-
-    auto = "auto"
-    de_leva = "de_leva"
-    winter = "winter"
-    dumas = "dumas"
-    child = "child"
-    heavy = "heavy"
-    paper = "paper"
-    none = "none"
-
-
-class Bounds(StrEnum):
-    """Between which limits a fit searches."""
-
-    body = "body"
-    paper = "paper"
-
-
-class Method(StrEnum):
-    """How the misfit is minimised."""
-
-    lm = "lm"
-    slsqp = "slsqp"
-
-
-class Reading(StrEnum):
-    """The two readings of Eq. 4."""
-
-    one = "1/T"
-    two = "2/T"
-
-
-class Misfit(StrEnum):
-    """What Eq. 11 compares."""
-
-    weighted = "weighted"
-    paper = "paper"
-
-
-class Clip(StrEnum):
-    """Which samples of a segment are fitted."""
-
-    free = "free"
-    paper = "paper"
-
-
-class Flip(StrEnum):
-    """Channels of the other sign."""
-
-    angle = "angle"
-    gyro = "gyro"
-    all = "all"
-
-
-class Zero(StrEnum):
-    """What a file calls 0."""
-
-    extended = "extended"
-    hanging = "hanging"
-    unknown = "unknown"
-
-
-class Side(StrEnum):
-    """Which leg."""
-
-    left = "left"
-    right = "right"
-
+# Where the expected parameters come from.
+TABLES = ("auto", "de_leva", "winter", "dumas", "child", "heavy", "paper", "none")
+Bounds = Literal["body", "paper"]  # between which limits a fit searches
+Method = Literal["lm", "slsqp"]  # how the misfit is minimised
+Reading = Literal["1/T", "2/T"]  # the two readings of Eq. 4
+Misfit = Literal["weighted", "paper"]  # what Eq. 11 compares
+Clip = Literal["free", "paper"]  # which samples of a segment are fitted
+Flip = Literal["angle", "gyro", "all"]  # channels of the other sign
+Zero = Literal["extended", "hanging", "unknown"]  # what a file calls 0
+Side = Literal["left", "right"]  # which leg
 
 Seed = Annotated[int, typer.Option(min=0, help="Of the starts; same seed, same result.")]
 FlipOption = Annotated[

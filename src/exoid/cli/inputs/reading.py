@@ -28,88 +28,48 @@ Columns = Annotated[
 ]
 
 
-def read(
-    path: Path,
-    dbc: Path | None = None,
-    signal: list[str] | None = None,
-    strict: bool = False,
-    *,
-    whole: bool = False,
-    flip: Flip | None = None,
-    zero: Zero | None = None,
-    column: list[str] | None = None,
-):
-    """One recording; what its reader noticed is said on stderr."""
-    told = {"flip": flip, "zero": zero, "column": column}
-    return take(path, dbc, signal, strict, whole=whole, **told).recording
-
-
 def take_all(paths: list[Path], body: dict, protocol: dict | None = None, **options):
     """Recordings of one leg by their files' names, with what was said of its body and its protocol;
     and what their readers noticed. `options` are those of `take`.
     """
     taken = [take(path, **options) for path in paths]
-    recordings = [each.recording for each in taken]
-    named = [
-        (
-            path.name,
-            replace(
-                each,
-                subject=replace(each.subject, **body),
-                protocol=replace(each.protocol, **(protocol or {})),
-            ),
-        )
-        for path, each in zip(paths, recordings, strict=True)
-    ]
+    named = []
+    for path, each in zip(paths, (loaded.recording for loaded in taken), strict=True):
+        subject = replace(each.subject, **body)
+        protocol_told = replace(each.protocol, **(protocol or {}))
+        named.append((path.name, replace(each, subject=subject, protocol=protocol_told)))
     return named, taken
 
 
 def take(
     path: Path,
-    dbc: Path | None = None,
-    signal: list[str] | None = None,
-    strict: bool = False,
     *,
-    whole: bool = False,
-    flip: Flip | None = None,
-    zero: Zero | None = None,
+    signal: list[str] | None = None,
     column: list[str] | None = None,
+    **options,
 ):
-    """The same, with what its reader noticed."""
+    """A recording, with what its reader noticed, which is said on stderr.
+
+    `options` are those of `load`.
+    """
     from exoid.recordings.loading.load import load
 
-    signals = signal_map(signal)
-    told = {"flip": flip and flip.value, "zero": zero and zero.value}
-    told |= {"columns": column_map(column)}
-    loaded = patiently(
-        lambda: load(path, dbc=dbc, signals=signals, strict=strict, whole=whole, **told),
-        f"reading {path.name}",
-    )
-    for note in loaded.notes:
-        typer.echo(f"exoid: {note}", err=True)
-    if loaded.quality is not None:
-        for line in loaded.quality.lines():
-            typer.echo(line, err=True)
+    options["signals"] = pairs("--signal", signal, "CHANNEL=MESSAGE.SIGNAL")
+    options["columns"] = pairs("--column", column, 'COLUMN="NAME IN THE FILE"')
+    loaded = patiently(lambda: load(path, **options), f"reading {path.name}")
+    noticed = loaded.quality.lines() if loaded.quality is not None else []
+    for line in (*(f"exoid: {note}" for note in loaded.notes), *noticed):
+        typer.echo(line, err=True)
     return loaded
 
 
 def as_told(flip: Flip | None, zero: Zero | None) -> dict[str, str]:
     """Sign and zero, where options told of them, as settings keep them."""
-    each = {"flip": flip, "zero": zero}
-    return {name: said.value for name, said in each.items() if said is not None}
-
-
-def signal_map(signal: list[str] | None) -> dict[str, str] | None:
-    """CHANNEL=MESSAGE.SIGNAL pairs as a map."""
-    return pairs("--signal", signal, "CHANNEL=MESSAGE.SIGNAL")
-
-
-def column_map(column: list[str] | None) -> dict[str, str] | None:
-    """COLUMN="name in the file" pairs as a map."""
-    return pairs("--column", column, 'COLUMN="NAME IN THE FILE"')
+    return {name: said for name, said in (("flip", flip), ("zero", zero)) if said is not None}
 
 
 def pairs(option: str, entries: list[str] | None, form: str) -> dict[str, str] | None:
+    """What stands before and after the `=` of every entry, as a map."""
     if not entries:
         return None
     parts = [entry.partition("=") for entry in entries]

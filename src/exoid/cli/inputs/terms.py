@@ -1,6 +1,10 @@
 """What the model has beside Eq. 9, as options name it: terms of the library, or of a user's own."""
 
+import importlib
+import importlib.util
+import sys
 from difflib import get_close_matches
+from functools import partial
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -33,6 +37,36 @@ Model = Annotated[
     Path | None,
     typer.Option(help="The model of a saved fit or diagnosis (.nc): its terms.", metavar="FILE"),
 ]
+
+
+def own_terms(name: str | None) -> tuple[Any, ...]:
+    """The terms of a user's own, from a module or a file; none where none is named."""
+    if name is None:
+        return ()
+    from exoid.physics.library import check_terms, terms_of
+
+    path = Path(name)
+    if path.suffix == ".py":
+        if not path.is_file():
+            raise ValueError(f"--terms {name}: there is no such file. Check the name.")
+        spec = importlib.util.spec_from_file_location(path.stem, path)
+        assert spec is not None  # a .py file has one
+        assert spec.loader is not None
+        module = importlib.util.module_from_spec(spec)
+        sys.modules[path.stem] = module
+        load = partial(spec.loader.exec_module, module)
+    else:
+        module, load = None, partial(importlib.import_module, name)
+    try:
+        module = load() or module
+    except Exception as fault:  # whatever a user's file may raise
+        raise ValueError(f"--terms {name}: {type(fault).__name__}: {fault}") from fault
+    assert module is not None  # loaded, one way or the other
+    found = tuple(terms_of(module))
+    if not found:
+        raise ValueError(f"--terms {name}: no class of exoid.PhysicsTerm or SensorTerm in it.")
+    check_terms(found)
+    return found
 
 
 def terms_asked(
@@ -92,11 +126,16 @@ def names_of(terms: tuple[Any, ...]) -> list[str]:
     return [name_of(each if isinstance(each, type) else type(each)) for each in terms]
 
 
-def saved_model(model: Path, own: tuple):
-    """The fitted leg with its terms, of a saved fit."""
+def loaded(path: Path, own: tuple):
+    """A result as it was saved, with a user's own terms."""
     from exoid.report.saved.saved_result import load_result
 
-    found = load_result(model, terms=own).result.model
+    return load_result(path, terms=own)
+
+
+def saved_model(model: Path, own: tuple):
+    """The fitted leg with its terms, of a saved fit."""
+    found = loaded(model, own).result.model
     if found is None:
         raise ValueError(f"{model}: every segment was fitted alone there: it holds no one model.")
     return found
@@ -104,9 +143,7 @@ def saved_model(model: Path, own: tuple):
 
 def suspected_in(model: Path, own: tuple) -> list[str]:
     """The causes that keep a saved diagnosis from an answer; none of a fit."""
-    from exoid.report.saved.saved_result import load_result
-
-    found = load_result(model, terms=own).diagnosis
+    found = loaded(model, own).diagnosis
     return rivals_in(found) if found is not None and found.after is None else []
 
 

@@ -7,12 +7,22 @@ from typing import Annotated
 
 import typer
 
-FIGURES = ("pdf", "svg", "png")
+FIGURES, PAGES, SAVED = ("pdf", "svg", "png"), ("html", "htm"), ("nc",)
 Json = Annotated[Path | None, typer.Option(help="Everything for machines.", metavar="FILE")]
 Report = Annotated[
     Path | None, typer.Option(help="Page (.html) to look at and print.", metavar="FILE")
 ]
 Force = Annotated[bool, typer.Option("--force", help="Replace what is there.")]
+
+
+def check_outputs(
+    *wanted: tuple[Path | None, tuple[str, ...]], inputs: Iterable[Path] = ()
+) -> None:
+    """Refuse outputs, each with the kinds that it can be of, that cannot be written, or that would
+    write over an input or each other."""
+    for path, kinds in wanted:
+        check_destination(path, kinds)
+    check_apart([path for path, _ in wanted], inputs)
 
 
 def check_destination(path: Path | None, kinds: tuple[str, ...] = ()) -> None:

@@ -3,8 +3,6 @@
 from pathlib import Path
 from typing import Any
 
-PAGES = ("html", "htm")
-
 
 def sources_of(taken, named) -> tuple[Any, ...]:
     """What was read, and the (name, recording) that was analysed of it."""

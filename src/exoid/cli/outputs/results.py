@@ -1,21 +1,22 @@
-"""A fit as the user gets it: tables, figure, document and file."""
+"""Results as the user gets them: tables, documents and files."""
 
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from pathlib import Path
+from typing import Any
 
 import typer
 
 from exoid.cli.outputs.origin import sha256_of
+from exoid.cli.terminal.waiting import patiently
 
 
-def show(result, told=None) -> None:
-    """The tables, on stdout; with what the recording told, where that was asked."""
+def show(table: Callable[[Any], None]) -> None:
+    """What `table` prints on a console, on stdout."""
     from rich.console import Console
 
-    from exoid.report.tables.fit import print_fit
-
     with suppress(SystemExit):  # rich's answer to a closed pipe; files are still to be written
-        print_fit(result, Console(), told)
+        table(Console())
 
 
 def introduce(named) -> None:
@@ -26,29 +27,28 @@ def introduce(named) -> None:
         typer.echo(who)
 
 
-def draw(result, profiles, path: Path) -> None:
-    """The figure."""
-    from exoid.report.plots.fit import plot_fit, save_figure
+def put(path: Path | None, write: Callable[[Path], Any], what: str = "writing") -> None:
+    """Write a file that was asked for, and say so."""
+    if path is not None:
+        patiently(lambda: write(path), what)
+        typer.echo(f"wrote {path}", err=True)
 
-    save_figure(plot_fit(result, profiles), path)
 
-
-def write_document(result, told, profiles, recordings, settings: dict, path: Path) -> None:
-    """The document for machines."""
-    from importlib.metadata import version
-
-    from exoid.report.document.fit_json import fit_document
+def put_document(path: Path | None, document: Callable[[], Mapping]) -> None:
+    """Write a document for machines that was asked for, and say so."""
     from exoid.report.document.plain_json import write_json
 
-    document = fit_document(
-        result,
-        version=version("exoid"),
-        recordings=described(recordings),
-        settings=settings,
-        told=told,
-        profiles=profiles,
-    )
-    write_json(document, path)
+    put(path, lambda path: write_json(document(), path))
+
+
+def traced(files) -> dict[str, Any]:
+    """What a document says of its origin: pairs of a path and its (name, recording)."""
+    from importlib.metadata import version
+
+    return {
+        "version": version("exoid"),
+        "recordings": [describe(path, recording) for path, (_, recording) in files],
+    }
 
 
 def keep(result, recordings, settings: dict, path: Path, **found) -> None:
@@ -71,11 +71,6 @@ def sidecar_hash(recording: Path) -> str | None:
     """Of what stands beside a recording; a fit rests on it as well."""
     sidecar = recording.with_suffix(".toml")
     return sha256_of(sidecar) if sidecar.exists() else None
-
-
-def described(recordings) -> list[dict]:
-    """Which files they were: pairs of a path and its (name, recording)."""
-    return [describe(source, recording) for source, (_, recording) in recordings]
 
 
 def describe(path: Path, recording) -> dict:

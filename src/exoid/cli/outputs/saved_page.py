@@ -5,14 +5,12 @@ from pathlib import Path, PurePath
 
 import typer
 
-from exoid.cli.inputs.choices import Flip, Zero
 from exoid.cli.inputs.reading import take
+from exoid.cli.inputs.terms import loaded
 from exoid.cli.outputs.origin import origin_of, sha256_of
-from exoid.cli.outputs.page import sources_of
-from exoid.cli.outputs.results import end, sidecar_hash
+from exoid.cli.outputs.page import sources_of, write_report
+from exoid.cli.outputs.results import end, put, sidecar_hash
 from exoid.cli.terminal.waiting import patiently
-
-SAVED = ".nc"
 
 
 def retell(paths: list[Path], output: Path, given: list[str], own) -> None:
@@ -25,8 +23,14 @@ def retell(paths: list[Path], output: Path, given: list[str], own) -> None:
     saved = patiently(lambda: loaded(path, own), f"reading {path}")
     sources = at_hand(saved, path)
     names = [name_of(each) for each in saved.recordings] or [path.name]
-    patiently(lambda: write(saved, path, output, sources, names), "writing the page")
-    typer.echo(f"wrote {output}", err=True)
+    found = {"told": saved.told, "diagnosis": saved.diagnosis, "plan": saved.plan}
+    found["absent"] = () if sources else tuple(names)
+
+    def write(page: Path) -> None:
+        origin = saved.origin or origin_of([path], saved.settings)
+        write_report(page, sources, saved.result, origin, **found)
+
+    put(output, write, "writing the page")
     end((saved.diagnosis or saved.result).follows)
 
 
@@ -52,13 +56,6 @@ def check_alone(paths: list[Path], given: list[str]) -> None:
         )
 
 
-def loaded(path: Path, own):
-    """What was saved."""
-    from exoid.report.saved.saved_result import load_result
-
-    return load_result(path, terms=own)
-
-
 def at_hand(saved, path: Path) -> tuple:
     """The recordings as they were analysed; none where one of their files is not as it was."""
     settings = saved.settings
@@ -71,22 +68,14 @@ def at_hand(saved, path: Path) -> tuple:
         why = f"{', '.join(changed)} is not there, or has changed" if changed else "it names none"
         typer.echo(f"exoid: {path}: without what only the recordings show: {why}.", err=True)
         return ()
-    told = {"flip": of(Flip, settings.get("flip")), "zero": of(Zero, settings.get("zero"))}
-    told |= {"column": settings.get("column")}
-    taken = [
-        take(place, dbc and Path(dbc), settings.get("signal"), False, **told) for place, _ in each
-    ]
+    told = {name: settings.get(name) for name in ("flip", "zero", "column", "signal")}
+    taken = [take(place, dbc=dbc, **told) for place, _ in each]
     body = {name: settings[name] for name in ("body_mass", "height") if name in settings}
     named = [
         (place.name, replace(one.recording, subject=replace(one.recording.subject, **body)))
         for (place, _), one in zip(each, taken, strict=True)
     ]
     return sources_of(taken, named)
-
-
-def of(words, said: str | None):
-    """An option as it was given, None where it was not."""
-    return None if said is None else words(said)
 
 
 def found(place: Path, beside: Path) -> Path:
@@ -102,20 +91,3 @@ def unchanged(place: Path, one) -> bool:
 
 def same(place: Path, sha256: str | None) -> bool:
     return place.is_file() and sha256_of(place) == sha256
-
-
-def write(saved, path: Path, output: Path, sources, names: list[str]) -> None:
-    """The page, with the origin of the result, or of this page where that was not kept."""
-    from exoid.report.page import write_page
-    from exoid.report.parts.case import Case
-
-    case = Case(
-        sources,
-        saved.result,
-        saved.origin or origin_of([path], saved.settings),
-        saved.told,
-        saved.diagnosis,
-        saved.plan,
-        () if sources else tuple(names),
-    )
-    write_page(case, output)

@@ -11,23 +11,16 @@ Result = TypeVar("Result")
 
 
 def patiently(task: Callable[[], Result], what: str) -> Result:
-    """The result of `task`; once it is slow, a spinner on stderr where that is a terminal.
+    """The result of `task`; once it is slow, a spinner on stderr where that is a terminal."""
+    return in_phases(lambda told: task(), what)
+
+
+def in_phases(task: Callable[[Callable[[str], None]], Result], what: str = "starting") -> Result:
+    """The result of `task`, which names its phases; a spinner shows them, as in `patiently`.
 
     It runs in a thread, because XLA does not hear Ctrl-C while it compiles.
     """
-    running = ThreadPoolExecutor(1).submit(task)
-    wait([running], SLOW)
-    if not running.done() and sys.stderr.isatty():
-        from rich.console import Console
-
-        with Console(stderr=True).status(what):
-            wait([running])
-    return running.result()
-
-
-def in_phases(task: Callable[[Callable[[str], None]], Result]) -> Result:
-    """The result of `task`, which names its phases; a spinner shows them, as in `patiently`."""
-    phase = ["starting"]
+    phase = [what]
     status: list[Any] = []
 
     def told(name: str) -> None:

@@ -1,7 +1,10 @@
 """`expected_leg`: from a body to the leg that anatomy expects, with how m, l and J scatter."""
 
+from collections.abc import Iterable
 from math import exp, log
 from typing import NamedTuple
+
+import numpy as np
 
 from exoid.physics.anatomy.body.segments import com_distance, leg_mass, two_segment_inertia
 from exoid.physics.anatomy.body.size import Body, Sex, check_body
@@ -17,10 +20,10 @@ MEASURED = Scatter(mass=0.10, com_distance=0.06, radius=0.06)
 
 
 class Build(NamedTuple):
-    """Logarithms of m, l and J / (m l), and the variance of each."""
+    """Logarithms of m, l and J / (m l), and how they scatter."""
 
-    logarithms: tuple[float, ...]
-    variances: tuple[float, ...]
+    logarithms: np.ndarray
+    covariance: np.ndarray
 
 
 def expected_leg(
@@ -65,16 +68,14 @@ def expected_leg(
     source += f", {sex}" if sex else ""
     centre, covariance = mixture(builds, shares)
     if len(spoken) == 1:
-        covariance = added(covariance, diagonal(tuple(each**2 for each in DISAGREEMENT)))
+        covariance = covariance + squared(DISAGREEMENT)
     return leg_of(centre, covariance, source)
 
 
 def measured_leg(mass: float, distance: float) -> ExpectedLeg:
     """What to expect where m [kg] and l [m] were measured: J as the shape of all tables has it."""
     logarithms = (log(mass), log(distance), log(SLENDERNESS * distance))
-    return leg_of(
-        logarithms, diagonal(tuple(each**2 for each in MEASURED)), "measured mass and distance"
-    )
+    return leg_of(logarithms, squared(MEASURED), "measured mass and distance")
 
 
 def build(
@@ -89,45 +90,36 @@ def build(
     inertia = two_segment_inertia(part, body.mass, body.height, length)
     if table.name == "paper":
         inertia = printed_inertia(body, length, shank_radius)
-    variances = tuple(each**2 for each in table.scatter_of(body))
-    return Build((log(mass), log(distance), log(inertia / (mass * distance))), variances)
+    logarithms = log(mass), log(distance), log(inertia / (mass * distance))
+    return Build(np.array(logarithms), squared(table.scatter_of(body)))
 
 
-def mixture(builds: list[Build], shares: list[float]) -> tuple[tuple[float, ...], Matrix]:
+def mixture(builds: list[Build], shares: list[float]) -> Build:
     """Mean and covariance of tables that each speak for a share: their disagreement is scatter."""
-    centre = tuple(
-        sum(share * each.logarithms[at] for each, share in zip(builds, shares, strict=True))
-        for at in range(3)
-    )
-    covariance = [list(row) for row in diagonal((0.0, 0.0, 0.0))]
-    for each, share in zip(builds, shares, strict=True):
-        away = [value - mean for value, mean in zip(each.logarithms, centre, strict=True)]
-        for row in range(3):
-            covariance[row][row] += share * each.variances[row]
-            for column in range(3):
-                covariance[row][column] += share * away[row] * away[column]
-    return centre, tuple(tuple(row) for row in covariance)
+    each = list(zip(builds, shares, strict=True))
+    centre = sum((share * one.logarithms for one, share in each), np.zeros(3))
+    covariance = np.zeros((3, 3))
+    for one, share in each:
+        away = one.logarithms - centre
+        covariance += share * one.covariance
+        covariance += np.outer(share * away, away)
+    return Build(centre, covariance)
 
 
-def leg_of(logarithms: tuple[float, ...], covariance: Matrix, source: str) -> ExpectedLeg:
+def leg_of(logarithms: Iterable[float], covariance: np.ndarray, source: str) -> ExpectedLeg:
     """The leg around which m, l and J / (m l) scatter so."""
     mass, distance, radius = map(exp, logarithms)
     inertia = mass * distance * radius
     damping, stiffness = knee(inertia)
+    matrix: Matrix = tuple(map(tuple, covariance.tolist()))
     return ExpectedLeg(
-        mass=scattered(mass, covariance[0][0]),
-        inertia=scattered(inertia, sum(map(sum, covariance))),
-        com_distance=scattered(distance, covariance[1][1]),
+        mass=scattered(mass, matrix[0][0]),
+        inertia=scattered(inertia, sum(map(sum, matrix))),
+        com_distance=scattered(distance, matrix[1][1]),
         damping=damping,
         stiffness=stiffness,
         source=source,
-        covariance=covariance,
-    )
-
-
-def added(one: Matrix, other: Matrix) -> Matrix:
-    return tuple(
-        tuple(a + b for a, b in zip(*rows, strict=True)) for rows in zip(one, other, strict=True)
+        covariance=matrix,
     )
 
 
@@ -135,8 +127,6 @@ def listed(names: list[str]) -> str:
     return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
 
 
-def diagonal(entries: tuple[float, ...]) -> Matrix:
-    return tuple(
-        tuple(entry if row == column else 0.0 for column in range(len(entries)))
-        for row, entry in enumerate(entries)
-    )
+def squared(scatter: Scatter) -> np.ndarray:
+    """The covariance of what scatters independently."""
+    return np.diag([each**2 for each in scatter])

@@ -1,28 +1,25 @@
 """A magnet that is off the encoder's centre."""
 
-from typing import Any, ClassVar
-
 import jax.numpy as jnp
-from jaxtyping import Float
 
 from exoid.physics.moment import Moment
-from exoid.physics.parameter import parameter
+from exoid.physics.parameter import Parameter, parameter
 from exoid.physics.term import Memory, Reading, SensorTerm, reading
 
 
 class EncoderEccentricity(SensorTerm):
     """The encoder shows phi + A_s sin(phi) + A_c cos(phi)."""
 
-    title: ClassVar[str] = "magnet off the encoder's centre"
-    reference: ClassVar[str] = "AS5600 datasheet: about 1 deg within 0.5 mm off centre"
-    explanation: ClassVar[str] = (
+    title = "magnet off the encoder's centre"
+    reference = "AS5600 datasheet: about 1 deg within 0.5 mm off centre"
+    explanation = (
         "The magnet does not sit over the middle of the chip, so that the angle is stretched in "
         "one part of the turn and shrunk in another."
     )
-    isolate: ClassVar[str] = "a full turn of the hinge on the bench, or the magnet turned by 90 deg"
+    isolate = "a full turn of the hinge on the bench, or the magnet turned by 90 deg"
 
-    sine: Float[Any, ""] = parameter("A_s", "rad", -0.15, 0.15, "in phase", (0.01,))
-    cosine: Float[Any, ""] = parameter("A_c", "rad", -0.15, 0.15, "in quadrature", (0.01,))
+    sine: Parameter = parameter("A_s", "rad", -0.15, 0.15, "in phase", (0.01,))
+    cosine: Parameter = parameter("A_c", "rad", -0.15, 0.15, "in quadrature", (0.01,))
 
     def shown(self, now: Moment, memory: Memory) -> Reading:
         error = self.sine * jnp.sin(now.angle) + self.cosine * jnp.cos(now.angle)

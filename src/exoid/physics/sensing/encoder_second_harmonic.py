@@ -1,28 +1,25 @@
 """An encoder that errs twice per turn."""
 
-from typing import Any, ClassVar
-
 import jax.numpy as jnp
-from jaxtyping import Float
 
 from exoid.physics.moment import Moment
-from exoid.physics.parameter import parameter
+from exoid.physics.parameter import Parameter, parameter
 from exoid.physics.term import Memory, Reading, SensorTerm, reading
 
 
 class EncoderSecondHarmonic(SensorTerm):
     """The encoder shows phi + B_s sin(2 phi) + B_c cos(2 phi)."""
 
-    title: ClassVar[str] = "encoder that errs twice per turn"
-    reference: ClassVar[str] = "Monolithic Power AN142: field components of unequal size"
-    explanation: ClassVar[str] = (
+    title = "encoder that errs twice per turn"
+    reference = "Monolithic Power AN142: field components of unequal size"
+    explanation = (
         "The two components of the magnet's field are not equally strong where the chip sits (a "
         "tilted magnet, iron nearby), so that the angle is stretched and shrunk twice per turn."
     )
-    isolate: ClassVar[str] = "a full turn of the hinge on the bench, with iron and magnets far away"
+    isolate = "a full turn of the hinge on the bench, with iron and magnets far away"
 
-    sine: Float[Any, ""] = parameter("B_s", "rad", -0.1, 0.1, "in phase", (0.01,))
-    cosine: Float[Any, ""] = parameter("B_c", "rad", -0.1, 0.1, "in quadrature", (0.01,))
+    sine: Parameter = parameter("B_s", "rad", -0.1, 0.1, "in phase", (0.01,))
+    cosine: Parameter = parameter("B_c", "rad", -0.1, 0.1, "in quadrature", (0.01,))
 
     def shown(self, now: Moment, memory: Memory) -> Reading:
         error = self.sine * jnp.sin(2 * now.angle) + self.cosine * jnp.cos(2 * now.angle)

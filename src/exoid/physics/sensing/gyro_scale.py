@@ -1,11 +1,7 @@
 """A gyro whose rates are too high or too low in proportion."""
 
-from typing import Any, ClassVar
-
-from jaxtyping import Float
-
 from exoid.physics.moment import Moment
-from exoid.physics.parameter import parameter
+from exoid.physics.parameter import Parameter, parameter
 from exoid.physics.term import Memory, Reading, SensorTerm, reading
 
 
@@ -16,21 +12,21 @@ class GyroScale(SensorTerm):
     obeys Eq. 9, with other ratios to J.
     """
 
-    title: ClassVar[str] = "scale of the gyro"
-    reference: ClassVar[str] = "Arduino_LSM6DS3 issue 64: 61.04 for 70 mdps per count, 12.8 % low"
-    explanation: ClassVar[str] = (
+    title = "scale of the gyro"
+    reference = "Arduino_LSM6DS3 issue 64: 61.04 for 70 mdps per count, 12.8 % low"
+    explanation = (
         "Counts are converted to deg/s by a wrong factor, or the gyro's axis is not that of the "
         "knee."
     )
-    isolate: ClassVar[str] = (
+    isolate = (
         "the exoskeleton turned by a known right angle, at any speed; a recording of some minutes "
         "beside a watch shows whether it is the clock"
     )
-    twin: ClassVar[str] = "clock_rate"
-    everyday: ClassVar[bool] = True
-    replaces: ClassVar[str] = "gyro_scale"
+    twin = "clock_rate"
+    everyday = True
+    replaces = "gyro_scale"
 
-    scale: Float[Any, ""] = parameter("s", "1", -0.3, 0.3, "scale error", (0.01,))
+    scale: Parameter = parameter("s", "1", -0.3, 0.3, "scale error", (0.01,))
 
     def shown(self, now: Moment, memory: Memory) -> Reading:
         return reading(angular_velocity=self.scale * now.angular_velocity)

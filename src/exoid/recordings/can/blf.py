@@ -22,7 +22,6 @@ from exoid.recordings.can.frames import (
     CanLogError,
     Frames,
     Log,
-    joined,
 )
 
 FILE_HEADER = struct.Struct("<4sL8B2Q2L8H8H")  # as python-can; the fields used are named below
@@ -55,9 +54,10 @@ def read_blf(path: Path) -> Log:
     pieces, faults = unbroken_pieces(content, header_size)
     positions = [object_positions(piece) for piece in pieces]
     begin = start_time(start)
+    first, *others = (frames_at(*pair, begin) for pair in zip(pieces, positions, strict=True))
     return Log(
         path,
-        joined([frames_at(*pair, begin) for pair in zip(pieces, positions, strict=True)]),
+        first.followed_by(*others),
         stopped="; ".join(faults) or None,
         announced=announced,
         found=sum(at.size for at in positions),

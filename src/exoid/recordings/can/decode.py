@@ -3,7 +3,6 @@
 The layout comes from a DBC file; what cantools says of one frame, this says of millions.
 """
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -50,15 +49,13 @@ class MessagePlan:
         """The signal of that name."""
         return next(signal for signal in self.signals if signal.name == name)
 
-    def decode(
-        self, data: FrameData, names: Sequence[str] | None = None
-    ) -> dict[str, Float[np.ndarray, " frame"]]:
-        """The values of the named signals (all, when None) in all frames."""
-        return {
-            signal.name: decode_signal(data, signal)
-            for signal in self.signals
-            if names is None or signal.name in names
-        }
+    def values(self, data: FrameData, name: str) -> Float[np.ndarray, " frame"]:
+        """The named signal of all frames, in its unit."""
+        return decode_signal(data, self.signal(name))
+
+    def decode(self, data: FrameData) -> dict[str, Float[np.ndarray, " frame"]]:
+        """All signals of all frames."""
+        return {signal.name: decode_signal(data, signal) for signal in self.signals}
 
 
 def decode_signal(data: FrameData, signal: SignalPlan) -> Float[np.ndarray, " frame"]:
@@ -80,11 +77,8 @@ def raw_values(data: FrameData, signal: SignalPlan) -> Shaped[np.ndarray, " fram
         size = signal.length // 8
         return data.view(f"{order}{kind}{size}")[:, signal.start // signal.length]
     bits = shifted_bits(data.view(f"{order}u8")[:, 0], signal)
-    return (
-        bits.astype(f"u{signal.length // 8}").view(f"f{signal.length // 8}")
-        if (signal.floating)
-        else bits
-    )
+    size = signal.length // 8
+    return bits.astype(f"u{size}").view(f"f{size}") if signal.floating else bits
 
 
 def shifted_bits(words: Shaped[np.ndarray, " frame"], signal: SignalPlan):

@@ -4,10 +4,14 @@ A tick is one period of the node's sampling timer, counted without end from the 
 time says only which of the possible ticks was meant; its jitter never reaches a sample's time.
 """
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any
 
 import numpy as np
-from jaxtyping import Float, Int, Shaped
+from jaxtyping import Bool, Float, Int, Shaped
+
+from exoid.recordings.can.frames import Columns
 
 PERIOD = 0.01  # s; the sampling tick of the node
 MICROSECOND = 1e-6
@@ -25,28 +29,22 @@ Seconds = Float[np.ndarray, " frame"]
 
 
 @dataclass(frozen=True, eq=False)
-class Stamps:
+class Stamps(Columns):
     """Frames of one message: place in the log, host time, and the counter they carry."""
 
     order: Int[np.ndarray, " frame"]
     host: Seconds
     counter: Int[np.ndarray, " frame"]
 
-    def where(self, chosen: Shaped[np.ndarray, " frame"]) -> "Stamps":
-        return Stamps(*(getattr(self, column.name)[chosen] for column in fields(self)))
-
 
 @dataclass(frozen=True, eq=False)
-class Anchors:
+class Anchors(Columns):
     """Frames whose tick is known, with the device time of that tick."""
 
     order: Int[np.ndarray, " frame"]
     host: Seconds
     tick: Ticks
     device: Seconds
-
-    def where(self, chosen: Shaped[np.ndarray, " frame"]) -> "Anchors":
-        return Anchors(*(getattr(self, column.name)[chosen] for column in fields(self)))
 
     def device_time(self, tick: Ticks) -> Seconds:
         """t = TIME.t + (tick - TIME.tick) * period, from the last anchor before the tick."""
@@ -62,7 +60,7 @@ def without_spikes(host: Seconds) -> Seconds:
     return np.median(np.lib.stride_tricks.sliding_window_view(padded, SPIKE), axis=1)
 
 
-def nearest_tick(counter: Ticks, expected: Ticks, modulus: int) -> Ticks:
+def nearest_tick(counter: Ticks | int, expected: Ticks | int, modulus: int) -> Any:
     """The tick nearest to `expected` that shows this counter."""
     return expected + (counter - expected + modulus // 2) % modulus - modulus // 2
 
@@ -75,21 +73,27 @@ def device_anchors(stamps: Stamps, device_us: Int[np.ndarray, " frame"]) -> list
     keep = ~lone(stamps, device_us)
     stamps, device_us = stamps.where(keep), device_us[keep]
     elapsed, steps, reset = elapsed_between(stamps, device_us, slice(None, -1), slice(1, None))
-    begins = np.flatnonzero(np.concatenate([[True], reset]))
-    ends = np.append(begins[1:], device_us.size)
     return [
         Anchors(
-            order=stamps.order[begin:end],
-            host=stamps.host[begin:end],
-            tick=stamps.counter[begin] + accumulated(steps[begin : end - 1]),
-            device=device_us[begin] * MICROSECOND + accumulated(elapsed[begin : end - 1]),
+            stamps.order[run],
+            stamps.host[run],
+            tick=carried_on(stamps.counter[run.start], steps, run),
+            device=carried_on(device_us[run.start] * MICROSECOND, elapsed, run),
         )
-        for begin, end in zip(begins, ends, strict=True)
+        for run in runs_between(reset)
     ]
 
 
-def accumulated(steps: np.ndarray) -> np.ndarray:
-    return np.concatenate([np.zeros(1, steps.dtype), np.cumsum(steps)])
+def runs_between(reset: Bool[np.ndarray, " step"]) -> list[slice]:
+    """The frames of every run; a step with a reset parts two of them."""
+    begins = np.flatnonzero(np.concatenate([[True], reset])).tolist()
+    return [slice(*ends) for ends in pairwise([*begins, reset.size + 1])]
+
+
+def carried_on(first: Any, steps: np.ndarray, run: slice) -> np.ndarray:
+    """What begins with `first` and grows by the steps within a run."""
+    within = steps[run.start : run.stop - 1]
+    return first + np.concatenate([np.zeros(1, within.dtype), np.cumsum(within)])
 
 
 def elapsed_between(stamps: Stamps, device_us, before: slice, after: slice):
@@ -140,13 +144,10 @@ def counter_anchors(stamps: Stamps, modulus: int, restart) -> list[Anchors]:
     step = np.diff(stamps.counter) % modulus
     host_ticks = np.diff(stamps.host) / PERIOD
     steps = step + modulus * np.maximum(0, np.rint((host_ticks - step) / modulus)).astype(np.int64)
-    begins = np.flatnonzero(np.concatenate([[True], restart[1:] & (step != 1)]))
-    ends = np.append(begins[1:], stamps.order.size)
     parts = []
-    for begin, end in zip(begins, ends, strict=True):
-        tick = stamps.counter[begin] + accumulated(steps[begin : end - 1])
-        host = stamps.host[begin:end]
-        parts.append(Anchors(stamps.order[begin:end], host, tick, tick * PERIOD))
+    for run in runs_between(restart[1:] & (step != 1)):
+        tick = carried_on(stamps.counter[run.start], steps, run)
+        parts.append(Anchors(stamps.order[run], stamps.host[run], tick, tick * PERIOD))
     return parts
 
 

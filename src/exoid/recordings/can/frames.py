@@ -1,7 +1,8 @@
 """The frames of a log as columns, and what kept the rest of it from being read."""
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from pathlib import Path
+from typing import TypeVar
 
 import numpy as np
 from jaxtyping import Float, Shaped, UInt8, UInt32
@@ -20,8 +21,24 @@ class CanLogError(ValueError):
     """A log that cannot be used, in one line: what is wrong, where, and what to do."""
 
 
+Same = TypeVar("Same", bound="Columns")
+
+
+class Columns:
+    """What has arrays of one length for its fields."""
+
+    def where(self: Same, chosen: Shaped[np.ndarray, " row"]) -> Same:
+        """The rows that a mask or an index array chooses."""
+        return type(self)(**{name: column[chosen] for name, column in vars(self).items()})
+
+    def followed_by(self: Same, *others: Same) -> Same:
+        """These rows, then those of the others."""
+        each = [vars(one) for one in (self, *others)]
+        return type(self)(**{name: np.concatenate([one[name] for one in each]) for name in each[0]})
+
+
 @dataclass(frozen=True, eq=False)
-class Frames:
+class Frames(Columns):
     """Frames in the order of the log, one row each."""
 
     time: Float[np.ndarray, " frame"]  # s, the recording computer's clock
@@ -32,17 +49,6 @@ class Frames:
 
     def __len__(self) -> int:
         return self.time.size
-
-    def where(self, chosen: Shaped[np.ndarray, " frame"]) -> "Frames":
-        """The frames that a mask or an index array chooses."""
-        return Frames(*(getattr(self, column.name)[chosen] for column in fields(self)))
-
-
-def joined(parts: list[Frames]) -> Frames:
-    """Frames one part after the other."""
-    return Frames(
-        *(np.concatenate([getattr(part, f.name) for part in parts]) for f in fields(Frames))
-    )
 
 
 @dataclass(frozen=True, eq=False)

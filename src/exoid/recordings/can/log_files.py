@@ -4,9 +4,8 @@ BLF is read by blf.py and MF4 by mf4.py; every other format by the reader of pyt
 faults end here.
 """
 
-import importlib
 import warnings
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -28,17 +27,9 @@ from exoid.recordings.can.frames import (
 )
 from exoid.recordings.can.mf4 import read_frames
 
-READERS = {
-    ".asc": "ASCReader",
-    ".csv": "CSVReader",
-    ".log": "CanutilsLogReader",
-    ".trc": "TRCReader",
-}
-MODULES = {".log": "canutils"}  # where python-can's module is not called like the suffix
-
 Row = tuple[float, int, int, int, bytes]  # time, id, flags, length, data of one frame
 
-FORMATS = (".blf", ".mf4", *READERS)
+FORMATS = (".blf", ".mf4", ".asc", ".csv", ".log", ".trc")
 SKIP_FIRST = (".asc", ".csv", ".log")  # what these readers lose when they begin again: a line
 MOST_DAMAGED = 1000  # lines; a file with more is another kind of file
 CSV_COLUMNS = "timestamp,arbitration_id,extended,remote,error,dlc,data"
@@ -82,17 +73,19 @@ def read_mf4(path: Path) -> Log:
 
 def read_text(path: Path, kind: str) -> Log:
     """The frames of a text log; a line that cannot be read is left out."""
+    from can.io.player import MESSAGE_READERS
+
     lines = Lines(path)
     if kind == ".csv" and lines.first != CSV_COLUMNS:
         raise CanLogError(
             f"{path}: line 1 is {plain(lines.first[:60])}, not the header of python-can's CSV "
             f"({CSV_COLUMNS}). Export the log as BLF, ASC or candump."
         )
-    reader = text_reader(kind)(lines)
+    reader: Any = MESSAGE_READERS[kind](lines)  # pyright: ignore[reportArgumentType]
     rows: list[Row] = []
     damaged: list[str] = []
     with quiet("can"):
-        while (fault := collect(lambda: reader, rows)) and len(damaged) < MOST_DAMAGED:
+        while (fault := collect(reader, rows)) and len(damaged) < MOST_DAMAGED:
             damaged.append(f"line {lines.number} ({fault})")
             lines.blank_first = kind in SKIP_FIRST
     return Log(path, frames_of(rows), told(damaged, lines.cut))
@@ -106,22 +99,17 @@ def told(damaged: list[str], cut: str | None) -> str | None:
     return "; ".join([*faults, *([cut] if cut else [])]) or None
 
 
-def collect(reader: Callable[[], Iterable[Any]], rows: list[Row]) -> str | None:
+def collect(reader: Iterable[Any], rows: list[Row]) -> str | None:
     """Take frames from a reader until its end, or until it fails: then why."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # the readers' own, which say nothing about the file
         try:
-            for message in reader():
+            for message in reader:
                 rows.append(row_of(message))
         except Exception as fault:
             # python-can's readers have no family of exceptions: a bad file raises anything.
             return plain(str(fault)) if is_ours(fault) else "no frame of this format"
     return None
-
-
-def text_reader(kind: str) -> Any:
-    module = importlib.import_module(f"can.io.{MODULES.get(kind, kind[1:])}")
-    return getattr(module, READERS[kind])
 
 
 class Lines:

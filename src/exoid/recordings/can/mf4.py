@@ -8,7 +8,7 @@ import numpy as np
 
 from exoid.files.foreign import Arrays
 from exoid.files.library_faults import is_ours, plain
-from exoid.recordings.can.frames import ERROR, EXTENDED, FD, REMOTE, Frames, joined
+from exoid.recordings.can.frames import ERROR, EXTENDED, FD, REMOTE, Frames
 
 KINDS = {"CAN_DataFrame": 0, "CAN_ErrorFrame": ERROR, "CAN_RemoteFrame": REMOTE}
 CHUNK = 100_000  # frames; more at once take longer, and as much more memory
@@ -18,15 +18,15 @@ KEPT = 8  # bytes of a frame, as of the other formats
 
 def read_frames(path: Path) -> Arrays:
     """The columns of `Frames`, in order of time, and why what follows them was not read."""
-    parts = [frames_of(np.zeros(0), "", np.zeros(0))]
-    keys, stopped = [np.zeros(0)], ""
+    parts, keys, stopped = [], [np.zeros(0)], ""
     try:
         for part, key in parts_of(path):
             parts.append(part)
             keys.append(key)
     except Exception as fault:  # asammdf has no family of them: a bad file raises anything
         stopped = plain(str(fault)) if is_ours(fault) else "a block of the file is damaged"
-    found = joined(parts).where(np.argsort(np.concatenate(keys), kind="stable"))
+    none = frames_of(np.zeros(0), "", np.zeros(0))
+    found = none.followed_by(*parts).where(np.argsort(np.concatenate(keys), kind="stable"))
     return vars(found) | {"stopped": np.array(stopped)}
 
 

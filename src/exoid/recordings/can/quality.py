@@ -3,6 +3,9 @@
 from dataclasses import dataclass
 from typing import Literal
 
+import numpy as np
+from jaxtyping import Float, Int
+
 from exoid.recordings.can.frames import CanLogError
 from exoid.recordings.filter.effect import FilterEffect
 
@@ -16,6 +19,14 @@ class Gap:
     start: float
     duration: float
     samples: int
+
+
+def gaps_in(time: Float[np.ndarray, " sample"], steps: Int[np.ndarray, " step"]) -> list[Gap]:
+    """Where more than one of the ticks, or periods, of a step lies between two samples."""
+    return [
+        Gap(float(time[at]), float(time[at + 1] - time[at]), int(steps[at]) - 1)
+        for at in np.flatnonzero(steps > 1)
+    ]
 
 
 @dataclass(frozen=True)

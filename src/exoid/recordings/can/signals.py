@@ -9,10 +9,9 @@ import numpy as np
 from jaxtyping import Float, Int
 
 from exoid.recordings.can.dbc import plan_message, read_dbc
-from exoid.recordings.can.decode import decode_signal
 from exoid.recordings.can.device_clock import fitted_line, without_spikes
 from exoid.recordings.can.frames import CanLogError, Log
-from exoid.recordings.can.quality import Gap, LogQuality, MessageCount
+from exoid.recordings.can.quality import LogQuality, MessageCount, gaps_in
 from exoid.recordings.can.sort import MessageFrames, SortedFrames, sort_frames
 from exoid.recordings.can.units import size_in
 from exoid.recordings.filter.effect import filter_effect
@@ -168,7 +167,7 @@ def rising(host: Float[np.ndarray, " frame"]) -> Float[np.ndarray, " frame"]:
 
 def aligned(message: MessageFrames, source: Source, tracks: dict[str, Track], time):
     """A channel at the given times."""
-    values = decode_signal(message.frames.data, message.plan.signal(source.signal)) * source.size
+    values = message.values(source.signal) * source.size
     track = tracks[source.message]
     if track.time is time:
         return values
@@ -198,14 +197,7 @@ def quality_of(
             )
             for name, each in tracks.items()
         ),
-        gaps=tuple(
-            Gap(
-                float(track.time[at] - track.time[0]),
-                float(track.time[at + 1] - track.time[at]),
-                int(steps[at]) - 1,
-            )
-            for at in np.flatnonzero(steps > 1)
-        ),
+        gaps=tuple(gaps_in(track.time - track.time[0], steps)),
         host_jitter=track.jitter if track.regular else None,
         announced=log.announced,
         found=log.found,

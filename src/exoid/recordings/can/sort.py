@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Bool, Int
+from jaxtyping import Bool, Float, Int
 
 from exoid.recordings.can.decode import MessagePlan
 from exoid.recordings.can.frames import ERROR, EXTENDED, FD, REMOTE, UNEVEN, Frames
@@ -19,6 +19,10 @@ class MessageFrames:
     order: Int[np.ndarray, " frame"]
     frames: Frames
 
+    def values(self, name: str) -> Float[np.ndarray, " frame"]:
+        """A signal of every frame, in its unit."""
+        return self.plan.values(self.frames.data, name)
+
 
 @dataclass(frozen=True, eq=False)
 class SortedFrames:
@@ -28,28 +32,34 @@ class SortedFrames:
     counts: FrameCounts
 
 
-HEADINGS = ("foreign", "extended", "used", "wrong_length", "fd", "remote", "error")
-
-
 def sort_frames(frames: Frames, plans: Iterable[MessagePlan]) -> SortedFrames:
     """Part the frames into good ones, by message, and those that are only counted."""
     plans = tuple(plans)
-    known = np.isin(frames.identifier, [plan.identifier for plan in plans])
-    # A known id is in the wrong format until a plan with this format is found.
-    heading = np.where(known, HEADINGS.index("extended"), HEADINGS.index("foreign"))
     ours = {plan.name: carries(plan, frames) for plan in plans}
-    for plan in plans:
-        uneven = (frames.flags & UNEVEN > 0) | (frames.length != plan.length)
-        heading[ours[plan.name] & uneven] = HEADINGS.index("wrong_length")
-        heading[ours[plan.name] & ~uneven] = HEADINGS.index("used")
-    for name, flag in (("fd", FD), ("remote", REMOTE)):
-        heading[known & (frames.flags & flag > 0)] = HEADINGS.index(name)
-    heading[frames.flags & ERROR > 0] = HEADINGS.index("error")
-    used = heading == HEADINGS.index("used")
-    counts = np.bincount(heading, minlength=len(HEADINGS)).tolist()
+    length = np.select(list(ours.values()), [plan.length for plan in plans], -1)
+    known = np.isin(frames.identifier, [plan.identifier for plan in plans])
+    # Every frame stands under the first heading that fits; a known id that no plan carries is in
+    # the wrong format.
+    headings = {
+        "error": frames.flags & ERROR > 0,
+        "remote": known & (frames.flags & REMOTE > 0),
+        "fd": known & (frames.flags & FD > 0),
+        "used": (frames.length == length) & (frames.flags & UNEVEN == 0),
+        "wrong_length": length >= 0,
+        "extended": known,
+        "foreign": ~known,
+    }
+    heading = np.select(list(headings.values()), range(len(headings)))
+    counts = np.bincount(heading, minlength=len(headings)).tolist()
+    used = heading == list(headings).index("used")
     return SortedFrames(
-        {plan.name: chosen(plan, ours[plan.name] & used, frames) for plan in plans},
-        FrameCounts(read=len(frames), **dict(zip(HEADINGS, counts, strict=True))),
+        {
+            plan.name: MessageFrames(
+                plan, np.flatnonzero(ours[plan.name] & used), frames.where(ours[plan.name] & used)
+            )
+            for plan in plans
+        },
+        FrameCounts(read=len(frames), **dict(zip(headings, counts, strict=True))),
     )
 
 
@@ -57,7 +67,3 @@ def carries(plan: MessagePlan, frames: Frames) -> Bool[np.ndarray, " frame"]:
     """Which frames have the id of this message, in its format."""
     extended = (frames.flags & EXTENDED > 0) == plan.extended
     return (frames.identifier == plan.identifier) & extended
-
-
-def chosen(plan: MessagePlan, mask: Bool[np.ndarray, " frame"], frames: Frames) -> MessageFrames:
-    return MessageFrames(plan, np.flatnonzero(mask), frames.where(mask))

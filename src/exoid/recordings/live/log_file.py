@@ -1,7 +1,8 @@
 """The log that a live recording writes: at any moment, all but the last half second is on disk."""
 
 import time
-from contextlib import suppress
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
@@ -41,50 +42,48 @@ class LogFile:
 
     def write(self, message: can.Message) -> None:
         """Add a frame, and twice a second hand over all of them to the operating system."""
-        try:
+        with self.whole():
             if self.writer is None:
                 self.writer = begin(self.path, "w" if self.replace else "x")
             self.writer.on_message_received(message)
             self.frames += 1
-            if time.monotonic() >= self.saved + SAVED_EVERY:
-                self.save()
-        except FileExistsError:
-            raise
-        except OSError as fault:
-            raise self.broken(fault) from fault
+        if time.monotonic() >= self.saved + SAVED_EVERY:
+            self.save()
 
     def save(self) -> None:
         """Hand over what was written to the operating system, which outlives this process."""
         self.saved = time.monotonic()
         if self.writer is None:
             return
-        try:
+        with self.whole():
             if isinstance(self.writer, can.BLFWriter):
                 self.writer._flush()  # else it holds frames back until 128 KiB have come together
             self.writer.file.flush()
-        except OSError as fault:
-            raise self.broken(fault) from fault
 
     def close(self) -> None:
         """Complete the file. **Raises** `CanLogError` where that cannot be done."""
-        if self.writer is None:
-            return
-        try:
-            self.writer.stop()
-        except OSError as fault:
-            raise self.broken(fault) from fault
-        self.writer = None
+        if self.writer is not None:
+            with self.whole():
+                self.writer.stop()
+            self.writer = None
 
-    def broken(self, fault: OSError) -> CanLogError:
-        """Let go of the file; what happened to the disk, and what to do."""
-        writer, self.writer = self.writer, None
-        if writer is not None:
-            with suppress(OSError):  # it tries once more to write what it holds
-                writer.file.close()
-        return CanLogError(
-            f"{self.path}: {fault.strerror or fault} after {self.frames} frames. What was written "
-            "until then is kept. Make room, or name another disk, and record on in a new file."
-        )
+    @contextmanager
+    def whole(self) -> Iterator[None]:
+        """Lets go of the file where the disk fails, and says what to do."""
+        try:
+            yield
+        except FileExistsError:
+            raise
+        except OSError as fault:
+            writer, self.writer = self.writer, None
+            if writer is not None:
+                with suppress(OSError):  # it tries once more to write what it holds
+                    writer.file.close()
+            raise CanLogError(
+                f"{self.path}: {fault.strerror or fault} after {self.frames} frames. What was "
+                "written until then is kept. Make room, or name another disk, and record on in a "
+                "new file."
+            ) from fault
 
 
 def begin(path: Path, mode: str) -> Any:

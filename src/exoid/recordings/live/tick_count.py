@@ -6,7 +6,7 @@ more than 1.27 s is understood when the next EXO_TIME comes, which carries the n
 
 from dataclasses import dataclass
 
-from exoid.recordings.can.device_clock import CLOCK_WRAP, COUNTER, MICROSECOND, PERIOD
+from exoid.recordings.can.device_clock import CLOCK_WRAP, COUNTER, MICROSECOND, PERIOD, nearest_tick
 
 
 @dataclass
@@ -54,7 +54,7 @@ class TickCount:
             if modulus < COUNTER:
                 return  # too short a counter to begin with
             self.tick = self.begin = counter
-        tick = nearest(counter, self.tick, modulus)
+        tick = nearest_tick(counter, self.tick, modulus)
         if reset and name in self.tracks and tick != self.tick + 1:
             tick = self.restart(counter, host)
         if name in self.tracks:
@@ -67,7 +67,7 @@ class TickCount:
         """A frame of TIME: how many ticks have passed since the last one, lost or not."""
         if self.tick is None:
             return
-        tick = nearest(counter, self.tick, COUNTER)
+        tick = nearest_tick(counter, self.tick, COUNTER)
         if self.anchor is not None:
             elapsed = (device_us - self.anchor[1]) % CLOCK_WRAP
             tick = self.anchor[0] + round(elapsed * MICROSECOND / PERIOD)
@@ -89,8 +89,3 @@ class TickCount:
         self.tick, self.anchor = counter, None
         self.tracks.clear()
         return counter
-
-
-def nearest(counter: int, expected: int, modulus: int) -> int:
-    """The tick nearest to `expected` that shows this counter."""
-    return expected + (counter - expected + modulus // 2) % modulus - modulus // 2

@@ -169,10 +169,9 @@ class Watch:
         """Angle [rad] and rate [rad/s] of the last EXO_STATE."""
         if self.state is None:
             return float("nan"), float("nan")
-        names = ("Angle", "AngularVelocity")
-        frame = np.frombuffer(self.state, dtype=np.uint8).reshape(1, -1)
-        values = exoid_messages()[STATE].decode(frame, names)
-        return float(values[names[0]][0]), float(values[names[1]][0])
+        plan, frame = exoid_messages()[STATE], np.frombuffer(self.state, np.uint8).reshape(1, -1)
+        angle, velocity = (plan.values(frame, name) for name in ("Angle", "AngularVelocity"))
+        return float(angle[0]), float(velocity[0])
 
     def rate(self) -> float:
         """Frames/s over the last second."""

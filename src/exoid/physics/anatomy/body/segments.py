@@ -22,10 +22,6 @@ class Fractions(NamedTuple):
     foot_ahead: float = FOOT_AHEAD  # and ahead of it
 
 
-def mean(one: Fractions, other: Fractions) -> Fractions:
-    return Fractions(*((a + b) / 2 for a, b in zip(one, other, strict=True)))
-
-
 def leg_mass(part: Fractions, body_mass: float) -> float:
     """Eq. 5-6: shank and foot as fractions of body mass."""
     return (part.shank_mass + part.foot_mass) * body_mass

@@ -12,7 +12,7 @@ fifth power of height between 5 and 18 years (Lebiedowska & Polisiakiewicz, J Bi
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from itertools import pairwise
 
 from exoid.physics.anatomy.body.segments import Fractions
 from exoid.physics.anatomy.body.size import Body
@@ -30,9 +30,9 @@ GROWTH = (  # m, years: median height of boys and girls (WHO 2006 and 2007)
     (1.62, 14.0),
     (1.70, 18.0),
 )
-AGES = (0.25, 1.0, 6.0, 12.0, 15.0, 18.0)
-SHANK = (0.80, 0.80, 0.96, 1.10, 1.17, 1.0)  # share of body mass, of an adult's
-FOOT = (1.30, 1.10, 1.12, 1.24, 1.24, 1.0)
+# Of an adult's share of body mass, by age [years].
+SHANK = ((0.25, 0.80), (1.0, 0.80), (6.0, 0.96), (12.0, 1.10), (15.0, 1.17), (18.0, 1.0))
+FOOT = ((0.25, 1.30), (1.0, 1.10), (6.0, 1.12), (12.0, 1.24), (15.0, 1.24), (18.0, 1.0))
 LOWER_HALF = (  # m, shank length over height, of an adult's
     (0.50, 0.70),
     (0.76, 0.80),
@@ -46,34 +46,28 @@ LOWER_HALF = (  # m, shank length over height, of an adult's
 CHILD_SCATTER = Scatter(mass=0.08, com_distance=0.035, radius=0.035)
 
 
-@dataclass(frozen=True)
-class Line:
-    """Straight between its points, level beyond them."""
-
-    x: Sequence[float]
-    y: Sequence[float]
-
-    def at(self, value: float) -> float:
-        if value <= self.x[0]:
-            return self.y[0]
-        for low, high, a, b in zip(self.x, self.x[1:], self.y, self.y[1:], strict=False):
-            if value <= high:
-                return a + (b - a) * (value - low) / (high - low)
-        return self.y[-1]
+def straight(points: Sequence[tuple[float, float]], at: float) -> float:
+    """Straight between the points, level beyond them."""
+    if at <= points[0][0]:
+        return points[0][1]
+    for (low, first), (high, last) in pairwise(points):
+        if at <= high:
+            return first + (last - first) * (at - low) / (high - low)
+    return points[-1][1]
 
 
 def age_of(body: Body) -> float:
     """As given, or at which half of all children are this tall [years]."""
-    return Line(*zip(*GROWTH, strict=True)).at(body.height) if body.age is None else body.age
+    return straight(GROWTH, body.height) if body.age is None else body.age
 
 
 def grown(adult: Fractions, body: Body) -> Fractions:
     """An adult's fractions, made as young."""
-    age, shorter = age_of(body), Line(*zip(*LOWER_HALF, strict=True)).at(body.height)
+    age = age_of(body)
     return adult._replace(
-        shank_mass=adult.shank_mass * Line(AGES, SHANK).at(age),
-        foot_mass=adult.foot_mass * Line(AGES, FOOT).at(age),
-        shank_length=adult.shank_length * shorter,
+        shank_mass=adult.shank_mass * straight(SHANK, age),
+        foot_mass=adult.foot_mass * straight(FOOT, age),
+        shank_length=adult.shank_length * straight(LOWER_HALF, body.height),
     )
 
 

@@ -1,8 +1,7 @@
 """Zatsiorsky and Seluyanov's gamma scans as adjusted by de Leva (J Biomech 29(9), 1996)."""
 
-from exoid.physics.anatomy.body.segments import Fractions, mean
-from exoid.physics.anatomy.body.size import Body
-from exoid.physics.anatomy.tables.table import Scatter, Table
+from exoid.physics.anatomy.body.segments import Fractions
+from exoid.physics.anatomy.tables.table import Scatter, Table, of_sex
 
 # Shank knee to ankle centre (440.3 of 1741 mm, 438.6 of 1735 mm), foot length 258.1 and 228.3 mm.
 DE_LEVA = {
@@ -19,9 +18,6 @@ ADULT_SCATTER = Scatter(mass=0.07, com_distance=0.025, radius=0.03)
 ADULT_INDEX, ADULT_HEIGHT = (18.0, 29.0), (1.55, 1.95)  # kg/m^2, m: of those scanned
 
 
-def of_body(body: Body) -> Fractions:
-    """By sex; without one, the mean of female and male."""
-    return DE_LEVA[body.sex] if body.sex else mean(DE_LEVA["female"], DE_LEVA["male"])
-
-
-TABLE = Table("de_leva", of_body, ADULT_SCATTER, ADULT_INDEX, ADULT_HEIGHT)
+TABLE = Table(
+    "de_leva", lambda body: of_sex(body, DE_LEVA), ADULT_SCATTER, ADULT_INDEX, ADULT_HEIGHT
+)

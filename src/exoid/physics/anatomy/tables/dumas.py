@@ -1,9 +1,8 @@
 """Dumas, Cheze, Verriest, J Biomech 40(3):543-553, 2007."""
 
-from exoid.physics.anatomy.body.segments import Fractions, mean
-from exoid.physics.anatomy.body.size import Body
+from exoid.physics.anatomy.body.segments import Fractions
 from exoid.physics.anatomy.tables.de_leva import ADULT_HEIGHT, ADULT_INDEX, ADULT_SCATTER
-from exoid.physics.anatomy.tables.table import Table
+from exoid.physics.anatomy.tables.table import Table, of_sex
 
 # Shank 433 of 1770 mm (388 of 1610 mm), foot 265 mm (233 mm), whose COM lies 101 mm (63 mm) ahead
 # of and 40 mm (51 mm) below the ankle.
@@ -13,9 +12,4 @@ DUMAS = {
 }
 
 
-def of_body(body: Body) -> Fractions:
-    """By sex; without one, the mean of female and male."""
-    return DUMAS[body.sex] if body.sex else mean(DUMAS["female"], DUMAS["male"])
-
-
-TABLE = Table("dumas", of_body, ADULT_SCATTER, ADULT_INDEX, ADULT_HEIGHT)
+TABLE = Table("dumas", lambda body: of_sex(body, DUMAS), ADULT_SCATTER, ADULT_INDEX, ADULT_HEIGHT)

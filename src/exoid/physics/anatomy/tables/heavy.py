@@ -13,8 +13,8 @@ by as much as in de Leva's tables. The changes by weight loss of Matrangola et a
 
 from exoid.physics.anatomy.body.segments import Fractions
 from exoid.physics.anatomy.body.size import Body
-from exoid.physics.anatomy.tables import de_leva
-from exoid.physics.anatomy.tables.table import Scatter, Table
+from exoid.physics.anatomy.tables.de_leva import DE_LEVA
+from exoid.physics.anatomy.tables.table import Scatter, Table, of_sex
 
 SHANK = (-1.592, 0.0362, 1.21)  # kg, kg per kg, kg per m
 FOOT = (-0.829, 0.0077, 0.73)
@@ -26,7 +26,7 @@ HEAVY_SCATTER = Scatter(mass=0.065, com_distance=0.04, radius=0.04)
 
 def weighed(adult: Fractions, body: Body) -> Fractions:
     """An adult's shape, masses by the regressions of men and de Leva's step to women."""
-    anyone, man = de_leva.of_body(body), de_leva.DE_LEVA["male"]
+    anyone, man = of_sex(body, DE_LEVA), DE_LEVA["male"]
     return adult._replace(
         shank_com=adult.shank_com - HIGHER,
         shank_mass=share(SHANK, body) * anyone.shank_mass / man.shank_mass,

@@ -1,6 +1,6 @@
 """What an anthropometric table is: fractions of a body, how they scatter, and whom it measured."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -41,6 +41,14 @@ class Table:
         shape = 1 + heavier / SHAPE_BY_INDEX + taller
         own = self.scatter
         return Scatter(own.mass * mass, own.com_distance * shape, own.radius * shape)
+
+
+def of_sex(body: Body, each: Mapping[str, Fractions]) -> Fractions:
+    """The fractions of a body's sex; without one, the mean of female and male."""
+    if body.sex:
+        return each[body.sex]
+    pairs = zip(each["female"], each["male"], strict=True)
+    return Fractions(*((one + other) / 2 for one, other in pairs))
 
 
 def outside(value: float, of: Range) -> float:

@@ -1,12 +1,9 @@
 """Play between the leg and the frame that carries the sensors."""
 
-from typing import Any, ClassVar
-
 import jax.numpy as jnp
-from jaxtyping import Float
 
 from exoid.physics.moment import Moment
-from exoid.physics.parameter import parameter
+from exoid.physics.parameter import Parameter, parameter
 from exoid.physics.term import Memory, PhysicsTerm, Reading, reading
 
 TOUCH = 1e-6  # relative, within which leg and frame are in contact
@@ -18,17 +15,17 @@ class Backlash(PhysicsTerm):
     Its memory is q - phi, within the play.
     """
 
-    title: ClassVar[str] = "play between leg and frame"
-    reference: ClassVar[str] = "Visintin, Differential Models of Hysteresis, 1994: play operator"
-    explanation: ClassVar[str] = (
+    title = "play between leg and frame"
+    reference = "Visintin, Differential Models of Hysteresis, 1994: play operator"
+    explanation = (
         "Slack straps or a worn hinge: after every turn the leg moves for a moment before the "
         "sensors do."
     )
-    isolate: ClassVar[str] = "the leg held, the frame moved by hand through its play"
-    memory_size: ClassVar[int] = 1
-    jumps: ClassVar[bool] = True
+    isolate = "the leg held, the frame moved by hand through its play"
+    memory_size = 1
+    jumps = True
 
-    half_play: Float[Any, ""] = parameter("b", "rad", 0.0, 0.1, "half the play", (0.004, 0.015))
+    half_play: Parameter = parameter("b", "rad", 0.0, 0.1, "half the play", (0.004, 0.015))
 
     def memory_rate(self, now: Moment, memory: Memory) -> Memory:
         return -now.angular_velocity[None]

@@ -1,13 +1,10 @@
 """The exoskeleton's frame moves against the shank."""
 
-from typing import Any, ClassVar
-
 import jax.numpy as jnp
-from jaxtyping import Array, Float
 
 from exoid.physics.moment import Moment
-from exoid.physics.parameter import parameter
-from exoid.physics.term import Memory, PhysicsTerm, Reading, reading
+from exoid.physics.parameter import Parameter, parameter
+from exoid.physics.term import Memory, PhysicsTerm, Reading, Scalar, reading
 
 
 class CuffCompliance(PhysicsTerm):
@@ -18,39 +15,39 @@ class CuffCompliance(PhysicsTerm):
     Its memory is (q - phi, q').
     """
 
-    title: ClassVar[str] = "compliant cuffs: the frame moves against the shank"
-    reference: ClassVar[str] = "Barrutia et al., 2023; Massardi et al., 2022: cuff interfaces"
-    explanation: ClassVar[str] = (
+    title = "compliant cuffs: the frame moves against the shank"
+    reference = "Barrutia et al., 2023; Massardi et al., 2022: cuff interfaces"
+    explanation = (
         "The sensors ride on the exoskeleton's frame, which gives way against the shank through "
         "cuffs and soft tissue."
     )
-    isolate: ClassVar[str] = "a second IMU taped to the shin, or a tap on the frame at rest"
-    memory_size: ClassVar[int] = 2
-    substeps: ClassVar[int] = 4
+    isolate = "a second IMU taped to the shin, or a tap on the frame at rest"
+    memory_size = 2
+    substeps = 4
 
-    compliance: Float[Any, ""] = parameter(
+    compliance: Parameter = parameter(
         "C", "rad/(N m)", 2e-3, 0.3, "compliance of the cuffs", (0.02, 0.08)
     )
-    frame_inertia: Float[Any, ""] = parameter(
+    frame_inertia: Parameter = parameter(
         "J_e", "kg m^2", 0.005, 0.2, "inertia of the frame", (0.02,)
     )
-    frame_gravity: Float[Any, ""] = parameter(
+    frame_gravity: Parameter = parameter(
         "G_e", "N m", 0.0, 6.0, "gravity moment of the frame", (0.8,)
     )
-    hinge_damping: Float[Any, ""] = parameter(
+    hinge_damping: Parameter = parameter(
         "d_h", "N m s/rad", 0.0, 1.0, "damping of the frame's hinge", (0.1,)
     )
-    damping_ratio: Float[Any, ""] = parameter(
+    damping_ratio: Parameter = parameter(
         "zeta", "1", 0.02, 1.0, "damping ratio of the cuffs", (0.3,)
     )
 
-    def carried(self, now: Moment, memory: Memory) -> Float[Array, ""]:
+    def carried(self, now: Moment, memory: Memory) -> Scalar:
         """The torque of the leg on the frame."""
         stiffness = 1 / self.compliance
         damper = 2 * self.damping_ratio * jnp.sqrt(stiffness * self.frame_inertia)
         return -stiffness * memory[0] + damper * (now.angular_velocity - memory[1])
 
-    def torque(self, now: Moment, memory: Memory) -> Float[Array, ""]:
+    def torque(self, now: Moment, memory: Memory) -> Scalar:
         return -self.carried(now, memory)
 
     def memory_at_rest(self, now: Moment) -> Memory:

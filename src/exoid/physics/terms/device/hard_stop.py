@@ -1,13 +1,10 @@
 """A stop that the leg hits."""
 
-from typing import Any, ClassVar
-
 import jax.numpy as jnp
-from jaxtyping import Array, Float
 
 from exoid.physics.moment import Moment
-from exoid.physics.parameter import parameter
-from exoid.physics.term import Memory, PhysicsTerm
+from exoid.physics.parameter import Parameter, parameter
+from exoid.physics.term import Memory, PhysicsTerm, Scalar
 
 INSIDE = 0.03  # rad, of the range of motion, where a search begins
 FAR = (1.2, -3.2)  # rad, where no leg comes
@@ -19,35 +16,31 @@ class HardStop(PhysicsTerm):
     k = J (pi / t_c)^2 and b = 2 zeta J pi / t_c, so that a bounce lasts about t_c.
     """
 
-    title: ClassVar[str] = "a stop that the leg hits"
-    reference: ClassVar[str] = "Hunt & Crossley, J Applied Mechanics 42(2), 1975"
-    explanation: ClassVar[str] = (
+    title = "a stop that the leg hits"
+    reference = "Hunt & Crossley, J Applied Mechanics 42(2), 1975"
+    explanation = (
         "The leg or the exoskeleton runs against something: the hinge's own stop, a strap, the "
         "edge of the chair."
     )
-    isolate: ClassVar[str] = "movements that stay away from that angle, and some that reach it"
-    substeps: ClassVar[int] = 8
-    jumps: ClassVar[bool] = True
+    isolate = "movements that stay away from that angle, and some that reach it"
+    substeps = 8
+    jumps = True
 
-    contact_time: Float[Any, ""] = parameter(
-        "t_c", "s", 0.008, 0.4, "how long a bounce lasts", (0.03,)
-    )
-    extension_angle: Float[Any, ""] = parameter(
+    contact_time: Parameter = parameter("t_c", "s", 0.008, 0.4, "how long a bounce lasts", (0.03,))
+    extension_angle: Parameter = parameter(
         "phi_e", "rad", -2.5, 1.2, "stop of extension", lambda low, high: (high - INSIDE, FAR[0])
     )
-    flexion_angle: Float[Any, ""] = parameter(
+    flexion_angle: Parameter = parameter(
         "phi_f", "rad", -3.2, 0.5, "stop of flexion", lambda low, high: (FAR[1], low + INSIDE)
     )
-    damping_ratio: Float[Any, ""] = parameter(
-        "zeta", "1", 0.0, 2.0, "damping ratio of the stop", (0.3,)
-    )
+    damping_ratio: Parameter = parameter("zeta", "1", 0.0, 2.0, "damping ratio of the stop", (0.3,))
 
-    def torque(self, now: Moment, memory: Memory) -> Float[Array, ""]:
+    def torque(self, now: Moment, memory: Memory) -> Scalar:
         extension = self.push(now.angle - self.extension_angle, now.angular_velocity)
         flexion = self.push(self.flexion_angle - now.angle, -now.angular_velocity)
         return now.inertia * (flexion - extension)
 
-    def push(self, depth: Float[Array, ""], speed: Float[Array, ""]) -> Float[Array, ""]:
+    def push(self, depth: Scalar, speed: Scalar) -> Scalar:
         """Of one stop [rad/s^2]: it never pulls."""
         rate = jnp.pi / self.contact_time
         push = rate**2 * depth + 2 * self.damping_ratio * rate * speed

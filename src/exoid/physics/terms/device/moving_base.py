@@ -1,14 +1,11 @@
 """The thigh gives way under the swinging leg."""
 
-from typing import Any, ClassVar
-
 import jax.numpy as jnp
-from jaxtyping import Array, Float
 
 from exoid.physics.leg import GRAVITY
 from exoid.physics.moment import Moment
-from exoid.physics.parameter import parameter
-from exoid.physics.term import Memory, PhysicsTerm, Reading, reading
+from exoid.physics.parameter import Parameter, parameter
+from exoid.physics.term import Memory, PhysicsTerm, Reading, Scalar, reading
 
 
 class MovingBase(PhysicsTerm):
@@ -27,42 +24,40 @@ class MovingBase(PhysicsTerm):
     rest. Its memory is (theta, theta').
     """
 
-    title: ClassVar[str] = "the thigh moves under the leg"
-    reference: ClassVar[str] = "Valle et al., Clinical Biomechanics 21(8), 2006: thigh motion"
-    explanation: ClassVar[str] = (
+    title = "the thigh moves under the leg"
+    reference = "Valle et al., Clinical Biomechanics 21(8), 2006: thigh motion"
+    explanation = (
         "Seat, hip and thigh give way as the leg swings, so that the knee is no fixed pivot; the "
         "gyro sees it, the encoder does not."
     )
-    isolate: ClassVar[str] = "the same drops with the thigh strapped down, or an IMU on the thigh"
-    living: ClassVar[bool] = True
-    inertial: ClassVar[bool] = True
-    memory_size: ClassVar[int] = 2
-    substeps: ClassVar[int] = 2
+    isolate = "the same drops with the thigh strapped down, or an IMU on the thigh"
+    living = True
+    inertial = True
+    memory_size = 2
+    substeps = 2
 
-    compliance: Float[Any, ""] = parameter(
+    compliance: Parameter = parameter(
         "C", "rad/(N m)", 0.0, 0.05, "compliance of hip and seat", (0.0008,)
     )
-    thigh_length: Float[Any, ""] = parameter("L", "m", 0.2, 0.6, "hip to knee", (0.42,))
-    frequency: Float[Any, ""] = parameter(
-        "f", "Hz", 1.0, 15.0, "frequency of the thigh", (4.0, 10.0)
-    )
-    damping_ratio: Float[Any, ""] = parameter(
+    thigh_length: Parameter = parameter("L", "m", 0.2, 0.6, "hip to knee", (0.42,))
+    frequency: Parameter = parameter("f", "Hz", 1.0, 15.0, "frequency of the thigh", (4.0, 10.0))
+    damping_ratio: Parameter = parameter(
         "zeta", "1", 0.02, 1.5, "damping ratio of the thigh", (0.4,)
     )
-    carried: Float[Any, ""] = parameter(
+    carried: Parameter = parameter(
         "h", "1", 0.0, 1.0, "weight carried by the knee before the release", (1.0,)
     )
-    sag: Float[Any, ""] = parameter("theta_0", "rad", -0.2, 0.2, "how far it gave way", (0.0,))
+    sag: Parameter = parameter("theta_0", "rad", -0.2, 0.2, "how far it gave way", (0.0,))
 
-    def coupling(self, now: Moment) -> Float[Array, ""]:
+    def coupling(self, now: Moment) -> Scalar:
         """mu [kg m^2]."""
         return self.thigh_length * now.gravity / GRAVITY
 
-    def held(self, now: Moment, memory: Memory) -> Float[Array, ""]:
+    def held(self, now: Moment, memory: Memory) -> Scalar:
         """What spring and damper add, because they feel phi - theta [N m]."""
         return now.stiffness * (memory[0] + self.sag) + now.damping * memory[1]
 
-    def pitching(self, now: Moment, memory: Memory) -> Float[Array, ""]:
+    def pitching(self, now: Moment, memory: Memory) -> Scalar:
         """theta'', with phi'' eliminated."""
         rate, level = 2 * jnp.pi * self.frequency, jnp.cos(now.angle)
         mu = self.coupling(now)
@@ -74,7 +69,7 @@ class MovingBase(PhysicsTerm):
         carried = self.compliance * (mu * jnp.sin(now.angle)) ** 2 / now.inertia
         return pulled / (1 / rate**2 + carried)
 
-    def torque(self, now: Moment, memory: Memory) -> Float[Array, ""]:
+    def torque(self, now: Moment, memory: Memory) -> Scalar:
         lift = self.coupling(now) * jnp.cos(now.angle) * self.pitching(now, memory)
         return self.held(now, memory) - lift
 

@@ -1,13 +1,10 @@
 """Muscle that contracts when it is stretched fast, a moment later."""
 
-from typing import Any, ClassVar
-
 import jax.numpy as jnp
-from jaxtyping import Array, Float
 
 from exoid.physics.moment import Moment
-from exoid.physics.parameter import parameter
-from exoid.physics.term import Memory, PhysicsTerm
+from exoid.physics.parameter import Parameter, parameter
+from exoid.physics.term import Memory, PhysicsTerm, Scalar
 
 STAGES = 4  # of the delay: as many lags in a row
 RISE = 0.03  # s, in which the muscle's torque follows
@@ -19,23 +16,21 @@ class StretchReflex(PhysicsTerm):
     The delay is a row of lags; its memory are their outputs, and a.
     """
 
-    title: ClassVar[str] = "stretch reflex"
-    reference: ClassVar[str] = "Kim, Eom & Hase, J Biomech 44(3), 2011; Falisse et al., 2018"
-    explanation: ClassVar[str] = (
+    title = "stretch reflex"
+    reference = "Kim, Eom & Hase, J Biomech 44(3), 2011; Falisse et al., 2018"
+    explanation = (
         "The quadriceps contracts a few hundredths of a second after it was stretched faster than "
         "a threshold: only while flexing, only when fast."
     )
-    isolate: ClassVar[str] = "drops from several angles, so that only some pass the threshold; EMG"
-    living: ClassVar[bool] = True
-    memory_size: ClassVar[int] = STAGES + 1
+    isolate = "drops from several angles, so that only some pass the threshold; EMG"
+    living = True
+    memory_size = STAGES + 1
 
-    gain: Float[Any, ""] = parameter("g", "N m s/rad", 0.0, 10.0, "reflex gain", (0.1,))
-    threshold: Float[Any, ""] = parameter(
-        "v_th", "rad/s", 0.0, 8.0, "threshold of speed", (0.5, 2.0)
-    )
-    delay: Float[Any, ""] = parameter("t_d", "s", 0.02, 0.15, "delay", (0.045,))
+    gain: Parameter = parameter("g", "N m s/rad", 0.0, 10.0, "reflex gain", (0.1,))
+    threshold: Parameter = parameter("v_th", "rad/s", 0.0, 8.0, "threshold of speed", (0.5, 2.0))
+    delay: Parameter = parameter("t_d", "s", 0.02, 0.15, "delay", (0.045,))
 
-    def torque(self, now: Moment, memory: Memory) -> Float[Array, ""]:
+    def torque(self, now: Moment, memory: Memory) -> Scalar:
         return self.gain * memory[STAGES]
 
     def memory_rate(self, now: Moment, memory: Memory) -> Memory:

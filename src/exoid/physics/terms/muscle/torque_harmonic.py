@@ -1,13 +1,10 @@
 """Harmonics in the voluntary torque."""
 
-from typing import Any, ClassVar
-
 import jax.numpy as jnp
-from jaxtyping import Array, Float
 
 from exoid.physics.moment import Moment
-from exoid.physics.parameter import parameter
-from exoid.physics.term import Memory, PhysicsTerm
+from exoid.physics.parameter import Parameter, parameter
+from exoid.physics.term import Memory, PhysicsTerm, Scalar
 
 
 class TorqueHarmonic(PhysicsTerm):
@@ -16,21 +13,21 @@ class TorqueHarmonic(PhysicsTerm):
     The sign is that before the sine of Eq. 10.
     """
 
-    title: ClassVar[str] = "harmonics in the voluntary torque"
-    reference: ClassVar[str] = "Eq. 10 of the paper assumes a pure sine"
-    explanation: ClassVar[str] = (
+    title = "harmonics in the voluntary torque"
+    reference = "Eq. 10 of the paper assumes a pure sine"
+    explanation = (
         "The muscles do not push along the sine of Eq. 10: the torque has a second or third "
         "harmonic."
     )
-    isolate: ClassVar[str] = "passive drops for the leg, then the cycle by inverse dynamics"
-    voluntary: ClassVar[bool] = True
+    isolate = "passive drops for the leg, then the cycle by inverse dynamics"
+    voluntary = True
 
-    sine_3: Float[Any, ""] = parameter("s_3", "1", -1.0, 1.0, "third harmonic, sine", (0.02,))
-    sine_2: Float[Any, ""] = parameter("s_2", "1", -1.0, 1.0, "second harmonic, sine", (0.0,))
-    cosine_2: Float[Any, ""] = parameter("c_2", "1", -1.0, 1.0, "second, cosine", (0.0,))
-    cosine_3: Float[Any, ""] = parameter("c_3", "1", -1.0, 1.0, "third, cosine", (0.0,))
+    sine_3: Parameter = parameter("s_3", "1", -1.0, 1.0, "third harmonic, sine", (0.02,))
+    sine_2: Parameter = parameter("s_2", "1", -1.0, 1.0, "second harmonic, sine", (0.0,))
+    cosine_2: Parameter = parameter("c_2", "1", -1.0, 1.0, "second, cosine", (0.0,))
+    cosine_3: Parameter = parameter("c_3", "1", -1.0, 1.0, "third, cosine", (0.0,))
 
-    def torque(self, now: Moment, memory: Memory) -> Float[Array, ""]:
+    def torque(self, now: Moment, memory: Memory) -> Scalar:
         cycle = now.place.cycle
         at = cycle.phase(now.time)
         second = self.sine_2 * jnp.sin(2 * at) + self.cosine_2 * (jnp.cos(2 * at) - 1)

@@ -1,28 +1,24 @@
 """A spring that is slack elsewhere than at full extension."""
 
-from typing import Any, ClassVar
-
-from jaxtyping import Array, Float
-
 from exoid.physics.moment import Moment
-from exoid.physics.parameter import parameter
-from exoid.physics.term import Memory, PhysicsTerm
+from exoid.physics.parameter import Parameter, parameter
+from exoid.physics.term import Memory, PhysicsTerm, Scalar
 
 
 class StiffnessRestAngle(PhysicsTerm):
     """tau = c phi_r, so that the spring is -c (phi - phi_r)."""
 
-    title: ClassVar[str] = "rest angle of the passive stiffness"
-    reference: ClassVar[str] = "Riener & Edrich, J Biomech 32(5), 1999"
-    explanation: ClassVar[str] = (
+    title = "rest angle of the passive stiffness"
+    reference = "Riener & Edrich, J Biomech 32(5), 1999"
+    explanation = (
         "The relaxed knee's spring is slack in a bent position, not at full extension as Eq. 9 "
         "has it."
     )
-    isolate: ClassVar[str] = "the hanging angle without and with a known added mass"
+    isolate = "the hanging angle without and with a known added mass"
 
-    rest_angle: Float[Any, ""] = parameter(
+    rest_angle: Parameter = parameter(
         "phi_r", "rad", -2.0, 1.5, "rest angle of the spring", (-0.3,)
     )
 
-    def torque(self, now: Moment, memory: Memory) -> Float[Array, ""]:
+    def torque(self, now: Moment, memory: Memory) -> Scalar:
         return now.stiffness * self.rest_angle

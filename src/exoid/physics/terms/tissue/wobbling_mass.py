@@ -1,14 +1,12 @@
 """Soft tissue that swings on the bone."""
 
-from typing import Any, ClassVar
-
 import jax.numpy as jnp
 from jaxtyping import Array, Float
 
 from exoid.physics.leg import GRAVITY
 from exoid.physics.moment import Moment
-from exoid.physics.parameter import parameter
-from exoid.physics.term import Memory, PhysicsTerm
+from exoid.physics.parameter import Parameter, parameter
+from exoid.physics.term import Memory, PhysicsTerm, Scalar
 
 
 class WobblingMass(PhysicsTerm):
@@ -24,24 +22,24 @@ class WobblingMass(PhysicsTerm):
     The share beta = mu r / (m l) says how large mu is. Its memory is (x, y, x', y').
     """
 
-    title: ClassVar[str] = "soft tissue that wobbles on the bone"
-    reference: ClassVar[str] = "Nikooyan & Zadpoor, Proc IMechE H 225(12), 2011"
-    explanation: ClassVar[str] = (
+    title = "soft tissue that wobbles on the bone"
+    reference = "Nikooyan & Zadpoor, Proc IMechE H 225(12), 2011"
+    explanation = (
         "Calf muscle and skin follow the bone with a delay and ring after it, which a rigid leg "
         "cannot."
     )
-    isolate: ClassVar[str] = "a movement that is stopped abruptly, with a gyro above 100 Hz"
-    living: ClassVar[bool] = True
-    inertial: ClassVar[bool] = True
-    memory_size: ClassVar[int] = 4
-    substeps: ClassVar[int] = 2
+    isolate = "a movement that is stopped abruptly, with a gyro above 100 Hz"
+    living = True
+    inertial = True
+    memory_size = 4
+    substeps = 2
 
-    share: Float[Any, ""] = parameter("beta", "1", 0.0, 0.5, "share of the weight", (0.15,))
-    radius: Float[Any, ""] = parameter(
+    share: Parameter = parameter("beta", "1", 0.0, 0.5, "share of the weight", (0.15,))
+    radius: Parameter = parameter(
         "r", "m", 0.08, 0.45, "distance of the tissue from the knee", (0.22,)
     )
-    frequency: Float[Any, ""] = parameter("f", "Hz", 1.2, 10.0, "wobbling frequency", (3.0, 6.0))
-    damping_ratio: Float[Any, ""] = parameter(
+    frequency: Parameter = parameter("f", "Hz", 1.2, 10.0, "wobbling frequency", (3.0, 6.0))
+    damping_ratio: Parameter = parameter(
         "zeta", "1", 0.02, 1.0, "damping ratio of the tissue", (0.2,)
     )
 
@@ -60,7 +58,7 @@ class WobblingMass(PhysicsTerm):
         turned = turned / (now.inertia - mass * self.radius**2)
         return jnp.stack([turned, across - away * turned, along + x * turned])
 
-    def torque(self, now: Moment, memory: Memory) -> Float[Array, ""]:
+    def torque(self, now: Moment, memory: Memory) -> Scalar:
         return now.inertia * (self.accelerations(now, memory)[0] - now.angular_acceleration)
 
     def memory_at_rest(self, now: Moment) -> Memory:

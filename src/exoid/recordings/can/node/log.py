@@ -10,7 +10,7 @@ from exoid.recordings.can.frames import CanLogError, Log
 from exoid.recordings.can.node.config_crc import config_crc
 from exoid.recordings.can.node.rows import MISSING, SAMPLED, TIME, Rows, runs
 from exoid.recordings.can.node.samples import Samples, samples_of
-from exoid.recordings.can.quality import Gap, LogQuality, MessageCount
+from exoid.recordings.can.quality import LogQuality, MessageCount, gaps_in
 from exoid.recordings.can.sort import MessageFrames, SortedFrames, sort_frames
 from exoid.recordings.filter.effect import filter_effect
 from exoid.recordings.recording import Segment, Sensors
@@ -92,7 +92,7 @@ def quality_of(log: Log, ordered: SortedFrames, found: list[Rows], samples: Samp
         clock=clock,
         samples=sum(rows.tick.size for rows in found),
         messages=message_counts(found, messages),
-        gaps=tuple(gap for rows in found for gap in gaps_of(rows)),
+        gaps=tuple(gap for rows in found for gap in gaps_in(rows.time, np.diff(rows.tick))),
         resets=tuple(float(rows.time[0]) for rows in found[1:]),
         skew_ppm=skew,
         host_jitter=jitter,
@@ -141,21 +141,12 @@ def message_count(name: str, found: list[Rows]) -> MessageCount:
     return MessageCount(name, expected, used, jumps)
 
 
-def gaps_of(rows: Rows) -> list[Gap]:
-    steps = np.diff(rows.tick)
-    return [
-        Gap(float(rows.time[at]), float(rows.time[at + 1] - rows.time[at]), int(steps[at]) - 1)
-        for at in np.flatnonzero(steps > 1)
-    ]
-
-
 def told_by_time(time: MessageFrames, found: list[Rows]) -> dict:
     """What only EXO_TIME tells: ticks the node missed, and the CRC of its configuration."""
     if not time.order.size:
         return {}
-    told = time.plan.decode(time.frames.data, ["MissedTicks", "ConfigCrc"])
-    missed = 0
+    told, missed = time.values("MissedTicks"), 0
     for rows in found:
         places = np.searchsorted(time.order, rows.anchors.order)
-        missed += int((np.diff(told["MissedTicks"][places]) % 256).sum())
-    return {"missed_ticks": missed, "config_crc": int(np.median(told["ConfigCrc"]))}
+        missed += int((np.diff(told[places]) % 256).sum())
+    return {"missed_ticks": missed, "config_crc": int(np.median(time.values("ConfigCrc")))}

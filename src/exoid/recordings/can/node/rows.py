@@ -4,11 +4,11 @@ A tick of which nothing arrived is no row: the times tell of it and the report l
 pause of an hour costs no memory. A tick of which only some frames arrived is a row with gaps.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
-from jaxtyping import Bool, Float, Int
+from jaxtyping import Float, Int
 
 from exoid.recordings.can.device_clock import (
     COUNTER,
@@ -51,21 +51,16 @@ def stamps_of(messages: dict[str, MessageFrames]) -> dict[str, Stamps]:
         name: Stamps(
             message.order,
             host[np.searchsorted(order, message.order)],
-            message.plan.decode(message.frames.data, ["Counter"])["Counter"].astype(np.int64),
+            message.values("Counter").astype(np.int64),
         )
         for name, message in messages.items()
     }
 
 
-def restarts_of(state: MessageFrames) -> Bool[np.ndarray, " frame"]:
-    """The STATE frames that say that the filter has just started."""
-    return state.plan.decode(state.frames.data, ["FilterReset"])["FilterReset"] > 0
-
-
 def runs(messages: dict[str, MessageFrames]) -> list[Rows]:
     """The samples of the log, run by run: a run ends where the node starts again."""
     stamps = stamps_of(messages)
-    restart = restarts_of(messages[STATE])
+    restart = messages[STATE].values("FilterReset") > 0  # the filter has just started
     restart_orders = stamps[STATE].order[restart]
     anchors = anchors_of(messages[TIME], stamps, restart)
     borders = [
@@ -82,8 +77,7 @@ def runs(messages: dict[str, MessageFrames]) -> list[Rows]:
 def anchors_of(time: MessageFrames, stamps: dict[str, Stamps], restart) -> list[Anchors]:
     """What fixes the ticks: EXO_TIME, and without it the sampled frames with the most to say."""
     if time.order.size:
-        device_us = time.plan.decode(time.frames.data, ["DeviceTime"])["DeviceTime"]
-        return device_anchors(stamps[TIME], device_us.astype(np.int64))
+        return device_anchors(stamps[TIME], time.values("DeviceTime").astype(np.int64))
     name = next(name for name in SAMPLED if stamps[name].order.size)
     none = np.zeros(stamps[name].order.size, dtype=bool)
     return counter_anchors(stamps[name], SAMPLED[name], restart if name == STATE else none)
@@ -142,14 +136,9 @@ def rows_of(stamps: dict[str, Stamps], anchors: Anchors) -> Rows:
 
 def with_anchors(known: Anchors, stamps: Stamps, tick, clock: Anchors) -> Anchors:
     """The anchors, and with them frames whose tick they have told."""
-    order = np.concatenate([known.order, stamps.order])
-    merged = Anchors(
-        order,
-        np.concatenate([known.host, stamps.host]),
-        np.concatenate([known.tick, tick]),
-        np.concatenate([known.device, clock.device_time(tick)]),
-    )
-    return merged.where(np.argsort(order, kind="stable"))
+    found = Anchors(stamps.order, stamps.host, tick, clock.device_time(tick))
+    merged = known.followed_by(found)
+    return merged.where(np.argsort(merged.order, kind="stable"))
 
 
 def placed(order, ticks, rows) -> Int[np.ndarray, " row"]:
@@ -173,10 +162,6 @@ def on_one_clock(found: list[Rows]) -> list[Rows]:
             host_after = np.median((rows.anchors.host - rows.anchors.device)[:NEIGHBOURS])
             earliest = before.time[-1] + PERIOD - rows.time[0]
             shift = max(float(host_after - host_before), earliest)
-        shifted = Anchors(
-            rows.anchors.order, rows.anchors.host, rows.anchors.tick, rows.anchors.device + shift
-        )
-        moved.append(
-            Rows(rows.tick, rows.time + shift, rows.frame, shifted, rows.duplicate, rows.astray)
-        )
+        anchors = replace(rows.anchors, device=rows.anchors.device + shift)
+        moved.append(replace(rows, time=rows.time + shift, anchors=anchors))
     return moved

@@ -83,7 +83,7 @@ class Picked:
 
     def values(self, signal: str) -> Values:
         """A signal in its unit; NaN where the frame is missing."""
-        return spread(self.plan.decode(self.data, [signal])[signal], self.there, np.nan)
+        return spread(self.plan.values(self.data, signal), self.there, np.nan)
 
     def counts(self, signal: str) -> Int[np.ndarray, " row"]:
         """A signal as it was sent; 0 where the frame is missing."""
@@ -117,13 +117,5 @@ def unwrapped_angle(raw: Picked, faulty: Bool[np.ndarray, " row"], filtered: Val
         expected_counts = np.rint((expected - signal.offset) / signal.scale).astype(np.int64)
         counts = nearest_tick(counts, expected_counts, TURN)
     else:
-        counts = unwrapped_counts(counts)
+        counts = np.unwrap(counts, period=TURN)
     return spread(counts * signal.scale + signal.offset, valid, np.nan)
-
-
-def unwrapped_counts(counts: Int[np.ndarray, " sample"]) -> Int[np.ndarray, " sample"]:
-    """Counts carried on over the end of a turn: no step is longer than half a turn."""
-    if not counts.size:
-        return counts
-    steps = (np.diff(counts) + TURN // 2) % TURN - TURN // 2
-    return counts[0] + np.concatenate([[0], np.cumsum(steps)])
