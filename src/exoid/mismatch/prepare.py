@@ -16,9 +16,8 @@ from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.solve.ask import take
 from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.problem import Problem
-from exoid.mismatch.screen.hypothesis import Hypothesis
-from exoid.mismatch.screen.optimise import settle_free
-from exoid.mismatch.screen.optimum import Optimum
+from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
+from exoid.mismatch.screen.optimise import FEWER_ROUNDS, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.sensors.consistency import Consistency, consistency
 from exoid.physics.library import library
@@ -52,7 +51,7 @@ def prepare(
     zero = float("inf") if rig else movements[0].systematics.zero
     prepared = PreparedRecording(problem, sensors, tested, inertia, rig, zero)
     point = prepared.point(fitted)
-    return prepared, settle_free(prepared, [Hypothesis((), (), point)])[0]
+    return prepared, settle_free(prepared, Hypothesis((), (), point), rounds=FEWER_ROUNDS)
 
 
 def without_edges(seen: Observation, sensors: Consistency) -> Observation:

@@ -9,9 +9,8 @@ import numpy as np
 from exoid.fitting.misfit.residual import equation
 from exoid.fitting.model.coordinates import Unknowns, seated
 from exoid.mismatch.evidence.location import Location, Missing, Region, Samples
-from exoid.mismatch.screen.hypothesis import Hypothesis
+from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.measured_motion import FREE, drive_of
-from exoid.mismatch.screen.optimum import Optimum
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.physics.leg import angular_acceleration
 from exoid.physics.state import LegState
@@ -28,7 +27,7 @@ FEW = 12  # bins of angle or speed
 
 def locate(prepared: PreparedRecording, base: Hypothesis, best: Optimum) -> Location:
     """The torque that would make the baseline move as the sensors show, and as `best` does."""
-    shown = np.asarray(best.course) if best.candidate.terms else None
+    shown = np.asarray(best.motion) if best.candidate.terms else None
     missing = [
         lacking(prepared, base, number, None if shown is None else shown[number])
         for number in range(prepared.segments)
