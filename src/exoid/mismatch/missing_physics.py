@@ -26,9 +26,9 @@ from exoid.mismatch.novel.formula import Formula, term_of
 from exoid.mismatch.novel.sparse_regression import describe
 from exoid.mismatch.prepare import prepare
 from exoid.mismatch.screen.effect import named as named_values
-from exoid.mismatch.screen.hypothesis import Optimum
+from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import settle_free
-from exoid.mismatch.search.found import Found, size
+from exoid.mismatch.search.found import Found, Workings, size
 from exoid.mismatch.search.search import look
 from exoid.physics.library import library
 from exoid.physics.parameter import Declaration
@@ -94,8 +94,8 @@ def with_model(
     It begins where the search for what is missing ended. Where it does not follow the recording,
     or none can begin, the baseline stays the only one.
     """
-    wanted, work = extended(found), found.workings
-    assert work is not None  # it was just made
+    work = just_made(found)
+    wanted = extended(found, work.best.candidate)
     if not wanted:
         before = with_rivals(found.before, work, work.found.base)
         said = before.notes[: len(before.notes) - len(found.before.notes)]
@@ -103,7 +103,7 @@ def with_model(
         return replace(found, before=before, reasons=reasons)
     told("fitting the model with what was found")
     try:
-        after = fit(named, multistart=STARTS, terms=wanted, near=leg_of(found), **options)
+        after = fit(named, multistart=STARTS, terms=wanted, near=leg_of(work), **options)
     except ArithmeticError:
         return found
     if not after.follows:
@@ -145,20 +145,22 @@ def for_inertia(ratio: Estimate, declared: Declaration, inertia: float) -> Estim
     return replace(ratio, value=value, standard_error=error)
 
 
-def extended(found: Diagnosis) -> tuple[Term, ...]:
+def just_made(found: Diagnosis) -> Workings:
+    """What a diagnosis rests on that was not read from a file."""
+    assert found.workings is not None
+    return found.workings
+
+
+def extended(found: Diagnosis, best: Hypothesis) -> tuple[Term, ...]:
     """The terms of the model that was concluded, where they were found; none where it is Eq. 9."""
-    work = found.workings
-    if work is None or found.verdict != "mismatch":
+    if found.verdict != "mismatch":
         return ()
-    best = work.best.candidate
     having = [named_values(*each) for each in zip(best.terms, best.values, strict=True)]
     return (*having, *told_by_sensors(found, best.terms))
 
 
-def leg_of(found: Diagnosis) -> np.ndarray:
+def leg_of(work: Workings) -> np.ndarray:
     """(m, J, l, d, c, tau) of the model that was concluded."""
-    work = found.workings
-    assert work is not None  # something was found
     at = work.found.prepared.coordinates(work.best.candidate)
     torques = torque_amplitudes(at, np)
     moved = torques[[each.voluntary for each in work.found.prepared.problem.movements]]
@@ -212,8 +214,7 @@ def from_the_first(found: Diagnosis, movements: list[Movement]) -> bool:
     """Does what was found explain the first instants, too, down to the noise? What a hand does is
     no other cause by chance.
     """
-    work = found.workings
-    assert work is not None  # it was just made
+    work = just_made(found)
     each = misfits(work.found.prepared.seen, work.best.motion)
     early = [
         one[: movement.late]

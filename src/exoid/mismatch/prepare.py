@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 
-import equinox as eqx
 import jax
 import numpy as np
 
@@ -63,7 +62,7 @@ def without_edges(seen: Observation, sensors: Consistency) -> Observation:
     last = np.where(weight > 0, time, -np.inf).max(axis=1, keepdims=True)
     shown = time - delay
     inside = (shown >= time[:, :1]) & (shown <= last)
-    return eqx.tree_at(lambda seen: seen.velocity_weight, seen, np.where(inside, weight, 0.0))
+    return replace(seen, velocity_weight=np.where(inside, weight, 0.0))
 
 
 def with_masses(seen: Observation, fitted: Mounting, owned: tuple[str, ...]) -> Observation:
@@ -119,9 +118,7 @@ def released(at: Coordinates, problem: Problem) -> Coordinates:
     """The fit's leg, every segment from where its whole movement begins."""
     first = np.array([first_state(each) for each in problem.movements])
     mounting = usual_mounting(problem.movements, owned=problem.owned)
-    own = eqx.tree_at(
-        lambda own: (own.angle, own.angular_velocity), at.own, (first[:, 0], first[:, 1])
-    )
+    own = replace(at.own, angle=first[:, 0], angular_velocity=first[:, 1])
     entries = {name: getattr(at.mounting, name) for name in problem.owned}
     moved = {name: each - (0.0 if name in ABSOLUTE else each[0]) for name, each in entries.items()}
     at = jax.tree.map(np.asarray, at)

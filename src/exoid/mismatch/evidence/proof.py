@@ -1,6 +1,7 @@
 """Does it hold on data that the fit has not seen?"""
 
-import equinox as eqx
+from dataclasses import replace
+
 import numpy as np
 
 from exoid.fitting.data.observation import Observation
@@ -49,11 +50,8 @@ def predict_others(prepared: PreparedRecording, at: Optimum) -> Prediction:
 
 def masked(seen: Observation, kept: np.ndarray) -> Observation:
     """The observation with weight only where it is kept."""
-    return eqx.tree_at(
-        lambda seen: (seen.angle_weight, seen.velocity_weight),
-        seen,
-        (seen.angle_weight * kept, seen.velocity_weight * kept),
-    )
+    weights = {name: getattr(seen, name) * kept for name in ("angle_weight", "velocity_weight")}
+    return replace(seen, **weights)
 
 
 def started(
@@ -63,9 +61,8 @@ def started(
     own = prepared.places[number][-3:]
     normal, gradient = products.each[number][:-1, :-1], products.each[number][:-1, -1]
     limits = np.full(own.size, np.inf)
-    step = bounded(normal[np.ix_(own, own)], gradient[own], 0.0, -limits, limits)
-    unknowns = candidate.unknowns.copy()
-    unknowns[own] += step
+    unknowns = candidate.unknowns
+    unknowns[own] += bounded(normal[np.ix_(own, own)], gradient[own], 0.0, -limits, limits)
     return candidate.at(unknowns)
 
 

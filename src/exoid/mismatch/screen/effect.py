@@ -43,12 +43,9 @@ def columns(term: type[Term], value: Float[Array, " parameter"], motions: Segmen
 def effect_of(term: Term, motion: SegmentMotion) -> Effect:
     """One term along one segment."""
     memory = remembered(term, motion)
-    middles = (memory[:-1] + memory[1:]) / 2
-    pulled = Drive(
-        begin=throughout(term.torque, motion.begin, memory[:-1]),
-        middle=throughout(term.torque, motion.middle, middles),
-        end=throughout(term.torque, motion.end, memory[1:]),
-    )
+    before, after = memory[:-1], memory[1:]
+    memories = (before, (before + after) / 2, after)
+    pulled = Drive(*map(partial(throughout, term.torque), stages(motion), memories))
     inertia = motion.begin.place.inertia
     push = jax.tree.map(lambda one, two: (one + two) / inertia, pulled, rubbing(term, motion))
     velocity = motion.sample.angular_velocity

@@ -15,7 +15,7 @@ DAMPING = 1e-3  # of the first step, relative to the curvature
 
 
 class Effect(eqx.Module):
-    """What a term does along a course: torques per inertia, and what the sensors show."""
+    """What a term does along a motion: torques per inertia, and what the sensors show."""
 
     push: Drive  # rad/s^2, at the stage times
     shown: Float[Any, "*batch time channel"]  # rad, rad/s

@@ -3,10 +3,8 @@
 from dataclasses import replace
 from itertools import permutations
 
-import equinox as eqx
 import numpy as np
 
-from exoid.fitting.data.observation import Observation
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.many_pinned import linear
 from exoid.mismatch.screen.optimise import settle_free
@@ -26,13 +24,10 @@ def polished(prepared: PreparedRecording, start: Hypothesis) -> Optimum:
     Where a gyro's reading jumps, every sample beside a jump is a wall: the encoder leads past them.
     """
     if any(term.jumps for term in start.terms):
-        start = settle_free(prepared, start, by_encoder(prepared.seen)).candidate
+        seen = prepared.seen
+        by_encoder = replace(seen, velocity_weight=0.0 * seen.velocity_weight)
+        start = settle_free(prepared, start, by_encoder).candidate
     return settle_free(prepared, start)
-
-
-def by_encoder(seen: Observation) -> Observation:
-    """The observation without its gyro."""
-    return eqx.tree_at(lambda seen: seen.velocity_weight, seen, 0.0 * seen.velocity_weight)
 
 
 def reduced(prepared: PreparedRecording, joint: list[Optimum]) -> list[Optimum]:
@@ -126,12 +121,11 @@ def pairs(
     for number, (first, known) in enumerate(zip(firsts, found, strict=True)):
         done = {one.terms[0] for one in firsts[: number + 1]}
         made += [
-            Hypothesis(
-                (*first.terms, *second.candidate.terms),
-                (*first.values, value),
-                first.point,
-                first.zero,
-                known,
+            replace(
+                first,
+                terms=(*first.terms, *second.candidate.terms),
+                values=(*first.values, value),
+                linear=known,
             )
             for second in ranked
             for value in prepared.starts(second.candidate.terms[0])
