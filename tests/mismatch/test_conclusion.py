@@ -11,8 +11,7 @@ from exoid.mismatch.conclude.cannot_tell import unrelaxed
 from exoid.mismatch.conclude.conclusion import partial
 from exoid.mismatch.evidence.yardstick import Yardstick
 from exoid.mismatch.missing_physics import for_inertia, noise_alone
-from exoid.mismatch.screen.hypothesis import Hypothesis, Products
-from exoid.mismatch.screen.optimum import Optimum
+from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum, Products
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import Found
 from exoid.physics.parameter import declarations
@@ -26,7 +25,7 @@ NOTHING = Hypothesis((), (), np.zeros(4))
 
 def leaving(square):
     """A candidate that leaves so much."""
-    return Optimum(NOTHING, Products(np.zeros((1, 1, 1)), np.array([[square]])), course=None)
+    return Optimum(NOTHING, Products(np.zeros((1, 1, 1)), np.array([[square]])), motion=None)
 
 
 @pytest.mark.parametrize(
@@ -36,7 +35,9 @@ def leaving(square):
 )
 def test_a_part_is_no_cause_where_nobody_declared_the_noise(left, doubted):
     base = leaving(101_000.0)
-    found = Found(base, NOTHING, [], [], [], [], Yardstick(SAMPLES, scale=1.0))
+    found = Found(
+        Mock(spec=PreparedRecording), base, NOTHING, [], [], [], [], Yardstick(SAMPLES, scale=1.0)
+    )
     reasons = partial(found, leaving(left))
     assert bool(reasons) == doubted
     if doubted:

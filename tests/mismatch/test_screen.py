@@ -46,11 +46,17 @@ def candidates(prepared, base):
     ]
 
 
+def at_measured(prepared, *tried):
+    """The products of candidates along what the sensors show."""
+    motion = prepared.measured_motion
+    return [each for each, _ in many_pinned.evaluate(prepared, [(one, motion) for one in tried])]
+
+
 def test_the_true_term_reaches_the_noise_pinned_and_free(ready):
     prepared, base = ready
     samples = count(prepared.seen)
     start = [each for each in candidates(prepared, base) if each.terms == (CoulombFriction,)]
-    for found in (settle(prepared, start)[0], settle_free(prepared, start)[0]):
+    for found in (settle(prepared, start)[0], settle_free(prepared, start[0])):
         # The sum of squares of noise is its number within four deviations.
         assert abs(found.square - samples) < 4 * np.sqrt(2 * samples)
         # J is the prior's, and the friction goes with it.
@@ -68,10 +74,8 @@ def test_no_other_term_reaches_the_noise(ready):
 def test_pinned_and_free_agree_where_the_model_is_right(ready):
     prepared, base = ready
     start = [each for each in candidates(prepared, base) if each.terms == (CoulombFriction,)]
-    free = settle_free(prepared, start)[0]
-    pinned = many_pinned.evaluate(prepared, [free.candidate], [prepared.course], prepared.seen)[0][
-        0
-    ]
+    free = settle_free(prepared, start[0])
+    pinned = at_measured(prepared, free.candidate)[0]
     # Second order in the noise, but that a reversal is smeared over its step.
     assert pinned.square == pytest.approx(free.square, rel=0.3)
     # Of leg and friction; friction swallows a start's small velocity, whose derivative then is 0.
@@ -84,20 +88,16 @@ def test_a_first_term_taken_as_linear_counts_like_itself(ready):
     by_name = {name_of(each.terms[0]): each for each in candidates(prepared, base)}
     first, second = by_name["coulomb_friction"], by_name["detent"]
     both = Hypothesis((*first.terms, *second.terms), (*first.values, *second.values), first.point)
-    eased = linear(prepared, [first], [prepared.course])[0]
+    eased = linear(prepared, [(first, prepared.measured_motion)])[0]
     eased = Hypothesis(both.terms, both.values, both.point, both.zero, eased)
-    one, other = (
-        many_pinned.evaluate(prepared, [each], [prepared.course], prepared.seen)[0][0]
-        for each in (both, eased)
-    )
+    one, other = (at_measured(prepared, each)[0] for each in (both, eased))
     assert other.each == pytest.approx(one.each, rel=1e-9, abs=1e-6)
 
 
 def test_more_requests_than_fit_at_once_are_all_answered(ready):
     prepared, base = ready
     many = [each for each in candidates(prepared, base) if each.terms == (MaxwellElement,)] * 5
-    found = many_pinned.evaluate(prepared, many, [prepared.course] * len(many), prepared.seen)
-    squares = [products.square for products, _ in found]
+    squares = [products.square for products in at_measured(prepared, *many)]
     assert squares[:3] * 5 == pytest.approx(squares, rel=1e-12)
 
 
@@ -110,12 +110,14 @@ def test_a_step_into_a_bound_stays_on_it(ready):
     assert (found.candidate.unknowns <= upper).all()
 
 
-def test_the_smoothed_course_is_what_the_sensors_show(ready):
+def test_the_measured_motion_is_what_the_sensors_show(ready):
     prepared, _ = ready
     used = np.asarray(prepared.seen.angle_weight) > 0
-    left = (prepared.course.angle - prepared.seen.angle)[used] * prepared.seen.angle_weight[used]
+    left = (prepared.measured_motion.angle - prepared.seen.angle)[
+        used
+    ] * prepared.seen.angle_weight[used]
     assert 0.5 < np.mean(np.square(left)) < 1.2
-    assert jax.tree.leaves(prepared.course)[0].shape == prepared.seen.time.shape
+    assert jax.tree.leaves(prepared.measured_motion)[0].shape == prepared.seen.time.shape
 
 
 def played(angle: float, seed: int) -> Segment:
@@ -139,7 +141,7 @@ def test_the_encoder_leads_past_the_jumps_of_the_gyro():
     recordings = [("drops", Recording(segments, BODY, Protocol(kind="passive"), NOISE))]
     prepared, base = prepare(fit(recordings), recordings, ())
     start = Hypothesis((Backlash,), (np.array([0.008]),), base.candidate.point)
-    (walled,) = settle_free(prepared, [start], rounds=25)
+    walled = settle_free(prepared, start)
     found = polished(prepared, walled.candidate)
     assert found.candidate.values[0][0] == pytest.approx(0.005, rel=0.02)
     samples = count(prepared.seen)

@@ -12,7 +12,8 @@ from exoid.physics.leg import LegModel
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.physics.terms.device.quadratic_drag import QuadraticDrag
 from exoid.physics.torque import NoTorque
-from exoid.planning.expected_odds import DECISIVE, Pursuit, probability
+from exoid.planning.expected_information import mounting_prior
+from exoid.planning.expected_odds import DECISIVE, RivalFit, probability
 from exoid.planning.plan_between import plan_between
 from exoid.planning.planned import Candidate
 from exoid.planning.prior_knowledge import from_anatomy
@@ -53,16 +54,17 @@ def test_log_odds_are_half_of_what_the_rival_cannot_follow():
     rows = random.normal(size=(40, size + 1 + owned))
     rows[:, size] *= 0.1  # near enough that no limit is met
     option = Candidate("a drop", Movement(np.radians(-10), 6.0))
-    found = Pursuit(rival, [option], [rows.T @ rows])
+    found = RivalFit(rival, {option: rows.T @ rows})
     belief = np.zeros((size + owned, size + owned))
     belief[:size, :size] = found.start[:size, :size]
-    belief[size:, size:] = found.mounting[size + 1 :, size + 1 :]
+    belief[size:, size:] = np.diag(mounting_prior(rival, [option]))
     room = np.delete(rows, size, axis=1)
     expected = following(rows[:, size], room, belief)
-    assert found.log_odds([0]) == pytest.approx(expected, rel=1e-6)
-    tight = Pursuit(rival, [option], [rows.T @ rows])
+    assert found.log_odds([option]) == pytest.approx(expected, rel=1e-6)
+    tight = RivalFit(rival, {option: rows.T @ rows})
     tight.__dict__["room"] = np.zeros((2, size)) + np.array([[-1e-9], [1e-9]])
-    assert tight.log_odds([0]) > found.log_odds([0])  # a rival that may not bend follows worse
+    # A rival that may not bend follows worse.
+    assert tight.log_odds([option]) > found.log_odds([option])
 
 
 def test_the_probability_is_that_of_odds_drawn_at_random():

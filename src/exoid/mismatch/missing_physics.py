@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import jax
@@ -25,10 +26,9 @@ from exoid.mismatch.novel.formula import Formula, term_of
 from exoid.mismatch.novel.sparse_regression import describe
 from exoid.mismatch.prepare import prepare
 from exoid.mismatch.screen.effect import named as named_values
+from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import settle_free
-from exoid.mismatch.screen.optimum import Optimum
-from exoid.mismatch.screen.prepared_recording import PreparedRecording
-from exoid.mismatch.search.found import Found, size
+from exoid.mismatch.search.found import Found, Workings, size
 from exoid.mismatch.search.search import look
 from exoid.physics.library import library
 from exoid.physics.parameter import Declaration
@@ -39,7 +39,6 @@ from exoid.recordings.recording import Recording
 REMAINS = 1.1  # mean square over the noise, from which on a formula is looked for
 LEFT = 0.5  # of what the library leaves, that a formula may leave to take its place
 KNOWN = 0.5  # share of a formula that a term of the library is, up to which it is new
-ROUNDS = 25
 STARTS = 8  # masses and inertias of the fit with what was found
 AT_ONCE = 1.5  # times the noise's that a cause may leave of a movement's first instants
 
@@ -71,16 +70,17 @@ def diagnose(
     told("fitting the baseline")
     options = {"seed": seed, **assumed}
     result = fit(named, multistart=multistart, **options)
-    if result.basis is None or not any(each.late for each in result.basis.problem.movements):
-        return with_model(asked(result, named, terms, seed, told), named, options, told)
-    at_once = fit(named, multistart=multistart, at_once=True, **options)
-    whole = asked(at_once, named, terms, seed, told)
-    if names_it(whole) and from_the_first(whole, result.basis.problem.movements):
-        return with_model(whole, named, {**options, "at_once": True}, told)
-    later = asked(result, named, terms, seed, told)
-    if names_it(later) or not later.changed or not names_it(whole):
-        return with_model(later, named, options, told)
-    return with_model(whole, named, {**options, "at_once": True}, told)
+    ask = partial(asked, named=named, terms=terms, seed=seed, told=told)
+    movements = [] if result.basis is None else result.basis.problem.movements
+    if any(each.late for each in movements):
+        at_once = {**options, "at_once": True}
+        whole = ask(fit(named, multistart=multistart, **at_once))
+        if names_it(whole):
+            later = None if from_the_first(whole, movements) else ask(result)
+            if later is None or (later.changed and not names_it(later)):
+                return with_model(whole, named, at_once, told)
+            return with_model(later, named, options, told)
+    return with_model(ask(result), named, options, told)
 
 
 def with_model(
@@ -94,8 +94,8 @@ def with_model(
     It begins where the search for what is missing ended. Where it does not follow the recording,
     or none can begin, the baseline stays the only one.
     """
-    wanted, work = extended(found), found.workings
-    assert work is not None  # it was just made
+    work = just_made(found)
+    wanted = extended(found, work.best.candidate)
     if not wanted:
         before = with_rivals(found.before, work, work.found.base)
         said = before.notes[: len(before.notes) - len(found.before.notes)]
@@ -103,7 +103,7 @@ def with_model(
         return replace(found, before=before, reasons=reasons)
     told("fitting the model with what was found")
     try:
-        after = fit(named, multistart=STARTS, terms=wanted, near=leg_of(found), **options)
+        after = fit(named, multistart=STARTS, terms=wanted, near=leg_of(work), **options)
     except ArithmeticError:
         return found
     if not after.follows:
@@ -145,23 +145,25 @@ def for_inertia(ratio: Estimate, declared: Declaration, inertia: float) -> Estim
     return replace(ratio, value=value, standard_error=error)
 
 
-def extended(found: Diagnosis) -> tuple[Term, ...]:
+def just_made(found: Diagnosis) -> Workings:
+    """What a diagnosis rests on that was not read from a file."""
+    assert found.workings is not None
+    return found.workings
+
+
+def extended(found: Diagnosis, best: Hypothesis) -> tuple[Term, ...]:
     """The terms of the model that was concluded, where they were found; none where it is Eq. 9."""
-    work = found.workings
-    if work is None or found.verdict != "mismatch":
+    if found.verdict != "mismatch":
         return ()
-    best = work.best.candidate
     having = [named_values(*each) for each in zip(best.terms, best.values, strict=True)]
     return (*having, *told_by_sensors(found, best.terms))
 
 
-def leg_of(found: Diagnosis) -> np.ndarray:
+def leg_of(work: Workings) -> np.ndarray:
     """(m, J, l, d, c, tau) of the model that was concluded."""
-    work = found.workings
-    assert work is not None  # something was found
-    at = work.prepared.coordinates(work.best.candidate)
+    at = work.found.prepared.coordinates(work.best.candidate)
     torques = torque_amplitudes(at, np)
-    moved = torques[[each.voluntary for each in work.prepared.problem.movements]]
+    moved = torques[[each.voluntary for each in work.found.prepared.problem.movements]]
     torque = moved.mean() if moved.size else 0.0
     return np.array([*jax.tree.leaves(leg_parameters(at, np)), torque], dtype=float)
 
@@ -189,18 +191,18 @@ def asked(
     prepared, base = prepare(result, named, terms)
     found = look(prepared, base, told)
     told("proving it on held-out data")
-    chosen = choose(prepared, found)
+    chosen = choose(found)
     formula = None
     if chosen.best.square > REMAINS * found.yardstick.samples:
         told("looking for a formula")
-        chosen, formula = formulated(prepared, found, chosen)
-    if formula is None and unusual(prepared, found, chosen.best):
-        prepared, found, best = as_a_term(prepared, found, chosen.best)
-        chosen = Chosen(best, predict(prepared, found.base), predict(prepared, best))
+        chosen, formula = formulated(found, chosen)
+    if formula is None and unusual(found, chosen.best):
+        found, best = as_a_term(found, chosen.best)
+        chosen = Chosen(best, *(predict(found.prepared, one) for one in (found.base, best)))
     told("locating the mismatch")
-    location = locate(prepared, found.begin, chosen.best)
+    location = locate(found.prepared, found.begin, chosen.best)
     declared = all(recording.sensors.angle_noise is not None for _, recording in named)
-    return concluded(result, prepared, found, chosen, formula, location, declared, seed)
+    return concluded(result, found, chosen, formula, location, declared, seed)
 
 
 def names_it(found: Diagnosis) -> bool:
@@ -212,9 +214,8 @@ def from_the_first(found: Diagnosis, movements: list[Movement]) -> bool:
     """Does what was found explain the first instants, too, down to the noise? What a hand does is
     no other cause by chance.
     """
-    work = found.workings
-    assert work is not None  # it was just made
-    each = misfits(work.prepared.seen, work.best.course)
+    work = just_made(found)
+    each = misfits(work.found.prepared.seen, work.best.motion)
     early = [
         one[: movement.late]
         for channels, movement in zip(each, movements, strict=True)
@@ -230,13 +231,13 @@ def noise_alone(left: np.ndarray, parameters: int) -> bool:
     return float(left @ left) < AT_ONCE * (left.size - parameters)
 
 
-def choose(prepared: PreparedRecording, found: Found) -> Chosen:
+def choose(found: Found) -> Chosen:
     """From the baseline to a term, from there to two: only where it is clear, and where it holds.
 
     Two terms are only believed where they explain all there is: what bends one way or another can
     be had from many pairs.
     """
-    before = predict(prepared, found.base)
+    before = predict(found.prepared, found.base)
     chosen = Chosen(found.base, before, before)
     whole = [one for one in found.pairs[:1] if found.yardstick.explains(one.square)]
     single = found.singles[:1]
@@ -244,7 +245,7 @@ def choose(prepared: PreparedRecording, found: Found) -> Chosen:
         single = [max(*single, *whole, key=found.evidence)]
     for better in (*single, *whole):
         if found.clear(chosen.best, better):
-            after = predict(prepared, better)
+            after = predict(found.prepared, better)
             if improves(chosen.after, after) or chosen.best is found.base:
                 chosen = Chosen(better, before, after)
     return chosen
@@ -255,18 +256,16 @@ def only_sensors(one: Optimum) -> bool:
     return all(term.everyday for term in one.candidate.terms)
 
 
-def formulated(
-    prepared: PreparedRecording, found: Found, chosen: Chosen
-) -> tuple[Chosen, Formula | None]:
+def formulated(found: Found, chosen: Chosen) -> tuple[Chosen, Formula | None]:
     """The best formula as a term, where it explains more than the library does."""
-    formula = describe(prepared, found.begin)
+    formula = describe(found.prepared, found.begin)
     if formula.known > KNOWN:
         return chosen, None
     term = term_of(formula)
     start = replace(found.begin, terms=(term,), values=(formula.values,))
-    one = settle_free(prepared, [start], rounds=ROUNDS)[0]
+    one = settle_free(found.prepared, start)
     if better(found, one, chosen.best) and found.clear(found.base, one):
-        after = predict(prepared, one)
+        after = predict(found.prepared, one)
         if improves(chosen.after, after):
             return Chosen(one, chosen.before, after), formula.at(one.candidate.values[0])
     return chosen, None

@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 
-import equinox as eqx
 import jax
 import numpy as np
 
@@ -16,9 +15,8 @@ from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.solve.ask import take
 from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.problem import Problem
-from exoid.mismatch.screen.hypothesis import Hypothesis
-from exoid.mismatch.screen.optimise import settle_free
-from exoid.mismatch.screen.optimum import Optimum
+from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
+from exoid.mismatch.screen.optimise import FEWER_ROUNDS, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.sensors.consistency import Consistency, consistency
 from exoid.physics.library import library
@@ -52,7 +50,7 @@ def prepare(
     zero = float("inf") if rig else movements[0].systematics.zero
     prepared = PreparedRecording(problem, sensors, tested, inertia, rig, zero)
     point = prepared.point(fitted)
-    return prepared, settle_free(prepared, [Hypothesis((), (), point)])[0]
+    return prepared, settle_free(prepared, Hypothesis((), (), point), rounds=FEWER_ROUNDS)
 
 
 def without_edges(seen: Observation, sensors: Consistency) -> Observation:
@@ -64,7 +62,7 @@ def without_edges(seen: Observation, sensors: Consistency) -> Observation:
     last = np.where(weight > 0, time, -np.inf).max(axis=1, keepdims=True)
     shown = time - delay
     inside = (shown >= time[:, :1]) & (shown <= last)
-    return eqx.tree_at(lambda seen: seen.velocity_weight, seen, np.where(inside, weight, 0.0))
+    return replace(seen, velocity_weight=np.where(inside, weight, 0.0))
 
 
 def with_masses(seen: Observation, fitted: Mounting, owned: tuple[str, ...]) -> Observation:
@@ -120,9 +118,7 @@ def released(at: Coordinates, problem: Problem) -> Coordinates:
     """The fit's leg, every segment from where its whole movement begins."""
     first = np.array([first_state(each) for each in problem.movements])
     mounting = usual_mounting(problem.movements, owned=problem.owned)
-    own = eqx.tree_at(
-        lambda own: (own.angle, own.angular_velocity), at.own, (first[:, 0], first[:, 1])
-    )
+    own = replace(at.own, angle=first[:, 0], angular_velocity=first[:, 1])
     entries = {name: getattr(at.mounting, name) for name in problem.owned}
     moved = {name: each - (0.0 if name in ABSOLUTE else each[0]) for name, each in entries.items()}
     at = jax.tree.map(np.asarray, at)

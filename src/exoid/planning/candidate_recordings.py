@@ -9,11 +9,11 @@ import numpy as np
 
 from exoid.fitting.data.movement import Movement as Observed
 from exoid.fitting.data.segment import movement
-from exoid.physics.leg import LegModel, LegParameters
-from exoid.physics.term import Term
+from exoid.physics.leg import LegModel
 from exoid.physics.torque import NoTorque
 from exoid.planning.planned import Candidate
-from exoid.recordings.recording import Recording, Sensors
+from exoid.planning.prior_knowledge import PriorKnowledge
+from exoid.recordings.recording import Recording
 from exoid.twin.motion import Movement
 from exoid.twin.protocols import record
 
@@ -64,13 +64,7 @@ def candidates(height: float | None, amplitude: float | None) -> list[Candidate]
     return [*drops, *loaded, *tilted, *cycles]
 
 
-def moving(
-    options: list[Candidate],
-    leg: LegParameters,
-    sensors: Sensors,
-    gyro: bool,
-    terms: tuple[Term, ...] = (),
-) -> dict[Candidate, Observed]:
+def moving(options: list[Candidate], known: PriorKnowledge) -> dict[Candidate, Observed]:
     """Every candidate as the fit would see it, without noise.
 
     Those are left out from which this leg hardly moves: a stiff one rests high.
@@ -78,19 +72,20 @@ def moving(
     each = {}
     for tilt in dict.fromkeys(option.thigh_angle for option in options):
         alike = [option for option in options if option.thigh_angle == tilt]
-        made = imagine(alike, LegModel(leg, NoTorque(), np.asarray(tilt), terms), sensors, gyro)
+        made = imagine(alike, tilt, known)
         for number, option in enumerate(alike):
             with suppress(ValueError):
                 each[option] = movement(made, number, option.words)
     return each
 
 
-def imagine(options: list[Candidate], model: LegModel, sensors: Sensors, gyro: bool) -> Recording:
-    """The recording of these candidates by sensors of this noise."""
+def imagine(options: list[Candidate], tilt: float, known: PriorKnowledge) -> Recording:
+    """The recording of these candidates on a seat, by sensors of the noise that is known."""
+    model = LegModel(known.leg, NoTorque(), np.asarray(tilt), known.model_terms)
     made = record(model, [option.motion for option in options], jax.random.key(0), exact=True)
     segments = tuple(
-        segment if gyro else replace(segment, raw_angular_velocity=None)
+        segment if known.gyro else replace(segment, raw_angular_velocity=None)
         for segment in made.segments
     )
     subject = replace(made.subject, kind="leg")
-    return replace(made, segments=segments, subject=subject, sensors=sensors)
+    return replace(made, segments=segments, subject=subject, sensors=known.sensors)

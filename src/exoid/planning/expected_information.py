@@ -5,9 +5,10 @@ prior's sum up to that of the joint fit, in which the new recording has a mounti
 (Atkinson, Donev & Tobias, Optimum Experimental Designs, 2007).
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
+from itertools import combinations_with_replacement
 
 import numpy as np
 
@@ -24,7 +25,7 @@ from exoid.fitting.solve.ask import sensed
 from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.problem import Problem
 from exoid.planning.planned import Candidate
-from exoid.planning.prior_knowledge import Known, eliminated
+from exoid.planning.prior_knowledge import PriorKnowledge, eliminated
 
 MOST = 4  # segments of a proposed recording
 WORTH = 0.85  # of the error before: a further segment that leaves more is not worth its time
@@ -32,19 +33,28 @@ ENOUGH = 2e-3  # of the value: no added mass is weighed, and no leg the same tom
 NEAR = 1.3  # of the least error: within it the simplest recording is proposed
 
 
-def informations(known: Known, options: dict[Candidate, Movement]) -> list[np.ndarray]:
+def informations(
+    known: PriorKnowledge, options: dict[Candidate, Movement]
+) -> dict[Candidate, np.ndarray]:
     """What every candidate would tell of the leg's coordinates and of the new mounting."""
+    told = segments_told(known, *posed(known, options))
+    return {option: without_own(each, known) for option, each in zip(options, told, strict=True)}
+
+
+def posed(known: PriorKnowledge, options: dict[Candidate, Movement]) -> tuple[Problem, Coordinates]:
+    """The problem that these motions would pose, and what is known of the leg, from where they
+    begin.
+    """
     movements = [replace(each, systematics=known.systematics) for each in options.values()]
     problem = pose(movements, known.belief, "1/T", Raw(), terms=known.classes)
     states = np.array([first_state(each) for each in movements])
     torque = np.array([option.motion.amplitude or 0.0 for option in options])
     own = Own(torque / np.exp(known.shared.log_inertia), *states.T.copy())
     usual = usual_mounting(movements, owned=known.owned)
-    point = Coordinates(known.shared, known.log_mass, usual, own, known.terms)
-    return [without_own(each, known) for each in segments_told(known, problem, point)]
+    return problem, Coordinates(known.shared, known.log_mass, usual, own, known.terms)
 
 
-def segments_told(known: Known, problem: Problem, point: Coordinates) -> list[np.ndarray]:
+def segments_told(known: PriorKnowledge, problem: Problem, point: Coordinates) -> list[np.ndarray]:
     """Every segment's information on its own unknowns, where what disturbed the fit acts again."""
     found, seen = known.disturbance, problem.observation
     if found is None or found.cause is None:
@@ -61,7 +71,7 @@ def segments_told(known: Known, problem: Problem, point: Coordinates) -> list[np
     return told
 
 
-def without_own(segment: np.ndarray, known: Known) -> np.ndarray:
+def without_own(segment: np.ndarray, known: PriorKnowledge) -> np.ndarray:
     """A segment's information on the coordinates of `known.point` and on the new mounting, its own
     start and torque eliminated, log m (untold) inserted.
     """
@@ -73,45 +83,46 @@ def without_own(segment: np.ndarray, known: Known) -> np.ndarray:
     return np.insert(np.insert(both, leg, 0.0, axis=0), leg, 0.0, axis=1)
 
 
+def with_recordings(
+    start: np.ndarray,
+    known: PriorKnowledge,
+    told: dict[Candidate, np.ndarray],
+    chosen: Sequence[Candidate],
+) -> np.ndarray:
+    """The information `start` and that of these candidates, a recording for every seat."""
+    size, total = len(start), start
+    mounting = np.diag(np.append(np.zeros(size), mounting_prior(known, told)))
+    for seat in {each.thigh_angle for each in chosen}:
+        own = sum(told[each] for each in chosen if each.thigh_angle == seat)
+        total = total + eliminated(mounting + own, size)
+    return total
+
+
 @dataclass(frozen=True, eq=False)
 class Design:
     """What any set of candidates would leave of the goal's error."""
 
-    known: Known
+    known: PriorKnowledge
     goal: str
-    options: list[Candidate]
-    told: list[np.ndarray]  # by each of the options
+    told: dict[Candidate, np.ndarray]  # by every candidate
 
-    @property
+    @cached_property
     def value(self) -> float:
         return float(quantities(self.known.point, np)[self.known.quantities.index(self.goal)])
-
-    @property
-    def size(self) -> int:
-        """Coordinates of the leg and its terms."""
-        return len(self.known.information)
 
     @cached_property
     def start(self) -> np.ndarray:
         """What data and prior tell of the leg."""
         return self.known.information + self.known.prior
 
-    @cached_property
-    def mounting(self) -> np.ndarray:
-        """What is believed of a new recording's mounting."""
-        return np.diag(np.append(np.zeros(self.size), mounting_prior(self.known, self.options)))
-
-    def error(self, chosen: Sequence[int]) -> float:
-        """The standard error of the goal with these candidates, a recording for every seat."""
-        total = self.start
-        for seat in {self.options[number].thigh_angle for number in chosen}:
-            own = [self.told[n] for n in chosen if self.options[n].thigh_angle == seat]
-            total = total + eliminated(self.mounting + sum(own), self.size)
+    def error(self, chosen: Sequence[Candidate]) -> float:
+        """The standard error of the goal with these candidates."""
+        total = with_recordings(self.start, self.known, self.told, chosen)
         gradient = self.known.gradients[self.known.quantities.index(self.goal)]
         information = Information(total, np.zeros_like(total), self.known.fixed)
         return information.standard_error(gradient)
 
-    def greedy(self) -> list[int]:
+    def greedy(self) -> list[Candidate]:
         """Segment after segment, the simplest of the best, while each is worth its time.
 
         One movement that nothing checks is never enough, whatever its error: a model that is wrong
@@ -121,11 +132,12 @@ class Design:
         no single segment is worth it. Voluntary cycles are never proposed: what they tell rests on
         the form of the torque.
         """
-        single = [[n] for n, option in enumerate(self.options) if not option.voluntary]
-        pairs = [a + b for a in single for b in single if a <= b]
-        chosen: list[int] = []
+        drops = [option for option in self.told if not option.voluntary]
+        single = [[option] for option in drops]
+        pairs = [[*pair] for pair in combinations_with_replacement(drops, 2)]
+        chosen: list[Candidate] = []
         if self.enough(chosen) and not self.known.checked:
-            return min(single, key=lambda each: self.options[each[0]].effort)
+            return [min(drops, key=lambda each: each.effort)]
         while len(chosen) < MOST and not self.enough(chosen):
             more = self.worthwhile(chosen, single) or ([] if chosen else self.worthwhile([], pairs))
             if not more:
@@ -133,22 +145,23 @@ class Design:
             chosen = chosen + more
         return chosen
 
-    def enough(self, chosen: Sequence[int]) -> bool:
+    def enough(self, chosen: Sequence[Candidate]) -> bool:
         """Is the goal then known as well as legs stay the same?"""
         return self.error(chosen) < ENOUGH * abs(self.value)
 
-    def worthwhile(self, chosen: list[int], sets: list[list[int]]) -> list[int]:
+    def worthwhile(self, chosen: list[Candidate], sets: list[list[Candidate]]) -> list[Candidate]:
         """The set of least effort among those that are worth it and nearly the best; else none."""
         after = [self.error(chosen + each) for each in sets]
         most = min(WORTH * self.error(chosen), NEAR * min(after))
-        near = [number for number, error in enumerate(after) if error < most]
-        if not near:
-            return []
-        effort = {n: sum(self.options[each].effort for each in sets[n]) for n in near}
-        return sets[min(near, key=lambda n: (effort[n], after[n]))]
+        near = [
+            (sum(one.effort for one in each), error, each)
+            for each, error in zip(sets, after, strict=True)
+            if error < most
+        ]
+        return min(near, key=lambda each: each[:2], default=(0.0, 0.0, []))[2]
 
 
-def mounting_prior(known: Known, options: Sequence[Candidate]) -> np.ndarray:
+def mounting_prior(known: PriorKnowledge, options: Iterable[Candidate]) -> np.ndarray:
     """What is believed of a new mounting: the mass sits where the candidates have it, by tape."""
     distance = max((option.motion.added_mass_distance for option in options), default=0.0)
     placed = known.systematics.distance / (distance or SOMEWHERE)

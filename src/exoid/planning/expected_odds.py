@@ -16,88 +16,63 @@ from jaxtyping import Float
 from scipy.optimize import lsq_linear
 from scipy.stats import norm
 
-from exoid.fitting.data.conditioning_chain import Raw
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.misfit.condensed import Sensed
 from exoid.fitting.misfit.uncertainty import VAGUE
-from exoid.fitting.model.coordinates import Coordinates, Own, flattened, scaled
+from exoid.fitting.model.coordinates import flattened, scaled
 from exoid.fitting.model.term_parameters import over_inertia
-from exoid.fitting.multistart.starts import first_state, usual_mounting
 from exoid.fitting.solve.ask import sensed
-from exoid.fitting.solve.pose import pose
-from exoid.planning.expected_information import mounting_prior, without_own
+from exoid.planning.expected_information import posed, with_recordings, without_own
 from exoid.planning.planned import Candidate
-from exoid.planning.prior_knowledge import Known, eliminated
+from exoid.planning.prior_knowledge import PriorKnowledge
 
 DECISIVE = log(20.0)  # log odds at which one of two is believed
 BY_A_HAIR = 1e-9  # of a step of order one: how far a fixed value may move
 
 
 @dataclass(frozen=True, eq=False)
-class Pursuit:
-    """One model that follows what another one would make of the candidates."""
+class RivalFit:
+    """The fit of one model to what another one would make of the candidates."""
 
-    rival: Known
-    options: list[Candidate]
-    told: list[np.ndarray]  # by each option, of leg and terms, of the misfit, of a mounting
-
-    @property
-    def size(self) -> int:
-        """Coordinates of the rival's leg and terms; the misfit comes behind them."""
-        return len(self.rival.information)
+    rival: PriorKnowledge
+    told: dict[Candidate, np.ndarray]  # by each, of leg and terms, of the misfit, of a mounting
 
     @cached_property
     def start(self) -> np.ndarray:
-        """What the rival knows before."""
-        known = self.rival.information + self.rival.prior + VAGUE * np.eye(self.size)
-        return np.pad(known, (0, 1))
-
-    @cached_property
-    def mounting(self) -> np.ndarray:
-        """What is believed of a new recording's mounting."""
-        own = mounting_prior(self.rival, self.options)
-        return np.diag(np.concatenate([np.zeros(self.size + 1), own]))
+        """What the rival knows before; the misfit comes behind the coordinates."""
+        known = self.rival.information + self.rival.prior
+        return np.pad(known + VAGUE * np.eye(len(known)), (0, 1))
 
     @cached_property
     def room(self) -> Float[np.ndarray, "2 known"]:
         """How far down and up every coordinate may go."""
         return steps_to_limits(self.rival)
 
-    def log_odds(self, chosen: Sequence[int]) -> float:
+    def log_odds(self, chosen: Sequence[Candidate]) -> float:
         """To expect against the rival, where it is wrong, of these candidates."""
-        total = self.start
-        for seat in {self.options[number].thigh_angle for number in chosen}:
-            own = [self.told[n] for n in chosen if self.options[n].thigh_angle == seat]
-            total = total + eliminated(self.mounting + sum(own), self.size + 1)
-        normal, slope = total[: self.size, : self.size], total[: self.size, self.size]
+        total = with_recordings(self.start, self.rival, self.told, chosen)
+        normal, slope = total[:-1, :-1], total[:-1, -1]
         factor = np.linalg.cholesky(normal)
         aim = np.linalg.solve(factor, -slope)
         missed = lsq_linear(factor.T, aim, tuple(self.room)).cost * 2 - aim @ aim
-        return max(0.0, float(total[self.size, self.size] + missed)) / 2
+        return max(0.0, float(total[-1, -1] + missed)) / 2
 
 
-def pursuit(rival: Known, made: dict[Candidate, Movement], own: Sensed, noise: float) -> Pursuit:
+def rival_fit(
+    rival: PriorKnowledge, made: dict[Candidate, Movement], own: Sensed, noise: float
+) -> RivalFit:
     """What the rival has to change for motions that another model made, whose `own` simulation of
     them is known; `noise` is over the declared one.
     """
-    found = simulated(rival, list(made.values()))
+    found = sensed(*posed(rival, made))
     difference = np.asarray(found.residual) - np.asarray(own.residual)
     rows = np.concatenate([found.columns, difference[:, None]], axis=1)
     flat = rows.reshape(*rows.shape[:2], -1) / noise
-    return Pursuit(rival, list(made), [without_own(each @ each.T, rival) for each in flat])
+    told = [without_own(each @ each.T, rival) for each in flat]
+    return RivalFit(rival, dict(zip(made, told, strict=True)))
 
 
-def simulated(known: Known, motions: list[Movement]) -> Sensed:
-    """What a model that is known makes of these motions, from where they begin."""
-    movements = [replace(each, systematics=known.systematics) for each in motions]
-    problem = pose(movements, known.belief, "1/T", Raw(), terms=known.classes)
-    states = np.array([first_state(each) for each in movements])
-    own = Own(np.zeros(len(movements)), *states.T.copy())
-    usual = usual_mounting(movements, owned=known.owned)
-    return sensed(problem, Coordinates(known.shared, known.log_mass, usual, own, known.terms))
-
-
-def steps_to_limits(known: Known) -> Float[np.ndarray, "2 known"]:
+def steps_to_limits(known: PriorKnowledge) -> Float[np.ndarray, "2 known"]:
     """From the point that is known to the limits, in steps of order one."""
     at, limits = known.point, known.belief.limits
     inertia = np.exp(known.shared.log_inertia)

@@ -10,7 +10,7 @@ from exoid.physics.parameter import declarations
 from exoid.planning.candidate_recordings import candidates, moving
 from exoid.planning.expected_information import ENOUGH, Design, informations
 from exoid.planning.planned import Candidate, Option, Plan
-from exoid.planning.prior_knowledge import Known, from_anatomy, from_result
+from exoid.planning.prior_knowledge import PriorKnowledge, from_anatomy, from_result
 from exoid.recordings.recording import Subject
 from exoid.trust.legs import strangers
 
@@ -46,21 +46,17 @@ def plan(
     if goal in known.belief.by_hand.fix:
         raise ValueError(f"{goal} is fixed by you: there is nothing to narrow.")
     every = candidates(subject.height, known.torque)
-    moved = moving(every, known.leg, known.sensors, known.gyro, known.model_terms)
-    options = list(moved)
-    design = Design(known, goal, options, informations(known, moved))
-    chosen = design.greedy()
-    before, after = design.error([]), design.error(chosen)
-    proposed = [options[number] for number in chosen]
-    single = [Option(each, design.error([number])) for number, each in enumerate(options)]
+    design = Design(known, goal, informations(known, moving(every, known)))
+    proposed = design.greedy()
+    single = [Option(each, design.error([each])) for each in design.told]
     symbol, unit = named(goal, known)
     return Plan(
         goal=goal,
         symbol=symbol,
         unit=unit,
         value=design.value,
-        before=before,
-        after=after,
+        before=design.error([]),
+        after=design.error(proposed),
         proposed=proposed,
         options=sorted(single, key=lambda option: option.error),
         sentences=[
@@ -70,7 +66,7 @@ def plan(
     )
 
 
-def named(goal: str, known: Known) -> tuple[str, str]:
+def named(goal: str, known: PriorKnowledge) -> tuple[str, str]:
     """Symbol and unit."""
     for name, declared in parameters_of(known.classes):
         if goal == name:
@@ -84,7 +80,9 @@ def named(goal: str, known: Known) -> tuple[str, str]:
     return declared.symbol, declared.unit
 
 
-def advice(goal: str, known: Known, proposed: list[Candidate], *, enough: bool) -> list[str]:
+def advice(
+    goal: str, known: PriorKnowledge, proposed: list[Candidate], *, enough: bool
+) -> list[str]:
     """Why, and what to mind."""
     said = []
     if known.belief.expected is None:

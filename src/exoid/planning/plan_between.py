@@ -2,14 +2,16 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import combinations, permutations
+from itertools import combinations
 
 from exoid.fitting.result.fit_result import FitResult
+from exoid.fitting.solve.ask import sensed
 from exoid.physics.term import Term, name_of
 from exoid.planning.candidate_recordings import candidates, moving
-from exoid.planning.expected_odds import DECISIVE, Pursuit, probability, pursuit, simulated
+from exoid.planning.expected_information import posed
+from exoid.planning.expected_odds import DECISIVE, RivalFit, probability, rival_fit
 from exoid.planning.planned import Candidate, Contrast, Telling
-from exoid.planning.prior_knowledge import Known, from_result
+from exoid.planning.prior_knowledge import PriorKnowledge, from_result
 from exoid.recordings.recording import Subject
 
 MOST = 3  # segments of a proposed recording
@@ -42,22 +44,22 @@ def plan_between(fits: Sequence[FitResult], subject: Subject) -> Contrast:
     names = [rival_name(each.terms) for each in known]
     noise = min(each.noise_scale for each in fits)
     at_hand = odds_at_hand(fits, noise)
-    contest = Contest(len(known), tuple(pursuits(known, candidates(subject.height, None), noise)))
+    comparison = compared(known, candidates(subject.height, None), noise)
     single = [
-        Telling(each, contest.log_odds([n]), probability(contest.log_odds([n])))
-        for n, each in enumerate(contest.options)
+        Telling(each, odds := comparison.log_odds([each]), probability(odds))
+        for each in comparison.options
     ]
     told = min(abs(one - other) for one, other in combinations(at_hand, 2)) > DECISIVE
-    best = contest.greedy()
-    chosen = best if not told and probability(contest.log_odds(best)) > LIKELY else []
-    expected = contest.log_odds(chosen or best)
+    best = comparison.greedy()
+    chosen = best if not told and probability(comparison.log_odds(best)) > LIKELY else []
+    expected = comparison.log_odds(chosen or best)
     return Contrast(
         rivals=names,
         at_hand=at_hand,
-        proposed=[contest.options[number] for number in chosen],
+        proposed=chosen,
         log_odds=expected,
         probability=probability(expected),
-        if_right=contest.if_right(chosen or best),
+        if_right=comparison.if_right(chosen or best),
         options=sorted(single, key=lambda each: -each.log_odds),
         sentences=advice(fits, names, known, at_hand, told=told, helpless=not (told or chosen)),
     )
@@ -84,58 +86,55 @@ def odds_at_hand(fits: Sequence[FitResult], noise: float) -> list[float]:
     return [(least - each.loss) / noise**2 for each in fits]
 
 
-def pursuits(known: list[Known], every: list[Candidate], noise: float) -> list[Pursuit]:
+def compared(known: list[PriorKnowledge], every: list[Candidate], noise: float) -> "Comparison":
     """Every rival after every other, along the candidates from which all of them move."""
-    moved = [moving(every, each.leg, each.sensors, each.gyro, each.model_terms) for each in known]
+    moved = [moving(every, each) for each in known]
     common = [each for each in every if all(each in motions for motions in moved)]
-    made = [{each: motions[each] for each in common} for motions in moved]
-    own = [simulated(one, list(each.values())) for one, each in zip(known, made, strict=True)]
-    return [
-        pursuit(known[rival], made[right], own[right], noise)
-        for right, rival in permutations(range(len(known)), 2)
-    ]
+    followed = []
+    for right, motions in zip(known, moved, strict=True):
+        made = {each: motions[each] for each in common}
+        own = sensed(*posed(right, made))
+        rivals = [each for each in known if each is not right]
+        followed.append([rival_fit(rival, made, own, noise) for rival in rivals])
+    return Comparison(common, followed)
 
 
 @dataclass(frozen=True, eq=False)
-class Contest:
-    """Every rival after every other."""
+class Comparison:
+    """Every model as the right one, and how its rivals follow what it would make."""
 
-    rivals: int
-    pursuits: tuple[Pursuit, ...]  # those after the same one in a row
+    options: list[Candidate]
+    followed: list[list[RivalFit]]  # of every model, by its rivals
 
-    @property
-    def options(self) -> list[Candidate]:
-        return self.pursuits[0].options
+    def if_right(self, chosen: Sequence[Candidate]) -> list[float]:
+        """Log odds to expect of these candidates where a model is right: against the rival that
+        follows it best.
+        """
+        return [min(rival.log_odds(chosen) for rival in rivals) for rivals in self.followed]
 
-    def log_odds(self, chosen: Sequence[int]) -> float:
-        """To expect of these candidates, of the pair that is hardest to tell apart."""
-        return min(each.log_odds(chosen) for each in self.pursuits)
+    def log_odds(self, chosen: Sequence[Candidate]) -> float:
+        """The same of the pair that is hardest to tell apart."""
+        return min(self.if_right(chosen))
 
-    def if_right(self, chosen: Sequence[int]) -> list[float]:
-        """The same of each model by itself: against the rival that follows it best."""
-        each = [one.log_odds(chosen) for one in self.pursuits]
-        others = self.rivals - 1
-        return [min(each[n : n + others]) for n in range(0, len(each), others)]
-
-    def greedy(self) -> list[int]:
+    def greedy(self) -> list[Candidate]:
         """Segment after segment, the simplest of the nearly best, until they are sure to tell."""
-        chosen: list[int] = []
+        chosen: list[Candidate] = []
         while self.options and len(chosen) < MOST:
             before = self.log_odds(chosen) if chosen else 0.0
             if probability(before) > SURE:
                 break
-            after = {n: self.log_odds([*chosen, n]) for n in range(len(self.options))}
+            after = {each: self.log_odds([*chosen, each]) for each in self.options}
             if max(after.values()) <= WORTH * before:
                 break
-            near = [n for n in after if after[n] >= NEAR * max(after.values())]
-            chosen.append(min(near, key=lambda n: (self.options[n].effort, -after[n])))
+            near = [each for each in after if after[each] >= NEAR * max(after.values())]
+            chosen.append(min(near, key=lambda each: (each.effort, -after[each])))
         return chosen
 
 
 def advice(
     fits: Sequence[FitResult],
     names: list[str],
-    known: list[Known],
+    known: list[PriorKnowledge],
     at_hand: list[float],
     *,
     told: bool,

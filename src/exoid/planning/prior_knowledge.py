@@ -40,7 +40,7 @@ NOTHING = Mounting(*[np.zeros(0)] * len(OWNED))
 
 
 @dataclass(frozen=True, eq=False)
-class Known:
+class PriorKnowledge:
     """A leg and the information on it, every recording's own unknowns eliminated."""
 
     shared: Shared
@@ -101,7 +101,7 @@ class Known:
         return self.gradients[[self.quantities.index(name) for name in self.belief.by_hand.fix]]
 
 
-def from_anatomy(subject: Subject, assumed: Assumptions | None = None) -> Known:
+def from_anatomy(subject: Subject, assumed: Assumptions | None = None) -> PriorKnowledge:
     """Of nobody in particular where body mass or height is unknown."""
     belief = believe(subject, assumed)
     expected = dict(zip(NAMES, jax.tree.leaves(ANYBODY), strict=True)) | belief.typical
@@ -109,7 +109,7 @@ def from_anatomy(subject: Subject, assumed: Assumptions | None = None) -> Known:
     gravity = leg.mass * leg.com_distance * GRAVITY
     ratios = (np.asarray(each / leg.inertia) for each in (gravity, leg.stiffness, leg.damping))
     kit = SensorKit()
-    return Known(
+    return PriorKnowledge(
         shared=Shared(np.log(leg.inertia), *ratios),
         log_mass=np.log(leg.mass),
         information=np.zeros((LEG, LEG)),
@@ -128,7 +128,7 @@ def from_anatomy(subject: Subject, assumed: Assumptions | None = None) -> Known:
     )
 
 
-def from_result(result: FitResult) -> Known:
+def from_result(result: FitResult) -> PriorKnowledge:
     """What a fit knows.
 
     **Raises** `ValueError` for a result that has no one fit (`fit_each`).
@@ -146,7 +146,7 @@ def from_result(result: FitResult) -> Known:
     own[np.ix_(others, others)] += local.prior[np.ix_(others, others)]  # of the mountings
     order = np.append(kept, others)
     ratio = result.ratios.get("torque_over_inertia")
-    return Known(
+    return PriorKnowledge(
         shared=best.shared,
         log_mass=best.log_mass,
         information=eliminated(own[np.ix_(order, order)], kept.size),

@@ -2,10 +2,9 @@
 
 import numpy as np
 
-from exoid.fitting.errors.profile import named
 from exoid.fitting.misfit.uncertainty import HELD, Information, determined, inverse_times
 from exoid.fitting.result.estimates import RATIOS
-from exoid.fitting.result.fit_result import Estimate, FitResult
+from exoid.fitting.result.fit_result import Estimate
 from exoid.trust.told import Changes, Direction
 
 SHIFT = 0.10  # relative change by which an exact direction is put into words
@@ -15,7 +14,7 @@ WEAK = 0.05  # relative standard error from which on a combination counts as har
 
 
 def null_directions(
-    result: FitResult, gradients: dict[str, np.ndarray], alone: Information
+    gradients: dict[str, np.ndarray], alone: Information, symbols: dict[str, str]
 ) -> list[Direction]:
     """The directions in which the parameters move and no sample does.
 
@@ -35,7 +34,6 @@ def null_directions(
         rest = moved - known @ np.linalg.lstsq(known, moved, rcond=None)[0]
     left, sizes, _ = np.linalg.svd(rest, full_matrices=False)
     found += list(left[:, sizes > TRACE].T)
-    symbols = {name: each.symbol for name, each in named(result)}
     return [exact(dict(zip(names, map(float, p), strict=True)), symbols) for p in found]
 
 
@@ -53,10 +51,10 @@ def exact(changes: Changes, symbols: dict[str, str]) -> Direction:
 
 
 def weak_directions(
-    result: FitResult,
     gradients: dict[str, np.ndarray],
     told: dict[str, Estimate],
     alone: Information,
+    symbols: dict[str, str],
 ) -> list[Direction]:
     """Directions among the combinations along which the data leave more than WEAK, relative."""
     names = [name for name in told if name in gradients and told[name].shares != HELD]
@@ -65,7 +63,6 @@ def weak_directions(
     rows = np.stack([gradients[name] for name in names])
     covariance = rows @ np.stack([inverse_times(alone.likelihood, row) for row in rows], axis=1)
     sizes, axes = np.linalg.eigh(covariance)
-    symbols = {name: each.symbol for name, each in named(result)}
     found = []
     for size, axis in zip(sizes[::-1], axes.T[::-1], strict=True):
         error = float(np.sqrt(max(size, 0.0)))

@@ -43,11 +43,15 @@ def identify(result: FitResult) -> Identifiability:
         raise ValueError("every segment was fitted alone: there is no one fit to ask.")
     data = basis.ended.local.data + basis.ended.local.declared
     alone = Information(data, np.zeros_like(data), np.zeros((0, data.shape[0])))
-    gradients = relative_gradients(result, basis)
-    told = combinations(result, basis, alone)
-    exact = null_directions(result, gradients, alone)
-    weak = weak_directions(result, gradients, told, alone)
-    shares = segment_shares(basis, told, alone)
+    symbols = {name: each.symbol for name, each in named(result)}
+    weights = {name: weights_of(name, basis) for name in symbols}
+    absolute = {name: row @ basis.ended.local.quantities for name, row in weights.items()}
+    values = {name: float(row @ basis.ended.best.quantities[0]) for name, row in weights.items()}
+    gradients = {name: absolute[name] / value for name, value in values.items() if value != 0}
+    told = combinations(result, absolute, alone)
+    exact = null_directions(gradients, alone, symbols)
+    weak = weak_directions(gradients, told, alone, symbols)
+    shares = segment_shares(basis, {name: absolute[name] for name in told}, alone)
     mirrored = reversals(basis.problem.movements)
     names, correlation = correlations(told | dict(named(result)), gradients, basis)
     return Identifiability(
@@ -68,42 +72,30 @@ def identify(result: FitResult) -> Identifiability:
     )
 
 
-def relative_gradients(result: FitResult, basis: Basis) -> dict[str, np.ndarray]:
-    """d log of every parameter and ratio that is not zero, in the fit's coordinates."""
-    each = {}
-    for name, _ in named(result):
-        weights = weights_of(name, basis)
-        value = float(weights @ basis.ended.best.quantities[0])
-        if value != 0:
-            each[name] = weights @ basis.ended.local.quantities / value
-    return each
-
-
-def combinations(result: FitResult, basis: Basis, alone: Information) -> dict[str, Estimate]:
+def combinations(
+    result: FitResult, gradients: dict[str, np.ndarray], alone: Information
+) -> dict[str, Estimate]:
     """The ratios, and J, where the data alone determine them."""
-    values = {**result.ratios, "inertia": result.parameters["inertia"]}
     told = {}
-    for name, each in values.items():
-        weights = weights_of(name, basis)
-        error = alone.standard_error(weights @ basis.ended.local.quantities)
+    for name, each in {**result.ratios, "inertia": result.parameters["inertia"]}.items():
+        error = alone.standard_error(gradients[name])
         if each.value is not None and each.shares != HELD and np.isfinite(error):
             told[name] = replace(each, standard_error=error or None)
     return told
 
 
 def segment_shares(
-    basis: Basis, told: dict[str, Estimate], alone: Information
+    basis: Basis, gradients: dict[str, np.ndarray], alone: Information
 ) -> dict[str, np.ndarray]:
     """What part of the data's information on every combination came from which segment."""
-    best, seen = take(basis.ended.best, 0), basis.problem.observation
-    places = columns(best.coordinates, seen.seat)
+    best = take(basis.ended.best, 0)
+    places = columns(best.coordinates, basis.problem.observation.seat)
     shares = {}
-    for name in told:
-        gradient = weights_of(name, basis) @ basis.ended.local.quantities
+    for name, gradient in gradients.items():
         pull = inverse_times(alone.likelihood, gradient)
         told_by = zip(best.condensed.factor, places, strict=True)
-        each = [np.sum((factor @ pull[at]) ** 2) for factor, at in told_by]
-        shares[name] = np.array(each) / np.sum(each)
+        each = np.array([np.sum((factor @ pull[at]) ** 2) for factor, at in told_by])
+        shares[name] = each / np.sum(each)
     return shares
 
 

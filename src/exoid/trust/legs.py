@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass, replace
 
-import equinox as eqx
 import numpy as np
 
 from exoid.fitting.misfit.uncertainty import Information
@@ -87,8 +86,8 @@ def blinded(problem: Problem, recording: int) -> Problem:
     """The same problem, with no sample of any other recording."""
     own = np.array([each.recording == recording for each in problem.movements])[:, None]
     seen = problem.observation
-    weights = tuple(np.where(own, w, 0.0) for w in (seen.angle_weight, seen.velocity_weight))
-    masked = eqx.tree_at(lambda each: (each.angle_weight, each.velocity_weight), seen, weights)
+    angle, velocity = (np.where(own, w, 0.0) for w in (seen.angle_weight, seen.velocity_weight))
+    masked = replace(seen, angle_weight=angle, velocity_weight=velocity)
     return with_inertia_kept(replace(problem, observation=masked))
 
 

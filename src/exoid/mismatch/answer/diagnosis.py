@@ -6,10 +6,10 @@ from typing import Annotated, Literal
 from exoid.fitting.result.agreement import roughly
 from exoid.fitting.result.fit_result import FitResult
 from exoid.mismatch.answer import summary
-from exoid.mismatch.answer.workings import Workings
 from exoid.mismatch.evidence.location import Location
 from exoid.mismatch.evidence.prediction import Proof
 from exoid.mismatch.evidence.yardstick import UNEXPLAINED
+from exoid.mismatch.search.found import Workings
 from exoid.mismatch.sensors.consistency import SensorError
 
 Verdict = Literal["none", "mismatch", "cannot_tell"]

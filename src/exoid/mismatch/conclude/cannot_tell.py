@@ -5,10 +5,10 @@ import numpy as np
 from exoid.mismatch.evidence.prediction import Proof
 from exoid.mismatch.evidence.proof import masked
 from exoid.mismatch.evidence.yardstick import UNEXPLAINED
-from exoid.mismatch.screen.optimise import settle_free
-from exoid.mismatch.screen.optimum import Optimum
+from exoid.mismatch.screen.hypothesis import Optimum
+from exoid.mismatch.screen.optimise import FEWER_ROUNDS, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
-from exoid.mismatch.search.found import FLOOR, Found
+from exoid.mismatch.search.found import FLOOR
 from exoid.physics.term import SensorTerm
 
 SHORTEST = 1.5  # s of movement in all, about one swing of a leg
@@ -18,7 +18,7 @@ CYCLES = 3  # that a claim about the leg needs where all are voluntary
 APART = 0.05  # relative, by which the slowest must be slower than the fastest
 
 
-def too_little(prepared: PreparedRecording, found: Found) -> list[str]:
+def too_little(prepared: PreparedRecording) -> list[str]:
     """Why hardly anything could be seen in this recording, in sentences; none where it could."""
     reasons = []
     duration = sum(each.segment.time[-1] for each in prepared.problem.movements)
@@ -88,7 +88,9 @@ def once(prepared: PreparedRecording, best: Optimum) -> list[str]:
     if not few.size:
         return []
     kept = np.isin(np.arange(counts.size), others)
-    left = settle_free(prepared, [best.candidate], masked(seen, kept[:, None]))[0].square
+    left = settle_free(
+        prepared, best.candidate, masked(seen, kept[:, None]), rounds=FEWER_ROUNDS
+    ).square
     if left > FLOOR * counts[others].sum():
         return []
     odd = [k for k in sorted(few) if excess[k] > (UNEXPLAINED - 1) * counts[k]]

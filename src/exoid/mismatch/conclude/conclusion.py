@@ -7,7 +7,6 @@ import numpy as np
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.remarks import unlike_anatomy
 from exoid.mismatch.answer.diagnosis import Diagnosis, Finding, NovelTorque, Suspect, Verdict
-from exoid.mismatch.answer.workings import Workings
 from exoid.mismatch.conclude.cannot_tell import hands, once, too_little, unrelaxed, unsure
 from exoid.mismatch.conclude.numbers import (
     CERTAIN,
@@ -15,7 +14,7 @@ from exoid.mismatch.conclude.numbers import (
     REST_ANGLE,
     booked,
     gyro_bias,
-    inertia_of,
+    leg_of,
     moved,
     parameters_of,
     pinned,
@@ -26,11 +25,11 @@ from exoid.mismatch.conclude.rivals import hidden, of_hidden
 from exoid.mismatch.evidence.location import Location
 from exoid.mismatch.evidence.prediction import Prediction, Proof
 from exoid.mismatch.evidence.proof import proof
-from exoid.mismatch.evidence.yardstick import FOLLOWED, Yardstick
+from exoid.mismatch.evidence.yardstick import FOLLOWED
 from exoid.mismatch.novel.formula import Formula
-from exoid.mismatch.screen.optimum import Optimum
+from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
-from exoid.mismatch.search.found import Found, names, size
+from exoid.mismatch.search.found import Found, Workings, names, size
 from exoid.mismatch.search.resample import inclusion
 from exoid.mismatch.search.search import equivalents
 from exoid.mismatch.sensors.consistency import BIAS
@@ -57,7 +56,6 @@ class Chosen:
 
 def concluded(
     result: FitResult,
-    prepared: PreparedRecording,
     found: Found,
     chosen: Chosen,
     formula: Formula | None,
@@ -70,13 +68,14 @@ def concluded(
     Where the sensors' noise is `declared` and the best explains only part of the mismatch, the rest
     is something new, and no term is named.
     """
-    best, shown = chosen.best, proof(prepared, chosen.before, chosen.after)
-    selected = named_terms(prepared, best, found.yardstick, formula)
-    bias = gyro_bias(best, found.yardstick)
-    verdict, reasons = judge(prepared, found, best, shown)
-    unseen = hidden(prepared, found, result) if verdict == "none" else []
+    prepared, measure, best = found.prepared, found.yardstick, chosen.best
+    shown = proof(prepared, chosen.before, chosen.after)
+    selected = [] if formula else named_terms(found, best)
+    bias = gyro_bias(best, measure)
+    verdict, reasons = judge(found, best, shown)
+    unseen = hidden(found, result) if verdict == "none" else []
     if unseen:
-        verdict, reasons = "cannot_tell", [of_hidden(prepared, found, result, unseen[0])]
+        verdict, reasons = "cannot_tell", [of_hidden(found, result, unseen[0])]
     if verdict == "mismatch" and formula is None and not declared:
         doubts = partial(found, best)
         verdict, reasons = ("cannot_tell", doubts) if doubts else (verdict, reasons)
@@ -86,8 +85,6 @@ def concluded(
         reasons = [*of_zeros(result, prepared), *of_what_hides(result)]
     equal = [] if formula or not best.candidate.terms else equivalents(found, best)
     likely = unseen or [one for one in found.singles if found.followed(one) > SUSPECT]
-    parameters = size(best)
-    measure = found.yardstick
     left = declared and not measure.explains(best.square) and found.followed(best) < FOLLOWED
     novel = formula is not None or (verdict == "mismatch" and left)
     doubts = (once(prepared, best) or unrelaxed(prepared, best)) if novel else []
@@ -96,7 +93,6 @@ def concluded(
     novel = novel and verdict == "mismatch"  # nothing is called new by who cannot tell
     selected = [*([] if left else selected), *biased]
     suspected = likely if verdict == "cannot_tell" else equal if len(equal) > 1 else []
-    tried = [size(one) for one in found.pinned]
     return Diagnosis(
         verdict=verdict,
         reasons=reasons,
@@ -104,10 +100,12 @@ def concluded(
         ranking=ranked(found, selected, formula),
         equivalent=named_alike(equal, best) if verdict != "none" else [],
         novel=novel,
-        formula=described(formula) if formula and novel else None,
-        parameters=[*parameters_of(prepared, best, measure, formula), *([bias] if bias else [])],
-        inertia=inertia_of(prepared, best),
-        booked=booked(prepared, found.base, best),
+        formula=NovelTorque(formula.words, formula.explained, formula.known)
+        if formula and novel
+        else None,
+        parameters=[*parameters_of(found, best, formula), *([bias] if bias else [])],
+        inertia=float(np.exp(leg_of(found, best).log_inertia)),
+        booked=booked(found, found.base, best),
         location=location,
         proof=shown,
         baseline=weighed(found, found.base, best),
@@ -116,23 +114,21 @@ def concluded(
         pairs=[weighed(found, one, best) for one in found.pairs],
         pinned=pinned(found),
         excluded=[name_of(term) for term in found.failed],
-        false_alarm_rate=measure.false_alarm_rate(tried),
-        power=measure.power(found.base.square, best.square, max(parameters, 1)),
-        inclusion=included(prepared, found, best, formula, seed),
+        false_alarm_rate=measure.false_alarm_rate([size(one) for one in found.pinned]),
+        power=measure.power(found.base.square, best.square, max(size(best), 1)),
+        inclusion=included(found, best, formula, seed),
         sensors=prepared.sensors.errors,
         before=result,
-        suspected=suspects(prepared, found, suspected, best),
+        suspected=suspects(found, suspected, best),
         advice=advice(equal or likely[:2], verdict, formula),
-        workings=Workings(prepared, found, best),
+        workings=Workings(found, best),
     )
 
 
-def suspects(
-    prepared: PreparedRecording, found: Found, each: list[Optimum], best: Optimum
-) -> list[Suspect]:
+def suspects(found: Found, each: list[Optimum], best: Optimum) -> list[Suspect]:
     """What the likeliest causes would make of the leg's numbers; the one that is named is first."""
     each = sorted(each, key=lambda one: one is not best)[:SUSPECTS]
-    return [Suspect(names(one), moved(prepared, found.base, one)) for one in each]
+    return [Suspect(names(one), moved(found, found.base, one)) for one in each]
 
 
 def of_zeros(result: FitResult, prepared: PreparedRecording) -> list[str]:
@@ -164,10 +160,6 @@ def of_what_hides(result: FitResult) -> list[str]:
     ]
 
 
-def described(formula: Formula) -> NovelTorque:
-    return NovelTorque(formula.words, formula.explained, formula.known)
-
-
 def findings(selected: list[str], best: Optimum) -> list[Finding]:
     """What is missing in words: of the library, or of a user's own terms."""
     known = {name_of(term): term for term in (*library(), *best.candidate.terms)}
@@ -175,26 +167,18 @@ def findings(selected: list[str], best: Optimum) -> list[Finding]:
     return [Finding(name, one.title, one.explanation, one.reference) for name, one in terms]
 
 
-def included(
-    prepared: PreparedRecording, found: Found, best: Optimum, formula: Formula | None, seed: int
-) -> float | None:
+def included(found: Found, best: Optimum, formula: Formula | None, seed: int) -> float | None:
     """How often resampled segments give the same answer."""
     if best is found.base:
         return None
     others = [found.base, *found.singles, *([] if len(best.candidate.terms) < 2 else found.pairs)]
     rivals = [found.base] if formula else [one for one in others if one is not best]
-    return inclusion(prepared, best, rivals, found.yardstick, seed)
+    return inclusion(found, best, rivals, seed)
 
 
-def named_terms(
-    prepared: PreparedRecording, best: Optimum, measure: Yardstick, formula: Formula | None
-) -> list[str]:
+def named_terms(found: Found, best: Optimum) -> list[str]:
     """The terms by name; a tilted thigh is an offset whose opposite is the spring's rest angle."""
-    if formula:
-        return []
-    return [
-        name for name in names(best) if name != REST_ANGLE or not tilted(prepared, best, measure)
-    ]
+    return [name for name in names(best) if name != REST_ANGLE or not tilted(found, best)]
 
 
 def named_alike(equal: list[Optimum], best: Optimum) -> list[str]:
@@ -206,11 +190,10 @@ def named_alike(equal: list[Optimum], best: Optimum) -> list[str]:
     return [" + ".join(each) for each in known]
 
 
-def judge(
-    prepared: PreparedRecording, found: Found, best: Optimum, shown: Proof
-) -> tuple[Verdict, list[str]]:
+def judge(found: Found, best: Optimum, shown: Proof) -> tuple[Verdict, list[str]]:
     """None, mismatch, or an honest doubt."""
-    little = too_little(prepared, found)
+    prepared = found.prepared
+    little = too_little(prepared)
     if best is found.base:
         left = found.base.square / found.yardstick.samples
         if little:

@@ -2,11 +2,11 @@
 
 import numpy as np
 
+from exoid.fitting.model.coordinates import Shared
 from exoid.mismatch.answer.diagnosis import Booked, Parameter, Tested
 from exoid.mismatch.evidence.yardstick import Yardstick
 from exoid.mismatch.novel.formula import Formula
-from exoid.mismatch.screen.optimum import Optimum
-from exoid.mismatch.screen.prepared_recording import PreparedRecording
+from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.search.found import Found, names
 from exoid.mismatch.sensors.consistency import BIAS
 from exoid.physics.parameter import declarations
@@ -33,9 +33,9 @@ def pinned(found: Found) -> list[Tested]:
     return [Tested(names(one), one.square / samples, None) for one in found.pinned]
 
 
-def inertia_of(prepared: PreparedRecording, best: Optimum) -> float:
-    """kg m^2, that torques go with: drops alone tell only their ratio to it."""
-    return float(np.exp(prepared.coordinates(best.candidate).shared.log_inertia))
+def leg_of(found: Found, one: Optimum) -> Shared:
+    """What the leg owns as a candidate has it."""
+    return found.prepared.coordinates(one.candidate).shared
 
 
 def gyro_bias(best: Optimum, measure: Yardstick) -> Parameter | None:
@@ -51,19 +51,20 @@ def gyro_bias(best: Optimum, measure: Yardstick) -> Parameter | None:
     return Parameter(f"{BIAS}.bias", value, "rad/s", error)
 
 
-def covariance(prepared: PreparedRecording, one: Optimum) -> np.ndarray:
+def covariance(found: Found, one: Optimum) -> np.ndarray:
     """Of all unknowns, for the inertia that the fit took; 0 of what is fixed or not told."""
     normal = one.products.total[:-1, :-1].copy()
-    lower, upper = prepared.bounds(one.candidate)
+    lower, upper = found.prepared.bounds(one.candidate)
     fixed = lower == upper
     fixed[0] = True
     normal[fixed], normal[:, fixed] = 0.0, 0.0
     size_of = np.sqrt(np.diag(normal))
     unit = np.where(size_of > 0, size_of, 1.0)
-    return np.linalg.pinv(normal / np.outer(unit, unit), hermitian=True) / np.outer(unit, unit)
+    units = np.outer(unit, unit)
+    return np.linalg.pinv(normal / units, hermitian=True) / units * found.yardstick.scale
 
 
-def tilted(prepared: PreparedRecording, best: Optimum, measure: Yardstick) -> bool:
+def tilted(found: Found, best: Optimum) -> bool:
     """Are a rest angle and an offset opposite, within the error of their sum?"""
     candidate = best.candidate
     ends = candidate.point.size + 2 + np.cumsum([value.size for value in candidate.values])
@@ -71,57 +72,47 @@ def tilted(prepared: PreparedRecording, best: Optimum, measure: Yardstick) -> bo
     if not {REST_ANGLE, OFFSET} <= set(at):
         return False
     both = [at[REST_ANGLE], at[OFFSET]]
-    variance = max(covariance(prepared, best)[np.ix_(both, both)].sum(), 0.0) * measure.scale
+    variance = max(covariance(found, best)[np.ix_(both, both)].sum(), 0.0)
     return bool(abs(candidate.unknowns[both].sum()) < CERTAIN * np.sqrt(variance))
 
 
-def parameters_of(
-    prepared: PreparedRecording, best: Optimum, measure: Yardstick, formula: Formula | None
-) -> list[Parameter]:
+def parameters_of(found: Found, best: Optimum, formula: Formula | None) -> list[Parameter]:
     """Values and errors of the terms' parameters, for the inertia that the fit took."""
     candidate = best.candidate
-    variance = np.maximum(np.diag(covariance(prepared, best)), 0.0) * measure.scale
+    variance = np.maximum(np.diag(covariance(found, best)), 0.0)
     told = np.diag(best.products.total)[:-1] > 0
-    found, at = [], candidate.point.size + 2
+    parameters, at = [], candidate.point.size + 2
     for term, values in zip(candidate.terms, candidate.values, strict=True):
         owner = FORMULA if formula else name_of(term)
         for (name, declared), value in zip(declarations(term), values, strict=True):
             known = bool(told[at]) and declared.lower < value < declared.upper
             error = float(np.sqrt(variance[at])) if known else None
-            found.append(Parameter(f"{owner}.{name}", float(value), declared.unit, error))
+            parameters.append(Parameter(f"{owner}.{name}", float(value), declared.unit, error))
             at += 1
-    return found
+    return parameters
 
 
-def moved(prepared: PreparedRecording, before: Optimum, after: Optimum) -> list[Booked]:
+def moved(found: Found, before: Optimum, after: Optimum) -> list[Booked]:
     """The ratios that motion tells, without and with a cause, and what goes with the inertia."""
-    one, other = (prepared.coordinates(each.candidate).shared for each in (before, after))
-    ratios = {
-        "gravity_over_inertia": ("gravity", "1/s^2"),
-        "stiffness_over_inertia": ("stiffness", "1/s^2"),
-        "damping_over_inertia": ("damping", "1/s"),
-    }
-    each = [
-        Booked(name, float(getattr(one, field)), float(getattr(other, field)), unit)
-        for name, (field, unit) in ratios.items()
-    ]
+    one, other = leg_of(found, before), leg_of(found, after)
     less, more = (float(np.exp(leg.log_inertia)) for leg in (one, other))
-    return [Booked("inertia", less, more, "kg m^2"), *each, *booked(prepared, before, after)]
+    ratios = [
+        Booked(f"{name}_over_inertia", float(getattr(one, name)), float(getattr(other, name)), unit)
+        for name, unit in (("gravity", "1/s^2"), ("stiffness", "1/s^2"), ("damping", "1/s"))
+    ]
+    return [Booked("inertia", less, more, "kg m^2"), *ratios, *booked(found, before, after)]
 
 
-def booked(prepared: PreparedRecording, before: Optimum, after: Optimum) -> list[Booked]:
+def booked(found: Found, before: Optimum, after: Optimum) -> list[Booked]:
     """Damping, stiffness and gravity moment without and with what was found.
 
     A rig's zero is anywhere, so that its gravity and its stiffness are one restoring moment.
     """
-    pairs = [prepared.coordinates(one.candidate).shared for one in (before, after)]
-    rows = [
-        {
-            "damping": (float(leg.damping * np.exp(leg.log_inertia)), "N m s/rad"),
-            "stiffness": (float(leg.stiffness * np.exp(leg.log_inertia)), "N m/rad"),
-            "gravity_moment": (float(leg.gravity * np.exp(leg.log_inertia)), "N m"),
-        }
-        for leg in pairs
+    one, other = leg_of(found, before), leg_of(found, after)
+    less, more = np.exp(one.log_inertia), np.exp(other.log_inertia)
+    told = [
+        Booked("damping", float(one.damping * less), float(other.damping * more), "N m s/rad"),
+        Booked("stiffness", float(one.stiffness * less), float(other.stiffness * more), "N m/rad"),
+        Booked("gravity_moment", float(one.gravity * less), float(other.gravity * more), "N m"),
     ]
-    told = ["damping"] if prepared.rig else list(rows[0])
-    return [Booked(name, rows[0][name][0], rows[1][name][0], rows[0][name][1]) for name in told]
+    return told[:1] if found.prepared.rig else told

@@ -6,24 +6,22 @@ import numpy as np
 
 from exoid.fitting.result.fit_result import Estimate, FitResult
 from exoid.mismatch.answer.diagnosis import Booked
-from exoid.mismatch.answer.workings import Workings
 from exoid.mismatch.conclude.numbers import moved
 from exoid.mismatch.evidence.yardstick import APART
-from exoid.mismatch.screen.optimum import Optimum
-from exoid.mismatch.screen.prepared_recording import PreparedRecording
-from exoid.mismatch.search.found import Found, names
+from exoid.mismatch.screen.hypothesis import Optimum
+from exoid.mismatch.search.found import Found, Workings, names
 
 FELT = 2.0  # standard errors by which a cause that is hardly seen must move a number
 LARGE = 0.1  # share of the variance, from which on a cause is worth a word
 OF_RATIO = {"stiffness": "stiffness_over_inertia", "damping": "damping_over_inertia"}
 
 
-def hidden(prepared: PreparedRecording, found: Found, result: FitResult) -> list[Optimum]:
+def hidden(found: Found, result: FitResult) -> list[Optimum]:
     """Causes that the data prefer to Eq. 9 alone, yet that change too little to be claimed: Eq. 9
     takes nearly all of them for something else, and its numbers are wrong by as much.
     """
     likely = [one for one in found.singles if found.evidence(one) > APART]
-    return [one for one in likely if felt(result, moved(prepared, found.base, one))]
+    return [one for one in likely if felt(result, moved(found, found.base, one))]
 
 
 def felt(result: FitResult, numbers: list[Booked]) -> bool:
@@ -35,11 +33,11 @@ def felt(result: FitResult, numbers: list[Booked]) -> bool:
     )
 
 
-def of_hidden(prepared: PreparedRecording, found: Found, result: FitResult, first: Optimum) -> str:
+def of_hidden(found: Found, result: FitResult, first: Optimum) -> str:
     """Why nothing can be said, where something may hide in Eq. 9."""
     changes = [
         f"{result.ratios[one.name].symbol} {one.before:.3g} -> {one.after:.3g} {one.unit}"
-        for one in moved(prepared, found.base, first)
+        for one in moved(found, found.base, first)
         if one.name in result.ratios
     ]
     return (
@@ -62,7 +60,7 @@ def with_rivals(result: FitResult, work: Workings, shown: Optimum) -> FitResult:
     evidence = np.array([found.evidence(one) for one in each])
     odds = np.exp((evidence - evidence.max()) / 2)
     away = [
-        {number.name: number.after - number.before for number in moved(work.prepared, shown, one)}
+        {number.name: number.after - number.before for number in moved(found, shown, one)}
         for one in each
     ]
     parts = {

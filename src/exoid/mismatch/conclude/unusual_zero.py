@@ -10,48 +10,47 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.mismatch.conclude.numbers import CERTAIN, covariance
-from exoid.mismatch.screen.hypothesis import Hypothesis
+from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import settle_free
-from exoid.mismatch.screen.optimum import Optimum
-from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import Found
 from exoid.mismatch.search.search import by_evidence
-from exoid.mismatch.search.variants import FREE_ROUNDS
 from exoid.physics.sensing.angle_offset import AngleOffset
 
 RIVALS = 4  # of the other causes, each with and without the zero
 
 
-def unusual(prepared: PreparedRecording, found: Found, best: Optimum) -> bool:
+def unusual(found: Found, best: Optimum) -> bool:
     """Is the zero certainly off, as the best explanation has it, and by more than is usual?"""
-    if not 0 < prepared.zero < np.inf:  # known, or free to be anything
+    usual = found.prepared.zero
+    if not 0 < usual < np.inf:  # known, or free to be anything
         return False
     value, place = abs(float(best.candidate.zero[1])), best.candidate.point.size + 1
-    variance = covariance(prepared, best)[place, place] * found.yardstick.scale
-    return bool(value > prepared.zero and value**2 > CERTAIN**2 * variance)
+    variance = covariance(found, best)[place, place]
+    return bool(value > usual and value**2 > CERTAIN**2 * variance)
 
 
-def as_a_term(
-    prepared: PreparedRecording, found: Found, best: Optimum
-) -> tuple[PreparedRecording, Found, Optimum]:
+def as_a_term(found: Found, best: Optimum) -> tuple[Found, Optimum]:
     """The zero as a term of the best and of its rivals, who are also tried without it, and a
     baseline that has it as declared.
     """
-    declared = replace(prepared, zero=0.0)
+    declared = replace(found.prepared, zero=0.0)
     rivals = [one for one in (*found.singles, *found.pairs) if one is not best][:RIVALS]
-    base, *plain = [at_rest(declared, without_zero(one.candidate)) for one in (found.base, *rivals)]
-    named = [at_rest(declared, with_term(one.candidate)) for one in (best, *rivals)]
+    base, *plain = [
+        settle_free(declared, without_zero(one.candidate)) for one in (found.base, *rivals)
+    ]
+    named = [settle_free(declared, with_term(one.candidate)) for one in (best, *rivals)]
     alone = [one for one in (*named, *plain) if len(one.candidate.terms) == 1]
     joint = [one for one in (*named, *plain) if len(one.candidate.terms) > 1]
     measure = found.yardstick
     new = replace(
         found,
+        prepared=declared,
         base=base,
         begin=base.candidate,
         singles=by_evidence(alone, base, measure),
         pairs=by_evidence(joint, base, measure),
     )
-    return declared, new, named[0]
+    return new, named[0]
 
 
 def without_zero(candidate: Hypothesis) -> Hypothesis:
@@ -62,7 +61,3 @@ def with_term(candidate: Hypothesis) -> Hypothesis:
     """The candidate with its zero as a term."""
     start, value = without_zero(candidate), candidate.zero[1:]
     return replace(start, terms=(*start.terms, AngleOffset), values=(*start.values, value))
-
-
-def at_rest(prepared: PreparedRecording, candidate: Hypothesis) -> Optimum:
-    return settle_free(prepared, [candidate], rounds=FREE_ROUNDS)[0]

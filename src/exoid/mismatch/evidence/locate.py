@@ -9,9 +9,8 @@ import numpy as np
 from exoid.fitting.misfit.residual import equation
 from exoid.fitting.model.coordinates import Unknowns, seated
 from exoid.mismatch.evidence.location import Location, Missing, Region, Samples
-from exoid.mismatch.screen.hypothesis import Hypothesis
+from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.measured_motion import FREE, drive_of
-from exoid.mismatch.screen.optimum import Optimum
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.physics.leg import angular_acceleration
 from exoid.physics.state import LegState
@@ -28,16 +27,15 @@ FEW = 12  # bins of angle or speed
 
 def locate(prepared: PreparedRecording, base: Hypothesis, best: Optimum) -> Location:
     """The torque that would make the baseline move as the sensors show, and as `best` does."""
-    shown = np.asarray(best.course) if best.candidate.terms else None
+    shown = np.asarray(best.motion) if best.candidate.terms else None
     missing = [
         lacking(prepared, base, number, None if shown is None else shown[number])
         for number in range(prepared.segments)
     ]
     regions = [region for each in missing for region in regions_of(each)]
     regions.sort(key=lambda each: abs(each.torque) * (each.end - each.begin), reverse=True)
-    angle = np.concatenate([each.angle for each in missing])
-    speed = np.concatenate([each.angular_velocity for each in missing])
-    torque = np.concatenate([each.torque for each in missing])
+    rows = [(each.angle, each.angular_velocity, each.torque) for each in missing]
+    angle, speed, torque = map(np.concatenate, zip(*rows, strict=True))
     return Location(missing, regions[:MOST], explained(angle, torque), explained(speed, torque))
 
 
@@ -60,29 +58,28 @@ def lacking(
     eq = equation(unknowns, observation, FREE)
     known = drive_of(eq, observation)
     drive = np.append(known.begin, known.end[-1])[:size]
-    time = np.asarray(seen.time[number])[:size]
+    time = observation.time[:size]
 
     bias, zero = base.zero
 
     def excess(angle, velocity, acceleration):
         state = LegState(jnp.asarray(angle - zero), jnp.asarray(velocity - bias))
         expected = np.asarray(angular_acceleration(eq.ratios, state, jnp.asarray(drive)))
-        return (acceleration - expected) / float(eq.torque)
+        return averaged((acceleration - expected) / float(eq.torque), width)[free]
 
     width = max(1, round(WIDTH / float(np.median(np.diff(time)))))
+    weighs = observation.angle_weight + observation.velocity_weight > 0
+    free = slice(int(np.argmax(weighs)), size)  # before it a hand was on the leg
     modelled = None
     if shown is not None:
         angle, velocity = shown[:size].T
-        modelled = averaged(excess(angle, velocity, np.gradient(velocity, time)), width)
-    rough = excess(reference.angle, reference.angular_velocity, reference.angular_acceleration)
-    torque = averaged(rough, width)
+        modelled = excess(angle, velocity, np.gradient(velocity, time))
+    angle, velocity = reference.angle, reference.angular_velocity
+    torque = excess(angle, velocity, reference.angular_acceleration)
     band = reference.smoother.spread(width) / float(eq.torque)
     name = prepared.problem.movements[number].name
-    weighs = np.asarray(seen.angle_weight[number]) + np.asarray(seen.velocity_weight[number]) > 0
-    free = slice(int(np.argmax(weighs)), size)  # before it a hand was on the leg
-    motion = (time[free], reference.angle[free], reference.angular_velocity[free])
-    modelled = None if modelled is None else modelled[free]
-    return Missing(name, *motion, torque[free], band, modelled, width)
+    motion = (time[free], angle[free], velocity[free])
+    return Missing(name, *motion, torque, band, modelled, width)
 
 
 def averaged(torque: np.ndarray, width: int) -> np.ndarray:

@@ -4,7 +4,7 @@ import numpy as np
 
 from exoid.fitting.data.observation import Observation
 from exoid.mismatch.evidence.yardstick import Yardstick
-from exoid.mismatch.screen.optimum import Optimum
+from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 
 LONGEST_LAG = 1.0  # s, over which what is left may be correlated
@@ -17,7 +17,7 @@ def yardstick(prepared: PreparedRecording, best: Optimum) -> Yardstick:
     larger by the sum of its autocorrelation.
     """
     seen = prepared.seen
-    return Yardstick(count(seen), max(1.0, float(np.mean(inflation(seen, best.course)))))
+    return Yardstick(count(seen), max(1.0, float(np.mean(inflation(seen, best.motion)))))
 
 
 def count(seen: Observation) -> int:

@@ -1,19 +1,18 @@
 """Does it hold on data that the fit has not seen?"""
 
-import equinox as eqx
+from dataclasses import replace
+
 import numpy as np
 
 from exoid.fitting.data.observation import Observation
 from exoid.mismatch.evidence.prediction import Prediction, Proof
-from exoid.mismatch.screen.hypothesis import Hypothesis, Products
+from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum, Products
 from exoid.mismatch.screen.many_free import release
-from exoid.mismatch.screen.optimise import bounded, settle_free
-from exoid.mismatch.screen.optimum import Optimum
+from exoid.mismatch.screen.optimise import FEWER_ROUNDS, bounded, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 
 LOOKS = 3  # at a held-out segment, to find where it begins
 EARLY = 0.6  # of a single segment, on which the fit is made where there is no other
-ROUNDS = 12
 TRAINING_ROUNDS = 5  # from where all segments have it
 
 
@@ -34,33 +33,25 @@ def proof(prepared: PreparedRecording, before: Prediction, after: Prediction) ->
 
 def predict_others(prepared: PreparedRecording, at: Optimum) -> Prediction:
     """Every segment from the others: leg and terms from them, only its own start from itself."""
-    count = prepared.segments
-    candidates = [without(prepared, at, held_out).candidate for held_out in range(count)]
+    held_out = np.eye(prepared.segments, dtype=bool)[:, :, None]
+    training = [masked(prepared.seen, ~each) for each in held_out]
+    candidates = [
+        settle_free(prepared, at.candidate, each, rounds=TRAINING_ROUNDS).candidate
+        for each in training
+    ]
     for _ in range(LOOKS):
-        found = release(prepared, candidates, prepared.seen)
         candidates = [
-            started(prepared, candidate, products, number)
-            for number, (candidate, (products, _)) in enumerate(zip(candidates, found, strict=True))
+            started(prepared, candidate, release(prepared, candidate)[0], number)
+            for number, candidate in enumerate(candidates)
         ]
-    found = release(prepared, candidates, prepared.seen)
-    shown = np.stack([seen[number] for number, (_, seen) in enumerate(found)])
+    shown = np.stack([release(prepared, one)[1][number] for number, one in enumerate(candidates)])
     return prediction(prepared.seen, shown, np.asarray(prepared.seen.angle_weight) > 0)
-
-
-def without(prepared: PreparedRecording, at: Optimum, held_out: int) -> Optimum:
-    """The candidate as the other segments have it."""
-    others = np.arange(prepared.segments)[:, None] != held_out
-    training = masked(prepared.seen, others)
-    return settle_free(prepared, [at.candidate], training, rounds=TRAINING_ROUNDS)[0]
 
 
 def masked(seen: Observation, kept: np.ndarray) -> Observation:
     """The observation with weight only where it is kept."""
-    return eqx.tree_at(
-        lambda seen: (seen.angle_weight, seen.velocity_weight),
-        seen,
-        (seen.angle_weight * kept, seen.velocity_weight * kept),
-    )
+    weights = {name: getattr(seen, name) * kept for name in ("angle_weight", "velocity_weight")}
+    return replace(seen, **weights)
 
 
 def started(
@@ -70,9 +61,8 @@ def started(
     own = prepared.places[number][-3:]
     normal, gradient = products.each[number][:-1, :-1], products.each[number][:-1, -1]
     limits = np.full(own.size, np.inf)
-    step = bounded(normal[np.ix_(own, own)], gradient[own], 0.0, -limits, limits)
-    unknowns = candidate.unknowns.copy()
-    unknowns[own] += step
+    unknowns = candidate.unknowns
+    unknowns[own] += bounded(normal[np.ix_(own, own)], gradient[own], 0.0, -limits, limits)
     return candidate.at(unknowns)
 
 
@@ -82,8 +72,8 @@ def predict_end(prepared: PreparedRecording, at: Optimum) -> Prediction:
     used = np.asarray(seen.angle_weight) > 0
     last = np.flatnonzero(used[0])
     early = np.arange(used.shape[1]) <= last[int(EARLY * last.size)]
-    fitted = settle_free(prepared, [at.candidate], masked(seen, early), rounds=ROUNDS)[0]
-    return prediction(seen, np.asarray(fitted.course), used & ~early)
+    fitted = settle_free(prepared, at.candidate, masked(seen, early), rounds=FEWER_ROUNDS)
+    return prediction(seen, np.asarray(fitted.motion), used & ~early)
 
 
 def prediction(seen: Observation, shown: np.ndarray, counted: np.ndarray) -> Prediction:

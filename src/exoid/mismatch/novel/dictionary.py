@@ -4,8 +4,8 @@ A family has shape parameters: where a bump lies, how wide it is. A search begin
 and refines them.
 """
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from functools import cache
 from itertools import product
 from typing import Any
@@ -51,6 +51,15 @@ class Feature:
     def words(self) -> str:
         shown = map(in_words, self.shape, self.family.units)
         return self.family.words.format(*shown)
+
+
+def reshaped(features: Sequence[Feature], row: Sequence) -> tuple[Feature, ...]:
+    """The features with the shapes in a row, one after the other; where it ends, as they were."""
+    moved = []
+    for each in features:
+        own, row = row[: len(each.shape)], row[len(each.shape) :]
+        moved.append(replace(each, shape=tuple(own)) if len(own) else each)
+    return tuple(moved)
 
 
 def in_words(value: float, unit: str) -> str:
@@ -102,40 +111,35 @@ def of_angle() -> list[Family]:
     """Waves, bumps and snaps: of the angle alone, with the speed, and with its direction."""
     places = tuple(product(CENTRES, WIDTHS))
     turns = tuple(product(WAVES, (0.0, np.pi / 2)))
-    found = []
-    for name, by in (("", one), ("v ", speed), ("sgn(v) ", sign)):
-        found += [
-            Family(
-                name + "sin({0} x + {1})",
-                lambda s, x, v, t, xp, by=by: by(v, xp) * xp.sin(s[0] * x + s[1]),
-                shapes=turns,
-                bounds=((1.5, 25.0), (-20.0, 20.0)),
-                units=("1", "1"),
-            ),
-            Family(
-                name + "bump(x, {0}, {1})",
-                lambda s, x, v, t, xp, by=by: by(v, xp) * bell(x, s, xp),
-                shapes=places,
-                bounds=PLACE,
-                units=OF_ANGLE,
-            ),
-            Family(
-                name + "snap(x, {0}, {1})",
-                lambda s, x, v, t, xp, by=by: by(v, xp) * (x - s[0]) / s[1] * bell(x, s, xp),
-                shapes=places,
-                bounds=PLACE,
-                units=OF_ANGLE,
-            ),
-        ]
-    return found
+    forms = (
+        ("sin({0} x + {1})", wave, turns, ((1.5, 25.0), (-20.0, 20.0)), ("1", "1")),
+        ("bump(x, {0}, {1})", bump, places, PLACE, OF_ANGLE),
+        ("snap(x, {0}, {1})", snap, places, PLACE, OF_ANGLE),
+    )
+    factors = (("", lambda v, xp: xp.ones_like(v)), ("v ", lambda v, xp: v), ("sgn(v) ", sign))
+    return [
+        Family(
+            name + words,
+            lambda s, x, v, t, xp, by=by, form=form: form(by(v, xp), s, x, xp),
+            shapes=shapes,
+            bounds=bounds,
+            units=units,
+        )
+        for name, by in factors
+        for words, form, shapes, bounds, units in forms
+    ]
 
 
-def one(velocity, xp):
-    return xp.ones_like(velocity)
+def wave(factor, shape, angle, xp):
+    return factor * xp.sin(shape[0] * angle + shape[1])
 
 
-def speed(velocity, xp):
-    return velocity
+def bump(factor, shape, angle, xp):
+    return factor * bell(angle, shape, xp)
+
+
+def snap(factor, shape, angle, xp):
+    return factor * (angle - shape[0]) / shape[1] * bell(angle, shape, xp)
 
 
 def of_time() -> list[Family]:

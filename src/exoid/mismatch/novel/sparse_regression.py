@@ -4,15 +4,13 @@ A few features of a dictionary are regressed on what the baseline lacks, best fe
 their shapes are refined after each; each must earn its place.
 """
 
-from dataclasses import replace
-
 import numpy as np
 from scipy.optimize import least_squares
 
 from exoid.mismatch.evidence.locate import averaged, lacking
 from exoid.mismatch.evidence.location import Missing
-from exoid.mismatch.novel.dictionary import OF_ANGLE, Feature, dictionary
-from exoid.mismatch.novel.formula import Formula, split
+from exoid.mismatch.novel.dictionary import OF_ANGLE, Feature, dictionary, reshaped
+from exoid.mismatch.novel.formula import Formula
 from exoid.mismatch.screen.hypothesis import Hypothesis
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 
@@ -64,26 +62,21 @@ def refined(features, rows, basis, target) -> tuple[Feature, ...]:
     begin = np.concatenate([np.asarray(each.shape, float) for each in features])
     if not begin.size:
         return features
-    lower, upper = np.array([pair for each in features for pair in each.family.bounds]).T
-    placed = np.cumsum([0, *(len(each.shape) for each in features)])[:-1]
-    for at, each in zip(placed, features, strict=True):
-        if each.family.units == OF_ANGLE:
-            lower[at], upper[at] = reached(rows)
-
-    def moved(values):
-        shapes = split(values, features)
-        return tuple(
-            replace(each, shape=tuple(shape)) for each, shape in zip(features, shapes, strict=True)
-        )
+    place = reached(rows)
+    bounds = [
+        (place, *each.family.bounds[1:]) if each.family.units == OF_ANGLE else each.family.bounds
+        for each in features
+    ]
+    lower, upper = np.array([pair for each in bounds for pair in each]).T
 
     def left(values):
-        columns = beside(basis, table(moved(values), rows))
+        columns = beside(basis, table(reshaped(features, values), rows))
         return target - columns @ np.linalg.lstsq(columns, target, rcond=None)[0]
 
     found = least_squares(
         left, np.clip(begin, lower, upper), bounds=(lower, upper), x_scale="jac", max_nfev=TRIES
     )
-    return moved(found.x)
+    return reshaped(features, found.x)
 
 
 def met(feature: Feature, rows: list[Missing]) -> bool:
@@ -100,18 +93,14 @@ def reached(rows: list[Missing]) -> tuple[float, float]:
 
 def table(features, rows: list[Missing]) -> np.ndarray:
     """Every feature along all segments, averaged as the missing torque is."""
-    return np.concatenate(
+    columns = [
         [
-            np.stack(
-                [
-                    averaged(one.of(each.angle, each.angular_velocity, each.time, np), each.width)
-                    for one in features
-                ],
-                axis=1,
-            )
+            averaged(one.of(each.angle, each.angular_velocity, each.time, np), each.width)
             for each in rows
         ]
-    )
+        for one in features
+    ]
+    return np.stack([np.concatenate(each) for each in columns], axis=1)
 
 
 def baseline(prepared: PreparedRecording, rows: list[Missing]) -> np.ndarray:

@@ -22,12 +22,12 @@ from exoid.physics.state import LegState
 
 
 def products(
-    unknowns, course, observation, known, pushes, shown, zero, *, steps, chain
+    unknowns, motion, observation, known, pushes, shown, zero, *, steps, chain
 ) -> Float[Array, "column column"]:
     """(J, r)'(J, r) of one segment: baseline unknowns, zeros of gyro and encoder, terms'
     parameters, residual.
 
-    The last column is no derivative but where the simulation stands beside the course.
+    The last column is no derivative but where the simulation stands beside the motion.
     """
     row, back = in_a_row(unknowns)
     base, terms = row.size, shown.shape[0]
@@ -38,15 +38,15 @@ def products(
     (eq, start, sensors), (by_eq, by_start, by_sensors) = along(
         setup, (row,), (jnp.diag(1 - ravel_pytree(known)[0]),)
     )
-    pinned = LegState(course.angle, course.angular_velocity)
+    pinned = LegState(motion.angle, motion.angular_velocity)
     steppers = jax.vmap(partial(linear_step, eq, by_eq, pinned, observation))
-    carry, by_base, by_push, defect = steppers(jnp.arange(course.angle.size - 1))
+    carry, by_base, by_push, defect = steppers(jnp.arange(motion.angle.size - 1))
     pushed = moved_by(by_push, pushes, eq).at[:, -1].add(defect)
     added = jnp.concatenate([by_base, jnp.zeros_like(by_base[:, :2]), pushed], axis=1)
 
     begin = jnp.stack(jax.tree.leaves(by_start), axis=1)
     offset = jnp.stack(
-        [start.angle - course.angle[0], start.angular_velocity - pinned.angular_velocity[0]]
+        [start.angle - motion.angle[0], start.angular_velocity - pinned.angular_velocity[0]]
     )
     begin = jnp.concatenate([begin, jnp.zeros((2 + terms, 2)).at[-1].set(offset)])
 
@@ -59,7 +59,7 @@ def products(
         return memory, table.at[index].set(jnp.stack([seen.angle, seen.angular_velocity], axis=1))
 
     memory = jax.vmap(chain.begin)(LegState(begin[:, 0], begin[:, 1]))
-    table = jnp.zeros((course.angle.size, *begin.shape))
+    table = jnp.zeros((motion.angle.size, *begin.shape))
     moved = march(forward, store, begin, (memory, table), steps)[1]
 
     nothing = jnp.zeros((base, *shown.shape[1:]))
@@ -73,12 +73,12 @@ def products(
         def misfit(angle, velocity, sensors):
             return residual(LegState(angle, velocity), sensors, index, observation)
 
-        here = (course.angle[index], course.angular_velocity[index], sensors)
+        here = (motion.angle[index], motion.angular_velocity[index], sensors)
         value, rows = along(misfit, here, (*tangents, by_sensors))
         return rows.at[-1].add(value + zero @ rows[base : base + 2])
 
-    rows = jax.vmap(show)(jnp.arange(course.angle.size))
-    rows = jnp.where(jnp.arange(course.angle.size)[:, None, None] <= steps, rows, 0.0)
+    rows = jax.vmap(show)(jnp.arange(motion.angle.size))
+    rows = jnp.where(jnp.arange(motion.angle.size)[:, None, None] <= steps, rows, 0.0)
     flat = jnp.moveaxis(rows, 1, 0).reshape(rows.shape[1], -1)
     return flat @ flat.T
 
@@ -89,8 +89,8 @@ def moved_by(by_push, pushes: Drive, eq: Equation) -> Float[Array, "step column 
 
 
 def linear_step(eq, by_eq, pinned, observation, index):
-    """One step from the course: its derivatives by state, by every baseline unknown and by the
-    torques at its begin, middle and end, and how far it ends from the course.
+    """One step from the motion: its derivatives by state, by every baseline unknown and by the
+    torques at its begin, middle and end, and how far it ends from the motion.
     """
 
     def step(eq, state, missing):

@@ -8,7 +8,7 @@ import jax.numpy as jnp
 from jaxtyping import Array, Float
 
 from exoid.mismatch.screen.hypothesis import Effect
-from exoid.mismatch.screen.measured_motion import Scene, at_step, throughout
+from exoid.mismatch.screen.measured_motion import SegmentMotion, at_step, throughout
 from exoid.physics.library import MOST_PARAMETERS
 from exoid.physics.moment import Moment
 from exoid.physics.motion.step import Drive, march, parabola, rk4
@@ -23,11 +23,11 @@ def named(term: type[Term], value: Float[Any, " parameter"]) -> Term:
     return term(**dict(zip(names, value, strict=True)))
 
 
-def columns(term: type[Term], value: Float[Array, " parameter"], scenes: Scene) -> Effect:
+def columns(term: type[Term], value: Float[Array, " parameter"], motions: SegmentMotion) -> Effect:
     """(effect, derivatives, nothing) of a term in all segments, along the first axis."""
 
     def effect(value):
-        found = jax.vmap(partial(effect_of, named(term, value)))(scenes)
+        found = jax.vmap(partial(effect_of, named(term, value)))(motions)
         return found, found
 
     slopes, now = jax.jacfwd(effect, has_aux=True)(value)
@@ -40,44 +40,41 @@ def columns(term: type[Term], value: Float[Array, " parameter"], scenes: Scene) 
     return jax.tree.map(stacked, now, slopes)
 
 
-def effect_of(term: Term, scene: Scene) -> Effect:
+def effect_of(term: Term, motion: SegmentMotion) -> Effect:
     """One term along one segment."""
-    memory = remembered(term, scene)
-    middles = (memory[:-1] + memory[1:]) / 2
-    pulled = Drive(
-        begin=throughout(term.torque, scene.begin, memory[:-1]),
-        middle=throughout(term.torque, scene.middle, middles),
-        end=throughout(term.torque, scene.end, memory[1:]),
-    )
-    inertia = scene.begin.place.inertia
-    push = jax.tree.map(lambda one, two: (one + two) / inertia, pulled, rubbing(term, scene))
-    velocity = scene.sample.angular_velocity
-    error = shown(term, scene, memory)
-    late = delayed(scene.sample.time, velocity, scene.measured, error.delay) - velocity
+    memory = remembered(term, motion)
+    before, after = memory[:-1], memory[1:]
+    memories = (before, (before + after) / 2, after)
+    pulled = Drive(*map(partial(throughout, term.torque), stages(motion), memories))
+    inertia = motion.begin.place.inertia
+    push = jax.tree.map(lambda one, two: (one + two) / inertia, pulled, rubbing(term, motion))
+    velocity = motion.sample.angular_velocity
+    error = shown(term, motion, memory)
+    late = delayed(motion.sample.time, velocity, motion.acceleration, error.delay) - velocity
     return Effect(push, jnp.stack([error.angle, error.angular_velocity + late], axis=-1))
 
 
-def shown(term: Term, scene: Scene, memory: Float[Array, "time memory"]) -> Reading:
+def shown(term: Term, motion: SegmentMotion, memory: Float[Array, "time memory"]) -> Reading:
     """What the sensors show at every sample minus how the leg moves."""
-    return throughout(term.shown, scene.sample, memory)
+    return throughout(term.shown, motion.sample, memory)
 
 
-def remembered(term: Term, scene: Scene) -> Float[Array, "time memory"]:
-    """The term's own state at every sample, driven by the course."""
-    steps = scene.step.size
+def remembered(term: Term, motion: SegmentMotion) -> Float[Array, "time memory"]:
+    """The term's own state at every sample, driven by the measured."""
+    steps = motion.step.size
     table = jnp.zeros((steps + 1, term.memory_size))
     if not term.memory_size:
         return table
 
     def forward(index, memory):
-        first, middle, last = (at_step(each, index) for each in stages(scene))
+        first, middle, last = (at_step(each, index) for each in stages(motion))
 
         def part_of(number, memory):
             def rate(memory, part):
                 now = parabola(first, middle, last, (number + part) / term.substeps)
                 return term.memory_rate(now, memory)
 
-            return rk4(rate, memory, scene.step[index] / term.substeps)
+            return rk4(rate, memory, motion.step[index] / term.substeps)
 
         memory = jax.lax.fori_loop(0, term.substeps, part_of, memory)
         return term.memory_within(last, memory)
@@ -85,13 +82,13 @@ def remembered(term: Term, scene: Scene) -> Float[Array, "time memory"]:
     def store(index, memory, table):
         return table.at[index].set(memory)
 
-    start = term.memory_at_rest(at_step(scene.begin, jnp.array(0)))
+    start = term.memory_at_rest(at_step(motion.begin, jnp.array(0)))
     return march(forward, store, start, table, steps)
 
 
-def rubbing(term: Term, scene: Scene) -> Drive:
+def rubbing(term: Term, motion: SegmentMotion) -> Drive:
     """Dry friction of a moving leg; a step across a reversal feels the mean of both directions."""
-    before, after = scene.begin.angular_velocity, scene.end.angular_velocity
+    before, after = motion.begin.angular_velocity, motion.end.angular_velocity
     if type(term).dry_friction is Term.dry_friction:
         none = jnp.zeros_like(before)
         return Drive(none, none, none)
@@ -99,9 +96,9 @@ def rubbing(term: Term, scene: Scene) -> Drive:
     change = jnp.where(crossing, after - before, 1.0)
     mixed = (jnp.abs(after) - jnp.abs(before)) / change
     direction = jnp.where(crossing, mixed, jnp.sign(before + after))
-    return Drive(*(-throughout(term.dry_friction, now) * direction for now in stages(scene)))
+    return Drive(*(-throughout(term.dry_friction, now) * direction for now in stages(motion)))
 
 
-def stages(scene: Scene) -> tuple[Moment, Moment, Moment]:
+def stages(motion: SegmentMotion) -> tuple[Moment, Moment, Moment]:
     """The begins, middles and ends of all steps."""
-    return scene.begin, scene.middle, scene.end
+    return motion.begin, motion.middle, motion.end

@@ -11,9 +11,11 @@ from jaxtyping import Float
 from exoid.physics.motion.step import Drive
 from exoid.physics.term import Term
 
+DAMPING = 1e-3  # of the first step, relative to the curvature
+
 
 class Effect(eqx.Module):
-    """What a term does along a course: torques per inertia, and what the sensors show."""
+    """What a term does along a motion: torques per inertia, and what the sensors show."""
 
     push: Drive  # rad/s^2, at the stage times
     shown: Float[Any, "*batch time channel"]  # rad, rad/s
@@ -69,25 +71,16 @@ class Products:
         return float(self.total[-1, -1])
 
 
-def spread(
-    candidate: Hypothesis,
-    places: np.ndarray,
-    usual: np.ndarray,
-    gram: np.ndarray,
-    rows: list[int],
-) -> Products:
-    """The `rows` of every segment's products at their places among all unknowns.
+@dataclass(frozen=True, eq=False)
+class Optimum:
+    """A candidate at its best, and the derivatives there."""
 
-    `places` says which coordinate every baseline unknown of a segment is, `usual` is one over the
-    standard deviation of the first unknowns, 0 where they may be anything.
-    """
-    total = candidate.unknowns.size + 1
-    others = range(candidate.point.size, total)
-    each = np.zeros((len(places), total, total))
-    for segment, place in enumerate(places):
-        at = np.array([*place, *others])
-        each[segment][np.ix_(at, at)] = gram[segment][np.ix_(rows, rows)]
-    table = np.zeros((total - 1, total))
-    table[range(usual.size), range(usual.size)] = usual
-    table[: usual.size, -1] = usual * candidate.unknowns[: usual.size]
-    return Products(each, table.T @ table)
+    candidate: Hypothesis
+    products: Products
+    motion: Any  # pinned: the MeasuredMotion along which; free: what the sensors would show
+    damping: float = DAMPING
+    resting: bool = False
+
+    @property
+    def square(self) -> float:
+        return self.products.square

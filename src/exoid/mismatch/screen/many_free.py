@@ -2,13 +2,12 @@
 
 from dataclasses import replace
 
-import equinox as eqx
 import jax
 import numpy as np
 
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.solve.program_cache import called
-from exoid.mismatch.screen.hypothesis import Hypothesis, Products, spread
+from exoid.mismatch.screen.hypothesis import Hypothesis, Products
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.screen.segment_groups import grouped
 
@@ -19,17 +18,10 @@ RELEASED = jax.tree.structure((TABLE, TABLE))
 
 
 def release(
-    prepared: PreparedRecording, candidates: list[Hypothesis], observation: Observation
-) -> list[tuple[Products, np.ndarray]]:
-    """The products of candidates, one after the other, and what each shows: (segment, time,
-    channel).
-    """
-    return [release_one(prepared, each, observation) for each in candidates]
-
-
-def release_one(
-    prepared: PreparedRecording, candidate: Hypothesis, observation: Observation
+    prepared: PreparedRecording, candidate: Hypothesis, observation: Observation | None = None
 ) -> tuple[Products, np.ndarray]:
+    """The products of a candidate, and what it shows: (segment, time, channel)."""
+    observation = prepared.seen if observation is None else observation
     size = observation.time.shape[1]
     at = prepared.coordinates(candidate)
     every = (at.own, prolonged(observation, size), prepared.problem.known)
@@ -40,8 +32,7 @@ def release_one(
         arguments = (candidate.values, point, candidate.zero, *surroundings, steps)
         found.append(called("exoid.mismatch.screen.free_run:release", arguments, static, RELEASED))
     gram, shown = (np.concatenate(each)[: prepared.segments] for each in zip(*found, strict=True))
-    products = spread(candidate, prepared.places, prepared.usual, gram, list(range(gram.shape[-1])))
-    return products, shown[:, :size]
+    return prepared.products(candidate, gram), shown[:, :size]
 
 
 def prolonged(observation: Observation, size: int) -> Observation:
@@ -55,4 +46,4 @@ def prolonged(observation: Observation, size: int) -> Observation:
     )
     last, step = observation.time[:, -1:], np.diff(observation.time[:, -2:])
     time = np.concatenate([observation.time, last + step * np.arange(1, more + 1)], axis=1)
-    return eqx.tree_at(lambda seen: seen.time, longer, time)
+    return replace(longer, time=time)

@@ -1,57 +1,53 @@
 """Many candidates at once through the compiled program that pins them to the data."""
 
 from collections import Counter
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 import jax
 import numpy as np
 
-from exoid.fitting.data.observation import Observation
 from exoid.fitting.solve.program_cache import called
-from exoid.mismatch.screen.hypothesis import Effect, Hypothesis, Linear, Products, spread
+from exoid.mismatch.screen.hypothesis import Effect, Hypothesis, Linear, Products
 from exoid.mismatch.screen.measured_motion import MeasuredMotion
-from exoid.mismatch.screen.pinned import Given, Pinned, Requests
+from exoid.mismatch.screen.pinned import LinearTerms, Pinned, Requests
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.screen.segment_groups import grouped
 from exoid.physics.library import MOST_PARAMETERS
 from exoid.physics.motion.step import Drive
-from exoid.physics.parameter import declarations
 from exoid.physics.term import Term
 
 GROUP = 2  # segments of a program, so that one serves every recording
-GIVEN = 4  # first terms that lanes may have linear, the first of them none
+GIVEN = 4  # first terms that candidates may have linear, the first of them none
+Tried = tuple[Hypothesis, MeasuredMotion]  # a candidate, and the motion that it had last
 ROWS, TABLE = np.zeros((1, 1, 1)), np.zeros((1, 1, 1, 1))
 NONE = Effect(Drive(ROWS, ROWS, ROWS), ROWS)
 PINNED = jax.tree.structure(Pinned(TABLE, MeasuredMotion(ROWS, ROWS, ROWS), NONE))
 
 
 def evaluate(
-    prepared: PreparedRecording,
-    candidates: list[Hypothesis],
-    courses: list[MeasuredMotion],
-    observation: Observation,
+    prepared: PreparedRecording, tried: Sequence[Tried]
 ) -> list[tuple[Products, MeasuredMotion]]:
-    """The products of every candidate, and the course along which they are."""
-    results: list[tuple[Products, MeasuredMotion] | None] = [None] * len(candidates)
-    waiting = list(range(len(candidates)))
+    """The products of every candidate, and the motion along which they are."""
+    results = {}
+    waiting = list(range(len(tried)))
     while waiting:
-        batch, waiting = packed(prepared, waiting, candidates)
-        found = run(prepared, batch, candidates, courses, observation)
-        for lane, number in enumerate(batch):
-            own = jax.tree.map(lambda leaf, lane=lane: leaf[lane], found.course)
-            results[number] = (placed(prepared, candidates[number], found.gram[lane]), own)
-    return results  # type: ignore[return-value]
+        batch, waiting = packed(prepared, waiting, [one for one, _ in tried])
+        found = run(prepared, [tried[number] for number in batch])
+        for row, number in enumerate(batch):
+            gram = placed(prepared, tried[number][0], found.gram[row])
+            results[number] = (gram, row_of(found.motion, row))
+    return [results[number] for number in range(len(tried))]
 
 
-def linear(
-    prepared: PreparedRecording, candidates: list[Hypothesis], courses: list[MeasuredMotion]
-) -> list[Linear]:
-    """What the terms of a few candidates do along their courses."""
-    found = run(prepared, list(range(len(candidates))), candidates, courses, prepared.seen).first
-    return [
-        Linear(jax.tree.map(lambda leaf, lane=lane: leaf[lane], found), one.values[0])
-        for lane, one in enumerate(candidates)
-    ]
+def linear(prepared: PreparedRecording, tried: Sequence[Tried]) -> list[Linear]:
+    """What the terms of a few candidates do along their motions."""
+    found = run(prepared, tried).first
+    return [Linear(row_of(found, row), one.values[0]) for row, (one, _) in enumerate(tried)]
+
+
+def row_of(tree, row: int):
+    return jax.tree.map(lambda leaf: leaf[row], tree)
 
 
 def room(prepared: PreparedRecording) -> dict[type[Term], int]:
@@ -64,47 +60,48 @@ def packed(
 ) -> tuple[list[int], list[int]]:
     """As many of the waiting as fit into one run, and the rest."""
     space = room(prepared)
-    lanes = sum(space.values())
+    most = sum(space.values())
     used: Counter[type[Term]] = Counter()
     batch, rest = [], []
-    given: list[Linear] = []
+    given: set[Linear] = set()
     for number in waiting:
         one = candidates[number]
-        wanted = Counter(one.terms if one.linear is None else one.terms[1:])
-        known = one.linear is None or any(one.linear is other for other in given)
+        wanted = Counter(one.terms[one.linear is not None :])
+        needed = given | ({one.linear} if one.linear else set())
         fits = all(used[term] + n <= space[term] for term, n in wanted.items())
-        if fits and len(batch) < lanes and (known or len(given) < GIVEN - 1):
-            used += wanted
+        if fits and len(batch) < most and len(needed) < GIVEN:
+            used, given = used + wanted, needed
             batch.append(number)
-            given += [] if known or one.linear is None else [one.linear]
         else:
             rest.append(number)
     return batch, rest
 
 
-def run(prepared: PreparedRecording, batch, candidates, courses, observation) -> Pinned:
-    """The program on a batch; the last lane takes the requests that nobody made."""
+def run(prepared: PreparedRecording, batch: Sequence[Tried]) -> Pinned:
+    """The program on a batch; the last row takes the requests that nobody made."""
     space = room(prepared)
-    lanes = sum(space.values()) + 1
-    lane = [*batch, *[batch[0]] * (lanes - len(batch))]
-    first, chosen = ([candidates[number] for number in numbers] for numbers in (batch, lane))
+    spare = sum(space.values())
+    candidates, motions = zip(*batch, *[batch[0]] * (spare + 1 - len(batch)), strict=True)
     asked = tuple(
-        requests(prepared, term, space[term], first, lanes - 1) for term in prepared.library
+        requests(prepared, term, space[term], candidates[: len(batch)], spare)
+        for term in prepared.library
     )
-    known, points = given(prepared, chosen), stacked([prepared.coordinates(one) for one in chosen])
-    along, zero = stacked([courses[number] for number in lane]), np.array([c.zero for c in chosen])
+    known = linear_terms(prepared, candidates)
+    points, along = stacked(map(prepared.coordinates, candidates)), stacked(motions)
+    zero = np.array([one.zero for one in candidates])
+    around = (prepared.measured_motion, prepared.seen, prepared.problem.known)
     parts = zip(
         grouped(known.effect, GROUP, axis=2),
         grouped((points.own, along), GROUP, axis=1),
-        grouped((prepared.course, observation, prepared.problem.known), GROUP),
+        grouped(around, GROUP),
         strict=True,
     )
     static = (prepared.library, prepared.problem.chain)
     steps, used = np.asarray(prepared.problem.steps), np.asarray(len(batch))
     found = []
-    for effect, (own, course), around in parts:
-        of_lanes = (asked, replace(known, effect=effect), replace(points, own=own), zero, course)
-        arguments = (*of_lanes, *around, steps, used)
+    for effect, (own, motion), around in parts:
+        rows = (asked, replace(known, effect=effect), replace(points, own=own), zero, motion)
+        arguments = (*rows, *around, steps, used)
         found.append(called("exoid.mismatch.screen.pinned:evaluate", arguments, static, PINNED))
     return joined(found, prepared.segments)
 
@@ -117,50 +114,47 @@ def joined(parts: list[Pinned], count: int) -> Pinned:
 
     return Pinned(
         all_of(1)(*(part.gram for part in parts)),
-        jax.tree.map(all_of(1), *(part.course for part in parts)),
+        jax.tree.map(all_of(1), *(part.motion for part in parts)),
         jax.tree.map(all_of(2), *(part.first for part in parts)),
     )
 
 
 def requests(
-    prepared: PreparedRecording, term: type[Term], size: int, batch: list[Hypothesis], spare: int
+    prepared: PreparedRecording,
+    term: type[Term],
+    size: int,
+    batch: Sequence[Hypothesis],
+    spare: int,
 ) -> Requests:
-    """Everything that a batch asks of a term; what it does not ask goes to a spare lane."""
-    value = np.tile(prepared.starts(term)[0], (size, 1)).reshape(
-        size, len(list(declarations(term)))
-    )
-    lanes, slots = np.full(size, spare), np.zeros(size, dtype=int)
-    made = 0
-    for lane, one in enumerate(batch):
-        for slot, (own, numbers) in enumerate(zip(one.terms, one.values, strict=True)):
-            if own is term and not (slot == 0 and one.linear is not None):
-                value[made], lanes[made], slots[made] = numbers, lane, slot
-                made += 1
-    return Requests(value, lanes, slots)
+    """Everything that a batch asks of a term; what it does not ask goes to the `spare` row."""
+    asked = [
+        (value, row, slot)
+        for row, one in enumerate(batch)
+        for slot, (own, value) in enumerate(zip(one.terms, one.values, strict=True))
+        if own is term and not (slot == 0 and one.linear is not None)
+    ]
+    asked += [(prepared.starts(term)[0], spare, 0)] * (size - len(asked))
+    values, rows, slots = zip(*asked, strict=True)
+    return Requests(np.array(values, float), np.array(rows), np.array(slots))
 
 
-def given(prepared: PreparedRecording, lanes: list[Hypothesis]) -> Given:
+def linear_terms(prepared: PreparedRecording, rows: Sequence[Hypothesis]) -> LinearTerms:
     """The first terms that are linear, each once, and whose they are."""
     segments, size = prepared.seen.time.shape
-    rows = (1 + MOST_PARAMETERS, segments)
-    push = np.zeros((*rows, size - 1))
-    effects = [Effect(Drive(push, push, push), np.zeros((*rows, size, 2)))]
-    known: list[Linear] = []
-    whose, change = np.zeros(len(lanes), int), np.zeros((len(lanes), MOST_PARAMETERS))
-    for lane, one in enumerate(lanes):
-        if one.linear is None:
-            continue
-        if not any(one.linear is other for other in known):
-            known.append(one.linear)
-            effects.append(one.linear.effect)
-        whose[lane] = 1 + next(k for k, other in enumerate(known) if other is one.linear)
-        moved = one.values[0] - one.linear.at
-        change[lane, : moved.size] = moved
-    effect = stacked(effects + [effects[0]] * (GIVEN - len(effects)))
-    return Given(effect, whose, change)
+    push = np.zeros((1 + MOST_PARAMETERS, segments, size - 1))
+    nothing = Effect(Drive(push, push, push), np.zeros((*push.shape[:2], size, 2)))
+    known = list(dict.fromkeys(one.linear for one in rows if one.linear))
+    which, change = np.zeros(len(rows), int), np.zeros((len(rows), MOST_PARAMETERS))
+    for row, one in enumerate(rows):
+        if one.linear:
+            which[row] = 1 + known.index(one.linear)
+            moved = one.values[0] - one.linear.at
+            change[row, : moved.size] = moved
+    effects = [nothing, *(each.effect for each in known), *[nothing] * (GIVEN - 1 - len(known))]
+    return LinearTerms(stacked(effects), which, change)
 
 
-def stacked(trees: list):
+def stacked(trees: Iterable):
     return jax.tree.map(lambda *leaves: np.stack(leaves), *trees)
 
 
@@ -171,4 +165,4 @@ def placed(prepared: PreparedRecording, candidate: Hypothesis, gram: np.ndarray)
     for slot, value in enumerate(candidate.values):
         first = base + 2 + slot * MOST_PARAMETERS
         rows += range(first, first + value.size)
-    return spread(candidate, prepared.places, prepared.usual, gram, [*rows, gram.shape[-1] - 1])
+    return prepared.products(candidate, gram, [*rows, gram.shape[-1] - 1])

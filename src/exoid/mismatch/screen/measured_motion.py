@@ -23,44 +23,48 @@ FREE = Stage(jnp.zeros(()), jnp.zeros((), int))
 class MeasuredMotion(eqx.Module):
     """The leg's motion that a candidate reads from the sensors."""
 
-    angle: Float[Any, "*lane segment time"]  # rad
-    angular_velocity: Float[Any, "*lane segment time"]  # rad/s
-    angular_acceleration: Float[Any, "*lane segment time"]  # rad/s^2
+    angle: Float[Any, "*candidate segment time"]  # rad
+    angular_velocity: Float[Any, "*candidate segment time"]  # rad/s
+    angular_acceleration: Float[Any, "*candidate segment time"]  # rad/s^2
 
 
-class Scene(eqx.Module):
+class SegmentMotion(eqx.Module):
     """A segment's motion: the stages of every step, and every sample."""
 
     begin: Moment
     middle: Moment
     end: Moment
     sample: Moment
-    measured: Float[Any, "*batch time"]  # rad/s^2, the acceleration at every sample
+    acceleration: Float[Any, "*batch time"]  # rad/s^2, measured at every sample
     step: Float[Any, "*batch step"]  # s
 
 
-def scenes(point: Coordinates, course: MeasuredMotion, observation: Observation) -> Scene:
+def segment_motions(
+    point: Coordinates, measured: MeasuredMotion, observation: Observation
+) -> SegmentMotion:
     """Every segment's."""
 
-    def one(unknowns, course, observation):
-        return scene(equation(unknowns, observation, FREE), course, observation)
+    def one(unknowns, measured, observation):
+        return segment_motion(equation(unknowns, observation, FREE), measured, observation)
 
     each = of_segments(point, observation.seat)
-    return jax.vmap(one)(each, course, observation)
+    return jax.vmap(one)(each, measured, observation)
 
 
-def scene(eq: Equation, course: MeasuredMotion, observation: Observation) -> Scene:
+def segment_motion(
+    eq: Equation, measured: MeasuredMotion, observation: Observation
+) -> SegmentMotion:
     """One segment's; Hermite's rule between samples."""
     place, drive = place_of(eq, observation, FREE), drive_of(eq, observation)
     time, step = observation.time, jnp.diff(observation.time)
-    angle, velocity = course.angle, course.angular_velocity
-    acceleration = course.angular_acceleration
+    angle, velocity = measured.angle, measured.angular_velocity
+    acceleration = measured.angular_acceleration
     middle = LegState(
         (angle[:-1] + angle[1:]) / 2 + step / 8 * (velocity[:-1] - velocity[1:]),
         (velocity[:-1] + velocity[1:]) / 2 + step / 8 * (acceleration[:-1] - acceleration[1:]),
     )
     pushed = jnp.append(drive.begin, drive.end[-1])
-    return Scene(
+    return SegmentMotion(
         moment(place, LegState(angle[:-1], velocity[:-1]), time[:-1], drive.begin),
         moment(place, middle, time[:-1] + step / 2, drive.middle),
         moment(place, LegState(angle[1:], velocity[1:]), time[1:], drive.end),

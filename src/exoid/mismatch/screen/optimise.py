@@ -6,12 +6,11 @@ import numpy as np
 
 from exoid.fitting.data.observation import Observation
 from exoid.mismatch.screen import many_pinned
-from exoid.mismatch.screen.hypothesis import Hypothesis
+from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.many_free import release
-from exoid.mismatch.screen.optimum import Optimum
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 
-ROUNDS = 12
+ROUNDS, FEWER_ROUNDS = 25, 12  # of steps at most
 EASIER, HARDER = 0.1, 8.0
 CAREFUL = 1e-2  # damping beyond which a small step says little
 STEADY = 1e-2  # expected gain of a sum of squares below which a candidate rests
@@ -21,61 +20,53 @@ PASSES = 4  # in which bounds that a step runs into are found
 
 
 def settle(
-    prepared: PreparedRecording, candidates: list[Hypothesis], *, rounds: int = ROUNDS
+    prepared: PreparedRecording, candidates: list[Hypothesis], *, rounds: int = FEWER_ROUNDS
 ) -> list[Optimum]:
     """Fit every candidate to the data, along the motion that it reads from the sensors."""
-
-    def evaluate(candidates, courses):
-        return many_pinned.evaluate(prepared, candidates, courses, prepared.seen)
-
-    courses = [prepared.course] * len(candidates)
-    return descend(prepared, candidates, courses, evaluate, rounds, NEARLY)
+    begin = [(one, prepared.measured_motion) for one in candidates]
+    return descend(prepared, begin, many_pinned.evaluate, rounds, NEARLY)
 
 
 def settle_free(
     prepared: PreparedRecording,
-    candidates: list[Hypothesis],
+    candidate: Hypothesis,
     observation: Observation | None = None,
     *,
     rounds: int = ROUNDS,
-) -> list[Optimum]:
-    """Fit candidates of the same terms to the observation, running free."""
-    seen = prepared.seen if observation is None else observation
+) -> Optimum:
+    """Fit a candidate to the observation, running free."""
 
-    def evaluate(candidates, _):
-        return release(prepared, candidates, seen)
+    def evaluate(prepared, tried):
+        return [release(prepared, one, observation) for one, _ in tried]
 
-    return descend(prepared, candidates, [None] * len(candidates), evaluate, rounds, STEADY)
+    return descend(prepared, [(candidate, None)], evaluate, rounds, STEADY)[0]
 
 
-def descend(prepared, candidates, courses, evaluate, rounds, steady) -> list[Optimum]:
-    """Steps of all candidates together, until each expects to gain less than `steady`."""
-    found = evaluate(candidates, courses)
-    at = [
-        Optimum(candidate, products, course)
-        for candidate, (products, course) in zip(candidates, found, strict=True)
-    ]
+def descend(prepared, begin, evaluate, rounds, steady) -> list[Optimum]:
+    """Steps of all candidates together, until each expects to gain less than `steady`.
+
+    `evaluate` takes candidates with the motions that they had, and gives products with new ones.
+    """
+    found = evaluate(prepared, begin)
+    at = [Optimum(one, *each) for (one, _), each in zip(begin, found, strict=True)]
     for _ in range(rounds):
         moving = [number for number, each in enumerate(at) if not each.resting]
         if not moving:
             break
         steps = [step(prepared, at[number]) for number in moving]
-        moved = [candidate for candidate, _ in steps]
-        found = evaluate(moved, [at[number].course for number in moving])
-        for number, (candidate, gain), (products, course) in zip(moving, steps, found, strict=True):
-            at[number] = judged(at[number], candidate, gain, products, course, steady)
+        tried = [(to, at[n].motion) for (to, _), n in zip(steps, moving, strict=True)]
+        found = evaluate(prepared, tried)
+        for number, (to, gain), (products, motion) in zip(moving, steps, found, strict=True):
+            at[number] = judged(at[number], Optimum(to, products, motion), gain < steady, steady)
     return at
 
 
-def judged(
-    before: Optimum, candidate: Hypothesis, gain: float, products, course, steady: float
-) -> Optimum:
+def judged(before: Optimum, after: Optimum, resting: bool, steady: float) -> Optimum:
     """Where a candidate stands after a step: there, or where it was and more careful."""
+    if not after.square < before.square + steady:
+        return replace(before, damping=before.damping * HARDER, resting=resting)
     careful = before.damping > CAREFUL
-    if not products.square < before.square + steady:
-        return replace(before, damping=before.damping * HARDER, resting=gain < steady)
-    easier = before.damping * EASIER
-    return Optimum(candidate, products, course, easier, resting=gain < steady and not careful)
+    return replace(after, damping=before.damping * EASIER, resting=resting and not careful)
 
 
 def step(prepared: PreparedRecording, at: Optimum) -> tuple[Hypothesis, float]:

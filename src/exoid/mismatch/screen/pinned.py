@@ -21,44 +21,44 @@ from exoid.fitting.model.coordinates import Coordinates, Unknowns, of_segments
 from exoid.mismatch.screen.deviation import products
 from exoid.mismatch.screen.effect import columns, named, remembered, shown
 from exoid.mismatch.screen.hypothesis import Effect
-from exoid.mismatch.screen.measured_motion import MeasuredMotion, Scene, scenes
+from exoid.mismatch.screen.measured_motion import MeasuredMotion, SegmentMotion, segment_motions
 from exoid.physics.library import MOST_PARAMETERS
 from exoid.physics.motion.step import Drive
 from exoid.physics.term import Term
 
-AT_ONCE = 16  # lanes and segments
+AT_ONCE = 16  # candidates and segments
 
 
 class Pinned(eqx.Module):
-    """(J, r)'(J, r) of every lane and segment: baseline unknowns, zeros, terms, residual."""
+    """(J, r)'(J, r) of every candidate and segment: baseline unknowns, zeros, terms, residual."""
 
-    gram: Float[Any, "lane segment column column"]
-    course: MeasuredMotion  # along which
-    first: Effect  # of the first lanes: what their first term does, and its derivatives
+    gram: Float[Any, "candidate segment column column"]
+    motion: MeasuredMotion  # along which
+    first: Effect  # of the first candidates: what their first term does, and its derivatives
 
 
-class Given(eqx.Module):
-    """First terms of lanes as they were found: linear in their parameters."""
+class LinearTerms(eqx.Module):
+    """First terms of candidates as they were found: linear in their parameters."""
 
-    effect: Effect  # (given, 1 + parameter, segment, time): with none at 0
-    whose: Int[Any, " lane"]  # which of them a lane has
-    change: Float[Any, "lane parameter"]  # of the parameters since
+    effect: Effect  # (linear, 1 + parameter, segment, time): with none at 0
+    which: Int[Any, " candidate"]  # of them a candidate has
+    change: Float[Any, "candidate parameter"]  # of the parameters since
 
 
 class Requests(eqx.Module):
     """What is asked of one term: its parameters' values, and whose it is."""
 
     values: Float[Any, "request parameter"]
-    lane: Int[Any, " request"]
-    slot: Int[Any, " request"]  # which of the lane's terms it is
+    candidate: Int[Any, " request"]  # its row in the batch
+    slot: Int[Any, " request"]  # which of the candidate's terms it is
 
 
 def evaluate(
     requests: tuple[Requests, ...],
-    given: Given,
+    linear: LinearTerms,
     points: Coordinates,
-    zero: Float[Array, "lane 2"],  # rad/s of the gyro, rad of the encoder
-    courses: MeasuredMotion,
+    zero: Float[Array, "candidate 2"],  # rad/s of the gyro, rad of the encoder
+    motions: MeasuredMotion,
     measured: MeasuredMotion,
     observation: Observation,
     known: Unknowns,
@@ -66,44 +66,44 @@ def evaluate(
     used: Int[Array, ""],
     static: tuple[tuple[type[Term], ...], Chain],
 ) -> Pinned:
-    """Every lane's misfit and its derivatives.
+    """Every candidate's misfit and its derivatives.
 
-    `courses` are where the lanes were last, `measured` is what the sensors show. The requests are
-    those of each term in `static`; a lane's first term may be `given`. Only the first `used` lanes
-    are worked out, and requests of others are none.
+    `motions` are where the candidates were last, `measured` is what the sensors show. The requests
+    are those of each term in `static`; a candidate's first term may be `linear`. Only the first
+    `used` candidates are worked out, and requests of others are none.
     """
     terms, chain = static
     asked = list(zip(terms, requests, strict=True))
-    see = jax.vmap(partial(scenes, observation=observation))
-    first = jax.tree.map(partial(recalled, given), given.effect)
+    see = jax.vmap(partial(segment_motions, observation=observation))
+    first = jax.tree.map(partial(moved, linear), linear.effect)
     angle = first.shown[:, 0, :, :, 0] + zero[:, 1, None, None]
-    courses = read(asked, see(points, courses), angle, measured, observation)
-    seen = see(points, courses)
+    motions = read(asked, see(points, motions), angle, measured, observation)
+    seen = see(points, motions)
     effects = nothing(observation, zero.shape[0], 2)
     effects = jax.tree.map(lambda all, new: all.at[:, 0].set(new), effects, first)
     for term, request in asked:
         effects = jax.lax.cond(
-            jnp.any(request.lane < used), partial(added, term, request, seen), same, effects
+            jnp.any(request.candidate < used), partial(added, term, request, seen), same, effects
         )
     summed = jax.tree.map(lambda leaf: jnp.moveaxis(together(leaf), 2, 1), effects)
-    own = (jax.vmap(of_segments, in_axes=(0, None))(points, observation.seat), courses)
+    own = (jax.vmap(of_segments, in_axes=(0, None))(points, observation.seat), motions)
     each = partial(products, steps=steps, chain=chain)
     by_segment: Any = jax.vmap(each, in_axes=(0, 0, 0, 0, 0, 0, None))
 
-    def lane(lane):
-        own, summed, zero = lane
+    def one(candidate):
+        own, summed, zero = candidate
         return by_segment(*own, observation, known, summed.push, summed.shown, zero)
 
-    lanes_at_once = max(1, AT_ONCE // observation.time.shape[0])
-    gram = first_of(used, lane, (own, summed, zero), lanes_at_once)
-    kept = given.effect.shown.shape[0]
-    return Pinned(gram, courses, jax.tree.map(lambda leaf: leaf[:kept, 0], effects))
+    at_once = max(1, AT_ONCE // observation.time.shape[0])
+    gram = first_of(used, one, (own, summed, zero), at_once)
+    kept = linear.effect.shown.shape[0]
+    return Pinned(gram, motions, jax.tree.map(lambda leaf: leaf[:kept, 0], effects))
 
 
-def added(term: type[Term], request: Requests, seen: Scene, effects: Effect) -> Effect:
-    """With what a term does in the lanes that ask."""
-    found = jax.vmap(partial(columns, term))(request.values, of_lanes(seen, request))
-    at = (request.lane, request.slot)
+def added(term: type[Term], request: Requests, seen: SegmentMotion, effects: Effect) -> Effect:
+    """With what a term does in the candidates that ask."""
+    found = jax.vmap(partial(columns, term))(request.values, of_candidates(seen, request))
+    at = (request.candidate, request.slot)
     return jax.tree.map(lambda all, new: all.at[at].add(new), effects, found)
 
 
@@ -125,24 +125,24 @@ def first_of(count: Int[Array, ""], task, given, at_once: int):
     return jax.lax.fori_loop(0, -(-count // at_once), part, jnp.zeros(room.shape, room.dtype))
 
 
-def recalled(given: Given, leaf: Array) -> Array:
-    """What every lane's given term does now."""
-    own = leaf[given.whose]
-    change = jnp.einsum("lp,lp...->l...", given.change, own[:, 1:])
+def moved(linear: LinearTerms, leaf: Array) -> Array:
+    """What every candidate's linear term does now."""
+    own = leaf[linear.which]
+    change = jnp.einsum("cp,cp...->c...", linear.change, own[:, 1:])
     return own.at[:, 0].add(change)
 
 
-def of_lanes(seen: Scene, request: Requests) -> Scene:
-    """The scenes of the lanes that ask."""
-    return jax.tree.map(lambda leaf: leaf[request.lane], seen)
+def of_candidates(seen: SegmentMotion, request: Requests) -> SegmentMotion:
+    """The motions of the candidates that ask."""
+    return jax.tree.map(lambda leaf: leaf[request.candidate], seen)
 
 
 def read(
-    asked, seen: Scene, angle: Array, measured: MeasuredMotion, observation: Observation
+    asked, seen: SegmentMotion, angle: Array, measured: MeasuredMotion, observation: Observation
 ) -> MeasuredMotion:
-    """The leg's motion behind what the sensors show, if the lanes' terms are right.
+    """The leg's motion behind what the sensors show, if the candidates' terms are right.
 
-    `angle` is what the given terms show.
+    `angle` is what the linear terms show.
     """
     for term, request in asked:
         if term.shown is Term.shown:
@@ -152,8 +152,8 @@ def read(
             one = named(term, value)
             return jax.vmap(lambda at: shown(one, at, remembered(one, at)).angle)(seen)
 
-        found = jax.vmap(error)(request.values, of_lanes(seen, request))
-        angle = angle.at[request.lane].add(found)
+        found = jax.vmap(error)(request.values, of_candidates(seen, request))
+        angle = angle.at[request.candidate].add(found)
     slope = jax.vmap(jax.vmap(rate), in_axes=(0, None))
     velocity = slope(angle, observation.time)
     errors = MeasuredMotion(angle, velocity, slope(velocity, observation.time))
@@ -168,15 +168,15 @@ def rate(value, time):
     return jnp.concatenate([slopes[:1], inner, slopes[-1:]])
 
 
-def nothing(observation: Observation, lanes: int, slots: int) -> Effect:
-    """Room for what the terms of every lane do: (lane, slot, 1 + parameter, segment, time)."""
+def nothing(observation: Observation, candidates: int, slots: int) -> Effect:
+    """Room for what all terms do: (candidate, slot, 1 + parameter, segment, time)."""
     segments, size = observation.time.shape
-    room = (lanes, slots, 1 + MOST_PARAMETERS, segments)
+    room = (candidates, slots, 1 + MOST_PARAMETERS, segments)
     push = jnp.zeros((*room, size - 1))
     return Effect(Drive(push, push, push), jnp.zeros((*room, size, 2)))
 
 
 def together(leaf: Array) -> Array:
-    """(lane, slot, 1 + parameter, ...) as (lane, column, ...): all derivatives, then the sum."""
+    """(candidate, slot, 1 + parameter, ...) to (candidate, column, ...): derivatives, then sum."""
     parts = [leaf[:, slot, 1:] for slot in range(leaf.shape[1])]
     return jnp.concatenate([*parts, leaf[:, :, :1].sum(axis=1)], axis=1)

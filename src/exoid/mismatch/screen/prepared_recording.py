@@ -1,6 +1,6 @@
 """A recording ready for candidates: what was seen, by which sensors, and where a search begins."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from itertools import product
 
@@ -20,7 +20,7 @@ from exoid.fitting.model.coordinates import (
 )
 from exoid.fitting.model.systematics import deviations
 from exoid.fitting.solve.problem import Problem
-from exoid.mismatch.screen.hypothesis import Hypothesis
+from exoid.mismatch.screen.hypothesis import Hypothesis, Products
 from exoid.mismatch.screen.measured_motion import MeasuredMotion
 from exoid.mismatch.sensors.consistency import Consistency
 from exoid.physics.parameter import Declaration, declarations
@@ -56,7 +56,7 @@ class PreparedRecording:
         return self.problem.observation
 
     @cached_property
-    def course(self) -> MeasuredMotion:
+    def measured_motion(self) -> MeasuredMotion:
         """What the sensors show, in the shape of the observation."""
         size = self.seen.time.shape[1]
 
@@ -69,8 +69,7 @@ class PreparedRecording:
     @cached_property
     def places(self) -> np.ndarray:
         """Which coordinate every baseline unknown of a segment is."""
-        like = self.like
-        return columns(like, self.seen.seat)
+        return columns(self.like, self.seen.seat)
 
     @cached_property
     def usual(self) -> np.ndarray:
@@ -99,16 +98,26 @@ class PreparedRecording:
         own = jax.tree.unflatten(jax.tree.structure(TYPICAL.own), rows)
         return Coordinates(shared, np.zeros(()), usual, own)
 
-    @cached_property
-    def numbers(self) -> Coordinates:
-        """Which coordinate each is."""
-        return unflattened(np.arange(flattened(self.like).size), self.like)
-
     def coordinates(self, candidate: Hypothesis) -> Coordinates:
         return unscaled(unflattened(candidate.point, self.like))
 
     def point(self, coordinates: Coordinates) -> np.ndarray:
         return flattened(scaled(coordinates))
+
+    def products(
+        self, candidate: Hypothesis, gram: np.ndarray, rows: list[int] | slice = slice(None)
+    ) -> Products:
+        """The `rows` of every segment's products at their places among all unknowns."""
+        total, usual = candidate.unknowns.size + 1, self.usual
+        others = range(candidate.point.size, total)
+        each = np.zeros((self.segments, total, total))
+        for whole, own, place in zip(each, gram, self.places, strict=True):
+            at = np.array([*place, *others])
+            whole[np.ix_(at, at)] = own[rows][:, rows]
+        table = np.zeros((total - 1, total))
+        table[range(usual.size), range(usual.size)] = usual
+        table[: usual.size, -1] = usual * candidate.unknowns[: usual.size]
+        return Products(each, table.T @ table)
 
     def starts(self, term: type[Term]) -> list[np.ndarray]:
         """Where the search for a term begins: what the sensors said among themselves, else as
@@ -137,9 +146,8 @@ class PreparedRecording:
         inertia = self.log_inertia / float(TYPICAL.shared.log_inertia)
         free = -np.inf if self.rig else 0.0  # of the stiffness
         least = Shared(*map(np.asarray, (inertia - FARTHEST, 0.0, free, 0.0)))
-        at = np.ravel(jax.tree.leaves(self.numbers.shared))
-        lower[at] = jax.tree.leaves(least)
-        upper[self.numbers.shared.log_inertia] = inertia + FARTHEST
+        lower[: len(fields(Shared))] = jax.tree.leaves(least)
+        upper[0] = inertia + FARTHEST
         each: list[Declaration] = [
             declared for term in candidate.terms for _, declared in declarations(term)
         ]

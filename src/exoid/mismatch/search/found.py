@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 from exoid.mismatch.evidence.yardstick import Yardstick
-from exoid.mismatch.screen.hypothesis import Hypothesis
-from exoid.mismatch.screen.optimum import Optimum
+from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
+from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.physics.term import Term, name_of
 
 FLOOR = 1.3  # mean square over the noise at which nothing more is looked for
@@ -14,6 +14,7 @@ FLOOR = 1.3  # mean square over the noise at which nothing more is looked for
 class Found:
     """What a search found, best first; `pinned` are those of the first look."""
 
+    prepared: PreparedRecording
     base: Optimum
     begin: Hypothesis  # the baseline where candidates began
     singles: list[Optimum]  # running free
@@ -32,6 +33,14 @@ class Found:
 
     def evidence(self, one: Optimum) -> float:
         return self.yardstick.evidence(self.base.square, one.square, size(one))
+
+
+@dataclass(frozen=True, eq=False)
+class Workings:
+    """What a diagnosis rests on, for those who ask further: all candidates, and the best one."""
+
+    found: Found
+    best: Optimum
 
 
 def size(one: Optimum) -> int:

@@ -7,9 +7,8 @@ import numpy as np
 
 from exoid.mismatch.evidence.measure import yardstick
 from exoid.mismatch.evidence.yardstick import ALIKE, APART, FOLLOWED, Yardstick
-from exoid.mismatch.screen.hypothesis import Hypothesis
-from exoid.mismatch.screen.optimise import settle, settle_free
-from exoid.mismatch.screen.optimum import Optimum
+from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
+from exoid.mismatch.screen.optimise import FEWER_ROUNDS, settle, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import FLOOR, Found, size
 from exoid.mismatch.search.variants import (
@@ -44,11 +43,10 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
         for value in prepared.starts(term)
     ]
     first = best_of(settle(prepared, starts, rounds=ROUNDS))
-    failed = [term for (term,), one in first.items() if not sound(one)]
-    ranked = ordered([one for one in first.values() if sound(one)])
-    near = [one for one in ranked[:SHORT] if one.square < REACH * ranked[0].square]
+    failed = [one.candidate.terms[0] for one in first if not sound(one)]
+    ranked = ordered(first)
     told("simulating the best of them")
-    singles = [polished(prepared, one.candidate) for one in near]
+    singles = [polished(prepared, one.candidate) for one in shortlist(ranked)]
     singles += [*twins(prepared, singles, singles), *nested(prepared, singles)]
     leader = least(*singles)
     if leader.square < FALSE * base.square:
@@ -70,24 +68,20 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
         singles = by_evidence(singles, base, measure)
         best = least(base, *singles).square
     if best < FLOOR * measure.samples:
-        return Found(base, begin, singles, sensors, ranked, failed, measure)
+        return Found(prepared, base, begin, singles, sensors, ranked, failed, measure)
     told("testing pairs")
     seconds = pairs(prepared, ranked, singles)
-    pairs_at_best = best_of(settle(prepared, seconds, rounds=PAIR_ROUNDS))
-    both = ordered([one for one in pairs_at_best.values() if sound(one)])
+    both = ordered(best_of(settle(prepared, seconds, rounds=PAIR_ROUNDS)))
     told("simulating the best pairs")
-    joint = [
-        polished(prepared, one.candidate)
-        for one in both[:SHORT]
-        if one.square < REACH * both[0].square
-    ]
-    joint += sensors
+    joint = [*(polished(prepared, one.candidate) for one in shortlist(both)), *sensors]
     singles = by_evidence([*singles, *reduced(prepared, ordered(joint)[:1])], base, measure)
     singles += nested(prepared, singles)
     measure = yardstick(prepared, least(base, *singles, *joint))
     joint = by_evidence(joint, base, measure)
     joint = by_evidence([*joint, *twins(prepared, joint[:1], joint)], base, measure)
-    return Found(base, begin, by_evidence(singles, base, measure), joint, ranked, failed, measure)
+    return Found(
+        prepared, base, begin, by_evidence(singles, base, measure), joint, ranked, failed, measure
+    )
 
 
 def simulated(
@@ -108,7 +102,8 @@ def beginning(prepared: PreparedRecording, base: Optimum) -> Hypothesis:
     if abs(at.zero[1]) <= prepared.zero:
         return at
     declared = replace(prepared, zero=0.0)
-    return settle_free(declared, [replace(at, zero=at.zero * [1.0, 0.0])])[0].candidate
+    start = replace(at, zero=at.zero * [1.0, 0.0])
+    return settle_free(declared, start, rounds=FEWER_ROUNDS).candidate
 
 
 def applies(prepared: PreparedRecording, term: type[Term]) -> bool:
@@ -129,14 +124,14 @@ def sound(one: Optimum) -> bool:
     return bool(np.isfinite(one.products.total).all())
 
 
-def best_of(settled: list[Optimum]) -> dict[tuple[type[Term], ...], Optimum]:
+def best_of(settled: list[Optimum]) -> list[Optimum]:
     """Of all starts of the same terms the best."""
     best: dict[tuple[type[Term], ...], Optimum] = {}
     for one in settled:
         terms = one.candidate.terms
         if terms not in best or not one.square >= best[terms].square:
             best[terms] = one
-    return best
+    return list(best.values())
 
 
 def least(*settled: Optimum) -> Optimum:
@@ -145,12 +140,18 @@ def least(*settled: Optimum) -> Optimum:
 
 
 def ordered(settled: list[Optimum]) -> list[Optimum]:
-    return sorted(settled, key=lambda one: one.square)
+    """The sound ones, by what they leave."""
+    return sorted(filter(sound, settled), key=lambda one: one.square)
+
+
+def shortlist(ranked: list[Optimum]) -> list[Optimum]:
+    """Those of the best whose order may change running free."""
+    return [one for one in ranked[:SHORT] if one.square < REACH * ranked[0].square]
 
 
 def by_evidence(settled: list[Optimum], base: Optimum, measure: Yardstick) -> list[Optimum]:
     """The best first; of those that are alike the simplest first."""
-    known = list(best_of([one for one in settled if sound(one)]).values())
+    known = best_of(list(filter(sound, settled)))
     known.sort(key=lambda one: measure.evidence(base.square, one.square, size(one)), reverse=True)
     return sorted(known, key=lambda one: size(one) if alike(one, known[0], measure) else np.inf)
 

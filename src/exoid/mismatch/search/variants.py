@@ -3,20 +3,16 @@
 from dataclasses import replace
 from itertools import permutations
 
-import equinox as eqx
 import numpy as np
 
-from exoid.fitting.data.observation import Observation
-from exoid.mismatch.screen.hypothesis import Hypothesis
+from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.many_pinned import linear
 from exoid.mismatch.screen.optimise import settle_free
-from exoid.mismatch.screen.optimum import Optimum
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.physics.parameter import declarations
 from exoid.physics.term import Term, name_of
 
 PAIRED = 3  # first terms of a pair
-FREE_ROUNDS = 25
 TWINS = ("torque_bias", "stiffness_rest_angle")
 BESIDE = 2  # of the best single terms are tried beside what the sensors surely say
 SOFTEST = 1e-3  # N m/rad, of a leg that has a rest angle
@@ -28,15 +24,10 @@ def polished(prepared: PreparedRecording, start: Hypothesis) -> Optimum:
     Where a gyro's reading jumps, every sample beside a jump is a wall: the encoder leads past them.
     """
     if any(term.jumps for term in start.terms):
-        start = settle_free(prepared, [start], by_encoder(prepared.seen), rounds=FREE_ROUNDS)[
-            0
-        ].candidate
-    return settle_free(prepared, [start], rounds=FREE_ROUNDS)[0]
-
-
-def by_encoder(seen: Observation) -> Observation:
-    """The observation without its gyro."""
-    return eqx.tree_at(lambda seen: seen.velocity_weight, seen, 0.0 * seen.velocity_weight)
+        seen = prepared.seen
+        by_encoder = replace(seen, velocity_weight=0.0 * seen.velocity_weight)
+        start = settle_free(prepared, start, by_encoder).candidate
+    return settle_free(prepared, start)
 
 
 def reduced(prepared: PreparedRecording, joint: list[Optimum]) -> list[Optimum]:
@@ -58,7 +49,7 @@ def twins(prepared: PreparedRecording, some: list[Optimum], known: list[Optimum]
             wanted = [twin if term is mine else term for term in one.candidate.terms]
             if mine in one.candidate.terms and frozenset(wanted) not in done:
                 start = renamed(prepared, one.candidate, mine, twin)
-                found.append(settle_free(prepared, [start], rounds=FREE_ROUNDS)[0])
+                found.append(settle_free(prepared, start))
     return found
 
 
@@ -99,7 +90,7 @@ def with_sure_sensors(
         replace(one, terms=(*terms, *one.terms), values=(*values, *one.values), linear=None)
         for one in (base.candidate, *best)
     ]
-    return [settle_free(prepared, [one], rounds=FREE_ROUNDS)[0] for one in starts]
+    return [settle_free(prepared, one) for one in starts]
 
 
 def nested(prepared: PreparedRecording, singles: list[Optimum]) -> list[Optimum]:
@@ -114,7 +105,7 @@ def nested(prepared: PreparedRecording, singles: list[Optimum]) -> list[Optimum]
             if len(wanted) < len(known) and known.keys() >= set(wanted):
                 value = np.array([known[name] for name in wanted])
                 start = replace(rich.candidate, terms=(other,), values=(value,), linear=None)
-                found.append(settle_free(prepared, [start], rounds=FREE_ROUNDS)[0])
+                found.append(settle_free(prepared, start))
     return found
 
 
@@ -124,17 +115,17 @@ def pairs(
     """The best single terms, each with every other."""
     refined = {one.candidate.terms[0]: one for one in singles}
     firsts = [refined.get(one.candidate.terms[0], one).candidate for one in ranked[:PAIRED]]
-    found = linear(prepared, firsts, [one.course for one in ranked[:PAIRED]])
+    motions = [one.motion for one in ranked[:PAIRED]]
+    found = linear(prepared, list(zip(firsts, motions, strict=True)))
     made = []
     for number, (first, known) in enumerate(zip(firsts, found, strict=True)):
         done = {one.terms[0] for one in firsts[: number + 1]}
         made += [
-            Hypothesis(
-                (*first.terms, *second.candidate.terms),
-                (*first.values, value),
-                first.point,
-                first.zero,
-                known,
+            replace(
+                first,
+                terms=(*first.terms, *second.candidate.terms),
+                values=(*first.values, value),
+                linear=known,
             )
             for second in ranked
             for value in prepared.starts(second.candidate.terms[0])

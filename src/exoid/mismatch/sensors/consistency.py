@@ -49,7 +49,6 @@ class Consistency:
     """The sensors against each other, and the motion that they show together."""
 
     errors: list[SensorError]  # empty without a gyro
-    excess: float  # rms of what remains between the sensors, over their noise
     references: list[Reference]
 
     @property
@@ -63,7 +62,7 @@ def consistency(seen: Observation) -> Consistency:
     """Compare encoder and gyro over all segments; samples of weight 0 were not measured."""
     segments = [segment(seen, number) for number in range(seen.time.shape[0])]
     if not any(weights[:, 1].any() for _, _, weights in segments):
-        return Consistency([], 1.0, [smooth(*each) for each in segments])
+        return Consistency([], [smooth(*each) for each in segments])
     total, covariance, misfit = np.zeros(len(ERRORS)), np.zeros((3, 3)), 1.0
     motions = [smooth(time, data, weights * [1.0, 0.0]) for time, data, weights in segments]
     for _ in range(ROUNDS):
@@ -83,15 +82,13 @@ def consistency(seen: Observation) -> Consistency:
             ERRORS, total, np.diag(covariance), UNITS, strict=True
         )
     ]
-    found = np.array(
-        [value if each.clear else 0.0 for each, value in zip(errors, total, strict=True)]
-    )
-    excess = float(np.sqrt(max(1.0, misfit)))
+    found = np.array([each.value if each.clear else 0.0 for each in errors])
+    excess = float(np.sqrt(max(1.0, misfit)))  # of what remains between the sensors
     references = [
         smooth(time, corrected(time, data, motion, found), weights / [1.0, excess])
         for (time, data, weights), motion in zip(segments, motions, strict=True)
     ]
-    return Consistency(errors, excess, references)
+    return Consistency(errors, references)
 
 
 def segment(seen: Observation, number: int) -> tuple[Samples, np.ndarray, np.ndarray]:

@@ -25,12 +25,11 @@ Pairs = Float[np.ndarray, "sample 2"]  # of encoder [rad] and gyro [rad/s]
 
 @dataclass(frozen=True, eq=False)
 class Reference:
-    """One segment's motion at its samples, and what is left of the data."""
+    """One segment's motion at its samples."""
 
     angle: Samples  # rad
     angular_velocity: Samples  # rad/s
     angular_acceleration: Samples  # rad/s^2
-    misfit: float  # sum of squares over the noise, data and jerk
     likelihood: float  # log, but for a constant
     smoother: "Smoother"
 
@@ -136,4 +135,4 @@ def smoothed(smoother: Smoother, data: Pairs) -> Reference:
     spread = float(np.sum(np.log(smoother.factor[-1])))
     likelihood = -misfit / 2 - spread - 3 * smoother.log_scale
     angle, velocity, acceleration = motion.T
-    return Reference(angle, velocity, acceleration, misfit, likelihood, smoother)
+    return Reference(angle, velocity, acceleration, likelihood, smoother)
