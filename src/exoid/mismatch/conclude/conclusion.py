@@ -12,14 +12,13 @@ from exoid.mismatch.conclude.cannot_tell import hands, once, too_little, unrelax
 from exoid.mismatch.conclude.numbers import (
     CERTAIN,
     FORMULA,
-    REST_ANGLE,
     booked,
     gyro_bias,
     inertia_of,
     moved,
     parameters_of,
     pinned,
-    tilted,
+    taken_in,
     weighed,
 )
 from exoid.mismatch.conclude.rivals import hidden, of_hidden
@@ -189,12 +188,11 @@ def included(
 def named_terms(
     prepared: PreparedRecording, best: Optimum, measure: Yardstick, formula: Formula | None
 ) -> list[str]:
-    """The terms by name; a tilted thigh is an offset whose opposite is the spring's rest angle."""
+    """The terms by name, without those that are part of another: a tilted thigh is one cause."""
     if formula:
         return []
-    return [
-        name for name in names(best) if name != REST_ANGLE or not tilted(prepared, best, measure)
-    ]
+    inside = taken_in(prepared, best, measure)
+    return [name for name in names(best) if name not in inside]
 
 
 def named_alike(equal: list[Optimum], best: Optimum) -> list[str]:

@@ -10,11 +10,8 @@ from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import Found, names
 from exoid.mismatch.sensors.consistency import BIAS
 from exoid.physics.parameter import declarations
-from exoid.physics.sensing.angle_offset import AngleOffset
 from exoid.physics.term import name_of
-from exoid.physics.terms.tissue.stiffness_rest_angle import StiffnessRestAngle
 
-REST_ANGLE, OFFSET = name_of(StiffnessRestAngle), name_of(AngleOffset)
 FORMULA = "formula"  # the name of a term that has none
 CERTAIN = 5.0  # standard deviations
 BIASED = np.radians(0.1)  # rad/s, from which on a gyro's bias is worth a word
@@ -56,23 +53,28 @@ def covariance(prepared: PreparedRecording, one: Optimum) -> np.ndarray:
     normal = one.products.total[:-1, :-1].copy()
     lower, upper = prepared.bounds(one.candidate)
     fixed = lower == upper
-    fixed[0] = True
+    fixed[prepared.numbers.shared.log_inertia] = True
     normal[fixed], normal[:, fixed] = 0.0, 0.0
     size_of = np.sqrt(np.diag(normal))
     unit = np.where(size_of > 0, size_of, 1.0)
     return np.linalg.pinv(normal / np.outer(unit, unit), hermitian=True) / np.outer(unit, unit)
 
 
-def tilted(prepared: PreparedRecording, best: Optimum, measure: Yardstick) -> bool:
-    """Are a rest angle and an offset opposite, within the error of their sum?"""
+def taken_in(prepared: PreparedRecording, best: Optimum, measure: Yardstick) -> set[str]:
+    """The terms whose size is that of another with which they are one cause, but for the sign and
+    within the error of their sum.
+    """
     candidate = best.candidate
     ends = candidate.point.size + 2 + np.cumsum([value.size for value in candidate.values])
     at = dict(zip(names(best), (int(end) - 1 for end in ends), strict=True))
-    if not {REST_ANGLE, OFFSET} <= set(at):
-        return False
-    both = [at[REST_ANGLE], at[OFFSET]]
-    variance = max(covariance(prepared, best)[np.ix_(both, both)].sum(), 0.0) * measure.scale
-    return bool(abs(candidate.unknowns[both].sum()) < CERTAIN * np.sqrt(variance))
+    found = set()
+    for term in candidate.terms:
+        if term.opposite in at:
+            both = [at[term.opposite], at[name_of(term)]]
+            variance = max(covariance(prepared, best)[np.ix_(both, both)].sum(), 0.0)
+            if abs(candidate.unknowns[both].sum()) < CERTAIN * np.sqrt(variance * measure.scale):
+                found.add(term.opposite)
+    return found
 
 
 def parameters_of(

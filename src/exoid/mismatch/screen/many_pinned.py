@@ -54,6 +54,21 @@ def linear(
     ]
 
 
+def together(each: list[Linear]) -> Linear:
+    """Several terms that act at once, as one."""
+    values = [one.at.size for one in each]
+
+    def joined(*leaves: np.ndarray) -> np.ndarray:
+        whole = np.zeros_like(leaves[0])
+        whole[0] = sum(leaf[0] for leaf in leaves)
+        rows = [leaf[1 : 1 + size] for leaf, size in zip(leaves, values, strict=True)]
+        whole[1 : 1 + sum(values)] = np.concatenate(rows)
+        return whole
+
+    effect = jax.tree.map(joined, *(one.effect for one in each))
+    return Linear(effect, np.concatenate([one.at for one in each]), len(each))
+
+
 def room(prepared: PreparedRecording) -> dict[type[Term], int]:
     """How many requests of every term the compiled program takes at once."""
     return {term: max(2, len(prepared.starts(term))) for term in prepared.library}
@@ -70,7 +85,7 @@ def packed(
     given: list[Linear] = []
     for number in waiting:
         one = candidates[number]
-        wanted = Counter(one.terms if one.linear is None else one.terms[1:])
+        wanted = Counter(one.asked)
         known = one.linear is None or any(one.linear is other for other in given)
         fits = all(used[term] + n <= space[term] for term, n in wanted.items())
         if fits and len(batch) < lanes and (known or len(given) < GIVEN - 1):
@@ -132,8 +147,11 @@ def requests(
     lanes, slots = np.full(size, spare), np.zeros(size, dtype=int)
     made = 0
     for lane, one in enumerate(batch):
-        for slot, (own, numbers) in enumerate(zip(one.terms, one.values, strict=True)):
-            if own is term and not (slot == 0 and one.linear is not None):
+        first = 0 if one.linear is None else 1
+        for slot, (own, numbers) in enumerate(
+            zip(one.asked, one.pinned[first:], strict=True), first
+        ):
+            if own is term:
                 value[made], lanes[made], slots[made] = numbers, lane, slot
                 made += 1
     return Requests(value, lanes, slots)
@@ -154,7 +172,7 @@ def given(prepared: PreparedRecording, lanes: list[Hypothesis]) -> Given:
             known.append(one.linear)
             effects.append(one.linear.effect)
         whose[lane] = 1 + next(k for k, other in enumerate(known) if other is one.linear)
-        moved = one.values[0] - one.linear.at
+        moved = one.pinned[0] - one.linear.at
         change[lane, : moved.size] = moved
     effect = stacked(effects + [effects[0]] * (GIVEN - len(effects)))
     return Given(effect, whose, change)
@@ -168,7 +186,7 @@ def placed(prepared: PreparedRecording, candidate: Hypothesis, gram: np.ndarray)
     """The products over all unknowns of a candidate."""
     base = prepared.places.shape[1]
     rows = list(range(base + 2))
-    for slot, value in enumerate(candidate.values):
+    for slot, value in enumerate(candidate.pinned):
         first = base + 2 + slot * MOST_PARAMETERS
         rows += range(first, first + value.size)
     return spread(candidate, prepared.places, prepared.usual, gram, [*rows, gram.shape[-1] - 1])

@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from exoid.mismatch.evidence.yardstick import Yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis
 from exoid.mismatch.screen.optimum import Optimum
@@ -37,6 +39,21 @@ class Found:
 def size(one: Optimum) -> int:
     """How many parameters its terms have."""
     return sum(value.size for value in one.candidate.values)
+
+
+def sound(one: Optimum) -> bool:
+    """Are its sum of squares and all derivatives finite?"""
+    return bool(np.isfinite(one.products.total).all())
+
+
+def best_of(settled: list[Optimum]) -> dict[tuple[type[Term], ...], Optimum]:
+    """Of all starts of the same terms the best."""
+    best: dict[tuple[type[Term], ...], Optimum] = {}
+    for one in settled:
+        terms = one.candidate.terms
+        if terms not in best or not one.square >= best[terms].square:
+            best[terms] = one
+    return best
 
 
 def names(one: Optimum) -> list[str]:

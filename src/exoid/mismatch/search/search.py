@@ -11,7 +11,8 @@ from exoid.mismatch.screen.hypothesis import Hypothesis
 from exoid.mismatch.screen.optimise import settle, settle_free
 from exoid.mismatch.screen.optimum import Optimum
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
-from exoid.mismatch.search.found import FLOOR, Found, size
+from exoid.mismatch.search.found import FLOOR, Found, best_of, size, sound
+from exoid.mismatch.search.several import several
 from exoid.mismatch.search.variants import (
     nested,
     pairs,
@@ -82,6 +83,9 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
         if one.square < REACH * both[0].square
     ]
     joint += sensors
+    if ordered(joint)[0].square > FLOOR * measure.samples:
+        told("testing three causes and more")
+        joint += several(prepared, usable, joint, measure)
     singles = by_evidence([*singles, *reduced(prepared, ordered(joint)[:1])], base, measure)
     singles += nested(prepared, singles)
     measure = yardstick(prepared, least(base, *singles, *joint))
@@ -122,21 +126,6 @@ def applies(prepared: PreparedRecording, term: type[Term]) -> bool:
     if term.everyday:
         return bool((prepared.seen.velocity_weight > 0).any())
     return True
-
-
-def sound(one: Optimum) -> bool:
-    """Are its sum of squares and all derivatives finite?"""
-    return bool(np.isfinite(one.products.total).all())
-
-
-def best_of(settled: list[Optimum]) -> dict[tuple[type[Term], ...], Optimum]:
-    """Of all starts of the same terms the best."""
-    best: dict[tuple[type[Term], ...], Optimum] = {}
-    for one in settled:
-        terms = one.candidate.terms
-        if terms not in best or not one.square >= best[terms].square:
-            best[terms] = one
-    return best
 
 
 def least(*settled: Optimum) -> Optimum:

@@ -20,6 +20,7 @@ class AngleOffset(SensorTerm):
     )
     isolate: ClassVar[str] = "the accelerometer at rest, or the hanging leg against a plumb line"
     replaces: ClassVar[str] = "zero"
+    opposite: ClassVar[str] = "stiffness_rest_angle"  # together a tilted thigh
 
     offset: Float[Any, ""] = parameter("delta", "rad", -0.4, 0.4, "offset", (0.03, -0.03))
 

@@ -20,7 +20,13 @@ class TorqueBias(PhysicsTerm):
     )
     isolate: ClassVar[str] = "EMG, or drops after the instruction to relax; a known added mass"
 
+    same_torque: ClassVar[str] = "stiffness_rest_angle"
+
     bias: Float[Any, ""] = parameter("tau_b", "N m", -50.0, 50.0, "constant torque", (0.3,))
+
+    @staticmethod
+    def as_same_torque(size: Any, stiffness: Any) -> Any:
+        return size / stiffness
 
     def torque(self, now: Moment, memory: Memory) -> Float[Array, ""]:
         return jnp.asarray(self.bias)

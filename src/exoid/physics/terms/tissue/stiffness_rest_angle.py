@@ -20,9 +20,15 @@ class StiffnessRestAngle(PhysicsTerm):
     )
     isolate: ClassVar[str] = "the hanging angle without and with a known added mass"
 
+    same_torque: ClassVar[str] = "torque_bias"
+
     rest_angle: Float[Any, ""] = parameter(
         "phi_r", "rad", -2.0, 1.5, "rest angle of the spring", (-0.3,)
     )
+
+    @staticmethod
+    def as_same_torque(size: Any, stiffness: Any) -> Any:
+        return size * stiffness
 
     def torque(self, now: Moment, memory: Memory) -> Float[Array, ""]:
         return now.stiffness * self.rest_angle
