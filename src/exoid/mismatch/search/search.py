@@ -85,7 +85,7 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
     joint += sensors
     if ordered(joint)[0].square > FLOOR * measure.samples:
         told("testing three causes and more")
-        joint += several(prepared, usable, joint, measure)
+        joint += several(prepared, usable, joint)
     singles = by_evidence([*singles, *reduced(prepared, ordered(joint)[:1])], base, measure)
     singles += nested(prepared, singles)
     measure = yardstick(prepared, least(base, *singles, *joint))

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from exoid.mismatch.evidence.yardstick import Yardstick
+from exoid.mismatch.evidence.measure import yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis
 from exoid.mismatch.screen.many_pinned import linear, together
 from exoid.mismatch.screen.optimise import settle
@@ -19,7 +19,7 @@ ROUNDS = 6  # of pinned steps
 
 
 def several(
-    prepared: PreparedRecording, usable: list[type[Term]], joint: list[Optimum], measure: Yardstick
+    prepared: PreparedRecording, usable: list[type[Term]], joint: list[Optimum]
 ) -> list[Optimum]:
     """Sets with one cause more than the best of `joint`, and so on while that clearly explains
     more and noise is not reached.
@@ -28,15 +28,15 @@ def several(
     them needed?
     """
     best, found = min(joint, key=lambda one: one.square), []
+    measure = yardstick(prepared, best)
     while best.square > FLOOR * measure.samples and len(best.candidate.terms) < MOST:
         wider = [
             polished(prepared, each) for each in with_one_more(prepared, usable, best.candidate)
         ]
         wider = [one for one in wider if sound(one)]
         better = min([best, *wider], key=lambda one: one.square)
-        if better is best or not measure.clear(
-            best.square, better.square, size(better) - size(best)
-        ):
+        measure = yardstick(prepared, better)
+        if not measure.clear(best.square, better.square, max(size(better) - size(best), 1)):
             break
         found += wider
         best = better
