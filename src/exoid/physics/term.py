@@ -47,6 +47,8 @@ class Term(eqx.Module):
     isolate: eqx.AbstractClassVar[str]  # the recording that would show it apart from others
 
     twin: ClassVar[str] = ""  # what looks the same in every recording and is no term itself
+    same_torque: ClassVar[str] = ""  # the term that pushes just like this one
+    opposite: ClassVar[str] = ""  # the term that this one takes in where the two are opposite
     memory_size: ClassVar[int] = 0  # of a state of its own
     lasting: ClassVar[bool] = False  # may the state outlast that the leg is held before a drop
     jumps: ClassVar[bool] = False  # does the gyro's reading jump
@@ -56,6 +58,11 @@ class Term(eqx.Module):
     inertial: ClassVar[bool] = False  # does its torque hang on the acceleration
     everyday: ClassVar[bool] = False  # does every gyro have some of it
     replaces: ClassVar[str] = ""  # what a fit estimates of every recording and the term is itself
+
+    @staticmethod
+    def as_same_torque(size: Any, stiffness: Any) -> Any:
+        """The size of the term named `same_torque` on a leg of this stiffness [N m/rad]."""
+        return size
 
     def torque(self, now: Moment, memory: Memory) -> Scalar:
         """The missing torque [N m], extension positive."""

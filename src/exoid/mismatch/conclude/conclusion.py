@@ -11,14 +11,13 @@ from exoid.mismatch.conclude.cannot_tell import hands, once, too_little, unrelax
 from exoid.mismatch.conclude.numbers import (
     CERTAIN,
     FORMULA,
-    REST_ANGLE,
     booked,
     gyro_bias,
     leg_of,
     moved,
     parameters_of,
     pinned,
-    tilted,
+    taken_in,
     weighed,
 )
 from exoid.mismatch.conclude.rivals import hidden, of_hidden
@@ -177,8 +176,9 @@ def included(found: Found, best: Optimum, formula: Formula | None, seed: int) ->
 
 
 def named_terms(found: Found, best: Optimum) -> list[str]:
-    """The terms by name; a tilted thigh is an offset whose opposite is the spring's rest angle."""
-    return [name for name in names(best) if name != REST_ANGLE or not tilted(found, best)]
+    """The terms by name, without those that are part of another: a tilted thigh is one cause."""
+    inside = taken_in(found, best)
+    return [name for name in names(best) if name not in inside]
 
 
 def named_alike(equal: list[Optimum], best: Optimum) -> list[str]:

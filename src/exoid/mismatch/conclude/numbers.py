@@ -10,11 +10,8 @@ from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.search.found import Found, names
 from exoid.mismatch.sensors.consistency import BIAS
 from exoid.physics.parameter import declarations
-from exoid.physics.sensing.angle_offset import AngleOffset
 from exoid.physics.term import name_of
-from exoid.physics.terms.tissue.stiffness_rest_angle import StiffnessRestAngle
 
-REST_ANGLE, OFFSET = name_of(StiffnessRestAngle), name_of(AngleOffset)
 FORMULA = "formula"  # the name of a term that has none
 CERTAIN = 5.0  # standard deviations
 BIASED = np.radians(0.1)  # rad/s, from which on a gyro's bias is worth a word
@@ -56,7 +53,7 @@ def covariance(found: Found, one: Optimum) -> np.ndarray:
     normal = one.products.total[:-1, :-1].copy()
     lower, upper = found.prepared.bounds(one.candidate)
     fixed = lower == upper
-    fixed[0] = True
+    fixed[found.prepared.numbers.shared.log_inertia] = True
     normal[fixed], normal[:, fixed] = 0.0, 0.0
     size_of = np.sqrt(np.diag(normal))
     unit = np.where(size_of > 0, size_of, 1.0)
@@ -64,16 +61,21 @@ def covariance(found: Found, one: Optimum) -> np.ndarray:
     return np.linalg.pinv(normal / units, hermitian=True) / units * found.yardstick.scale
 
 
-def tilted(found: Found, best: Optimum) -> bool:
-    """Are a rest angle and an offset opposite, within the error of their sum?"""
+def taken_in(found: Found, best: Optimum) -> set[str]:
+    """The terms whose size is that of another with which they are one cause, but for the sign and
+    within the error of their sum.
+    """
     candidate = best.candidate
     ends = candidate.point.size + 2 + np.cumsum([value.size for value in candidate.values])
     at = dict(zip(names(best), (int(end) - 1 for end in ends), strict=True))
-    if not {REST_ANGLE, OFFSET} <= set(at):
-        return False
-    both = [at[REST_ANGLE], at[OFFSET]]
-    variance = max(covariance(found, best)[np.ix_(both, both)].sum(), 0.0)
-    return bool(abs(candidate.unknowns[both].sum()) < CERTAIN * np.sqrt(variance))
+    inside = set()
+    for term in candidate.terms:
+        if term.opposite in at:
+            both = [at[term.opposite], at[name_of(term)]]
+            variance = max(covariance(found, best)[np.ix_(both, both)].sum(), 0.0)
+            if abs(candidate.unknowns[both].sum()) < CERTAIN * np.sqrt(variance):
+                inside.add(term.opposite)
+    return inside
 
 
 def parameters_of(found: Found, best: Optimum, formula: Formula | None) -> list[Parameter]:

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+import jax
 import numpy as np
 
 from exoid.fitting.data.observation import Observation
@@ -58,7 +59,7 @@ def started(
     prepared: PreparedRecording, candidate: Hypothesis, products: Products, number: int
 ) -> Hypothesis:
     """The candidate with what the segment `number` owns brought to its best there."""
-    own = prepared.places[number][-3:]
+    own = np.array([each[number] for each in jax.tree.leaves(prepared.numbers.own)])
     normal, gradient = products.each[number][:-1, :-1], products.each[number][:-1, -1]
     limits = np.full(own.size, np.inf)
     unknowns = candidate.unknowns

@@ -23,10 +23,11 @@ class Effect(eqx.Module):
 
 @dataclass(frozen=True, eq=False)
 class Linear:
-    """A first term as it was found: what it does, linear in its parameters around `at`."""
+    """The first terms as they were found: what they do, linear in their parameters around `at`."""
 
     effect: Effect
     at: np.ndarray
+    count: int = 1  # of terms
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,7 +38,26 @@ class Hypothesis:
     values: tuple[np.ndarray, ...]
     point: Float[np.ndarray, " coordinate"]  # `flattened` and in units of TYPICAL
     zero: np.ndarray = field(default_factory=lambda: np.zeros(2))  # gyro [rad/s], encoder [rad]
-    linear: Linear | None = None  # in place of its first term, while it is pinned
+    linear: Linear | None = None  # in place of its first terms, while it is pinned
+
+    @property
+    def pinned(self) -> tuple[np.ndarray, ...]:
+        """The values in the slots of the pinned program: those that are linear share the first."""
+        if self.linear is None:
+            return self.values
+        count = self.linear.count
+        return (np.concatenate(self.values[:count]), *self.values[count:])
+
+    @property
+    def asked(self) -> tuple[type[Term], ...]:
+        """The terms that the pinned program works out: all that are not linear."""
+        return self.terms if self.linear is None else self.terms[self.linear.count :]
+
+    @property
+    def slots(self) -> list[tuple[int, tuple[type[Term], np.ndarray]]]:
+        """The slots of those terms, each with its term and the values."""
+        first = 0 if self.linear is None else 1
+        return list(enumerate(zip(self.asked, self.pinned[first:], strict=True), first))
 
     @property
     def unknowns(self) -> np.ndarray:

@@ -50,6 +50,21 @@ def row_of(tree, row: int):
     return jax.tree.map(lambda leaf: leaf[row], tree)
 
 
+def together(each: list[Linear]) -> Linear:
+    """Several terms that act at once, as one."""
+    values = [one.at.size for one in each]
+
+    def joined(*leaves: np.ndarray) -> np.ndarray:
+        whole = np.zeros_like(leaves[0])
+        whole[0] = sum(leaf[0] for leaf in leaves)
+        rows = [leaf[1 : 1 + size] for leaf, size in zip(leaves, values, strict=True)]
+        whole[1 : 1 + sum(values)] = np.concatenate(rows)
+        return whole
+
+    effect = jax.tree.map(joined, *(one.effect for one in each))
+    return Linear(effect, np.concatenate([one.at for one in each]), len(each))
+
+
 def room(prepared: PreparedRecording) -> dict[type[Term], int]:
     """How many requests of every term the compiled program takes at once."""
     return {term: max(2, len(prepared.starts(term))) for term in prepared.library}
@@ -66,7 +81,7 @@ def packed(
     given: set[Linear] = set()
     for number in waiting:
         one = candidates[number]
-        wanted = Counter(one.terms[one.linear is not None :])
+        wanted = Counter(one.asked)
         needed = given | ({one.linear} if one.linear else set())
         fits = all(used[term] + n <= space[term] for term, n in wanted.items())
         if fits and len(batch) < most and len(needed) < GIVEN:
@@ -130,8 +145,8 @@ def requests(
     asked = [
         (value, row, slot)
         for row, one in enumerate(batch)
-        for slot, (own, value) in enumerate(zip(one.terms, one.values, strict=True))
-        if own is term and not (slot == 0 and one.linear is not None)
+        for slot, (own, value) in one.slots
+        if own is term
     ]
     asked += [(prepared.starts(term)[0], spare, 0)] * (size - len(asked))
     values, rows, slots = zip(*asked, strict=True)
@@ -148,7 +163,7 @@ def linear_terms(prepared: PreparedRecording, rows: Sequence[Hypothesis]) -> Lin
     for row, one in enumerate(rows):
         if one.linear:
             which[row] = 1 + known.index(one.linear)
-            moved = one.values[0] - one.linear.at
+            moved = one.pinned[0] - one.linear.at
             change[row, : moved.size] = moved
     effects = [nothing, *(each.effect for each in known), *[nothing] * (GIVEN - 1 - len(known))]
     return LinearTerms(stacked(effects), which, change)
@@ -162,7 +177,7 @@ def placed(prepared: PreparedRecording, candidate: Hypothesis, gram: np.ndarray)
     """The products over all unknowns of a candidate."""
     base = prepared.places.shape[1]
     rows = list(range(base + 2))
-    for slot, value in enumerate(candidate.values):
+    for slot, value in enumerate(candidate.pinned):
         first = base + 2 + slot * MOST_PARAMETERS
         rows += range(first, first + value.size)
     return prepared.products(candidate, gram, [*rows, gram.shape[-1] - 1])

@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from exoid.mismatch.evidence.yardstick import Yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
@@ -46,6 +48,21 @@ class Workings:
 def size(one: Optimum) -> int:
     """How many parameters its terms have."""
     return sum(value.size for value in one.candidate.values)
+
+
+def sound(one: Optimum) -> bool:
+    """Are its sum of squares and all derivatives finite?"""
+    return bool(np.isfinite(one.products.total).all())
+
+
+def best_of(settled: list[Optimum]) -> list[Optimum]:
+    """Of all starts of the same terms the best."""
+    best: dict[tuple[type[Term], ...], Optimum] = {}
+    for one in settled:
+        terms = one.candidate.terms
+        if terms not in best or not one.square >= best[terms].square:
+            best[terms] = one
+    return list(best.values())
 
 
 def names(one: Optimum) -> list[str]:

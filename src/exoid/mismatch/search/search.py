@@ -10,7 +10,8 @@ from exoid.mismatch.evidence.yardstick import ALIKE, APART, FOLLOWED, Yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import FEWER_ROUNDS, settle, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
-from exoid.mismatch.search.found import FLOOR, Found, size
+from exoid.mismatch.search.found import FLOOR, Found, best_of, size, sound
+from exoid.mismatch.search.several import several
 from exoid.mismatch.search.variants import (
     nested,
     pairs,
@@ -74,6 +75,9 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
     both = ordered(best_of(settle(prepared, seconds, rounds=PAIR_ROUNDS)))
     told("simulating the best pairs")
     joint = [*(polished(prepared, one.candidate) for one in shortlist(both)), *sensors]
+    if joint and ordered(joint)[0].square > FLOOR * yardstick(prepared, ordered(joint)[0]).samples:
+        told("testing three causes and more")
+        joint += several(prepared, usable, joint)
     singles = by_evidence([*singles, *reduced(prepared, ordered(joint)[:1])], base, measure)
     singles += nested(prepared, singles)
     measure = yardstick(prepared, least(base, *singles, *joint))
@@ -117,21 +121,6 @@ def applies(prepared: PreparedRecording, term: type[Term]) -> bool:
     if term.everyday:
         return bool((prepared.seen.velocity_weight > 0).any())
     return True
-
-
-def sound(one: Optimum) -> bool:
-    """Are its sum of squares and all derivatives finite?"""
-    return bool(np.isfinite(one.products.total).all())
-
-
-def best_of(settled: list[Optimum]) -> list[Optimum]:
-    """Of all starts of the same terms the best."""
-    best: dict[tuple[type[Term], ...], Optimum] = {}
-    for one in settled:
-        terms = one.candidate.terms
-        if terms not in best or not one.square >= best[terms].square:
-            best[terms] = one
-    return list(best.values())
 
 
 def least(*settled: Optimum) -> Optimum:

@@ -1,7 +1,6 @@
 """What a search tries beside single terms: the same running free, twins, simpler forms, pairs."""
 
 from dataclasses import replace
-from itertools import permutations
 
 import numpy as np
 
@@ -13,7 +12,6 @@ from exoid.physics.parameter import declarations
 from exoid.physics.term import Term, name_of
 
 PAIRED = 3  # first terms of a pair
-TWINS = ("torque_bias", "stiffness_rest_angle")
 BESIDE = 2  # of the best single terms are tried beside what the sensors surely say
 SOFTEST = 1e-3  # N m/rad, of a leg that has a rest angle
 
@@ -41,13 +39,14 @@ def reduced(prepared: PreparedRecording, joint: list[Optimum]) -> list[Optimum]:
 
 def twins(prepared: PreparedRecording, some: list[Optimum], known: list[Optimum]) -> list[Optimum]:
     """What is exactly the same torque under another name: a rest angle, and a constant torque."""
-    pair = [term for term in prepared.library if name_of(term) in TWINS]
+    named = {name_of(term): term for term in prepared.library}
     done = {frozenset(one.candidate.terms) for one in known}
     found = []
     for one in some:
-        for mine, twin in permutations(pair, 2):
+        for mine in (term for term in one.candidate.terms if term.same_torque in named):
+            twin = named[mine.same_torque]
             wanted = [twin if term is mine else term for term in one.candidate.terms]
-            if mine in one.candidate.terms and frozenset(wanted) not in done:
+            if frozenset(wanted) not in done:
                 start = renamed(prepared, one.candidate, mine, twin)
                 found.append(settle_free(prepared, start))
     return found
@@ -56,13 +55,12 @@ def twins(prepared: PreparedRecording, some: list[Optimum], known: list[Optimum]
 def renamed(
     prepared: PreparedRecording, candidate: Hypothesis, mine: type[Term], twin: type[Term]
 ) -> Hypothesis:
-    """The candidate with the twin of one of its terms, as large: c phi_0 is the torque."""
+    """The candidate with the twin of one of its terms, as large."""
     shared = prepared.coordinates(candidate).shared
     stiffness = max(float(shared.stiffness * np.exp(shared.log_inertia)), SOFTEST)
-    factor = 1 / stiffness if name_of(mine) == TWINS[0] else stiffness
     declared = next(each for _, each in declarations(twin))
     moved = [
-        (twin, np.clip(value * factor, declared.lower, declared.upper))
+        (twin, np.clip(mine.as_same_torque(value, stiffness), declared.lower, declared.upper))
         if term is mine
         else (term, value)
         for term, value in zip(candidate.terms, candidate.values, strict=True)

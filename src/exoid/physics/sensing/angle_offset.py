@@ -16,6 +16,7 @@ class AngleOffset(SensorTerm):
     )
     isolate = "the accelerometer at rest, or the hanging leg against a plumb line"
     replaces = "zero"
+    opposite = "stiffness_rest_angle"  # together a tilted thigh
 
     offset: Parameter = parameter("delta", "rad", -0.4, 0.4, "offset", (0.03, -0.03))
 

@@ -1,5 +1,7 @@
 """A constant torque."""
 
+from typing import Any
+
 import jax.numpy as jnp
 
 from exoid.physics.moment import Moment
@@ -17,7 +19,13 @@ class TorqueBias(PhysicsTerm):
     )
     isolate = "EMG, or drops after the instruction to relax; a known added mass"
 
+    same_torque = "stiffness_rest_angle"
+
     bias: Parameter = parameter("tau_b", "N m", -50.0, 50.0, "constant torque", (0.3,))
+
+    @staticmethod
+    def as_same_torque(size: Any, stiffness: Any) -> Any:
+        return size / stiffness
 
     def torque(self, now: Moment, memory: Memory) -> Scalar:
         return jnp.asarray(self.bias)

@@ -1,5 +1,7 @@
 """A spring that is slack elsewhere than at full extension."""
 
+from typing import Any
+
 from exoid.physics.moment import Moment
 from exoid.physics.parameter import Parameter, parameter
 from exoid.physics.term import Memory, PhysicsTerm, Scalar
@@ -16,9 +18,15 @@ class StiffnessRestAngle(PhysicsTerm):
     )
     isolate = "the hanging angle without and with a known added mass"
 
+    same_torque = "torque_bias"
+
     rest_angle: Parameter = parameter(
         "phi_r", "rad", -2.0, 1.5, "rest angle of the spring", (-0.3,)
     )
+
+    @staticmethod
+    def as_same_torque(size: Any, stiffness: Any) -> Any:
+        return size * stiffness
 
     def torque(self, now: Moment, memory: Memory) -> Scalar:
         return now.stiffness * self.rest_angle
