@@ -8,7 +8,7 @@ from rich.console import Console
 from exoid.pendulum.drop import Average, Drop, PendulumTest
 from exoid.recordings.landmarks.measure import Measure
 from exoid.report.tables.table import Column, Table, print_table
-from exoid.report.words.text import heading, say, with_error
+from exoid.report.words.text import by_reason, heading, note, say, with_error
 
 LARGE = 99.5  # of an error, beyond which two digits of it leave no unit
 SOURCE = (
@@ -23,11 +23,9 @@ def print_drops(test: PendulumTest, console: Console) -> None:
         if drop.reason is None:
             print_drop(drop, console)
     print_average(test, console)
-    refused = {drop.name: drop.reason for drop in test.drops if drop.reason}
-    if refused:
-        heading(console, "Segments that were not read")
-        for reason, names in by_reason(refused).items():
-            say(console, f"- {', '.join(names)}: {reason}.", hanging=2)
+    refused = by_reason((drop.name, drop.reason) for drop in test.drops)
+    said = [f"{', '.join(names)}: {reason}." for reason, names in refused.items()]
+    note(console, said, "Segments that were not read")
     heading(console, "About these numbers")
     say(console, "± is one standard error by the noise of the angle; of an average, the standard "
         "deviation over drops. Flexion is negative, 0 is the extended knee.")  # fmt: skip
@@ -47,8 +45,8 @@ def print_drop(drop: Drop, console: Console) -> None:
         "at [s]": [f"{each.marks[-1].time:.2f}" if each.marks else "" for each in read],
     }
     print_table(Table("", columns, title), console)
-    refused = {each.title: each.reason for each in drop.measures.values() if each.reason}
-    for reason, titles in by_reason(refused).items():
+    refused = by_reason((each.title, each.reason) for each in drop.measures.values())
+    for reason, titles in refused.items():
         say(console, f"- not read: {', '.join(titles)}: {reason}.", hanging=2)
 
 
@@ -73,14 +71,6 @@ def print_average(test: PendulumTest, console: Console) -> None:
     if test.left_out:
         names = ", ".join(test.left_out)
         say(console, f"Not in it, with another added mass: segment {names}.")
-
-
-def by_reason(refused: dict[str, str]) -> dict[str, list[str]]:
-    """What shares a reason, together."""
-    found: dict[str, list[str]] = {}
-    for name, reason in refused.items():
-        found.setdefault(reason, []).append(name)
-    return found
 
 
 def value(each: Measure) -> str:

@@ -13,7 +13,7 @@ from exoid.recordings.recording import Subject
 from exoid.report.document.plain_json import plain
 from exoid.report.tables.table import Table, print_table
 from exoid.report.words.person import identity
-from exoid.report.words.text import heading, say, with_error
+from exoid.report.words.text import heading, note, say, with_error
 
 SHOWN = 8  # single segments in the table
 
@@ -26,10 +26,7 @@ def print_plan(plan: Plan, console: Console) -> None:
         say(console, f"After: {stated(plan, plan.after)}, expected with what follows")
         print_steps(plan.proposed, console)
         print_options(plan, console)
-    if plan.sentences:
-        heading(console, "Notes")
-    for sentence in plan.sentences:
-        say(console, f"- {sentence}", hanging=2)
+    note(console, plan.sentences)
 
 
 def print_steps(proposed: list[Candidate], console: Console) -> None:

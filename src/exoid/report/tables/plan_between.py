@@ -10,7 +10,7 @@ from exoid.report.document.plain_json import plain
 from exoid.report.tables.plan import SHOWN, print_steps, segment_document
 from exoid.report.tables.table import Table, print_table
 from exoid.report.words.person import identity
-from exoid.report.words.text import heading, say
+from exoid.report.words.text import heading, note, say
 
 
 def print_contrast(found: Contrast, console: Console) -> None:
@@ -30,10 +30,7 @@ def print_contrast(found: Contrast, console: Console) -> None:
         )
         print_steps(found.proposed, console)
     print_tellings(found, console)
-    if found.sentences:
-        heading(console, "Notes")
-    for sentence in found.sentences:
-        say(console, f"- {sentence}", hanging=2)
+    note(console, found.sentences)
 
 
 def print_tellings(found: Contrast, console: Console) -> None:

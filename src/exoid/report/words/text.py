@@ -1,5 +1,6 @@
 """Numbers with their errors, tables and sentences, as every report prints them."""
 
+from collections.abc import Iterable
 from dataclasses import replace
 from math import degrees, floor, log10
 
@@ -103,6 +104,24 @@ def say(console: Console, sentence: str, hanging: int = 0) -> None:
     for number, line in enumerate(lines):
         line.rstrip()
         console.print(Padding.indent(line, hanging) if number and hanging else line)
+
+
+def by_reason(reasons: Iterable[tuple[str, str | None]]) -> dict[str, list[str]]:
+    """The names that share a reason, together; none of one that has no reason."""
+    found: dict[str, list[str]] = {}
+    for name, reason in reasons:
+        if reason:
+            found.setdefault(reason, []).append(name)
+    return found
+
+
+def note(console: Console, sentences: Iterable[str], title: str = "Notes") -> None:
+    """A list under its title; nothing where it is empty."""
+    said = list(sentences)
+    if said:
+        heading(console, title)
+    for sentence in said:
+        say(console, f"- {sentence}", hanging=2)
 
 
 def aligned(console: Console, lines: dict[str, str]) -> None:
