@@ -1,6 +1,5 @@
 """The pendulum test as a person reads it: a table for every drop, what was not read and why."""
 
-from collections.abc import Iterable
 from math import degrees
 
 from rich.console import Console
@@ -76,23 +75,19 @@ def print_average(test: PendulumTest, console: Console) -> None:
 def value(each: Measure) -> str:
     """In degrees where it is an angle."""
     assert each.value is not None  # only what was read is shown
-    return written(*in_shown(each.unit, (each.value, each.standard_error or 0.0)))
+    return written(each.unit, each.value, each.standard_error)
 
 
 def mean(each: Average) -> str:
-    return written(*in_shown(each.unit, (each.mean, each.standard_deviation or 0.0)))
+    return written(each.unit, each.mean, each.standard_deviation)
 
 
-def written(number: float, error: float) -> str:
+def written(unit: str, number: float, error: float | None) -> str:
     """With its error; thousands of deg/s^2 without a power of ten, to tens where that is enough."""
+    number, error = (degrees(each) if "rad" in unit else each for each in (number, error or 0.0))
     if error < LARGE:
         return with_error(number, error) if error else f"{number:.4g}"
     return f"{round(number, -1):.0f} ± {round(error, -1):.0f}"
-
-
-def in_shown(unit: str, values: Iterable[float]) -> list[float]:
-    """From SI and radians to what clinicians read."""
-    return [degrees(each) if "rad" in unit else each for each in values]
 
 
 def shown_unit(unit: str) -> str:

@@ -10,7 +10,7 @@ from exoid.fitting.result.fit_result import FitResult
 from exoid.planning.candidate_recordings import SWING
 from exoid.planning.planned import Candidate, Plan
 from exoid.recordings.recording import Subject
-from exoid.report.document.plain_json import plain
+from exoid.report.document.plain_json import plain, shown
 from exoid.report.tables.table import Table, print_table
 from exoid.report.words.person import identity
 from exoid.report.words.text import heading, note, say, with_error
@@ -86,18 +86,12 @@ def plan_document(
             "subject": identity(subject or Subject()),
             "follows_recording": None if result is None else result.follows,
             "astray": None if result is None else result.astray,
-            "goal": plan.goal,
-            "symbol": plan.symbol,
-            "unit": plan.unit,
-            "value": plan.value,
-            "standard_error_before": plan.before,
-            "standard_error_after": plan.after,
+            **shown(plan, before="standard_error_before", after="standard_error_after"),
             "proposed": [segment_document(each) for each in plan.proposed],
             "options": [
-                {**segment_document(option.candidate), "standard_error": option.error}
-                for option in plan.options
+                {**segment_document(each.candidate), "standard_error": each.error}
+                for each in plan.options
             ],
-            "sentences": plan.sentences,
         }
     )
 

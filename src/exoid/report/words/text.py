@@ -1,7 +1,6 @@
 """Numbers with their errors, tables and sentences, as every report prints them."""
 
 from collections.abc import Iterable
-from dataclasses import replace
 from math import degrees, floor, log10
 
 from rich.console import Console
@@ -70,14 +69,6 @@ def in_degrees(angle: float) -> str:
     value = degrees(angle)
     decimals = 3 if value == 0 else min(max(2 - floor(log10(abs(value))), 0), 9)
     return f"{value:.{decimals}f}"
-
-
-def in_unit(each: Estimate, unit: float) -> Estimate:
-    """The same in a unit of which one SI unit holds `unit`."""
-    error = None if each.standard_error is None else unit * each.standard_error
-    return replace(
-        each, value=None if each.value is None else unit * each.value, standard_error=error
-    )
 
 
 def counted(count: int, one: str, many: str = "") -> str:
