@@ -15,10 +15,7 @@ SIZES = (3.0, 1.6)  # of a channel and its residual
 TIME = Axis("time", "s")
 CHANNELS = {  # what is measured, what is simulated, and the noise
     Axis("angle", "deg"): ("angle", "simulated_angle", "angle_noise"),
-    Axis("angular velocity", "deg/s"): (
-        *("angular_velocity", "simulated_velocity"),
-        "velocity_noise",
-    ),
+    Axis("angular velocity", "deg/s"): ("angular_velocity", "simulated_velocity", "velocity_noise"),
 }
 
 
@@ -64,9 +61,8 @@ def channel(
         above.append(Line(simulated_role, time, np.degrees(simulated)))
         if seen is not None:
             below.append(Line(residual_role, time, np.degrees(simulated - seen)))
-    absent = "" if below else "not measured"
+    residual, absent = Axis("residual", up.unit), "" if below else "not measured"
     yield Panel(TIME, up, tuple(above), title, SIZES[0])
-    residual = Axis("residual", up.unit)
     yield Panel(TIME, residual, tuple(below), size=SIZES[1], absent=absent)
 
 

@@ -22,8 +22,8 @@ def drops(case: Case) -> Iterator[Block]:
         return
     test = measure_drops([(source.name, source.recording) for source in case.sources])
     read = [drop for drop in test.drops if drop.reason is None]
-    yield from some([show_drop(drop, number) for number, drop in enumerate(read[:SHOWN])])
     if read:
+        yield from some([show_drop(drop, number) for number, drop in enumerate(read[:SHOWN])])
         yield table_of(read, test)
     if len(read) > 1:
         yield element("p", average(read, test))
