@@ -23,8 +23,8 @@ from exoid.report.parts.case import Case
 from exoid.report.saved.saved_result import load_result, save_result
 from exoid.report.sections.summary import LOST
 from exoid.report.tables.drops import value
-from exoid.report.words.keyboard_text import tidy
 from exoid.report.words.text import in_degrees, with_error
+from exoid.report.words.typeset import tidy
 
 LARGEST = 6_000_000  # bytes
 DIAGNOSED = ("parting", "physics", "proof")

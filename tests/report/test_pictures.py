@@ -29,7 +29,6 @@ from exoid.report.pictures.panel import (
     Panel,
     Picture,
     Points,
-    Region,
     Rule,
     Span,
 )
@@ -147,9 +146,8 @@ def expected(panel: Panel, typeset) -> list[tuple]:
         if isinstance(each, Cloud):
             said.append(("cloud", each.x, each.y, each.value))
         if isinstance(each, Band):
-            said.append(("area", 0.0, 1.0, each.low, each.high))
-        if isinstance(each, Region):
-            said.append(("area", each.begin, each.end, 0.0, 1.0))
+            across, up = (0.0, 1.0), (each.low, each.high)
+            said.append(("area", *((*up, *across) if each.upright else (*across, *up))))
         if isinstance(each, Rule):
             level, whole = [each.at, each.at], [0.0, 1.0]
             said.append(("curve", *((level, whole) if each.upright else (whole, level))))

@@ -8,18 +8,15 @@ from page_cases import made_up
 from test_fit_json import common
 
 from exoid.fitting.misfit.missed import Missed
-from exoid.report.sections.summary import Summary
+from exoid.report.sections.summary import summary
 
 
 def told(diagnosis):
     """Answers and words of a report on a fit that leaves more than noise."""
     case = made_up()
     missed = common(Missed("encoder", 0.05, 0.0004, 1.0, 0.0), ["passive", "active"])
-    summary = Summary.of(
-        replace(case, fit=replace(case.fit, disturbance=missed), diagnosis=diagnosis)
-    )
-    words = [*(f"{card.answer} {card.because}" for card in summary.cards), str(summary.table)]
-    return " ".join(words)
+    case = replace(case, fit=replace(case.fit, disturbance=missed), diagnosis=diagnosis)
+    return " ".join(map(str, summary.blocks(case)))
 
 
 def test_what_a_diagnosis_finds_no_cause_for_is_not_called_missing():

@@ -13,8 +13,7 @@ from exoid.report.page import build_page
 from exoid.report.sections.parameters import parameters_of
 from exoid.report.tables.leg import parameters, ratios, segments
 from exoid.report.tables.table import Column, Table, print_table
-from exoid.report.words.keyboard_text import tidy
-from exoid.report.words.typeset import formula
+from exoid.report.words.typeset import formula, tidy
 
 ROOMY = 200  # letters
 

@@ -11,35 +11,33 @@ from plotly.offline import get_plotlyjs
 from exoid.report.document.replacing import replacing
 from exoid.report.figures.draw import draw
 from exoid.report.parts.case import Case
-from exoid.report.sections.advice import Advice
-from exoid.report.sections.determined import Determined
-from exoid.report.sections.drops import Drops
-from exoid.report.sections.mismatch.parting import Parting
-from exoid.report.sections.mismatch.physics import Physics
-from exoid.report.sections.mismatch.proof import Proof
-from exoid.report.sections.motion import Motion
-from exoid.report.sections.multistart import Multistart
-from exoid.report.sections.parameters import Parameters
-from exoid.report.sections.provenance import Provenance
-from exoid.report.sections.quality import Quality
-from exoid.report.sections.section import Section
-from exoid.report.sections.summary import Summary
-from exoid.report.words.keyboard_text import tidy
-from exoid.report.words.typeset import typeset
+from exoid.report.sections.advice import advice
+from exoid.report.sections.determined import determined
+from exoid.report.sections.drops import drops
+from exoid.report.sections.mismatch.parting import parting
+from exoid.report.sections.mismatch.physics import physics
+from exoid.report.sections.mismatch.proof import proof
+from exoid.report.sections.motion import motion
+from exoid.report.sections.multistart import multistart
+from exoid.report.sections.parameters import parameters
+from exoid.report.sections.provenance import provenance
+from exoid.report.sections.quality import quality
+from exoid.report.sections.summary import summary
+from exoid.report.words.typeset import tidy, typeset
 
-SECTIONS: tuple[type[Section], ...] = (
-    Summary,
-    Quality,
-    Drops,
-    Parameters,
-    Determined,
-    Motion,
-    Multistart,
-    Parting,
-    Physics,
-    Proof,
-    Advice,
-    Provenance,
+SECTIONS = (
+    summary,
+    quality,
+    drops,
+    parameters,
+    determined,
+    motion,
+    multistart,
+    parting,
+    physics,
+    proof,
+    advice,
+    provenance,
 )
 
 
@@ -55,7 +53,7 @@ def write_page(case: Case, path: str | Path) -> None:
 
 def build_page(case: Case) -> str:
     """The page: every section that has something to say of this case, in the order above."""
-    found = [section for each in SECTIONS if (section := each.of(case)) is not None]
+    found = [(each, blocks) for each in SECTIONS if (blocks := list(each.blocks(case)))]
     template = templates().get_template("page.html")
     return template.render(case=case, sections=found, library=packed_library())
 
@@ -70,6 +68,7 @@ def templates() -> Environment:
         trim_blocks=True,
         lstrip_blocks=True,
     )
+    made.filters["kind"] = lambda block: type(block).__name__
     made.filters["tidy"] = tidy
     made.filters["drawn"] = draw
     made.filters["typeset"] = typeset

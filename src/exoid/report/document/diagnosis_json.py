@@ -39,8 +39,8 @@ def diagnosis_document(
             "pattern": found.location.pattern,
             "parameters": {each.name: shown(each, ["name"]) for each in found.parameters},
             "booked_before": {each.name: shown(each, ["name"]) for each in found.booked},
-            "before": model(found.before),
-            "after": None if found.after is None else model(found.after),
+            "before": model(found.before, {}),
+            "after": None if found.after is None else model(found.after, {}),
             "suspected": [
                 {
                     "terms": each.terms,

@@ -41,13 +41,12 @@ def fit_document(
 
     `recordings` has path, sha256 and segments of every file; `settings` what the user asked for.
     """
-    profiles = profiles or {}
     return plain(
         {
             "exoid": version,
             "recordings": list(recordings),
             "settings": settings,
-            **model(result, profiles),
+            **model(result, profiles or {}),
             "mountings": [mounting(each) for each in result.mountings],
             "identifiability": None if told is None else identifiability(told),
             "multistart": multistart(result.multistart),
@@ -57,34 +56,27 @@ def fit_document(
     )
 
 
-def model(result: FitResult, profiles: Mapping[str, Profile] | None = None) -> dict[str, Any]:
+def model(result: FitResult, profiles: Mapping[str, Profile]) -> dict[str, Any]:
     """The numbers of a fitted model, and how well it fits."""
-    profiles = profiles or {}
+    torque = {"torque_amplitude": result.torque_amplitude or no_torque()}
     return {
-        "parameters": {
-            name: entry(each) | {"profile": profile(profiles.get(name))}
-            for name, each in (
-                *result.parameters.items(),
-                ("torque_amplitude", result.torque_amplitude or no_torque()),
-            )
+        "parameters": entries({**result.parameters, **torque}, profiles),
+        "ratios": entries(result.ratios, profiles),
+        "terms": {
+            term: entries(parameters, profiles, f"{term}.")
+            for term, parameters in result.terms.items()
         },
-        "ratios": {
-            name: entry(each) | {"profile": profile(profiles.get(name))}
-            for name, each in result.ratios.items()
-        },
-        "terms": terms(result, profiles),
         "fit": quality(result),
     }
 
 
-def terms(result: FitResult, profiles: Mapping[str, Profile]) -> dict[str, Any]:
-    """What the model has beside Eq. 9: by term, by parameter."""
+def entries(
+    quantities: Mapping[str, Estimate], profiles: Mapping[str, Profile], term: str = ""
+) -> dict[str, Any]:
+    """Quantities with their profiles, which have the name of the `term` before theirs."""
     return {
-        term: {
-            name: entry(each) | {"profile": profile(profiles.get(f"{term}.{name}"))}
-            for name, each in parameters.items()
-        }
-        for term, parameters in result.terms.items()
+        name: {**entry(each), "profile": profile(profiles.get(f"{term}{name}"))}
+        for name, each in quantities.items()
     }
 
 

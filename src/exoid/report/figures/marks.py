@@ -18,14 +18,12 @@ from exoid.report.pictures.panel import (
     Note,
     Panel,
     Points,
-    Region,
     Rule,
     Span,
     Values,
 )
 from exoid.report.pictures.role import DIVERGING, GREY, Role
-from exoid.report.words.keyboard_text import tidy
-from exoid.report.words.typeset import with_formulas
+from exoid.report.words.typeset import tidy, with_formulas
 
 MOST = 1500  # samples of a curve; more are not seen, and make the page heavy
 ARROW: dict[str, Any] = {"arrowside": "end+start", "arrowhead": 2, "arrowwidth": 1}
@@ -51,13 +49,14 @@ class Place:
             self.named.add(role)
         self.drawing.add_trace({"type": kind, "xaxis": self.x, "yaxis": self.y, **legend, **look})
 
-    def shape(self, look: dict[str, Any], x: tuple | None = None, y: tuple | None = None) -> None:
-        """From one place to another; through the whole panel where none is given."""
-        (x0, x1), (y0, y1) = x or (0, 1), y or (0, 1)
-        xref, yref = (
-            f"{name}{'' if ends else ' domain'}" for name, ends in ((self.x, x), (self.y, y))
-        )
-        self.drawing.add_shape(x0=x0, x1=x1, y0=y0, y1=y1, xref=xref, yref=yref, **look)
+    def shape(self, look: dict[str, Any], low: float, high: float, upright: bool) -> None:
+        """From one height to another, or upright from one place across; through the whole panel."""
+        x, y = (low, high), (0, 1)
+        xref, yref = self.x, f"{self.y} domain"
+        if not upright:
+            x, y, xref, yref = y, x, f"{self.x} domain", self.y
+        ends = {"x0": x[0], "x1": x[1], "y0": y[0], "y1": y[1]}
+        self.drawing.add_shape(ends | {"xref": xref, "yref": yref} | look)
 
     def say(self, words: str, x: float, y: float, **look: Any) -> None:
         """Words at a place."""
@@ -81,13 +80,10 @@ def draw_mark(mark: Mark, place: Place) -> None:
             errors = {f"error_{axis}": {"array": bars, **look} for axis, bars in each.items()}
             look = {"mode": "markers", "marker": dots(role.look), "hovertemplate": place.point()}
             place.add("scatter", role, x=compact(x), y=compact(y), **look, **errors)
-        case Band(role, low, high):
-            place.shape(area(role.look), y=(low, high))
-        case Region(role, begin, end):
-            place.shape(area(role.look), x=(begin, end))
+        case Band(role, low, high, upright):
+            place.shape(area(role.look), low, high, upright)
         case Rule(role, at, upright):
-            rule = {"type": "line", "line": line(role.look)}
-            place.shape(rule, **{"x" if upright else "y": (at, at)})
+            place.shape({"type": "line", "line": line(role.look)}, at, at, upright)
         case Bars(role, rows, lengths, begin, words):
             told = f"{place.panel.across.title}: %{{x:.3g}}<extra></extra>"
             look = {"orientation": "h", "marker": bar(role.look), "hovertemplate": told}

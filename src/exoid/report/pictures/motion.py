@@ -1,17 +1,22 @@
 """The motion of a fit: measured against simulated, and what the model leaves over."""
 
+from collections.abc import Iterator, Sequence
 from textwrap import fill
 
 import numpy as np
 
 from exoid.fitting.result.fit_result import FitResult, SegmentFit
-from exoid.report.pictures.panel import Axis, Band, Line, Mark, Panel, Picture, Values
+from exoid.report.pictures.panel import Axis, Band, Line, Mark, Panel, Picture
 from exoid.report.pictures.role import Role
 from exoid.report.words.text import in_degrees
 
 SHOWN = 15  # segments; of more, those that fit worst
 SIZES = (3.0, 1.6)  # of a channel and its residual
 TIME = Axis("time", "s")
+CHANNELS = {  # what is measured, what is simulated, and the noise
+    Axis("angle", "deg"): ("angle", "simulated_angle", "angle_noise"),
+    Axis("angular velocity", "deg/s"): ("angular_velocity", "simulated_velocity", "velocity_noise"),
+}
 
 
 def chosen_segments(result: FitResult) -> list[SegmentFit]:
@@ -24,58 +29,41 @@ def motion_of(segment: SegmentFit, without: SegmentFit | None = None) -> tuple[P
     """Angle, its residual, angular velocity, its residual [deg, deg/s] over time [s]; behind them
     those `without` what was found.
     """
-    each = segment
-    rmse = f"{fill(f'segment {each.name}', 26)}\nRMSE {in_degrees(each.angle_rmse)} deg"
-    speed = "" if each.velocity_rmse is None else f"RMSE {in_degrees(each.velocity_rmse)} deg/s"
-    angle = channel(each.time, each.angle, each.simulated_angle, each.angle_noise)
-    velocity = channel(
-        each.time, each.angular_velocity, each.simulated_velocity, each.velocity_noise
+    rmse, speed = in_degrees(segment.angle_rmse), segment.velocity_rmse
+    titles = (
+        f"{fill(f'segment {segment.name}', 26)}\nRMSE {rmse} deg",
+        "" if speed is None else f"RMSE {in_degrees(speed)} deg/s",
     )
+    models = [(segment, Role.SIMULATED, Role.RESIDUAL)]
     if without is not None:
-        angle, velocity = behind(segment, without, angle, velocity)
-    axes = Axis("angle", "deg"), Axis("angular velocity", "deg/s")
-    return (
-        *panels(axes[0], rmse, *angle),
-        *panels(axes[1], speed, *velocity),
+        models.insert(0, (without, Role.SIMULATED_WITHOUT, Role.RESIDUAL_WITHOUT))
+    each = zip(CHANNELS.items(), titles, strict=True)
+    return tuple(
+        panel for (up, names), title in each for panel in channel(models, up, names, title)
     )
-
-
-def panels(up: Axis, title: str, above: tuple[Mark, ...], below: tuple[Mark, ...]):
-    """A quantity and its residual."""
-    absent = "" if below else "not measured"
-    yield Panel(TIME, up, above, title, SIZES[0])
-    yield Panel(TIME, Axis("residual", up.unit), below, size=SIZES[1], absent=absent)
 
 
 def channel(
-    time: Values, measured: Values | None, simulated: Values, noise: float | None
-) -> tuple[tuple[Mark, ...], tuple[Mark, ...]]:
+    models: list[tuple[SegmentFit, Role, Role]], up: Axis, names: Sequence[str], title: str
+) -> Iterator[Panel]:
     """One quantity in degrees and, below it, its residual with the noise band."""
-    model = Line(Role.SIMULATED, time, np.degrees(simulated))
-    if measured is None:
-        return (model,), ()
-    twice = None if noise is None else 2 * float(np.degrees(noise))
-    band = () if twice is None else (Band(Role.NOISE, -twice, twice),)
-    residual = Line(Role.RESIDUAL, time, np.degrees(simulated - measured))
-    return (Line(Role.MEASURED, time, np.degrees(measured)), model), (*band, residual)
-
-
-def behind(segment: SegmentFit, without: SegmentFit, *channels: tuple) -> list[tuple]:
-    """The channels with the simulation and the residual of another model behind them."""
-    time = without.time + without.begins - segment.begins
-    each = (
-        (without.simulated_angle, without.angle),
-        (without.simulated_velocity, without.angular_velocity),
-    )
-    found = []
-    for (above, below), (simulated, measured) in zip(channels, each, strict=True):
-        curve = Line(Role.SIMULATED_WITHOUT, time, np.degrees(simulated))
-        if measured is None:
-            found.append(((curve, *above), below))
-            continue
-        residual = Line(Role.RESIDUAL_WITHOUT, time, np.degrees(simulated - measured))
-        found.append(((*above[:-1], curve, above[-1]), (*below[:-1], residual, below[-1])))
-    return found
+    segment = models[-1][0]
+    measured, _, noise = (getattr(segment, name) for name in names)
+    above: list[Mark] = []
+    below: list[Mark] = []
+    if measured is not None:
+        above.append(Line(Role.MEASURED, segment.time, np.degrees(measured)))
+        twice = None if noise is None else 2 * float(np.degrees(noise))
+        below += [] if twice is None else [Band(Role.NOISE, -twice, twice)]
+    for model, simulated_role, residual_role in models:
+        time = model.time + (model.begins - segment.begins)
+        seen, simulated, _ = (getattr(model, name) for name in names)
+        above.append(Line(simulated_role, time, np.degrees(simulated)))
+        if seen is not None:
+            below.append(Line(residual_role, time, np.degrees(simulated - seen)))
+    residual, absent = Axis("residual", up.unit), "" if below else "not measured"
+    yield Panel(TIME, up, tuple(above), title, SIZES[0])
+    yield Panel(TIME, residual, tuple(below), size=SIZES[1], absent=absent)
 
 
 def show_motion(segment: SegmentFit, number: int, without: SegmentFit | None = None) -> Picture:

@@ -67,20 +67,12 @@ class Cloud:
 
 @dataclass(frozen=True)
 class Band:
-    """All between two heights."""
+    """All between two heights, or upright between two places across."""
 
     role: Role
     low: float
     high: float
-
-
-@dataclass(frozen=True)
-class Region:
-    """All between two places across."""
-
-    role: Role
-    begin: float
-    end: float
+    upright: bool = False
 
 
 @dataclass(frozen=True)
@@ -121,7 +113,7 @@ class Note:
     height: float
 
 
-Mark = Line | Points | Cloud | Band | Region | Rule | Bars | Span | Note
+Mark = Line | Points | Cloud | Band | Rule | Bars | Span | Note
 
 
 @dataclass(frozen=True, eq=False)

@@ -5,7 +5,7 @@ import numpy as np
 from exoid.fitting.errors.profile import RISE, Profile
 from exoid.fitting.result.estimates import RATIOS
 from exoid.report.pictures.axis import Scale, readable, view
-from exoid.report.pictures.panel import Axis, Line, Mark, Note, Panel, Points, Range, Region, Rule
+from exoid.report.pictures.panel import Axis, Band, Line, Mark, Note, Panel, Points, Range, Rule
 from exoid.report.pictures.role import Role
 from exoid.report.words.text import MOST_DECIMALS, NOT_DETERMINED, exponent, in_words, written
 
@@ -30,7 +30,7 @@ def profile_of(profile: Profile) -> Panel:
     scale = readable(seen, best(profile) if each.value is None else each.value)
     across = np.clip((best(profile) - seen[0]) / (seen[1] - seen[0]), 0.15, 0.85)
     marks = (
-        Region(Role.INTERVAL, *scale.of(interval(profile)).tolist()),
+        Band(Role.INTERVAL, *scale.of(interval(profile)).tolist(), upright=True),
         Rule(Role.LEVEL, RISE),
         *parabola(profile, scale, seen),
         Line(Role.PROFILE, scale.of(profile.value), profile.rise),

@@ -8,7 +8,7 @@ from exoid.fitting.result.fit_result import Estimate, FitResult, MultistartRepor
 from exoid.report.pictures.axis import view
 from exoid.report.pictures.panel import Axis, Mark, Panel, Picture, Points, Range
 from exoid.report.pictures.role import Role
-from exoid.report.words.text import counted, in_words, on_bound
+from exoid.report.words.text import by_reason, counted, in_words, on_bound
 
 PAIRS = (("mass", "com_distance"), ("inertia", "stiffness"), ("inertia", "damping"))
 NO_REASON = "the recording does not tell"
@@ -133,8 +133,9 @@ def outside(points: Float[np.ndarray, "2 set"], views: list[Range]) -> str:
 def missing(result: FitResult) -> list[str]:
     """Which parameters are not shown in a pair, and why."""
     lost = {name for pair in PAIRS if pair not in pairs_of(result) for name in pair}
-    reasons: dict[str, list[str]] = {}
-    for name, each in result.parameters.items():
-        if name in lost and each.value is None:
-            reasons.setdefault(each.reason or NO_REASON, []).append(in_words(name))
+    reasons = by_reason(
+        (in_words(name), each.reason or NO_REASON)
+        for name, each in result.parameters.items()
+        if name in lost and each.value is None
+    )
     return [f"{', '.join(names)} not determined:\n{reason}" for reason, names in reasons.items()]

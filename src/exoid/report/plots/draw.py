@@ -19,7 +19,6 @@ from exoid.report.pictures.panel import (
     Note,
     Panel,
     Points,
-    Region,
     Rule,
     Span,
 )
@@ -78,10 +77,9 @@ def draw_mark(axes: Axes, mark: Mark) -> None:
             else:
                 errors: dict[str, Any] = {"xerr": dx, "yerr": dy, "capsize": role.look.size / 2}
                 axes.errorbar(x, y, label=role.title, elinewidth=1, **errors, **look)
-        case Band(role, low, high):
-            axes.axhspan(low, high, label=role.title, zorder=0, **area(role.look))
-        case Region(role, begin, end):
-            axes.axvspan(begin, end, label=role.title, zorder=0, **area(role.look))
+        case Band(role, low, high, upright):
+            span = axes.axvspan if upright else axes.axhspan
+            span(low, high, label=role.title, zorder=0, **area(role.look))
         case Rule(role, at, upright):
             rule = axes.axvline if upright else axes.axhline
             rule(at, label=role.title, zorder=1, **line(role.look))

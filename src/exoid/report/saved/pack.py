@@ -110,17 +110,9 @@ def pack_any(value: Any, place: str) -> Any:
         return Entries({"class": "float", "value": repr(value)})
     if isinstance(value, float) or (isinstance(value, int) and not isinstance(value, Enum)):
         return value
-    if isinstance(value, str | Path):
-        return str(value)
-    if isinstance(value, Mapping):
-        found = {
-            name: pack_any(each, f"{place}/{name}") for name, each in named(value, place).items()
-        }
-        return Entries(found)
-    if isinstance(value, list | tuple):
-        return [pack_any(each, f"{place}/{number}") for number, each in enumerate(value)]
-    if value is None:
-        return None
+    for kinds, hint in ((str | Path, str), (Mapping, dict), (list | tuple, list)):
+        if isinstance(value, kinds):
+            return pack(value, hint, place, {})
     raise DocumentError(f"{place}: no file keeps a {type(value).__name__}.")
 
 

@@ -1,13 +1,13 @@
 """What to record next, and what it will bring."""
 
-from dataclasses import dataclass
-from typing import ClassVar
+from collections.abc import Iterator
 
 from exoid.planning.planned import Plan
 from exoid.report.parts.case import Case
-from exoid.report.sections.section import Section
+from exoid.report.sections.section import Block, Group, element, section
 from exoid.report.tables.plan import files, stated, steps
-from exoid.report.words.text import counted
+from exoid.report.words.text import counted, in_words
+from exoid.report.words.typeset import typeset
 
 HOW = (
     "Each time: hold still for 2 s, let go without a push, hands off until the leg hangs still. "
@@ -20,41 +20,28 @@ ASK = (
 ENOUGH = "The diagnosis asks for no further recording."
 
 
-@dataclass(frozen=True, eq=False)
-class Advice(Section):
+@section("advice", "What to record next")
+def advice(case: Case) -> Iterator[Block]:
     """What tells rivals apart, and what narrows the inertia."""
-
-    name: ClassVar[str] = "advice"
-    title: ClassVar[str] = "What to record next"
-
-    diagnosis: tuple[str, ...]  # to tell causes apart
-    narrowing: str  # which quantity the plan is for; empty without one
-    goal: str
-    steps: tuple[str, ...]
-    notes: tuple[str, ...]
-    how: str
-
-    @classmethod
-    def of(cls, case: Case) -> "Advice":
-        plan, found = case.plan, case.diagnosis
-        tasks = () if plan is None else tasks_of(plan)
-        said = () if found is None else tuple(found.advice)
-        return cls(
-            diagnosis=(ASK,) if found is None and plan is None else said or (ENOUGH,),
-            narrowing="" if plan is None else f"To narrow the {plan.goal.replace('_', ' ')}",
-            goal="" if plan is None or not tasks else goal(plan),
-            steps=tasks,
-            notes=() if plan is None else tuple(plan.sentences),
-            how=HOW if tasks else "",
-        )
+    plan, found = case.plan, case.diagnosis
+    asked = [] if found is None else found.advice
+    yield [ASK] if found is None and plan is None else asked or [ENOUGH]
+    if plan is None:
+        return
+    yield element("h3", f"To narrow the {in_words(plan.goal)}")
+    if plan.proposed:
+        yield goal(plan)
+        yield Group("ol", [element("li", typeset(each)) for each in tasks(plan)])
+        yield element("p", HOW)
+    yield plan.sentences
 
 
-def tasks_of(plan: Plan) -> tuple[str, ...]:
+def tasks(plan: Plan) -> list[str]:
     """What to do, equal ones counted."""
-    return tuple(
+    return [
         f"{words}, {counted(count, 'time')}" if count > 1 else words
         for words, count in steps(plan.proposed)
-    )
+    ]
 
 
 def goal(plan: Plan) -> str:

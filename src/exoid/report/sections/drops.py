@@ -1,54 +1,38 @@
 """What clinicians read off a drop: the measures of the pendulum test."""
 
-from dataclasses import dataclass
-from typing import ClassVar
+from collections.abc import Iterator
 
 from exoid.pendulum.drop import Drop, PendulumTest
 from exoid.pendulum.drops import measure_drops
 from exoid.report.parts.case import Case
 from exoid.report.pictures.drops import show_drop
-from exoid.report.pictures.panel import Picture
-from exoid.report.sections.section import Section
-from exoid.report.tables.drops import SOURCE, by_reason, loaded, mean, shown_unit, value
+from exoid.report.sections.section import Block, element, section, some
+from exoid.report.tables.drops import SOURCE, loaded, mean, shown_unit, value
 from exoid.report.tables.table import Column, Table
-from exoid.report.words.text import counted
+from exoid.report.words.text import by_reason, counted
 
 SHOWN = 4  # drops that are drawn; the first ones
 AVERAGE = "mean ± sd"
 
 
-@dataclass(frozen=True, eq=False)
-class Drops(Section):
+@section("drops", "What is read off a drop")
+def drops(case: Case) -> Iterator[Block]:
     """Every measure of every drop and its average, the curves, and what was not read and why."""
-
-    name: ClassVar[str] = "drops"
-    title: ClassVar[str] = "What is read off a drop"
-
-    table: Table
-    average: str
-    figures: tuple[Picture, ...]
-    refused: tuple[str, ...]
-    source: str
-
-    @classmethod
-    def of(cls, case: Case) -> "Drops | None":
-        if not case.sources:
-            return None
-        test = measure_drops([(source.name, source.recording) for source in case.sources])
-        read = [drop for drop in test.drops if drop.reason is None]
-        return cls(
-            table=table_of(read, test),
-            average=average(read, test),
-            figures=tuple(show_drop(drop, number) for number, drop in enumerate(read[:SHOWN])),
-            refused=tuple(refused(test)),
-            source=SOURCE,
-        )
+    if not case.sources:
+        return
+    test = measure_drops([(source.name, source.recording) for source in case.sources])
+    read = [drop for drop in test.drops if drop.reason is None]
+    if read:
+        yield from some([show_drop(drop, number) for number, drop in enumerate(read[:SHOWN])])
+        yield table_of(read, test)
+    if len(read) > 1:
+        yield element("p", average(read, test))
+    yield refused(test)
+    yield element("p", SOURCE, "small")
 
 
 def table_of(read: list[Drop], test: PendulumTest) -> Table:
     """One row per measure that any drop allows, one column per drop."""
-    if not read:
-        return Table("", {})
     known = {name: [drop.measures[name] for drop in read] for name in read[0].measures}
     known = {
         name: each for name, each in known.items() if any(one.value is not None for one in each)
@@ -74,8 +58,6 @@ def head(drop: Drop) -> str:
 
 def average(read: list[Drop], test: PendulumTest) -> str:
     """What the mean is over."""
-    if len(read) < 2:
-        return ""
     alike = counted(len(read) - len(test.left_out), "drop")
     others = ", ".join(test.left_out)
     without = f", not over those with another added mass (segment {others})" if others else ""
@@ -84,10 +66,10 @@ def average(read: list[Drop], test: PendulumTest) -> str:
 
 def refused(test: PendulumTest) -> list[str]:
     """Segments and measures that were not read, by the reason."""
-    whole = by_reason({drop.name: drop.reason for drop in test.drops if drop.reason})
+    whole = by_reason((drop.name, drop.reason) for drop in test.drops)
     said = [f"Segment {', '.join(names)} not read: {reason}." for reason, names in whole.items()]
     for drop in test.drops:
-        parts = by_reason({one.title: one.reason for one in drop.measures.values() if one.reason})
+        parts = by_reason((one.title, one.reason) for one in drop.measures.values())
         said += [
             f"Of segment {drop.name} not read: {', '.join(titles)}: {reason}."
             for reason, titles in parts.items()

@@ -1,45 +1,31 @@
 """The leg's numbers with their errors, beside what anatomy expects and what was allowed."""
 
-from dataclasses import dataclass
-from typing import ClassVar
+from collections.abc import Iterator
 
 from exoid.fitting.result.fit_result import Estimate, FitResult
 from exoid.report.parts.case import Case
 from exoid.report.pictures.determined import show_parameters
-from exoid.report.pictures.panel import Picture
-from exoid.report.sections.section import Section
+from exoid.report.sections.section import Block, element, section
+from exoid.report.tables import leg as tables
 from exoid.report.tables.fit import remarks
-from exoid.report.tables.leg import mountings, parameters, ratios, terms
-from exoid.report.tables.table import Table
 
 
-@dataclass(frozen=True, eq=False)
-class Parameters(Section):
+@section("parameters", "The leg's numbers")
+def parameters(case: Case) -> Iterator[Block]:
     """Parameters, ratios, and what each recording owned; why values or errors are missing."""
-
-    name: ClassVar[str] = "parameters"
-    title: ClassVar[str] = "The leg's numbers"
-
-    figure: Picture | None
-    table: Table
-    ratios: Table
-    terms: Table
-    mountings: Table
-    prior: str
-    remarks: tuple[str, ...]
-
-    @classmethod
-    def of(cls, case: Case) -> "Parameters":
-        quantities = parameters_of(case.fit)
-        return cls(
-            figure=show_parameters(quantities),
-            table=parameters(quantities),
-            ratios=ratios(case.fit),
-            terms=terms(case.fit),
-            mountings=mountings(case.fit),
-            prior=case.fit.prior,
-            remarks=tuple(remarks(case.fit)),
-        )
+    quantities = parameters_of(case.fit)
+    yield tables.parameters(quantities)
+    yield f"Prior: {case.fit.prior}."
+    figure = show_parameters(quantities)
+    if figure is not None:
+        yield figure
+    yield tables.ratios(case.fit)
+    yield tables.terms(case.fit)
+    yield tables.mountings(case.fit)
+    said = remarks(case.fit)
+    if said:
+        yield element("h3", "Notes")
+        yield said
 
 
 def parameters_of(fit: FitResult) -> dict[str, Estimate]:

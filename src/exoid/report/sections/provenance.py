@@ -1,36 +1,26 @@
 """How the report came about, and how to make it again."""
 
-from dataclasses import dataclass
-from typing import ClassVar
+from collections.abc import Iterator
+
+from markupsafe import Markup
 
 from exoid.report.parts.case import Case
-from exoid.report.sections.section import Section
+from exoid.report.sections.section import Block, element, section
 from exoid.report.tables.table import Table
 
+COMMAND = Markup('<pre class="wide" tabindex="0" aria-label="Command"><code>{}</code></pre>')
 
-@dataclass(frozen=True, eq=False)
-class Provenance(Section):
+
+@section("provenance", "Where this comes from")
+def provenance(case: Case) -> Iterator[Block]:
     """Versions, settings, files with their SHA-256, time, and the command."""
-
-    name: ClassVar[str] = "provenance"
-    title: ClassVar[str] = "Where this comes from"
-
-    command: str
-    made: str
-    files: Table
-    settings: Table
-    versions: Table
-
-    @classmethod
-    def of(cls, case: Case) -> "Provenance":
-        origin = case.origin
-        return cls(
-            command=origin.command,
-            made=origin.made,
-            files=listed("Files that were read", ("file", "SHA-256"), origin.files),
-            settings=listed("Settings", ("setting", "value"), origin.settings),
-            versions=listed("Versions", ("software", "version"), origin.versions),
-        )
+    origin = case.origin
+    yield element("p", f"Made on {origin.made} by the command")
+    yield COMMAND.format(origin.command)
+    yield "which repeats it where the files, settings and versions below are the same."
+    yield listed("Files that were read", ("file", "SHA-256"), origin.files)
+    yield listed("Settings", ("setting", "value"), origin.settings)
+    yield listed("Versions", ("software", "version"), origin.versions)
 
 
 def listed(caption: str, heads: tuple[str, str], each) -> Table:

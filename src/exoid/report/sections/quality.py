@@ -1,48 +1,28 @@
 """The recording itself: what there is of it, and what was lost."""
 
-from dataclasses import dataclass, fields
-from typing import ClassVar
+from collections.abc import Iterator
+from dataclasses import fields
+
+from markupsafe import escape
 
 from exoid.fitting.result.fit_result import SegmentFit
 from exoid.recordings.recording import Subject
 from exoid.report.parts.appraisal import Appraisal, appraise
 from exoid.report.parts.case import Case, Source
-from exoid.report.sections.section import Section
+from exoid.report.sections.section import Block, element, section
 from exoid.report.tables.table import Table
 from exoid.report.words.text import in_degrees
 
 HANDLED = ("kind", "added_mass", "added_mass_distance", "notes", "extra_keys")  # told elsewhere
 
 
-@dataclass(frozen=True, eq=False)
-class Log:
-    """What the reader of a file noticed."""
-
-    name: str
-    subject: dict[str, str]
-    notes: str  # of the sidecar
-    noticed: tuple[str, ...]
-    quality: tuple[str, ...]  # lines of the CAN report; empty for a table
-
-
-@dataclass(frozen=True, eq=False)
-class Quality(Section):
+@section("quality", "The recording")
+def quality(case: Case) -> Iterator[Block]:
     """Segments with their samples, gaps, saturations and noise; what the readers noticed."""
-
-    name: ClassVar[str] = "quality"
-    title: ClassVar[str] = "The recording"
-
-    table: Table
-    logs: tuple[Log, ...]
-
-    @classmethod
-    def of(cls, case: Case) -> "Quality | None":
-        if not case.sources:
-            return None
-        return cls(
-            table=segments_of(appraisals(case), case.fit.segments),
-            logs=tuple(log(source) for source in case.sources),
-        )
+    if case.sources:
+        yield segments_of(appraisals(case), case.fit.segments)
+    for source in case.sources:
+        yield from noticed(source)
 
 
 def appraisals(case: Case) -> list[Appraisal]:
@@ -77,16 +57,16 @@ def gaps(each: Appraisal) -> str:
     return f"{each.gaps}, up to {each.longest:.2f} s" if each.gaps else "0"
 
 
-def log(source: Source) -> Log:
+def noticed(source: Source) -> Iterator[Block]:
     """What is known of one file."""
-    quality = () if source.quality is None else tuple(source.quality.lines())
-    return Log(
-        name=source.name,
-        subject=described(source.recording.subject),
-        notes=source.recording.subject.notes or "",
-        noticed=source.notes,
-        quality=quality,
-    )
+    subject = source.recording.subject
+    notes = {"notes": subject.notes} if subject.notes else {}
+    yield element("h3", source.name)
+    yield {name: escape(said) for name, said in {**described(subject), **notes}.items()}
+    yield source.notes
+    if source.quality is not None:
+        yield element("h4", "What the CAN log says of itself")
+        yield source.quality.lines()
 
 
 def described(subject: Subject) -> dict[str, str]:

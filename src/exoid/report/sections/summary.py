@@ -1,19 +1,24 @@
 """The whole report on half a page, in plain words."""
 
-from dataclasses import dataclass
-from typing import ClassVar, Literal
+from collections.abc import Iterator
+from typing import Literal
 
+from markupsafe import Markup
+
+from exoid.fitting.errors.profile import named
 from exoid.fitting.result.agreement import of_the_rest
 from exoid.fitting.result.fit_result import Estimate
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.report.parts.case import Case
 from exoid.report.sections.parameters import parameters_of
 from exoid.report.sections.quality import appraisals
-from exoid.report.sections.section import Section
+from exoid.report.sections.section import Block, Group, element, section
 from exoid.report.tables.leg import quantities_of
 from exoid.report.tables.table import Column, Table
-from exoid.report.words.diagnosis import named, only_sensors, verdict
+from exoid.report.words import diagnosis as words
+from exoid.report.words.diagnosis import only_sensors, verdict
 from exoid.report.words.text import capital, counted, in_degrees, in_words
+from exoid.report.words.typeset import typeset
 
 State = Literal["good", "care", "open"]
 
@@ -29,40 +34,40 @@ BELIEF = {
     None: "not determined",
 }
 LOST = "do not use it: the model does not follow the recording"
+HOW = Markup("""\
+<summary>How to read these numbers</summary>
+<p>± is one standard error: the true value lies within twice as much on either side in 19 of 20
+recordings, if the model is right. Where the recording shows more than the model has, errors are
+widened for it, but no error bar of such a model is complete.</p>
+<p>The model is a pendulum with a spring and viscous damping (Eq. 9 of the paper); what else acts on
+a leg is missing physics.</p>
+<p>Motion alone tells ratios to the inertia <i>J</i>. Mass and distance of its centre can never be
+told apart by motion; J can, by a drop with a known mass beside a bare one. Compare legs, days and
+sides by the ratios.</p>""")
+ANSWER = Markup("<p><strong>{}</strong></p>\n<p>{}</p>")
 INCOMPLETE = "measured, but with a model that misses something: ± is not complete"
 
 
-@dataclass(frozen=True)
-class Card:
-    """One question with its answer."""
-
-    question: str
-    state: State
-    answer: str
-    because: str
-
-
-@dataclass(frozen=True, eq=False)
-class Summary(Section):
+@section("summary", "Summary")
+def summary(case: Case) -> Iterator[Block]:
     """Is the recording good, does the model follow it, what is missing, and the leg's numbers."""
-
-    name: ClassVar[str] = "summary"
-    title: ClassVar[str] = "Summary"
-
-    cards: tuple[Card, ...]
-    table: Table
-
-    @classmethod
-    def of(cls, case: Case) -> "Summary":
-        asked = () if case.diagnosis is None else (missing(case.diagnosis),)
-        read = (recording(case),) if case.sources else ()
-        told = (*read, agreement(case))
-        if not case.fit.follows or of_the_rest(case.fit.segments, case.fit.disturbance):
-            told = (agreement(case), *read)
-        return cls((*told, *asked, numbers(case)), believed(case))
+    asked = () if case.diagnosis is None else (missing(case.diagnosis),)
+    read = (recording(case),) if case.sources else ()
+    told = (*read, agreement(case))
+    if not case.fit.follows or of_the_rest(case.fit.segments, case.fit.disturbance):
+        told = (agreement(case), *read)
+    yield Group("div", [*told, *asked, numbers(case)], "cards")
+    yield believed(case)
+    yield element("details", HOW)
 
 
-def recording(case: Case) -> Card:
+def card(question: str, state: State, answer: str, because: str) -> Group:
+    """One question with its answer."""
+    said = ANSWER.format(typeset(answer), typeset(because))
+    return Group("div", [element("h3", question), said], f"card {state}")
+
+
+def recording(case: Case) -> Group:
     """What there is, and whether it is whole."""
     each = appraisals(case)
     lost = [
@@ -84,11 +89,11 @@ def recording(case: Case) -> Card:
     answer = "Parts of it are missing." if lost else "Nothing is missing in it."
     because = f"{amount}: {'; '.join(lost)}." if lost else f"{amount}."
     if not case.fit.follows:  # whole it may be, but not good
-        return Card("Is the recording whole?", "care" if lost else "open", answer, because)
-    return Card("Is the recording good?", "care" if lost else "good", answer, because)
+        return card("Is the recording whole?", "care" if lost else "open", answer, because)
+    return card("Is the recording good?", "care" if lost else "good", answer, because)
 
 
-def agreement(case: Case) -> Card:
+def agreement(case: Case) -> Group:
     """How far the simulated leg is from the measured one."""
     fit = case.fit
     rmse, noise = fit.angle_rmse, fit.angle_noise
@@ -98,17 +103,17 @@ def agreement(case: Case) -> Card:
     )
     question = "Does the simulated leg move as the measured one?"
     if not fit.follows:
-        return Card(question, "open", "No. Do not use the numbers below.", sentence(fit.notes[0]))
+        return card(question, "open", "No. Do not use the numbers below.", sentence(fit.notes[0]))
     partly = of_the_rest(fit.segments, fit.disturbance)
     if partly:
-        return Card(question, "open", "A part of it only.", sentence(partly[0]))
+        return card(question, "open", "A part of it only.", sentence(partly[0]))
     if fit.disturbance.cause is None:
-        return Card(question, "good", "Yes, within the noise.", because)
+        return card(question, "good", "Yes, within the noise.", because)
     if unnamed(case):
         answer = "Nearly. What is left is little and has no cause that is known; ± allows for it."
-        return Card(question, "good", answer, because)
+        return card(question, "good", answer, because)
     answer = "Not entirely: something is in the recording that the model does not have."
-    return Card(question, "care", answer, because)
+    return card(question, "care", answer, because)
 
 
 def unnamed(case: Case) -> bool:
@@ -121,13 +126,13 @@ def misses(case: Case) -> bool:
     return case.fit.disturbance.cause is not None and not unnamed(case)
 
 
-def missing(found: Diagnosis) -> Card:
+def missing(found: Diagnosis) -> Group:
     """What the diagnosis says."""
     question, answer = "What was the model missing?", verdict(found).rstrip(".") + "."
     if found.verdict == "none":
-        return Card(question, "good", answer, f"{len(found.pinned)} causes were tested.")
+        return card(question, "good", answer, f"{len(found.pinned)} causes were tested.")
     if found.verdict == "cannot_tell":
-        return Card(question, "open", answer, sentence("; ".join(found.reasons)))
+        return card(question, "open", answer, sentence("; ".join(found.reasons)))
     before, after = found.proof.before.total, found.proof.after.total
     proof = "Encoder and gyro show it of each other, and the fit takes it into account."
     if not only_sensors(found):
@@ -135,15 +140,16 @@ def missing(found: Diagnosis) -> Card:
             f"With it, held-out data are predicted to {in_degrees(after)} deg instead of "
             f"{in_degrees(before)} deg."
         )
-    return Card(question, "care", answer, f"{sentence('; '.join(named(found)))} {proof}".strip())
+    effects = sentence("; ".join(words.named(found)))
+    return card(question, "care", answer, f"{effects} {proof}".strip())
 
 
-def numbers(case: Case) -> Card:
+def numbers(case: Case) -> Group:
     """Whose numbers they are."""
     fit = case.fit
     question = "Which numbers come from this recording?"
     if not fit.follows:
-        return Card(question, "open", "None that can be used.", sentence(LOST))
+        return card(question, "open", "None that can be used.", sentence(LOST))
     groups: dict[str | None, list[str]] = {}
     for each in {**parameters_of(fit), **fit.ratios}.values():
         groups.setdefault(each.determined_by, []).append(each.symbol)
@@ -154,21 +160,21 @@ def numbers(case: Case) -> Card:
     whole = not misses(case)
     doubt = "" if whole else "The model misses something, so no error bar is complete."
     answer = f"{', '.join(measured) or 'None'}."
-    return Card(question, "good" if told and whole else "care", answer, f"{because}{doubt}")
+    return card(question, "good" if told and whole else "care", answer, f"{because}{doubt}")
 
 
 def believed(case: Case) -> Table:
     """Every number, and how far to believe it."""
     fit = case.fit
-    quantities = {**parameters_of(fit), **fit.ratios, **fit.of_terms}
+    quantities = dict(named(fit))
     each = list(quantities.values())
-    words = BELIEF | {"data": INCOMPLETE} if misses(case) else BELIEF
-    words = words if fit.follows else dict.fromkeys(BELIEF, LOST)
+    belief = BELIEF | {"data": INCOMPLETE} if misses(case) else BELIEF
+    belief = belief if fit.follows else dict.fromkeys(BELIEF, LOST)
     columns = {
         "quantity": [in_words(name) for name in quantities],
         "symbol": Column([one.symbol for one in each], symbols=True),
         "value": quantities_of(each),
-        "how far to believe it": [words[decided(one)] for one in each],
+        "how far to believe it": [belief[decided(one)] for one in each],
     }
     return Table("The leg in numbers; ± is one standard error", columns)
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from math import hypot
 from typing import Any
 
+from exoid.fitting.errors.profile import named
 from exoid.fitting.result.fit_result import Estimate
 from exoid.report.saved.saved_result import SavedResult
 
@@ -23,29 +24,32 @@ class ComparedQuantity:
     second: Estimate | None
 
     @property
+    def each(self) -> list[Estimate]:
+        """The sides that there are."""
+        return [one for one in (self.first, self.second) if one is not None]
+
+    @property
+    def values(self) -> list[float]:
+        """Those that are told."""
+        return [one.value for one in self.each if one.value is not None]
+
+    @property
     def difference(self) -> float | None:
         """The second less the first."""
-        if self.first is None or self.second is None:
-            return None
-        if self.first.value is None or self.second.value is None:
-            return None
-        return self.second.value - self.first.value
+        return self.values[1] - self.values[0] if len(self.values) == 2 else None
 
     @property
     def by_prior(self) -> bool:
         """Did the prior set it in both fits?"""
-        each = [one for one in (self.first, self.second) if one is not None]
-        return len(each) == 2 and all(one.determined_by == "prior" for one in each)
+        return [one.determined_by for one in self.each] == ["prior", "prior"]
 
     @property
     def standard_errors(self) -> float | None:
         """The difference over the error of a difference of independent fits."""
-        if self.difference is None or self.first is None or self.second is None:
+        errors = [one.standard_error for one in self.each if one.standard_error is not None]
+        if self.difference is None or len(errors) < 2 or not hypot(*errors) > 0:
             return None
-        one, other = self.first.standard_error, self.second.standard_error
-        if one is None or other is None or not hypot(one, other) > 0:
-            return None
-        return self.difference / hypot(one, other)
+        return self.difference / hypot(*errors)
 
 
 @dataclass(frozen=True)
@@ -59,10 +63,9 @@ class Comparison:
 
 def compare(first: SavedResult, second: SavedResult) -> Comparison:
     """Parameters, torque amplitude and ratios of both, and the settings that differ."""
-    one, other = quantities(first), quantities(second)
-    names = [*one, *(name for name in other if name not in one)]
+    one, other = dict(named(first.result)), dict(named(second.result))
     rows = []
-    for name in names:
+    for name in {**one, **other}:
         known = one.get(name) or other[name]
         rows.append(
             ComparedQuantity(name, known.symbol, known.unit, one.get(name), other.get(name))
@@ -74,15 +77,6 @@ def compare(first: SavedResult, second: SavedResult) -> Comparison:
     if (first.diagnosis is None) != (second.diagnosis is None):  # each command has its options
         differ = {name: pair for name, pair in differ.items() if ABSENT not in pair}
     return Comparison(rows, differ, same)
-
-
-def quantities(saved: SavedResult) -> dict[str, Estimate]:
-    """Everything that two fits of a leg have in common."""
-    result = saved.result
-    torque = (
-        {} if result.torque_amplitude is None else {"torque_amplitude": result.torque_amplitude}
-    )
-    return {**result.parameters, **torque, **result.ratios, **result.of_terms}
 
 
 def asked(saved: SavedResult) -> dict[str, Any]:
@@ -100,10 +94,9 @@ def asked(saved: SavedResult) -> dict[str, Any]:
 
 def changed(one: Mapping[str, Any], other: Mapping[str, Any]) -> dict[str, tuple[str, str]]:
     """The entries that differ, as text; one that a fit was saved without is not told."""
-    names = [*one, *(name for name in other if name not in one)]
     return {
         name: (shown(one.get(name, ABSENT)), shown(other.get(name, ABSENT)))
-        for name in names
+        for name in {**one, **other}
         if one.get(name, ABSENT) != other.get(name, ABSENT)
     }
 

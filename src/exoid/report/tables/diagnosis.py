@@ -54,17 +54,14 @@ def suspects(found: Diagnosis) -> Table:
 
 def candidates(found: Diagnosis) -> Table:
     """Those that ran free, the most evident first."""
-    rows = [("baseline, Eq. 9", found.baseline.mean_square, "", "")]
     ran = sorted([*found.pairs, *found.singles], key=evidence, reverse=True)[:MOST]
-    for one in [*ran, *([found.best] if found.formula is not None else [])]:
-        label = " + ".join(one.terms).replace("_", " ")
-        mark = "chosen" if one.chosen else ""
-        rows.append((label, one.mean_square, f"{one.evidence:.0f}", mark))
+    ran += [found.best] if found.formula is not None else []
+    chosen = ["", *("chosen" if one.chosen else "" for one in ran)]
     columns = {
-        "cause": [row[0] for row in rows],
-        "left": [f"{row[1]:.2f}" for row in rows],
-        "evidence": [row[2] for row in rows],
-        "verdict": Column([row[3] for row in rows], head=" "),
+        "cause": ["baseline, Eq. 9", *(" + ".join(map(in_words, one.terms)) for one in ran)],
+        "left": [f"{one.mean_square:.2f}" for one in (found.baseline, *ran)],
+        "evidence": ["", *(f"{evidence(one):.0f}" for one in ran)],
+        "verdict": Column(chosen, head=" "),
     }
     return Table("The candidates that ran free", columns, "Candidates")
 

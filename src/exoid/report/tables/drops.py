@@ -1,6 +1,5 @@
 """The pendulum test as a person reads it: a table for every drop, what was not read and why."""
 
-from collections.abc import Iterable
 from math import degrees
 
 from rich.console import Console
@@ -8,7 +7,7 @@ from rich.console import Console
 from exoid.pendulum.drop import Average, Drop, PendulumTest
 from exoid.recordings.landmarks.measure import Measure
 from exoid.report.tables.table import Column, Table, print_table
-from exoid.report.words.text import heading, say, with_error
+from exoid.report.words.text import by_reason, heading, note, say, with_error
 
 LARGE = 99.5  # of an error, beyond which two digits of it leave no unit
 SOURCE = (
@@ -23,11 +22,9 @@ def print_drops(test: PendulumTest, console: Console) -> None:
         if drop.reason is None:
             print_drop(drop, console)
     print_average(test, console)
-    refused = {drop.name: drop.reason for drop in test.drops if drop.reason}
-    if refused:
-        heading(console, "Segments that were not read")
-        for reason, names in by_reason(refused).items():
-            say(console, f"- {', '.join(names)}: {reason}.", hanging=2)
+    refused = by_reason((drop.name, drop.reason) for drop in test.drops)
+    said = [f"{', '.join(names)}: {reason}." for reason, names in refused.items()]
+    note(console, said, "Segments that were not read")
     heading(console, "About these numbers")
     say(console, "± is one standard error by the noise of the angle; of an average, the standard "
         "deviation over drops. Flexion is negative, 0 is the extended knee.")  # fmt: skip
@@ -47,8 +44,8 @@ def print_drop(drop: Drop, console: Console) -> None:
         "at [s]": [f"{each.marks[-1].time:.2f}" if each.marks else "" for each in read],
     }
     print_table(Table("", columns, title), console)
-    refused = {each.title: each.reason for each in drop.measures.values() if each.reason}
-    for reason, titles in by_reason(refused).items():
+    refused = by_reason((each.title, each.reason) for each in drop.measures.values())
+    for reason, titles in refused.items():
         say(console, f"- not read: {', '.join(titles)}: {reason}.", hanging=2)
 
 
@@ -75,34 +72,22 @@ def print_average(test: PendulumTest, console: Console) -> None:
         say(console, f"Not in it, with another added mass: segment {names}.")
 
 
-def by_reason(refused: dict[str, str]) -> dict[str, list[str]]:
-    """What shares a reason, together."""
-    found: dict[str, list[str]] = {}
-    for name, reason in refused.items():
-        found.setdefault(reason, []).append(name)
-    return found
-
-
 def value(each: Measure) -> str:
     """In degrees where it is an angle."""
     assert each.value is not None  # only what was read is shown
-    return written(*in_shown(each.unit, (each.value, each.standard_error or 0.0)))
+    return written(each.unit, each.value, each.standard_error)
 
 
 def mean(each: Average) -> str:
-    return written(*in_shown(each.unit, (each.mean, each.standard_deviation or 0.0)))
+    return written(each.unit, each.mean, each.standard_deviation)
 
 
-def written(number: float, error: float) -> str:
+def written(unit: str, number: float, error: float | None) -> str:
     """With its error; thousands of deg/s^2 without a power of ten, to tens where that is enough."""
+    number, error = (degrees(each) if "rad" in unit else each for each in (number, error or 0.0))
     if error < LARGE:
         return with_error(number, error) if error else f"{number:.4g}"
     return f"{round(number, -1):.0f} ± {round(error, -1):.0f}"
-
-
-def in_shown(unit: str, values: Iterable[float]) -> list[float]:
-    """From SI and radians to what clinicians read."""
-    return [degrees(each) if "rad" in unit else each for each in values]
 
 
 def shown_unit(unit: str) -> str:

@@ -4,7 +4,7 @@ from rich.console import Console
 
 from exoid.fitting.result.agreement import of_the_rest
 from exoid.fitting.result.fit_result import FitResult, SegmentFit
-from exoid.report.tables.identifiability import print_told
+from exoid.fitting.result.summary import quantities
 from exoid.report.tables.leg import (
     BOUND,
     DATA,
@@ -19,10 +19,12 @@ from exoid.report.tables.table import print_table
 from exoid.report.words.text import (
     AT_BOUND,
     aligned,
+    by_reason,
     capital,
     counted,
     heading,
     in_degrees,
+    note,
     say,
     written,
 )
@@ -41,11 +43,13 @@ def print_fit(result: FitResult, console: Console, told: Identifiability | None 
     if result.mountings:
         print_table(mountings(result), console)
     if told is not None:
-        print_told(told, console)
+        alone = ", ".join(each.symbol for each in told.combinations.values())
+        first = f"by itself, without prior and bounds: {alone or 'nothing'}."
+        note(console, [first, *told.sentences], "What the recording tells")
     print_segments(result, console)
     print_quality(result, console)
     print_multistart(result, console)
-    print_remarks(result, console)
+    note(console, remarks(result))
 
 
 def print_astray(result: FitResult, console: Console) -> None:
@@ -142,26 +146,11 @@ def span(result: FitResult, name: str) -> str:
     return f"{lower:.3g} to {upper:.3g} {unit}"
 
 
-def print_remarks(result: FitResult, console: Console) -> None:
-    """Why values or errors are missing, and the notes."""
-    said = remarks(result)
-    if said:
-        heading(console, "Notes")
-    for remark in said:
-        say(console, f"- {remark}", hanging=2)
-
-
 def remarks(result: FitResult) -> list[str]:
     """Why values or errors are missing, each reason once, and the notes."""
-    reasons: dict[str, list[str]] = {}
-    for name, each in {**result.parameters, **result.ratios, **result.of_terms}.items():
-        if each.reason is not None:
-            reasons.setdefault(each.reason, []).append(name)
-    for each in result.segments:
-        if each.torque_amplitude is not None and each.torque_amplitude.reason is not None:
-            reasons.setdefault(each.torque_amplitude.reason, []).append(
-                f"tau of segment {each.name}"
-            )
-    missing = [f"{', '.join(names)}: {reason}." for reason, names in reasons.items()]
+    reasons = [(name, each.reason) for name, each in quantities(result).items()]
+    torques = [(each.name, each.torque_amplitude) for each in result.segments]
+    reasons += [(f"tau of segment {name}", one.reason) for name, one in torques if one is not None]
+    missing = [f"{', '.join(names)}: {reason}." for reason, names in by_reason(reasons).items()]
     said = {*result.notes[: not result.follows], *of_the_rest(result.segments, result.disturbance)}
     return [*missing, *(note for note in result.notes if note not in said)]

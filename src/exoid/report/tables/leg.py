@@ -7,7 +7,7 @@ from exoid.fitting.result.fit_result import Estimate, FitResult, SegmentFit
 from exoid.fitting.result.limiting_systematics import chief
 from exoid.fitting.result.summary import quantities
 from exoid.report.tables.table import Column, Table, with_unit
-from exoid.report.words.text import in_degrees, in_unit, in_words, with_error, written
+from exoid.report.words.text import in_degrees, in_words, with_error, written
 
 BAR = 5  # blocks of a bar of shares
 DATA, PRIOR, BOUND = "█", "▒", "░"
@@ -146,7 +146,11 @@ def in_print(each: Estimate) -> Estimate:
     """Angles and rates in degrees."""
     if each.unit not in ("rad", "rad/s"):
         return each
-    return replace(in_unit(each, degrees(1)), unit=each.unit.replace("rad", "deg"))
+    value, error = (
+        None if one is None else degrees(1) * one for one in (each.value, each.standard_error)
+    )
+    unit = each.unit.replace("rad", "deg")
+    return replace(each, value=value, standard_error=error, unit=unit)
 
 
 def set_by(each: list[Estimate]) -> Column:

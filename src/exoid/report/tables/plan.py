@@ -10,10 +10,10 @@ from exoid.fitting.result.fit_result import FitResult
 from exoid.planning.candidate_recordings import SWING
 from exoid.planning.planned import Candidate, Plan
 from exoid.recordings.recording import Subject
-from exoid.report.document.plain_json import plain
+from exoid.report.document.plain_json import plain, shown
 from exoid.report.tables.table import Table, print_table
 from exoid.report.words.person import identity
-from exoid.report.words.text import heading, say, with_error
+from exoid.report.words.text import heading, note, say, with_error
 
 SHOWN = 8  # single segments in the table
 
@@ -26,10 +26,7 @@ def print_plan(plan: Plan, console: Console) -> None:
         say(console, f"After: {stated(plan, plan.after)}, expected with what follows")
         print_steps(plan.proposed, console)
         print_options(plan, console)
-    if plan.sentences:
-        heading(console, "Notes")
-    for sentence in plan.sentences:
-        say(console, f"- {sentence}", hanging=2)
+    note(console, plan.sentences)
 
 
 def print_steps(proposed: list[Candidate], console: Console) -> None:
@@ -89,18 +86,12 @@ def plan_document(
             "subject": identity(subject or Subject()),
             "follows_recording": None if result is None else result.follows,
             "astray": None if result is None else result.astray,
-            "goal": plan.goal,
-            "symbol": plan.symbol,
-            "unit": plan.unit,
-            "value": plan.value,
-            "standard_error_before": plan.before,
-            "standard_error_after": plan.after,
+            **shown(plan, before="standard_error_before", after="standard_error_after"),
             "proposed": [segment_document(each) for each in plan.proposed],
             "options": [
-                {**segment_document(option.candidate), "standard_error": option.error}
-                for option in plan.options
+                {**segment_document(each.candidate), "standard_error": each.error}
+                for each in plan.options
             ],
-            "sentences": plan.sentences,
         }
     )
 

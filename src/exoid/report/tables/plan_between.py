@@ -6,11 +6,18 @@ from rich.console import Console
 
 from exoid.planning.planned import Contrast
 from exoid.recordings.recording import Subject
-from exoid.report.document.plain_json import plain
+from exoid.report.document.plain_json import plain, shown
 from exoid.report.tables.plan import SHOWN, print_steps, segment_document
 from exoid.report.tables.table import Table, print_table
 from exoid.report.words.person import identity
-from exoid.report.words.text import heading, say
+from exoid.report.words.text import heading, note, say
+
+NAMES = {
+    "rivals": "between",
+    "at_hand": "log_odds_at_hand",
+    "log_odds": "expected_log_odds",
+    "if_right": "expected_log_odds_if_right",
+}
 
 
 def print_contrast(found: Contrast, console: Console) -> None:
@@ -30,10 +37,7 @@ def print_contrast(found: Contrast, console: Console) -> None:
         )
         print_steps(found.proposed, console)
     print_tellings(found, console)
-    if found.sentences:
-        heading(console, "Notes")
-    for sentence in found.sentences:
-        say(console, f"- {sentence}", hanging=2)
+    note(console, found.sentences)
 
 
 def print_tellings(found: Contrast, console: Console) -> None:
@@ -53,20 +57,11 @@ def contrast_document(found: Contrast, subject: Subject) -> dict[str, Any]:
     return plain(
         {
             "subject": identity(subject),
-            "between": found.rivals,
-            "log_odds_at_hand": found.at_hand,
+            **shown(found, **NAMES),
             "proposed": [segment_document(each) for each in found.proposed],
-            "expected_log_odds": found.log_odds,
-            "probability": found.probability,
-            "expected_log_odds_if_right": found.if_right,
             "options": [
-                {
-                    **segment_document(each.candidate),
-                    "expected_log_odds": each.log_odds,
-                    "probability": each.probability,
-                }
+                {**segment_document(each.candidate), **shown(each, ["candidate"], **NAMES)}
                 for each in found.options
             ],
-            "sentences": found.sentences,
         }
     )

@@ -10,22 +10,14 @@ def strangers(found: Comparison, sides: list[SavedResult]) -> list[str]:
     if found.same_recordings:
         return []
     said = []
-    one, other = (names(side) for side in sides)
-    if one and other and one != other:
-        said.append(
-            f"The recordings are of different people: {' and '.join(one)}, against "
-            f"{' and '.join(other)}."
-        )
-    one, other = (bodies(side) for side in sides)
-    if one and other and one != other:
-        said.append(
-            f"The recordings are of different bodies: {' and '.join(one)}, against "
-            f"{' and '.join(other)}."
-        )
+    for what, of in (("people", names), ("bodies", bodies)):
+        one, other = (" and ".join(of(side)) for side in sides)
+        if one and other and one != other:
+            said.append(f"The recordings are of different {what}: {one}, against {other}.")
     apart = [each for each in found.quantities if each.name in COMMON and far_apart(each)]
     if apart:
         worst = max(apart, key=lambda each: abs(each.standard_errors or 0.0))
-        values = " and ".join(f"{value:.3g}" for value in both(worst))
+        values = " and ".join(f"{value:.3g}" for value in worst.values)
         said.append(
             f"They do not look like one leg, or it changed: {worst.symbol} = {values} "
             f"{worst.unit}, {abs(worst.standard_errors or 0.0):.0f} standard errors apart."
@@ -50,11 +42,5 @@ def far_apart(each: ComparedQuantity) -> bool:
     errors = each.standard_errors
     if each.difference is None or errors is None or errors**2 < SURPRISE:
         return False
-    size = sum(map(abs, both(each))) / 2
+    size = sum(map(abs, each.values)) / 2
     return abs(each.difference) > LARGE * size
-
-
-def both(each: ComparedQuantity) -> list[float]:
-    """The values, where both are told."""
-    sides = (each.first, each.second)
-    return [one.value for one in sides if one is not None and one.value is not None]

@@ -1,7 +1,7 @@
 """A diagnosis in sentences: what is missing, where, the proof, and what it had been booked as."""
 
 from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter
-from exoid.mismatch.sensors.consistency import BIAS
+from exoid.mismatch.sensors.consistency import BIAS, SensorError
 from exoid.report.words.text import in_degrees, with_error
 
 SEEN = 0.01  # share of a number, from which on its change is worth a word
@@ -94,11 +94,11 @@ def scale(found: Diagnosis, parameters: list[Parameter]) -> str:
     return f" (for J = {inertia:.3g} kg m^2; {ratio})"
 
 
-def parameter(each: Parameter) -> str:
+def parameter(each: Parameter | SensorError) -> str:
     return f"{each.name.rpartition('.')[2].replace('_', ' ')} {value(each)}"
 
 
-def value(each: Parameter) -> str:
+def value(each: Parameter | SensorError) -> str:
     """With its error and its unit; one without an error lies at its limit, or acts nowhere."""
     unit = "" if each.unit == "1" else f" {each.unit}"
     if each.standard_error is None:
@@ -186,12 +186,7 @@ def sensors(found: Diagnosis) -> str:
     clear = [each for each in found.sensors if each.clear]
     if not clear:
         return "encoder and gyro agree."
-    parts = [
-        f"{each.name.replace('_', ' ')} {with_error(each.value, each.standard_error)}"
-        + ("" if each.unit == "1" else f" {each.unit}")
-        for each in clear
-    ]
-    return "encoder and gyro differ as if by " + ", ".join(parts) + "."
+    return f"encoder and gyro differ as if by {', '.join(map(parameter, clear))}."
 
 
 def trust(found: Diagnosis) -> str:

@@ -1,6 +1,6 @@
 """Numbers with their errors, tables and sentences, as every report prints them."""
 
-from dataclasses import replace
+from collections.abc import Iterable
 from math import degrees, floor, log10
 
 from rich.console import Console
@@ -71,14 +71,6 @@ def in_degrees(angle: float) -> str:
     return f"{value:.{decimals}f}"
 
 
-def in_unit(each: Estimate, unit: float) -> Estimate:
-    """The same in a unit of which one SI unit holds `unit`."""
-    error = None if each.standard_error is None else unit * each.standard_error
-    return replace(
-        each, value=None if each.value is None else unit * each.value, standard_error=error
-    )
-
-
 def counted(count: int, one: str, many: str = "") -> str:
     """A number with its noun."""
     return f"{count} {one if count == 1 else many or one + 's'}"
@@ -103,6 +95,24 @@ def say(console: Console, sentence: str, hanging: int = 0) -> None:
     for number, line in enumerate(lines):
         line.rstrip()
         console.print(Padding.indent(line, hanging) if number and hanging else line)
+
+
+def by_reason(reasons: Iterable[tuple[str, str | None]]) -> dict[str, list[str]]:
+    """The names that share a reason, together; none of one that has no reason."""
+    found: dict[str, list[str]] = {}
+    for name, reason in reasons:
+        if reason:
+            found.setdefault(reason, []).append(name)
+    return found
+
+
+def note(console: Console, sentences: Iterable[str], title: str = "Notes") -> None:
+    """A list under its title; nothing where it is empty."""
+    said = list(sentences)
+    if said:
+        heading(console, title)
+    for sentence in said:
+        say(console, f"- {sentence}", hanging=2)
 
 
 def aligned(console: Console, lines: dict[str, str]) -> None:

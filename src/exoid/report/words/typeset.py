@@ -7,8 +7,7 @@ import re
 
 from markupsafe import Markup, escape
 
-from exoid.report.words.keyboard_text import tidy
-
+PRINTED = {"^2": "²", "^3": "³", "->": "→"}  # a terminal has only what a keyboard has
 GREEK = {"tau": "τ", "phi": "φ", "omega": "ω", "w": "ω"}
 ATOM = re.compile(
     r"(?<![A-Za-z_&])(?P<name>tau|phi|omega|[A-Za-z])(?:_(?P<word>[a-z]+)|(?P<number>\d+))?(?![A-Za-z])"
@@ -22,6 +21,13 @@ PROSE = re.compile(
     rf"|(?:(?<=\d )|\b(?:in|per) |\bN ){UNIT}(?:[ /]{UNIT})?(?!\w))"
     rf"|(?<![\w;'./\\:-])(?P<formula>{CHAIN}(?: / {CHAIN})?)(?![\w'/\\=&-]|\.\w)"
 )
+
+
+def tidy(words: str) -> str:
+    """Powers and arrows as signs of their own."""
+    for typed, printed in PRINTED.items():
+        words = words.replace(typed, printed)
+    return words
 
 
 def formula(symbol: str) -> Markup:

@@ -1,9 +1,10 @@
-"""What every cause leaves unexplained."""
+"""The causes that a diagnosis tried, by what each leaves unexplained."""
+
+from dataclasses import dataclass
 
 import numpy as np
 
-from exoid.mismatch.answer.diagnosis import Diagnosis
-from exoid.report.parts.causes import LEAST, Cause, causes
+from exoid.mismatch.answer.diagnosis import Diagnosis, Tested
 from exoid.report.pictures.panel import Axis, Bars, Panel, Picture, Rule
 from exoid.report.pictures.role import Role
 
@@ -11,6 +12,34 @@ BAR = 0.53  # size of one
 LARGE = 1000.0  # times the noise, from which on three digits would be a power of ten
 NARROWEST = 20.0  # times the noise: at least two powers of ten
 ROOM = 1.3  # times the longest bar on its logarithmic axis, for the number beside it
+MOST = 7  # beside the baseline
+PAIRS = 2  # of them
+LEAST = 0.5  # of what is left, that a logarithmic axis shows
+
+
+@dataclass(frozen=True)
+class Cause:
+    """One or two effects, or a formula."""
+
+    name: str
+    left: float  # mean square of what remains over the noise: 1 is the noise itself
+    chosen: bool
+
+
+def causes(found: Diagnosis) -> list[Cause]:
+    """The baseline first, then those that leave least: run free where they were, else pinned."""
+    ran = [*found.pairs[:PAIRS], *found.singles]
+    if found.formula is not None:
+        ran = [found.best, *ran]
+    known = [one.terms for one in ran]
+    rows = [*ran, *(one for one in found.pinned if one.terms not in known)]
+    best = sorted(rows, key=lambda one: one.mean_square)[:MOST]
+    alone = Cause("Eq. 9 alone", found.baseline.mean_square, False)
+    return [alone, *(Cause(label(one), one.mean_square, one.chosen) for one in best)]
+
+
+def label(one: Tested) -> str:
+    return " +\n".join(one.terms).replace("_", " ")
 
 
 def causes_of(found: Diagnosis) -> Panel:

@@ -5,7 +5,7 @@ import numpy as np
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.mismatch.evidence.location import Location
 from exoid.report.pictures.motion import TIME
-from exoid.report.pictures.panel import Axis, Band, Cloud, Line, Panel, Picture, Region, Rule
+from exoid.report.pictures.panel import Axis, Band, Cloud, Line, Panel, Picture, Rule
 from exoid.report.pictures.role import Role
 
 SHOWN = 4  # segments
@@ -26,7 +26,7 @@ def torque_of(location: Location, number: int) -> Panel:
     modelled = () if each.modelled is None else (Line(Role.MODELLED, each.time, each.modelled),)
     marks = (
         Band(Role.TORQUE_NOISE, -2 * each.band, 2 * each.band),
-        *(Region(Role.STRONGEST, region.begin, region.end) for region in regions),
+        *(Band(Role.STRONGEST, each.begin, each.end, upright=True) for each in regions),
         Line(Role.TORQUE, each.time, each.torque),
         *modelled,
     )

@@ -1,14 +1,12 @@
 """Where simulation and recording part: the torque that the baseline lacks."""
 
-from dataclasses import dataclass
-from typing import ClassVar
+from collections.abc import Iterator
 
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.mismatch.evidence.location import Location
 from exoid.report.parts.case import Case
 from exoid.report.pictures.mismatch.torque import show_plane, show_torque, worst
-from exoid.report.pictures.panel import Picture
-from exoid.report.sections.section import Section
+from exoid.report.sections.section import Block, section, some
 from exoid.report.tables.table import Table
 from exoid.report.words.diagnosis import only_sensors, where
 from exoid.report.words.text import capital
@@ -19,32 +17,20 @@ NOTHING = (
 )
 
 
-@dataclass(frozen=True, eq=False)
-class Parting(Section):
+@section("parting", "Where they part")
+def parting(case: Case) -> Iterator[Block]:
     """The missing torque over time, over the phase plane, and in words."""
-
-    name: ClassVar[str] = "parting"
-    title: ClassVar[str] = "Where they part"
-
-    sentence: str
-    figures: tuple[Picture, ...]
-    left_out: int
-    plane: Picture
-    regions: Table
-
-    @classmethod
-    def of(cls, case: Case) -> "Parting | None":
-        found = case.diagnosis
-        if found is None:
-            return None
-        numbers, location = worst(found), found.location
-        return cls(
-            sentence=capital(where(found)) if parted(found) else NOTHING,
-            figures=tuple(show_torque(location, number) for number in numbers),
-            left_out=len(location.missing) - len(numbers),
-            plane=show_plane(location),
-            regions=regions(location),
-        )
+    found = case.diagnosis
+    if found is None:
+        return
+    numbers, location = worst(found), found.location
+    yield capital(where(found)) if parted(found) else NOTHING
+    every = len(location.missing)
+    if len(numbers) < every:
+        yield f"Shown are the {len(numbers)} segments in which most is missing, of {every}."
+    yield from some([show_torque(location, number) for number in numbers])
+    yield show_plane(location)
+    yield regions(location)
 
 
 def parted(found: Diagnosis) -> bool:

@@ -1,17 +1,18 @@
 """Which physics was left out: the verdict, its evidence, and what else it may be."""
 
-from dataclasses import dataclass
-from typing import ClassVar
+from collections.abc import Iterator
 
-from exoid.mismatch.answer.diagnosis import Finding, Parameter
+from markupsafe import Markup
+
+from exoid.mismatch.answer.diagnosis import Parameter
 from exoid.report.parts.case import Case
 from exoid.report.pictures.mismatch.causes import show_causes
-from exoid.report.pictures.panel import Picture
-from exoid.report.sections.section import Section
+from exoid.report.sections.section import Block, element, section
 from exoid.report.tables.diagnosis import candidates, suspects
 from exoid.report.tables.leg import before_and_after
 from exoid.report.tables.table import Table
 from exoid.report.words.diagnosis import sentences, value, verdict
+from exoid.report.words.text import in_words
 
 SAID = (
     "Missing",
@@ -23,42 +24,35 @@ SAID = (
     "Sensors",
     "Trust",
 )  # others have their place
+EFFECT = Markup("<p>{} <cite>{}</cite></p>")
+LEGEND = (
+    "left: mean square of what is left over the noise, 1.00 is the noise itself. evidence: log "
+    "odds times two against the baseline, after the price of the parameters."
+)
 
 
-@dataclass(frozen=True, eq=False)
-class Physics(Section):
+@section("physics", "Which physics was left out")
+def physics(case: Case) -> Iterator[Block]:
     """The verdict in sentences, what was found with its numbers, and every candidate."""
-
-    name: ClassVar[str] = "physics"
-    title: ClassVar[str] = "Which physics was left out"
-
-    headline: str
-    sentences: dict[str, str]
-    effects: tuple[Finding, ...]
-    parameters: Table
-    numbers: Table  # of the leg, where something was found
-    suspected: Table
-    figure: Picture
-    candidates: Table
-    excluded: str
-
-    @classmethod
-    def of(cls, case: Case) -> "Physics | None":
-        found = case.diagnosis
-        if found is None:
-            return None
-        lines, after = sentences(found), found.after
-        return cls(
-            headline=verdict(found),
-            sentences={title: lines[title] for title in SAID if title in lines},
-            effects=tuple(found.findings),
-            parameters=parameters(found.parameters if found.verdict == "mismatch" else []),
-            numbers=Table("", {}) if after is None else before_and_after(found.before, after),
-            suspected=suspects(found) if found.suspected else Table("", {}),
-            figure=show_causes(found),
-            candidates=candidates(found),
-            excluded=", ".join(found.excluded).replace("_", " "),
-        )
+    found = case.diagnosis
+    if found is None:
+        return
+    yield element("p", verdict(found), "verdict")
+    yield {title: line for title, line in sentences(found).items() if title in SAID}
+    for effect in found.findings:
+        yield element("h3", effect.title)
+        yield EFFECT.format(effect.explanation, effect.reference)
+    yield parameters(found.parameters if found.verdict == "mismatch" else [])
+    if found.after is not None:
+        yield before_and_after(found.before, found.after)
+    if found.suspected:
+        yield suspects(found)
+    yield show_causes(found)
+    yield candidates(found)
+    yield element("p", LEGEND, "small")
+    if found.excluded:
+        excluded = ", ".join(map(in_words, found.excluded))
+        yield element("p", f"Not tested, because they cannot be differentiated: {excluded}.")
 
 
 def parameters(each: list[Parameter]) -> Table:

@@ -1,16 +1,14 @@
 """Before and after: held-out segments, predicted without and with what was found."""
 
-from dataclasses import dataclass
-from typing import ClassVar
+from collections.abc import Iterator
 
 from exoid.mismatch.answer.diagnosis import Booked, Diagnosis
 from exoid.report.parts.case import Case
 from exoid.report.pictures.mismatch.proof import show_proof
 from exoid.report.pictures.mismatch.torque import worst
-from exoid.report.pictures.panel import Picture
-from exoid.report.sections.section import Section
+from exoid.report.sections.section import Block, section, some
 from exoid.report.tables.table import Table
-from exoid.report.words.diagnosis import proof
+from exoid.report.words import diagnosis as words
 from exoid.report.words.text import capital, in_degrees
 
 NOTHING = (
@@ -20,35 +18,22 @@ NOTHING = (
 )
 
 
-@dataclass(frozen=True, eq=False)
-class Proof(Section):
+@section("proof", "Before and after, on held-out data")
+def proof(case: Case) -> Iterator[Block]:
     """The proof in a sentence, per segment, and what the baseline had made of the effect."""
-
-    name: ClassVar[str] = "proof"
-    title: ClassVar[str] = "Before and after, on held-out data"
-
-    sentence: str
-    figures: tuple[Picture, ...]
-    table: Table
-    booked: Table
-
-    @classmethod
-    def of(cls, case: Case) -> "Proof | None":
-        found = case.diagnosis
-        if found is None:
-            return None
-        return cls(
-            sentence=sentence(found),
-            figures=tuple(show_proof(found, number) for number in worst(found)),
-            table=predicted(found),
-            booked=booked(found.booked if found.changed else []),
-        )
+    found = case.diagnosis
+    if found is None:
+        return
+    yield sentence(found)
+    yield from some([show_proof(found, number) for number in worst(found)])
+    yield predicted(found)
+    yield booked(found.booked if found.changed else [])
 
 
 def sentence(found: Diagnosis) -> str:
     """What the prediction shows."""
     if found.changed:
-        return capital(proof(found))
+        return capital(words.proof(found))
     total, floor = found.proof.before.total, found.proof.noise_floor
     return NOTHING.format(in_degrees(total), total / floor, in_degrees(floor))
 
