@@ -70,7 +70,7 @@ def posed(basis: Basis) -> tuple[Target, np.ndarray]:
     problem, ended = basis.problem, basis.ended
     local = ended.local
     prior, limits = without_fixed(problem.belief)
-    total = local.data + prior_information(take(ended.best.coordinates, 0), prior)
+    total = local.data + prior_information(ended.point, prior)
     values, vectors = np.linalg.eigh(total)
     loose = vectors[:, values < UNDETERMINED]
     bounds = (limits.lower, limits.upper, SIZE)
@@ -80,14 +80,14 @@ def posed(basis: Basis) -> tuple[Target, np.ndarray]:
     kept = values >= UNDETERMINED
     shrink, tilt = curved(basis)
     target = Target(
-        best=scaled(take(ended.best.coordinates, 0)),
+        best=scaled(ended.point),
         spread=vectors[:, kept] / np.sqrt(values[kept]),
         shrink=shrink,
         tilt=tilt,
         scale=ended.disturbance.scale * ended.disturbance.weighing(problem.kinds),
         observation=problem.observation,
         known=problem.known,
-        stage=Stage(np.asarray(0.0), np.asarray(problem.steps)),
+        stage=problem.free,
         prior=prior,
         limits=limits,
     )

@@ -13,6 +13,7 @@ from exoid.fitting.model.coordinates import (
     by_segment,
     flattened,
     leg_parameters,
+    places,
     quantities,
     scaled,
     unflattened,
@@ -95,8 +96,7 @@ def derivative(function: Callable, at: np.ndarray) -> np.ndarray:
 
 def columns(point: Coordinates, seat: Int[np.ndarray, " segment"]) -> np.ndarray:
     """Which coordinate every unknown of every segment is: (segment, unknown)."""
-    numbers = np.arange(flattened(point).size)
-    return by_segment(unflattened(numbers, point), seat, np)
+    return by_segment(places(point), seat, np)
 
 
 def told(condensed: Condensed, columns: np.ndarray, size: int) -> np.ndarray:

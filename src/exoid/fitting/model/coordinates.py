@@ -93,6 +93,11 @@ def unscaled(coordinates: Coordinates) -> Coordinates:
     return jax.tree.map(lambda value, unit: value * unit, coordinates, typical(coordinates))
 
 
+def take(tree, rows):
+    """These rows of every leaf."""
+    return jax.tree.map(lambda leaf: leaf[np.asarray(rows)], tree)
+
+
 def flattened(coordinates: Coordinates) -> np.ndarray:
     """All entries in one row."""
     return np.concatenate([np.ravel(leaf) for leaf in jax.tree.leaves(coordinates)])
@@ -107,6 +112,11 @@ def unflattened(values: np.ndarray, like: Coordinates) -> Coordinates:
         for part, leaf in zip(parts, leaves, strict=True)
     ]
     return jax.tree.unflatten(structure, shaped)
+
+
+def places(point: Coordinates) -> Coordinates:
+    """Which entry of `flattened` every coordinate is."""
+    return unflattened(np.arange(flattened(point).size), point)
 
 
 def seated(mounting: Mounting, seat: Int[Any, ""]) -> Mounting:

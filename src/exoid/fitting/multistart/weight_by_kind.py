@@ -124,17 +124,10 @@ def most_widened(missed: Missed, kind: str, part: Grams, size: int) -> float:
     return float(found.widening.max())
 
 
-def samples(seen: Observation) -> np.ndarray:
-    """Measured numbers of every segment."""
-    return np.sum(np.asarray(seen.angle_weight) > 0, axis=1) + np.sum(
-        np.asarray(seen.velocity_weight) > 0, axis=1
-    )
-
-
 def count(problem: Problem, kinds: list[str]) -> int:
     """Measured numbers of all segments of these kinds, and what is declared of the recordings."""
     declared = sum(leaf.size for leaf in jax.tree.leaves(problem.belief.prior.mounting))
-    return declared + int(samples(problem.observation)[np.isin(problem.kinds, kinds)].sum())
+    return declared + int(problem.samples[np.isin(problem.kinds, kinds)].sum())
 
 
 def plausible(seen: Observation) -> dict[Cause, float]:

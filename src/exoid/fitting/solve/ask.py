@@ -13,7 +13,7 @@ from exoid.fitting.misfit.information import spoiled
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.neighbourhood import columns, gradients, neighbourhood
 from exoid.fitting.misfit.stage import Stage
-from exoid.fitting.model.coordinates import Coordinates, flattened
+from exoid.fitting.model.coordinates import Coordinates, flattened, take
 from exoid.fitting.model.prior import mounting_residual
 from exoid.fitting.model.term_parameters import parameters_of
 from exoid.fitting.solve.problem import STRICT, Problem
@@ -117,8 +117,7 @@ def sensed(problem: Problem, point: Coordinates, missing: Drive | None = None) -
     if missing is None:
         none = np.zeros((len(problem.movements), 0, seen.time.shape[1] - 1))
         missing = Drive(none, none, none)
-    free = Stage(np.asarray(0.0), np.asarray(problem.steps))
-    return run_sense(point, seen, problem.known, missing, free, problem.chain)
+    return run_sense(point, seen, problem.known, missing, problem.free, problem.chain)
 
 
 def around(
@@ -141,9 +140,9 @@ def left(problem: Problem, at: Solved, row: int, disturbance: Disturbance) -> Di
     return spoiled(disturbance, each, problem.kinds, size)
 
 
-def take(tree, rows):
-    """These rows of every leaf."""
-    return jax.tree.map(lambda leaf: leaf[np.asarray(rows)], tree)
+def lowest(solved: Solved) -> int:
+    """The row of the best."""
+    return int(np.argmin(finite(solved.loss)))
 
 
 def finite(loss: np.ndarray) -> np.ndarray:
