@@ -12,7 +12,6 @@ from exoid.fitting.model.coordinates import (
     Coordinates,
     by_segment,
     flattened,
-    leg_parameters,
     places,
     quantities,
     scaled,
@@ -20,7 +19,7 @@ from exoid.fitting.model.coordinates import (
     unscaled,
 )
 from exoid.fitting.model.limits import Limits, Prior
-from exoid.fitting.model.prior import mounting_residual, prior_residual, term_residual
+from exoid.fitting.model.prior import belief_residual, mounting_residual
 
 COMPLEX_STEP = 1e-30  # exact to rounding: no difference is taken
 PENALTY = 100.0  # rho times the variance of a constraint: each round gains two digits
@@ -54,9 +53,8 @@ def prior_information(point: Coordinates, prior: Prior) -> np.ndarray:
     """What is believed of leg and mountings, around `point`."""
 
     def belief(at: Coordinates):
-        leg = prior_residual(prior, leg_parameters(at, np), np)
-        terms = term_residual(prior, at, np)
-        return np.concatenate([leg, terms, mounting_residual(prior, at.mounting, np)])
+        declared = mounting_residual(prior, at.mounting, np)
+        return np.concatenate([belief_residual(prior, at, np), declared])
 
     by_prior = gradients(belief, point)
     return by_prior.T @ by_prior

@@ -5,18 +5,19 @@ changes nothing). The inertia matters only beside a known mass or torque, the ma
 """
 
 from collections.abc import Sequence
-from dataclasses import fields, replace
-from typing import Any
+from dataclasses import replace
+from typing import Any, TypeVar
 
 import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
 from jax.flatten_util import ravel_pytree
-from jaxtyping import Float, Inexact, Int, Num
+from jaxtyping import Float, Inexact, Int, Num, PyTree
 
 from exoid.fitting.model.mounting import Mounting
 from exoid.fitting.model.term_parameters import (
+    NAMES,
     over_inertia,
     parameters_of,
     ratio_name,
@@ -26,8 +27,8 @@ from exoid.physics.leg import GRAVITY, LegParameters
 from exoid.physics.parameter import declarations
 from exoid.physics.term import Term
 
-LEG = [entry.name for entry in fields(LegParameters)]
 USUAL = 0.4  # kg m^2, J of a middling leg
+Tree = TypeVar("Tree")
 
 
 class Shared(eqx.Module):
@@ -98,12 +99,12 @@ def take(tree, rows):
     return jax.tree.map(lambda leaf: leaf[np.asarray(rows)], tree)
 
 
-def flattened(coordinates: Coordinates) -> np.ndarray:
+def flattened(tree: PyTree) -> np.ndarray:
     """All entries in one row."""
-    return np.concatenate([np.ravel(leaf) for leaf in jax.tree.leaves(coordinates)])
+    return np.concatenate([np.ravel(leaf) for leaf in jax.tree.leaves(tree)])
 
 
-def unflattened(values: np.ndarray, like: Coordinates) -> Coordinates:
+def unflattened(values: np.ndarray, like: Tree) -> Tree:
     """`flattened` undone; `values` may carry further axes behind."""
     leaves, structure = jax.tree.flatten(like)
     parts = np.split(values, np.cumsum([np.size(leaf) for leaf in leaves])[:-1])
@@ -182,7 +183,7 @@ def quantities(coordinates: Coordinates, xp=jnp) -> Inexact[Any, " quantity *col
 def quantity_names(segments: int, terms: Sequence[type[Term]] = ()) -> list[str]:
     """Which quantity every row of `quantities` is."""
     return [
-        *LEG,
+        *NAMES,
         *(f"{name}_over_inertia" for name in ("gravity", "stiffness", "damping")),
         *(f"torque_amplitude[{number}]" for number in range(segments)),
         *(f"torque_over_inertia[{number}]" for number in range(segments)),
