@@ -211,6 +211,16 @@ def leg_parameters(coordinates: Coordinates, xp=jnp) -> LegParameters:
     )
 
 
+def shared_of(leg: LegParameters) -> Shared:
+    """What motion can tell of a leg."""
+    return Shared(
+        log_inertia=np.log(leg.inertia),
+        gravity=leg.mass * leg.com_distance * GRAVITY / leg.inertia,
+        stiffness=leg.stiffness / leg.inertia,
+        damping=leg.damping / leg.inertia,
+    )
+
+
 def torque_amplitudes(coordinates: Coordinates, xp=jnp) -> Inexact[Any, "*segment"]:
     """tau of Eq. 10 in every segment [N m]."""
     return coordinates.own.torque * xp.exp(coordinates.shared.log_inertia)

@@ -20,12 +20,12 @@ from exoid.fitting.model.coordinates import (
     TYPICAL,
     Coordinates,
     Own,
-    Shared,
     Unknowns,
     flattened,
     leg_parameters,
     of_segments,
     scaled,
+    shared_of,
     unflattened,
 )
 from exoid.fitting.model.limits import Prior
@@ -35,7 +35,7 @@ from exoid.fitting.model.systematics import OWNED
 from exoid.fitting.model.term_parameters import over_inertia, typical_term, with_values
 from exoid.fitting.multistart.starts import first_state, usual_mounting
 from exoid.fitting.solve.problem import Problem
-from exoid.physics.leg import GRAVITY, LegParameters
+from exoid.physics.leg import LegParameters
 from exoid.physics.state import LegState
 from exoid.physics.term import Term
 
@@ -98,11 +98,6 @@ class Objective:
         return np.eye(moves.size)[:, moves]
 
     @cached_property
-    def samples(self) -> int:
-        """The number of measured values that are fitted."""
-        return int(self.problem.samples.sum())
-
-    @cached_property
     def seen(self) -> Observation:
         return jax.device_put(self.problem.observation)
 
@@ -132,13 +127,9 @@ class Objective:
         raw = unflattened(vector * flattened(self.sizes), self.sizes)
         leg, torque = raw.leg, np.zeros(raw.angle.size)
         torque[self.problem.voluntary] = raw.torque
-        log_mass, log_inertia = logarithms(leg.mass, leg.inertia)
-        shared = Shared(
-            log_inertia=log_inertia,
-            gravity=leg.mass * leg.com_distance * GRAVITY / leg.inertia,
-            stiffness=leg.stiffness / leg.inertia,
-            damping=leg.damping / leg.inertia,
-        )
+        with np.errstate(invalid="ignore", divide="ignore"):
+            # nan beyond the limit `POSITIVE`, from where a line search turns back
+            shared, log_mass = shared_of(leg), np.log(leg.mass)
         own = Own(torque / leg.inertia, raw.angle, raw.angular_velocity)
         mounting = jax.tree.map(lambda a, b: b if b.size else a, self.usual, raw.mounting)
         terms = tuple(over_inertia(term, leg.inertia) for term in raw.terms)
@@ -162,12 +153,6 @@ class Objective:
     def flat(self, vector: np.ndarray) -> np.ndarray:
         """The coordinates of `point` as the fit scales and orders them."""
         return flattened(scaled(self.point(vector)))
-
-
-def logarithms(*values: Float[Any, ""]) -> list[Float[Any, ""]]:
-    """nan beyond the limit `POSITIVE`, from where a line search turns back."""
-    with np.errstate(invalid="ignore", divide="ignore"):
-        return [np.log(value) for value in values]
 
 
 @partial(jax.jit, static_argnames="chain")
