@@ -7,7 +7,7 @@ from exoid.fitting.data.observation import Clock, Observation
 from exoid.fitting.misfit.condensed import Sensed
 from exoid.fitting.misfit.disturbance import explain, restricted
 from exoid.fitting.misfit.gram import CAUSES
-from exoid.fitting.misfit.gram_matrices import gram, grams, hats, matern, node_count, pushes
+from exoid.fitting.misfit.gram_matrices import gram, hats, matern, node_count, pushes
 from exoid.fitting.misfit.information import common, spoiled
 from exoid.physics.motion.step import Drive
 
@@ -69,9 +69,9 @@ def process(rng, correlated, count=NODES):
 
 def explained(residual, a=None):
     sensed = linear(residual, columns() if a is None else a)
-    each = {cause: grams(sensed, SEEN, [DURATION], PLACE[None], cause) for cause in CAUSES}
-    missed = explain(each, {"torque": 10.0, "encoder": 1.0}, SAMPLES, 3)
-    return left(missed, each[missed.cause or "torque"])
+    each = {cause: gram(sensed, SEEN, 0, DURATION, cause, PLACE) for cause in CAUSES}
+    missed = explain([each], {"torque": 10.0, "encoder": 1.0}, SAMPLES, 3)
+    return left(missed, [each[missed.cause or "torque"]])
 
 
 def left(missed, each):

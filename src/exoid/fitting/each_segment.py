@@ -22,7 +22,7 @@ from exoid.fitting.model.limits import constraint_names
 from exoid.fitting.model.prior import prior_residual
 from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.model.term_parameters import ratio_name
-from exoid.fitting.result.estimates import parameter_estimate, with_reasons
+from exoid.fitting.result.estimates import Found, parameter_estimate, with_reasons
 from exoid.fitting.result.fit_result import Estimate, FitResult
 from exoid.physics.leg import GRAVITY, LegParameters
 from exoid.physics.parameter import declarations
@@ -256,7 +256,9 @@ def settled_parameters(
     information = Information(data, prior.T @ prior, bound, rows)
     at_bound = {name for name, holds in zip(constraint_names(0), active, strict=True) if holds}
     return {
-        name: parameter_estimate(name, belief, float(value), information, gradient, at_bound)
+        name: parameter_estimate(
+            name, belief, Found(float(value), gradient, information, name in at_bound)
+        )
         for name, value, gradient in zip(NAMES, jax.tree.leaves(leg(point)), gradients, strict=True)
     }
 

@@ -1,11 +1,9 @@
 """Which chain of conditioning the data went through, so that the simulation goes through it too."""
 
-from dataclasses import replace
-
 import numpy as np
 
 from exoid.fitting.data.conditioning_chain import Chain, MovingAverage, Raw, SettledKalman
-from exoid.fitting.data.movement import Movement
+from exoid.fitting.data.movement import Movement, weightless, with_channels
 from exoid.fitting.data.observe import LONGEST_STEP
 from exoid.recordings.samples import Samples
 from exoid.recordings.signal.condition import moving_average
@@ -70,25 +68,11 @@ def averaged(movement: Movement, window: int) -> Movement:
     def mean(samples: Samples) -> Samples:
         return np.concatenate([np.full(window - 1, np.nan), moving_average(samples, window)])
 
-    velocity = movement.angular_velocity
-    return replace(
-        movement,
-        angle=mean(movement.angle),
-        angular_velocity=None if velocity is None else mean(velocity),
-    )
+    return with_channels(movement, mean)
 
 
 def settled(movement: Movement) -> Movement:
     """Leave out the first free samples, in which the simulated filter has yet to settle."""
     first = int(np.argmax(~np.isnan(movement.angle)))
     count = first + min(SETTLING_SAMPLES, (movement.angle.size - first) // 4)
-
-    def late(samples: Samples) -> Samples:
-        return np.concatenate([np.full(count, np.nan), samples[count:]])
-
-    velocity = movement.angular_velocity
-    return replace(
-        movement,
-        angle=late(movement.angle),
-        angular_velocity=None if velocity is None else late(velocity),
-    )
+    return weightless(movement, np.arange(movement.angle.size) < count)

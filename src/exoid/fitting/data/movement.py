@@ -1,5 +1,6 @@
 """A segment as it enters the fit: its channels, its extent, its clock, its noise."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -74,15 +75,16 @@ class Movement:
         return self.added_mass > 0 and bool(np.isnan(self.added_mass_distance))
 
 
+def with_channels(each: Movement, change: Callable[[Samples], Samples], **more: Any) -> Movement:
+    """The same movement, the change made to every channel that is fitted."""
+    rate = each.angular_velocity
+    changed = None if rate is None else change(rate)
+    return replace(each, angle=change(each.angle), angular_velocity=changed, **more)
+
+
 def weightless(each: Movement, these: NDArray[np.bool_], **changed: Any) -> Movement:
     """The same movement, in which these samples weigh nothing."""
-    angle, rate = each.angle, each.angular_velocity
-    return replace(
-        each,
-        angle=np.where(these, np.nan, angle),
-        angular_velocity=None if rate is None else np.where(these, np.nan, rate),
-        **changed,
-    )
+    return with_channels(each, lambda samples: np.where(these, np.nan, samples), **changed)
 
 
 def smoothed_motion(each: Movement, width: float) -> tuple[Samples, Samples]:

@@ -1,6 +1,5 @@
 """What a fit sees of the movements of recordings, in one shape."""
 
-import equinox as eqx
 import jax
 import numpy as np
 
@@ -10,11 +9,7 @@ from exoid.fitting.model.systematics import SOMEWHERE, beside_unplaced
 from exoid.physics.cycle_shape import cycle_shape
 from exoid.physics.motion.step import Drive
 from exoid.recordings.samples import Samples
-from exoid.recordings.signal.condition import (
-    interpolated,
-    local_line,
-    torque_frequencies,
-)
+from exoid.recordings.signal.condition import interpolated, local_line, torque_frequencies
 
 LONGEST_STEP = 0.02  # s; a gap or slow sampling is bridged by samples that weigh nothing
 GUIDE_WIDTH = 0.06  # s, over which angle and velocity are smoothed to guide a start
@@ -25,16 +20,9 @@ def observe(movements: list[Movement], reading: str) -> Observation:
     grids = [with_gaps_bridged(each.segment.time) for each in movements]
     size = bucket(max(grid.size for grid in grids))
     rows = [
-        one_observation(each, number, grid, size, reading)
-        for number, (each, grid) in enumerate(zip(movements, grids, strict=True))
+        one_observation(movements, number, grid, size, reading) for number, grid in enumerate(grids)
     ]
-    seen = jax.tree.map(lambda *each: np.stack(each), *rows)
-    numbers = sorted({each.recording for each in movements})
-    seat = np.array([numbers.index(each.recording) for each in movements])
-    moves = np.array(
-        [float(each.unplaced or not beside_unplaced(each, movements)) for each in movements]
-    )
-    return eqx.tree_at(lambda seen: (seen.seat, seen.added_mass_moves), seen, (seat, moves))
+    return jax.tree.map(lambda *each: np.stack(each), *rows)
 
 
 def bucket(size: int) -> int:
@@ -61,9 +49,11 @@ def with_gaps_bridged(time: Samples) -> Samples:
 
 
 def one_observation(
-    each: Movement, number: int, grid: Samples, size: int, reading: str
+    movements: list[Movement], number: int, grid: Samples, size: int, reading: str
 ) -> Observation:
-    own = each.segment.time
+    """What is seen of one of the movements, on this grid, padded to this size."""
+    each = movements[number]
+    own, recordings = each.segment.time, sorted({one.recording for one in movements})
     at = np.searchsorted(grid, own)
     step = np.median(np.diff(grid))
     time = np.concatenate([grid, grid[-1] + step * np.arange(1, size - grid.size + 1)])
@@ -91,10 +81,10 @@ def one_observation(
         torque=staged(time, lambda at: measured_torque(at, each)),
         added_mass=np.asarray(each.added_mass),
         added_mass_distance=np.asarray(SOMEWHERE if each.unplaced else each.added_mass_distance),
-        added_mass_moves=np.asarray(1.0),
+        added_mass_moves=np.asarray(float(each.unplaced or not beside_unplaced(each, movements))),
         added_mass_extent=np.asarray(each.systematics.expected_extent),
         thigh_angle=np.asarray(each.thigh_angle),
-        seat=np.asarray(0),
+        seat=np.asarray(recordings.index(each.recording)),
         clock=clock(each, number, reading),
     )
 

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from exoid.fitting.data.fitted_samples import Clip, Portion, portion
-from exoid.fitting.data.movement import Movement
+from exoid.fitting.data.fitted_samples import Clip, portion
+from exoid.fitting.data.movement import Movement, weightless
 from exoid.fitting.model.systematics import systematics
 from exoid.recordings.recording import Recording, Segment
 from exoid.recordings.samples import Samples
@@ -38,13 +38,13 @@ def movement(
     mass, distance = recording.added_mass(number), recording.added_mass_distance(number)
     assert angle is not None  # a Segment has one or the other
     check_sense(clipped, angle, velocity, name)
-    return Movement(
+    whole = Movement(
         name=name,
         kind=kind,
         kind_said=said is not None,
         segment=clipped,
-        angle=without_hand(angle, part),
-        angular_velocity=None if velocity is None else without_hand(velocity, part),
+        angle=angle,
+        angular_velocity=velocity,
         filtered=not raw,
         noise=cleaned.angle,
         gyro_noise=cleaned.velocity,
@@ -57,12 +57,7 @@ def movement(
         extent=part.extent,
         systematics=systematics(recording, number),
     )
-
-
-def without_hand(samples: Samples, part: Portion) -> Samples:
-    """NaN where a hand may still be on the leg."""
-    count = part.free - part.start
-    return np.concatenate([np.full(count, np.nan), samples[count:]])
+    return weightless(whole, np.arange(angle.size) < part.free - part.start)
 
 
 def check_sense(segment: Segment, angle: Samples, velocity: Samples | None, name: str) -> None:

@@ -17,18 +17,13 @@ from jaxtyping import Bool, Float
 from exoid.fitting.errors.nuts import move_chains
 from exoid.fitting.errors.posterior_density import Target, points, posed
 from exoid.fitting.misfit.uncertainty import ON_BOUND
-from exoid.fitting.model.belief import NAMES
 from exoid.fitting.model.constraint import violations_at
-from exoid.fitting.model.coordinates import (
-    Coordinates,
-    quantities,
-)
+from exoid.fitting.model.coordinates import Coordinates, quantities
 from exoid.fitting.model.term_parameters import parameters_of, ratio_name, ratio_unit
+from exoid.fitting.model.user_values import DECLARED
 from exoid.fitting.result.estimates import RATIOS
 from exoid.fitting.result.fit_result import Basis, FitResult
 from exoid.fitting.result.mountings import FIELDS, MOUNTING, outside
-from exoid.physics.leg import LegParameters
-from exoid.physics.parameter import declarations
 
 PACKAGES = ("blackjax", "arviz", "h5netcdf")
 MISSING = "--posterior needs more packages: pip install 'exoid[posterior]'"
@@ -128,13 +123,10 @@ def described(
 
 def numbered(basis: Basis) -> dict[str, tuple[int, str]]:
     """Which row of `coordinates.quantities` each is, and its unit."""
-    movements, declared = basis.problem.movements, dict(declarations(LegParameters))
-    unit = {name: declared[name].unit for name in NAMES}
+    unit = {name: declared.unit for name, declared in DECLARED.items()}
     unit |= {name: entry[2] for name, entry in RATIOS.items()}
-    for number, each in enumerate(movements):
-        if each.voluntary:
-            unit[f"torque_amplitude[{number}]"] = "N m"
-            unit[f"torque_over_inertia[{number}]"] = "1/s^2"
+    for name, own in (("torque_amplitude", "N m"), ("torque_over_inertia", "1/s^2")):
+        unit |= dict.fromkeys(basis.problem.quantities_of(name), own)
     for name, declared in parameters_of(basis.problem.terms):
         unit |= {name: declared.unit, ratio_name(name, declared): ratio_unit(declared)}
     rows = enumerate(basis.problem.quantities)
@@ -144,16 +136,12 @@ def numbered(basis: Basis) -> dict[str, tuple[int, str]]:
 def placed(basis: Basis, at: Coordinates) -> tuple[dict[str, np.ndarray], dict[str, str]]:
     """Values and units of what recordings own, by the recording's number."""
     values, units = {}, {}
-    problem = basis.problem
-    seat = np.asarray(problem.observation.seat)
-    for field in problem.owned:
-        for entry, row in enumerate(getattr(at.mounting, field)):
-            if not problem.estimates(field, entry):
-                continue
-            name = FIELDS[field]
-            recording = problem.movements[int(np.flatnonzero(seat == entry)[0])].recording
-            key = f"{name}[{recording}]"
-            values[key], units[key] = outside(problem, field, entry, row), MOUNTING[name][2]
+    for field in basis.problem.owned:
+        for entry in basis.problem.estimated(field):
+            name, row = FIELDS[field], getattr(at.mounting, field)[entry]
+            key = f"{name}[{basis.problem.recordings[entry][0].recording}]"
+            values[key] = outside(basis.problem, field, entry, row)
+            units[key] = MOUNTING[name][2]
     return values, units
 
 

@@ -1,6 +1,5 @@
 """The density that a posterior is drawn from, in coordinates of unit scale around the best fit."""
 
-from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -32,18 +31,14 @@ from exoid.fitting.model.coordinates import (
 )
 from exoid.fitting.model.limits import Limits, Prior
 from exoid.fitting.model.prior import (
+    belief_residual,
     log_jacobian,
     mounting_residual,
-    prior_residual,
     term_log_jacobian,
-    term_residual,
 )
-from exoid.fitting.model.term_parameters import parameters_of, step_of, term_of
+from exoid.fitting.model.term_parameters import parameters_of, step_of, with_values
 from exoid.fitting.result.fit_result import Basis
 from exoid.fitting.solve.ask import around, take
-from exoid.physics.leg import LegParameters
-from exoid.physics.parameter import Declaration
-from exoid.physics.term import Term
 
 UNDETERMINED = 1e-3  # information per typical step squared, too little to sample along
 NARROW = 2e-4  # relative width of what a user fixed: chains cannot move along a surface
@@ -70,7 +65,7 @@ def posed(basis: Basis) -> tuple[Target, np.ndarray]:
     problem, ended = basis.problem, basis.ended
     local = ended.local
     prior, limits = without_fixed(problem.belief)
-    total = local.data + prior_information(take(ended.best.coordinates, 0), prior)
+    total = local.data + prior_information(ended.point, prior)
     values, vectors = np.linalg.eigh(total)
     loose = vectors[:, values < UNDETERMINED]
     bounds = (limits.lower, limits.upper, SIZE)
@@ -80,14 +75,14 @@ def posed(basis: Basis) -> tuple[Target, np.ndarray]:
     kept = values >= UNDETERMINED
     shrink, tilt = curved(basis)
     target = Target(
-        best=scaled(take(ended.best.coordinates, 0)),
+        best=scaled(ended.point),
         spread=vectors[:, kept] / np.sqrt(values[kept]),
         shrink=shrink,
         tilt=tilt,
         scale=ended.disturbance.scale * ended.disturbance.weighing(problem.kinds),
         observation=problem.observation,
         known=problem.known,
-        stage=Stage(np.asarray(0.0), np.asarray(problem.steps)),
+        stage=problem.free,
         prior=prior,
         limits=limits,
     )
@@ -100,15 +95,19 @@ def without_fixed(belief: Belief) -> tuple[Prior, Limits]:
     if not fixed:
         return prior, limits
     weight = float(prior.weight) or 1.0
-    terms = dict(parameters_of([type(term) for term in limits.lower_terms]))
-    size = {name: abs(value) or size_of(name, terms) for name, value in fixed.items()}
-    width = {name: NARROW * one * np.sqrt(weight) for name, one in size.items()}
+    terms = parameters_of([type(term) for term in limits.lower_terms])
+    sizes = {name: float(getattr(SIZE, name)) for name in NAMES}
+    sizes |= {name: step_of(declared) for name, declared in terms}
+    width = {
+        name: NARROW * (abs(value) or sizes[name]) * np.sqrt(weight)
+        for name, value in fixed.items()
+    }
     prior = replace(
         prior,
         own=with_values(prior.own, fixed),
         own_deviation=with_values(prior.own_deviation, width),
-        terms=with_term_values(prior.terms, fixed),
-        terms_deviation=with_term_values(prior.terms_deviation, width),
+        terms=tuple(with_values(each, fixed) for each in prior.terms),
+        terms_deviation=tuple(with_values(each, width) for each in prior.terms_deviation),
         weight=np.asarray(weight),
     )
     lowest, highest = dict.fromkeys(fixed, -np.inf), dict.fromkeys(fixed, np.inf)
@@ -116,30 +115,9 @@ def without_fixed(belief: Belief) -> tuple[Prior, Limits]:
         limits,
         lower=with_values(limits.lower, lowest),
         upper=with_values(limits.upper, highest),
-        lower_terms=with_term_values(limits.lower_terms, lowest),
-        upper_terms=with_term_values(limits.upper_terms, highest),
+        lower_terms=tuple(with_values(each, lowest) for each in limits.lower_terms),
+        upper_terms=tuple(with_values(each, highest) for each in limits.upper_terms),
     )
-
-
-def size_of(name: str, terms: dict[str, Declaration]) -> float:
-    """A step of order one of a parameter of the leg or of a term."""
-    return step_of(terms[name]) if name in terms else float(getattr(SIZE, name))
-
-
-def with_values(leg: LegParameters, values: Mapping[str, float]) -> LegParameters:
-    """The leg with those of the values that are its own."""
-    return replace(leg, **{name: np.asarray(values[name]) for name in NAMES if name in values})
-
-
-def with_term_values(terms: tuple[Term, ...], values: Mapping[str, float]) -> tuple[Term, ...]:
-    """The terms with those of the values that are their own, as coulomb_friction.level."""
-
-    def one(term: Term) -> Term:
-        return term_of(
-            type(term), lambda name, _: values.get(name, getattr(term, name.partition(".")[2]))
-        )
-
-    return tuple(map(one, terms))
 
 
 def curved(basis: Basis) -> tuple[np.ndarray, np.ndarray]:
@@ -174,11 +152,7 @@ def log_density(
     condensed = jax.vmap(each)(of_segments(at, seen.seat), seen, target.known)
     leg, prior = leg_parameters(point), target.prior
     data = linear_model(weighed(condensed, target.scale), here, to, seen.seat)
-    belief = (
-        prior_residual(prior, leg),
-        term_residual(prior, point),
-        mounting_residual(prior, point.mounting),
-    )
+    belief = belief_residual(prior, point), mounting_residual(prior, point.mounting)
     loss = sum(jnp.sum(part**2) for part in (data, *belief)) / 2 + target.tilt @ change
     within = violations_at(target.limits, point).max() <= 0
     volume = log_jacobian(prior, leg) + term_log_jacobian(prior, point)

@@ -18,7 +18,7 @@ from exoid.fitting.misfit.uncertainty import decomposed, spread
 from exoid.fitting.model.coordinates import Coordinates, flattened, scaled, unflattened, unscaled
 from exoid.fitting.multistart.ended import FEASIBLE, LIMITED
 from exoid.fitting.result.fit_result import Basis, Estimate, FitResult
-from exoid.fitting.solve.ask import advance, around, take, task
+from exoid.fitting.solve.ask import advance, around, task
 from exoid.fitting.solve.program_values import Aim
 
 Shape = Literal["two-sided", "lower limit only", "upper limit only", "flat"]
@@ -113,10 +113,8 @@ def named(result: FitResult) -> list[tuple[str, Estimate]]:
 
 def weights_of(name: str, basis: Basis) -> np.ndarray:
     """Which of `coordinates.quantities` this is, or a mean of which."""
-    rows = basis.problem.quantities
-    voluntary = [number for number, each in enumerate(basis.problem.movements) if each.voluntary]
-    wanted = [name] if name in rows else [f"{name}[{number}]" for number in voluntary]
-    return np.array([float(row in wanted) for row in rows]) / len(wanted)
+    wanted = basis.problem.quantities_of(name)
+    return np.isin(basis.problem.quantities, wanted) / len(wanted)
 
 
 def posed(basis: Basis, name: str, estimate: Estimate) -> Quest | None:
@@ -160,7 +158,7 @@ def matching(basis: Basis, gradient: np.ndarray, error: float | None) -> float:
 
 def begin(basis: Basis, quest: Quest) -> Coordinates:
     """Where the quadratic picture has each point: along I^-1 times the gradient."""
-    best = take(basis.ended.best.coordinates, 0)
+    best = basis.ended.point
     gradient = quest.weights @ basis.ended.local.quantities
     total = basis.ended.local.data + basis.ended.local.prior
     total = total + np.diag(1e-6 * (1 + np.diag(total)))

@@ -40,16 +40,15 @@ def disturbed(ended: Ended) -> bool:
 
 def starts_off(problem: Problem, ended: Ended, number: int) -> bool:
     """Those of a movement that seems to begin free."""
-    each, seen = problem.movements[number], problem.observation
+    each, seen, best = problem.movements[number], problem.observation, ended.best
     count = 0 if each.extent is None else each.extent.doubted
-    best, rows = ended.best, np.searchsorted(np.asarray(seen.time[number]), each.segment.time)
+    rows = problem.own_rows(number)[:count]
     channels = (
         (each.angle, best.angle, seen.angle_weight),
         (each.angular_velocity, best.angular_velocity, seen.velocity_weight),
     )
     left = [
-        (measured[:count] - simulated[0, number][rows[:count]])
-        * np.asarray(weight[number])[rows[:count]]
+        (measured[:count] - simulated[0, number][rows]) * np.asarray(weight[number])[rows]
         for measured, simulated, weight in channels
         if measured is not None
     ]

@@ -79,8 +79,7 @@ def simulated(whole: Problem, found: Ended) -> Solved:
 
 def misses(whole: Problem, there: Solved, number: int) -> np.ndarray:
     """What a simulation misses of the angle, over its noise."""
-    each, seen = whole.movements[number], whole.observation
-    rows = np.searchsorted(np.asarray(seen.time[number]), each.segment.time)
+    each, rows = whole.movements[number], whole.own_rows(number)
     return (each.angle - there.angle[0, number][rows]) / each.angle_noise
 
 

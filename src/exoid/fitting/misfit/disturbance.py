@@ -8,9 +8,11 @@ those of greatest restricted likelihood (Patterson & Thompson, Biometrika 58(3),
 for what the parameters absorbed.
 """
 
+from itertools import product
+
 import numpy as np
 
-from exoid.fitting.misfit.gram import CAUSES, UNIT, Cause, Gram
+from exoid.fitting.misfit.gram import CAUSES, UNIT, Cause, Gram, Grams
 from exoid.fitting.misfit.gram_matrices import modes
 from exoid.fitting.misfit.missed import Missed
 from exoid.fitting.misfit.uncertainty import ROUNDING, whitening
@@ -21,26 +23,25 @@ FINER = np.logspace(-0.8, 0.8, 9)  # a fifth of a decade apart
 CLEAR = 4.0  # gain of log likelihood below which the noise alone explains the residual
 
 
-def explain(
-    grams: dict[Cause, list[Gram]], most: dict[Cause, float], samples: int, size: int
-) -> Missed:
+def explain(grams: list[Grams], most: dict[Cause, float], samples: int, size: int) -> Missed:
     """The noise and the process of greatest restricted likelihood.
 
-    `grams` of every cause are of the same segments, whose unknowns are among `size` coordinates.
-    `most` bounds the deviation: what nearly hides in the parameters may else grow without limit.
+    The unknowns of the segments are among `size` coordinates. `most` bounds the deviation: what
+    nearly hides in the parameters may else grow without limit.
     """
+
+    def likelihood(cause: Cause, correlated: float) -> Likelihood:
+        return Likelihood([each[cause] for each in grams], correlated, samples, size)
+
     found: tuple[Cause | None, float, float] = (None, CORRELATED[0], 0.0)
-    best = Likelihood(grams["torque"], CORRELATED[0], samples, size)(np.zeros(1))[0] + CLEAR
-    largest = {cause: (most[cause] / UNIT[cause]) ** 2 for cause in CAUSES}
-    for cause in CAUSES:
-        for correlated in CORRELATED:
-            ratio, value = Likelihood(grams[cause], correlated, samples, size).greatest(
-                largest[cause]
-            )
-            if value > best:
-                best = value
-                found = (cause, correlated, ratio)
-    noise = noise_beside(*found[1:], grams[found[0] or "torque"], samples, size)
+    best = likelihood("torque", CORRELATED[0])(np.zeros(1))[0] + CLEAR
+    for cause, correlated in product(CAUSES, CORRELATED):
+        ratio, value = likelihood(cause, correlated).greatest((most[cause] / UNIT[cause]) ** 2)
+        if value > best:
+            best = value
+            found = (cause, correlated, ratio)
+    cause, correlated, ratio = found
+    noise = likelihood(cause or "torque", correlated).noise_beside(ratio)
     return Missed(*found, noise, float(best))
 
 
@@ -60,6 +61,10 @@ class Likelihood:
         return float(near[top]), float(values[top])
 
     def __call__(self, ratios: np.ndarray) -> np.ndarray:
+        return restricted(*self.weighted(ratios), self.samples)
+
+    def weighted(self, ratios: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """The weighted (A, r)'(A, r), and the log determinant of the covariance, for each ratio."""
         size = self.size
         total = np.zeros((ratios.size, size + 1, size + 1))
         spread = np.zeros(ratios.size)
@@ -69,7 +74,15 @@ class Likelihood:
             place = np.append(each.place, size)
             total[:, place[:, None], place] += each.fitted - taken
             spread += np.log(grown).sum(axis=1)
-        return restricted(total, spread, self.samples)
+        return total, spread
+
+    def noise_beside(self, ratio: float) -> float:
+        """The white noise over the declared one; sensors are no better than declared."""
+        total, size = self.weighted(np.array([ratio]))[0][0], self.size
+        basis, unit = whitening(total[:size, :size])
+        along = (total[:size, size] / unit) @ basis
+        left = total[size, size] - along @ along
+        return float(np.sqrt(max(1.0, left / (self.samples - basis.shape[1]))))
 
 
 @np.errstate(invalid="ignore", divide="ignore")
@@ -91,18 +104,3 @@ def restricted(total: np.ndarray, spread: np.ndarray, samples: int) -> np.ndarra
     absorbed = np.log(values).sum(axis=1) + 2 * np.log(unit).sum(axis=1)
     found = -(spread + absorbed + freedom * np.log(left / freedom)) / 2
     return np.where(np.isnan(found), -np.inf, found)
-
-
-def noise_beside(
-    correlated: float, ratio: float, grams: list[Gram], samples: int, size: int
-) -> float:
-    """The white noise over the declared one; sensors are no better than declared."""
-    total = np.zeros((size + 1, size + 1))
-    for each in grams:
-        sizes, cross = modes(each, correlated)
-        place = np.ix_(np.append(each.place, size), np.append(each.place, size))
-        total[place] += each.fitted - cross.T @ ((ratio / (1 + ratio * sizes))[:, None] * cross)
-    basis, unit = whitening(total[:size, :size])
-    along = (total[:size, size] / unit) @ basis
-    left = total[size, size] - along @ along
-    return float(np.sqrt(max(1.0, left / (samples - basis.shape[1]))))

@@ -19,3 +19,6 @@ class Gram:
     cross: np.ndarray  # S'(A, r)
     process: np.ndarray  # S'S
     nodes: np.ndarray  # s, times of the nodes
+
+
+Grams = dict[Cause, Gram]  # of one segment

@@ -42,20 +42,6 @@ def pushes(time: np.ndarray, durations: list[float]) -> Drive:
     return Drive(at(time[:, :-1]), at((time[:, :-1] + time[:, 1:]) / 2), at(time[:, 1:]))
 
 
-def grams(
-    sensed: Sensed,
-    seen: Observation,
-    durations: list[float],
-    columns: np.ndarray,
-    cause: Cause,
-) -> list[Gram]:
-    """Of every segment; `columns` places its unknowns among the coordinates of the fit."""
-    return [
-        gram(sensed, seen, number, duration, cause, columns[number])
-        for number, duration in enumerate(durations)
-    ]
-
-
 def declared(residual: np.ndarray, derivative: np.ndarray) -> Gram:
     """What is declared of recordings, as if it were measured: nothing disturbs it."""
     rows = np.concatenate([derivative, residual[:, None]], axis=1)

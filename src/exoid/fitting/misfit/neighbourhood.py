@@ -12,14 +12,14 @@ from exoid.fitting.model.coordinates import (
     Coordinates,
     by_segment,
     flattened,
-    leg_parameters,
+    places,
     quantities,
     scaled,
     unflattened,
     unscaled,
 )
 from exoid.fitting.model.limits import Limits, Prior
-from exoid.fitting.model.prior import mounting_residual, prior_residual, term_residual
+from exoid.fitting.model.prior import belief_residual, mounting_residual
 
 COMPLEX_STEP = 1e-30  # exact to rounding: no difference is taken
 PENALTY = 100.0  # rho times the variance of a constraint: each round gains two digits
@@ -53,9 +53,8 @@ def prior_information(point: Coordinates, prior: Prior) -> np.ndarray:
     """What is believed of leg and mountings, around `point`."""
 
     def belief(at: Coordinates):
-        leg = prior_residual(prior, leg_parameters(at, np), np)
-        terms = term_residual(prior, at, np)
-        return np.concatenate([leg, terms, mounting_residual(prior, at.mounting, np)])
+        declared = mounting_residual(prior, at.mounting, np)
+        return np.concatenate([belief_residual(prior, at, np), declared])
 
     by_prior = gradients(belief, point)
     return by_prior.T @ by_prior
@@ -95,8 +94,7 @@ def derivative(function: Callable, at: np.ndarray) -> np.ndarray:
 
 def columns(point: Coordinates, seat: Int[np.ndarray, " segment"]) -> np.ndarray:
     """Which coordinate every unknown of every segment is: (segment, unknown)."""
-    numbers = np.arange(flattened(point).size)
-    return by_segment(unflattened(numbers, point), seat, np)
+    return by_segment(places(point), seat, np)
 
 
 def told(condensed: Condensed, columns: np.ndarray, size: int) -> np.ndarray:

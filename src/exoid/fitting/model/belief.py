@@ -4,12 +4,9 @@ from dataclasses import dataclass, field
 
 from exoid.fitting.model.assumptions import BoundsName, PriorName
 from exoid.fitting.model.limits import Limits, Prior
+from exoid.fitting.model.term_parameters import NAMES
 from exoid.fitting.model.user_values import ByHand
 from exoid.physics.anatomy.expected import ExpectedLeg
-from exoid.physics.leg import LegParameters
-from exoid.physics.parameter import declarations
-
-NAMES = [name for name, _ in declarations(LegParameters)]
 
 
 @dataclass(frozen=True)

@@ -5,18 +5,19 @@ changes nothing). The inertia matters only beside a known mass or torque, the ma
 """
 
 from collections.abc import Sequence
-from dataclasses import fields, replace
-from typing import Any
+from dataclasses import replace
+from typing import Any, TypeVar
 
 import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
 from jax.flatten_util import ravel_pytree
-from jaxtyping import Float, Inexact, Int, Num
+from jaxtyping import Float, Inexact, Int, Num, PyTree
 
 from exoid.fitting.model.mounting import Mounting
 from exoid.fitting.model.term_parameters import (
+    NAMES,
     over_inertia,
     parameters_of,
     ratio_name,
@@ -26,8 +27,8 @@ from exoid.physics.leg import GRAVITY, LegParameters
 from exoid.physics.parameter import declarations
 from exoid.physics.term import Term
 
-LEG = [entry.name for entry in fields(LegParameters)]
 USUAL = 0.4  # kg m^2, J of a middling leg
+Tree = TypeVar("Tree")
 
 
 class Shared(eqx.Module):
@@ -93,12 +94,17 @@ def unscaled(coordinates: Coordinates) -> Coordinates:
     return jax.tree.map(lambda value, unit: value * unit, coordinates, typical(coordinates))
 
 
-def flattened(coordinates: Coordinates) -> np.ndarray:
+def take(tree, rows):
+    """These rows of every leaf."""
+    return jax.tree.map(lambda leaf: leaf[np.asarray(rows)], tree)
+
+
+def flattened(tree: PyTree) -> np.ndarray:
     """All entries in one row."""
-    return np.concatenate([np.ravel(leaf) for leaf in jax.tree.leaves(coordinates)])
+    return np.concatenate([np.ravel(leaf) for leaf in jax.tree.leaves(tree)])
 
 
-def unflattened(values: np.ndarray, like: Coordinates) -> Coordinates:
+def unflattened(values: np.ndarray, like: Tree) -> Tree:
     """`flattened` undone; `values` may carry further axes behind."""
     leaves, structure = jax.tree.flatten(like)
     parts = np.split(values, np.cumsum([np.size(leaf) for leaf in leaves])[:-1])
@@ -107,6 +113,11 @@ def unflattened(values: np.ndarray, like: Coordinates) -> Coordinates:
         for part, leaf in zip(parts, leaves, strict=True)
     ]
     return jax.tree.unflatten(structure, shaped)
+
+
+def places(point: Coordinates) -> Coordinates:
+    """Which entry of `flattened` every coordinate is."""
+    return unflattened(np.arange(flattened(point).size), point)
 
 
 def seated(mounting: Mounting, seat: Int[Any, ""]) -> Mounting:
@@ -172,7 +183,7 @@ def quantities(coordinates: Coordinates, xp=jnp) -> Inexact[Any, " quantity *col
 def quantity_names(segments: int, terms: Sequence[type[Term]] = ()) -> list[str]:
     """Which quantity every row of `quantities` is."""
     return [
-        *LEG,
+        *NAMES,
         *(f"{name}_over_inertia" for name in ("gravity", "stiffness", "damping")),
         *(f"torque_amplitude[{number}]" for number in range(segments)),
         *(f"torque_over_inertia[{number}]" for number in range(segments)),
@@ -197,6 +208,16 @@ def leg_parameters(coordinates: Coordinates, xp=jnp) -> LegParameters:
         com_distance=shared.gravity * inertia / (mass * GRAVITY),
         damping=shared.damping * inertia,
         stiffness=shared.stiffness * inertia,
+    )
+
+
+def shared_of(leg: LegParameters) -> Shared:
+    """What motion can tell of a leg."""
+    return Shared(
+        log_inertia=np.log(leg.inertia),
+        gravity=leg.mass * leg.com_distance * GRAVITY / leg.inertia,
+        stiffness=leg.stiffness / leg.inertia,
+        damping=leg.damping / leg.inertia,
     )
 
 

@@ -3,13 +3,11 @@
 from collections.abc import Mapping
 from dataclasses import replace
 
-import jax
 import numpy as np
 
 from exoid.fitting.model.coordinates import Coordinates
+from exoid.fitting.model.term_parameters import parameters_of, with_values
 from exoid.physics.leg import GRAVITY
-from exoid.physics.parameter import Declaration, declarations
-from exoid.physics.term import Term, name_of
 
 
 def imposed(point: Coordinates, fixed: Mapping[str, float]) -> Coordinates:
@@ -31,22 +29,10 @@ def imposed(point: Coordinates, fixed: Mapping[str, float]) -> Coordinates:
         else:
             moment = np.maximum(shared.gravity, 1.0) * inertia / GRAVITY
             log_mass = np.log(moment / distance)
-    return replace(point, shared=shared, log_mass=log_mass, terms=terms_at(point, inertia, fixed))
-
-
-def terms_at(
-    point: Coordinates, inertia: np.ndarray, fixed: Mapping[str, float]
-) -> tuple[Term, ...]:
-    """The terms, every parameter that is fixed at its value."""
-
-    def entry(term: Term, name: str, declared: Declaration):
-        value = fixed.get(f"{name_of(type(term))}.{name}")
-        here = getattr(term, name)
-        return here if value is None else value / inertia**declared.inertia_power + 0.0 * here
-
-    leaves = [
-        entry(term, name, declared)
-        for term in point.terms
-        for name, declared in declarations(type(term))
-    ]
-    return jax.tree.unflatten(jax.tree.structure(point.terms), leaves)
+    own = {
+        name: fixed[name] / inertia**declared.inertia_power
+        for name, declared in parameters_of([type(term) for term in point.terms])
+        if name in fixed
+    }
+    terms = tuple(with_values(term, own) for term in point.terms)
+    return replace(point, shared=shared, log_mass=log_mass, terms=terms)

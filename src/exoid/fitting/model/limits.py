@@ -1,14 +1,13 @@
 """What a leg and its terms can be, and what is expected of them, in numbers."""
 
 from collections.abc import Sequence
-from dataclasses import fields
 from typing import Any
 
 import equinox as eqx
 from jaxtyping import Float
 
 from exoid.fitting.model.mounting import Mounting
-from exoid.fitting.model.term_parameters import parameters_of
+from exoid.fitting.model.term_parameters import NAMES, parameters_of
 from exoid.physics.leg import LegParameters
 from exoid.physics.term import Term
 
@@ -50,8 +49,7 @@ class Prior(eqx.Module):
 
 def constraint_names(segments: int, terms: Sequence[type[Term]] = ()) -> list[str]:
     """Which parameter each entry of `constraint.violations_at` limits, or the rule it states."""
-    parameters = [entry.name for entry in fields(LegParameters)]
     torques = [f"torque_amplitude[{number}]" for number in range(segments)]
     rules = ["m l^2 <= J", "J <= reach m l"]
     of_terms = [name for name, _ in parameters_of(terms)]
-    return [*parameters, *parameters, *rules, *torques, *torques, *of_terms, *of_terms]
+    return [*NAMES, *NAMES, *rules, *torques, *torques, *of_terms, *of_terms]

@@ -1,7 +1,7 @@
 """What is believed of a leg before it moves."""
 
 from collections.abc import Mapping
-from dataclasses import fields, replace
+from dataclasses import replace
 from typing import Any
 
 import jax
@@ -9,9 +9,10 @@ import jax.numpy as jnp
 import numpy as np
 from jaxtyping import Inexact
 
-from exoid.fitting.model.coordinates import Coordinates, with_inertia
+from exoid.fitting.model.coordinates import Coordinates, leg_parameters, with_inertia
 from exoid.fitting.model.limits import Prior
 from exoid.fitting.model.mounting import Mounting
+from exoid.fitting.model.term_parameters import leg_of, with_values
 from exoid.physics.anatomy.expected import ExpectedLeg
 from exoid.physics.anatomy.knee import LOG_SCATTER, NONE
 from exoid.physics.leg import LegParameters
@@ -19,7 +20,6 @@ from exoid.physics.parameter import declarations
 
 SIZE = {"mass": (1.0, 0.0, 0.0), "com_distance": (0.0, 1.0, 0.0), "inertia": (1.0, 1.0, 1.0)}
 KNEE = ("damping", "stiffness")
-NAMES = [entry.name for entry in fields(LegParameters)]
 TINY = 0.01  # of what is expected: below it a logarithm becomes a line, which has no end
 
 
@@ -92,6 +92,12 @@ def steepness(ratio: Inexact[Any, "*column"], none: float, xp) -> Inexact[Any, "
     return -xp.log(ratio**2 + 4 * none**2) / 2
 
 
+def belief_residual(prior: Prior, point: Coordinates, xp=jnp) -> Inexact[Any, " row *column"]:
+    """What is believed of the leg and of its terms."""
+    of_leg = prior_residual(prior, leg_parameters(point, xp), xp)
+    return xp.concatenate([of_leg, term_residual(prior, point, xp)])
+
+
 def term_residual(prior: Prior, point: Coordinates, xp=jnp) -> Inexact[Any, " row *column"]:
     """sqrt(lambda) (value - expected) / sd of the terms' parameters."""
     if not prior.terms:
@@ -128,11 +134,11 @@ def mounting_residual(
 def no_prior() -> Prior:
     """It says nothing."""
     return Prior(
-        centre=LegParameters(*(np.asarray(1.0) for _ in NAMES)),
+        centre=leg_of(lambda _: 1.0),
         whitening=np.zeros((3, 3)),
         knee=np.zeros(2),
-        own=LegParameters(*(np.asarray(0.0) for _ in NAMES)),
-        own_deviation=LegParameters(*(np.asarray(np.inf) for _ in NAMES)),
+        own=leg_of(lambda _: 0.0),
+        own_deviation=leg_of(lambda _: np.inf),
         weight=np.asarray(1.0),
     )
 
@@ -150,18 +156,20 @@ def joint_prior(expected: ExpectedLeg, weight: float) -> Prior:
 
 def own_units(expected: ExpectedLeg, weight: float, *, unit: bool) -> Prior:
     """Each parameter by itself, as Eq. 11 has it; by deviations of 1 where `unit`."""
-    each = [getattr(expected, name).standard_deviation for name in NAMES]
     return replace(
         no_prior(),
         centre=values_of(expected),
         own=values_of(expected),
-        own_deviation=LegParameters(*(np.asarray(1.0 if unit else one) for one in each)),
+        own_deviation=leg_of(
+            lambda name: 1.0 if unit else getattr(expected, name).standard_deviation
+        ),
         weight=np.asarray(float(weight)),
     )
 
 
 def with_own(prior: Prior, own: Mapping[str, tuple[float, float]], weight: float) -> Prior:
-    """The prior with somebody's own (value, standard deviation) in the place of what it says.
+    """The prior with somebody's own (value, standard deviation) in the place of what it says of
+    the leg or its terms.
 
     Of m, l and J what it says of the others, given these, stays: the joint density over that of
     the named ones.
@@ -174,15 +182,16 @@ def with_own(prior: Prior, own: Mapping[str, tuple[float, float]], weight: float
         precision = whitening.T @ whitening
         marginal = named @ np.linalg.inv(precision) @ named.T
         whitening = root(precision - named.T @ np.linalg.inv(marginal) @ named)
-    values = {name: np.asarray(value) for name, (value, _) in own.items()}
-    deviations = {name: np.asarray(deviation) for name, (_, deviation) in own.items()}
+    values, deviations = ({name: each[part] for name, each in own.items()} for part in (0, 1))
     said = np.array([name not in own for name in KNEE], dtype=float)
     return replace(
         prior,
         whitening=whitening,
         knee=prior.knee * said,
-        own=replace(prior.own, **values),
-        own_deviation=replace(prior.own_deviation, **deviations),
+        own=with_values(prior.own, values),
+        own_deviation=with_values(prior.own_deviation, deviations),
+        terms=tuple(with_values(each, values) for each in prior.terms),
+        terms_deviation=tuple(with_values(each, deviations) for each in prior.terms_deviation),
         weight=np.asarray(float(weight)),
     )
 
@@ -195,4 +204,4 @@ def root(precision: np.ndarray) -> np.ndarray:
 
 
 def values_of(expected: ExpectedLeg) -> LegParameters:
-    return LegParameters(*(np.asarray(getattr(expected, name).value) for name in NAMES))
+    return leg_of(lambda name: getattr(expected, name).value)

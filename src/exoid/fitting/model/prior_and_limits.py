@@ -8,8 +8,8 @@ from exoid.fitting.model.assumptions import Assumptions, BoundsName, PriorName
 from exoid.fitting.model.belief import NAMES, Belief
 from exoid.fitting.model.limits import Limits, Prior
 from exoid.fitting.model.prior import joint_prior, no_prior, own_units, with_own
-from exoid.fitting.model.term_parameters import parameters_of, term_of
-from exoid.fitting.model.user_values import ByHand, Expectations
+from exoid.fitting.model.term_parameters import leg_of, parameters_of, term_of, with_values
+from exoid.fitting.model.user_values import DECLARED, ByHand
 from exoid.physics.anatomy import (
     Body,
     ExpectedLeg,
@@ -19,8 +19,7 @@ from exoid.physics.anatomy import (
     reach,
 )
 from exoid.physics.anatomy.limits import Allowed, allowed, anybody, strongest
-from exoid.physics.leg import LegParameters
-from exoid.physics.parameter import Declaration, declarations
+from exoid.physics.parameter import Declaration
 from exoid.physics.term import Term
 from exoid.recordings.recording import Subject
 
@@ -53,10 +52,14 @@ def believe(
         found = Belief(name, expected, prior, limits, note, assumed.raw and expected is not None)
     declared = dict(parameters_of(terms))
     check_known(hand.terms, declared)
-    prior = with_own(found.prior, hand.leg.prior, assumed.weight)
+    prior = replace(
+        found.prior,
+        terms=tuple(term_of(term, lambda *_: 0.0) for term in terms),
+        terms_deviation=tuple(term_of(term, lambda *_: np.inf) for term in terms),
+    )
     return replace(
         found,
-        prior=of_terms(prior, terms, hand.prior, assumed.weight),
+        prior=with_own(prior, hand.prior, assumed.weight),
         limits=term_limits(limits_by_hand(found.limits, hand.leg), terms, hand),
         note="; ".join([found.note, *(f"yours: {words}" for words in hand.words(declared))]),
         bounds=assumed.bounds,
@@ -66,7 +69,7 @@ def believe(
 
 def check_known(hand: ByHand, declared: dict[str, Declaration]) -> None:
     """Refuse what is said of a parameter that no term of the model has, or of a value beyond it."""
-    for name in {**hand.fix, **hand.bound, **hand.prior}:
+    for name in hand.names:
         if name not in declared:
             known = f"it has {', '.join(declared)}" if declared else "it has no terms"
             raise ValueError(
@@ -80,24 +83,6 @@ def check_known(hand: ByHand, declared: dict[str, Declaration]) -> None:
                 f"fix of {name}: {value:g} {one.unit} cannot be; it is {one.lower:g} to "
                 f"{one.upper:g} {one.unit}."
             )
-
-
-def of_terms(
-    prior: Prior, terms: tuple[type[Term], ...], said: Expectations, weight: float
-) -> Prior:
-    """The prior with what is expected by hand of the terms' parameters."""
-    if not terms:
-        return prior
-
-    def model(part: int, none: float) -> tuple[Term, ...]:
-        return tuple(
-            term_of(term, lambda name, _: said.get(name, (0.0, none))[part]) for term in terms
-        )
-
-    own = any(name in dict(parameters_of(terms)) for name in said)
-    weight_of = np.asarray(float(weight)) if own else prior.weight
-    deviations = model(1, float("inf"))
-    return replace(prior, terms=model(0, 0.0), terms_deviation=deviations, weight=weight_of)
 
 
 def term_limits(limits: Limits, terms: tuple[type[Term], ...], hand: ByHand) -> Limits:
@@ -186,13 +171,13 @@ def body_of(subject: Subject) -> Body | None:
 
 def paper_bounds() -> dict[str, Allowed]:
     """Eq. 13, as `LegParameters` declares it."""
-    return {name: Allowed(each.lower, each.upper) for name, each in declarations(LegParameters)}
+    return {name: Allowed(each.lower, each.upper) for name, each in DECLARED.items()}
 
 
 def limits_of(each: dict[str, Allowed], torque: float, furthest: float) -> Limits:
     return Limits(
-        lower=LegParameters(*(np.asarray(each[name].lower) for name in NAMES)),
-        upper=LegParameters(*(np.asarray(each[name].upper) for name in NAMES)),
+        lower=leg_of(lambda name: each[name].lower),
+        upper=leg_of(lambda name: each[name].upper),
         torque=np.asarray(torque),
         reach=np.asarray(furthest),
     )
@@ -206,19 +191,14 @@ def rig_limits() -> Limits:
 
 def limits_by_hand(limits: Limits, hand: ByHand) -> Limits:
     """The limits with the ends that were said; a fixed parameter has nothing between them."""
-    each = {
-        name: Allowed(float(getattr(limits.lower, name)), float(getattr(limits.upper, name)))
-        for name in NAMES
-    }
+    lower, upper = dict(hand.fix), dict(hand.fix)
     for name, (low, high) in hand.bound.items():
-        ends = Allowed(
-            each[name].lower if low is None else low, each[name].upper if high is None else high
-        )
-        if ends.lower >= ends.upper:
+        lower[name] = float(getattr(limits.lower, name)) if low is None else low
+        upper[name] = float(getattr(limits.upper, name)) if high is None else high
+        if lower[name] >= upper[name]:
             raise ValueError(
-                f"bound of {name}: {ends.lower:g} to {ends.upper:g} leaves nothing, one end being "
-                "what a leg of this body can have at most. Give both ends, or check the body."
+                f"bound of {name}: {lower[name]:g} to {upper[name]:g} leaves nothing, one end "
+                "being what a leg of this body can have at most. Give both ends, or check the body."
             )
-        each[name] = ends
-    each |= {name: Allowed(value, value) for name, value in hand.fix.items()}
-    return limits_of(each, float(limits.torque), float(limits.reach))
+    lowest, highest = with_values(limits.lower, lower), with_values(limits.upper, upper)
+    return replace(limits, lower=lowest, upper=highest)

@@ -78,16 +78,19 @@ def extent_of(gyration: float) -> dict[str, float]:
 
 def deviations(each: Sequence, owned: Sequence[str] = OWNED) -> Mounting:
     """Of every recording among these movements; no entries for what no unknown is."""
-    rows = [
-        own_deviations([one for one in each if one.recording == number])
-        for number in sorted({one.recording for one in each})
-    ]
+    rows = [own_deviations(own) for own in by_recording(each)]
     return Mounting(
         **{
             name: np.array([row[name] for row in rows]) if name in owned else np.zeros(0)
             for name in OWNED
         }
     )
+
+
+def by_recording(movements: Sequence) -> list[list]:
+    """The movements of every recording."""
+    numbers = sorted({one.recording for one in movements})
+    return [[one for one in movements if one.recording == number] for number in numbers]
 
 
 def own_deviations(movements: Sequence) -> dict[str, float]:

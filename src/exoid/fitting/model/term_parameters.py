@@ -1,11 +1,16 @@
-"""The parameters of a model's terms: by name, in their sizes, and as motion alone tells them."""
+"""The parameters of a model, its terms' above all: by name, in their sizes, and as motion alone
+tells them.
+"""
 
-from collections.abc import Callable, Sequence
-from typing import Any
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from typing import Any, TypeVar
 
+import equinox as eqx
 import jax
 import numpy as np
 
+from exoid.physics.leg import LegParameters
 from exoid.physics.parameter import Declaration, declarations
 from exoid.physics.term import Term, name_of
 
@@ -20,6 +25,10 @@ RATIO_UNITS = {
     "kg m^2": "1",
     "rad/(N m)": "s^2",
 }  # of a parameter over J, or times J
+
+
+NAMES = [name for name, _ in declarations(LegParameters)]  # of the leg's parameters
+Model = TypeVar("Model", bound=eqx.Module)
 
 
 def parameters_of(terms: Sequence[type[Term]]) -> list[tuple[str, Declaration]]:
@@ -38,6 +47,20 @@ def term_of(term: type[Term], value: Callable[[str, Declaration], Any]) -> Term:
         for name, declared in declarations(term)
     }
     return term(**each)
+
+
+def leg_of(value: Callable[[str], Any]) -> LegParameters:
+    """The leg whose every parameter is what `value` makes of its name."""
+    return LegParameters(*(np.asarray(value(name)) for name in NAMES))
+
+
+def with_values(model: Model, values: Mapping[str, Any]) -> Model:
+    """The leg, or a term, with those of the values that are its own; a term's are called as
+    coulomb_friction.level.
+    """
+    owner = f"{name_of(type(model))}." if isinstance(model, Term) else ""
+    names = (name for name, _ in declarations(type(model)) if owner + name in values)
+    return replace(model, **{name: np.asarray(values[owner + name]) for name in names})
 
 
 def over_inertia(term: Term, inertia: Any) -> Term:

@@ -5,12 +5,13 @@ coulomb_friction.level, which are checked where the terms are known.
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from math import inf, isfinite, isnan
-from typing import Any, Literal
+from typing import Any, Literal, get_args
 
 from exoid.physics.leg import LegParameters
 from exoid.physics.parameter import Declaration, declarations
 
 Means = Literal["fix", "bound", "prior"]
+MEANS: tuple[Means, ...] = get_args(Means)  # the strongest first
 Fixed = Mapping[str, float]
 Bounds = Mapping[str, tuple[float | None, float | None]]
 Expectations = Mapping[str, tuple[float, float]]
@@ -33,12 +34,12 @@ class ByHand:
     prior: Expectations = field(default_factory=dict)  # (value, standard deviation)
 
     def __post_init__(self):
-        for means in ("fix", "bound", "prior"):
+        for means in MEANS:
             given = {parameter(name, means): value for name, value in getattr(self, means).items()}
             object.__setattr__(self, means, given)
         for name, value in self.fix.items():
             check_value("fix", name, value)
-            for means in ("bound", "prior"):
+            for means in MEANS[1:]:
                 if name in getattr(self, means):
                     raise ValueError(f"{name} is fixed, so it takes no {means} of its own.")
         for name, ends in self.bound.items():
@@ -52,27 +53,21 @@ class ByHand:
                 )
 
     def __bool__(self) -> bool:
-        return bool(self.fix or self.bound or self.prior)
+        return bool(self.names)
 
     def over(self, other: "ByHand") -> "ByHand":
         """This, and of `other` what says something of further parameters."""
-        mine = {*self.fix, *self.bound, *self.prior}
-
-        def rest(theirs: Mapping[str, Any]) -> dict[str, Any]:
-            return {name: value for name, value in theirs.items() if name not in mine}
-
-        return ByHand(
-            {**rest(other.fix), **self.fix},
-            {**rest(other.bound), **self.bound},
-            {**rest(other.prior), **self.prior},
-        )
+        rest = other.of(lambda name: self.means(name) is None)
+        return ByHand(*({**getattr(rest, means), **getattr(self, means)} for means in MEANS))
 
     def means(self, name: str) -> Means | None:
         """By what a parameter was decided by hand, the strongest."""
-        for means in ("fix", "bound", "prior"):
-            if name in getattr(self, means):
-                return means
-        return None
+        return next((means for means in MEANS if name in getattr(self, means)), None)
+
+    @property
+    def names(self) -> list[str]:
+        """Of what parameters something is said."""
+        return [*{**self.fix, **self.bound, **self.prior}]
 
     @property
     def leg(self) -> "ByHand":
@@ -87,10 +82,8 @@ class ByHand:
     def of(self, wanted: Callable[[str], bool]) -> "ByHand":
         """What is said of the parameters that are wanted."""
 
-        def some(said: Mapping[str, Any]) -> dict[str, Any]:
-            return {name: value for name, value in said.items() if wanted(name)}
-
-        return ByHand(some(self.fix), some(self.bound), some(self.prior))
+        each = (getattr(self, means).items() for means in MEANS)
+        return ByHand(*({name: said for name, said in one if wanted(name)} for one in each))
 
     def words(self, terms: Mapping[str, Declaration]) -> list[str]:
         """Each as an option would have it; `terms` declares what is none of the leg's."""
@@ -148,7 +141,7 @@ def from_sidecar(document: Any) -> ByHand:
     if not isinstance(document, Mapping):
         raise ValueError(f"{TABLE} must be a table: write [{TABLE}] and its keys below.")
     for key in document:
-        if key not in ("fix", "bound", "prior"):
+        if key not in MEANS:
             raise ValueError(f"unknown {key} in [{TABLE}]: it takes fix, bound and prior.")
     return ByHand(
         {name: numbers("fix", name, value, 1)[0] for name, value in entries(document, "fix")},
@@ -169,7 +162,7 @@ def pair(key: str, name: str, value: Any) -> tuple[float, float]:
     return one, other
 
 
-def numbers(key: str, name: str, value: Any, count: int):
+def numbers(key: str, name: str, value: Any, count: int) -> tuple[float, ...]:
     """So many numbers, refused in words."""
     each = value if isinstance(value, list) else [value]
     good = all(isinstance(one, int | float) and not isinstance(one, bool) for one in each)

@@ -7,7 +7,7 @@ import numpy as np
 from exoid.fitting.misfit.condensed import Neighbourhood
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.uncertainty import decomposed, spread
-from exoid.fitting.model.coordinates import TYPICAL, Coordinates
+from exoid.fitting.model.coordinates import TYPICAL, Coordinates, take
 from exoid.fitting.solve.program_values import Solved
 
 LIMITED = 1e-3  # tolerance with limits: a multiplier of ten makes it 1e-3 of half a sum of squares
@@ -28,6 +28,11 @@ class Ended:
     disturbance: Disturbance  # in the residual of the free fit
     starts: Coordinates
     local: Neighbourhood  # of `best`
+
+    @property
+    def point(self) -> Coordinates:
+        """Where `best` is."""
+        return take(self.best.coordinates, 0)
 
 
 def scale_told(data: np.ndarray) -> bool:

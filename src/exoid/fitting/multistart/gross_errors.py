@@ -12,10 +12,9 @@ import numpy as np
 
 from exoid.fitting.misfit.condensed import Neighbourhood
 from exoid.fitting.misfit.missed import Disturbance
-from exoid.fitting.model.coordinates import TYPICAL, flattened, unflattened
-from exoid.fitting.multistart.declared import deviation_of, widened
+from exoid.fitting.model.coordinates import TYPICAL, places
 from exoid.fitting.multistart.weight_by_kind import explained
-from exoid.fitting.solve.ask import advance, around, finite, take, task
+from exoid.fitting.solve.ask import advance, around, lowest, take, task
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
 
@@ -48,16 +47,15 @@ def with_tilted_seats(problem: Problem, free: Solved) -> tuple[Problem, Solved]:
     Seen as if only white noise were in the residual, a tilt may be anything that the model misses:
     it is believed where it explains the residual better than that would.
     """
-    row = int(np.argmin(finite(free.loss)))
+    row = lowest(free)
     wide = tilted(problem, free, row)
     if wide is None:
         return problem, free
     lanes = take(free.coordinates, [row] * free.loss.size)
     again = advance(wide, lanes, task(wide, 0.0, wide.steps, FINE))
     gain = likelihood(explained(wide, again, 0)) - likelihood(explained(problem, free, row))
-    price = np.log(deviation_of(wide, "tilt") / deviation_of(problem, "tilt")).sum()
-    best = int(np.argmin(finite(again.loss)))
-    steepest = float(np.abs(again.coordinates.mounting.tilt[best]).max())
+    price = np.log(wide.deviation_of("tilt") / problem.deviation_of("tilt")).sum()
+    steepest = float(np.abs(again.coordinates.mounting.tilt[lowest(again)]).max())
     if steepest > LYING * STEEPEST or not gain - price > CONVINCING:
         return problem, free
     return wide, advance(wide, free.coordinates, task(wide, 0.0, wide.steps, FINE))
@@ -72,18 +70,18 @@ def tilted(problem: Problem, free: Solved, row: int) -> Problem | None:
     """With wider priors for the seats whose tilt stands out; None where none does."""
     if "tilt" not in problem.owned:
         return None
-    noise = max(1.0, float(free.misfit[row]) / measured(problem))
+    noise = max(1.0, float(free.misfit[row]) / int(problem.samples.sum()))
     local = around(problem, free, row=row)
-    deviation = deviation_of(problem, "tilt").copy()
+    deviation = problem.deviation_of("tilt").copy()
     chosen = False
-    for entry in estimated(problem, "tilt"):
+    for entry in undeclared(problem, "tilt"):
         each = found(problem, free, row, entry, local.data / noise + local.declared)
         wide = min(np.sqrt(max(each.value**2 - each.variance, 0.0)), STEEPEST)
         if wide > deviation[entry]:
             gain = each.likelihood(wide) - each.likelihood(deviation[entry])
             if gain > CONVINCING:
                 deviation[entry], chosen = wide, True
-    return widened(problem, tilt=deviation) if chosen else None
+    return problem.widened(tilt=deviation) if chosen else None
 
 
 def found(problem: Problem, at: Solved, row: int, entry: int, total: np.ndarray) -> Tilt:
@@ -91,7 +89,7 @@ def found(problem: Problem, at: Solved, row: int, entry: int, total: np.ndarray)
     place, unit = place_of(at, "tilt", entry), float(TYPICAL.mounting.tilt)
     sure = total + 1e-9 * np.diag(np.diag(total)) + 1e-9 * np.eye(len(total))
     told = 1 / float(np.linalg.inv(sure)[place, place])
-    before = (unit / deviation_of(problem, "tilt")[entry]) ** 2
+    before = (unit / problem.deviation_of("tilt")[entry]) ** 2
     alone = max(told - before, 1e-9 * told)
     value = float(at.coordinates.mounting.tilt[row, entry])
     return Tilt(value * told / alone, unit**2 / alone)
@@ -105,10 +103,10 @@ def with_doubted_clocks(problem: Problem, best: Solved, local: Neighbourhood) ->
     """
     if not {"clock", "gyro_scale"} <= set(problem.owned):
         return None
-    clock, scale = (deviation_of(problem, name).copy() for name in ("clock", "gyro_scale"))
+    clock, scale = (problem.deviation_of(name).copy() for name in ("clock", "gyro_scale"))
     total = np.linalg.inv(local.data + local.prior + 1e-9 * np.eye(len(local.data)))
     chosen = False
-    for entry in doubtful(problem):
+    for entry in set(undeclared(problem, "clock")) & set(problem.estimated("gyro_scale")):
         place = place_of(best, "gyro_scale", entry)
         value = float(best.coordinates.mounting.gyro_scale[0, entry])
         error = float(np.sqrt(total[place, place]) * TYPICAL.mounting.gyro_scale)
@@ -117,35 +115,15 @@ def with_doubted_clocks(problem: Problem, best: Solved, local: Neighbourhood) ->
             clock[entry] = suspected
             scale[entry] = max(scale[entry], BEYOND * abs(value))
             chosen = True
-    return widened(problem, clock=clock, gyro_scale=scale) if chosen else None
+    return problem.widened(clock=clock, gyro_scale=scale) if chosen else None
 
 
-def doubtful(problem: Problem) -> list[int]:
-    """The recordings with a gyro and a clock of which nothing is declared."""
-    with_gyro = set(estimated(problem, "gyro_scale", declared=True))
-    return [entry for entry in estimated(problem, "clock") if entry in with_gyro]
-
-
-def estimated(problem: Problem, name: str, *, declared: bool = False) -> list[int]:
-    """The recordings of which this is an unknown; those that declare it only where asked for."""
-    seat = np.asarray(problem.observation.seat)
-    entries = []
-    for entry in range(int(seat.max()) + 1):
-        own = np.flatnonzero(seat == entry)
-        said = name in problem.movements[own[0]].systematics.declared
-        if (declared or not said) and problem.estimates(name, entry):
-            entries.append(entry)
-    return entries
+def undeclared(problem: Problem, name: str) -> list[int]:
+    """The recordings of which this is an unknown that they do not declare."""
+    first = [own[0] for own in problem.recordings]
+    return [n for n in problem.estimated(name) if name not in first[n].systematics.declared]
 
 
 def place_of(at: Solved, name: str, entry: int) -> int:
     """Which coordinate this is."""
-    point = take(at.coordinates, 0)
-    numbers = unflattened(np.arange(flattened(point).size), point)
-    return int(getattr(numbers.mounting, name)[entry])
-
-
-def measured(problem: Problem) -> int:
-    """Measured numbers."""
-    seen = problem.observation
-    return int((seen.angle_weight > 0).sum() + (seen.velocity_weight > 0).sum())
+    return int(getattr(places(take(at.coordinates, 0)).mounting, name)[entry])

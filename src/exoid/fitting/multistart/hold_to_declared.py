@@ -8,12 +8,11 @@ looks. Each is therefore held to what is declared by as much more as the data te
 import numpy as np
 
 from exoid.fitting.misfit.missed import Disturbance
-from exoid.fitting.model.coordinates import TYPICAL, flattened, unflattened
+from exoid.fitting.model.coordinates import TYPICAL, places
 from exoid.fitting.model.systematics import OWNED
-from exoid.fitting.multistart.declared import widened
 from exoid.fitting.multistart.tethers import FINE
 from exoid.fitting.multistart.weight_by_kind import explained, explained_apart
-from exoid.fitting.solve.ask import advance, around, finite, take, task
+from exoid.fitting.solve.ask import advance, around, lowest, take, task
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
 
@@ -30,14 +29,14 @@ def without_excuses(
 ) -> tuple[Solved, Disturbance, Less]:
     """All free fits, recordings held to what is declared by as much more as they tell less."""
     asked = task(problem, 0.0, problem.steps, FINE)
-    row = int(np.argmin(finite(free.loss)))
+    row = lowest(free)
     less = less_told(problem, free, row, found)
     for _ in range(ROUNDS):
         if worst(less) < EXCUSED:
             break
         tight = held(problem, less)
         free = advance(tight, free.coordinates, asked, found.weighing(problem.kinds))
-        before, row = less, int(np.argmin(finite(free.loss)))
+        before, row = less, lowest(free)
         found = explained_apart(problem, free, row, explained(problem, free, row))
         less = less_told(problem, free, row, found)
         if worst(less) < EXCUSED * worst(before):
@@ -55,14 +54,12 @@ def less_told(problem: Problem, at: Solved, row: int, found: Disturbance) -> Les
 
     Each as all but its own declaration tells it.
     """
-    local, point = around(problem, at, row=row), take(at.coordinates, row)
-    places = unflattened(np.arange(flattened(point).size), point).mounting
+    local, numbers = around(problem, at, row=row), places(take(at.coordinates, row)).mounting
     precisions = [precision(each + local.prior) for each in (local.data, found.information)]
 
     def of(name: str) -> np.ndarray:
-        deviation = getattr(problem.belief.prior.mounting, name)
-        own = (getattr(TYPICAL.mounting, name) / deviation) ** 2
-        entries = getattr(places, name)
+        own = (getattr(TYPICAL.mounting, name) / problem.deviation_of(name)) ** 2
+        entries = getattr(numbers, name)
         white, true = (np.maximum(each[entries] - own, 0.0) for each in precisions)
         return np.sqrt(np.maximum(white / (true + NOTHING * own), 1.0))
 
@@ -77,8 +74,6 @@ def precision(information: np.ndarray) -> np.ndarray:
 
 def held(problem: Problem, less: Less, scale: float = 1.0) -> Problem:
     """The problem in which they are held so, where residuals count 1 / `scale`."""
-    mounting = problem.belief.prior.mounting
-    assert mounting is not None  # `pose` gives one
-    return widened(
-        problem, **{name: getattr(mounting, name) * scale / less[name] for name in OWNED}
+    return problem.widened(
+        **{name: problem.deviation_of(name) * scale / less[name] for name in OWNED}
     )

@@ -24,7 +24,7 @@ from exoid.fitting.multistart.simpler_problems import (
 from exoid.fitting.multistart.starts import coordinates, usual_mounting
 from exoid.fitting.multistart.tethers import COARSE, FINE, tethers, without_thrust
 from exoid.fitting.multistart.weight_by_kind import alone, explained, explained_apart
-from exoid.fitting.solve.ask import BATCH, PAIR, advance, around, finite, left, take, task
+from exoid.fitting.solve.ask import BATCH, PAIR, advance, around, finite, left, lowest, take, task
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
 from exoid.physics.term import Term
@@ -134,7 +134,7 @@ def weighed_by_kind(problem: Problem, free: Solved) -> tuple[Solved, Disturbance
     The best of them begins anew where the kind that is weighed most ends by itself: that may be
     far from where all were weighed alike.
     """
-    row = int(np.argmin(finite(free.loss)))
+    row = lowest(free)
     alike = explained(problem, free, row)
     found = explained_apart(problem, free, row, alike)
     if not found.apart:
@@ -143,8 +143,7 @@ def weighed_by_kind(problem: Problem, free: Solved) -> tuple[Solved, Disturbance
     starts = replaced(free.coordinates, row, take(trusted.coordinates, 0))
     asked = task(problem, 0.0, problem.steps, FINE)
     again = advance(problem, starts, asked, found.weighing(problem.kinds))
-    row = int(np.argmin(finite(again.loss)))
-    return again, left(problem, again, row, found)
+    return again, left(problem, again, lowest(again), found)
 
 
 def replaced(tree, row: int, new):
@@ -204,7 +203,7 @@ def without_lost(free: Solved, member: np.ndarray, failures: dict[str, int]):
 
 def settle(problem: Problem, free: Solved, begin: Coordinates, found: Disturbance) -> Solved:
     """The best free fit under prior and limits, from several inertias and masses."""
-    best = int(np.argmin(finite(free.loss)))
+    best = lowest(free)
     lanes = max(PAIR, BATCH // len(problem.movements))
     one = take(free.coordinates, [best] * lanes)
     local = weighed(around(problem, free, row=best), found.scale)
@@ -227,14 +226,14 @@ def settle(problem: Problem, free: Solved, begin: Coordinates, found: Disturbanc
     bounded = problem if told or problem.belief.typical else with_inertia_kept(problem)
     scale = found.scale * found.weighing(problem.kinds)
     ended = advance(bounded, starts, asked, scale)
-    lowest = reached(ended)
+    before = reached(ended)
     for _ in range(PATIENCE):
         if not ended.exhausted[least(ended)]:
             break
         ended = advance(bounded, ended.coordinates, asked, scale)
-        if stands_still(reached(ended), lowest):
+        if stands_still(reached(ended), before):
             break
-        lowest = np.minimum(lowest, reached(ended))
+        before = np.minimum(before, reached(ended))
     return take(ended, [least(ended)])
 
 

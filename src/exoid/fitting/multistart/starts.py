@@ -1,6 +1,7 @@
 """Where a multi-start begins: drawn from the limits, from anatomy, and from inverse dynamics."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import product
 
 import jax
@@ -8,13 +9,13 @@ import numpy as np
 
 from exoid.fitting.data.movement import Movement, smoothed_motion
 from exoid.fitting.data.observe import cycle_torque
-from exoid.fitting.model.coordinates import Coordinates, Own, Shared
+from exoid.fitting.model.coordinates import Coordinates, Own, shared_of
 from exoid.fitting.model.limits import Limits
 from exoid.fitting.model.mounting import Mounting
 from exoid.fitting.model.prior_and_limits import leg_limits
 from exoid.fitting.model.systematics import OWNED
 from exoid.fitting.model.term_parameters import over_inertia, term_of
-from exoid.physics.leg import GRAVITY
+from exoid.physics.leg import GRAVITY, LegParameters
 from exoid.physics.parameter import declarations
 from exoid.physics.term import Term
 from exoid.recordings.recording import Subject
@@ -79,25 +80,21 @@ def coordinates(
 
     d/J is held below `greatest_damping` [1/s]: beyond it the time step cannot carry the motion.
     """
-    mass, inertia, com_distance, damping, stiffness, torque = parameters.T
+    leg, torque = LegParameters(*parameters.T[:-1]), parameters.T[-1]
+    shared = shared_of(leg)
     first = np.array([first_state(each) for each in movements])
     voluntary = np.array([each.voluntary for each in movements])
-    shape = (mass.size, len(movements))
+    shape = (torque.size, len(movements))
     return Coordinates(
-        shared=Shared(
-            log_inertia=np.log(inertia),
-            gravity=mass * com_distance * GRAVITY / inertia,
-            stiffness=stiffness / inertia,
-            damping=np.minimum(damping / inertia, greatest_damping),
-        ),
-        log_mass=np.log(mass),
-        mounting=usual_mounting(movements, (mass.size,), owned),
+        shared=replace(shared, damping=np.minimum(shared.damping, greatest_damping)),
+        log_mass=np.log(leg.mass),
+        mounting=usual_mounting(movements, (torque.size,), owned),
         own=Own(
-            torque=(torque / inertia)[:, None] * voluntary,
+            torque=(torque / leg.inertia)[:, None] * voluntary,
             angle=np.broadcast_to(first[:, 0], shape).copy(),
             angular_velocity=np.broadcast_to(first[:, 1], shape).copy(),
         ),
-        terms=tuple(over_inertia(term, inertia) for term in terms),
+        terms=tuple(over_inertia(term, leg.inertia) for term in terms),
     )
 
 

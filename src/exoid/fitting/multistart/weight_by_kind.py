@@ -14,7 +14,7 @@ import numpy as np
 
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.misfit.disturbance import CLEAR, explain
-from exoid.fitting.misfit.gram import CAUSES, Cause, Gram
+from exoid.fitting.misfit.gram import CAUSES, Cause, Grams
 from exoid.fitting.misfit.information import common, spoiled
 from exoid.fitting.misfit.missed import KINDS, NOISY, Disturbance, Missed
 from exoid.fitting.model.coordinates import flattened
@@ -30,16 +30,13 @@ DIFFERENT = {"passive": CLEAR, "measured": CLEAR, "active": 2 * CLEAR}
 DOUBT = 10.0  # a process only stands for what is missed: the others are held for this much worse
 BLIND = 1e8  # what the residual of a segment is divided by that is not to count
 
-Grams = dict[Cause, list[Gram]]
-
 
 def explained(problem: Problem, at: Solved, row: int = 0) -> Disturbance:
     """What is in the residual of all segments alike, and what it leaves of their information."""
     size = flattened(take(at.coordinates, row)).size
-    each = grams_at(problem, at, row, CAUSES)
-    seen = problem.observation
-    each = beside(each, declared_at(problem, at, row))
-    found = explain(each, plausible(seen), count(problem, problem.kinds), size)
+    each = [*grams_at(problem, at, row), declared_at(problem, at, row)]
+    most = plausible(problem.observation)
+    found = explain(each, most, count(problem, problem.kinds), size)
     return left(problem, at, row, common(found, problem.kinds))
 
 
@@ -51,16 +48,15 @@ def explained_apart(problem: Problem, at: Solved, row: int, alike: Disturbance) 
     solved = alone(problem, at, row, kinds)
     if not np.isfinite(solved.loss).all():
         return alike
-    each = [grams_at(problem, solved, lane, CAUSES) for lane in range(len(kinds))]
     size, most = flattened(take(at.coordinates, row)).size, plausible(problem.observation)
-    parts = [of_kind(problem, kind, grams) for kind, grams in zip(kinds, each, strict=True)]
-    told = [beside(part, declared_at(problem, solved, lane)) for lane, part in enumerate(parts)]
-    counts = {kind: count(problem, [kind]) for kind in kinds}
+    parts = [of_kind(problem, kind, solved, lane) for lane, kind in enumerate(kinds)]
+    told = [[*part, declared_at(problem, solved, lane)] for lane, part in enumerate(parts)]
+    counts = [count(problem, [kind]) for kind in kinds]
     own = {
-        kind: explain(grams, most, counts[kind], size)
-        for kind, grams in zip(kinds, told, strict=True)
+        kind: explain(grams, most, counted, size)
+        for kind, grams, counted in zip(kinds, told, counts, strict=True)
     }
-    together = explain(side_by_side(told, size), most, sum(counts.values()), size * len(kinds))
+    together = explain(side_by_side(told, size), most, sum(counts), size * len(kinds))
     gain = sum(missed.likelihood for missed in own.values()) - together.likelihood
     if not any(missed.cause for missed in own.values()):
         # Each is explained by itself, but not with the others: then it is the last that is off.
@@ -94,47 +90,32 @@ def alone(problem: Problem, at: Solved, row: int, kinds: list[str]) -> Solved:
     return jax.tree.map(lambda leaf: leaf[better, np.arange(len(kinds))], both)
 
 
-def of_kind(problem: Problem, kind: str, grams: Grams) -> Grams:
-    """Those of the segments of one kind."""
-    own = [number for number, each in enumerate(problem.kinds) if each == kind]
-    return {cause: [each[number] for number in own] for cause, each in grams.items()}
+def of_kind(problem: Problem, kind: str, at: Solved, row: int) -> list[Grams]:
+    """Of the segments of one kind, at one end point."""
+    each = zip(grams_at(problem, at, row), problem.kinds, strict=True)
+    return [grams for grams, own in each if own == kind]
 
 
-def beside(grams: Grams, declared: Gram) -> Grams:
-    """The segments', and what is declared of their recordings."""
-    return {cause: [*each, declared] for cause, each in grams.items()}
-
-
-def side_by_side(parts: list[Grams], size: int) -> Grams:
+def side_by_side(parts: list[list[Grams]], size: int) -> list[Grams]:
     """All in one, as if every kind were of a leg of its own."""
-    return {
-        cause: [
-            replace(gram, place=gram.place + number * size)
-            for number, part in enumerate(parts)
-            for gram in part[cause]
-        ]
-        for cause in CAUSES
-    }
+    return [
+        {cause: replace(gram, place=gram.place + number * size) for cause, gram in grams.items()}
+        for number, part in enumerate(parts)
+        for grams in part
+    ]
 
 
-def most_widened(missed: Missed, kind: str, part: Grams, size: int) -> float:
+def most_widened(missed: Missed, kind: str, part: list[Grams], size: int) -> float:
     """The largest factor by which the errors of this kind alone are widened."""
-    each = part[missed.cause or CAUSES[0]]
+    each = [grams[missed.cause or CAUSES[0]] for grams in part]
     found = spoiled(common(missed, [kind]), each, [kind] * len(each), size)
     return float(found.widening.max())
-
-
-def samples(seen: Observation) -> np.ndarray:
-    """Measured numbers of every segment."""
-    return np.sum(np.asarray(seen.angle_weight) > 0, axis=1) + np.sum(
-        np.asarray(seen.velocity_weight) > 0, axis=1
-    )
 
 
 def count(problem: Problem, kinds: list[str]) -> int:
     """Measured numbers of all segments of these kinds, and what is declared of the recordings."""
     declared = sum(leaf.size for leaf in jax.tree.leaves(problem.belief.prior.mounting))
-    return declared + int(samples(problem.observation)[np.isin(problem.kinds, kinds)].sum())
+    return declared + int(problem.samples[np.isin(problem.kinds, kinds)].sum())
 
 
 def plausible(seen: Observation) -> dict[Cause, float]:

@@ -73,7 +73,7 @@ def descend(objective: Objective, start: np.ndarray) -> OptimizeResult:
     Typical sizes alone leave the cost curved a million times more along what motion fixes than
     along what only the prior does, and there SLSQP stops early.
     """
-    result = once(objective, start, objective.axes / np.sqrt(objective.samples))
+    result = once(objective, start, objective.axes / np.sqrt(objective.problem.samples.sum()))
     for _ in range(RESTARTS):
         before = result.fun
         if not np.isfinite(before):

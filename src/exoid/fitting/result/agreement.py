@@ -20,10 +20,8 @@ def astray(segments: Sequence[SegmentFit], limits: Sequence[str] = ()) -> str | 
     leg moves (standard deviation). `limits` are those that the fit lies on: what it misses there is
     not the physics that a diagnosis looks for.
     """
-    sizes = [each.time.size for each in segments]
-    missed = pooled([(beyond_noise(s), n) for s, n in zip(segments, sizes, strict=True)])
-    moved = pooled([(motion(s), n) for s, n in zip(segments, sizes, strict=True)])
-    noise = pooled([(s.angle_noise, n) for s, n in zip(segments, sizes, strict=True)])
+    missed, moved = pooled(segments, beyond_noise), pooled(segments, motion)
+    noise = pooled(segments, lambda each: each.angle_noise)
     if missed >= ASTRAY * moved:
         return told(missed, moved)
     if limits and missed >= max(HELD * moved, HELD_NOISE * noise):
@@ -55,7 +53,7 @@ def of_the_rest(segments: list[SegmentFit], found: Disturbance) -> list[str]:
 
 def roughly(error: float, segments: Sequence[SegmentFit]) -> bool:
     """Does a model that misses the angle by `error` [rad] follow these segments?"""
-    return error < ASTRAY * pooled([(motion(each), each.time.size) for each in segments])
+    return error < ASTRAY * pooled(segments, motion)
 
 
 def told(missed: float, moved: float) -> str:

@@ -9,7 +9,7 @@ from exoid.fitting.model.constraint import NEVER, violations_at
 from exoid.fitting.model.coordinates import (
     flattened,
     leg_parameters,
-    unflattened,
+    places,
     with_inertia,
 )
 from exoid.fitting.multistart.ended import SAME_LOSS, Ended
@@ -20,6 +20,7 @@ from exoid.fitting.result.estimates import (
     estimate_terms,
     estimate_torque,
     goes_with_scale,
+    mean_of,
     parameter_estimate,
     with_reasons,
 )
@@ -61,39 +62,35 @@ def describe(
         kinds=told_by_kind(problem, ended),
         owned=owned_places(problem, ended),
     )
+    basis = Basis(problem, ended, information)
     at_bound = {name for name, hold in zip(names, leaning, strict=True) if hold}
     parameters = {
-        name: parameter_estimate(name, belief, float(value), information, gradient, at_bound)
-        for name, value, gradient in zip(NAMES, best.quantities[0], local.quantities, strict=False)
+        name: parameter_estimate(name, belief, mean_of(basis, [name], at_bound)) for name in NAMES
     }
-    ratios = estimate_ratios(problem, ended, information, at_bound)
+    ratios = estimate_ratios(basis, at_bound)
     inertia = parameters["inertia"]
     for name in ("damping", "stiffness"):
         ratio = ratios[f"{name}_over_inertia"]
         parameters[name] = goes_with_scale(parameters[name], ratio, inertia)
-    strongest = float(belief.limits.torque)
 
-    def torque(numbers: list[int]) -> Estimate:
-        own = estimate_torque(numbers, problem, ended, information, at_bound, strongest)
+    def torque(names: list[str]) -> Estimate:
+        own = estimate_torque(basis, names, at_bound)
         return goes_with_scale(own, ratios["torque_over_inertia"], inertia)
 
-    voluntary = [number for number, each in enumerate(problem.movements) if each.voluntary]
-    torques = [
-        torque([number]) if each.voluntary else None
-        for number, each in enumerate(problem.movements)
+    each_torque = problem.quantities_of("torque_amplitude")
+    torques = dict(zip(problem.voluntary, ([name] for name in each_torque), strict=True))
+    segments = [
+        segment_fit(basis, number, torque(torques[number]) if number in torques else None)
+        for number in range(len(problem.movements))
     ]
-    segments = [segment_fit(problem, ended, number, each) for number, each in enumerate(torques)]
     why = astray(believed(segments, ended.disturbance), limits_met(problem, at_bound))
     why = beyond_belief(problem, ended) if why is None else why
     why = UNSETTLED if why is None and best.exhausted[0] else why
-    mountings = estimate_mountings(problem, ended, information)
-    suspected = suspicions(problem, mountings, ended.disturbance)
-    terms = estimate_terms(problem, ended, information, at_bound, inertia)
-    systematic = [*suspected, *limiting({**parameters, **ratios})]
+    mountings = estimate_mountings(basis)
     return FitResult(
         parameters=with_reasons(parameters, not np.isfinite(belief.limits.reach)),
         ratios=ratios,
-        torque_amplitude=torque(voluntary) if voluntary else None,
+        torque_amplitude=torque(each_torque) if torques else None,
         segments=segments,
         mountings=mountings,
         multistart=report(problem, ended),
@@ -102,18 +99,19 @@ def describe(
         torque_frequency=reading,
         other_reading_rmse=other_rmse,
         prior=problem.belief.note,
-        terms=terms,
-        leg=leg_parameters(take(best.coordinates, 0), np),
+        terms=estimate_terms(basis, at_bound, inertia),
+        leg=leg_parameters(ended.point, np),
         thigh_angle=float(problem.movements[0].thigh_angle),
-        fitted_terms=with_inertia(take(best.coordinates, 0), np),
+        fitted_terms=with_inertia(ended.point, np),
         notes=[
-            *of_astray(why, belief, len({each.recording for each in problem.movements}) > 1),
+            *of_astray(why, belief, len(problem.recordings) > 1),
             *of_the_rest(segments, ended.disturbance),
             *remarks(problem, ended, at_bound),
-            *systematic,
+            *suspicions(problem, mountings, ended.disturbance),
+            *limiting({**parameters, **ratios}),
         ],
         astray=why,
-        basis=Basis(problem, ended, information),
+        basis=basis,
     )
 
 
@@ -123,7 +121,7 @@ def pressed_at(problem: Problem, ended: Ended, rows: np.ndarray) -> Pressed:
     searched = around(problem, best)
     known = decomposed(searched.data + searched.prior)
     variance = np.array([each @ inverse_times(known, each) for each in gradients])
-    values = violations_at(problem.belief.limits, take(best.coordinates, 0), np)
+    values = violations_at(problem.belief.limits, ended.point, np)
 
     def room(row: int) -> float:
         ends = [k for k, name in enumerate(names) if name == names[row] and k != row]
@@ -135,21 +133,14 @@ def pressed_at(problem: Problem, ended: Ended, rows: np.ndarray) -> Pressed:
 
 def owned_places(problem: Problem, ended: Ended) -> dict[str, np.ndarray]:
     """The coordinates of everything that recordings own, by its name."""
-    point = take(ended.best.coordinates, 0)
-    numbers = unflattened(np.arange(flattened(point).size), point).mounting
-    free = {
-        field: [
-            n for entry, n in enumerate(getattr(numbers, field)) if problem.estimates(field, entry)
-        ]
-        for field in problem.owned
-    }
-    return {FIELDS[field]: np.array(at) for field, at in free.items() if at}
+    numbers = places(ended.point).mounting
+    free = {name: getattr(numbers, name)[problem.estimated(name)] for name in problem.owned}
+    return {FIELDS[name]: at for name, at in free.items() if at.size}
 
 
 def told_by_kind(problem: Problem, ended: Ended) -> dict[str, np.ndarray]:
     """The weighed information of every kind of segment, where there are several."""
-    point = take(ended.best.coordinates, 0)
-    place, size = columns(point, problem.observation.seat), flattened(point).size
+    place, size = columns(ended.point, problem.observation.seat), flattened(ended.point).size
     found = {}
     for kind in dict.fromkeys(problem.kinds):
         own = np.array([each == kind for each in problem.kinds])
@@ -158,12 +149,11 @@ def told_by_kind(problem: Problem, ended: Ended) -> dict[str, np.ndarray]:
     return found if len(found) > 1 else {}
 
 
-def segment_fit(problem: Problem, ended: Ended, number: int, torque: Estimate | None) -> SegmentFit:
+def segment_fit(basis: Basis, number: int, torque: Estimate | None) -> SegmentFit:
     """Measured against simulated, at the samples that were fitted."""
-    each, seen = problem.movements[number], problem.observation
-    rows = np.searchsorted(np.asarray(seen.time[number]), each.segment.time)
-    angle = ended.best.angle[0, number][rows]
-    velocity = ended.best.angular_velocity[0, number][rows]
+    best, each = basis.ended.best, basis.problem.movements[number]
+    rows = basis.problem.own_rows(number)
+    angle, velocity = best.angle[0, number][rows], best.angular_velocity[0, number][rows]
     gyro = each.angular_velocity
     return SegmentFit(
         name=each.name,

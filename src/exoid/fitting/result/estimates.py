@@ -1,17 +1,16 @@
 """Quantities with their errors, units, and what determined them or why nothing did."""
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
 
 import numpy as np
 
 from exoid.fitting.misfit.uncertainty import HELD, Information, Shares
 from exoid.fitting.model.belief import Belief
 from exoid.fitting.model.term_parameters import ratio_name, ratio_unit
-from exoid.fitting.model.user_values import Means
-from exoid.fitting.multistart.ended import Ended
-from exoid.fitting.result.fit_result import Estimate
-from exoid.fitting.solve.problem import Problem
-from exoid.physics.leg import LegParameters
+from exoid.fitting.model.user_values import DECLARED, Means
+from exoid.fitting.result.fit_result import Basis, Estimate
 from exoid.physics.parameter import Declaration, declarations
 from exoid.physics.term import name_of
 from exoid.physics.torque import CycleTorque
@@ -39,42 +38,66 @@ UNTOLD = "nothing in this recording tells it"
 MASS_AND_DISTANCE = "motion shows only the product m l; one of them must come from elsewhere"
 
 
-def parameter_estimate(
-    name: str,
-    belief: Belief,
-    value: float,
-    information: Information,
-    gradient: np.ndarray,
-    at_bound: set[str],
-) -> Estimate:
+@dataclass(frozen=True, eq=False)
+class Found:
+    """A value of the best fit, its gradient, and what is known around it."""
+
+    value: float
+    gradient: np.ndarray
+    information: Information
+    held: bool  # on a bound, or by hand
+
+    @cached_property
+    def shares(self) -> Shares | None:
+        """Who told it; None where nothing did."""
+        return HELD if self.held else self.information.shares(self.gradient)
+
+    def estimate(
+        self, label: tuple[str, str, str], *, by_hand: Means | None = None, **more: Any
+    ) -> Estimate:
+        """With its error, where one is quoted, under its symbol, title and unit."""
+        shares, error = self.shares, None
+        if shares is not None and shares != HELD:
+            error = self.information.standard_error(self.gradient)
+        return Estimate(
+            *label,
+            value=None if shares is None else self.value,
+            standard_error=0.0 if by_hand == "fix" else error,
+            shares=shares,
+            limited_by=self.information.limits(self.gradient),
+            by_hand=by_hand,
+            **more,
+        )
+
+
+def mean_of(basis: Basis, names: list[str], at_bound: set[str]) -> Found:
+    """The mean over some quantities of the best fit, held where all of them are at a bound."""
+    rows = [basis.problem.quantities.index(name) for name in names]
+    value = float(basis.ended.best.quantities[0, rows].mean())
+    gradient = basis.ended.local.quantities[rows].mean(axis=0)
+    return Found(value, gradient, basis.information, at_bound.issuperset(names))
+
+
+def parameter_estimate(name: str, belief: Belief, found: Found) -> Estimate:
     """One of m, J, l, d, c, with what determined it or why nothing did."""
-    declared = dict(declarations(LegParameters))[name]
-    by_hand = belief.by_hand.means(name)
-    held = name in at_bound or by_hand == "fix"
-    shares = HELD if held else information.shares(gradient)
-    lower, upper = (
-        float(getattr(limit, name)) for limit in (belief.limits.lower, belief.limits.upper)
-    )
-    if held:  # the solver meets a bound to rounding; the bound itself is meant
-        value = lower if abs(value - lower) < abs(value - upper) else upper
-    quoted = shares is not None and shares != HELD
-    error = information.standard_error(gradient) if quoted else None
+    limits = belief.limits
+    ends = float(getattr(limits.lower, name)), float(getattr(limits.upper, name))
+    each = within(name, DECLARED[name], belief, found, ends)
+    lower, upper = (end if np.isfinite(end) else None for end in ends)
     expected, deviation = expectation(belief, name)
-    return Estimate(
-        symbol=declared.symbol,
-        title=declared.title,
-        unit=declared.unit,
-        value=None if shares is None else value,
-        standard_error=0.0 if by_hand == "fix" else error,
-        expected=expected,
-        expected_deviation=deviation,
-        lower=lower if np.isfinite(lower) else None,
-        upper=upper if np.isfinite(upper) else None,
-        shares=shares,
-        reason=why(shares, by_hand),
-        limited_by=information.limits(gradient),
-        by_hand=by_hand,
-    )
+    return replace(each, lower=lower, upper=upper, expected=expected, expected_deviation=deviation)
+
+
+def within(
+    name: str, declared: Declaration, belief: Belief, found: Found, ends: tuple[float, float]
+) -> Estimate:
+    """A parameter of the leg or of a term between its `ends`."""
+    by_hand = belief.by_hand.means(name)
+    if found.held or by_hand == "fix":  # the solver meets a bound to rounding; the bound is meant
+        value = min(ends, key=lambda end: abs(found.value - end))
+        found = replace(found, value=value, held=True)
+    label = declared.symbol, declared.title, declared.unit
+    return found.estimate(label, by_hand=by_hand, reason=why(found.shares, by_hand))
 
 
 def expectation(belief: Belief, name: str) -> tuple[float | None, float | None]:
@@ -98,12 +121,8 @@ def why(shares: Shares | None, by_hand: Means | None) -> str | None:
         return FIXED
     if shares == HELD:
         return ON_YOUR_BOUND if by_hand == "bound" else ON_BOUND
-    return NARROWED if narrowed(shares) else None
-
-
-def narrowed(shares: Shares | None) -> bool:
-    """Is the error small only because a bound holds another quantity?"""
-    return shares is not None and shares.source == "bound"
+    # An error may be small only because a bound holds another quantity.
+    return NARROWED if shares is not None and shares.source == "bound" else None
 
 
 def goes_with_scale(own: Estimate, ratio: Estimate, inertia: Estimate) -> Estimate:
@@ -134,152 +153,89 @@ def with_reasons(parameters: dict[str, Estimate], rig: bool) -> dict[str, Estima
     }
 
 
-def estimate_torque(
-    numbers: list[int],
-    problem: Problem,
-    ended: Ended,
-    information: Information,
-    at_bound: set[str],
-    strongest: float,
-) -> Estimate:
-    """The mean of tau over these voluntary segments; `strongest` is its limit."""
+def estimate_torque(basis: Basis, names: list[str], at_bound: set[str]) -> Estimate:
+    """The mean of tau over the voluntary segments of which these are the quantities."""
     declared = dict(declarations(CycleTorque))["amplitude"]
-    rows = [problem.quantities.index(f"torque_amplitude[{number}]") for number in numbers]
-    gradient = ended.local.quantities[rows].mean(axis=0)
-    held = all(f"torque_amplitude[{number}]" in at_bound for number in numbers)
-    shares = HELD if held else information.shares(gradient)
-    known = shares is not None
-    quoted = known and shares != HELD
-    return Estimate(
-        symbol=declared.symbol,
-        title=declared.title,
-        unit=declared.unit,
-        value=float(ended.best.quantities[0, rows].mean()) if known else None,
-        standard_error=information.standard_error(gradient) if quoted else None,
-        lower=-strongest if np.isfinite(strongest) else None,
-        upper=strongest if np.isfinite(strongest) else None,
-        shares=shares,
-        reason=None if known else SCALE_FREE,
-        limited_by=information.limits(gradient),
+    found = mean_of(basis, names, at_bound)
+    strongest = float(basis.problem.belief.limits.torque)
+    bounded = bool(np.isfinite(strongest))
+    return found.estimate(
+        (declared.symbol, declared.title, declared.unit),
+        lower=-strongest if bounded else None,
+        upper=strongest if bounded else None,
+        reason=untold(found, SCALE_FREE),
     )
 
 
-def error_of(gradient: np.ndarray, information: Information, shares: Shares | None) -> float | None:
-    """The standard error, where one is quoted."""
-    return None if shares in (None, HELD) else information.standard_error(gradient)
-
-
-def ratio_value(value: float, shares: Shares | None) -> float | None:
-    """What is quoted: nothing that is not told, and no rounding of a bound at zero."""
-    if shares is None:
-        return None
-    return 0.0 if shares == HELD and abs(value) < NO_RATIO else value
-
-
-def estimate_ratios(
-    problem: Problem, ended: Ended, information: Information, at_bound: set[str]
-) -> dict[str, Estimate]:
+def estimate_ratios(basis: Basis, at_bound: set[str]) -> dict[str, Estimate]:
     """m l g / J, c / J, d / J, and tau / J as the mean over the voluntary segments."""
-    names = problem.quantities
-    voluntary = [number for number, each in enumerate(problem.movements) if each.voluntary]
-    estimates = {}
-    for name in RATIOS:
-        wanted = [name] if name in names else [f"{name}[{number}]" for number in voluntary]
+    problem, estimates = basis.problem, {}
+    for name, label in RATIOS.items():
+        wanted = problem.quantities_of(name)
         if not wanted:
             continue
-        rows = [names.index(each) for each in wanted]
-        value = ended.best.quantities[0, rows].mean()
-        gradient = ended.local.quantities[rows].mean(axis=0)
-        parameter = name.removesuffix("_over_inertia")
-        at_zero = parameter == "stiffness" and abs(value) < NO_RATIO
-        held = parameter in at_bound and (parameter == "damping" or at_zero)
-        shares = HELD if held else information.shares(gradient)
-        held = shares == HELD
+        found, parameter = mean_of(basis, wanted, set()), name.removesuffix("_over_inertia")
+        at_zero = abs(found.value) < NO_RATIO
+        if parameter in at_bound:
+            none = parameter == "damping" or (parameter == "stiffness" and at_zero)
+            found = replace(found, held=none)
+        held = found.shares == HELD
         fixed = held and parameter in problem.belief.by_hand.fix
-        estimates[name] = Estimate(
-            *RATIOS[name],
-            value=ratio_value(float(value), shares),
-            standard_error=0.0 if fixed else error_of(gradient, information, shares),
-            shares=shares,
-            reason=FIXED if fixed else ON_BOUND if held else UNTOLD if shares is None else None,
-            limited_by=information.limits(gradient),
+        if held and at_zero:  # no rounding of a bound at zero
+            found = replace(found, value=0.0, held=True)
+        estimates[name] = found.estimate(
+            label,
             by_hand="fix" if fixed else None,
+            reason=FIXED if fixed else ON_BOUND if held else untold(found, UNTOLD),
         )
     return estimates
 
 
+def untold(found: Found, reason: str) -> str | None:
+    """The reason, where nothing tells a value."""
+    return reason if found.shares is None else None
+
+
 def estimate_terms(
-    problem: Problem,
-    ended: Ended,
-    information: Information,
-    at_bound: set[str],
-    inertia: Estimate,
+    basis: Basis, at_bound: set[str], inertia: Estimate
 ) -> dict[str, dict[str, Estimate]]:
     """Every term's parameters; of those that go with J also what motion alone tells."""
-    rows = {name: row for row, name in enumerate(problem.quantities)}
-
-    def row_of(name: str) -> tuple[float, np.ndarray]:
-        row = rows[name]
-        return float(ended.best.quantities[0, row]), ended.local.quantities[row]
-
     found: dict[str, dict[str, Estimate]] = {}
-    for term in problem.terms:
+    for term in basis.problem.terms:
         own = found.setdefault(name_of(term), {})
         for name, declared in declarations(term):
             called = f"{name_of(term)}.{name}"
-            value, gradient = row_of(called)
-            own[name] = term_parameter(
-                called, declared, problem, value, information, gradient, at_bound
-            )
+            own[name] = term_parameter(called, declared, basis, at_bound)
             if declared.inertia_power:
-                value, gradient = row_of(ratio_name(called, declared))
-                shares = own[name].shares if called in at_bound else information.shares(gradient)
-                sign, word = ("/", "over") if declared.inertia_power > 0 else ("*", "times")
-                ratio = Estimate(
-                    symbol=f"{declared.symbol} {sign} J",
-                    title=f"{declared.title}, {word} J",
-                    unit=ratio_unit(declared),
-                    value=0.0 if own[name].value == 0.0 else None if shares is None else value,
-                    standard_error=error_of(gradient, information, shares),
-                    shares=shares,
-                    reason=UNTOLD if shares is None else None,
-                    limited_by=information.limits(gradient),
-                )
+                ratio = term_ratio(called, declared, basis, own[name], at_bound)
                 own[name] = goes_with_scale(own[name], ratio, inertia)
                 own[ratio_name(name, declared)] = ratio
     return found
 
 
-def term_parameter(
-    name: str,
-    declared: Declaration,
-    problem: Problem,
-    value: float,
-    information: Information,
-    gradient: np.ndarray,
-    at_bound: set[str],
-) -> Estimate:
+def term_parameter(name: str, declared: Declaration, basis: Basis, at_bound: set[str]) -> Estimate:
     """One parameter of a term, with what determined it or why nothing did."""
-    by_hand = problem.belief.by_hand.means(name)
-    held = name in at_bound or by_hand == "fix"
-    shares = HELD if held else information.shares(gradient)
-    lower, upper = problem.limits_of_term(name)
-    if held:
-        value = lower if abs(value - lower) < abs(value - upper) else upper
-    expected, deviation = problem.belief.by_hand.prior.get(name, (None, None))
+    belief, ends = basis.problem.belief, basis.problem.limits_of_term(name)
+    each = within(name, declared, belief, mean_of(basis, [name], at_bound), ends)
+    expected, deviation = belief.by_hand.prior.get(name, (None, None))
     lost = SCALE_FREE if declared.inertia_power else UNTOLD
-    return Estimate(
-        symbol=declared.symbol,
-        title=declared.title,
-        unit=declared.unit,
-        value=None if shares is None else value,
-        standard_error=0.0 if by_hand == "fix" else error_of(gradient, information, shares),
+    return replace(
+        each,
+        lower=ends[0],
+        upper=ends[1],
         expected=expected,
         expected_deviation=deviation,
-        lower=lower,
-        upper=upper,
-        shares=shares,
-        reason=lost if shares is None else why(shares, by_hand),
-        limited_by=information.limits(gradient),
-        by_hand=by_hand,
+        reason=lost if each.shares is None else each.reason,
     )
+
+
+def term_ratio(
+    name: str, declared: Declaration, basis: Basis, own: Estimate, at_bound: set[str]
+) -> Estimate:
+    """What motion alone tells of a term's parameter that goes with J."""
+    found = mean_of(basis, [ratio_name(name, declared)], set())
+    found = replace(found, held=name in at_bound)
+    sign, word = ("/", "over") if declared.inertia_power > 0 else ("*", "times")
+    label = f"{declared.symbol} {sign} J", f"{declared.title}, {word} J", ratio_unit(declared)
+    ratio = found.estimate(label, reason=untold(found, UNTOLD))
+    return replace(ratio, value=0.0) if own.value == 0.0 else ratio

@@ -1,5 +1,6 @@
 """What a fit found: values with their errors and reasons, not bare numbers."""
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, fields
 from typing import Annotated, Any
 
@@ -194,22 +195,18 @@ class FitResult:
     @property
     def angle_rmse(self) -> float:
         """rad, over all segments."""
-        return pooled([(each.angle_rmse, each.time.size) for each in self.segments])
+        return pooled(self.segments, lambda each: each.angle_rmse)
 
     @property
     def velocity_rmse(self) -> float | None:
         """rad/s, over the segments that have a gyro."""
-        known = [
-            (each.velocity_rmse, each.time.size)
-            for each in self.segments
-            if each.velocity_rmse is not None
-        ]
-        return pooled(known) if known else None
+        known = [each for each in self.segments if each.velocity_rmse is not None]
+        return pooled(known, lambda each: each.velocity_rmse or 0.0) if known else None
 
     @property
     def angle_noise(self) -> float:
         """rad, the floor that no model can go below."""
-        return pooled([(each.angle_noise, each.time.size) for each in self.segments])
+        return pooled(self.segments, lambda each: each.angle_noise)
 
 
 @dataclass(frozen=True, eq=False)
@@ -221,6 +218,7 @@ class Basis:
     information: Information
 
 
-def pooled(each: list[tuple[float, int]]) -> float:
-    """Root of the mean square over samples."""
+def pooled(segments: Sequence[SegmentFit], of: Callable[[SegmentFit], float]) -> float:
+    """Root of the mean square over the samples of the segments."""
+    each = [(of(segment), segment.time.size) for segment in segments]
     return float(np.sqrt(sum(v * v * n for v, n in each) / sum(n for _, n in each)))

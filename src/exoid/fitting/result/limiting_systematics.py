@@ -3,7 +3,6 @@
 import numpy as np
 
 from exoid.fitting.misfit.missed import Disturbance
-from exoid.fitting.multistart.declared import deviation_of
 from exoid.fitting.result.fit_result import Estimate, MountingFit
 from exoid.fitting.solve.problem import Problem
 
@@ -76,11 +75,10 @@ def tilted(each: MountingFit) -> list[str]:
 
 def disagreeing(problem: Problem, each: MountingFit, found: Disturbance) -> list[str]:
     """An encoder and a gyro that disagree in scale."""
-    scale = each.gyro_scale
+    scale, clock = each.gyro_scale, problem.deviation_of("clock")
     if scale is None or scale.value is None or abs(scale.value) < SCALED:
         return []
-    doubted = deviation_of(problem, "clock").max() > SCALED / CLEAR
-    if not doubted:
+    if not clock.max() > SCALED / CLEAR:
         return []
     if found.cause is not None:
         return [

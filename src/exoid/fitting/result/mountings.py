@@ -2,13 +2,11 @@
 
 import numpy as np
 
-from exoid.fitting.misfit.uncertainty import Information
-from exoid.fitting.model.coordinates import TYPICAL, flattened, unflattened
+from exoid.fitting.model.coordinates import TYPICAL, flattened, places
 from exoid.fitting.model.systematics import OF_THE_GYRO, OF_THE_MASS, OWNED, SOMEWHERE
 from exoid.fitting.multistart.ended import Ended
-from exoid.fitting.result.fit_result import Estimate, MountingFit
+from exoid.fitting.result.fit_result import Basis, Estimate, MountingFit
 from exoid.fitting.result.limiting_systematics import WORDS
-from exoid.fitting.solve.ask import take
 from exoid.fitting.solve.problem import Problem
 
 MOUNTING = {  # name: symbol, title, unit
@@ -29,57 +27,47 @@ BEYOND = 8.0  # standard deviations of what is declared, from which on nobody be
 TOLD = 0.7  # of its prior's error: below it the recording has told something
 
 
-def estimate_mountings(
-    problem: Problem, ended: Ended, information: Information
-) -> list[MountingFit]:
+def estimate_mountings(basis: Basis) -> list[MountingFit]:
     """What every recording owned, where the recording tells more than was known before."""
-    point = take(ended.best.coordinates, 0)
-    number = unflattened(np.arange(flattened(point).size), point).mounting
-    seat = np.asarray(problem.observation.seat)
+    problem, point = basis.problem, basis.ended.point
+    number = places(point).mounting
 
     def estimate(field: str, entry: int) -> Estimate | None:
         if not problem.estimates(field, entry):
             return None
         at = int(getattr(number, field)[entry])
         gradient = np.eye(flattened(point).size)[at] * getattr(TYPICAL.mounting, field)
-        error = information.standard_error(gradient)
-        before = float(getattr(problem.belief.prior.mounting, field)[entry])
-        always = field in OF_THE_GYRO or (field == "log_distance" and unplaced(problem, entry))
-        if not (always or error < TOLD * before):
+        error = basis.information.standard_error(gradient)
+        unplaced = any(one.unplaced for one in problem.recordings[entry])
+        always = field in OF_THE_GYRO or (field == "log_distance" and unplaced)
+        if not (always or error < TOLD * problem.deviation_of(field)[entry]):
             return None
         here = float(getattr(point.mounting, field)[entry])
         below, value, above = outside(problem, field, entry, here + STEP * np.array([-1, 0, 1.0]))
         slope = (above - below) / (2 * STEP)
-        name = FIELDS[field]
         return Estimate(
-            *MOUNTING[name],
+            *MOUNTING[FIELDS[field]],
             value=float(value),
             standard_error=float(error * slope) if np.isfinite(error) else None,
-            shares=information.shares(gradient),
+            shares=basis.information.shares(gradient),
         )
 
-    def mounting(entry: int) -> MountingFit:
-        first = problem.movements[int(np.flatnonzero(seat == entry)[0])]
-        each = {FIELDS[field]: estimate(field, entry) for field in OWNED}
-        return MountingFit(first.source, **each)
-
-    found = [mounting(entry) for entry in range(int(seat.max()) + 1)]
+    found = [
+        MountingFit(own[0].source, **{FIELDS[field]: estimate(field, entry) for field in OWNED})
+        for entry, own in enumerate(problem.recordings)
+    ]
     return [each for each in found if each.known]
 
 
 def beyond_belief(problem: Problem, ended: Ended) -> str | None:
     """Which recording the fit takes for what nobody declares, if it does."""
-    point, prior = take(ended.best.coordinates, 0), problem.belief.prior.mounting
     furthest, why = BEYOND, None
     for field in problem.owned:
-        values, deviations = getattr(point.mounting, field), getattr(prior, field)
-        for entry in range(values.size):
+        values, deviations = getattr(ended.point.mounting, field), problem.deviation_of(field)
+        for entry in problem.estimated(field):
             away = abs(float(values[entry] / deviations[entry]))
-            if away > furthest and problem.estimates(field, entry):
-                unit = MOUNTING[FIELDS[field]][2]
-                value, usual = (
-                    told_as(field, float(each[entry]), unit) for each in (values, deviations)
-                )
+            if away > furthest:
+                value, usual = (told_as(field, float(each[entry])) for each in (values, deviations))
                 furthest = away
                 why = (
                     f"it takes {WORDS[FIELDS[field]]} to be off by {value}, where {usual} is usual"
@@ -87,30 +75,19 @@ def beyond_belief(problem: Problem, ended: Ended) -> str | None:
     return why
 
 
-def told_as(field: str, value: float, unit: str) -> str:
+def told_as(field: str, value: float) -> str:
     """In a unit that people read."""
+    unit = MOUNTING[FIELDS[field]][2]
     if unit.startswith("rad"):
         return f"{np.degrees(value):.2g} {unit.replace('rad', 'deg')}"
     return f"{value:.2g} m^2" if field == "extent" else f"{100 * value:.2g} %"
-
-
-def loaded(problem: Problem) -> np.ndarray:
-    """Which segments carry an added mass."""
-    return np.array([each.added_mass > 0 for each in problem.movements])
-
-
-def unplaced(problem: Problem, entry: int) -> bool:
-    """Is it unknown where the added mass of this recording sat?"""
-    each = zip(np.asarray(problem.observation.seat), problem.movements, strict=True)
-    return any(one.unplaced for seat, one in each if seat == entry)
 
 
 def outside(problem: Problem, field: str, entry: int, at):
     """An entry of the mounting as it is told: the distance in m, the mass in kg."""
     if field not in OF_THE_MASS:
         return at
-    seat = np.asarray(problem.observation.seat) == entry
-    each = problem.movements[int(np.flatnonzero(seat & loaded(problem))[0])]
+    each = next(one for one in problem.recordings[entry] if one.added_mass > 0)
     if field == "log_distance":
         return (SOMEWHERE if each.unplaced else each.added_mass_distance) * np.exp(at)
     if field == "log_added":

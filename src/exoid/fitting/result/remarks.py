@@ -147,8 +147,7 @@ def of_astray(why: str | None, belief: Belief, several: bool) -> list[str]:
     if why is None:
         return []
     masses = ", and what mass was on the leg in each" if several else ""
-    hand = belief.by_hand
-    named = ", ".join({**hand.fix, **hand.bound, **hand.prior})
+    named = ", ".join(belief.by_hand.names)
     yours = f", and what you said of {named}" if named else ""
     weighed = "; without --misfit paper every sample is weighed by its noise" if belief.raw else ""
     return [

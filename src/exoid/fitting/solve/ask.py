@@ -7,13 +7,13 @@ import jax
 import numpy as np
 
 from exoid.fitting.misfit.condensed import Neighbourhood, Sensed
-from exoid.fitting.misfit.gram import Cause, Gram
-from exoid.fitting.misfit.gram_matrices import declared, grams, pushes
+from exoid.fitting.misfit.gram import CAUSES, Cause, Grams
+from exoid.fitting.misfit.gram_matrices import declared, gram, pushes
 from exoid.fitting.misfit.information import spoiled
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.neighbourhood import columns, gradients, neighbourhood
 from exoid.fitting.misfit.stage import Stage
-from exoid.fitting.model.coordinates import Coordinates, flattened
+from exoid.fitting.model.coordinates import Coordinates, flattened, take
 from exoid.fitting.model.prior import mounting_residual
 from exoid.fitting.model.term_parameters import parameters_of
 from exoid.fitting.solve.problem import STRICT, Problem
@@ -93,22 +93,25 @@ def aimless(problem: Problem, scale: np.ndarray) -> Aim:
 
 
 def grams_at(
-    problem: Problem, at: Solved, row: int, causes: Iterable[Cause]
-) -> dict[Cause, list[Gram]]:
+    problem: Problem, at: Solved, row: int = 0, causes: Iterable[Cause] = CAUSES
+) -> list[Grams]:
     """The inner products of every segment at one end point, for these causes."""
     point, seen, durations = take(at.coordinates, row), problem.observation, problem.durations
     found, places = sensed(problem, point, pushes(seen.time, durations)), columns(point, seen.seat)
-    return {cause: grams(found, seen, durations, places, cause) for cause in causes}
+    return [
+        {cause: gram(found, seen, number, duration, cause, places[number]) for cause in causes}
+        for number, duration in enumerate(durations)
+    ]
 
 
-def declared_at(problem: Problem, at: Solved, row: int = 0) -> Gram:
+def declared_at(problem: Problem, at: Solved, row: int = 0) -> Grams:
     """What is declared of the recordings, beside the inner products of their segments."""
     point, prior = take(at.coordinates, row), problem.belief.prior
 
     def apart(at: Coordinates):
         return mounting_residual(prior, at.mounting, np)
 
-    return declared(apart(point), gradients(apart, point))
+    return dict.fromkeys(CAUSES, declared(apart(point), gradients(apart, point)))
 
 
 def sensed(problem: Problem, point: Coordinates, missing: Drive | None = None) -> Sensed:
@@ -117,8 +120,7 @@ def sensed(problem: Problem, point: Coordinates, missing: Drive | None = None) -
     if missing is None:
         none = np.zeros((len(problem.movements), 0, seen.time.shape[1] - 1))
         missing = Drive(none, none, none)
-    free = Stage(np.asarray(0.0), np.asarray(problem.steps))
-    return run_sense(point, seen, problem.known, missing, free, problem.chain)
+    return run_sense(point, seen, problem.known, missing, problem.free, problem.chain)
 
 
 def around(
@@ -137,13 +139,13 @@ def left(problem: Problem, at: Solved, row: int, disturbance: Disturbance) -> Di
     """The same disturbance, with the information that it leaves at one end point."""
     causes, size = disturbance.causes(problem.kinds), flattened(take(at.coordinates, row)).size
     every = grams_at(problem, at, row, set(causes))
-    each = [every[cause][number] for number, cause in enumerate(causes)]
+    each = [own[cause] for own, cause in zip(every, causes, strict=True)]
     return spoiled(disturbance, each, problem.kinds, size)
 
 
-def take(tree, rows):
-    """These rows of every leaf."""
-    return jax.tree.map(lambda leaf: leaf[np.asarray(rows)], tree)
+def lowest(solved: Solved) -> int:
+    """The row of the best."""
+    return int(np.argmin(finite(solved.loss)))
 
 
 def finite(loss: np.ndarray) -> np.ndarray:

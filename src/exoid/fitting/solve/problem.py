@@ -1,6 +1,6 @@
 """The problem of a fit."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import jax
 import numpy as np
@@ -8,11 +8,12 @@ import numpy as np
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.data.observation import Observation
+from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.belief import Belief
 from exoid.fitting.model.coordinates import Own, Shared, Unknowns, quantity_names
 from exoid.fitting.model.limits import constraint_names
 from exoid.fitting.model.mounting import Mounting
-from exoid.fitting.model.systematics import OWNED, is_exact
+from exoid.fitting.model.systematics import OWNED, by_recording, is_exact
 from exoid.fitting.model.term_parameters import parameters_of, term_of
 from exoid.physics.term import Term
 
@@ -38,6 +39,23 @@ class Problem:
         return int(np.flatnonzero((np.asarray(weights) > 0).any(axis=0))[-1])
 
     @property
+    def free(self) -> Stage:
+        """The whole of every segment, tied to nothing."""
+        return Stage(np.asarray(0.0), np.asarray(self.steps))
+
+    @property
+    def samples(self) -> np.ndarray:
+        """Measured numbers that count, of every segment."""
+        seen = self.observation
+        weights = np.stack([seen.angle_weight, seen.velocity_weight])
+        return np.sum(weights > 0, axis=(0, 2))
+
+    def own_rows(self, number: int) -> np.ndarray:
+        """Which rows of the observation the samples of a segment are."""
+        time = np.asarray(self.observation.time[number])
+        return np.searchsorted(time, self.movements[number].segment.time)
+
+    @property
     def durations(self) -> list[float]:
         """Of every segment [s]."""
         return [float(each.segment.time[-1]) for each in self.movements]
@@ -46,6 +64,16 @@ class Problem:
     def kinds(self) -> list[str]:
         """Of every segment: passive, active or measured."""
         return [each.kind for each in self.movements]
+
+    @property
+    def voluntary(self) -> list[int]:
+        """The segments that a voluntary torque moved."""
+        return [number for number, each in enumerate(self.movements) if each.voluntary]
+
+    @property
+    def recordings(self) -> list[list[Movement]]:
+        """The movements of every recording, by its seat."""
+        return by_recording(self.movements)
 
     @property
     def longest_step(self) -> float:
@@ -69,6 +97,21 @@ class Problem:
         own = np.asarray(self.observation.seat) == entry
         return bool((getattr(self.known.mounting, name)[own] == 0).any())
 
+    def estimated(self, name: str) -> list[int]:
+        """The recordings of which this is an unknown of the fit."""
+        return [n for n in range(len(self.recordings)) if self.estimates(name, n)]
+
+    def deviation_of(self, name: str) -> np.ndarray:
+        """How well this is known of every recording: one standard deviation."""
+        return np.asarray(getattr(self.belief.prior.mounting, name))
+
+    def widened(self, **deviations: np.ndarray) -> "Problem":
+        """The same with these standard deviations of what recordings own."""
+        prior = self.belief.prior
+        assert prior.mounting is not None  # `pose` gives one
+        mounting = replace(prior.mounting, **deviations)
+        return replace(self, belief=replace(self.belief, prior=replace(prior, mounting=mounting)))
+
     def limits_of_term(self, name: str) -> tuple[float, float]:
         """Lower and upper end of a term's parameter, as coulomb_friction.level."""
         limits = self.belief.limits
@@ -87,6 +130,11 @@ class Problem:
     def quantities(self) -> list[str]:
         """Which quantity every row of `coordinates.quantities` is."""
         return quantity_names(len(self.movements), self.terms)
+
+    def quantities_of(self, name: str) -> list[str]:
+        """Those of this name: one, or one of every voluntary segment."""
+        each = [f"{name}[{number}]" for number in self.voluntary]
+        return [name] if name in self.quantities else each
 
     @property
     def constraints(self) -> list[str]:

@@ -24,7 +24,7 @@ from exoid.fitting.model.coordinates import (
     unscaled,
 )
 from exoid.fitting.model.limits import Limits, Prior
-from exoid.fitting.model.prior import mounting_residual, prior_residual, term_residual
+from exoid.fitting.model.prior import belief_residual, mounting_residual
 from exoid.fitting.solve.augmented_lagrangian import minimise
 from exoid.fitting.solve.program_values import Aim, Solved, Task
 from exoid.physics.motion.step import Drive
@@ -70,12 +70,8 @@ def solve_one(
         condensed = at(unscaled(here))
         data = linear_model(condensed, here, point, observation.seat)
         believed = unscaled(point)
-        expected = [
-            task.bounded * prior_residual(prior, leg_parameters(believed)),
-            task.bounded * term_residual(prior, believed),
-            mounting_residual(prior, believed.mounting),
-        ]
-        belief = jnp.concatenate(expected)
+        expected = task.bounded * belief_residual(prior, believed)
+        belief = jnp.concatenate([expected, mounting_residual(prior, believed.mounting)])
         pull = aim.strength * (aim.weights @ quantities(believed) - aim.target)
         detail = (condensed, data @ data, belief @ belief)
         return jnp.concatenate([data, belief, pull[None]]), detail
