@@ -1,6 +1,6 @@
 """A recording ready for candidates: what was seen, by which sensors, and where a search begins."""
 
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import product
 
@@ -98,6 +98,11 @@ class PreparedRecording:
         own = jax.tree.unflatten(jax.tree.structure(TYPICAL.own), rows)
         return Coordinates(shared, np.zeros(()), usual, own)
 
+    @cached_property
+    def numbers(self) -> Coordinates:
+        """Which coordinate each is."""
+        return unflattened(np.arange(flattened(self.like).size), self.like)
+
     def coordinates(self, candidate: Hypothesis) -> Coordinates:
         return unscaled(unflattened(candidate.point, self.like))
 
@@ -146,8 +151,9 @@ class PreparedRecording:
         inertia = self.log_inertia / float(TYPICAL.shared.log_inertia)
         free = -np.inf if self.rig else 0.0  # of the stiffness
         least = Shared(*map(np.asarray, (inertia - FARTHEST, 0.0, free, 0.0)))
-        lower[: len(fields(Shared))] = jax.tree.leaves(least)
-        upper[0] = inertia + FARTHEST
+        at = np.ravel(jax.tree.leaves(self.numbers.shared))
+        lower[at] = jax.tree.leaves(least)
+        upper[self.numbers.shared.log_inertia] = inertia + FARTHEST
         each: list[Declaration] = [
             declared for term in candidate.terms for _, declared in declarations(term)
         ]
