@@ -72,9 +72,7 @@ def fit_each(given: Given, **options) -> FitResult:
     assumed = Assumptions(names[0], weight, plain, names[1], hand)
     classes = classes_of(options.get("terms", ()))
     belief = believe(recordings[0][1].subject, assumed, classes)
-    parameters = with_reasons(
-        settled_parameters(belief, ratios, results[0].leg), not np.isfinite(belief.limits.reach)
-    )
+    parameters = with_reasons(settled_parameters(belief, ratios, results[0].leg), belief.rig)
     said = dict.fromkeys(note for each in results for note in each.notes)
     lost = [each.notes[0] for each in results if not each.follows][:1]
     readings = {each.torque_frequency for each in results} - {None}

@@ -2,8 +2,6 @@
 
 from collections.abc import Callable
 
-import numpy as np
-
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.hands.first_instants import differ, disturbed, doubtful, without_first_instants
 from exoid.fitting.hands.last_instants import without_hands
@@ -31,8 +29,7 @@ def without_unseen_hands(
         later = search_of(rest, starts)
         if differ(movements, ended, rest, later[1]):
             problem, ended = later
-    handled = bool(np.isfinite(problem.belief.limits.reach))  # not a rig
-    if handled and disturbed(ended):
+    if not problem.belief.rig and disturbed(ended):
         freed = without_hands(problem, ended, lambda kept: search_of(kept, FEW))
         if freed is not None:
             problem, ended = search_of(freed, starts)

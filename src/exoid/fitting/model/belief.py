@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass, field
 
+import numpy as np
+
 from exoid.fitting.model.assumptions import BoundsName, PriorName
 from exoid.fitting.model.limits import Limits, Prior
 from exoid.fitting.model.term_parameters import NAMES
@@ -21,6 +23,11 @@ class Belief:
     raw: bool = False  # are the prior's standard deviations a weighting, and no belief
     bounds: BoundsName = "body"
     by_hand: ByHand = field(default_factory=ByHand)
+
+    @property
+    def rig(self) -> bool:
+        """Is it no leg: a rig, whose reach is infinite?"""
+        return not np.isfinite(self.limits.reach)
 
     @property
     def typical(self) -> dict[str, float]:

@@ -88,7 +88,7 @@ def describe(
     why = UNSETTLED if why is None and best.exhausted[0] else why
     mountings = estimate_mountings(basis)
     return FitResult(
-        parameters=with_reasons(parameters, not np.isfinite(belief.limits.reach)),
+        parameters=with_reasons(parameters, belief.rig),
         ratios=ratios,
         torque_amplitude=torque(each_torque) if torques else None,
         segments=segments,

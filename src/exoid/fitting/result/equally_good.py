@@ -15,7 +15,7 @@ def equally_good(problem: Problem, ended: Ended, rows: np.ndarray):
     """
     limits, shared = problem.belief.limits, ended.best.coordinates.shared
     moment = float(shared.gravity[0]) / GRAVITY  # m l / J
-    if not np.isfinite(limits.reach) or moment <= 0:
+    if problem.belief.rig or moment <= 0:
         return {}, {}
     told = ended.local.data + ended.local.declared
     if problem.tells_inertia and not scale_told(told):

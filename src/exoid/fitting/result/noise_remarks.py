@@ -3,17 +3,15 @@
 from math import degrees
 
 from exoid.fitting.data.movement import Movement
+from exoid.fitting.model.systematics import by_recording
 from exoid.recordings.signal.noise import Noise
 
 
 def noise_remarks(movements: list[Movement]) -> list[str]:
     """Of every recording what its sensors did beside measuring."""
-    firsts = {each.recording: each for each in reversed(movements)}
-    several = len(firsts) > 1
-    said = []
-    for number in sorted(firsts):
-        each = firsts[number]
-        where = f" of {each.source}" if several else ""
+    said, recordings = [], by_recording(movements)
+    for each, *_ in recordings:
+        where = f" of {each.source}" if len(recordings) > 1 else ""
         said += of_channel(each.noise, f"angle{where}", "deg")
         if each.gyro_noise is not None:
             said += of_channel(each.gyro_noise, f"gyro{where}", "deg/s")

@@ -27,7 +27,7 @@ def remarks(problem: Problem, ended: Ended, at_bound: set[str]) -> list[str]:
     """How segments were taken, what the residual holds, and which limits decided."""
     said = []
     guessed = [each for each in problem.movements if not each.kind_said]
-    rig = not np.isfinite(problem.belief.limits.reach)
+    rig = problem.belief.rig
     if guessed:
         each = ", ".join(f"{one.name} {one.kind}" for one in guessed)
         said.append(f"the sidecar does not say how the leg was moved; by its motion: {each}.")
@@ -137,7 +137,7 @@ def upwards(problem: Problem, ended: Ended) -> bool:
     """Does gravity come out upwards, of a leg that nothing but gravity moved?"""
     return (
         float(ended.best.coordinates.shared.gravity[0]) < 0
-        and bool(np.isfinite(problem.belief.limits.reach))
+        and not problem.belief.rig
         and all(each.kind == "passive" for each in problem.movements)
     )
 
@@ -223,11 +223,10 @@ def of_missed(
 
 def of_bounds(problem: Problem, at_bound: set[str]) -> list[str]:
     """Which limits decided."""
-    said = []
-    belief = problem.belief
+    said, belief = [], problem.belief
     limits = belief.limits
     for name, declared in declarations(LegParameters):
-        if name in at_bound and np.isfinite(limits.reach):
+        if name in at_bound and not belief.rig:
             low, high = (float(getattr(each, name)) for each in (limits.lower, limits.upper))
             said.append(
                 f"{declared.symbol} ran into its limits of {low:.3g} to {high:.3g} {declared.unit} "
@@ -242,7 +241,7 @@ def of_bounds(problem: Problem, at_bound: set[str]) -> list[str]:
 
 def limits_met(problem: Problem, at_bound: set[str]) -> list[str]:
     """The limits of a leg that decided, by their symbols; that damping is not negative is none."""
-    if not np.isfinite(problem.belief.limits.reach):
+    if problem.belief.rig:
         return []
     held = [
         declared.symbol

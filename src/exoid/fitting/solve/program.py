@@ -31,24 +31,8 @@ from exoid.physics.motion.step import Drive
 
 
 @partial(jax.jit, static_argnames="chain")
+@partial(jax.vmap, in_axes=(0, 0, *[None] * 6))
 def solve(
-    starts: Coordinates,
-    aim: Aim,
-    observation: Observation,
-    known: Unknowns,
-    prior: Prior,
-    limits: Limits,
-    task: Task,
-    chain: Chain,
-) -> Solved:
-    """Fit from every start. `starts` and `aim` carry a leading axis; all else is shared."""
-    one = partial(solve_one, chain=chain)
-    return jax.vmap(one, in_axes=(0, 0, None, None, None, None, None))(
-        starts, aim, observation, known, prior, limits, task
-    )
-
-
-def solve_one(
     start: Coordinates,
     aim: Aim,
     observation: Observation,
@@ -58,6 +42,8 @@ def solve_one(
     task: Task,
     chain: Chain,
 ) -> Solved:
+    """Fit from every start. `start` and `aim` carry a leading axis; all else is shared."""
+
     def at(point: Coordinates) -> Condensed:
         each = partial(condense, stage=task.stage, chain=chain)
         condensed = jax.vmap(each)(of_segments(point, observation.seat), observation, known)
