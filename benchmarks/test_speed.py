@@ -16,7 +16,7 @@ from exoid.fitting.solve.ask import around
 from exoid.recordings.can.dbc import exoid_messages
 from exoid.recordings.filter.kalman import filter
 from exoid.recordings.loading.load import load
-from exoid.trust.identifiability import identify
+from exoid.trust.identify import identify
 from problem import TIME_STEP, cycle, starts, ten_segments, write
 
 FRAMES = 1_000_000

@@ -7,7 +7,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from exoid.fitting.model.coordinates import Coordinates, Own, Shared
+from exoid.fitting.model.coordinates import Coordinates, SegmentUnknowns, Shared
 from exoid.fitting.model.mounting import Mounting
 from exoid.physics.leg import GRAVITY, LegModel, LegParameters
 from exoid.physics.motion.simulate import simulate
@@ -74,4 +74,4 @@ def coordinates_of(parameters: LegParameters, own: list[tuple[float, float, floa
     shared = Shared(
         np.log(j), np.asarray(m * l * GRAVITY / j), np.asarray(c / j), np.asarray(d / j)
     )
-    return Coordinates(shared, np.log(m), UNMOVED, Own(torque / j, angle, velocity))
+    return Coordinates(shared, np.log(m), UNMOVED, SegmentUnknowns(torque / j, angle, velocity))

@@ -10,7 +10,7 @@ import numpy as np
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.mismatch.screen.effect import named
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
-from exoid.physics.moment import Cycle, Moment, Place
+from exoid.physics.moment import Cycle, Moment, SegmentConstants
 from exoid.physics.ratios import Ratios
 from exoid.physics.term import Term
 
@@ -60,7 +60,7 @@ def columns(found: Diagnosis, prepared: PreparedRecording, number: int) -> np.nd
 def torque(term: Term, each) -> np.ndarray:
     """The term's torque along a measured motion [N m]."""
     zero, one = jnp.zeros(()), jnp.ones(())
-    place = Place(Ratios(one, one, one, zero), one, Cycle(zero, one, zero, zero), zero)
+    place = SegmentConstants(Ratios(one, one, one, zero), one, Cycle(zero, one, zero, zero), zero)
 
     def at(time, angle, velocity):
         return term.torque(Moment(time, angle, velocity, zero, place), jnp.zeros(0))

@@ -14,7 +14,7 @@ from exoid.physics.motion.simulate import simulate
 from exoid.physics.state import LegState
 from exoid.physics.term import Term
 from exoid.physics.torque import CycleTorque
-from exoid.twin.motion import CYCLES, Movement, Reading
+from exoid.twin.motion import CYCLES, FrequencyReading, Movement
 
 STEP = 0.001  # s, of the simulation
 TICK = 0.01  # s, of the sensors
@@ -34,7 +34,7 @@ class Motion:
 def perform(
     leg: LegParameters,
     movements: Sequence[Movement],
-    reading: Reading,
+    reading: FrequencyReading,
     terms: tuple[Term, ...] = (),
     *,
     step: float = STEP,
@@ -49,7 +49,7 @@ def perform(
     return Motion(*([each[k, :n] for k, n in enumerate(counts)] for each in found))
 
 
-def row(movement: Movement, reading: Reading, number: int) -> list[float]:
+def row(movement: Movement, reading: FrequencyReading, number: int) -> list[float]:
     """Start, amplitude, period, frequency of the torque, number of the segment."""
     period = movement.duration
     amplitude = movement.amplitude or 0.0

@@ -10,7 +10,7 @@ from exoid.physics.anatomy import Expected, expected_leg, reach
 from exoid.physics.leg import GRAVITY, LegParameters
 from exoid.physics.parameter import declarations
 from exoid.recordings.recording import Protocol, Sensors, Subject
-from exoid.twin.motion import Movement, Reading
+from exoid.twin.motion import FrequencyReading, Movement
 from exoid.twin.sensors import Encoder, Gyroscope, SensorKit
 
 from .motion import perform
@@ -40,7 +40,7 @@ class Scenario:
     subject: Subject
     leg: LegParameters
     movements: tuple[Movement, ...]
-    reading: Reading
+    reading: FrequencyReading
     kit: SensorKit
     reached: tuple[float, float]  # rad, lowest and highest angle with nothing concealed
 
@@ -77,7 +77,7 @@ def draw_scenario(rng: np.random.Generator, *, active: bool) -> Scenario:
     while True:
         subject = draw_subject(rng)
         leg = draw_leg(rng, subject)
-        reading: Reading = "1/T" if rng.random() < 0.5 else "2/T"
+        reading: FrequencyReading = "1/T" if rng.random() < 0.5 else "2/T"
         tried = [draw_movement(rng, leg, reading, active=active) for _ in range(TRIED)]
         motion = perform(leg, tried, reading, step=0.01)
         able = [k for k, angle in enumerate(motion.angle) if possible(angle) and swings(angle)]
@@ -147,7 +147,7 @@ def in_range(leg: LegParameters) -> bool:
 
 
 def draw_movement(
-    rng: np.random.Generator, leg: LegParameters, reading: Reading, *, active: bool
+    rng: np.random.Generator, leg: LegParameters, reading: FrequencyReading, *, active: bool
 ) -> Movement:
     """A drop down to rest, or one cycle of Eq. 10; no two alike."""
     if not active:

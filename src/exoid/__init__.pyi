@@ -33,8 +33,8 @@ from .report.plots.diagnosis import plot_diagnosis
 from .report.plots.drops import plot_drops
 from .report.plots.fit import plot_fit
 from .report.saved.saved_result import SavedResult, load_result, save_result
-from .trust.identifiability import identify
-from .trust.told import Identifiability
+from .trust.identifiability import Identifiability
+from .trust.identify import identify
 
 __all__ = [
     "Contrast",

@@ -11,7 +11,7 @@ from exoid.fitting.data.observe import observe
 from exoid.fitting.data.segment import movement
 from exoid.fitting.misfit.condense import condense, linear_model
 from exoid.fitting.misfit.stage import Stage
-from exoid.fitting.model.coordinates import TYPICAL, Own, Shared, Unknowns, scaled
+from exoid.fitting.model.coordinates import TYPICAL, SegmentUnknowns, Shared, Unknowns, scaled
 from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.motion.simulate import simulate
 from exoid.physics.state import LegState
@@ -73,7 +73,7 @@ def condensed_at(point, seen, known, steps=None):
     count = seen.time.size - 1 if steps is None else steps
     stage = Stage(jnp.asarray(0.0), jnp.asarray(count))
     each = [jnp.asarray(value) for value in known]
-    parts = Shared(*each[:4]), UNMOVED, Own(*each[4:])
+    parts = Shared(*each[:4]), UNMOVED, SegmentUnknowns(*each[4:])
     return condensed(Unknowns(shared, UNMOVED, own), seen, Unknowns(*parts), stage, Raw())
 
 
@@ -126,8 +126,8 @@ def test_the_linear_model_has_the_exact_value_at_its_own_point_and_the_right_slo
     every = jax.tree.map(lambda leaf: leaf[None], condensed_at(point, seen, known))
     value, columns = differences(each, point)
     unit = scaled(jax.tree.map(jnp.asarray, point))
-    seat = jax.tree.map(lambda leaf: leaf[None], seen.seat)
-    here = linear_model(every, unit, unit, seat)
+    owner = jax.tree.map(lambda leaf: leaf[None], seen.owner)
+    here = linear_model(every, unit, unit, owner)
     assert here @ here == pytest.approx((value**2).sum(), rel=1e-10)
     step = np.linspace(-0.5, 0.5, 7) * 1e-2
     shared = jax.tree.unflatten(jax.tree.structure(unit.shared), list(step[:4]))
@@ -137,7 +137,7 @@ def test_the_linear_model_has_the_exact_value_at_its_own_point_and_the_right_slo
         unit,
         (jax.tree.map(jnp.add, unit.shared, shared), jax.tree.map(jnp.add, unit.own, own)),
     )
-    moved = linear_model(every, unit, there, seat)
+    moved = linear_model(every, unit, there, owner)
     expected = value.ravel() + columns.reshape(-1, 7) @ step
     assert moved @ moved == pytest.approx(expected @ expected, rel=1e-6)  # of the differences
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from exoid.fitting.data.conditioning import SETTLING_SAMPLES, conditioned
-from exoid.fitting.data.conditioning_chain import MovingAverage, Raw, SettledKalman
+from exoid.fitting.data.conditioning_chain import MovingAverage, Raw, SteadyKalman
 from exoid.fitting.data.segment import movement
 from exoid.physics.leg import LegModel
 from exoid.physics.torque import NoTorque
@@ -38,7 +38,7 @@ def test_raw_channels_are_fitted_as_they_are():
 
 def test_filtered_channels_are_met_by_the_same_filter_once_it_has_settled():
     chain, (after,) = conditioned([moved(filtered(drop()))], 1)
-    assert chain == SettledKalman(STEP)
+    assert chain == SteadyKalman(STEP)
     assert np.isnan(after.angle[:SETTLING_SAMPLES]).all()
     assert np.isfinite(after.angle[SETTLING_SAMPLES:]).all()
     assert np.isnan(after.angular_velocity).sum() == SETTLING_SAMPLES

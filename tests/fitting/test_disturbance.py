@@ -32,7 +32,7 @@ SEEN = Observation(
     thigh_angle=ONE,
     added_mass_moves=ONE,
     added_mass_extent=0 * ONE,
-    seat=np.array([0]),
+    owner=np.array([0]),
     clock=Clock(ONE, 0 * ONE, 0 * ONE, 0 * ONE),
 )
 

@@ -164,6 +164,6 @@ def test_a_mass_at_an_unknown_place_is_estimated_with_its_recording():
     ]
     assert [one.unplaced for one in each] == [False, True, False, True]
     seen = observe(each, "1/T")
-    assert list(seen.seat) == [0, 1, 2, 2]  # one mounting for each recording
+    assert list(seen.owner) == [0, 1, 2, 2]  # one mounting for each recording
     assert list(seen.added_mass_distance) == [0.0, SOMEWHERE, 0.4, SOMEWHERE]
     assert list(seen.added_mass_moves) == [1.0, 1.0, 0.0, 1.0]  # a known place stays

@@ -6,7 +6,7 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from exoid.fitting.data.conditioning_chain import MovingAverage, Raw, SettledKalman
+from exoid.fitting.data.conditioning_chain import MovingAverage, Raw, SteadyKalman
 from exoid.fitting.data.observe import observe
 from exoid.fitting.data.segment import movement
 from exoid.fitting.misfit.residual import predict, residual
@@ -145,7 +145,7 @@ def test_the_settled_filter_is_the_firmwares_once_its_covariance_stands_still():
     raw = predicted(point, seen, each)
     steps = np.full(raw.angle.size - 1, 0.01)
     filtered = kalman.filter(steps, raw.angle, raw.angular_velocity)
-    shown = predicted(point, seen, each, chain=SettledKalman(0.01))
+    shown = predicted(point, seen, each, chain=SteadyKalman(0.01))
     difference = np.stack([shown.angle, shown.angular_velocity], axis=1) - filtered.state[:, :2]
     assert np.abs(difference[2:20]).max() > 1e-6
     assert np.abs(difference[90:]).max() < 1e-6

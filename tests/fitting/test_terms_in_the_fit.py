@@ -22,7 +22,7 @@ from exoid.physics.torque import NoTorque
 from exoid.planning.plan import plan
 from exoid.recordings.signal.condition import cut
 from exoid.report.saved.saved_result import load_result, save_result
-from exoid.trust.identifiability import identify
+from exoid.trust.identify import identify
 from exoid.twin.motion import Movement
 from exoid.twin.protocols import record
 from fit_cases import BODY, leg

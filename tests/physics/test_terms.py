@@ -16,7 +16,7 @@ from scipy.optimize import brentq
 
 from exoid.physics.leg import GRAVITY, LegModel, LegParameters
 from exoid.physics.library import library
-from exoid.physics.moment import Cycle, Moment, Place
+from exoid.physics.moment import Cycle, Moment, SegmentConstants
 from exoid.physics.motion.after_release import after_release
 from exoid.physics.motion.simulate import simulate
 from exoid.physics.motion.step import Drive
@@ -292,7 +292,7 @@ def instant(time, angle, velocity, amplitude=AMPLITUDE, number=0.0, **body):
         angle,
         velocity,
         (torque - weight - passive) / moving.inertia,
-        Place(ratios, moving.inertia, cycle, jnp.asarray(number)),
+        SegmentConstants(ratios, moving.inertia, cycle, jnp.asarray(number)),
     )
 
 
@@ -594,7 +594,7 @@ def remembered(name, rows):
     def one(values):
         body = leg(damping=0)
         still = Cycle(none, jnp.ones(()), none, none)
-        place = Place(
+        place = SegmentConstants(
             LegModel(body, NoTorque(), jnp.array(THIGH)).ratios(), body.inertia, still, none
         )
         terms, drive = (TERMS[name](*values),), Drive(none, none, none)
@@ -682,7 +682,7 @@ def test_where_a_fall_from_rest_has_led_tells_what_it_left_in_memory(name):
     def one(values):
         still = Cycle(none, jnp.ones(()), none, none)
         ratios = LegModel(leg(), NoTorque(), jnp.array(THIGH)).ratios()
-        place = Place(ratios, jnp.array(LEG["inertia"]), still, none)
+        place = SegmentConstants(ratios, jnp.array(LEG["inertia"]), still, none)
         terms, drive = (TERMS[name](*values),), Drive(none, none, none)
 
         def advance(number, at):

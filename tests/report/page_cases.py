@@ -20,7 +20,7 @@ from exoid.recordings.can.quality import FrameCounts, LogQuality
 from exoid.recordings.loading.load import load
 from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
 from exoid.report.parts.case import Case, Origin, Source
-from exoid.trust.identifiability import identify
+from exoid.trust.identify import identify
 from exoid.twin.motion import Movement
 from exoid.twin.protocols import record
 from fit_cases import BODY, leg

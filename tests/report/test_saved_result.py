@@ -17,7 +17,7 @@ from exoid.report.saved.saved_result import load_result, save_result
 from exoid.report.tables.compare import compare
 from exoid.report.tables.comparison import comparison_document, print_comparison
 from exoid.report.tables.fit import print_fit
-from exoid.trust.told import Direction, Identifiability, Reversal
+from exoid.trust.identifiability import Direction, Identifiability, Reversal
 
 SOURCES = [{"path": "é leg.csv", "sha256": "00ff" * 16, "segments": 2, "sidecar_sha256": None}]
 SETTINGS = {"lambda": 1.0, "seed": 7, "each": False, "torque_frequency": None, "signal": ["a=B.c"]}

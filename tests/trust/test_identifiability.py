@@ -8,7 +8,7 @@ import pytest
 
 from exoid.fitting.estimate import fit
 from exoid.recordings.recording import Segment
-from exoid.trust.identifiability import identify
+from exoid.trust.identify import identify
 from exoid.trust.reversal import reversals
 from fit_cases import BODY, CYCLE, DROP, LOADED, NOISE, one, recorded
 

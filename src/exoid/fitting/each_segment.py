@@ -27,7 +27,7 @@ from exoid.fitting.result.fit_result import Estimate, FitResult
 from exoid.physics.leg import GRAVITY, LegParameters
 from exoid.physics.parameter import declarations
 from exoid.physics.term import Term, name_of
-from exoid.recordings.loading.named import Given, named_recordings
+from exoid.recordings.loading.named import RecordingsLike, named_recordings
 from exoid.recordings.recording import Recording
 
 COMMON = ("gravity_over_inertia", "stiffness_over_inertia", "damping_over_inertia")
@@ -40,7 +40,7 @@ MIXED = (
 HOLDS = 1e-6  # relative slack below which a constraint holds as an equality
 
 
-def fit_each(given: Given, **options) -> FitResult:
+def fit_each(given: RecordingsLike, **options) -> FitResult:
     """`fit` on every segment by itself.
 
     Ratios are the mean over segments, with the standard error of their scatter; the parameters are

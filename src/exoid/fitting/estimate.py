@@ -16,8 +16,8 @@ from exoid.fitting.model.assumptions import Assumptions, BoundsName, PriorName, 
 from exoid.fitting.model.belief import NAMES, Belief
 from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.model.user_values import Bounds, Expectations, Fixed
-from exoid.fitting.multistart.ended import Ended
 from exoid.fitting.multistart.search import search
+from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.multistart.starts import draw, informed, term_starts
 from exoid.fitting.result.describe import describe
 from exoid.fitting.result.fit_result import FitResult
@@ -26,7 +26,7 @@ from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.library import check_terms, library
 from exoid.physics.term import Term, name_of
-from exoid.recordings.loading.named import Given, named_recordings
+from exoid.recordings.loading.named import RecordingsLike, named_recordings
 from exoid.recordings.motion.extent import Motionless
 from exoid.recordings.recording import Recording
 
@@ -37,7 +37,7 @@ APART = (("body_mass", "kg", 6.0), ("height", "m", 0.03))  # by which one person
 
 
 def fit(
-    recordings: Given,
+    recordings: RecordingsLike,
     *,
     multistart: int = 64,
     seed: int = 0,
@@ -97,7 +97,7 @@ def fit(
         movements = [plainly(each) for each in movements]
     chain, movements = conditioned(movements, smooth)
 
-    def search_of(movements, reading: str, count: int = multistart) -> tuple[Problem, Ended]:
+    def search_of(movements, reading: str, count: int = multistart) -> tuple[Problem, SearchResult]:
         given = begin(movements, belief, reading, count, seed) if starts is None else starts
         if near is not None:
             given = np.vstack([near, given[1:]])
@@ -253,7 +253,7 @@ def readings(named: list[tuple[str, Recording]], movements: list[Movement]) -> t
     return tuple(sorted(said)) if said else READINGS  # type: ignore[arg-type]
 
 
-def by_slsqp(problem: Problem, starts: np.ndarray, terms: tuple[Term, ...]) -> Ended:
+def by_slsqp(problem: Problem, starts: np.ndarray, terms: tuple[Term, ...]) -> SearchResult:
     """The search by the reference method."""
     from exoid.fitting.reference.slsqp import search_slsqp
 

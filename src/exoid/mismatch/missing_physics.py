@@ -33,7 +33,7 @@ from exoid.mismatch.search.search import look
 from exoid.physics.library import library
 from exoid.physics.parameter import Declaration
 from exoid.physics.term import Term, name_of
-from exoid.recordings.loading.named import Given, named_recordings
+from exoid.recordings.loading.named import RecordingsLike, named_recordings
 from exoid.recordings.recording import Recording
 
 REMAINS = 1.1  # mean square over the noise, from which on a formula is looked for
@@ -44,7 +44,7 @@ AT_ONCE = 1.5  # times the noise's that a cause may leave of a movement's first 
 
 
 def diagnose(
-    recordings: Given,
+    recordings: RecordingsLike,
     *,
     terms: tuple[type[Term], ...] = (),
     multistart: int = 64,

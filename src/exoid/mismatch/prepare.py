@@ -69,11 +69,11 @@ def with_masses(seen: Observation, fitted: Mounting, owned: tuple[str, ...]) -> 
     """Added masses as the fit has them, in weight, place and extent: their small errors are no
     missing physics. What a diagnosis itself leaves free stays.
     """
-    seat = np.asarray(seen.seat)
+    owner = np.asarray(seen.owner)
 
     def own(name: str) -> np.ndarray | float:
         entries = np.asarray(getattr(fitted, name))
-        return entries[seat] if entries.size and name not in owned else 0.0
+        return entries[owner] if entries.size and name not in owned else 0.0
 
     moved = np.exp(np.asarray(seen.added_mass_moves) * own("log_distance"))
     return replace(
@@ -101,7 +101,7 @@ def unknown(movements: list[Movement], *, rig: bool) -> tuple[str, ...]:
 
 def compared(problem: Problem) -> Problem:
     """The same problem, its first recording's sensors as declared and distances that are known."""
-    first = (np.asarray(problem.observation.seat) == 0)[:, None]
+    first = (np.asarray(problem.observation.owner) == 0)[:, None]
     placed = np.array([[float(not each.unplaced)] for each in problem.movements])
 
     def known(name: str) -> np.ndarray:

@@ -16,7 +16,7 @@ class Definition:
     title: str
     symbol: str
     unit: str
-    read: Callable[[Landmarks], read.Reading]
+    read: Callable[[Landmarks], read.DropReading]
 
 
 TITLES = {"plateau_angle": "plateau (resting) angle"}  # the others are called by their name

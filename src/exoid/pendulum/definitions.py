@@ -40,7 +40,7 @@ CYCLES = 3  # oscillations, at most, of which a period is the mean and decrement
 
 
 @dataclass(frozen=True)
-class Reading:
+class DropReading:
     """A value with its error, and where it is seen."""
 
     value: float
@@ -48,25 +48,25 @@ class Reading:
     marks: tuple[Mark, ...]
 
 
-def start_angle(drop: Landmarks) -> Reading:
+def start_angle(drop: Landmarks) -> DropReading:
     return at(drop.release.start)
 
 
-def first_flexion_amplitude(drop: Landmarks) -> Reading:
+def first_flexion_amplitude(drop: Landmarks) -> DropReading:
     """A1 = phi_start - phi_flexion1."""
     return between(drop.release.start, drop.flexion(1))
 
 
-def plateau_angle(drop: Landmarks) -> Reading:
+def plateau_angle(drop: Landmarks) -> DropReading:
     return at(drop.rest.angle)
 
 
-def plateau_amplitude(drop: Landmarks) -> Reading:
+def plateau_amplitude(drop: Landmarks) -> DropReading:
     """A0 = phi_start - phi_rest."""
     return between(drop.release.start, drop.rest.angle)
 
 
-def relaxation_index(drop: Landmarks, norm: float = 1.0) -> Reading:
+def relaxation_index(drop: Landmarks, norm: float = 1.0) -> DropReading:
     """RI = A1 / A0; normalised A1 / (1.6 A0)."""
     start, first, rest = drop.release.start, drop.flexion(1), drop.rest.angle
     swing, plateau = start.value - first.value, start.value - rest.value
@@ -74,10 +74,10 @@ def relaxation_index(drop: Landmarks, norm: float = 1.0) -> Reading:
         raise NotAllowed("no plateau: the leg starts where it comes to rest")
     index = swing / plateau / norm
     parts = ((1 - swing / plateau) * start.error, first.error, swing / plateau * rest.error)
-    return Reading(index, hypot(*parts) / plateau / norm, (start.mark, first.mark, rest.mark))
+    return DropReading(index, hypot(*parts) / plateau / norm, (start.mark, first.mark, rest.mark))
 
 
-def number_of_oscillations(drop: Landmarks) -> Reading:
+def number_of_oscillations(drop: Landmarks) -> DropReading:
     """Its error is 1 where a peak lies so near to the band of rest that noise may decide."""
     drop.check_fall()
     rest, found = drop.rest.angle, drop.turns[::2]
@@ -85,17 +85,17 @@ def number_of_oscillations(drop: Landmarks) -> Reading:
     places = list(zip(found, beyond, strict=True))
     close = any(SURE * hypot(each.error, rest.error) > abs(far) for each, far in places)
     counted = tuple(each.mark for each, far in places if far > 0)
-    return Reading(float(len(counted)), float(close), counted)
+    return DropReading(float(len(counted)), float(close), counted)
 
 
-def period(drop: Landmarks) -> Reading:
+def period(drop: Landmarks) -> DropReading:
     count = min(max(len(drop.turns[::2]) - 1, 1), CYCLES)
     first, last = drop.flexion(1), drop.flexion(1 + count)
     error = hypot(first.time_error, last.time_error) / count
-    return Reading((last.time - first.time) / count, error, (first.mark, last.mark))
+    return DropReading((last.time - first.time) / count, error, (first.mark, last.mark))
 
 
-def logarithmic_decrement(drop: Landmarks, number: int) -> Reading:
+def logarithmic_decrement(drop: Landmarks, number: int) -> DropReading:
     """D_n = log(F_n / F_(n+1)), F_n = phi_extension(n-1) - phi_flexion(n)."""
     ends = [(drop.extension(each - 1), drop.flexion(each)) for each in (number, number + 1)]
     swings = [high.value - low.value for high, low in ends]
@@ -104,16 +104,16 @@ def logarithmic_decrement(drop: Landmarks, number: int) -> Reading:
         for (high, low), swing in zip(ends, swings, strict=True)
     ]
     marks = tuple(each.mark for pair in ends for each in pair)
-    return Reading(log(swings[0] / swings[1]), hypot(*parts), marks)
+    return DropReading(log(swings[0] / swings[1]), hypot(*parts), marks)
 
 
-def time_to_rest(drop: Landmarks) -> Reading:
+def time_to_rest(drop: Landmarks) -> DropReading:
     start, rest = drop.release.start, drop.rest.since
     error = hypot(start.time_error, rest.time_error)
-    return Reading(rest.time - start.time, error, (start.mark, rest.mark))
+    return DropReading(rest.time - start.time, error, (start.mark, rest.mark))
 
 
-def peak_flexion_velocity(drop: Landmarks) -> Reading:
+def peak_flexion_velocity(drop: Landmarks) -> DropReading:
     drop.check_fall()
     found = drop.steepest(1, -1, float(drop.curve.time[0]), drop.flexion(1).time)
     if found.time - drop.track.time[0] < HALF:
@@ -121,12 +121,12 @@ def peak_flexion_velocity(drop: Landmarks) -> Reading:
     return size(found)
 
 
-def peak_extension_velocity(drop: Landmarks) -> Reading:
+def peak_extension_velocity(drop: Landmarks) -> DropReading:
     drop.check_fall()
     return size(drop.steepest(1, 1, drop.flexion(1).time, drop.extension(1).time))
 
 
-def peak_flexion_acceleration(drop: Landmarks) -> Reading:
+def peak_flexion_acceleration(drop: Landmarks) -> DropReading:
     release = drop.release
     after, value, error = release.steepest()
     later = drop.steepest(2, -1, release.start.time + HALF, drop.flexion(1).time)
@@ -136,19 +136,19 @@ def peak_flexion_acceleration(drop: Landmarks) -> Reading:
     return size(Peak(start.sample, start.time + after, start.time_error, value, error))
 
 
-def peak_extension_acceleration(drop: Landmarks) -> Reading:
+def peak_extension_acceleration(drop: Landmarks) -> DropReading:
     drop.check_fall()
     begin = float(drop.curve.time[0]) + HALF
     return size(drop.steepest(2, 1, begin, drop.extension(1).time))
 
 
-def at(place: Peak) -> Reading:
-    return Reading(place.value, place.error, (place.mark,))
+def at(place: Peak) -> DropReading:
+    return DropReading(place.value, place.error, (place.mark,))
 
 
-def between(high: Peak, low: Peak) -> Reading:
-    return Reading(high.value - low.value, hypot(high.error, low.error), (high.mark, low.mark))
+def between(high: Peak, low: Peak) -> DropReading:
+    return DropReading(high.value - low.value, hypot(high.error, low.error), (high.mark, low.mark))
 
 
-def size(place: Peak) -> Reading:
-    return Reading(abs(place.value), place.error, (place.mark,))
+def size(place: Peak) -> DropReading:
+    return DropReading(abs(place.value), place.error, (place.mark,))

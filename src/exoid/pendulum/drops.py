@@ -7,7 +7,7 @@ from exoid.pendulum.drop import Average, Drop, PendulumTest
 from exoid.recordings.landmarks.find_landmarks import find_landmarks
 from exoid.recordings.landmarks.measure import NotAllowed
 from exoid.recordings.landmarks.track import track_of
-from exoid.recordings.loading.named import Given, named_recordings
+from exoid.recordings.loading.named import RecordingsLike, named_recordings
 from exoid.recordings.motion.drops import law_for
 from exoid.recordings.recording import Recording
 from exoid.recordings.signal.clean import clean
@@ -22,7 +22,7 @@ REFUSED = {
 }
 
 
-def measure_drops(recordings: Given) -> PendulumTest:
+def measure_drops(recordings: RecordingsLike) -> PendulumTest:
     """Read the pendulum-test measures off every passive segment, and average them.
 
     `recordings` are of one leg, given as to `fit`. The definitions are in

@@ -39,7 +39,7 @@ def untied() -> np.ndarray:
     return np.zeros(())
 
 
-class Place(eqx.Module):
+class SegmentConstants(eqx.Module):
     """What stays the same throughout a segment: leg, cycle, and the segment's number.
 
     A critically damped spring of natural frequency `tether` may tie the leg to a measured motion;
@@ -67,7 +67,7 @@ class Moment(eqx.Module):
     angle: Float[Any, "*batch"]  # rad
     angular_velocity: Float[Any, "*batch"]  # rad/s
     angular_acceleration: Float[Any, "*batch"]  # rad/s^2, by Eq. 9 and tether without any term
-    place: Place
+    place: SegmentConstants
 
     @property
     def inertia(self):

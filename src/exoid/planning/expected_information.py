@@ -18,7 +18,13 @@ from exoid.fitting.misfit.gram import CAUSES
 from exoid.fitting.misfit.gram_matrices import gram, pushes
 from exoid.fitting.misfit.information import common, spoiled
 from exoid.fitting.misfit.uncertainty import Information
-from exoid.fitting.model.coordinates import TYPICAL, Coordinates, Own, Shared, quantities
+from exoid.fitting.model.coordinates import (
+    TYPICAL,
+    Coordinates,
+    SegmentUnknowns,
+    Shared,
+    quantities,
+)
 from exoid.fitting.model.systematics import SOMEWHERE
 from exoid.fitting.multistart.starts import first_state, usual_mounting
 from exoid.fitting.solve.ask import sensed
@@ -49,7 +55,7 @@ def posed(known: PriorKnowledge, options: dict[Candidate, Movement]) -> tuple[Pr
     problem = pose(movements, known.belief, "1/T", Raw(), terms=known.classes)
     states = np.array([first_state(each) for each in movements])
     torque = np.array([option.motion.amplitude or 0.0 for option in options])
-    own = Own(torque / np.exp(known.shared.log_inertia), *states.T.copy())
+    own = SegmentUnknowns(torque / np.exp(known.shared.log_inertia), *states.T.copy())
     usual = usual_mounting(movements, owned=known.owned)
     return problem, Coordinates(known.shared, known.log_mass, usual, own, known.terms)
 
@@ -75,7 +81,7 @@ def without_own(segment: np.ndarray, known: PriorKnowledge) -> np.ndarray:
     """A segment's information on the coordinates of `known.point` and on the new mounting, its own
     start and torque eliminated, log m (untold) inserted.
     """
-    leg, seat, start = len(fields(Shared)), len(known.owned), len(fields(Own))
+    leg, seat, start = len(fields(Shared)), len(known.owned), len(fields(SegmentUnknowns))
     places = np.arange(segment.shape[0])
     shared, mounting, own, terms = np.split(places, np.cumsum([leg, seat, start]))
     order = np.concatenate([shared, terms, mounting, own])

@@ -14,7 +14,7 @@ from exoid.fitting.model.assumptions import Assumptions
 from exoid.fitting.model.belief import NAMES, Belief
 from exoid.fitting.model.coordinates import (
     Coordinates,
-    Own,
+    SegmentUnknowns,
     Shared,
     flattened,
     leg_parameters,
@@ -58,7 +58,7 @@ class PriorKnowledge:
     @property
     def point(self) -> Coordinates:
         """The leg and its terms without any segment."""
-        nothing = Own(*[np.zeros(0)] * 3)
+        nothing = SegmentUnknowns(*[np.zeros(0)] * 3)
         return Coordinates(self.shared, self.log_mass, NOTHING, nothing, self.terms)
 
     @property

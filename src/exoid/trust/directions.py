@@ -5,7 +5,7 @@ import numpy as np
 from exoid.fitting.misfit.uncertainty import HELD, Information, determined, inverse_times
 from exoid.fitting.result.estimates import RATIOS
 from exoid.fitting.result.fit_result import Estimate
-from exoid.trust.told import Changes, Direction
+from exoid.trust.identifiability import Changes, Direction
 
 SHIFT = 0.10  # relative change by which an exact direction is put into words
 TRACE = 1e-3  # of the largest change along a direction; smaller ones are rounding

@@ -1,168 +1,53 @@
-"""What a recording tells of a leg, what only the prior or a bound does, and what nothing can.
+"""What was told by whom."""
 
-From the Fisher information of a fit (exact sensitivities, widened for what the residual holds
-besides noise): directions in which the parameters may move without any trace in the motion, those
-in which they leave hardly any, and the combinations that are well determined.
-"""
-
-from dataclasses import replace
+from dataclasses import dataclass
 
 import numpy as np
+from jaxtyping import Float
 
-from exoid.fitting.errors.profile import named, weights_of
-from exoid.fitting.misfit.neighbourhood import columns
-from exoid.fitting.misfit.uncertainty import HELD, Information, inverse_times
-from exoid.fitting.result.estimates import RATIOS
-from exoid.fitting.result.fit_result import Basis, Estimate, FitResult
-from exoid.fitting.solve.ask import take
-from exoid.trust.directions import listed, null_directions, weak_directions
-from exoid.trust.legs import strangers
-from exoid.trust.reversal import reversals
-from exoid.trust.told import Identifiability, Reversal
+from exoid.fitting.result.fit_result import Estimate
 
-UNDAMPED = 0.1  # 1/s, d / J below which no relaxed leg lies (0.5 to 1.2 do)
-WHOLLY = 0.995  # share that is all
-RESTING = 0.5  # share of a value from which on it rests on the voluntary segments
+MIRRORED = 0.05  # odd part over the whole, below which a motion counts as its own mirror image
+
+Changes = dict[str, float]  # parameter or ratio: relative change
 
 
-def identify(result: FitResult) -> Identifiability:
-    """Ask a fit what it knows, and from whom.
+@dataclass(frozen=True)
+class Direction:
+    """Parameters that may move together, and how far: by `error` times `changes` for one sd."""
 
-    **Raises** `ValueError` for a result that has no one fit to ask (`fit_each`).
+    changes: Changes
+    error: float  # inf where no motion of this kind tells
+    words: str
+
+
+@dataclass(frozen=True)
+class Reversal:
+    """How far a movement is from its own mirror image in time."""
+
+    segment: str
+    voluntary: bool
+    odd: float  # root mean square of the odd part of the angle over that of all of it
+
+    @property
+    def mirrored(self) -> bool:
+        return self.odd < MIRRORED
+
+
+@dataclass(frozen=True, eq=False)
+class Identifiability:
+    """What was told by whom.
 
     >>> told = exoid.identify(exoid.fit("drops.csv"))
-    >>> len(told.segment_shares["damping_over_inertia"])  # a part of each segment
-    2
+    >>> {"mass", "inertia"} <= set(told.names)
+    True
     """
-    if not isinstance(result, FitResult):
-        raise ValueError(
-            f"identify asks a fit, not a {type(result).__name__}: give what fit returned."
-        )
-    basis = result.basis
-    if basis is None:
-        raise ValueError("every segment was fitted alone: there is no one fit to ask.")
-    data = basis.ended.local.data + basis.ended.local.declared
-    alone = Information(data, np.zeros_like(data), np.zeros((0, data.shape[0])))
-    symbols = {name: each.symbol for name, each in named(result)}
-    weights = {name: weights_of(name, basis) for name in symbols}
-    absolute = {name: row @ basis.ended.local.quantities for name, row in weights.items()}
-    values = {name: float(row @ basis.ended.best.quantities[0]) for name, row in weights.items()}
-    gradients = {name: absolute[name] / value for name, value in values.items() if value != 0}
-    told = combinations(result, absolute, alone)
-    exact = null_directions(gradients, alone, symbols)
-    weak = weak_directions(gradients, told, alone, symbols)
-    shares = segment_shares(basis, {name: absolute[name] for name in told}, alone)
-    mirrored = reversals(basis.problem.movements)
-    names, correlation = correlations(told | dict(named(result)), gradients, basis)
-    return Identifiability(
-        exact,
-        weak,
-        told,
-        names,
-        correlation,
-        shares,
-        mirrored,
-        [
-            *strangers(result),
-            *(each.words for each in exact),
-            *(each.words for each in weak),
-            *scale_remark(basis, "inertia" in told),
-            *torque_remarks(basis, shares, mirrored),
-        ],
-    )
 
-
-def combinations(
-    result: FitResult, gradients: dict[str, np.ndarray], alone: Information
-) -> dict[str, Estimate]:
-    """The ratios, and J, where the data alone determine them."""
-    told = {}
-    for name, each in {**result.ratios, "inertia": result.parameters["inertia"]}.items():
-        error = alone.standard_error(gradients[name])
-        if each.value is not None and each.shares != HELD and np.isfinite(error):
-            told[name] = replace(each, standard_error=error or None)
-    return told
-
-
-def segment_shares(
-    basis: Basis, gradients: dict[str, np.ndarray], alone: Information
-) -> dict[str, np.ndarray]:
-    """What part of the data's information on every combination came from which segment."""
-    best = take(basis.ended.best, 0)
-    places = columns(best.coordinates, basis.problem.observation.seat)
-    shares = {}
-    for name, gradient in gradients.items():
-        pull = inverse_times(alone.likelihood, gradient)
-        told_by = zip(best.condensed.factor, places, strict=True)
-        each = np.array([np.sum((factor @ pull[at]) ** 2) for factor, at in told_by])
-        shares[name] = each / np.sum(each)
-    return shares
-
-
-def correlations(
-    quantities: dict[str, Estimate], gradients: dict[str, np.ndarray], basis: Basis
-) -> tuple[list[str], np.ndarray]:
-    """Of the errors of everything that has one."""
-    names = [name for name, each in quantities.items() if each.standard_error and name in gradients]
-    information = basis.information
-    rows = [information.free.T @ gradients[name] for name in names]
-    if not rows:
-        return [], np.zeros((0, 0))
-    table = np.stack(rows)
-    covariance = table @ np.stack([inverse_times(information.posterior, r) for r in rows], axis=1)
-    size = np.sqrt(np.diag(covariance))
-    return names, covariance / np.outer(size, size)
-
-
-def scale_remark(basis: Basis, inertia_told: bool) -> list[str]:
-    """Why the data do not fix the scale, where they do not."""
-    movements = basis.problem.movements
-    if inertia_told or not any(each.scaled for each in movements):
-        return []
-    if any(each.kind == "measured" for each in movements):
-        return ["the measured torque varied too little to fix the scale: J stays open."]
-    return [
-        "the known mass was on the leg in every segment, so its inertia and the leg's cannot be "
-        "told apart (singular): add a drop of the bare leg."
-    ]
-
-
-def torque_remarks(
-    basis: Basis, shares: dict[str, np.ndarray], mirrored: list[Reversal]
-) -> list[str]:
-    """Where the assumed form of the torque, and not the leg, made the numbers."""
-    damping = float(basis.ended.best.coordinates.shared.damping[0])
-    voluntary = np.array([each.voluntary for each in basis.problem.movements])
-    resting = {
-        name: float(each[voluntary].sum())
-        for name, each in shares.items()
-        if each[voluntary].sum() > RESTING and name != "torque_over_inertia"
-    }
-    said = []
-    symmetric = [each for each in mirrored if each.mirrored]
-    cycles = [each for each in symmetric if each.voluntary]
-    if cycles and "damping_over_inertia" in resting and damping < UNDAMPED:
-        said.append(
-            f"{segments(cycles)} moved the same forwards and backwards in time, and so does the "
-            "torque of Eq. 10: that is why d / J is near zero, and m l g / J then measures the "
-            "duration, whatever the leg is. Do not use these numbers; record a drop."
-        )
-    elif resting:
-        how = "entirely" if min(resting.values()) > WHOLLY else "mostly"
-        names = [RATIOS[name][0] if name in RATIOS else "J" for name in resting]
-        said.append(
-            f"{listed(names)} rest {how} on voluntary segments, where the form of the muscle's "
-            "torque (Eq. 10) is assumed: another form gives other values. A drop does not need it."
-        )
-    still = [each for each in symmetric if not each.voluntary]
-    if still:
-        said.append(
-            f"{segments(still)} moved the same forwards and backwards in time, as a leg that loses "
-            "no energy or that is moved by its muscles: was it really passive?"
-        )
-    return said
-
-
-def segments(each: list[Reversal]) -> str:
-    names = listed([one.segment for one in each])
-    return f"segment {names}" if len(each) == 1 else f"segments {names}"
+    null_directions: list[Direction]  # exact: a longer recording of the same kind would not help
+    weak_directions: list[Direction]  # practical: this recording hardly tells
+    combinations: dict[str, Estimate]  # what the data alone determine, with the data's own errors
+    names: list[str]  # of the rows of `correlation`
+    correlation: Float[np.ndarray, "name name"]  # of the errors; data, prior and bounds together
+    segment_shares: dict[str, Float[np.ndarray, " segment"]]  # which segments told a combination
+    reversals: list[Reversal]  # every segment against its mirror image in time
+    sentences: list[str]

@@ -7,7 +7,7 @@ that is assumed does, the fit must book no damping, whatever the leg has.
 import numpy as np
 
 from exoid.fitting.data.movement import Movement, smoothed_motion
-from exoid.trust.told import Reversal
+from exoid.trust.identifiability import Reversal
 
 SMOOTHING = 0.06  # s
 CENTRES = (0.35, 0.65)  # of the duration, between which the middle of the movement is looked for

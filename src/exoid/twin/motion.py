@@ -10,7 +10,7 @@ import jax.numpy as jnp
 from jaxtyping import Array, Float
 
 from exoid.physics.leg import LegModel
-from exoid.physics.moment import Moment, Place
+from exoid.physics.moment import Moment, SegmentConstants
 from exoid.physics.motion.simulate import FIRST, cycle_of, simulate
 from exoid.physics.motion.with_terms import delayed, errors
 from exoid.physics.state import LegState
@@ -25,7 +25,7 @@ CATCH = 0.03  # s, time constant with which a hand stops the leg
 CAUGHT = 1.0  # s from the catch to the next lift
 LIFT = 1.5  # s from where one movement ended to where the next begins
 
-Reading = Literal["1/T", "2/T"]  # of Eq. 4
+FrequencyReading = Literal["1/T", "2/T"]  # of Eq. 4
 CYCLES = {"1/T": 1.0, "2/T": 2.0}  # of the torque's sine in one period
 
 
@@ -53,7 +53,7 @@ class Session(eqx.Module):
 
 
 def perform(
-    model: LegModel, movements: Sequence[Movement], reading: Reading, time_step: float
+    model: LegModel, movements: Sequence[Movement], reading: FrequencyReading, time_step: float
 ) -> Session:
     """The movements one after the other, on a grid of `time_step` [s].
 
@@ -79,7 +79,9 @@ def sensed(
     """What encoder and gyro show of a course."""
     if not sensing:
         return course
-    place = Place(model.ratios(), jnp.asarray(model.leg.inertia), cycle_of(NoTorque()), FIRST)
+    place = SegmentConstants(
+        model.ratios(), jnp.asarray(model.leg.inertia), cycle_of(NoTorque()), FIRST
+    )
     time = jnp.arange(course.angle.size) * time_step
     memory = tuple(jnp.zeros(term.memory_size) for term in sensing)
 
@@ -94,7 +96,7 @@ def sensed(
 
 
 def release(
-    model: LegModel, movements: Sequence[Movement], reading: Reading, time_step: float
+    model: LegModel, movements: Sequence[Movement], reading: FrequencyReading, time_step: float
 ) -> list[ShownMotion]:
     """The motion of every movement from its release to its catch, all in one compiled program."""
     samples = [1 + round(movement.duration / time_step) for movement in movements]

@@ -11,7 +11,7 @@ from exoid.physics.leg import LegModel
 from exoid.recordings.filter import kalman
 from exoid.recordings.motion.split import split
 from exoid.recordings.recording import Kind, Protocol, Recording, Segment, Sensors, Subject
-from exoid.twin.motion import Movement, Reading, perform
+from exoid.twin.motion import FrequencyReading, Movement, perform
 from exoid.twin.sensors import SensorKit, ShownMotion, measure
 
 TICK = 0.01  # s, the firmware's sample time
@@ -32,7 +32,7 @@ def session(
     *,
     kit: SensorKit | None = None,
     subject: Subject = NOBODY,
-    torque_frequency: Reading = "1/T",
+    torque_frequency: FrequencyReading = "1/T",
     exact: bool = False,
 ) -> Recording:
     """The continuous log of a session: rest, release, motion, catch, rest, lift, and so on.
@@ -90,7 +90,7 @@ def describe_subject(subject: Subject, movements: Sequence[Movement]) -> Subject
 
 def describe_protocol(
     movements: Sequence[Movement],
-    reading: Reading,
+    reading: FrequencyReading,
     starts: tuple[float, ...],
     ends: tuple[float, ...],
     thigh_angle: float,

@@ -46,7 +46,7 @@ def soundly(named, work: Callable[[], Any]):
 
 def ask(result):
     """What the recording told."""
-    from exoid.trust.identifiability import identify
+    from exoid.trust.identify import identify
 
     return identify(result)
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from exoid.fitting.data.conditioning_chain import Chain, MovingAverage, Raw, SettledKalman
+from exoid.fitting.data.conditioning_chain import Chain, MovingAverage, Raw, SteadyKalman
 from exoid.fitting.data.movement import Movement, weightless, with_channels
 from exoid.fitting.data.observe import LONGEST_STEP
 from exoid.recordings.samples import Samples
@@ -29,7 +29,7 @@ def conditioned(movements: list[Movement], smooth: int) -> tuple[Chain, list[Mov
         return MovingAverage(smooth), [averaged(each, smooth) for each in movements]
     if not all(filtered) or any(each.angular_velocity is None for each in movements):
         return Raw(), movements
-    return SettledKalman(round(common_step(movements), 6)), [settled(each) for each in movements]
+    return SteadyKalman(round(common_step(movements), 6)), [settled(each) for each in movements]
 
 
 def common_step(movements: list[Movement]) -> float:

@@ -51,7 +51,7 @@ class MovingAverage(Chain):
         return memory, LegState(mean[0], mean[1])
 
 
-class SettledKalman(Chain):
+class SteadyKalman(Chain):
     """The firmware's filter once its covariance has settled: x <- A x, x <- x + K (z - x)."""
 
     time_step: float = eqx.field(static=True)  # s, what the filter takes for its step
@@ -62,7 +62,7 @@ class SettledKalman(Chain):
     def push(self, memory: PyTree, state: LegState) -> tuple[PyTree, LegState]:
         predicted = jnp.asarray(transition(self.time_step)) @ memory
         measured = jnp.stack([state.angle, state.angular_velocity])
-        gain = jnp.asarray(settled_gain(self.time_step))
+        gain = jnp.asarray(steady_gain(self.time_step))
         memory = predicted + gain @ (measured - predicted[:2])
         return memory, LegState(memory[0], memory[1])
 
@@ -72,7 +72,7 @@ def transition(step: float) -> np.ndarray:
     return np.array([[1.0, step, step**2 / 2], [0.0, 1.0, step], [0.0, 0.0, 1.0]])
 
 
-def settled_gain(step: float) -> np.ndarray:
+def steady_gain(step: float) -> np.ndarray:
     """The gain (state, measurement) to which the firmware's filter converges, by its Riccati
     recursion; 0.25 s bring it within a thousandth.
     """

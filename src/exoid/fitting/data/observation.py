@@ -38,5 +38,5 @@ class Observation(eqx.Module):
     added_mass_moves: Float[Any, "*segment"]  # 1 where its distance follows the mounting, else 0
     added_mass_extent: Float[Any, "*segment"]  # m^2, its squared radius of gyration
     thigh_angle: Float[Any, "*segment"]  # rad, the knee above the hip
-    seat: Int[Any, "*segment"]  # which recording's mounting it has
+    owner: Int[Any, "*segment"]  # which recording's mounting it has
     clock: Clock

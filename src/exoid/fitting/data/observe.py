@@ -84,7 +84,7 @@ def one_observation(
         added_mass_moves=np.asarray(float(each.unplaced or not beside_unplaced(each, movements))),
         added_mass_extent=np.asarray(each.systematics.expected_extent),
         thigh_angle=np.asarray(each.thigh_angle),
-        seat=np.asarray(recordings.index(each.recording)),
+        owner=np.asarray(recordings.index(each.recording)),
         clock=clock(each, number, reading),
     )
 

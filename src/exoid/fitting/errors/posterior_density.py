@@ -131,7 +131,7 @@ def curved(basis: Basis) -> tuple[np.ndarray, np.ndarray]:
     change = (axes * root) @ axes.T - np.eye(root.size)
     shrink = np.eye(len(plain)) + inward @ change @ outward.T
     one, slope = take(best, 0), np.zeros(len(plain))
-    places_of = columns(one.coordinates, basis.problem.observation.seat)
+    places_of = columns(one.coordinates, basis.problem.observation.owner)
     for at, factor, projection in zip(
         places_of, one.condensed.factor, one.condensed.projection, strict=True
     ):
@@ -149,9 +149,9 @@ def log_density(
     here = jax.lax.stop_gradient(to)
     at, seen = unscaled(here), target.observation
     each = partial(condense, stage=target.stage, chain=chain)
-    condensed = jax.vmap(each)(of_segments(at, seen.seat), seen, target.known)
+    condensed = jax.vmap(each)(of_segments(at, seen.owner), seen, target.known)
     leg, prior = leg_parameters(point), target.prior
-    data = linear_model(weighed(condensed, target.scale), here, to, seen.seat)
+    data = linear_model(weighed(condensed, target.scale), here, to, seen.owner)
     belief = belief_residual(prior, point), mounting_residual(prior, point.mounting)
     loss = sum(jnp.sum(part**2) for part in (data, *belief)) / 2 + target.tilt @ change
     within = violations_at(target.limits, point).max() <= 0

@@ -16,10 +16,10 @@ from jaxtyping import Float
 from exoid.fitting.misfit.neighbourhood import penalties, weighed
 from exoid.fitting.misfit.uncertainty import decomposed, spread
 from exoid.fitting.model.coordinates import Coordinates, flattened, scaled, unflattened, unscaled
-from exoid.fitting.multistart.ended import FEASIBLE, LIMITED
+from exoid.fitting.multistart.search_result import FEASIBLE, LIMITED
 from exoid.fitting.result.fit_result import Basis, Estimate, FitResult
 from exoid.fitting.solve.ask import advance, around, task
-from exoid.fitting.solve.program_values import Aim
+from exoid.fitting.solve.program_values import StartRequest
 
 Shape = Literal["two-sided", "lower limit only", "upper limit only", "flat"]
 
@@ -57,7 +57,7 @@ class Profile:
 
 
 @dataclass(frozen=True, eq=False)
-class Quest:
+class ProfiledQuantity:
     """One quantity to profile: its weights among `coordinates.quantities`, and where to look."""
 
     name: str
@@ -83,7 +83,7 @@ def profiles(result: FitResult) -> dict[str, Profile]:
     if basis is None:
         raise ValueError("every segment was fitted alone: there is no one fit to profile.")
     quests = [quest for name, each in named(result) if (quest := posed(basis, name, each))]
-    aim = Aim(
+    request = StartRequest(
         noise_scale=np.repeat([each.noise_scale for each in quests], POINTS)[:, None]
         * basis.ended.disturbance.weighing(basis.problem.kinds),
         weights=np.concatenate([np.tile(each.weights, (POINTS, 1)) for each in quests]),
@@ -96,8 +96,8 @@ def profiles(result: FitResult) -> dict[str, Profile]:
     seen = ended.best if problem.belief.by_hand.fix else ended.free
     penalty = penalties(weighed(around(problem, seen), ended.disturbance.scale))
     asked = task(problem, 0.0, problem.steps, LIMITED, penalty)
-    solved = advance(problem, starts, asked, aim=aim)
-    reached = np.sum(aim.weights * solved.quantities, axis=1)
+    solved = advance(problem, starts, asked, request=request)
+    reached = np.sum(request.weights * solved.quantities, axis=1)
     loss = np.where(solved.violation < FEASIBLE, 2 * solved.loss, np.inf)
     parts = zip(quests, reached.reshape(-1, POINTS), loss.reshape(-1, POINTS), strict=True)
     found = [traced(each, value, twice) for each, value, twice in parts]
@@ -117,7 +117,7 @@ def weights_of(name: str, basis: Basis) -> np.ndarray:
     return np.isin(basis.problem.quantities, wanted) / len(wanted)
 
 
-def posed(basis: Basis, name: str, estimate: Estimate) -> Quest | None:
+def posed(basis: Basis, name: str, estimate: Estimate) -> ProfiledQuantity | None:
     """Where to look for one quantity; None where it does not exist, as m of a rig."""
     weights = weights_of(name, basis)
     gradient = weights @ basis.ended.local.quantities
@@ -132,7 +132,7 @@ def posed(basis: Basis, name: str, estimate: Estimate) -> Quest | None:
         return None
     targets = value + step * np.linspace(-REACH, REACH, POINTS)
     scale = matching(basis, gradient, estimate.standard_error)
-    return Quest(name, estimate, weights, targets, float(step), scale)
+    return ProfiledQuantity(name, estimate, weights, targets, float(step), scale)
 
 
 def matching(basis: Basis, gradient: np.ndarray, error: float | None) -> float:
@@ -156,7 +156,7 @@ def matching(basis: Basis, gradient: np.ndarray, error: float | None) -> float:
     return float(np.exp(high))
 
 
-def begin(basis: Basis, quest: Quest) -> Coordinates:
+def begin(basis: Basis, quest: ProfiledQuantity) -> Coordinates:
     """Where the quadratic picture has each point: along I^-1 times the gradient."""
     best = basis.ended.point
     gradient = quest.weights @ basis.ended.local.quantities
@@ -169,7 +169,7 @@ def begin(basis: Basis, quest: Quest) -> Coordinates:
     return jax.tree.map(lambda *each: np.stack(each), *points)
 
 
-def traced(quest: Quest, value: np.ndarray, twice: np.ndarray) -> Profile | None:
+def traced(quest: ProfiledQuantity, value: np.ndarray, twice: np.ndarray) -> Profile | None:
     """The profile through the points that were reached; None where they are too few for a curve."""
     order = np.argsort(value)
     value, twice = value[order], twice[order]

@@ -8,7 +8,7 @@ import numpy as np
 
 from exoid.fitting.data.movement import Movement, weightless
 from exoid.fitting.misfit.missed import NOISY
-from exoid.fitting.multistart.ended import Ended
+from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.solve.problem import Problem
 
 WORSE = 3.0  # times what is missed elsewhere, a sample
@@ -27,18 +27,18 @@ def masked(each: Movement) -> Movement:
     return weightless(each, np.arange(each.angle.size) < count, late=count)
 
 
-def doubtful(problem: Problem, ended: Ended) -> bool:
+def doubtful(problem: Problem, ended: SearchResult) -> bool:
     """Do the first instants of any movement miss more than noise does?"""
     return any(starts_off(problem, ended, number) for number in range(len(problem.movements)))
 
 
-def disturbed(ended: Ended) -> bool:
+def disturbed(ended: SearchResult) -> bool:
     """Is there more in the residual than noise?"""
     found = ended.disturbance.kinds[ended.disturbance.trusted]
     return found.cause is not None or found.noise > NOISY
 
 
-def starts_off(problem: Problem, ended: Ended, number: int) -> bool:
+def starts_off(problem: Problem, ended: SearchResult, number: int) -> bool:
     """Those of a movement that seems to begin free."""
     each, seen, best = problem.movements[number], problem.observation, ended.best
     count = 0 if each.extent is None else each.extent.doubted
@@ -63,7 +63,9 @@ def told(each: Movement) -> int:
     return sum(int(np.sum(~np.isnan(one))) for one in channels)
 
 
-def differ(whole: list[Movement], of_whole: Ended, rest: list[Movement], of_rest: Ended) -> bool:
+def differ(
+    whole: list[Movement], of_whole: SearchResult, rest: list[Movement], of_rest: SearchResult
+) -> bool:
     """Do the first instants miss more than the rest does?"""
     left, every = (sum(map(told, each)) for each in (rest, whole))
     usual = max(1.0, float(of_rest.best.misfit[0]) / left)

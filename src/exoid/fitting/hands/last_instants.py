@@ -10,7 +10,7 @@ import numpy as np
 
 from exoid.fitting.data.movement import Movement, weightless
 from exoid.fitting.hands.first_instants import disturbed
-from exoid.fitting.multistart.ended import LOOKING, Ended
+from exoid.fitting.multistart.search_result import LOOKING, SearchResult
 from exoid.fitting.solve.ask import advance, take, task
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
@@ -20,11 +20,11 @@ LOUD = 2.0  # times the noise that a drop misses by, where a hand kept its leg
 FOLLOWS = 1.5  # times the noise that a drop may miss where no hand is on it
 KEPT = 0.5  # of the drops, at most, may be kept by a hand: what most of them do is the leg's
 
-Fitted = tuple[Problem, Ended]
+Fitted = tuple[Problem, SearchResult]
 
 
 def without_hands(
-    whole: Problem, of_whole: Ended, fit: Callable[[list[Movement]], Fitted]
+    whole: Problem, of_whole: SearchResult, fit: Callable[[list[Movement]], Fitted]
 ) -> list[Movement] | None:
     """The movements without what a hand did at the end of some drops; None where no hand explains
     what a fit of all leaves.
@@ -71,7 +71,7 @@ def ended(each: Movement, count: int) -> Movement:
     return weightless(each, np.arange(each.angle.size) >= count, kept=count)
 
 
-def simulated(whole: Problem, found: Ended) -> Solved:
+def simulated(whole: Problem, found: SearchResult) -> Solved:
     """How all movements would go on as the fit has them."""
     row = take(found.best.coordinates, [0])
     return advance(whole, row, task(whole, 0.0, whole.steps, LOOKING))

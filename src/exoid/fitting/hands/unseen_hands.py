@@ -5,7 +5,7 @@ from collections.abc import Callable
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.hands.first_instants import differ, disturbed, doubtful, without_first_instants
 from exoid.fitting.hands.last_instants import without_hands
-from exoid.fitting.multistart.ended import Ended
+from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.solve.problem import Problem
 
 FEW = 4  # starts, where it is only asked whether more than noise is left
@@ -13,12 +13,12 @@ FEW = 4  # starts, where it is only asked whether more than noise is left
 
 def without_unseen_hands(
     problem: Problem,
-    ended: Ended,
-    search_of: Callable[[list[Movement], int], tuple[Problem, Ended]],
+    ended: SearchResult,
+    search_of: Callable[[list[Movement], int], tuple[Problem, SearchResult]],
     starts: int,
     *,
     at_once: bool,
-) -> tuple[Problem, Ended]:
+) -> tuple[Problem, SearchResult]:
     """The search again without the begins and ends of movements, where they alone do not fit.
 
     `search_of` takes movements and a number of starts.

@@ -103,10 +103,10 @@ def factorise(total: Float[Array, "column column"], known: Float[Array, " unknow
 
 
 def linear_model(
-    condensed: Condensed, at: Coordinates, to: Coordinates, seat: Int[Any, " segment"]
+    condensed: Condensed, at: Coordinates, to: Coordinates, owner: Int[Any, " segment"]
 ) -> Float[Array, " residual"]:
     """The condensed residual at `to`, by its linear model around `at` (all scaled)."""
-    change = by_segment(jax.tree.map(jnp.subtract, to, at), seat)
+    change = by_segment(jax.tree.map(jnp.subtract, to, at), owner)
     predicted = condensed.projection + jnp.einsum("kij,kj->ki", condensed.factor, change)
     return jnp.concatenate([predicted.ravel(), condensed.remainder])
 

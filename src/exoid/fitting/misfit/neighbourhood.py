@@ -29,7 +29,7 @@ WEAK = 1e-6  # relative curvature that stands in where neither data nor prior ha
 def neighbourhood(
     point: Coordinates,
     condensed: Condensed,
-    seat: Int[np.ndarray, " segment"],
+    owner: Int[np.ndarray, " segment"],
     prior: Prior,
     limits: Limits,
 ) -> Neighbourhood:
@@ -41,7 +41,7 @@ def neighbourhood(
     with np.errstate(invalid="ignore"):  # infinite limits are no limits
         by_constraint = gradients(constraint, point)
     return Neighbourhood(
-        data=told(condensed, columns(point, seat), flattened(point).size),
+        data=told(condensed, columns(point, owner), flattened(point).size),
         prior=prior_information(point, prior),
         declared=declared_information(point, prior),
         quantities=quantity_gradients(point),
@@ -92,9 +92,9 @@ def derivative(function: Callable, at: np.ndarray) -> np.ndarray:
     return function(steps).imag / COMPLEX_STEP
 
 
-def columns(point: Coordinates, seat: Int[np.ndarray, " segment"]) -> np.ndarray:
+def columns(point: Coordinates, owner: Int[np.ndarray, " segment"]) -> np.ndarray:
     """Which coordinate every unknown of every segment is: (segment, unknown)."""
-    return by_segment(places(point), seat, np)
+    return by_segment(places(point), owner, np)
 
 
 def told(condensed: Condensed, columns: np.ndarray, size: int) -> np.ndarray:

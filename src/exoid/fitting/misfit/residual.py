@@ -15,7 +15,7 @@ from exoid.fitting.model.coordinates import Unknowns
 from exoid.fitting.model.mounting import Mounting
 from exoid.fitting.model.term_parameters import over_inertia
 from exoid.physics.leg import GRAVITY
-from exoid.physics.moment import Cycle, Place
+from exoid.physics.moment import Cycle, SegmentConstants
 from exoid.physics.motion.after_release import after_release
 from exoid.physics.motion.step import Drive, march
 from exoid.physics.motion.with_terms import Motion, delayed, extended_step, observed
@@ -77,11 +77,11 @@ def of(leaf: Float[Any, "*entry"]) -> Float[Any, ""]:
     return leaf[0] if leaf.size else jnp.zeros(())
 
 
-def place_of(eq: Equation, observation: Observation, stage: Stage) -> Place:
+def place_of(eq: Equation, observation: Observation, stage: Stage) -> SegmentConstants:
     """What a term may know of its segment."""
     inertia, clock = 1 / eq.torque, observation.clock
     cycle = Cycle(eq.cycle * inertia, clock.period, clock.frequency, clock.onset)
-    return Place(eq.ratios, inertia, cycle, clock.number, stage.tether)
+    return SegmentConstants(eq.ratios, inertia, cycle, clock.number, stage.tether)
 
 
 def begin(eq: Equation, start: LegState, observation: Observation, stage: Stage) -> Motion:

@@ -40,7 +40,7 @@ class Shared(eqx.Module):
     damping: Float[Any, "*batch"]  # d / J, 1/s
 
 
-class Own(eqx.Module):
+class SegmentUnknowns(eqx.Module):
     """What a segment owns."""
 
     torque: Float[Any, "*segment"]  # tau / J, 1/s^2
@@ -57,7 +57,7 @@ class Coordinates(eqx.Module):
     shared: Shared
     log_mass: Float[Any, "*batch"]  # log(m / kg)
     mounting: Mounting
-    own: Own
+    own: SegmentUnknowns
     terms: tuple[Term, ...] = ()
 
 
@@ -66,7 +66,7 @@ class Unknowns(eqx.Module):
 
     shared: Shared
     mounting: Mounting
-    own: Own
+    own: SegmentUnknowns
     terms: tuple[Term, ...] = ()
 
 
@@ -74,7 +74,7 @@ TYPICAL = Coordinates(
     Shared(*map(np.asarray, (0.3, 10.0, 3.0, 1.0))),
     np.asarray(0.3),
     Mounting(*map(np.asarray, (0.1, 0.01, 0.003, 0.05, 0.05, 0.05, 0.02, 0.01))),
-    Own(*map(np.asarray, (10.0, 0.1, 0.5))),
+    SegmentUnknowns(*map(np.asarray, (10.0, 0.1, 0.5))),
 )  # a step of order one
 
 
@@ -120,32 +120,32 @@ def places(point: Coordinates) -> Coordinates:
     return unflattened(np.arange(flattened(point).size), point)
 
 
-def seated(mounting: Mounting, seat: Int[Any, ""]) -> Mounting:
+def of_owner(mounting: Mounting, owner: Int[Any, ""]) -> Mounting:
     """The entries of one segment, which belongs to recording `seat`: each leaf of length one, or
     none where it is no unknown.
     """
-    return jax.tree.map(lambda leaf: leaf[seat][None] if leaf.size else leaf, mounting)
+    return jax.tree.map(lambda leaf: leaf[owner][None] if leaf.size else leaf, mounting)
 
 
-def of_segments(point: Coordinates, seat: Int[Any, " segment"]) -> Unknowns:
+def of_segments(point: Coordinates, owner: Int[Any, " segment"]) -> Unknowns:
     """The unknowns of every segment, by a leading axis."""
 
     def same(tree):
-        return jax.tree.map(lambda leaf: jnp.broadcast_to(leaf, seat.shape), tree)
+        return jax.tree.map(lambda leaf: jnp.broadcast_to(leaf, owner.shape), tree)
 
-    mounting = jax.vmap(seated, in_axes=(None, 0))(point.mounting, seat)
+    mounting = jax.vmap(of_owner, in_axes=(None, 0))(point.mounting, owner)
     return Unknowns(same(point.shared), mounting, point.own, same(point.terms))
 
 
 def by_segment(
-    point: Coordinates, seat: Int[Any, " segment"], xp=jnp
+    point: Coordinates, owner: Int[Any, " segment"], xp=jnp
 ) -> Num[Any, "segment unknown"]:
     """The unknowns of every segment in one row: what the leg, its recording, itself and the terms
     own.
     """
     count = point.own.angle.shape[0]
     shared = [xp.broadcast_to(leaf, (count,)) for leaf in jax.tree.leaves(point.shared)]
-    mounting = [leaf[seat] for leaf in jax.tree.leaves(point.mounting) if leaf.size]
+    mounting = [leaf[owner] for leaf in jax.tree.leaves(point.mounting) if leaf.size]
     terms = [xp.broadcast_to(leaf, (count,)) for leaf in jax.tree.leaves(point.terms)]
     return xp.stack([*shared, *mounting, *jax.tree.leaves(point.own), *terms], axis=1)
 

@@ -11,10 +11,16 @@ from exoid.fitting.misfit.neighbourhood import penalties, weighed
 from exoid.fitting.model.coordinates import Coordinates, Shared, scaled
 from exoid.fitting.model.fixed_values import imposed
 from exoid.fitting.model.term_parameters import over_inertia
-from exoid.fitting.multistart.ended import FEASIBLE, LIMITED, LOOKING, Ended, scale_told
 from exoid.fitting.multistart.gross_errors import with_doubted_clocks, with_tilted_seats
 from exoid.fitting.multistart.hold_to_declared import held, without_excuses
 from exoid.fitting.multistart.join_terms import join_terms
+from exoid.fitting.multistart.search_result import (
+    FEASIBLE,
+    LIMITED,
+    LOOKING,
+    SearchResult,
+    scale_told,
+)
 from exoid.fitting.multistart.simpler_problems import (
     as_declared,
     with_inertia_kept,
@@ -37,7 +43,7 @@ PATIENCE = 4  # times that a search with limits goes on where its steps ran out:
 
 def search(
     problem: Problem, starts: np.ndarray, terms: tuple[Term, ...] = (), *, near: bool = False
-) -> tuple[Problem, Ended]:
+) -> tuple[Problem, SearchResult]:
     """Fit from every start (m, J, l, d, c, tau) with its terms.
 
     Starts are led to the measured motion, then run free; where the first is `near` the end, it does
@@ -65,7 +71,7 @@ def search(
     if doubted is not None:
         problem = doubted  # the suspicion widens errors, and moves no value
         local = around(problem, best, disturbance)
-    return problem, Ended(free, member, failures, best, disturbance, begin, local)
+    return problem, SearchResult(free, member, failures, best, disturbance, begin, local)
 
 
 def led_to_the_data(

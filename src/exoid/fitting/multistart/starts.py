@@ -9,7 +9,7 @@ import numpy as np
 
 from exoid.fitting.data.movement import Movement, smoothed_motion
 from exoid.fitting.data.observe import cycle_torque
-from exoid.fitting.model.coordinates import Coordinates, Own, shared_of
+from exoid.fitting.model.coordinates import Coordinates, SegmentUnknowns, shared_of
 from exoid.fitting.model.limits import Limits
 from exoid.fitting.model.mounting import Mounting
 from exoid.fitting.model.prior_and_limits import leg_limits
@@ -89,7 +89,7 @@ def coordinates(
         shared=replace(shared, damping=np.minimum(shared.damping, greatest_damping)),
         log_mass=np.log(leg.mass),
         mounting=usual_mounting(movements, (torque.size,), owned),
-        own=Own(
+        own=SegmentUnknowns(
             torque=(torque / leg.inertia)[:, None] * voluntary,
             angle=np.broadcast_to(first[:, 0], shape).copy(),
             angular_velocity=np.broadcast_to(first[:, 1], shape).copy(),

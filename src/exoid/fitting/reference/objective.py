@@ -19,7 +19,7 @@ from exoid.fitting.model.constraint import NEVER, SIZE, SIZE_TORQUE, term_violat
 from exoid.fitting.model.coordinates import (
     TYPICAL,
     Coordinates,
-    Own,
+    SegmentUnknowns,
     Unknowns,
     flattened,
     leg_parameters,
@@ -130,7 +130,7 @@ class Objective:
         with np.errstate(invalid="ignore", divide="ignore"):
             # nan beyond the limit `POSITIVE`, from where a line search turns back
             shared, log_mass = shared_of(leg), np.log(leg.mass)
-        own = Own(torque / leg.inertia, raw.angle, raw.angular_velocity)
+        own = SegmentUnknowns(torque / leg.inertia, raw.angle, raw.angular_velocity)
         mounting = jax.tree.map(lambda a, b: b if b.size else a, self.usual, raw.mounting)
         terms = tuple(over_inertia(term, leg.inertia) for term in raw.terms)
         return Coordinates(shared, log_mass, mounting, own, terms)
@@ -169,6 +169,6 @@ def squares(
         )(shown.angle, shown.angular_velocity, at)
 
     belief = prior_residual(prior, leg_parameters(point))
-    each = of_segments(point, observation.seat)
+    each = of_segments(point, observation.owner)
     rows = jax.vmap(one)(each, observation)
     return jnp.sum(rows**2), belief @ belief

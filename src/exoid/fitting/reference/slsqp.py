@@ -9,8 +9,8 @@ from scipy.optimize import OptimizeResult, approx_fprime, minimize
 
 from exoid.fitting.misfit.neighbourhood import weighed
 from exoid.fitting.model.coordinates import Coordinates
-from exoid.fitting.multistart.ended import FEASIBLE, Ended
 from exoid.fitting.multistart.hold_to_declared import held, less_told
+from exoid.fitting.multistart.search_result import FEASIBLE, SearchResult
 from exoid.fitting.multistart.weight_by_kind import explained
 from exoid.fitting.reference.objective import Objective
 from exoid.fitting.solve.ask import advance, around, finite, task
@@ -25,7 +25,9 @@ GAIN = 1e-5  # of a restart, in the same unit, that is none
 NOTHING_MOVES = np.inf  # tolerance of a solver that is to look at a point, not to leave it
 
 
-def search_slsqp(problem: Problem, starts: np.ndarray, terms: tuple[Term, ...] = ()) -> Ended:
+def search_slsqp(
+    problem: Problem, starts: np.ndarray, terms: tuple[Term, ...] = ()
+) -> SearchResult:
     """SLSQP with finite differences from every start (m, J, l, d, c, tau) with its terms, one after
     the other.
 
@@ -56,7 +58,7 @@ def search_slsqp(problem: Problem, starts: np.ndarray, terms: tuple[Term, ...] =
     chosen = descend(replace(objective, problem=tight, scale=disturbance.scale), nearest)
     point = objective.point(chosen.x)
     best = under_limits(tight, point, disturbance.scale, chosen.multipliers)
-    return Ended(
+    return SearchResult(
         free=look(problem, [objective.point(each.x) for each in found]),
         member=np.where(arrived, np.arange(arrived.size), -1),
         failures=dict(Counter(each.message for each in found if not each.success)),

@@ -12,7 +12,7 @@ from exoid.fitting.model.coordinates import (
     places,
     with_inertia,
 )
-from exoid.fitting.multistart.ended import SAME_LOSS, Ended
+from exoid.fitting.multistart.search_result import SAME_LOSS, SearchResult
 from exoid.fitting.result.agreement import astray, believed, of_the_rest
 from exoid.fitting.result.equally_good import equally_good
 from exoid.fitting.result.estimates import (
@@ -45,7 +45,7 @@ UNSETTLED = "the search was still moving when its steps ran out"
 
 
 def describe(
-    problem: Problem, ended: Ended, reading: str | None, other_rmse: float | None
+    problem: Problem, ended: SearchResult, reading: str | None, other_rmse: float | None
 ) -> FitResult:
     """The numbers with their errors, units and reasons."""
     best, local = ended.best, ended.local
@@ -115,7 +115,7 @@ def describe(
     )
 
 
-def pressed_at(problem: Problem, ended: Ended, rows: np.ndarray) -> Pressed:
+def pressed_at(problem: Problem, ended: SearchResult, rows: np.ndarray) -> Pressed:
     """Limits that hold the best fit: how far beyond them it would be, by what it minimised."""
     best, gradients, names = ended.best, ended.local.constraints[rows], problem.constraints
     searched = around(problem, best)
@@ -131,16 +131,16 @@ def pressed_at(problem: Problem, ended: Ended, rows: np.ndarray) -> Pressed:
     return Pressed(gradients, beyond, np.array([room(row) for row in rows.tolist()]))
 
 
-def owned_places(problem: Problem, ended: Ended) -> dict[str, np.ndarray]:
+def owned_places(problem: Problem, ended: SearchResult) -> dict[str, np.ndarray]:
     """The coordinates of everything that recordings own, by its name."""
     numbers = places(ended.point).mounting
     free = {name: getattr(numbers, name)[problem.estimated(name)] for name in problem.owned}
     return {FIELDS[name]: at for name, at in free.items() if at.size}
 
 
-def told_by_kind(problem: Problem, ended: Ended) -> dict[str, np.ndarray]:
+def told_by_kind(problem: Problem, ended: SearchResult) -> dict[str, np.ndarray]:
     """The weighed information of every kind of segment, where there are several."""
-    place, size = columns(ended.point, problem.observation.seat), flattened(ended.point).size
+    place, size = columns(ended.point, problem.observation.owner), flattened(ended.point).size
     found = {}
     for kind in dict.fromkeys(problem.kinds):
         own = np.array([each == kind for each in problem.kinds])
@@ -178,7 +178,7 @@ def root_mean_square(samples: np.ndarray) -> float:
     return float(np.sqrt(np.nanmean(samples**2)))
 
 
-def report(problem: Problem, ended: Ended) -> MultistartReport:
+def report(problem: Problem, ended: SearchResult) -> MultistartReport:
     """How many starts arrived where, and the sets that fit as well as the chosen one.
 
     Who ran out of steps short of the best cost found no minimum, and did not succeed.

@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from exoid.fitting.multistart.ended import Ended, scale_told
+from exoid.fitting.multistart.search_result import SearchResult, scale_told
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.leg import GRAVITY
 
 
-def equally_good(problem: Problem, ended: Ended, rows: np.ndarray):
+def equally_good(problem: Problem, ended: SearchResult, rows: np.ndarray):
     """The range of every parameter at the chosen ratios within the limits, and a set per start.
 
     At given ratios each J leaves an interval of l (with m = J (m l / J) / l), so the exact ranges
@@ -66,7 +66,7 @@ def equally_good(problem: Problem, ended: Ended, rows: np.ndarray):
 
 
 def inertia_range(
-    problem: Problem, ended: Ended, moment: float, longest: float
+    problem: Problem, ended: SearchResult, moment: float, longest: float
 ) -> tuple[float, float]:
     """The inertias that all limits allow at the chosen ratios; one value where J is known."""
     chosen = float(ended.best.leg.inertia[0])

@@ -10,7 +10,7 @@ from jaxtyping import Float
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.uncertainty import Information, Shares, Source
 from exoid.fitting.model.user_values import Means
-from exoid.fitting.multistart.ended import Ended
+from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result import summary
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.leg import LegModel, LegParameters
@@ -214,7 +214,7 @@ class Basis:
     """What a result rests on, for those who ask further: profiles, posterior, plans."""
 
     problem: Problem
-    ended: Ended
+    ended: SearchResult
     information: Information
 
 

@@ -4,7 +4,7 @@ import numpy as np
 
 from exoid.fitting.model.coordinates import TYPICAL, flattened, places
 from exoid.fitting.model.systematics import OF_THE_GYRO, OF_THE_MASS, OWNED, SOMEWHERE
-from exoid.fitting.multistart.ended import Ended
+from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result.fit_result import Basis, Estimate, MountingFit
 from exoid.fitting.result.limiting_systematics import WORDS
 from exoid.fitting.solve.problem import Problem
@@ -59,7 +59,7 @@ def estimate_mountings(basis: Basis) -> list[MountingFit]:
     return [each for each in found if each.known]
 
 
-def beyond_belief(problem: Problem, ended: Ended) -> str | None:
+def beyond_belief(problem: Problem, ended: SearchResult) -> str | None:
     """Which recording the fit takes for what nobody declares, if it does."""
     furthest, why = BEYOND, None
     for field in problem.owned:

@@ -5,7 +5,7 @@ import numpy as np
 from exoid.fitting.misfit.disturbance import CORRELATED
 from exoid.fitting.misfit.missed import NOISY, Disturbance, Missed
 from exoid.fitting.model.belief import Belief
-from exoid.fitting.multistart.ended import FEASIBLE, Ended, scale_told
+from exoid.fitting.multistart.search_result import FEASIBLE, SearchResult, scale_told
 from exoid.fitting.result.noise_remarks import noise_remarks
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.leg import GRAVITY, LegParameters
@@ -23,7 +23,7 @@ STRANGE = 3.29  # standard deviations from what anatomy expects: one leg in a th
 INCOMPLETE = "no error bar of a model that misses something is complete"
 
 
-def remarks(problem: Problem, ended: Ended, at_bound: set[str]) -> list[str]:
+def remarks(problem: Problem, ended: SearchResult, at_bound: set[str]) -> list[str]:
     """How segments were taken, what the residual holds, and which limits decided."""
     said = []
     guessed = [each for each in problem.movements if not each.kind_said]
@@ -133,7 +133,7 @@ def unlike_anatomy(belief: Belief, gravity: float) -> list[str]:
     ]
 
 
-def upwards(problem: Problem, ended: Ended) -> bool:
+def upwards(problem: Problem, ended: SearchResult) -> bool:
     """Does gravity come out upwards, of a leg that nothing but gravity moved?"""
     return (
         float(ended.best.coordinates.shared.gravity[0]) < 0

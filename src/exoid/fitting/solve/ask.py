@@ -18,7 +18,7 @@ from exoid.fitting.model.prior import mounting_residual
 from exoid.fitting.model.term_parameters import parameters_of
 from exoid.fitting.solve.problem import STRICT, Problem
 from exoid.fitting.solve.program_cache import run, run_sense
-from exoid.fitting.solve.program_values import Aim, Solved, Task
+from exoid.fitting.solve.program_values import Solved, StartRequest, Task
 from exoid.physics.motion.step import Drive
 
 ROUNDS = 10  # of multipliers; two digits a round
@@ -55,17 +55,17 @@ def advance(
     starts: Coordinates,
     task: Task,
     scale: np.ndarray | float = 1.0,
-    aim: Aim | None = None,
+    request: StartRequest | None = None,
 ) -> Solved:
     """Solve from all starts, a batch at a time: a batch ends when its slowest start has.
 
-    The residual counts 1 / `scale`, or of each segment 1 / its entry; an `aim` says so for every
+    The residual counts 1 / `scale`, or of each segment 1 / its entry; a `request` says so for every
     start by itself.
     """
     count = starts.log_mass.shape[0]
     lanes = PAIR if problem.terms else max(PAIR, BATCH // len(problem.movements))
-    if aim is None:
-        aim = aimless(problem, np.broadcast_to(scale, (count, len(problem.movements))))
+    if request is None:
+        request = plain_request(problem, np.broadcast_to(scale, (count, len(problem.movements))))
     parts = []
     for first in range(0, count, lanes):
         rows = np.minimum(np.arange(first, first + lanes), count - 1)
@@ -73,7 +73,7 @@ def advance(
         parts.append(
             run(
                 take(starts, rows),
-                take(aim, rows),
+                take(request, rows),
                 problem.observation,
                 problem.known,
                 belief.prior,
@@ -85,11 +85,11 @@ def advance(
     return jax.tree.map(lambda *each: np.concatenate(each)[:count], *parts)
 
 
-def aimless(problem: Problem, scale: np.ndarray) -> Aim:
+def plain_request(problem: Problem, scale: np.ndarray) -> StartRequest:
     """Starts that are pulled nowhere; `scale` is (start, segment)."""
     nothing = np.zeros(len(scale))
     weights = np.zeros((len(scale), len(problem.quantities)))
-    return Aim(np.array(scale), weights, nothing, nothing)
+    return StartRequest(np.array(scale), weights, nothing, nothing)
 
 
 def grams_at(
@@ -97,7 +97,7 @@ def grams_at(
 ) -> list[Grams]:
     """The inner products of every segment at one end point, for these causes."""
     point, seen, durations = take(at.coordinates, row), problem.observation, problem.durations
-    found, places = sensed(problem, point, pushes(seen.time, durations)), columns(point, seen.seat)
+    found, places = sensed(problem, point, pushes(seen.time, durations)), columns(point, seen.owner)
     return [
         {cause: gram(found, seen, number, duration, cause, places[number]) for cause in causes}
         for number, duration in enumerate(durations)
@@ -128,8 +128,8 @@ def around(
 ) -> Neighbourhood:
     """Derivatives and information at one end point; of the data what a `disturbance` leaves."""
     one = take(at, row)
-    belief, seat = problem.belief, problem.observation.seat
-    local = neighbourhood(one.coordinates, one.condensed, seat, belief.prior, belief.limits)
+    belief, owner = problem.belief, problem.observation.owner
+    local = neighbourhood(one.coordinates, one.condensed, owner, belief.prior, belief.limits)
     if disturbance is None:
         return local
     return replace(local, data=left(problem, at, row, disturbance).information)

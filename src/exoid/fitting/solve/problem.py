@@ -10,7 +10,7 @@ from exoid.fitting.data.movement import Movement
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.belief import Belief
-from exoid.fitting.model.coordinates import Own, Shared, Unknowns, quantity_names
+from exoid.fitting.model.coordinates import SegmentUnknowns, Shared, Unknowns, quantity_names
 from exoid.fitting.model.limits import constraint_names
 from exoid.fitting.model.mounting import Mounting
 from exoid.fitting.model.systematics import OWNED, by_recording, is_exact
@@ -84,9 +84,11 @@ class Problem:
         def free(each) -> list[np.ndarray]:
             return [np.asarray(leaf) == 0 for leaf in jax.tree.leaves(each) if leaf.size]
 
-        seat = np.asarray(self.observation.seat)
+        owner = np.asarray(self.observation.owner)
         together = sum(bool(leaf.any()) for leaf in free((self.known.shared, self.known.terms)))
-        owned = [leaf[seat == number] for number in set(seat) for leaf in free(self.known.mounting)]
+        owned = [
+            leaf[owner == number] for number in set(owner) for leaf in free(self.known.mounting)
+        ]
         own = sum(int(leaf.sum()) for leaf in free(self.known.own))
         return together + sum(bool(leaf.any()) for leaf in owned) + own
 
@@ -94,7 +96,7 @@ class Problem:
         """Is what this recording owns an unknown of the fit?"""
         if name not in self.owned:
             return False
-        own = np.asarray(self.observation.seat) == entry
+        own = np.asarray(self.observation.owner) == entry
         return bool((getattr(self.known.mounting, name)[own] == 0).any())
 
     def estimated(self, name: str) -> list[int]:
@@ -161,6 +163,6 @@ def known_of(
     return Unknowns(
         Shared(bare, nothing, nothing, nothing),
         Mounting(**{name: each.get(name, none) for name in OWNED}),
-        Own(relaxed, nothing, nothing),
+        SegmentUnknowns(relaxed, nothing, nothing),
         tuple(jax.tree.map(lambda _: nothing, term_of(term, lambda *_: 0.0)) for term in terms),
     )

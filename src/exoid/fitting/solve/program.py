@@ -26,7 +26,7 @@ from exoid.fitting.model.coordinates import (
 from exoid.fitting.model.limits import Limits, Prior
 from exoid.fitting.model.prior import belief_residual, mounting_residual
 from exoid.fitting.solve.augmented_lagrangian import minimise
-from exoid.fitting.solve.program_values import Aim, Solved, Task
+from exoid.fitting.solve.program_values import Solved, StartRequest, Task
 from exoid.physics.motion.step import Drive
 
 
@@ -34,7 +34,7 @@ from exoid.physics.motion.step import Drive
 @partial(jax.vmap, in_axes=(0, 0, *[None] * 6))
 def solve(
     start: Coordinates,
-    aim: Aim,
+    request: StartRequest,
     observation: Observation,
     known: Unknowns,
     prior: Prior,
@@ -42,23 +42,23 @@ def solve(
     task: Task,
     chain: Chain,
 ) -> Solved:
-    """Fit from every start. `start` and `aim` carry a leading axis; all else is shared."""
+    """Fit from every start. `start` and `request` carry a leading axis; all else is shared."""
 
     def at(point: Coordinates) -> Condensed:
         each = partial(condense, stage=task.stage, chain=chain)
-        condensed = jax.vmap(each)(of_segments(point, observation.seat), observation, known)
-        return weighed(condensed, aim.noise_scale)
+        condensed = jax.vmap(each)(of_segments(point, observation.owner), observation, known)
+        return weighed(condensed, request.noise_scale)
 
     def residual(flat):
         # The value is exact at every point, the derivative is that of the linear model there.
         point = unravel(flat)
         here = jax.lax.stop_gradient(point)
         condensed = at(unscaled(here))
-        data = linear_model(condensed, here, point, observation.seat)
+        data = linear_model(condensed, here, point, observation.owner)
         believed = unscaled(point)
         expected = task.bounded * belief_residual(prior, believed)
         belief = jnp.concatenate([expected, mounting_residual(prior, believed.mounting)])
-        pull = aim.strength * (aim.weights @ quantities(believed) - aim.target)
+        pull = request.strength * (request.weights @ quantities(believed) - request.target)
         detail = (condensed, data @ data, belief @ belief)
         return jnp.concatenate([data, belief, pull[None]]), detail
 
@@ -76,7 +76,7 @@ def solve(
     end = unscaled(unravel(outcome.point))
     free = Stage(jnp.zeros_like(task.stage.tether), task.stage.steps)
     simulated = jax.vmap(partial(predict, stage=free, chain=chain))(
-        of_segments(end, observation.seat), observation
+        of_segments(end, observation.owner), observation
     )
     return Solved(
         coordinates=end,
@@ -84,7 +84,7 @@ def solve(
         torque=torque_amplitudes(end),
         quantities=quantities(end),
         loss=(data + belief) / 2,
-        misfit=misfit(weighed(condensed, 1 / aim.noise_scale)),
+        misfit=misfit(weighed(condensed, 1 / request.noise_scale)),
         condensed=condensed,
         multiplier=outcome.multiplier,
         violation=outcome.violation,
@@ -106,4 +106,4 @@ def sense_all(
 ) -> Sensed:
     """Residual and sensitivities of every sample of every segment, at one point."""
     each = partial(sense, stage=stage, chain=chain)
-    return jax.vmap(each)(of_segments(point, observation.seat), observation, known, pushes)
+    return jax.vmap(each)(of_segments(point, observation.owner), observation, known, pushes)

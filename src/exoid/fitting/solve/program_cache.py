@@ -79,11 +79,11 @@ def with_sound_programs(task: Callable[[], Result]) -> Result:
         return task()
 
 
-def run(starts, aim, observation, known, prior, limits, task, chain: Chain) -> Solved:
+def run(starts, request, observation, known, prior, limits, task, chain: Chain) -> Solved:
     """`solve`, with NumPy arrays in and out."""
     return called(
         "exoid.fitting.solve.program:solve",
-        (starts, aim, observation, known, prior, limits, task),
+        (starts, request, observation, known, prior, limits, task),
         chain,
         solved_structure(tuple(map(type, starts.terms))),
     )

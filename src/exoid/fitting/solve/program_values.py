@@ -27,7 +27,7 @@ class Task(eqx.Module):
     penalty: Float[Any, " constraint"]  # rho
 
 
-class Aim(eqx.Module):
+class StartRequest(eqx.Module):
     """What a start is asked for by itself.
 
     `strength` (weights . quantities - target) joins the residual. Where such a search ends, the

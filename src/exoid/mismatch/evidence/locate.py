@@ -7,7 +7,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from exoid.fitting.misfit.residual import equation
-from exoid.fitting.model.coordinates import Unknowns, seated
+from exoid.fitting.model.coordinates import Unknowns, of_owner
 from exoid.mismatch.evidence.location import Location, Missing, Region, Samples
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.measured_motion import FREE, drive_of
@@ -53,7 +53,7 @@ def lacking(
         return jax.tree.map(lambda leaf: np.asarray(leaf)[number], tree)
 
     observation = own(seen)
-    mounting = seated(coordinates.mounting, observation.seat)
+    mounting = of_owner(coordinates.mounting, observation.owner)
     unknowns = Unknowns(coordinates.shared, mounting, own(coordinates.own))
     eq = equation(unknowns, observation, FREE)
     known = drive_of(eq, observation)

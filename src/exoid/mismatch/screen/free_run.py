@@ -50,7 +50,7 @@ def release(
     terms, chain = static
     each: Any = partial(segment, terms, chain, Stage(jnp.zeros(()), steps), values, zero)
     by_segment = jax.vmap(each)
-    gram, shown = by_segment(of_segments(point, observation.seat), observation, known)
+    gram, shown = by_segment(of_segments(point, observation.owner), observation, known)
     return Released(gram, shown)
 
 

@@ -47,7 +47,7 @@ def segment_motions(
     def one(unknowns, measured, observation):
         return segment_motion(equation(unknowns, observation, FREE), measured, observation)
 
-    each = of_segments(point, observation.seat)
+    each = of_segments(point, observation.owner)
     return jax.vmap(one)(each, measured, observation)
 
 

@@ -86,7 +86,7 @@ def evaluate(
             jnp.any(request.candidate < used), partial(added, term, request, seen), same, effects
         )
     summed = jax.tree.map(lambda leaf: jnp.moveaxis(together(leaf), 2, 1), effects)
-    own = (jax.vmap(of_segments, in_axes=(0, None))(points, observation.seat), motions)
+    own = (jax.vmap(of_segments, in_axes=(0, None))(points, observation.owner), motions)
     each = partial(products, steps=steps, chain=chain)
     by_segment: Any = jax.vmap(each, in_axes=(0, 0, 0, 0, 0, 0, None))
 

@@ -69,7 +69,7 @@ class PreparedRecording:
     @cached_property
     def places(self) -> np.ndarray:
         """Which coordinate every baseline unknown of a segment is."""
-        return columns(self.like, self.seen.seat)
+        return columns(self.like, self.seen.owner)
 
     @cached_property
     def usual(self) -> np.ndarray:

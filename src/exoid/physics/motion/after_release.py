@@ -6,7 +6,7 @@ import jax
 import jax.numpy as jnp
 from jaxtyping import Array, Float
 
-from exoid.physics.moment import Place
+from exoid.physics.moment import SegmentConstants
 from exoid.physics.motion.step import Drive
 from exoid.physics.motion.with_terms import (
     Motion,
@@ -26,7 +26,9 @@ STILL = 1e-3  # rad/s^2: what is pulled by less does not fall
 REACHED = 0.03  # rad and rad/s, by which a fall may miss the state
 
 
-def after_release(place: Place, terms: Terms, leg: LegState, time: Any, push: Any) -> Motion:
+def after_release(
+    place: SegmentConstants, terms: Terms, leg: LegState, time: Any, push: Any
+) -> Motion:
     """The motion at a first state, its memory what the fall from rest to there left.
 
     Where the fall began, and how long it lasted, follow from the state by Newton's method. Where no
@@ -68,7 +70,7 @@ def after_release(place: Place, terms: Terms, leg: LegState, time: Any, push: An
 
 
 def acceleration(
-    place: Place, terms: Terms, motion: Motion, time: Any, push: Any
+    place: SegmentConstants, terms: Terms, motion: Motion, time: Any, push: Any
 ) -> Float[Array, ""]:
     """Of a leg that moves the way it is pulled [rad/s^2]."""
     now = moment(place, motion.leg, time, push)

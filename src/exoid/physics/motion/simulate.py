@@ -9,7 +9,7 @@ import numpy as np
 from jaxtyping import Array, Float
 
 from exoid.physics.leg import LegModel
-from exoid.physics.moment import Cycle, Place
+from exoid.physics.moment import Cycle, SegmentConstants
 from exoid.physics.motion.step import Drive, march
 from exoid.physics.motion.with_terms import at_rest, delayed, extended_step, observed
 from exoid.physics.state import LegState
@@ -58,7 +58,7 @@ def simulate(
     drive = jax.tree.map(lambda samples: samples / model.leg.inertia, torque)
     pushed = jnp.concatenate([drive.begin, drive.end[-1:]])
     inertia, step = jnp.asarray(model.leg.inertia), jnp.diff(time)
-    place = Place(model.ratios(), inertia, cycle_of(model.torque), jnp.asarray(number))
+    place = SegmentConstants(model.ratios(), inertia, cycle_of(model.torque), jnp.asarray(number))
 
     def advance(index, motion):
         push = jax.tree.map(lambda at: at[index], drive)

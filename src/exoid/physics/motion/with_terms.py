@@ -8,7 +8,7 @@ import jax.numpy as jnp
 from jaxtyping import Array, Float
 
 from exoid.physics.leg import angular_acceleration
-from exoid.physics.moment import Moment, Place
+from exoid.physics.moment import Moment, SegmentConstants
 from exoid.physics.motion.step import Drive, parabola, rk4
 from exoid.physics.state import LegState
 from exoid.physics.term import Reading, Term, reading
@@ -35,13 +35,13 @@ class ObservedMotion(eqx.Module):
     delay: Float[Any, "*time"]  # s
 
 
-def moment(place: Place, leg: LegState, time: Any, push: Any) -> Moment:
+def moment(place: SegmentConstants, leg: LegState, time: Any, push: Any) -> Moment:
     """The instant at which a torque per inertia `push` [rad/s^2] drives the leg."""
     acceleration = angular_acceleration(place.ratios, leg, push)
     return Moment(time, leg.angle, leg.angular_velocity, acceleration, place)
 
 
-def at_rest(place: Place, terms: Terms, leg: LegState, time: Any, push: Any) -> Motion:
+def at_rest(place: SegmentConstants, terms: Terms, leg: LegState, time: Any, push: Any) -> Motion:
     """The motion as it begins, every term at rest."""
     now = moment(place, leg, time, push)
     return Motion(leg, tuple(term.memory_at_rest(now) for term in terms))
@@ -67,7 +67,7 @@ def missing(terms: Terms, now: Moment, memory: tuple[Array, ...]) -> Float[Array
 
 
 def extended_step(
-    place: Place, terms: Terms, motion: Motion, time: Any, step: Any, drive: Drive
+    place: SegmentConstants, terms: Terms, motion: Motion, time: Any, step: Any, drive: Drive
 ) -> Motion:
     """The step from `time` on, in as many parts as the fastest term asks for.
 
@@ -88,7 +88,7 @@ def extended_step(
 
 
 def whole_step(
-    place: Place, terms: Terms, motion: Motion, time: Any, step: Any, drive: Drive
+    place: SegmentConstants, terms: Terms, motion: Motion, time: Any, step: Any, drive: Drive
 ) -> Motion:
     pushes = {0.0: drive.begin, 0.5: drive.middle, 1.0: drive.end}
     dry = sticky(terms)
@@ -124,7 +124,7 @@ def sticky(terms: Terms) -> bool:
     return any(type(term).dry_friction is not Term.dry_friction for term in terms)
 
 
-def sticks(place: Place, terms: Terms, motion: Motion, time: Any, push: Any):
+def sticks(place: SegmentConstants, terms: Terms, motion: Motion, time: Any, push: Any):
     """Does the leg stand still, with more friction than what pulls at it?"""
     now = moment(place, motion.leg, time, push)
     pulled = now.angular_acceleration + missing(terms, now, motion.memory)
@@ -133,7 +133,9 @@ def sticks(place: Place, terms: Terms, motion: Motion, time: Any, push: Any):
     return (motion.leg.angular_velocity == 0) & held & (level > 0)
 
 
-def slowed(place: Place, terms: Terms, motion: Motion, time: Any, step: Any, push: Any) -> Motion:
+def slowed(
+    place: SegmentConstants, terms: Terms, motion: Motion, time: Any, step: Any, push: Any
+) -> Motion:
     """phi' <- sgn(phi') max(0, |phi'| - step F / J)."""
     leg = motion.leg
     level = friction(terms, moment(place, leg, time, push)) / place.inertia
@@ -146,7 +148,9 @@ def friction(terms: Terms, now: Moment) -> Float[Array, "*batch"]:
     return sum([term.dry_friction(now) for term in terms], jnp.zeros(()))
 
 
-def observed(place: Place, terms: Terms, motion: Motion, time: Any, push: Any) -> ObservedMotion:
+def observed(
+    place: SegmentConstants, terms: Terms, motion: Motion, time: Any, push: Any
+) -> ObservedMotion:
     """What the sensors show of an instant, but for the gyro's delay."""
     leg = motion.leg
     now = moment(place, leg, time, push)

@@ -11,10 +11,12 @@ from exoid.recordings.recording import Recording
 
 Readable = Recording | Loaded | str | PathLike[str]
 ONE = (Recording, Loaded, str, PathLike)
-Given = Readable | Sequence[Readable | tuple[str, Readable]]
+RecordingsLike = Readable | Sequence[Readable | tuple[str, Readable]]
 
 
-def named_recordings(given: Given, alone: str = "recording") -> list[tuple[str, Recording]]:
+def named_recordings(
+    given: RecordingsLike, alone: str = "recording"
+) -> list[tuple[str, Recording]]:
     """(name, recording) pairs of what was given; one without a name is called `alone`.
 
     A file is loaded, and what its reader noticed becomes a warning.

@@ -13,7 +13,7 @@ from exoid.fitting.result.fit_result import (
     SegmentFit,
 )
 from exoid.report.document.plain_json import plain, shown
-from exoid.trust.told import Identifiability
+from exoid.trust.identifiability import Identifiability
 
 NO_TORQUE = "no segment has a voluntary torque"
 CURVES = ("time", "angle", "angular_velocity", "simulated_angle", "simulated_velocity")

@@ -9,7 +9,7 @@ from exoid.planning.planned import Plan
 from exoid.recordings.can.quality import LogQuality
 from exoid.recordings.recording import Recording
 from exoid.report.words.person import people
-from exoid.trust.told import Identifiability
+from exoid.trust.identifiability import Identifiability
 
 
 @dataclass(frozen=True, eq=False)

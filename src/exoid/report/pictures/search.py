@@ -3,7 +3,7 @@
 import numpy as np
 from jaxtyping import Float
 
-from exoid.fitting.multistart.ended import SAME_LOSS
+from exoid.fitting.multistart.search_result import SAME_LOSS
 from exoid.fitting.result.fit_result import Estimate, FitResult, MultistartReport
 from exoid.report.pictures.axis import view
 from exoid.report.pictures.panel import Axis, Mark, Panel, Picture, Points, Range

@@ -14,7 +14,7 @@ from exoid.planning.planned import Plan
 from exoid.report.parts.case import Origin
 from exoid.report.saved.document import read, write
 from exoid.report.saved.node import DocumentError
-from exoid.trust.told import Identifiability
+from exoid.trust.identifiability import Identifiability
 
 
 @dataclass(frozen=True, eq=False)

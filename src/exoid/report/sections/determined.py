@@ -7,7 +7,7 @@ from exoid.report.pictures.determined import show_shares
 from exoid.report.sections.section import Block, Group, element, section
 from exoid.report.tables.leg import quantities_of
 from exoid.report.tables.table import Column, Table
-from exoid.trust.told import Identifiability
+from exoid.trust.identifiability import Identifiability
 
 ALONE = "Every segment was fitted alone, so there is no one fit to ask what the data determine."
 

@@ -28,7 +28,7 @@ from exoid.report.words.text import (
     say,
     written,
 )
-from exoid.trust.told import Identifiability
+from exoid.trust.identifiability import Identifiability
 
 ALIKE = 0.2  # relative spread of amplitudes
 

@@ -18,7 +18,7 @@ TOLD = 0.5  # relative error of an inertia from which on the data do not tell it
 
 
 @dataclass(frozen=True, eq=False)
-class Ended:
+class SearchResult:
     """Where all starts ended: the free fits, which start led to which, and the chosen fit."""
 
     free: Solved
