@@ -48,7 +48,7 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
     ranked = ordered(first)
     told("simulating the best of them")
     singles = [polished(prepared, one.candidate) for one in shortlist(ranked)]
-    singles += [*twins(prepared, singles, singles), *nested(prepared, singles)]
+    singles += [*twins(prepared, singles, singles), *nested(prepared, singles, of_all(singles))]
     leader = least(*singles)
     if leader.square < FALSE * base.square:
         better = polished(prepared, replace(leader.candidate, terms=(), values=()))
@@ -75,11 +75,11 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
     both = ordered(best_of(settle(prepared, seconds, rounds=PAIR_ROUNDS)))
     told("simulating the best pairs")
     joint = [*(polished(prepared, one.candidate) for one in shortlist(both)), *sensors]
-    if joint and ordered(joint)[0].square > FLOOR * yardstick(prepared, ordered(joint)[0]).samples:
+    if joint and ordered(joint)[0].square > FLOOR * measure.samples:
         told("testing three causes and more")
         joint += several(prepared, usable, joint)
     singles = by_evidence([*singles, *reduced(prepared, ordered(joint)[:1])], base, measure)
-    singles += nested(prepared, singles)
+    singles += nested(prepared, singles, of_all(singles))
     measure = yardstick(prepared, least(base, *singles, *joint))
     joint = by_evidence(joint, base, measure)
     joint = by_evidence([*joint, *twins(prepared, joint[:1], joint)], base, measure)
@@ -121,6 +121,11 @@ def applies(prepared: PreparedRecording, term: type[Term]) -> bool:
     if term.everyday:
         return bool((prepared.seen.velocity_weight > 0).any())
     return True
+
+
+def of_all(some: list[Optimum]) -> list[type[Term]]:
+    """The terms of all of them, each once."""
+    return list(dict.fromkeys(term for one in some for term in one.candidate.terms))
 
 
 def least(*settled: Optimum) -> Optimum:

@@ -1,6 +1,7 @@
 """What a search tries beside single terms: the same running free, twins, simpler forms, pairs."""
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -91,20 +92,31 @@ def with_sure_sensors(
     return [settle_free(prepared, one) for one in starts]
 
 
-def nested(prepared: PreparedRecording, singles: list[Optimum]) -> list[Optimum]:
-    """A simple term again from where a richer one is that holds all its parameters."""
+def nested(
+    prepared: PreparedRecording, some: list[Optimum], simpler: list[type[Term]]
+) -> list[Optimum]:
+    """A simple term again in the place of a richer one that holds all its parameters."""
     found = []
-    for rich in singles:
-        (term,) = rich.candidate.terms
-        known = dict(zip(dict(declarations(term)), rich.candidate.values[0], strict=True))
-        for simple in singles:
-            (other,) = simple.candidate.terms
-            wanted = list(dict(declarations(other)))
-            if len(wanted) < len(known) and known.keys() >= set(wanted):
-                value = np.array([known[name] for name in wanted])
-                start = replace(rich.candidate, terms=(other,), values=(value,), linear=None)
-                found.append(settle_free(prepared, start))
+    for one in some:
+        terms, values = one.candidate.terms, one.candidate.values
+        for place, rich in enumerate(terms):
+            known = dict(zip(dict(declarations(rich)), values[place], strict=True))
+            for simple in simpler:
+                wanted = list(dict(declarations(simple)))
+                if len(wanted) < len(known) and known.keys() >= set(wanted):
+                    start = replace(
+                        one.candidate,
+                        terms=put(terms, place, simple),
+                        values=put(values, place, np.array([known[name] for name in wanted])),
+                        linear=None,
+                    )
+                    found.append(settle_free(prepared, start))
     return found
+
+
+def put(each: tuple, place: int, other: Any) -> tuple:
+    """The same with another one in a place."""
+    return (*each[:place], other, *each[place + 1 :])
 
 
 def pairs(
