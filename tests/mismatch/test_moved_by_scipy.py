@@ -39,6 +39,32 @@ class Rubbing(Knee):
 
 
 @dataclass(frozen=True)
+class Manifold(Rubbing):
+    """Dry friction, drag, and a spring that rests at another angle than 0, all at once."""
+
+    friction: float = 0.7  # 1/s^2
+    drag: float = 0.15
+    rest: float = -0.5  # rad
+
+    def pull(self, angle, rate):
+        pushed = self.stiffness * self.rest - self.drag * rate * np.abs(rate)
+        return super().pull(angle, rate) + pushed
+
+
+def test_three_causes_at_once_are_named_and_the_leg_is_right():
+    knee = Manifold()
+    found = diagnose(session(knee), multistart=8)
+    assert found.verdict == "mismatch"
+    assert {"quadratic_drag", "stiffness_rest_angle"} < set(found.selected)
+    assert set(found.selected) & {"coulomb_friction", "stribeck_friction"}
+    assert len(found.selected) == 3
+    assert found.proof.after.total < found.proof.before.total / 5
+    for name in ("gravity", "stiffness", "damping"):
+        one = found.fit.ratios[f"{name}_over_inertia"]
+        assert abs(one.value - getattr(knee, name)) < 3 * one.standard_error
+
+
+@dataclass(frozen=True)
 class Tilted(Knee):
     """On a seat whose front is higher."""
 

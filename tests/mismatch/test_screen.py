@@ -12,7 +12,7 @@ from exoid.mismatch.evidence.measure import count
 from exoid.mismatch.prepare import prepare
 from exoid.mismatch.screen import many_pinned
 from exoid.mismatch.screen.hypothesis import Hypothesis
-from exoid.mismatch.screen.many_pinned import linear
+from exoid.mismatch.screen.many_pinned import linear, together
 from exoid.mismatch.screen.optimise import settle, settle_free
 from exoid.mismatch.search.variants import polished
 from exoid.physics.leg import LegModel
@@ -90,6 +90,17 @@ def test_a_first_term_taken_as_linear_counts_like_itself(ready):
     both = Hypothesis((*first.terms, *second.terms), (*first.values, *second.values), first.point)
     eased = linear(prepared, [(first, prepared.measured_motion)])[0]
     eased = Hypothesis(both.terms, both.values, both.point, both.zero, eased)
+    one, other = (at_measured(prepared, each)[0] for each in (both, eased))
+    assert other.each == pytest.approx(one.each, rel=1e-9, abs=1e-6)
+
+
+def test_terms_taken_together_as_linear_count_like_themselves(ready):
+    prepared, base = ready
+    by_name = {name_of(each.terms[0]): each for each in candidates(prepared, base)}
+    first, second = by_name["coulomb_friction"], by_name["detent"]
+    both = Hypothesis((*first.terms, *second.terms), (*first.values, *second.values), first.point)
+    known = linear(prepared, [(each, prepared.measured_motion) for each in (first, second)])
+    eased = Hypothesis(both.terms, both.values, both.point, both.zero, together(known))
     one, other = (at_measured(prepared, each)[0] for each in (both, eased))
     assert other.each == pytest.approx(one.each, rel=1e-9, abs=1e-6)
 
