@@ -31,10 +31,11 @@ from exoid.fitting.model.coordinates import (
 )
 from exoid.fitting.model.limits import Limits, Prior
 from exoid.fitting.model.prior import (
-    belief_residual,
     log_jacobian,
     mounting_residual,
+    prior_residual,
     term_log_jacobian,
+    term_residual,
 )
 from exoid.fitting.model.term_parameters import parameters_of, step_of, with_values
 from exoid.fitting.result.fit_result import Basis
@@ -152,7 +153,11 @@ def log_density(
     condensed = jax.vmap(each)(of_segments(at, seen.seat), seen, target.known)
     leg, prior = leg_parameters(point), target.prior
     data = linear_model(weighed(condensed, target.scale), here, to, seen.seat)
-    belief = belief_residual(prior, point), mounting_residual(prior, point.mounting)
+    belief = (
+        prior_residual(prior, leg),
+        term_residual(prior, point),
+        mounting_residual(prior, point.mounting),
+    )
     loss = sum(jnp.sum(part**2) for part in (data, *belief)) / 2 + target.tilt @ change
     within = violations_at(target.limits, point).max() <= 0
     volume = log_jacobian(prior, leg) + term_log_jacobian(prior, point)
