@@ -13,8 +13,7 @@ from exoid.mismatch.prepare import prepare
 from exoid.mismatch.screen import many_pinned
 from exoid.mismatch.screen.hypothesis import Hypothesis
 from exoid.mismatch.screen.many_pinned import linear, together
-from exoid.mismatch.screen.optimise import settle, settle_free
-from exoid.mismatch.search.variants import polished
+from exoid.mismatch.screen.optimise import polished, settle, settle_free
 from exoid.physics.leg import LegModel
 from exoid.physics.motion.simulate import simulate
 from exoid.physics.term import name_of

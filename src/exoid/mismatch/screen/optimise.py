@@ -42,6 +42,18 @@ def settle_free(
     return descend(prepared, [(candidate, None)], evaluate, rounds, STEADY)[0]
 
 
+def polished(prepared: PreparedRecording, start: Hypothesis) -> Optimum:
+    """Running free from a start.
+
+    Where a gyro's reading jumps, every sample beside a jump is a wall: the encoder leads past them.
+    """
+    if any(term.jumps for term in start.terms):
+        seen = prepared.seen
+        by_encoder = replace(seen, velocity_weight=0.0 * seen.velocity_weight)
+        start = settle_free(prepared, start, by_encoder).candidate
+    return settle_free(prepared, start)
+
+
 def descend(prepared, begin, evaluate, rounds, steady) -> list[Optimum]:
     """Steps of all candidates together, until each expects to gain less than `steady`.
 

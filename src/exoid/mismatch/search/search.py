@@ -8,14 +8,13 @@ import numpy as np
 from exoid.mismatch.evidence.measure import yardstick
 from exoid.mismatch.evidence.yardstick import ALIKE, APART, FOLLOWED, Yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
-from exoid.mismatch.screen.optimise import FEWER_ROUNDS, settle, settle_free
+from exoid.mismatch.screen.optimise import FEWER_ROUNDS, polished, settle, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import FLOOR, Found, best_of, size, sound
 from exoid.mismatch.search.several import several
 from exoid.mismatch.search.variants import (
     nested,
     pairs,
-    polished,
     reduced,
     twins,
     with_sure_sensors,
@@ -78,6 +77,7 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
     if joint and ordered(joint)[0].square > FLOOR * measure.samples:
         told("testing three causes and more")
         joint += several(prepared, usable, joint)
+        joint += nested(prepared, ordered(joint)[:1], usable)
     singles = by_evidence([*singles, *reduced(prepared, ordered(joint)[:1])], base, measure)
     singles += nested(prepared, singles, of_all(singles))
     measure = yardstick(prepared, least(base, *singles, *joint))

@@ -5,10 +5,9 @@ from dataclasses import replace
 from exoid.mismatch.evidence.measure import yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.many_pinned import linear, together
-from exoid.mismatch.screen.optimise import settle
+from exoid.mismatch.screen.optimise import polished, settle
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import FLOOR, best_of, size, sound
-from exoid.mismatch.search.variants import nested, polished
 from exoid.physics.library import MOST_PARAMETERS
 from exoid.physics.term import Term
 
@@ -23,8 +22,8 @@ def several(
     """Sets with one cause more than the best of `joint`, and so on while that clearly explains
     more and noise is not reached.
 
-    Of a set that explains all there is, those with one cause less, or a simpler one, are tried as
-    well: is each of them needed?
+    Of a set that explains all there is, those with one cause less are tried as well: is each of
+    them needed?
     """
     best, found = min(joint, key=lambda one: one.square), []
     measure = yardstick(prepared, best)
@@ -40,7 +39,6 @@ def several(
         found += wider
         best = better
     if found and measure.explains(best.square):
-        found += nested(prepared, [best], usable)
         found += [polished(prepared, each) for each in with_one_less(best.candidate)]
     return found
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.many_pinned import linear
-from exoid.mismatch.screen.optimise import settle_free
+from exoid.mismatch.screen.optimise import polished, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.physics.parameter import declarations
 from exoid.physics.term import Term, name_of
@@ -15,18 +15,6 @@ from exoid.physics.term import Term, name_of
 PAIRED = 3  # first terms of a pair
 BESIDE = 2  # of the best single terms are tried beside what the sensors surely say
 SOFTEST = 1e-3  # N m/rad, of a leg that has a rest angle
-
-
-def polished(prepared: PreparedRecording, start: Hypothesis) -> Optimum:
-    """Running free from a start.
-
-    Where a gyro's reading jumps, every sample beside a jump is a wall: the encoder leads past them.
-    """
-    if any(term.jumps for term in start.terms):
-        seen = prepared.seen
-        by_encoder = replace(seen, velocity_weight=0.0 * seen.velocity_weight)
-        start = settle_free(prepared, start, by_encoder).candidate
-    return settle_free(prepared, start)
 
 
 def reduced(prepared: PreparedRecording, joint: list[Optimum]) -> list[Optimum]:

@@ -24,9 +24,11 @@ ENOUGH = "The diagnosis asks for no further recording."
 def advice(case: Case) -> Iterator[Block]:
     """What tells rivals apart, and what narrows the inertia."""
     plan, found = case.plan, case.diagnosis
-    asked = [] if found is None else found.advice
-    yield [ASK] if found is None and plan is None else asked or [ENOUGH]
+    if found is not None:
+        yield found.advice or [ENOUGH]
     if plan is None:
+        if found is None:
+            yield [ASK]
         return
     yield element("h3", f"To narrow the {in_words(plan.goal)}")
     if plan.proposed:
