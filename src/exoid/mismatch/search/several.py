@@ -2,9 +2,10 @@
 
 from dataclasses import replace
 
-from exoid.mismatch.evidence.measure import yardstick
-from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
+from exoid.mismatch.evidence.measure import count, yardstick
+from exoid.mismatch.screen.hypothesis import Hypothesis, Linear, Optimum
 from exoid.mismatch.screen.many_pinned import linear, together
+from exoid.mismatch.screen.measured_motion import MeasuredMotion
 from exoid.mismatch.screen.optimise import polished, settle
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import FLOOR, best_of, size, sound
@@ -13,6 +14,7 @@ from exoid.physics.term import Term
 
 MOST = 4  # causes of one recording
 NEXT = 3  # further causes that run free beside those at hand
+PROMISING = 0.5  # of what those leave over the noise, below which a further one runs free
 ROUNDS = 6  # of pinned steps
 
 
@@ -46,16 +48,15 @@ def several(
 def with_one_more(
     prepared: PreparedRecording, usable: list[type[Term]], best: Hypothesis
 ) -> list[Hypothesis]:
-    """The candidate with each of the causes that explain most beside those it has, pinned."""
+    """The candidate with each of the causes that explain most beside those it has, pinned; with
+    none where they explain little.
+    """
     size = sum(value.size for value in best.values)
     if size > MOST_PARAMETERS:
         return []
-    motion = settle(prepared, [best], rounds=1)[0].motion
-    each = [
-        (replace(best, terms=(term,), values=(value,)), motion)
-        for term, value in zip(best.terms, best.values, strict=True)
-    ]
-    known = together(linear(prepared, each))
+    known = as_one(prepared, best, prepared.measured_motion)
+    alone = settle(prepared, [replace(best, linear=known)], rounds=1)[0]
+    known = as_one(prepared, best, alone.motion)
     starts = [
         replace(best, terms=(*best.terms, term), values=(*best.values, value), linear=known)
         for term in usable
@@ -63,8 +64,19 @@ def with_one_more(
         if term not in best.terms
     ]
     wider = best_of([one for one in settle(prepared, starts, rounds=ROUNDS) if sound(one)])
+    samples = count(prepared.seen)
+    most = samples + PROMISING * (alone.square - samples)
     first = sorted(wider, key=lambda one: one.square)[:NEXT]
-    return [replace(one.candidate, linear=None) for one in first]
+    return [replace(one.candidate, linear=None) for one in first if one.square < most]
+
+
+def as_one(prepared: PreparedRecording, best: Hypothesis, motion: MeasuredMotion) -> Linear:
+    """What all its terms do along a motion; the pinned program itself takes no more than two."""
+    each = [
+        (replace(best, terms=(term,), values=(value,)), motion)
+        for term, value in zip(best.terms, best.values, strict=True)
+    ]
+    return together(linear(prepared, each))
 
 
 def with_one_less(candidate: Hypothesis) -> list[Hypothesis]:

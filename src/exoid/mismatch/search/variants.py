@@ -91,7 +91,8 @@ def nested(
             known = dict(zip(dict(declarations(rich)), values[place], strict=True))
             for simple in simpler:
                 wanted = list(dict(declarations(simple)))
-                if len(wanted) < len(known) and known.keys() >= set(wanted):
+                fewer = len(wanted) < len(known) and known.keys() >= set(wanted)
+                if fewer and simple not in terms:
                     start = replace(
                         one.candidate,
                         terms=put(terms, place, simple),
