@@ -53,7 +53,7 @@ class Feature:
         return self.family.words.format(*shown)
 
 
-def reshaped(features: Sequence[Feature], row: Sequence) -> tuple[Feature, ...]:
+def reshaped(features: Sequence[Feature], row: Any) -> tuple[Feature, ...]:
     """The features with the shapes in a row, one after the other; where it ends, as they were."""
     moved = []
     for each in features:
