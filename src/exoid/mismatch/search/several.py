@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from exoid.mismatch.evidence.measure import count, yardstick
+from exoid.mismatch.evidence.measure import yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis, Linear, Optimum
 from exoid.mismatch.screen.many_pinned import linear, together
 from exoid.mismatch.screen.measured_motion import MeasuredMotion
@@ -14,7 +14,7 @@ from exoid.physics.term import Term
 
 MOST = 4  # causes of one recording
 NEXT = 3  # further causes that run free beside those at hand
-PROMISING = 0.5  # of what those leave over the noise, below which a further one runs free
+NEAR = 10.0  # mean square over the noise, of causes that one more may bring down to it
 ROUNDS = 6  # of pinned steps
 
 
@@ -29,7 +29,7 @@ def several(
     """
     best, found = min(joint, key=lambda one: one.square), []
     measure = yardstick(prepared, best)
-    while best.square > FLOOR * measure.samples and len(best.candidate.terms) < MOST:
+    while FLOOR < best.square / measure.samples < NEAR and len(best.candidate.terms) < MOST:
         wider = [
             polished(prepared, each) for each in with_one_more(prepared, usable, best.candidate)
         ]
@@ -48,15 +48,13 @@ def several(
 def with_one_more(
     prepared: PreparedRecording, usable: list[type[Term]], best: Hypothesis
 ) -> list[Hypothesis]:
-    """The candidate with each of the causes that explain most beside those it has, pinned; with
-    none where they explain little.
-    """
+    """The candidate with each of the causes that explain most beside those it has, pinned."""
     size = sum(value.size for value in best.values)
     if size > MOST_PARAMETERS:
         return []
     known = as_one(prepared, best, prepared.measured_motion)
-    alone = settle(prepared, [replace(best, linear=known)], rounds=1)[0]
-    known = as_one(prepared, best, alone.motion)
+    motion = settle(prepared, [replace(best, linear=known)], rounds=1)[0].motion
+    known = as_one(prepared, best, motion)
     starts = [
         replace(best, terms=(*best.terms, term), values=(*best.values, value), linear=known)
         for term in usable
@@ -64,10 +62,8 @@ def with_one_more(
         if term not in best.terms
     ]
     wider = best_of([one for one in settle(prepared, starts, rounds=ROUNDS) if sound(one)])
-    samples = count(prepared.seen)
-    most = samples + PROMISING * (alone.square - samples)
     first = sorted(wider, key=lambda one: one.square)[:NEXT]
-    return [replace(one.candidate, linear=None) for one in first if one.square < most]
+    return [replace(one.candidate, linear=None) for one in first]
 
 
 def as_one(prepared: PreparedRecording, best: Hypothesis, motion: MeasuredMotion) -> Linear:
