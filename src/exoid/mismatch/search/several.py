@@ -69,7 +69,7 @@ def with_one_more(
 def as_one(prepared: PreparedRecording, best: Hypothesis, motion: MeasuredMotion) -> Linear:
     """What all its terms do along a motion; the pinned program itself takes no more than two."""
     each = [
-        (replace(best, terms=(term,), values=(value,)), motion)
+        (replace(best, terms=(term,), values=(value,), linear=None), motion)
         for term, value in zip(best.terms, best.values, strict=True)
     ]
     return together(linear(prepared, each))
