@@ -74,10 +74,11 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
     both = ordered(best_of(settle(prepared, seconds, rounds=PAIR_ROUNDS)))
     told("simulating the best pairs")
     joint = [*(polished(prepared, one.candidate) for one in shortlist(both)), *sensors]
-    if joint and ordered(joint)[0].square > FLOOR * measure.samples:
-        told("testing three causes and more")
-        joint += several(prepared, usable, joint)
-        joint += nested(prepared, ordered(joint)[:1], usable)
+    for best_pair in ordered(joint)[:1]:
+        if best_pair.square > FLOOR * measure.samples:
+            told("testing three causes and more")
+            joint += several(prepared, usable, best_pair)
+            joint += nested(prepared, ordered(joint)[:1], usable)
     singles = by_evidence([*singles, *reduced(prepared, ordered(joint)[:1])], base, measure)
     singles += nested(prepared, singles, of_all(singles))
     measure = yardstick(prepared, least(base, *singles, *joint))

@@ -18,22 +18,17 @@ NEAR = 10.0  # mean square over the noise, of causes that one more may bring dow
 ROUNDS = 6  # of pinned steps
 
 
-def several(
-    prepared: PreparedRecording, usable: list[type[Term]], joint: list[Optimum]
-) -> list[Optimum]:
-    """Sets with one cause more than the best of `joint`, and so on while that clearly explains
-    more and noise is not reached.
+def several(prepared: PreparedRecording, usable: list[type[Term]], best: Optimum) -> list[Optimum]:
+    """Sets with one cause more than the best at hand, and so on while that clearly explains more
+    and noise is not reached.
 
     Of a set that explains all there is, those with one cause less are tried as well: is each of
     them needed?
     """
-    best, found = min(joint, key=lambda one: one.square), []
-    measure = yardstick(prepared, best)
+    found, measure = [], yardstick(prepared, best)
     while FLOOR < best.square / measure.samples < NEAR and len(best.candidate.terms) < MOST:
-        wider = [
-            polished(prepared, each) for each in with_one_more(prepared, usable, best.candidate)
-        ]
-        wider = [one for one in wider if sound(one)]
+        starts = with_one_more(prepared, usable, best.candidate)
+        wider = [one for each in starts if sound(one := polished(prepared, each))]
         better = min([best, *wider], key=lambda one: one.square)
         measure = yardstick(prepared, better)
         if not measure.clear(best.square, better.square, max(size(better) - size(best), 1)):
