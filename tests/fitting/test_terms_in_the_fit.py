@@ -111,6 +111,15 @@ def test_a_value_that_is_fixed_stays_and_one_that_is_expected_draws(rubbing):
     assert drawn.samples["coulomb_friction.level"] == pytest.approx(0.2, rel=2e-3)
 
 
+def test_what_is_expected_of_a_term_is_told_as_firmly_as_it_counts(rubbing):
+    expect = {"coulomb_friction.level": (0.2, 0.1), "damping": (0.3, 0.1)}
+    terms = (CoulombFriction, GyroBias)
+    firm = fit(rubbing, multistart=1, terms=terms, expect=expect, weight=4.0)
+    level, damping = firm.terms["coulomb_friction"]["level"], firm.parameters["damping"]
+    assert (level.expected, level.expected_deviation) == (0.2, 0.05)  # lambda 4 halves it
+    assert damping.expected_deviation == 0.05
+
+
 def test_an_end_of_a_range_that_holds_is_said(rubbing):
     bounded = fit(
         rubbing,

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from exoid.fitting.misfit.uncertainty import HELD, Information, Shares
-from exoid.fitting.model.belief import Belief
+from exoid.fitting.model.belief import NAMES, Belief
 from exoid.fitting.model.term_parameters import ratio_name, ratio_unit
 from exoid.fitting.model.user_values import DECLARED, Means
 from exoid.fitting.result.fit_result import Basis, Estimate
@@ -102,11 +102,10 @@ def within(
 
 def expectation(belief: Belief, name: str) -> tuple[float | None, float | None]:
     """What is expected of a parameter, and its standard deviation where it has one."""
-    weight = float(belief.prior.weight)
-    own = belief.by_hand.prior.get(name)
+    own, weight = belief.by_hand.prior.get(name), float(belief.prior.weight)
     if own is not None:
         value, deviation = own
-    elif belief.expected is not None:
+    elif belief.expected is not None and name in NAMES:
         one = getattr(belief.expected, name)
         value, deviation = one.value, None if belief.raw else one.standard_deviation
     else:
@@ -163,7 +162,7 @@ def estimate_torque(basis: Basis, names: list[str], at_bound: set[str]) -> Estim
         (declared.symbol, declared.title, declared.unit),
         lower=-strongest if bounded else None,
         upper=strongest if bounded else None,
-        reason=untold(found, SCALE_FREE),
+        reason=ON_BOUND if found.shares == HELD else untold(found, SCALE_FREE),
     )
 
 
@@ -217,7 +216,7 @@ def term_parameter(name: str, declared: Declaration, basis: Basis, at_bound: set
     """One parameter of a term, with what determined it or why nothing did."""
     belief, ends = basis.problem.belief, basis.problem.limits_of_term(name)
     each = within(name, declared, belief, mean_of(basis, [name], at_bound), ends)
-    expected, deviation = belief.by_hand.prior.get(name, (None, None))
+    expected, deviation = expectation(belief, name)
     lost = SCALE_FREE if declared.inertia_power else UNTOLD
     return replace(
         each,
