@@ -48,30 +48,13 @@ def describe(
     problem: Problem, ended: SearchResult, reading: str | None, other_rmse: float | None
 ) -> FitResult:
     """The numbers with their errors, units and reasons."""
-    best, local = ended.best, ended.local
-    names, belief = problem.constraints, problem.belief
-    fixed = np.array([name in belief.by_hand.fix for name in names])
-    leaning = (best.multiplier[0] > PRESSING) & ~fixed
-    fixed &= [name not in names[:row] for row, name in enumerate(names)]  # both its ends are one
-    information = Information(
-        data=local.data + local.declared,
-        prior=local.prior - local.declared,
-        active=local.constraints[fixed],
-        pressed=pressed_at(problem, ended, np.flatnonzero(leaning)),
-        fixed=local.constraints[fixed],
-        kinds=told_by_kind(problem, ended),
-        owned=owned_places(problem, ended),
-    )
-    basis = Basis(problem, ended, information)
-    at_bound = {name for name, hold in zip(names, leaning, strict=True) if hold}
-    parameters = {
-        name: parameter_estimate(name, belief, mean_of(basis, [name], at_bound)) for name in NAMES
-    }
+    best = ended.best
+    leaning = leans(problem, ended)
+    at_bound = {name for name, hold in zip(problem.constraints, leaning, strict=True) if hold}
+    basis = Basis(problem, ended, information_at(problem, ended, leaning))
     ratios = estimate_ratios(basis, at_bound)
+    parameters = estimate_leg(basis, ratios, at_bound)
     inertia = parameters["inertia"]
-    for name in ("damping", "stiffness"):
-        ratio = ratios[f"{name}_over_inertia"]
-        parameters[name] = goes_with_scale(parameters[name], ratio, inertia)
 
     def torque(names: list[str]) -> Estimate:
         own = estimate_torque(basis, names, at_bound)
@@ -83,12 +66,10 @@ def describe(
         segment_fit(basis, number, torque(torques[number]) if number in torques else None)
         for number in range(len(problem.movements))
     ]
-    why = astray(believed(segments, ended.disturbance), limits_met(problem, at_bound))
-    why = beyond_belief(problem, ended) if why is None else why
-    why = UNSETTLED if why is None and best.exhausted[0] else why
+    why = why_astray(problem, ended, segments, at_bound)
     mountings = estimate_mountings(basis)
     return FitResult(
-        parameters=with_reasons(parameters, belief.rig),
+        parameters=with_reasons(parameters, problem.belief.rig),
         ratios=ratios,
         torque_amplitude=torque(each_torque) if torques else None,
         segments=segments,
@@ -104,7 +85,7 @@ def describe(
         thigh_angle=float(problem.movements[0].thigh_angle),
         fitted_terms=with_inertia(ended.point, np),
         notes=[
-            *of_astray(why, belief, len(problem.recordings) > 1),
+            *of_astray(why, problem.belief, len(problem.recordings) > 1),
             *of_the_rest(segments, ended.disturbance),
             *remarks(problem, ended, at_bound),
             *suspicions(problem, mountings, ended.disturbance),
@@ -113,6 +94,52 @@ def describe(
         astray=why,
         basis=basis,
     )
+
+
+def leans(problem: Problem, ended: SearchResult) -> np.ndarray:
+    """Which constraints hold the best fit back; what was fixed by hand is none of them."""
+    by_hand = [name in problem.belief.by_hand.fix for name in problem.constraints]
+    return (ended.best.multiplier[0] > PRESSING) & ~np.array(by_hand)
+
+
+def information_at(problem: Problem, ended: SearchResult, leaning: np.ndarray) -> Information:
+    """What is known around the best fit, and what holds it."""
+    local, names = ended.local, problem.constraints
+    by_hand = problem.belief.by_hand.fix
+    # Both ends of a range that is a value are one constraint.
+    fixed = np.array([name in by_hand and name not in names[:at] for at, name in enumerate(names)])
+    return Information(
+        data=local.data + local.declared,
+        prior=local.prior - local.declared,
+        active=local.constraints[fixed],
+        pressed=pressed_at(problem, ended, np.flatnonzero(leaning)),
+        fixed=local.constraints[fixed],
+        kinds=told_by_kind(problem, ended),
+        owned=owned_places(problem, ended),
+    )
+
+
+def estimate_leg(
+    basis: Basis, ratios: dict[str, Estimate], at_bound: set[str]
+) -> dict[str, Estimate]:
+    """m, J, l, d, c; the last two go with J where motion tells no more than their ratio to it."""
+    belief = basis.problem.belief
+    parameters = {
+        name: parameter_estimate(name, belief, mean_of(basis, [name], at_bound)) for name in NAMES
+    }
+    for name in ("damping", "stiffness"):
+        ratio = ratios[f"{name}_over_inertia"]
+        parameters[name] = goes_with_scale(parameters[name], ratio, parameters["inertia"])
+    return parameters
+
+
+def why_astray(
+    problem: Problem, ended: SearchResult, segments: list[SegmentFit], at_bound: set[str]
+) -> str | None:
+    """Why the fit does not follow the recording; None where it does."""
+    why = astray(believed(segments, ended.disturbance), limits_met(problem, at_bound))
+    why = beyond_belief(problem, ended) if why is None else why
+    return UNSETTLED if why is None and ended.best.exhausted[0] else why
 
 
 def pressed_at(problem: Problem, ended: SearchResult, rows: np.ndarray) -> Pressed:

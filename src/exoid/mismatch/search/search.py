@@ -48,16 +48,14 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
     told("simulating the best of them")
     singles = [polished(prepared, one.candidate) for one in shortlist(ranked)]
     singles += [*twins(prepared, singles, singles), *nested(prepared, singles, of_all(singles))]
-    leader = least(*singles)
-    if leader.square < FALSE * base.square:
-        better = polished(prepared, replace(leader.candidate, terms=(), values=()))
-        if better.square < FALSE * base.square:
-            return look(prepared, better, told)
+    truer = truer_baseline(prepared, base, least(*singles))
+    if truer is not None:
+        return look(prepared, truer, told)
     measure = yardstick(prepared, least(base, *singles))
     singles = by_evidence(singles, base, measure)
-    found = with_sure_sensors(prepared, base, singles)
-    sensors = [one for one in found if len(one.candidate.terms) > 1]
-    alone = [one for one in found if len(one.candidate.terms) == 1]
+    beside = with_sure_sensors(prepared, base, singles)
+    sensors = [one for one in beside if len(one.candidate.terms) > 1]
+    alone = [one for one in beside if len(one.candidate.terms) == 1]
     singles = by_evidence([*singles, *alone], base, measure)
     best = least(base, *singles).square
     if best > FLOOR * measure.samples and measure.followed(base.square, best) < FOLLOWED:
@@ -66,27 +64,42 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
         others = [one for one in ranked if one.candidate.terms not in tried]
         singles += [simulated(prepared, base, one, starts) for one in others]
         singles = by_evidence(singles, base, measure)
-        best = least(base, *singles).square
-    if best < FLOOR * measure.samples:
-        return Found(prepared, base, begin, singles, sensors, ranked, failed, measure)
+    found = Found(prepared, base, begin, singles, sensors, ranked, failed, measure)
+    best = least(base, *singles).square
+    return found if best < FLOOR * measure.samples else with_sets(found, usable, told)
+
+
+def truer_baseline(prepared: PreparedRecording, base: Optimum, best: Optimum) -> Optimum | None:
+    """The baseline in the valley of the best candidate, where its own is a false one."""
+    if not best.square < FALSE * base.square:
+        return None
+    found = polished(prepared, replace(best.candidate, terms=(), values=()))
+    return found if found.square < FALSE * base.square else None
+
+
+def with_sets(found: Found, usable: list[type[Term]], told: Told) -> Found:
+    """The same with pairs, with sets where no pair is enough, and with what remains of them where
+    one cause of them is all it takes.
+    """
+    prepared, base = found.prepared, found.base
     told("testing pairs")
-    seconds = pairs(prepared, ranked, singles)
+    seconds = pairs(prepared, found.pinned, found.singles)
     both = ordered(best_of(settle(prepared, seconds, rounds=PAIR_ROUNDS)))
     told("simulating the best pairs")
-    joint = [*(polished(prepared, one.candidate) for one in shortlist(both)), *sensors]
-    for best_pair in ordered(joint)[:1]:
-        if best_pair.square > FLOOR * measure.samples:
+    joint = [*(polished(prepared, one.candidate) for one in shortlist(both)), *found.pairs]
+    for best in ordered(joint)[:1]:
+        if best.square > FLOOR * found.yardstick.samples:
             told("testing three causes and more")
-            joint += several(prepared, usable, best_pair)
+            joint += several(prepared, usable, best)
             joint += nested(prepared, ordered(joint)[:1], usable)
-    singles = by_evidence([*singles, *reduced(prepared, ordered(joint)[:1])], base, measure)
+    single = [*found.singles, *reduced(prepared, ordered(joint)[:1])]
+    singles = by_evidence(single, base, found.yardstick)
     singles += nested(prepared, singles, of_all(singles))
     measure = yardstick(prepared, least(base, *singles, *joint))
     joint = by_evidence(joint, base, measure)
     joint = by_evidence([*joint, *twins(prepared, joint[:1], joint)], base, measure)
-    return Found(
-        prepared, base, begin, by_evidence(singles, base, measure), joint, ranked, failed, measure
-    )
+    singles = by_evidence(singles, base, measure)
+    return replace(found, singles=singles, pairs=joint, yardstick=measure)
 
 
 def simulated(
