@@ -10,7 +10,9 @@ from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.many_free import release
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 
-ROUNDS, FEWER_ROUNDS = 25, 12  # of steps at most
+ROUNDS, FEWER_ROUNDS = 60, 12  # of steps at most
+LONG = 25  # rounds, from which on only what still falls goes on, as along a narrow valley
+FALLING, LAST = 0.9, 10  # to what share of itself a sum of squares must fall in how many rounds
 EASIER, HARDER = 0.1, 8.0
 CAREFUL = 1e-2  # damping beyond which a small step says little
 STEADY = 1e-2  # expected gain of a sum of squares below which a candidate rests
@@ -61,8 +63,9 @@ def descend(prepared, begin, evaluate, rounds, steady) -> list[Optimum]:
     """
     found = evaluate(prepared, begin)
     at = [Optimum(one, *each) for (one, _), each in zip(begin, found, strict=True)]
+    squares = [[each.square] for each in at]
     for _ in range(rounds):
-        moving = [number for number, each in enumerate(at) if not each.resting]
+        moving = [n for n, each in enumerate(at) if not each.resting and promising(squares[n])]
         if not moving:
             break
         steps = [step(prepared, at[number]) for number in moving]
@@ -70,7 +73,13 @@ def descend(prepared, begin, evaluate, rounds, steady) -> list[Optimum]:
         found = evaluate(prepared, tried)
         for number, (to, gain), (products, motion) in zip(moving, steps, found, strict=True):
             at[number] = judged(at[number], Optimum(to, products, motion), gain < steady, steady)
+            squares[number].append(at[number].square)
     return at
+
+
+def promising(squares: list[float]) -> bool:
+    """Is it early, or do they still fall?"""
+    return len(squares) <= LONG or squares[-1] < FALLING * squares[-1 - LAST]
 
 
 def judged(before: Optimum, after: Optimum, resting: bool, steady: float) -> Optimum:

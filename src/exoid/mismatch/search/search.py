@@ -153,8 +153,13 @@ def ordered(settled: list[Optimum]) -> list[Optimum]:
 
 
 def shortlist(ranked: list[Optimum]) -> list[Optimum]:
-    """Those of the best whose order may change running free."""
-    return [one for one in ranked[:SHORT] if one.square < REACH * ranked[0].square]
+    """Those of the best whose order may change running free. What is simpler than the best one is
+    always among them: with more parameters a wrong cause comes near sooner.
+    """
+    first = ranked[:SHORT]
+    return [
+        one for one in first if one.square < REACH * first[0].square or size(one) < size(first[0])
+    ]
 
 
 def by_evidence(settled: list[Optimum], base: Optimum, measure: Yardstick) -> list[Optimum]:
