@@ -15,7 +15,7 @@ from exoid.fitting.model.coordinates import leg_parameters, torque_amplitudes
 from exoid.fitting.result.fit_result import Estimate, FitResult
 from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter
 from exoid.mismatch.conclude.conclusion import Chosen, concluded
-from exoid.mismatch.conclude.rivals import with_rivals
+from exoid.mismatch.conclude.rivals import by_the_fits, with_rivals
 from exoid.mismatch.conclude.unusual_zero import as_a_term, unusual
 from exoid.mismatch.evidence.locate import locate
 from exoid.mismatch.evidence.measure import misfits
@@ -91,8 +91,8 @@ def with_model(
 ) -> Diagnosis:
     """The same, with the fit of the model that has what was found.
 
-    It begins where the search for what is missing ended. Where it does not follow the recording,
-    or none can begin, the baseline stays the only one.
+    It begins where the search for what is missing ended. Where none can begin, or it follows the
+    recording no better than the baseline does, the baseline stays the only one.
     """
     work = just_made(found)
     wanted = extended(found, work.best.candidate)
@@ -100,13 +100,15 @@ def with_model(
         before = with_rivals(found.before, work, work.found.base)
         said = before.notes[: len(before.notes) - len(found.before.notes)]
         reasons = [*found.reasons, *(each.rstrip(".") for each in said)]
-        return replace(found, before=before, reasons=reasons)
+        booked, suspected = by_the_fits(found, None)
+        return replace(found, before=before, reasons=reasons, booked=booked, suspected=suspected)
     told("fitting the model with what was found")
     try:
         after = fit(named, multistart=STARTS, terms=wanted, near=leg_of(work), **options)
     except ArithmeticError:
         return found
-    if not after.follows:
+    before = found.before
+    if not after.follows and (before.follows or after.angle_rmse >= before.angle_rmse):
         return found
     return told_by(found, with_rivals(after, work, work.best))
 
@@ -133,7 +135,9 @@ def told_by(found: Diagnosis, after: FitResult) -> Diagnosis:
         return replace(each, value=fitted.value, standard_error=fitted.standard_error)
 
     parameters = [told(each) for each in found.parameters]
-    return replace(found, after=after, parameters=parameters, inertia=inertia)
+    booked, suspected = by_the_fits(found, after)
+    more = {"booked": booked, "suspected": suspected}
+    return replace(found, after=after, parameters=parameters, inertia=inertia, **more)
 
 
 def for_inertia(ratio: Estimate, declared: Declaration, inertia: float) -> Estimate:

@@ -4,8 +4,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
-from exoid.fitting.result.fit_result import FitResult
+import numpy as np
+
+from exoid.fitting.result.fit_result import FitResult, SegmentFit
 from exoid.fitting.solve.ask import sensed
+from exoid.mismatch.evidence.measure import long_run
 from exoid.physics.term import Term, name_of
 from exoid.planning.candidate_recordings import candidates, moving
 from exoid.planning.expected_information import posed
@@ -43,7 +46,7 @@ def plan_between(fits: Sequence[FitResult], subject: Subject) -> Contrast:
     known = [from_result(each) for each in fits]
     names = [rival_name(each.terms) for each in known]
     noise = min(each.noise_scale for each in fits)
-    at_hand = odds_at_hand(fits, noise)
+    at_hand = odds_at_hand(fits)
     comparison = compared(known, candidates(subject.height, None), noise)
     single = [
         Telling(each, odds := comparison.log_odds([each]), probability(odds))
@@ -80,10 +83,28 @@ def rival_name(terms: Sequence[Term]) -> str:
     return " + ".join(name_of(type(each)) for each in terms) or "Eq. 9 alone"
 
 
-def odds_at_hand(fits: Sequence[FitResult], noise: float) -> list[float]:
-    """The log odds of each of them against the best, by the recordings at hand."""
-    least = min(each.loss for each in fits)
-    return [(least - each.loss) / noise**2 for each in fits]
+def odds_at_hand(fits: Sequence[FitResult]) -> list[float]:
+    """The log odds of each of them against the best, by the recordings at hand.
+
+    What even the best leaves, and what is correlated in it, makes few samples of many.
+    """
+    best = min(fits, key=lambda each: each.loss)
+    left = [one for each in best.segments for one in left_in(each)]
+    weight = max(1.0, float(np.mean(left)))
+    return [(best.loss - each.loss) / weight for each in fits]
+
+
+def left_in(segment: SegmentFit) -> list[float]:
+    """Of every sample, what is left over the noise: its variance in the long run."""
+    step, found = float(np.median(np.diff(segment.time))), []
+    for seen, shown, noise in (
+        (segment.angle, segment.simulated_angle, segment.angle_noise),
+        (segment.angular_velocity, segment.simulated_velocity, segment.velocity_noise),
+    ):
+        if seen is not None:
+            left = (shown - seen)[~np.isnan(seen)] / noise
+            found += [long_run(left, step)] * left.size
+    return found
 
 
 def compared(known: list[PriorKnowledge], every: list[Candidate], noise: float) -> "Comparison":

@@ -1,5 +1,6 @@
 """exoid simulate: from parameters to a recording."""
 
+from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
@@ -83,7 +84,7 @@ def simulate(
     own = own_terms(terms)
     known = None if model is None else saved_model(model, own)
     leg = LEG | ({} if known is None else numbers_of(known.leg)) | said
-    check_leg(leg)
+    check_leg(leg, LEG if known is None else said)
     having = terms_asked(with_term, own, () if known is None else known.terms, valued_all=True)
     check_starts(drop, cycle, torque_amplitude)
     body = given_body(body_mass=body_mass, height=height)
@@ -129,10 +130,10 @@ def numbers_of(leg) -> dict[str, float]:
     return {name: float(getattr(leg, name)) for name in LEG}
 
 
-def check_leg(leg: dict[str, float]) -> None:
-    """Refuse a body that cannot exist."""
-    for name, value in leg.items():
-        option = f"--{name.replace('_', '-')}"
+def check_leg(leg: dict[str, float], said: Iterable[str]) -> None:
+    """Refuse a body that cannot exist, by what was said of it."""
+    for name in said:
+        option, value = f"--{name.replace('_', '-')}", leg[name]
         lowest = 0.0 if name in ("damping", "stiffness") else TINY
         if not lowest <= value <= HUGE:
             raise ValueError(f"{option} is {value:g}; it must lie between {lowest:g} and {HUGE:g}.")

@@ -5,11 +5,13 @@ from dataclasses import replace
 
 import jax
 import numpy as np
+from scipy.optimize import least_squares
 
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.neighbourhood import penalties, weighed
 from exoid.fitting.model.coordinates import Coordinates, Shared, scaled
 from exoid.fitting.model.fixed_values import imposed
+from exoid.fitting.model.prior import belief_residual
 from exoid.fitting.model.term_parameters import over_inertia
 from exoid.fitting.multistart.gross_errors import with_doubted_clocks, with_tilted_seats
 from exoid.fitting.multistart.hold_to_declared import held, without_excuses
@@ -221,6 +223,8 @@ def settle(problem: Problem, free: Solved, begin: Coordinates, found: Disturbanc
     told = scale_told(local.data + local.declared)
     if told:
         inertia = one.shared.log_inertia
+    elif typical and problem.terms:
+        inertia[0], mass[0] = as_believed(problem, take(one, 0), inertia[0], mass[0])
     shared = Shared(inertia, one.shared.gravity, one.shared.stiffness, one.shared.damping)
     starts = replace(one, shared=shared, log_mass=mass)
     fixed = problem.belief.by_hand.fix
@@ -241,6 +245,21 @@ def settle(problem: Problem, free: Solved, begin: Coordinates, found: Disturbanc
             break
         before = np.minimum(before, reached(ended))
     return take(ended, [least(ended)])
+
+
+def as_believed(problem: Problem, free: Coordinates, *begin: float) -> np.ndarray:
+    """log J and log m that are believed most at the ratios of a free fit: no data tell of them.
+
+    Dry friction makes the loss rough, and a search that it stops would leave them where they were.
+    """
+
+    def misfit(at: np.ndarray) -> np.ndarray:
+        shared = replace(free.shared, log_inertia=at[0])
+        return belief_residual(
+            problem.belief.prior, replace(free, shared=shared, log_mass=at[1]), np
+        )
+
+    return least_squares(misfit, begin).x
 
 
 def reached(ended: Solved) -> np.ndarray:

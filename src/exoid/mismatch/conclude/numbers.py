@@ -95,13 +95,19 @@ def parameters_of(found: Found, best: Optimum, formula: Formula | None) -> list[
 
 
 def moved(found: Found, before: Optimum, after: Optimum) -> list[Booked]:
-    """The ratios that motion tells, without and with a cause, and what goes with the inertia."""
+    """The ratios that motion tells, without and with a cause, and what goes with the inertia.
+
+    A rig's zero is anywhere, so that its gravity and its stiffness are one restoring moment, and
+    nothing tells its inertia.
+    """
     one, other = leg_of(found, before), leg_of(found, after)
     less, more = (float(np.exp(leg.log_inertia)) for leg in (one, other))
     ratios = [
         Booked(f"{name}_over_inertia", float(getattr(one, name)), float(getattr(other, name)), unit)
         for name, unit in (("gravity", "1/s^2"), ("stiffness", "1/s^2"), ("damping", "1/s"))
     ]
+    if found.prepared.rig:
+        return ratios[-1:]
     return [Booked("inertia", less, more, "kg m^2"), *ratios, *booked(found, before, after)]
 
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.fitting.result.fit_result import Estimate, FitResult
-from exoid.mismatch.answer.diagnosis import Booked
+from exoid.mismatch.answer.diagnosis import Booked, Diagnosis, Suspect
 from exoid.mismatch.conclude.numbers import moved
 from exoid.mismatch.evidence.yardstick import APART
 from exoid.mismatch.screen.hypothesis import Optimum
@@ -94,6 +94,43 @@ def widened(each: Estimate, spread: float) -> Estimate:
     kept = (each.standard_error / total) ** 2
     shares = {name: kept * share for name, share in (each.limited_by or {}).items()}
     return replace(each, standard_error=total, limited_by={**shares, "rival causes": 1 - kept})
+
+
+def by_the_fits(found: Diagnosis, after: FitResult | None) -> tuple[list[Booked], list[Suspect]]:
+    """What the effect was booked as, and what suspects would make of the leg, as the fits have it.
+
+    The search weighs the data otherwise than a fit: of it only the differences count, from the fit
+    with what was found, or from the baseline's where there is none.
+    """
+    usual = {each.name: each.before for suspect in found.suspected for each in suspect.numbers}
+    first = found.suspected[0].numbers if found.suspected and after is not None else []
+    usual |= {each.name: each.after for each in first}
+    shown = found.before if after is None else after
+
+    def moved_to(each: Booked) -> Booked:
+        before, here = value_of(each.name, found.before), value_of(each.name, shown)
+        if before is None or here is None:
+            return each
+        return replace(each, before=before, after=here + each.after - usual[each.name])
+
+    def fitted(each: Booked) -> Booked:
+        before, here = value_of(each.name, found.before), value_of(each.name, shown)
+        return each if before is None or here is None else replace(each, before=before, after=here)
+
+    booked = found.booked if after is None else list(map(fitted, found.booked))
+    return booked, [
+        replace(each, numbers=list(map(moved_to, each.numbers))) for each in found.suspected
+    ]
+
+
+def value_of(name: str, fit: FitResult) -> float | None:
+    """A ratio or a parameter of a fit; the gravity moment is m l g."""
+    if name != "gravity_moment":
+        return (fit.ratios | fit.parameters)[name].value
+    gravity, inertia = fit.ratios["gravity_over_inertia"], fit.parameters["inertia"]
+    if gravity.value is None or inertia.value is None:
+        return None
+    return gravity.value * inertia.value
 
 
 def words(terms: list[str]) -> str:

@@ -45,13 +45,15 @@ def inflation(seen: Observation, shown: np.ndarray) -> list[float]:
         step = float(np.median(np.diff(seen.time[number])))
         for left in channels:
             if left.size:
-                lags = min(int(LONGEST_LAG / step), left.size // 4)
-                found += [long_run(left, lags)] * left.size
+                found += [long_run(left, step)] * left.size
     return found
 
 
-def long_run(left: np.ndarray, lags: int) -> float:
-    """Newey and West's long-run variance (Econometrica 55(3), 1987), never below the variance."""
+def long_run(left: np.ndarray, step: float) -> float:
+    """Newey and West's long-run variance (Econometrica 55(3), 1987) of samples every `step` s,
+    never below the variance.
+    """
+    lags = min(int(LONGEST_LAG / step), left.size // 4)
     square = float(np.mean(left**2))
     weights = 1 - np.arange(1, lags + 1) / (lags + 1)
     products = [float(left[lag:] @ left[:-lag]) / left.size for lag in range(1, lags + 1)]

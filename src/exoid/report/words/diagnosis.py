@@ -1,5 +1,6 @@
 """A diagnosis in sentences: what is missing, where, the proof, and what it had been booked as."""
 
+from exoid.fitting.result.fit_result import FitResult
 from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter
 from exoid.mismatch.sensors.consistency import BIAS, SensorError
 from exoid.report.words.text import in_degrees, with_error
@@ -7,8 +8,8 @@ from exoid.report.words.text import in_degrees, with_error
 SEEN = 0.01  # share of a number, from which on its change is worth a word
 USUAL = {"damping": 0.3, "stiffness": 2.5, "gravity_moment": 12.0}  # of a leg, in their units
 NO_LEG = (
-    "its numbers by Eq. 9 alone are wrong by more than any error says, and none better can be "
-    "given: with what was found the model still does not follow the recording."
+    "its numbers are not to be used: with what was found the model still does not follow the "
+    "recording, and no error says how wrong they are."
 )
 CERTAIN = 0.001  # below this share a chance is written as "below"
 
@@ -52,7 +53,7 @@ def sentences(found: Diagnosis) -> dict[str, str]:
         if rivals:
             lines["Or"] = f"{rivals}: this recording cannot tell them apart"
         lines["Reason"] = " ".join(explanations(found))
-        if found.changed and found.after is None and found.formula is None:
+        if found.changed and not found.fit.follows and found.formula is None:
             lines["The leg"] = NO_LEG
     elif found.reasons:
         lines["Why"] = "; ".join(found.reasons) + "."
@@ -79,8 +80,18 @@ def named(found: Diagnosis) -> list[str]:
     lines = []
     for one in found.findings:
         own = [each for each in found.parameters if each.name.startswith(f"{one.name}.")]
+        if found.after is not None and found.after.parameters["inertia"].value is None:
+            own = [over_inertia(each, found.after) for each in own]
         lines.append(f"{one.title}, {', '.join(map(parameter, own))}{scale(found, own)}")
     return lines
+
+
+def over_inertia(each: Parameter, after: FitResult) -> Parameter:
+    """The ratio in place of a torque, where nothing tells the inertia that it goes with."""
+    ratio = after.of_terms.get(f"{each.name}_over_inertia")
+    if ratio is None or ratio.value is None:
+        return each
+    return Parameter(f"{each.name} / J", ratio.value, ratio.unit, ratio.standard_error)
 
 
 def scale(found: Diagnosis, parameters: list[Parameter]) -> str:
