@@ -3,12 +3,14 @@
 from dataclasses import fields
 from importlib import import_module
 from pkgutil import walk_packages
-from types import ModuleType
+from types import ModuleType, new_class
+from typing import Any, ClassVar
 
+import jax.numpy as jnp
 import pytest
 
-from exoid.physics.library import library, terms_of
-from exoid.physics.parameter import declarations
+from exoid.physics.library import check_terms, library, terms_of
+from exoid.physics.parameter import declarations, parameter
 from exoid.physics.term import PhysicsTerm, SensorTerm, Term, name_of
 
 KINDS = {"exoid.physics.terms": PhysicsTerm, "exoid.physics.sensing": SensorTerm}
@@ -48,6 +50,13 @@ NAMES = {
     "sensor_skew",
 }
 
+ODD = {  # what a user's class may do wrong, and what is said of it
+    "return jnp.sqrt(self.size * now.angle)": "is not finite where it begins",
+    "return self.size if now.angle > 0 else -self.size": "does not run: TracerBool",
+    "return self.sice * now.angle": "does not run: AttributeError: .* Mend it",
+    "return jnp.stack([self.size, self.size])": r"torque must return an array of shape \(\)",
+    "self.size * now.angle": r"torque must return an array of shape \(\)",
+}
 modules = pytest.mark.parametrize(("package", "module"), MODULES)
 every_term = pytest.mark.parametrize("term", library(), ids=name_of)
 
@@ -94,3 +103,16 @@ def test_every_field_of_a_term_is_a_declared_parameter(term):
 def test_the_symbols_within_a_term_differ(term):
     symbols = [said.symbol for _, said in declarations(term)]
     assert len(set(symbols)) == len(symbols) > 0
+
+
+@pytest.mark.parametrize(("body", "said"), ODD.items())
+def test_a_term_that_cannot_run_is_refused_in_a_sentence(body, said):
+    made = {}
+    exec(f"def torque(self, now, memory):\n    {body}", {"jnp": jnp}, made)
+    words = dict.fromkeys(("title", "reference", "explanation", "isolate"), "of one's own")
+    size = parameter("a", "N m", -1.0, 1.0, "size", (0.05,))
+    annotated = {**dict.fromkeys(words, ClassVar[str]), "size": Any}
+    body = {**words, **made, "size": size, "__annotations__": annotated}
+    own = new_class("Own", (PhysicsTerm,), {}, lambda namespace: namespace.update(body))
+    with pytest.raises(ValueError, match=said):
+        check_terms((own,))

@@ -330,7 +330,7 @@ def test_documents_of_other_fields_and_damaged_ones_are_refused():
     assert from_json(later, to_json(one(1.0))).new == 2.0
     with pytest.raises(DocumentError, match="damaged, or was changed"):
         from_json(one, to_json(one(1.5)).replace("1.5", "1.25"))
-    with pytest.raises(DocumentError, match="this is no JSON of a result of exoid"):
+    with pytest.raises(DocumentError, match="this is no result that was saved"):
         from_json(one, "[]")
 
 

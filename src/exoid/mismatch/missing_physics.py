@@ -22,7 +22,7 @@ from exoid.mismatch.evidence.measure import misfits
 from exoid.mismatch.evidence.prediction import improves
 from exoid.mismatch.evidence.proof import predict
 from exoid.mismatch.evidence.yardstick import SURE
-from exoid.mismatch.novel.formula import Formula, term_of
+from exoid.mismatch.novel.formula import Formula, fitted_words, term_of
 from exoid.mismatch.novel.sparse_regression import describe
 from exoid.mismatch.prepare import prepare
 from exoid.mismatch.screen.effect import named as named_values
@@ -136,7 +136,9 @@ def told_by(found: Diagnosis, after: FitResult) -> Diagnosis:
 
     parameters = [told(each) for each in found.parameters]
     booked, suspected = by_the_fits(found, after)
-    more = {"booked": booked, "suspected": suspected}
+    more: dict[str, Any] = {"booked": booked, "suspected": suspected}
+    if found.formula is not None:
+        more["formula"] = replace(found.formula, words=fitted_words(after.fitted_terms[0]))
     return replace(found, after=after, parameters=parameters, inertia=inertia, **more)
 
 

@@ -9,6 +9,7 @@ import numpy as np
 from exoid.fitting.result.fit_result import FitResult, SegmentFit
 from exoid.fitting.solve.ask import sensed
 from exoid.mismatch.evidence.measure import long_run
+from exoid.mismatch.evidence.yardstick import UNEXPLAINED
 from exoid.physics.term import Term, name_of
 from exoid.planning.candidate_recordings import candidates, moving
 from exoid.planning.expected_information import posed
@@ -177,7 +178,7 @@ def advice(
     said.extend(
         of_strays([name for name, each in zip(names, fits, strict=True) if not each.follows])
     )
-    if all(each.disturbance.cause is not None for each in fits):
+    if all(each.angle_rmse**2 > UNEXPLAINED * each.angle_noise**2 for each in fits):
         said.append(
             "none of them follows the recordings down to the noise: another cause may be at work, "
             "alone or beside them. exoid diagnose searches for it."

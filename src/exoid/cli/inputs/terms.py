@@ -49,17 +49,17 @@ def own_terms(name: str | None) -> tuple[Any, ...]:
     if path.suffix == ".py":
         if not path.is_file():
             raise ValueError(f"--terms {name}: there is no such file. Check the name.")
-        spec = importlib.util.spec_from_file_location(path.stem, path)
+        spec = importlib.util.spec_from_file_location(f"terms_of_{path.stem}", path)
         assert spec is not None  # a .py file has one
         assert spec.loader is not None
         module = importlib.util.module_from_spec(spec)
-        sys.modules[path.stem] = module
+        sys.modules[spec.name] = module
         load = partial(spec.loader.exec_module, module)
     else:
         module, load = None, partial(importlib.import_module, name)
     try:
         module = load() or module
-    except Exception as fault:  # whatever a user's file may raise
+    except (Exception, SystemExit) as fault:  # whatever a user's file may raise
         raise ValueError(f"--terms {name}: {type(fault).__name__}: {fault}") from fault
     assert module is not None  # loaded, one way or the other
     found = tuple(terms_of(module))
@@ -95,9 +95,12 @@ def terms_asked(
 
     known = {name_of(term): term for term in (*library(), *own)}
     found = {name_of(type(term)): term for term in saved}
-    for word in given or []:
+    words = given or []
+    for number, word in enumerate(words):
         name, equals, rest = word.partition("=")
         name = name.strip()
+        if name in {each.partition("=")[0].strip() for each in words[:number]}:
+            raise ValueError(f"{option} {name}: it was said before. Say it once.")
         if name not in known:
             close = get_close_matches(name, known, 1)
             hint = f"did you mean {close[0]}?" if close else f"there are {', '.join(known)}."

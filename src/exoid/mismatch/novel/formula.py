@@ -4,6 +4,7 @@ from dataclasses import dataclass, replace
 from types import new_class
 from typing import Any, ClassVar
 
+import jax
 import jax.numpy as jnp
 import numpy as np
 from jaxtyping import Float
@@ -69,9 +70,11 @@ def term_of(formula: Formula) -> type[PhysicsTerm]:
     body: dict[str, Any] = {
         "__annotations__": {
             **dict.fromkeys(("title", "reference", "explanation", "isolate"), ClassVar[str]),
+            "formula": ClassVar[Formula],
             **dict.fromkeys((*names, *shapes), Any),
         },
         "__module__": __name__,
+        "formula": formula,
         "title": formula.words,
         "reference": "found by sparse regression on this recording",
         "explanation": "A torque that no term of the library describes.",
@@ -85,5 +88,9 @@ def term_of(formula: Formula) -> type[PhysicsTerm]:
     ]
     for name, limit, value in zip((*names, *shapes), limits, formula.values, strict=True):
         body[name] = parameter(name, *limit, "", (float(value),))
-    name = "Formula " + " + ".join(each.words for each in features)
-    return new_class(name, (PhysicsTerm,), {}, lambda namespace: namespace.update(body))
+    return new_class("Formula", (PhysicsTerm,), {}, lambda namespace: namespace.update(body))
+
+
+def fitted_words(term: Any) -> str:
+    """The formula of such a term, with its own values."""
+    return type(term).formula.at(np.array([*map(float, jax.tree.leaves(term))])).words

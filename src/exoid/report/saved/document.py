@@ -69,7 +69,10 @@ def from_json(of: type[Of], content: bytes | str, own: Sequence[type] = ()) -> O
         document = json.loads(content)
         told = document.pop("sha256")
     except (ValueError, LookupError, AttributeError, TypeError) as fault:
-        raise DocumentError("this is no JSON of a result of exoid. Save it again.") from fault
+        raise DocumentError(
+            "this is no result that was saved: what --json writes is for other programs. Name what "
+            "--save wrote, or save it again."
+        ) from fault
     if told != digest(document):
         raise DocumentError("it is damaged, or was changed (SHA-256). Save it again.")
     if document["layout"] != LAYOUT:

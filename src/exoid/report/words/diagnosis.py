@@ -76,7 +76,8 @@ def named(found: Diagnosis) -> list[str]:
     """Every effect with its parameters."""
     if found.formula is not None:
         shares = f"explains {found.formula.explained:.0%} of the missing torque's variance"
-        return [f"{found.formula.words} (x in rad, v in rad/s, t in s), which {shares}"]
+        units = f"x in rad, v in rad/s, t in s; for J = {found.inertia:.3g} kg m^2"
+        return [f"{found.formula.words} ({units}), which {shares}"]
     lines = []
     for one in found.findings:
         own = [each for each in found.parameters if each.name.startswith(f"{one.name}.")]
