@@ -12,12 +12,12 @@ from exoid.physics.leg import LegModel
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.physics.terms.device.quadratic_drag import QuadraticDrag
 from exoid.physics.torque import NoTorque
+from exoid.planning.candidate_recordings import drops_of_rig
 from exoid.planning.expected_information import mounting_prior
 from exoid.planning.expected_odds import DECISIVE, RivalFit, probability
 from exoid.planning.plan_between import plan_between
 from exoid.planning.planned import Candidate
 from exoid.planning.prior_knowledge import from_anatomy
-from exoid.recordings.recording import Subject
 from exoid.twin.motion import Movement
 from exoid.twin.protocols import record
 from fit_cases import BODY, leg
@@ -100,5 +100,10 @@ def test_the_proposed_recording_tells_the_rivals_apart():
 def test_what_cannot_be_told_apart_is_refused():
     with pytest.raises(ValueError, match="two or more models"):
         plan_between([], BODY)
-    with pytest.raises(ValueError, match="rig"):
-        plan_between([], Subject(kind="rig"))
+
+
+def test_a_rig_is_let_go_where_it_has_been():
+    each = [one.motion for one in drops_of_rig(np.radians(-150), np.radians(-60))]
+    assert np.degrees([each[0].start_angle, each[-1].start_angle]) == pytest.approx([-150, -60])
+    assert len(each) > 3
+    assert not any(one.added_mass for one in each)

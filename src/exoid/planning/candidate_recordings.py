@@ -22,6 +22,7 @@ MASSES = (0.5, 1.0, 2.0)  # kg
 ANKLE = 0.225  # of body height, from the knee
 TALL = 1.75  # m, a body whose height is unknown
 TILTS = (-20.0, 20.0)  # deg, of the thigh by the whole seat, the hip left as it is
+ACROSS = 7  # angles of a rig
 SWING = 6.0  # s, after which a relaxed leg hangs nearly still
 PERIODS = (1.2, 1.6, 2.4)  # s, of voluntary cycles
 
@@ -62,6 +63,14 @@ def candidates(height: float | None, amplitude: float | None) -> list[Candidate]
         for period in (PERIODS if amplitude else ())
     ]
     return [*drops, *loaded, *tilted, *cycles]
+
+
+def drops_of_rig(lowest: float, highest: float) -> list[Candidate]:
+    """A rig let go anywhere within the angles [rad] that it has been seen at."""
+    angles = np.unique(np.round(np.degrees(np.linspace(lowest, highest, ACROSS)))).tolist()
+    return [
+        Candidate(f"let go at {each:.0f} deg", Movement(radians(each), SWING)) for each in angles
+    ]
 
 
 def moving(options: list[Candidate], known: PriorKnowledge) -> dict[Candidate, Observed]:

@@ -11,7 +11,7 @@ from exoid.fitting.solve.ask import sensed
 from exoid.mismatch.evidence.measure import long_run
 from exoid.mismatch.evidence.yardstick import UNEXPLAINED
 from exoid.physics.term import Term, name_of
-from exoid.planning.candidate_recordings import candidates, moving
+from exoid.planning.candidate_recordings import candidates, drops_of_rig, moving
 from exoid.planning.expected_information import posed
 from exoid.planning.expected_odds import DECISIVE, RivalFit, probability, rival_fit
 from exoid.planning.planned import Candidate, Contrast, Telling
@@ -32,8 +32,7 @@ def plan_between(fits: Sequence[FitResult], subject: Subject) -> Contrast:
     terms=(CoulombFriction,))` gives them. Whichever of them is right, the others are expected to
     be refuted; of several pairs the one that is hardest to tell apart decides.
 
-    **Raises** `ValueError` where there are no two rivals, or not of the same recordings, or the
-    subject is a rig.
+    **Raises** `ValueError` where there are no two rivals, or not of the same recordings.
 
     >>> from exoid.physics.terms.device.coulomb_friction import CoulombFriction
     >>> from exoid.physics.terms.tissue.cubic_stiffness import CubicStiffness
@@ -43,17 +42,18 @@ def plan_between(fits: Sequence[FitResult], subject: Subject) -> Contrast:
     >>> 0 < contrast.probability <= 1
     True
     """
-    check_rivals(fits, subject)
+    check_rivals(fits)
     known = [from_result(each) for each in fits]
     names = [rival_name(each.terms) for each in known]
     noise = min(each.noise_scale for each in fits)
     at_hand = odds_at_hand(fits)
-    comparison = compared(known, candidates(subject.height, None), noise)
+    comparison = compared(known, options_of(fits, subject), noise)
     single = [
         Telling(each, odds := comparison.log_odds([each]), probability(odds))
         for each in comparison.options
     ]
-    told = min(abs(one - other) for one, other in combinations(at_hand, 2)) > DECISIVE
+    apart = min(abs(one - other) for one, other in combinations(at_hand, 2))
+    told = apart > DECISIVE and any(map(explains, fits))
     best = comparison.greedy()
     chosen = best if not told and probability(comparison.log_odds(best)) > LIKELY else []
     expected = comparison.log_odds(chosen or best)
@@ -69,15 +69,22 @@ def plan_between(fits: Sequence[FitResult], subject: Subject) -> Contrast:
     )
 
 
-def check_rivals(fits: Sequence[FitResult], subject: Subject) -> None:
+def check_rivals(fits: Sequence[FitResult]) -> None:
     """Refuse what cannot be compared."""
-    if subject.kind == "rig":
-        raise ValueError("plans are made for legs; a rig can be taken apart and looked at.")
     models = {tuple(sorted(each.terms)) for each in fits}
     if len(models) < 2 or len(models) < len(fits):
         raise ValueError("rivals are two or more models, each of them given once.")
     if len({each.samples for each in fits}) > 1:
         raise ValueError("the rivals were fitted to different samples: fit the same recordings.")
+
+
+def options_of(fits: Sequence[FitResult], subject: Subject) -> list[Candidate]:
+    """What can be recorded of a person's leg; of a rig drops from where it has been."""
+    if subject.kind != "rig":
+        return candidates(subject.height, None)
+    ends = [(np.nanmin(each.angle), np.nanmax(each.angle)) for each in fits[0].segments]
+    lowest, highest = np.array(ends).T
+    return drops_of_rig(float(lowest.min()), float(highest.max()))
 
 
 def rival_name(terms: Sequence[Term]) -> str:
@@ -93,6 +100,11 @@ def odds_at_hand(fits: Sequence[FitResult]) -> list[float]:
     left = [one for each in best.segments for one in left_in(each)]
     weight = max(1.0, float(np.mean(left)))
     return [(best.loss - each.loss) / weight for each in fits]
+
+
+def explains(each: FitResult) -> bool:
+    """Is what it leaves of the angle hardly more than noise?"""
+    return each.angle_rmse**2 < UNEXPLAINED * each.angle_noise**2
 
 
 def left_in(segment: SegmentFit) -> list[float]:
@@ -178,7 +190,7 @@ def advice(
     said.extend(
         of_strays([name for name, each in zip(names, fits, strict=True) if not each.follows])
     )
-    if all(each.angle_rmse**2 > UNEXPLAINED * each.angle_noise**2 for each in fits):
+    if not any(map(explains, fits)):
         said.append(
             "none of them follows the recordings down to the noise: another cause may be at work, "
             "alone or beside them. exoid diagnose searches for it."

@@ -138,7 +138,7 @@ def check_leg(leg: dict[str, float], said: Iterable[str]) -> None:
         if not lowest <= value <= HUGE:
             raise ValueError(f"{option} is {value:g}; it must lie between {lowest:g} and {HUGE:g}.")
     least = leg["mass"] * leg["com_distance"] ** 2
-    if leg["inertia"] < least:
+    if leg["inertia"] < least and {*said} & {"mass", "inertia", "com_distance"}:
         raise ValueError(
             f"--inertia {leg['inertia']:g} is less than m l^2 = {least:.3g} kg m^2: "
             "no rigid body has that (Eq. 12)."

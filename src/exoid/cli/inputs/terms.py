@@ -145,9 +145,12 @@ def saved_model(model: Path, own: tuple):
 
 
 def suspected_in(model: Path, own: tuple) -> list[str]:
-    """The causes that keep a saved diagnosis from an answer; none of a fit."""
+    """The causes that keep a saved diagnosis from an answer; none of a fit, or of an answer whose
+    model follows the recording.
+    """
     found = loaded(model, own).diagnosis
-    return rivals_in(found) if found is not None and found.after is None else []
+    answered = found is None or (found.after is not None and found.after.follows)
+    return [] if answered else rivals_in(found)
 
 
 def rivals_in(found) -> list[str]:
