@@ -145,12 +145,15 @@ def saved_model(model: Path, own: tuple):
 
 
 def suspected_in(model: Path, own: tuple) -> list[str]:
-    """The causes that keep a saved diagnosis from an answer; none of a fit, or of an answer whose
-    model follows the recording.
+    """The causes that a saved diagnosis leaves open; none of a fit, or of an answer with a leg that
+    can be planned for.
     """
     found = loaded(model, own).diagnosis
-    answered = found is None or (found.after is not None and found.after.follows)
-    return [] if answered else rivals_in(found)
+    if found is None:
+        return []
+    after = found.after
+    whole = after is not None and after.follows and after.parameters["inertia"].value is not None
+    return [] if whole else rivals_in(found)
 
 
 def rivals_in(found) -> list[str]:

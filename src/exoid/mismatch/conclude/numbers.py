@@ -95,26 +95,23 @@ def parameters_of(found: Found, best: Optimum, formula: Formula | None) -> list[
 
 
 def moved(found: Found, before: Optimum, after: Optimum) -> list[Booked]:
-    """The ratios that motion tells, without and with a cause, and what goes with the inertia.
-
-    A rig's zero is anywhere, so that its gravity and its stiffness are one restoring moment, and
-    nothing tells its inertia.
-    """
+    """The ratios that motion tells, without and with a cause, and what goes with the inertia."""
+    if found.prepared.rig:
+        return booked(found, before, after)
     one, other = leg_of(found, before), leg_of(found, after)
     less, more = (float(np.exp(leg.log_inertia)) for leg in (one, other))
     ratios = [
         Booked(f"{name}_over_inertia", float(getattr(one, name)), float(getattr(other, name)), unit)
         for name, unit in (("gravity", "1/s^2"), ("stiffness", "1/s^2"), ("damping", "1/s"))
     ]
-    if found.prepared.rig:
-        return ratios[-1:]
     return [Booked("inertia", less, more, "kg m^2"), *ratios, *booked(found, before, after)]
 
 
 def booked(found: Found, before: Optimum, after: Optimum) -> list[Booked]:
     """Damping, stiffness and gravity moment without and with what was found.
 
-    A rig's zero is anywhere, so that its gravity and its stiffness are one restoring moment.
+    A rig's zero is anywhere, so that its gravity and its stiffness are one restoring moment, and
+    nothing tells its inertia: of it only the damping over that.
     """
     one, other = leg_of(found, before), leg_of(found, after)
     less, more = np.exp(one.log_inertia), np.exp(other.log_inertia)
@@ -123,4 +120,5 @@ def booked(found: Found, before: Optimum, after: Optimum) -> list[Booked]:
         Booked("stiffness", float(one.stiffness * less), float(other.stiffness * more), "N m/rad"),
         Booked("gravity_moment", float(one.gravity * less), float(other.gravity * more), "N m"),
     ]
-    return told[:1] if found.prepared.rig else told
+    ratio = Booked("damping_over_inertia", float(one.damping), float(other.damping), "1/s")
+    return [ratio] if found.prepared.rig else told

@@ -6,7 +6,12 @@ from exoid.mismatch.sensors.consistency import BIAS, SensorError
 from exoid.report.words.text import in_degrees, with_error
 
 SEEN = 0.01  # share of a number, from which on its change is worth a word
-USUAL = {"damping": 0.3, "stiffness": 2.5, "gravity_moment": 12.0}  # of a leg, in their units
+USUAL = {  # of a leg, in their units
+    "damping": 0.3,
+    "stiffness": 2.5,
+    "gravity_moment": 12.0,
+    "damping_over_inertia": 0.7,
+}
 NO_LEG = (
     "its numbers are not to be used: with what was found the model still does not follow the "
     "recording, and no error says how wrong they are."
@@ -180,15 +185,20 @@ def certain(share: float) -> str:
 def booked(found: Diagnosis) -> str:
     """What the baseline had made of it: whatever changes by more than a percent."""
     changes = [
-        f"{each.name.replace('_', ' ')} {each.before:.3g} -> {each.after:.3g} {each.unit}"
+        f"{quantity(each.name)} {each.before:.3g} -> {each.after:.3g} {each.unit}"
         for each in found.booked
         if abs(each.after - each.before)
         > SEEN * max(abs(each.before), abs(each.after), USUAL[each.name])
     ]
     if not changes:
-        stay = ", ".join(each.name.replace("_", " ") for each in found.booked)
+        stay = ", ".join(quantity(each.name) for each in found.booked)
         return f"nothing: {stay} changed by less than 1 %."
-    return ", ".join(changes) + " (for the inertia that the fit took)."
+    scale = " (for the inertia that the fit took)" if "N m" in found.booked[0].unit else ""
+    return f"{', '.join(changes)}{scale}."
+
+
+def quantity(name: str) -> str:
+    return name.replace("_over_inertia", " / J").replace("_", " ")
 
 
 def sensors(found: Diagnosis) -> str:

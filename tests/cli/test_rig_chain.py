@@ -1,0 +1,40 @@
+"""A rig's recording carried to a model, a simulation and a plan, by commands alone: nothing that
+was found is lost on the way, though no model follows a geared servo down to its noise.
+"""
+
+import json
+
+import pytest
+
+TERM = "coulomb_friction"  # what its makers say of it, in one form or another
+
+
+@pytest.fixture(scope="module")
+def folder(shared, command, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("rig")
+    recording, model = shared / "real" / "servo-drop.csv", folder / "why.nc"
+    for line, code in (
+        (("diagnose", recording, "--save", model, "--json", folder / "why.json"), 0),
+        (("fit", recording, "--model", model, "--json", folder / "fit.json"), 1),
+        (("simulate", folder / "again.csv", "--model", model, "--drop", -20), 0),
+        (("plan", recording, "--model", model, "--json", folder / "plan.json"), 1),
+    ):
+        done = command(*line)
+        assert done.returncode == code, done.stderr
+    return folder
+
+
+@pytest.mark.proof
+def test_what_was_found_is_in_every_step(folder):
+    why = json.loads((folder / "why.json").read_text())
+    assert why["selected"] == [TERM]
+    told = json.loads((folder / "fit.json").read_text())
+    for found in (why["after"], told):
+        level = found["terms"][TERM]["level_over_inertia"]
+        assert level["value"] > 0.5
+        assert found["terms"][TERM]["level"]["value"] is None  # no motion tells a rig's inertia
+        assert found["fit"]["angle_rmse_rad"] < 0.5 * why["before"]["fit"]["angle_rmse_rad"]
+    assert {TERM, "stribeck_friction"} <= {
+        *json.loads((folder / "plan.json").read_text())["rivals"]
+    }
+    assert (folder / "again.csv").is_file()
