@@ -79,7 +79,7 @@ def steps_to_limits(known: PriorKnowledge) -> Float[np.ndarray, "2 known"]:
 
     def place(leg, terms, far: float) -> np.ndarray:
         with np.errstate(divide="ignore"):
-            log_inertia = np.log(leg.inertia)
+            log_inertia = np.log(np.maximum(leg.inertia, 0.0))  # a rig has no limits
         shared = replace(
             at.shared,
             log_inertia=log_inertia,
