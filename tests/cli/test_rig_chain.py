@@ -35,6 +35,6 @@ def test_what_was_found_is_in_every_step(folder):
         assert found["terms"][TERM]["level"]["value"] is None  # no motion tells a rig's inertia
         assert found["fit"]["angle_rmse_rad"] < 0.5 * why["before"]["fit"]["angle_rmse_rad"]
     assert {TERM, "stribeck_friction"} <= {
-        *json.loads((folder / "plan.json").read_text())["rivals"]
+        *json.loads((folder / "plan.json").read_text())["between"]
     }
     assert (folder / "again.csv").is_file()
