@@ -14,10 +14,11 @@ from exoid.physics.terms.device.quadratic_drag import QuadraticDrag
 from exoid.physics.torque import NoTorque
 from exoid.planning.candidate_recordings import drops_of_rig
 from exoid.planning.expected_information import mounting_prior
-from exoid.planning.expected_odds import DECISIVE, RivalFit, probability
+from exoid.planning.expected_odds import DECISIVE, RivalFit, probability, steps_to_limits
 from exoid.planning.plan_between import plan_between
 from exoid.planning.planned import Candidate
 from exoid.planning.prior_knowledge import from_anatomy
+from exoid.recordings.recording import Subject
 from exoid.twin.motion import Movement
 from exoid.twin.protocols import record
 from fit_cases import BODY, leg
@@ -100,6 +101,12 @@ def test_the_proposed_recording_tells_the_rivals_apart():
 def test_what_cannot_be_told_apart_is_refused():
     with pytest.raises(ValueError, match="two or more models"):
         plan_between([], BODY)
+
+
+def test_a_rig_that_has_no_limits_may_be_anything():
+    lower, upper = steps_to_limits(from_anatomy(Subject(kind="rig")))
+    assert (lower < 0).all()
+    assert (upper > 0).all()
 
 
 def test_a_rig_is_let_go_where_it_has_been():

@@ -95,12 +95,13 @@ def terms_asked(
 
     known = {name_of(term): term for term in (*library(), *own)}
     found = {name_of(type(term)): term for term in saved}
-    words = given or []
-    for number, word in enumerate(words):
+    said = set()
+    for word in given or []:
         name, equals, rest = word.partition("=")
         name = name.strip()
-        if name in {each.partition("=")[0].strip() for each in words[:number]}:
+        if name in said:
             raise ValueError(f"{option} {name}: it was said before. Say it once.")
+        said.add(name)
         if name not in known:
             close = get_close_matches(name, known, 1)
             hint = f"did you mean {close[0]}?" if close else f"there are {', '.join(known)}."

@@ -102,24 +102,20 @@ def by_the_fits(found: Diagnosis, after: FitResult | None) -> tuple[list[Booked]
     The search weighs the data otherwise than a fit: of it only the differences count, from the fit
     with what was found, or from the baseline's where there is none.
     """
-    usual = {each.name: each.before for suspect in found.suspected for each in suspect.numbers}
-    first = found.suspected[0].numbers if found.suspected and after is not None else []
-    usual |= {each.name: each.after for each in first}
+    first = found.suspected[0].numbers if found.suspected else []
+    here = {each.name: each.before if after is None else each.after for each in first}
     shown = found.before if after is None else after
 
-    def moved_to(each: Booked) -> Booked:
-        before, here = value_of(each.name, found.before), value_of(each.name, shown)
-        if before is None or here is None:
+    def fitted(each: Booked, away: float = 0.0) -> Booked:
+        before, now = value_of(each.name, found.before), value_of(each.name, shown)
+        if before is None or now is None:
             return each
-        return replace(each, before=before, after=here + each.after - usual[each.name])
-
-    def fitted(each: Booked) -> Booked:
-        before, here = value_of(each.name, found.before), value_of(each.name, shown)
-        return each if before is None or here is None else replace(each, before=before, after=here)
+        return replace(each, before=before, after=now + away)
 
     booked = found.booked if after is None else list(map(fitted, found.booked))
     return booked, [
-        replace(each, numbers=list(map(moved_to, each.numbers))) for each in found.suspected
+        replace(one, numbers=[fitted(each, each.after - here[each.name]) for each in one.numbers])
+        for one in found.suspected
     ]
 
 

@@ -3,10 +3,10 @@
 from rich.console import Console
 
 from exoid.mismatch.answer.diagnosis import Diagnosis, Tested
-from exoid.report.tables.leg import before_and_after, quantity_words
+from exoid.report.tables.leg import before_and_after
 from exoid.report.tables.table import Column, Table, print_table
 from exoid.report.words.diagnosis import headline, sentences
-from exoid.report.words.text import capital, heading, in_words, say
+from exoid.report.words.text import capital, heading, in_words, quantity_words, say
 
 IN_ERRORS = "The errors of the leg's numbers hold how far these are apart, each by its odds."
 MOST = 8  # candidates that are listed

@@ -7,7 +7,7 @@ from exoid.fitting.result.fit_result import Estimate, FitResult, SegmentFit
 from exoid.fitting.result.limiting_systematics import chief
 from exoid.fitting.result.summary import quantities
 from exoid.report.tables.table import Column, Table, with_unit
-from exoid.report.words.text import in_degrees, in_words, with_error, written
+from exoid.report.words.text import in_degrees, in_words, quantity_words, with_error, written
 
 BAR = 5  # blocks of a bar of shares
 DATA, PRIOR, BOUND = "█", "▒", "░"
@@ -86,11 +86,6 @@ def before_and_after(before: FitResult, after: FitResult) -> Table:
         "set by": Column([one.set_by or "" for one in each], spare=1),
     }
     return Table("The leg with what was found", columns, "The leg, with what was found")
-
-
-def quantity_words(name: str) -> str:
-    """A quantity's name in words."""
-    return in_words(name.replace("_over_inertia", " / J").replace(".", ": "))
 
 
 def mountings(result: FitResult) -> Table:

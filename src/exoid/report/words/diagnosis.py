@@ -3,7 +3,7 @@
 from exoid.fitting.result.fit_result import FitResult
 from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter
 from exoid.mismatch.sensors.consistency import BIAS, SensorError
-from exoid.report.words.text import in_degrees, with_error
+from exoid.report.words.text import in_degrees, quantity_words, with_error
 
 SEEN = 0.01  # share of a number, from which on its change is worth a word
 USUAL = {  # of a leg, in their units
@@ -185,20 +185,16 @@ def certain(share: float) -> str:
 def booked(found: Diagnosis) -> str:
     """What the baseline had made of it: whatever changes by more than a percent."""
     changes = [
-        f"{quantity(each.name)} {each.before:.3g} -> {each.after:.3g} {each.unit}"
+        f"{quantity_words(each.name)} {each.before:.3g} -> {each.after:.3g} {each.unit}"
         for each in found.booked
         if abs(each.after - each.before)
         > SEEN * max(abs(each.before), abs(each.after), USUAL[each.name])
     ]
     if not changes:
-        stay = ", ".join(quantity(each.name) for each in found.booked)
+        stay = ", ".join(quantity_words(each.name) for each in found.booked)
         return f"nothing: {stay} changed by less than 1 %."
     scale = " (for the inertia that the fit took)" if "N m" in found.booked[0].unit else ""
     return f"{', '.join(changes)}{scale}."
-
-
-def quantity(name: str) -> str:
-    return name.replace("_over_inertia", " / J").replace("_", " ")
 
 
 def sensors(found: Diagnosis) -> str:

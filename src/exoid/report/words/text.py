@@ -64,6 +64,11 @@ def in_words(name: str) -> str:
     return name.replace("_", " ")
 
 
+def quantity_words(name: str) -> str:
+    """A quantity's name in words."""
+    return in_words(name.replace("_over_inertia", " / J").replace(".", ": "))
+
+
 def in_degrees(angle: float) -> str:
     """rad as degrees with three digits, never as a power of ten."""
     value = degrees(angle)
