@@ -6,6 +6,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from exoid.fitting.data.observation import Observation
 from exoid.fitting.misfit.residual import equation
 from exoid.fitting.model.coordinates import Unknowns, of_owner
 from exoid.mismatch.evidence.location import Location, Missing, Region, Samples
@@ -55,17 +56,14 @@ def lacking(
     observation = own(seen)
     mounting = of_owner(coordinates.mounting, observation.owner)
     unknowns = Unknowns(coordinates.shared, mounting, own(coordinates.own))
-    eq = equation(unknowns, observation, FREE)
-    known = drive_of(eq, observation)
-    drive = np.append(known.begin, known.end[-1])[:size]
     time = observation.time[:size]
-
+    beyond = observation.time.size - size
     bias, zero = base.zero
 
     def excess(angle, velocity, acceleration):
-        state = LegState(jnp.asarray(angle - zero), jnp.asarray(velocity - bias))
-        expected = np.asarray(angular_acceleration(eq.ratios, state, jnp.asarray(drive)))
-        return averaged((acceleration - expected) / float(eq.torque), width)[free]
+        moved = (np.pad(each, (0, beyond), mode="edge") for each in (angle - zero, velocity - bias))
+        expected, inertia = map(np.asarray, by_equation(unknowns, observation, *moved))
+        return averaged((acceleration - expected[:size]) * inertia, width)[free], float(inertia)
 
     width = max(1, round(WIDTH / float(np.median(np.diff(time)))))
     weighs = observation.angle_weight + observation.velocity_weight > 0
@@ -73,13 +71,22 @@ def lacking(
     modelled = None
     if shown is not None:
         angle, velocity = shown[:size].T
-        modelled = excess(angle, velocity, np.gradient(velocity, time))
+        modelled, _ = excess(angle, velocity, np.gradient(velocity, time))
     angle, velocity = reference.angle, reference.angular_velocity
-    torque = excess(angle, velocity, reference.angular_acceleration)
-    band = reference.smoother.spread(width) / float(eq.torque)
+    torque, inertia = excess(angle, velocity, reference.angular_acceleration)
+    band = reference.smoother.spread(width) * inertia
     name = prepared.problem.movements[number].name
     motion = (time[free], angle[free], velocity[free])
     return Missing(name, *motion, torque, band, modelled, width)
+
+
+@jax.jit
+def by_equation(unknowns: Unknowns, observation: Observation, angle, velocity):
+    """phi'' of Eq. 9 at every sample [rad/s^2], and the inertia that moves [kg m^2]."""
+    eq = equation(unknowns, observation, FREE)
+    known = drive_of(eq, observation)
+    drive = jnp.append(known.begin, known.end[-1])
+    return angular_acceleration(eq.ratios, LegState(angle, velocity), drive), 1 / eq.torque
 
 
 def averaged(torque: np.ndarray, width: int) -> np.ndarray:
