@@ -19,11 +19,12 @@ from exoid.fitting.model.term_parameters import parameters_of
 from exoid.fitting.solve.problem import STRICT, Problem
 from exoid.fitting.solve.program_cache import run, run_sense
 from exoid.fitting.solve.program_values import Solved, StartRequest, Task
+from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.physics.motion.step import Drive
 
 ROUNDS = 10  # of multipliers; two digits a round
 BATCH = 16  # lanes of start and segment at once: more leave the fast path of the compiled loop
-PAIR = 2  # starts at once with terms: few are left, and a lane that only fills costs as much
+PAIR = 2  # starts at once of a leg with many segments
 
 
 def task(
@@ -63,25 +64,24 @@ def advance(
     start by itself.
     """
     count = starts.log_mass.shape[0]
-    lanes = PAIR if problem.terms else max(PAIR, BATCH // len(problem.movements))
+    lanes = 1 if problem.terms else max(PAIR, BATCH // len(problem.movements))
     if request is None:
         request = plain_request(problem, np.broadcast_to(scale, (count, len(problem.movements))))
-    parts = []
-    for first in range(0, count, lanes):
+
+    def batch(first: int) -> Solved:
         rows = np.minimum(np.arange(first, first + lanes), count - 1)
-        belief = problem.belief
-        parts.append(
-            run(
-                take(starts, rows),
-                take(request, rows),
-                problem.observation,
-                problem.known,
-                belief.prior,
-                belief.limits,
-                task,
-                problem.chain,
-            )
+        return run(
+            take(starts, rows),
+            take(request, rows),
+            problem.observation,
+            problem.known,
+            problem.belief.prior,
+            problem.belief.limits,
+            task,
+            problem.chain,
         )
+
+    parts = side_by_side(batch, range(0, count, lanes))
     return jax.tree.map(lambda *each: np.concatenate(each)[:count], *parts)
 
 

@@ -16,6 +16,7 @@ from functools import cache
 from importlib import import_module
 from importlib.metadata import version
 from pathlib import Path
+from threading import Lock
 from typing import Any, TypeVar
 
 import equinox as eqx
@@ -40,6 +41,7 @@ UNREADABLE = "Error reading persistent compilation cache"  # what XLA's Python s
 Result = TypeVar("Result")
 LOG = logging.getLogger("exoid")
 _folder: list[Path] = []  # where programs are kept; empty: nowhere
+_lock = Lock()
 
 
 def keep_programs_in(folder: Path | None = None) -> None:
@@ -107,7 +109,9 @@ def called(name: str, arguments: tuple, static, structure):
     leaves, given = jax.tree.flatten(arguments)
     shapes = tuple(jax.ShapeDtypeStruct(np.shape(leaf), np.result_type(leaf)) for leaf in leaves)
     with jax.enable_x64(True):  # a fit in float32 would stop short of its optimum
-        results = program(name, given, shapes, static)(*leaves)
+        with _lock:  # of two threads that want a program, one compiles it
+            compiled = program(name, given, shapes, static)
+        results = compiled(*map(np.asarray, leaves))
     return jax.tree.unflatten(structure, [np.asarray(result) for result in results])
 
 
@@ -119,13 +123,14 @@ def program(name: str, structure, shapes, static):
     """
     options = understood(OPTIONS.get(name, LEAN))
     if not _folder or None in own_sources((static, *classes(structure))):
-        return jax.jit(traceable(name, structure, static), compiler_options=options)
+        found = jax.jit(traceable(name, structure, static), compiler_options=options)
+        return found.lower(*shapes).compile()
     path = _folder[0] / f"{fingerprint(name, structure, shapes, static)}.stablehlo"
     exported = load(path)
     if exported is None:
         exported = jax.export.export(jax.jit(traceable(name, structure, static)))(*shapes)
         store(path, exported.serialize())
-    return jax.jit(exported.call, compiler_options=options)
+    return jax.jit(exported.call, compiler_options=options).lower(*shapes).compile()
 
 
 @cache

@@ -6,6 +6,7 @@ import jax
 import numpy as np
 
 from exoid.fitting.data.observation import Observation
+from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.mismatch.evidence.prediction import Prediction, Proof
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum, Products
 from exoid.mismatch.screen.many_free import release
@@ -36,10 +37,10 @@ def predict_others(prepared: PreparedRecording, at: Optimum) -> Prediction:
     """Every segment from the others: leg and terms from them, only its own start from itself."""
     held_out = np.eye(prepared.segments, dtype=bool)[:, :, None]
     training = [masked(prepared.seen, ~each) for each in held_out]
-    candidates = [
-        settle_free(prepared, at.candidate, each, rounds=TRAINING_ROUNDS).candidate
-        for each in training
-    ]
+    candidates = side_by_side(
+        lambda each: settle_free(prepared, at.candidate, each, rounds=TRAINING_ROUNDS).candidate,
+        training,
+    )
     for _ in range(LOOKS):
         candidates = [
             started(prepared, candidate, release(prepared, candidate)[0], number)

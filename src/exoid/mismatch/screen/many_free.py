@@ -7,6 +7,7 @@ import numpy as np
 
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.solve.program_cache import called
+from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.mismatch.screen.hypothesis import Hypothesis, Products
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.screen.segment_groups import grouped
@@ -26,11 +27,14 @@ def release(
     at = prepared.coordinates(candidate)
     every = (at.own, prolonged(observation, size), prepared.problem.known)
     static, steps = (candidate.terms, prepared.problem.chain), np.asarray(prepared.problem.steps)
-    found = []
-    for own, *surroundings in grouped(every, GROUP):
+
+    def group(part):
+        own, *surroundings = part
         point = replace(at, own=own)
         arguments = (candidate.values, point, candidate.zero, *surroundings, steps)
-        found.append(called("exoid.mismatch.screen.free_run:release", arguments, static, RELEASED))
+        return called("exoid.mismatch.screen.free_run:release", arguments, static, RELEASED)
+
+    found = side_by_side(group, grouped(every, GROUP))
     gram, shown = (np.concatenate(each)[: prepared.segments] for each in zip(*found, strict=True))
     return prepared.products(candidate, gram), shown[:, :size]
 

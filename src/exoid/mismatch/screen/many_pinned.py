@@ -8,6 +8,7 @@ import jax
 import numpy as np
 
 from exoid.fitting.solve.program_cache import called
+from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.mismatch.screen.hypothesis import Effect, Hypothesis, Linear, Products
 from exoid.mismatch.screen.measured_motion import MeasuredMotion
 from exoid.mismatch.screen.pinned import LinearTerms, Pinned, Requests
@@ -113,12 +114,14 @@ def run(prepared: PreparedRecording, batch: Sequence[Tried]) -> Pinned:
     )
     static = (prepared.library, prepared.problem.chain)
     steps, used = np.asarray(prepared.problem.steps), np.asarray(len(batch))
-    found = []
-    for effect, (own, motion), around in parts:
+
+    def group(part) -> Pinned:
+        effect, (own, motion), around = part
         rows = (asked, replace(known, effect=effect), replace(points, own=own), zero, motion)
         arguments = (*rows, *around, steps, used)
-        found.append(called("exoid.mismatch.screen.pinned:evaluate", arguments, static, PINNED))
-    return joined(found, prepared.segments)
+        return called("exoid.mismatch.screen.pinned:evaluate", arguments, static, PINNED)
+
+    return joined(side_by_side(group, parts), prepared.segments)
 
 
 def joined(parts: list[Pinned], count: int) -> Pinned:

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.mismatch.evidence.measure import yardstick
 from exoid.mismatch.evidence.yardstick import ALIKE, APART, FOLLOWED, Yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
@@ -46,7 +47,7 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
     failed = [one.candidate.terms[0] for one in first if not sound(one)]
     ranked = ordered(first)
     told("simulating the best of them")
-    singles = [polished(prepared, one.candidate) for one in shortlist(ranked)]
+    singles = side_by_side(lambda one: polished(prepared, one.candidate), shortlist(ranked))
     singles += [*twins(prepared, singles, singles), *nested(prepared, singles, of_all(singles))]
     truer = truer_baseline(prepared, base, least(*singles))
     if truer is not None:
@@ -62,7 +63,7 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
         told("simulating the others")
         tried = {one.candidate.terms for one in singles}
         others = [one for one in ranked if one.candidate.terms not in tried]
-        singles += [simulated(prepared, base, one, starts) for one in others]
+        singles += side_by_side(lambda one: simulated(prepared, base, one, starts), others)
         singles = by_evidence(singles, base, measure)
     found = Found(prepared, base, begin, singles, sensors, ranked, failed, measure)
     best = least(base, *singles).square
