@@ -190,7 +190,7 @@ def test_a_program_with_a_class_typed_into_a_notebook_is_not_kept(tmp_path, monk
     exec("class Typed:\n    pass", space)
     number = jax.ShapeDtypeStruct((), float)
     leaf = jax.tree.structure((0.0,))
-    kept = program.program("builtins:divmod", leaf, (number,), (space["Typed"],))
+    kept = program.program("operator:is_", leaf, (number,), (space["Typed"],))
     assert callable(kept)
     assert not list(tmp_path.iterdir())
 
