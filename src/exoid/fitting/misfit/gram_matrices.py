@@ -78,9 +78,13 @@ def matern(times: np.ndarray, correlated: float) -> np.ndarray:
     return (1 + apart + apart**2 / 3) * np.exp(-apart)
 
 
+def covariance(each: Gram, correlated: float) -> np.ndarray:
+    """Of the process at its nodes, for unit variance."""
+    return matern(each.nodes, correlated) + JITTER * np.eye(each.nodes.size)
+
+
 def modes(each: Gram, correlated: float) -> tuple[np.ndarray, np.ndarray]:
     """Squared sizes of the process' independent effects, and their products with (A, r)."""
-    covariance = matern(each.nodes, correlated)
-    root = np.linalg.cholesky(covariance + JITTER * np.eye(each.nodes.size))
+    root = np.linalg.cholesky(covariance(each, correlated))
     sizes, axes = np.linalg.eigh(root.T @ each.process @ root)
     return np.maximum(sizes, 0.0), axes.T @ root.T @ each.cross

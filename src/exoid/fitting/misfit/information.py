@@ -14,7 +14,7 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.fitting.misfit.gram import Gram
-from exoid.fitting.misfit.gram_matrices import modes
+from exoid.fitting.misfit.gram_matrices import covariance
 from exoid.fitting.misfit.missed import KINDS, Disturbance, Missed
 from exoid.fitting.misfit.uncertainty import ROUNDING, whitening
 
@@ -27,9 +27,9 @@ def spoiled(found: Disturbance, grams: list[Gram], kinds: Sequence[str], size: i
     plain, white, excess = (np.zeros((size, size)) for _ in range(3))
     for each, kind in zip(grams, kinds, strict=True):
         missed, weight = found.kinds[kind], found.scales[kind] ** -2
-        _, cross = modes(each, missed.correlation_time)
+        fitted, cross = each.fitted[:-1, :-1], each.cross[:, :-1]
+        process = cross.T @ covariance(each, missed.correlation_time) @ cross
         place = np.ix_(each.place, each.place)
-        fitted, process = each.fitted[:-1, :-1], cross[:, :-1].T @ cross[:, :-1]
         plain[place] += weight * fitted
         white[place] += (weight * missed.noise) ** 2 * fitted
         excess[place] += (weight * missed.noise) ** 2 * missed.ratio * process
