@@ -1,5 +1,5 @@
 """A rig's recording carried to a model, a simulation and a plan, by commands alone: nothing that
-was found is lost on the way, though no model follows a geared servo down to its noise.
+was found is lost on the way.
 """
 
 import json
@@ -13,14 +13,14 @@ TERM = "coulomb_friction"  # what its makers say of it, in one form or another
 def folder(shared, command, tmp_path_factory):
     folder = tmp_path_factory.mktemp("rig")
     recording, model = shared / "real" / "servo-drop.csv", folder / "why.nc"
-    for line, code in (
-        (("diagnose", recording, "--save", model, "--json", folder / "why.json"), 0),
-        (("fit", recording, "--model", model, "--json", folder / "fit.json"), 1),
-        (("simulate", folder / "again.csv", "--model", model, "--drop", -20), 0),
-        (("plan", recording, "--model", model, "--json", folder / "plan.json"), 0),
+    for line in (
+        ("diagnose", recording, "--save", model, "--json", folder / "why.json"),
+        ("fit", recording, "--model", model, "--json", folder / "fit.json"),
+        ("simulate", folder / "again.csv", "--model", model, "--drop", -20),
+        ("plan", recording, "--model", model, "--json", folder / "plan.json"),
     ):
         done = command(*line)
-        assert done.returncode == code, done.stderr
+        assert done.returncode == 0, done.stderr
     return folder
 
 

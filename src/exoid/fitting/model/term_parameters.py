@@ -3,7 +3,6 @@ tells them.
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
 from typing import Any, TypeVar
 
 import equinox as eqx
@@ -59,8 +58,9 @@ def with_values(model: Model, values: Mapping[str, Any]) -> Model:
     coulomb_friction.level.
     """
     owner = f"{name_of(type(model))}." if isinstance(model, Term) else ""
-    names = (name for name, _ in declarations(type(model)) if owner + name in values)
-    return replace(model, **{name: np.asarray(values[owner + name]) for name in names})
+    names = [name for name, _ in declarations(type(model)) if owner + name in values]
+    new = [np.asarray(values[owner + name]) for name in names]
+    return eqx.tree_at(lambda at: [getattr(at, name) for name in names], model, new)
 
 
 def over_inertia(term: Term, inertia: Any) -> Term:
