@@ -20,7 +20,7 @@ def folder(shared, command, tmp_path_factory):
         ("plan", recording, "--model", model, "--json", folder / "plan.json"),
     ):
         done = command(*line)
-        # Two valleys fit a geared servo alike, one on a tilted seat: rounding decides if it follows.
+        # Two valleys fit a servo alike, one on a tilted seat: rounding decides if it follows.
         assert done.returncode in ((0, 1) if line[0] == "fit" else (0,)), done.stderr
     return folder
 
