@@ -47,7 +47,7 @@ def prepare(
     fitted = released(best, problem)
     inertia = float(fitted.shared.log_inertia)
     tested = (*library(), *terms)
-    zero = float("inf") if rig else movements[0].systematics.zero
+    zero = movements[0].systematics.zero
     prepared = PreparedRecording(problem, sensors, tested, inertia, rig, zero)
     point = prepared.point(fitted)
     return prepared, settle_free(prepared, Hypothesis((), (), point), rounds=FEWER_ROUNDS)

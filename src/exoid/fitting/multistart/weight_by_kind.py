@@ -19,7 +19,7 @@ from exoid.fitting.misfit.information import common, spoiled
 from exoid.fitting.misfit.missed import KINDS, NOISY, Disturbance, Missed
 from exoid.fitting.model.coordinates import flattened
 from exoid.fitting.multistart.tethers import FINE, approach
-from exoid.fitting.solve.ask import advance, declared_at, finite, grams_at, left, take, task
+from exoid.fitting.solve.ask import advance, better_of, declared_at, grams_at, left, take, task
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
 
@@ -84,10 +84,7 @@ def alone(problem: Problem, at: Solved, row: int, kinds: list[str]) -> Solved:
     scale = np.where(counts, 1.0, BLIND)
     near = advance(problem, starts, task(problem, 0.0, problem.steps, FINE), scale)
     anew = replace(starts, mounting=jax.tree.map(np.zeros_like, starts.mounting))
-    tied = approach(problem, anew, scale)
-    both = jax.tree.map(lambda *each: np.stack(each), near, tied)
-    better = np.argmin([finite(near.loss), finite(tied.loss)], axis=0)
-    return jax.tree.map(lambda leaf: leaf[better, np.arange(len(kinds))], both)
+    return better_of(near, approach(problem, anew, scale))
 
 
 def of_kind(problem: Problem, kind: str, at: Solved, row: int) -> list[Grams]:

@@ -143,6 +143,13 @@ def left(problem: Problem, at: Solved, row: int, disturbance: Disturbance) -> Di
     return spoiled(disturbance, each, problem.kinds, size)
 
 
+def better_of(*fits: Solved) -> Solved:
+    """Of several fits from as many starts, the lowest of each start."""
+    every = jax.tree.map(lambda *each: np.stack(each), *fits)
+    best = np.argmin(finite(every.loss), axis=0)
+    return jax.tree.map(lambda leaf: leaf[best, np.arange(best.size)], every)
+
+
 def lowest(solved: Solved) -> int:
     """The row of the best."""
     return int(np.argmin(finite(solved.loss)))

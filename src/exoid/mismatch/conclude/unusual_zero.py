@@ -22,7 +22,7 @@ RIVALS = 4  # of the other causes, each with and without the zero
 def unusual(found: Found, best: Optimum) -> bool:
     """Is the zero certainly off, as the best explanation has it, and by more than is usual?"""
     usual = found.prepared.zero
-    if not 0 < usual < np.inf:  # known, or free to be anything
+    if usual == 0.0:  # it is known
         return False
     value, place = abs(float(best.candidate.zero[1])), best.candidate.point.size + 1
     variance = covariance(found, best)[place, place]

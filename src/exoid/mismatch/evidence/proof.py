@@ -10,7 +10,7 @@ from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.mismatch.evidence.prediction import Prediction, Proof
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum, Products
 from exoid.mismatch.screen.many_free import release
-from exoid.mismatch.screen.optimise import FEWER_ROUNDS, bounded, settle_free
+from exoid.mismatch.screen.optimise import FEWER_ROUNDS, STEADY, descend, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 
 LOOKS = 3  # at a held-out segment, to find where it begins
@@ -41,12 +41,8 @@ def predict_others(prepared: PreparedRecording, at: Optimum) -> Prediction:
         lambda each: settle_free(prepared, at.candidate, each, rounds=TRAINING_ROUNDS).candidate,
         training,
     )
-    for _ in range(LOOKS):
-        candidates = [
-            started(prepared, candidate, release(prepared, candidate)[0], number)
-            for number, candidate in enumerate(candidates)
-        ]
-    shown = np.stack([release(prepared, one)[1][number] for number, one in enumerate(candidates)])
+    began = side_by_side(lambda each: started(prepared, *each), enumerate(candidates))
+    shown = np.stack([each.motion[number] for number, each in enumerate(began)])
     return prediction(prepared.seen, shown, np.asarray(prepared.seen.angle_weight) > 0)
 
 
@@ -56,16 +52,19 @@ def masked(seen: Observation, kept: np.ndarray) -> Observation:
     return replace(seen, **weights)
 
 
-def started(
-    prepared: PreparedRecording, candidate: Hypothesis, products: Products, number: int
-) -> Hypothesis:
+def started(prepared: PreparedRecording, number: int, candidate: Hypothesis) -> Optimum:
     """The candidate with what the segment `number` owns brought to its best there."""
-    own = np.array([each[number] for each in jax.tree.leaves(prepared.numbers.own)])
-    normal, gradient = products.each[number][:-1, :-1], products.each[number][:-1, -1]
-    limits = np.full(own.size, np.inf)
-    unknowns = candidate.unknowns
-    unknowns[own] += bounded(normal[np.ix_(own, own)], gradient[own], 0.0, -limits, limits)
-    return candidate.at(unknowns)
+    own = [each[number] for each in jax.tree.leaves(prepared.numbers.own)]
+    asked = np.isin(np.arange(candidate.unknowns.size + 1), [*own, candidate.unknowns.size])
+
+    def evaluate(prepared, tried):
+        found = [release(prepared, one) for one, _ in tried]
+        return [(there(products), motion) for products, motion in found]
+
+    def there(products: Products) -> Products:
+        return Products(products.each[[number]] * np.outer(asked, asked), 0.0 * products.usual)
+
+    return descend(prepared, [(candidate, None)], evaluate, LOOKS, STEADY)[0]
 
 
 def predict_end(prepared: PreparedRecording, at: Optimum) -> Prediction:

@@ -40,7 +40,7 @@ class PreparedRecording:
     library: tuple[type[Term], ...]
     log_inertia: float  # log(J / kg m^2) of the baseline's fit
     rig: bool
-    zero: float  # rad, standard deviation of the encoder's: infinite on a rig, 0 where it is known
+    zero: float  # rad, standard deviation of the encoder's; 0 where it is known
 
     @property
     def zeros(self) -> tuple[str, ...]:
@@ -76,7 +76,7 @@ class PreparedRecording:
         """One over the standard deviation of what is known to be about nothing, though no leg need
         explain it: of every coordinate the tilts of seats, and of the two zeros the encoder's.
         """
-        known = 1 / self.zero if 0 < self.zero < np.inf else 0.0
+        known = 1 / self.zero if self.zero > 0 else 0.0
         return np.array([*self.tilts, 0.0, known])
 
     @cached_property
@@ -160,7 +160,7 @@ class PreparedRecording:
         first = candidate.point.size + 2
         tilts = np.flatnonzero(self.tilts)
         upper[tilts] = OUTERMOST / self.tilts[tilts]
-        upper[first - 1] = np.inf if self.rig else largest_zero() * (self.zero > 0)
+        upper[first - 1] = largest_zero() * (self.zero > 0)
         lower[tilts], lower[first - 1] = -upper[tilts], -upper[first - 1]
         lower[first:] = [declared.lower for declared in each]
         upper[first:] = [declared.upper for declared in each]
