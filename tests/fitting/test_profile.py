@@ -83,6 +83,13 @@ def test_a_crossing_lies_where_the_root_passes_the_limit():
     assert crossing(value, 0.1 * value**2) is None
 
 
+def test_a_search_that_ended_early_does_not_narrow_an_interval():
+    """What was reached farther out shows that the loss is no larger there."""
+    value = np.linspace(0.0, 3.0, 13)
+    stuck = value**2 + np.where(value == 1.0, 90.0, 0.0)
+    assert crossing(value, stuck) == pytest.approx(np.sqrt(RISE))
+
+
 def test_a_fit_of_every_segment_alone_has_no_profile(scaled_fit):
     with pytest.raises(ValueError, match="fitted alone"):
         profiles(replace(scaled_fit, basis=None))

@@ -189,11 +189,14 @@ def traced(quest: ProfiledQuantity, value: np.ndarray, twice: np.ndarray) -> Pro
 
 
 def crossing(value: np.ndarray, rise: np.ndarray) -> float | None:
-    """Where `rise` first passes RISE on the way out; between points its root is linear."""
-    above = np.flatnonzero(rise > RISE)
-    if above.size == 0:
+    """Where `rise` passes RISE for good on the way out; between points its root is linear.
+
+    A search that ends early, as at a kink of dry friction, makes a rise too large and never too
+    small: what is reached beyond it counts.
+    """
+    last = int(np.flatnonzero(rise <= RISE)[-1])
+    if last + 1 == rise.size:
         return None
-    at = int(above[0])
     root = np.sqrt(np.maximum(rise, 0.0))
-    part = (np.sqrt(RISE) - root[at - 1]) / (root[at] - root[at - 1])
-    return float(value[at - 1] + part * (value[at] - value[at - 1]))
+    part = (np.sqrt(RISE) - root[last]) / (root[last + 1] - root[last])
+    return float(value[last] + part * (value[last + 1] - value[last]))
