@@ -34,6 +34,7 @@ def test_what_was_found_is_in_every_step(folder):
         assert level["value"] == pytest.approx(1.76, abs=0.24)  # the error that it says
         assert found["terms"][TERM]["level"]["value"] is None  # no motion tells a rig's inertia
         assert found["fit"]["angle_rmse_rad"] < 0.5 * why["before"]["fit"]["angle_rmse_rad"]
+    assert any("cannot tell coulomb friction from stribeck" in each for each in told["notes"])
     assert {TERM, "stribeck_friction"} <= {
         *json.loads((folder / "plan.json").read_text())["between"]
     }

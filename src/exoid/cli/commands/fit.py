@@ -1,5 +1,6 @@
 """exoid fit: from recordings to the leg's parameters."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
 
@@ -18,6 +19,7 @@ from exoid.cli.inputs.terms import (
     own_terms,
     saved_model,
     terms_asked,
+    undecided_in,
 )
 from exoid.cli.outputs.destination import FIGURES, PAGES, SAVED, Json, Report, check_outputs
 from exoid.cli.outputs.origin import inputs, origin_of
@@ -136,6 +138,9 @@ def fit(
         lambda: compute(named, each, options),
         f"fitting {multistart} starts; the first run of a new shape compiles for some seconds",
     )
+    undecided = undecided_in(model, own) if model else None
+    if undecided:
+        result = replace(result, notes=[undecided, *result.notes])
     told = None if each else patiently(lambda: ask(result), "asking what the recording told")
     from exoid.report.document.fit_json import fit_document
     from exoid.report.tables.fit import print_fit

@@ -145,6 +145,18 @@ def saved_model(model: Path, own: tuple):
     return found
 
 
+def undecided_in(model: Path, own: tuple) -> str | None:
+    """What to say of a fit whose terms a saved diagnosis named without telling them from others."""
+    found = loaded(model, own).diagnosis
+    alike = [each.replace("_", " ") for each in found.equivalent] if found else []
+    if len(alike) < 2:
+        return None
+    return (
+        f"{model} cannot tell {' from '.join(alike)}: each ± here is of one of them alone, "
+        "each ± in that diagnosis holds the others, too."
+    )
+
+
 def suspected_in(model: Path, own: tuple) -> list[str]:
     """The causes that a saved diagnosis leaves open; none of a fit, or of an answer with a leg that
     can be planned for.
