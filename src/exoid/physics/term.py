@@ -119,6 +119,11 @@ class SensorTerm(Term):
         """What the sensors show minus how the leg moves."""
 
 
+def holds(term: type[Term]) -> bool:
+    """Does it hold a leg at rest?"""
+    return term.dry_friction is not Term.dry_friction
+
+
 def name_of(term: type[Term]) -> str:
     """coulomb_friction for CoulombFriction."""
     letters = (f"_{each.lower()}" if each.isupper() else each for each in term.__name__)

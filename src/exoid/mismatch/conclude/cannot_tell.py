@@ -6,9 +6,8 @@ from exoid.mismatch.evidence.prediction import Proof
 from exoid.mismatch.evidence.proof import masked
 from exoid.mismatch.evidence.yardstick import UNEXPLAINED
 from exoid.mismatch.screen.hypothesis import Optimum
-from exoid.mismatch.screen.optimise import FEWER_ROUNDS, settle_free
+from exoid.mismatch.screen.optimise import FEWER_ROUNDS, FLOOR, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
-from exoid.mismatch.search.found import FLOOR
 from exoid.physics.term import SensorTerm
 
 SHORTEST = 1.5  # s of movement in all, about one swing of a leg

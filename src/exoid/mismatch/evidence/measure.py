@@ -17,12 +17,7 @@ def yardstick(prepared: PreparedRecording, best: Optimum) -> Yardstick:
     larger by the sum of its autocorrelation.
     """
     seen = prepared.seen
-    return Yardstick(count(seen), max(1.0, float(np.mean(inflation(seen, best.motion)))))
-
-
-def count(seen: Observation) -> int:
-    """How many samples of both channels there are."""
-    return int((seen.angle_weight > 0).sum() + (seen.velocity_weight > 0).sum())
+    return Yardstick(prepared.samples, max(1.0, float(np.mean(inflation(seen, best.motion)))))
 
 
 def misfits(seen: Observation, shown: np.ndarray) -> list[list[np.ndarray]]:

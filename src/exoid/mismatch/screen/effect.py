@@ -14,7 +14,7 @@ from exoid.physics.moment import Moment
 from exoid.physics.motion.step import Drive, march, parabola, rk4
 from exoid.physics.motion.with_terms import delayed
 from exoid.physics.parameter import declarations
-from exoid.physics.term import Reading, Term
+from exoid.physics.term import Reading, Term, holds
 
 
 def named(term: type[Term], value: Float[Any, " parameter"]) -> Term:
@@ -89,7 +89,7 @@ def remembered(term: Term, motion: SegmentMotion) -> Float[Array, "time memory"]
 def rubbing(term: Term, motion: SegmentMotion) -> Drive:
     """Dry friction of a moving leg; a step across a reversal feels the mean of both directions."""
     before, after = motion.begin.angular_velocity, motion.end.angular_velocity
-    if type(term).dry_friction is Term.dry_friction:
+    if not holds(type(term)):
         none = jnp.zeros_like(before)
         return Drive(none, none, none)
     crossing = before * after < 0

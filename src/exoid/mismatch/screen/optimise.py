@@ -5,10 +5,12 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.fitting.data.observation import Observation
+from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.mismatch.screen import many_pinned
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.many_free import release
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
+from exoid.physics.term import holds
 
 ROUNDS, FEWER_ROUNDS = 60, 12  # of steps at most
 LONG = 25  # rounds, from which on only what still falls goes on, as along a narrow valley
@@ -17,7 +19,14 @@ EASIER, HARDER = 0.1, 8.0
 CAREFUL = 1e-2  # damping beyond which a small step says little
 STEADY = 1e-2  # expected gain of a sum of squares below which a candidate rests
 NEARLY = 0.5  # the same while it is pinned, for it goes on running free
+FLAT = 1e-6  # relative curvature below which no place nearby is looked for
 WEAK = 1e-9  # relative curvature of what nothing tells
+FLOOR = 1.3  # mean square over the noise at which nothing more is looked for
+HOPS = 8  # places nearby to begin from, a round
+HOP_ROUNDS = 6  # of steps, by which it shows whether one leads down
+HOP = 0.03  # geometric mean of the shares of its square by which a parabola would rise there
+HOP_SPREAD = 2.0  # decades that these shares spread over
+LOWER = 0.99  # to what share of itself a square must fall to go on
 PASSES = 4  # in which bounds that a step runs into are found
 
 
@@ -53,7 +62,38 @@ def polished(prepared: PreparedRecording, start: Hypothesis) -> Optimum:
         seen = prepared.seen
         by_encoder = replace(seen, velocity_weight=0.0 * seen.velocity_weight)
         start = settle_free(prepared, start, by_encoder).candidate
-    return settle_free(prepared, start)
+    found = settle_free(prepared, start)
+    return hopped(prepared, found) if any(map(holds, start.terms)) else found
+
+
+def hopped(prepared: PreparedRecording, at: Optimum) -> Optimum:
+    """The best of the basins nearby, while noise is not reached.
+
+    A leg that sticks one step later jumps: its sum of squares has creases, in which a search that
+    goes down stands still (basin hopping: Wales & Doye, J. Phys. Chem. A 101, 1997).
+    """
+    random = np.random.default_rng(0)
+    while at.square > FLOOR * prepared.samples:
+        starts = [nearby(prepared, at, random) for _ in range(HOPS)]
+        ends = side_by_side(lambda one: settle_free(prepared, one, rounds=HOP_ROUNDS), starts)
+        best = min(ends, key=lambda one: one.square if np.isfinite(one.square) else np.inf)
+        if not best.square < LOWER * at.square:
+            break
+        at = settle_free(prepared, best.candidate)
+    return at
+
+
+def nearby(prepared: PreparedRecording, at: Optimum, random: np.random.Generator) -> Hypothesis:
+    """A place on an ellipsoid around an optimum, on which a parabola would be alike everywhere."""
+    normal, unknowns = at.products.total[:-1, :-1], at.candidate.unknowns
+    size = np.sqrt(np.diag(normal))
+    unit = np.where(size > 0, size, np.inf)
+    curved, ways = np.linalg.eigh(normal / np.outer(unit, unit))
+    way = random.normal(size=unknowns.size)
+    rise = HOP * at.square * 10 ** (HOP_SPREAD * random.uniform(-0.5, 0.5))
+    told = np.where(curved > FLAT, way, 0.0) / np.sqrt(np.maximum(curved, FLAT))
+    away = ways @ told / np.linalg.norm(way) / unit
+    return at.candidate.at(np.clip(unknowns + np.sqrt(rise) * away, *prepared.bounds(at.candidate)))
 
 
 def descend(prepared, begin, evaluate, rounds, steady) -> list[Optimum]:

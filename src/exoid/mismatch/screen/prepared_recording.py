@@ -56,6 +56,12 @@ class PreparedRecording:
         return self.problem.observation
 
     @cached_property
+    def samples(self) -> int:
+        """How many samples of both channels there are."""
+        seen = self.seen
+        return int((seen.angle_weight > 0).sum() + (seen.velocity_weight > 0).sum())
+
+    @cached_property
     def measured_motion(self) -> MeasuredMotion:
         """What the sensors show, in the shape of the observation."""
         size = self.seen.time.shape[1]

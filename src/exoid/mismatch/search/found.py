@@ -9,8 +9,6 @@ from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.physics.term import Term, name_of
 
-FLOOR = 1.3  # mean square over the noise at which nothing more is looked for
-
 
 @dataclass(frozen=True, eq=False)
 class Found:

@@ -6,9 +6,9 @@ from exoid.mismatch.evidence.measure import yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis, Linear, Optimum
 from exoid.mismatch.screen.many_pinned import linear, together
 from exoid.mismatch.screen.measured_motion import MeasuredMotion
-from exoid.mismatch.screen.optimise import polished, settle
+from exoid.mismatch.screen.optimise import FLOOR, polished, settle
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
-from exoid.mismatch.search.found import FLOOR, best_of, size, sound
+from exoid.mismatch.search.found import best_of, size, sound
 from exoid.physics.library import MOST_PARAMETERS
 from exoid.physics.term import Term
 

@@ -11,7 +11,7 @@ from exoid.physics.leg import angular_acceleration
 from exoid.physics.moment import Moment, SegmentConstants
 from exoid.physics.motion.step import Drive, parabola, rk4
 from exoid.physics.state import LegState
-from exoid.physics.term import Reading, Term, reading
+from exoid.physics.term import Reading, Term, holds, reading
 
 Terms = tuple[Term, ...]
 
@@ -121,7 +121,7 @@ def whole_step(
 
 def sticky(terms: Terms) -> bool:
     """Does any of them hold a leg at rest?"""
-    return any(type(term).dry_friction is not Term.dry_friction for term in terms)
+    return any(holds(type(term)) for term in terms)
 
 
 def sticks(place: SegmentConstants, terms: Terms, motion: Motion, time: Any, push: Any):
