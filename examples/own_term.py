@@ -31,16 +31,17 @@ class MagneticDetent(exoid.PhysicsTerm):
         return self.size * jnp.sin(12 * now.angle)
 
 
-truth = exoid.LegParameters(*map(jnp.asarray, (4.5, 0.44, 0.265, 0.35, 2.8)))  # m, J, l, d, c
-motor = exoid.LegModel(truth, exoid.NoTorque(), terms=(MagneticDetent(jnp.asarray(0.2)),))
-drops = [Movement(angle, duration=4.0) for angle in (-0.35, -0.87)]  # rad, s
-person = exoid.Subject(kind="leg", body_mass=77.0, height=1.80)  # kg, m
-recording = record(motor, drops, jax.random.key(1), subject=person)
+if __name__ == "__main__":
+    truth = exoid.LegParameters(*map(jnp.asarray, (4.5, 0.44, 0.265, 0.35, 2.8)))  # m, J, l, d, c
+    motor = exoid.LegModel(truth, exoid.NoTorque(), terms=(MagneticDetent(jnp.asarray(0.2)),))
+    drops = [Movement(angle, duration=4.0) for angle in (-0.35, -0.87)]  # rad, s
+    person = exoid.Subject(kind="leg", body_mass=77.0, height=1.80)  # kg, m
+    recording = record(motor, drops, jax.random.key(1), subject=person)
 
-plain = exoid.fit(recording, multistart=8)
-result = exoid.fit(recording, terms=(MagneticDetent,), multistart=8)
+    plain = exoid.fit(recording, multistart=8)
+    result = exoid.fit(recording, terms=(MagneticDetent,), multistart=8)
 
-for name, each in result.terms["magnetic_detent"].items():
-    print(f"{name} = {each.value:.4f} ± {each.standard_error:.2g} {each.unit}, {each.set_by}")
-for name, fit in {"Eq. 9 alone": plain, "with the term": result}.items():
-    print(f"{name}: {np.degrees(fit.angle_rmse):.2f} deg missed")
+    for name, each in result.terms["magnetic_detent"].items():
+        print(f"{name} = {each.value:.4f} ± {each.standard_error:.2g} {each.unit}, {each.set_by}")
+    for name, fit in {"Eq. 9 alone": plain, "with the term": result}.items():
+        print(f"{name}: {np.degrees(fit.angle_rmse):.2f} deg missed")

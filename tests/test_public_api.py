@@ -80,3 +80,22 @@ def test_a_name_loads_no_more_than_it_needs(name, loads_jax):
 def test_types_are_shipped():
     assert (Path(exoid.__file__).parent / "py.typed").is_file()
     assert STUB.is_file()
+
+
+@pytest.mark.parametrize(
+    ("terms", "said"),
+    [
+        ("exoid.PhysicsTerm", "ValueError: terms are several: terms=(CoulombFriction,), with the"),
+        ("('coulomb_friction',)", "ValueError: terms has 'coulomb_friction', which is no term"),
+    ],
+)
+def test_terms_that_are_none_are_refused_in_one_sentence(terms, said, tmp_path):
+    """In a process of its own: here, types are checked before the function is called."""
+    code = (
+        "import numpy as np, exoid\n"
+        "time = np.arange(0, 3, 0.01)\n"
+        "swing = exoid.recording({'time_s': time, 'raw_angle_deg': -90 + 40 * np.cos(5 * time)})\n"
+        f"exoid.fit(swing, terms={terms})"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert said in done.stderr

@@ -102,6 +102,7 @@ def test_of_two_recordings_the_bad_one_is_named(command, recordings, tmp_path):
         (["--prior", "damping=3"], "this is not like --prior damping=3+-1"),
         (["--prior", "winter", "--prior", "dumas"], "takes one table, not winter and dumas"),
         (["--fix", "friction=1"], "no parameter of the leg has this name"),
+        (["--fix", "coulomb_friction=1"], "of a term it is TERM.PARAMETER"),
         (["--fix", "mass=0"], "0 kg cannot be; it is positive"),
         (["--bound", "damping=5:2"], "5 to 2 leaves nothing"),
         (["--bound", "damping"], "this is not like --bound damping=0:20"),

@@ -29,6 +29,8 @@ def test_from_a_simulated_term_to_its_fit_to_its_simulation_to_its_plan(command,
     done = command("simulate", again, "--model", saved, *WORN)
     assert (done.returncode, done.stderr) == (0, "")
     assert again.read_text() != worn.read_text()
+    body = [line for line in worn.with_suffix(".toml").read_text().splitlines() if "_kg" in line]
+    assert body[0] in again.with_suffix(".toml").read_text()  # whose leg it is
     done = command("fit", again, "--model", saved, "--multistart", 2)
     assert done.returncode == 0
     assert "F_c / J" in done.stdout
@@ -36,6 +38,7 @@ def test_from_a_simulated_term_to_its_fit_to_its_simulation_to_its_plan(command,
                    "--multistart", 2)  # fmt: skip
     assert done.returncode == 0
     assert "What to record next for coulomb_friction.level F_c" in done.stdout
+    assert f"fit OLD NEW --model {saved}" in " ".join(done.stdout.split())
     said = refusal(command("plan", worn, "--model", saved, "--goal", "hysteresis.level"))
     assert "--goal hysteresis.level: it can be inertia" in said
     assert "coulomb_friction.level_over_inertia" in said

@@ -64,7 +64,10 @@ def test_a_plan_for_what_no_motion_tells_says_so(command, recordings):
 
 
 def test_a_goal_that_does_not_exist_is_refused(command, recordings):
-    assert "--goal" in refusal(command("plan", recordings / "drop.csv", "--goal", "beauty"))
+    drop = recordings / "drop.csv"
+    assert "--goal" in refusal(command("plan", drop, "--goal", "beauty"))
+    told = refusal(command("plan", drop, "--goal", "coulomb_friction.level"))
+    assert "add --with coulomb_friction" in told
 
 
 def test_rivals_that_cannot_be_told_apart_are_refused(command, recordings):

@@ -133,6 +133,15 @@ def test_an_end_of_a_range_that_holds_is_said(rubbing):
     assert bias.set_by == "your bound"
 
 
+def test_a_bound_that_moves_the_inertia_leaves_the_ratio_to_the_data(rubbing, found):
+    told = found.terms["coulomb_friction"]["level_over_inertia"]
+    bound = {"coulomb_friction.level": (1.3 * FRICTION, 1.0)}
+    pushed = fit(rubbing, multistart=2, terms=(CoulombFriction, GyroBias), bound=bound)
+    ratio = pushed.terms["coulomb_friction"]["level_over_inertia"]
+    assert ratio.set_by == "data"
+    assert ratio.standard_error == pytest.approx(told.standard_error, rel=0.1)
+
+
 @pytest.mark.parametrize(
     ("options", "said"),
     [

@@ -135,6 +135,14 @@ def classes_of(terms: Sequence[type[Term] | Term]) -> tuple[type[Term], ...]:
 
     **Raises** `ValueError` where one is there twice, or is no term that a search could begin with.
     """
+    if not isinstance(terms, tuple | list):
+        raise ValueError("terms are several: terms=(CoulombFriction,), with the comma.")
+    for each in terms:
+        if not issubclass(each if isinstance(each, type) else type(each), Term):
+            raise ValueError(
+                f"terms has {each!r}, which is no term: give classes such as CoulombFriction, or "
+                "such with values; exoid.physics.library.library() has them all."
+            )
     classes = tuple(each if isinstance(each, type) else type(each) for each in terms)
     twice = [name_of(each) for each in classes if classes.count(each) > 1]
     if twice:

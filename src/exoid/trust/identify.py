@@ -12,7 +12,6 @@ import numpy as np
 from exoid.fitting.errors.profile import named, weights_of
 from exoid.fitting.misfit.neighbourhood import columns
 from exoid.fitting.misfit.uncertainty import HELD, Information, inverse_times
-from exoid.fitting.result.estimates import RATIOS
 from exoid.fitting.result.fit_result import Basis, Estimate, FitResult
 from exoid.fitting.solve.ask import take
 from exoid.trust.directions import listed, null_directions, weak_directions
@@ -67,7 +66,7 @@ def identify(result: FitResult) -> Identifiability:
             *(each.words for each in exact),
             *(each.words for each in weak),
             *scale_remark(basis, "inertia" in told),
-            *torque_remarks(basis, shares, mirrored),
+            *torque_remarks(basis, shares, mirrored, symbols),
         ],
     )
 
@@ -75,9 +74,10 @@ def identify(result: FitResult) -> Identifiability:
 def combinations(
     result: FitResult, gradients: dict[str, np.ndarray], alone: Information
 ) -> dict[str, Estimate]:
-    """The ratios, and J, where the data alone determine them."""
+    """The ratios, J, and what the terms have, where the data alone determine them."""
     told = {}
-    for name, each in {**result.ratios, "inertia": result.parameters["inertia"]}.items():
+    known = {**result.ratios, "inertia": result.parameters["inertia"], **result.of_terms}
+    for name, each in known.items():
         error = alone.standard_error(gradients[name])
         if each.value is not None and each.shares != HELD and np.isfinite(error):
             told[name] = replace(each, standard_error=error or None)
@@ -128,7 +128,10 @@ def scale_remark(basis: Basis, inertia_told: bool) -> list[str]:
 
 
 def torque_remarks(
-    basis: Basis, shares: dict[str, np.ndarray], mirrored: list[Reversal]
+    basis: Basis,
+    shares: dict[str, np.ndarray],
+    mirrored: list[Reversal],
+    symbols: dict[str, str],
 ) -> list[str]:
     """Where the assumed form of the torque, and not the leg, made the numbers."""
     damping = float(basis.ended.best.coordinates.shared.damping[0])
@@ -149,7 +152,7 @@ def torque_remarks(
         )
     elif resting:
         how = "entirely" if min(resting.values()) > WHOLLY else "mostly"
-        names = [RATIOS[name][0] if name in RATIOS else "J" for name in resting]
+        names = [symbols[name] for name in resting]
         said.append(
             f"{listed(names)} rest {how} on voluntary segments, where the form of the muscle's "
             "torque (Eq. 10) is assumed: another form gives other values. A drop does not need it."

@@ -108,7 +108,8 @@ def plan(
         typer.echo(f"{result.notes[0]}\n")
     from exoid.report.tables.plan import plan_document, print_plan
 
-    show(lambda console: print_plan(found, console))
+    again = [f"--with {name}" for name in with_term or []] + [f"--model {model}"] * bool(model)
+    show(lambda console: print_plan(found, console, " ".join(again)))
     put_document(json, lambda: plan_document(found, result, subject))
     end(result is None or result.follows)
 
@@ -137,13 +138,18 @@ def asked(
 def check_goal(goal: str, chosen: tuple) -> None:
     """Refuse what is no quantity of the model, before anything is computed."""
     from exoid.fitting.model.term_parameters import parameters_of, ratio_name
+    from exoid.physics.library import library
+    from exoid.physics.term import name_of
 
     classes = [each if isinstance(each, type) else type(each) for each in chosen]
     declared = parameters_of(classes)
     ratios = [ratio_name(name, each) for name, each in declared if each.inertia_power]
     goals = [*GOALS, *(name for name, _ in declared), *ratios]
-    if goal not in goals:
-        raise ValueError(f"--goal {goal}: it can be {', '.join(goals)}.")
+    if goal in goals:
+        return
+    term = goal.partition(".")[0]
+    more = f"; for this one, add --with {term}" if term in map(name_of, library()) else ""
+    raise ValueError(f"--goal {goal}: it can be {', '.join(goals)}{more}.")
 
 
 def tell_apart(named, subject, rivals: tuple, options: dict, json: Path | None) -> None:

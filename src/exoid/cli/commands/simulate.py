@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from exoid.cli.inputs.body import given_body
-from exoid.cli.inputs.terms import OwnTerms, With, own_terms, saved_model, terms_asked
+from exoid.cli.inputs.terms import OwnTerms, With, body_in, own_terms, saved_model, terms_asked
 from exoid.cli.outputs.destination import Force, check_absent, check_destination
 from exoid.cli.terminal.waiting import patiently
 
@@ -88,6 +88,7 @@ def simulate(
     having = terms_asked(with_term, own, () if known is None else known.terms, valued_all=True)
     check_starts(drop, cycle, torque_amplitude)
     body = given_body(body_mass=body_mass, height=height)
+    body = body if model is None else body_in(model, own) | body
     import jax
 
     jax.config.update("jax_enable_x64", True)

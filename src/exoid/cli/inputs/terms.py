@@ -145,10 +145,19 @@ def saved_model(model: Path, own: tuple):
     return found
 
 
+def body_in(model: Path, own: tuple) -> dict[str, float]:
+    """Body mass and height of whom a saved result is of, where it says so."""
+    found = loaded(model, own).recordings[:1]
+    known = {"body_mass": "body_mass_kg", "height": "height_m"}
+    return {name: one[key] for one in found for name, key in known.items() if one.get(key)}
+
+
 def undecided_in(model: Path, own: tuple) -> str | None:
     """What to say of a fit whose terms a saved diagnosis named without telling them from others."""
     found = loaded(model, own).diagnosis
-    alike = [each.replace("_", " ") for each in found.equivalent] if found else []
+    after = found.after if found else None
+    wider = after and any("rival causes" in (one.limited_by or {}) for one in after.ratios.values())
+    alike = [each.replace("_", " ") for each in found.equivalent] if found and wider else []
     if len(alike) < 2:
         return None
     return (

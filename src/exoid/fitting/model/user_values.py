@@ -109,7 +109,10 @@ def parameter(name: str, means: str) -> str:
     if name in SYMBOLS:
         return SYMBOLS[name]
     known = ", ".join(f"{each} ({declared.symbol})" for each, declared in DECLARED.items())
-    raise ValueError(f"{means} of {name!r}: no parameter of the leg has this name; it is {known}.")
+    raise ValueError(
+        f"{means} of {name!r}: no parameter of the leg has this name; it is {known}; of a term it "
+        "is TERM.PARAMETER, as coulomb_friction.level."
+    )
 
 
 def check_value(means: str, name: str, value: float) -> None:

@@ -231,9 +231,11 @@ def term_parameter(name: str, declared: Declaration, basis: Basis, at_bound: set
 def term_ratio(
     name: str, declared: Declaration, basis: Basis, own: Estimate, at_bound: set[str]
 ) -> Estimate:
-    """What motion alone tells of a term's parameter that goes with J."""
+    """What motion alone tells of a term's parameter that goes with J; on a bound other than zero
+    its inertia may still be another.
+    """
     found = mean_of(basis, [ratio_name(name, declared)], set())
-    found = replace(found, held=name in at_bound)
+    found = replace(found, held=name in at_bound and own.value == 0.0)
     sign, word = ("/", "over") if declared.inertia_power > 0 else ("*", "times")
     label = f"{declared.symbol} {sign} J", f"{declared.title}, {word} J", ratio_unit(declared)
     ratio = found.estimate(label, reason=untold(found, UNTOLD))

@@ -6,11 +6,11 @@ import numpy as np
 from jaxtyping import Float
 
 from exoid.report.pictures.panel import Axis, Range
-from exoid.report.words.text import exponent
+from exoid.report.words.text import DIMENSIONLESS, exponent
 
 GROWN = 3.0  # times what must be seen, at most
 MARGIN = 0.06  # of the view, at either end
-CLOSE = 5e-3  # relative half width below which ticks would need more than four digits
+CLOSE = 2e-2  # relative half width below which ticks would need more than three digits
 PLAIN = (1e-2, 1e4)  # sizes that are read without a power of ten
 
 
@@ -27,11 +27,12 @@ class Scale:
 
     def axis(self, name: str, unit: str, seen: Range) -> Axis:
         """name - origin [10^power unit]."""
-        power = f"1e{self.power} " if self.power else ""
+        power = f"1e{self.power}" if self.power else ""
+        unit = unit if not power else power if unit in DIMENSIONLESS else f"{power} {unit}"
         sign = "-+"[self.origin < 0]
         origin = f" {sign} {abs(self.origin):.{self.decimals}f}" if self.origin else ""
         low, high = self.of(seen).tolist()
-        return Axis(f"{name}{origin}", f"{power}{unit}", (low, high))
+        return Axis(f"{name}{origin}", unit, (low, high))
 
 
 def readable(view: Range, centre: float) -> Scale:

@@ -11,15 +11,16 @@ from exoid.report.pictures.search import marked
 from exoid.report.words.text import NOT_DETERMINED, in_words, on_bound
 
 SOURCES = {"data": Role.DATA, "prior": Role.PRIOR, "bound": Role.BOUND}
-GAP = 0.6  # of a bar, between parameters and ratios
+GAP = 0.6  # of a bar, between parameters, ratios and what terms have
 BAR, ROW = 0.47, 0.8  # sizes of a bar and of a parameter's panel
 HEIGHTS = {Role.CHOSEN: 0.75, Role.EXPECTED: 0.25, Role.LIMIT: 0.5}  # in a row
 
 
 def shares_of(result: FitResult) -> Panel:
     """One bar per parameter and ratio: who made its error as small as it is."""
-    each = [estimate for _, estimate in named(result)]
-    rows = np.arange(len(each)) + GAP * (np.arange(len(each)) >= len(each) - len(result.ratios))
+    names, each = zip(*named(result), strict=True)
+    groups = [(name in result.ratios) + 2 * (name in result.of_terms) for name in names]
+    rows = np.arange(len(each)) + GAP * np.array(groups)
     begin, bars = np.zeros(len(each)), []
     for source, role in SOURCES.items():
         part = np.array([0.0 if e.shares is None else getattr(e.shares, source) for e in each])

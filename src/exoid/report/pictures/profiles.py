@@ -7,7 +7,14 @@ from exoid.fitting.result.estimates import RATIOS
 from exoid.report.pictures.axis import Scale, readable, view
 from exoid.report.pictures.panel import Axis, Band, Line, Mark, Note, Panel, Points, Range, Rule
 from exoid.report.pictures.role import Role
-from exoid.report.words.text import MOST_DECIMALS, NOT_DETERMINED, exponent, in_words, written
+from exoid.report.words.text import (
+    DIMENSIONLESS,
+    MOST_DECIMALS,
+    NOT_DETERMINED,
+    exponent,
+    quantity_words,
+    written,
+)
 
 MOST = 6  # panels side by side
 TOP = 9.5  # of the rise: three standard errors, and a little
@@ -18,10 +25,11 @@ RISES = tuple((rise, f"{rise:.0f}") for rise in (0.0, 3.0, 6.0, 9.0))
 
 
 def rows_of(profiles: dict[str, Profile]) -> list[list[Profile]]:
-    """Parameters in the first row, ratios in the next."""
-    parameters = [each for each in profiles.values() if each.name not in RATIOS]
-    ratios = [each for each in profiles.values() if each.name in RATIOS]
-    return [row[:MOST] for row in (parameters, ratios) if row]
+    """Parameters in the first row, ratios in the next, what terms have in the last."""
+    rows: list[list[Profile]] = [[], [], []]
+    for name, each in profiles.items():
+        rows[1 if name in RATIOS else 2 * ("." in name)].append(each)
+    return [row[:MOST] for row in rows if row]
 
 
 def profile_of(profile: Profile) -> Panel:
@@ -95,8 +103,9 @@ def expectation(profile: Profile, scale: Scale, seen: Range) -> tuple[Mark, ...]
 def title(profile: Profile) -> str:
     """Name, value with its error, and the 95 % interval or what is there instead."""
     each = profile.estimate
-    value = NOT_DETERMINED if each.value is None else f"{written(each)} {each.unit}"
-    name = "" if profile.name in RATIOS else f"{in_words(profile.name)} "
+    unit = "" if each.unit in DIMENSIONLESS else f" {each.unit}"
+    value = NOT_DETERMINED if each.value is None else f"{written(each)}{unit}"
+    name = "" if profile.name in RATIOS else f"{quantity_words(profile.name)} "
     return f"{name}`{each.symbol}`\n{value}\n{limits(profile)}"
 
 

@@ -39,8 +39,8 @@ HOW = Markup("""\
 <p>± is one standard error: the true value lies within twice as much on either side in 19 of 20
 recordings, if the model is right. Where the recording shows more than the model has, errors are
 widened for it, but no error bar of such a model is complete.</p>
-<p>The model is a pendulum with a spring and viscous damping (Eq. 9 of the paper); what else acts on
-a leg is missing physics.</p>
+<p>The model is a pendulum with a spring and viscous damping (Eq. 9 of the paper), and the terms
+that are listed, if any; what else acts on a leg is missing physics.</p>
 <p>Motion alone tells ratios to the inertia <i>J</i>. Mass and distance of its centre can never be
 told apart by motion; J can, by a drop with a known mass beside a bare one. Compare legs, days and
 sides by the ratios.</p>""")

@@ -7,6 +7,7 @@ from typing import Any
 
 from exoid.fitting.errors.profile import named
 from exoid.fitting.result.fit_result import Estimate
+from exoid.physics.term import name_of
 from exoid.report.saved.saved_result import SavedResult
 
 ABSENT = "not told"
@@ -86,6 +87,7 @@ def asked(saved: SavedResult) -> dict[str, Any]:
     return {
         "exoid": saved.version,
         **saved.settings,
+        "terms": ", ".join(name_of(type(each)) for each in result.fitted_terms) or None,
         "sidecars": ", ".join(sidecars),
         "prior taken": result.prior,
         "torque frequency found": result.torque_frequency,

@@ -37,8 +37,9 @@ def print_comparison(found: Comparison, sides: list[SavedResult], console: Conso
         "difference, for independent fits.",
     )
     if found.same_recordings:
-        say(console, "Both rest on the same recordings, so they are not independent: the "
-            "difference comes from the settings alone.")  # fmt: skip
+        why = "what was asked differently" if found.settings else "rounding, or where starts began"
+        say(console, "Both rest on the same recordings, so they are not independent: a "
+            f"difference comes from {why}.")  # fmt: skip
     believed = [each.symbol for each in found.quantities if each.by_prior]
     if believed:
         say(console, f"Set by the prior in both, not by a recording: {', '.join(believed)}.")

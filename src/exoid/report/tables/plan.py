@@ -18,18 +18,21 @@ from exoid.report.words.text import heading, note, say, with_error
 SHOWN = 8  # single segments in the table
 
 
-def print_plan(plan: Plan, console: Console) -> None:
-    """Where the goal stands, what to record, what it will be worth, and the rivals."""
+def print_plan(plan: Plan, console: Console, model: str = "") -> None:
+    """Where the goal stands, what to record, what it will be worth, and the rivals.
+
+    `model` are the options by which the same model is fitted again.
+    """
     heading(console, f"What to record next for {plan.goal} {plan.symbol}")
     say(console, f"Now:   {stated(plan, plan.before)}")
     if plan.proposed:
         say(console, f"After: {stated(plan, plan.after)}, expected with what follows")
-        print_steps(plan.proposed, console)
+        print_steps(plan.proposed, console, model)
         print_options(plan, console)
     note(console, plan.sentences)
 
 
-def print_steps(proposed: list[Candidate], console: Console) -> None:
+def print_steps(proposed: list[Candidate], console: Console, model: str = "") -> None:
     """What to do, step by step."""
     heading(console, f"Record, as segments of {files(proposed)}")
     for number, (words, count) in enumerate(steps(proposed), start=1):
@@ -40,7 +43,7 @@ def print_steps(proposed: list[Candidate], console: Console) -> None:
         "Angles are of the knee, 0 straight, -90 hanging. Each time: hold still for 2 s, let "
         f"go without a push, hands off until the leg hangs still, {SWING:g} s at least. The "
         "person relaxes. Stop where knee or seat do not allow the swing. Then fit it together "
-        "with what there is: exoid fit OLD NEW.",
+        "with what there is: " + " ".join(["exoid fit OLD NEW", *model.split()]) + ".",
     )
 
 

@@ -10,10 +10,9 @@ from rich.console import Console
 from rich.table import Table as Grid
 from rich.text import Text
 
-from exoid.report.words.text import NOT_DETERMINED, heading, shortened
+from exoid.report.words.text import DIMENSIONLESS, NOT_DETERMINED, heading, shortened
 from exoid.report.words.typeset import formula
 
-DIMENSIONLESS = ("-", "1")
 STACKED, SPANNING = 3, 5  # columns that a phone has room for, and half a sheet of paper
 GAP = 2  # letters that a terminal needs between columns, at most
 Cells = Sequence[str]

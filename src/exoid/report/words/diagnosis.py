@@ -1,5 +1,6 @@
 """A diagnosis in sentences: what is missing, where, the proof, and what it had been booked as."""
 
+from exoid.fitting.model.term_parameters import RATIO_UNITS
 from exoid.fitting.result.fit_result import FitResult
 from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter
 from exoid.mismatch.sensors.consistency import BIAS, SensorError
@@ -102,12 +103,12 @@ def over_inertia(each: Parameter, after: FitResult) -> Parameter:
 
 def scale(found: Diagnosis, parameters: list[Parameter]) -> str:
     """The inertia that torques go with: drops alone tell only their ratio to it."""
-    torques = [each for each in parameters if "N m" in each.unit]
+    torques = [each for each in parameters if each.unit.startswith("N m")]
     if not torques:
         return ""
     inertia, first = found.inertia, torques[0]
     name = first.name.rpartition(".")[2].replace("_", " ")
-    ratio = f"{name} / J = {first.value / inertia:.3g} {first.unit}/(kg m^2)"
+    ratio = f"{name} / J = {first.value / inertia:.3g} {RATIO_UNITS[first.unit]}"
     return f" (for J = {inertia:.3g} kg m^2; {ratio})"
 
 

@@ -13,6 +13,7 @@ from exoid.fitting.result.fit_result import Estimate
 NOT_DETERMINED = "not determined"
 MOST_DECIMALS = 6  # beyond them a power of ten is read more easily
 MOST_DIGITS = 7  # of a value, however small its error
+DIMENSIONLESS = ("-", "1")  # units that are not written
 AT_BOUND = 1e-3  # relative distance within which a value is written as its bound
 
 
