@@ -13,6 +13,8 @@ import numpy as np
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.model.coordinates import TYPICAL, places
 from exoid.fitting.model.systematics import OWNED
+from exoid.fitting.multistart.search_result import scale_told
+from exoid.fitting.multistart.simpler_problems import with_inertia_kept
 from exoid.fitting.multistart.tethers import FINE
 from exoid.fitting.multistart.weight_by_kind import explained, explained_apart
 from exoid.fitting.solve.ask import advance, around, better_of, lowest, take, task
@@ -32,15 +34,18 @@ def without_excuses(
 ) -> tuple[Solved, Disturbance, Less]:
     """All free fits, recordings held to what is declared by as much more as they tell less.
 
-    They also begin as declared: over kinks of dry friction a search does not find back to it.
+    They also begin as declared: over kinks of dry friction a search does not find back to it. An
+    inertia that nothing tells stays where it is.
     """
     asked = task(problem, 0.0, problem.steps, FINE)
     row = lowest(free)
+    told = scale_told(around(problem, free, row=row).data)
+    moved = problem if told else with_inertia_kept(problem)
     less = less_told(problem, free, row, found)
     for _ in range(ROUNDS):
         if worst(less) < EXCUSED:
             break
-        tight, weighing = held(problem, less), found.weighing(problem.kinds)
+        tight, weighing = held(moved, less), found.weighing(problem.kinds)
         declared = jax.tree.map(np.zeros_like, free.coordinates.mounting)
         begin = (free.coordinates, replace(free.coordinates, mounting=declared))
         free = better_of(*(advance(tight, each, asked, weighing) for each in begin))
