@@ -10,7 +10,7 @@ from exoid.report.words.diagnosis import headline, parameter, sentences
 
 def test_a_parameter_without_an_error_is_no_measurement():
     stop = Parameter("hard_stop.extension_angle", 1.2, "rad", None)
-    assert parameter(stop) == "extension angle not determined (at 1.2 rad)"
+    assert parameter(stop) == "extension angle not determined (at 68.8 deg)"
     assert parameter(Parameter("coulomb_friction.level", 0.1, "N m", 0.002)) == (
         "level 0.1000 ± 0.0020 N m"
     )
@@ -24,7 +24,7 @@ def test_what_the_fit_estimates_anyway_is_told_as_an_error_of_a_sensor():
     alone = replace(one, findings=[finding], parameters=[bias], best=one.baseline)
     assert headline(alone) == "A sensor errs; of the leg's motion nothing is missing."
     said = sentences(alone)
-    assert said["Missing"] == "bias of the gyro, bias 0.01200 ± 0.00010 rad/s"
+    assert said["Missing"] == "bias of the gyro, bias 0.6875 ± 0.0057 deg/s"
     assert "Where" not in said
     assert "without any leg model" in said["Proof"]
     assert "chance of" not in said["Proof"]

@@ -115,7 +115,7 @@ def concluded(
         excluded=[name_of(term) for term in found.failed],
         false_alarm_rate=measure.false_alarm_rate([size(one) for one in found.pinned]),
         power=measure.power(found.base.square, best.square, max(size(best), 1)),
-        inclusion=included(found, best, formula, seed),
+        inclusion=included(found, best, equal, formula, seed),
         sensors=prepared.sensors.errors,
         before=result,
         suspected=suspects(found, suspected, best),
@@ -166,13 +166,22 @@ def findings(selected: list[str], best: Optimum) -> list[Finding]:
     return [Finding(name, one.title, one.explanation, one.reference) for name, one in terms]
 
 
-def included(found: Found, best: Optimum, formula: Formula | None, seed: int) -> float | None:
-    """How often resampled segments give the same answer."""
+def included(
+    found: Found, best: Optimum, equal: list[Optimum], formula: Formula | None, seed: int
+) -> float | None:
+    """How often resampled segments give the same answer, or one that this recording cannot tell
+    from it, alone or beside another cause.
+    """
     if best is found.base:
         return None
-    others = [found.base, *found.singles, *([] if len(best.candidate.terms) < 2 else found.pairs)]
-    rivals = [found.base] if formula else [one for one in others if one is not best]
-    return inclusion(found, best, rivals, seed)
+    if formula:
+        return inclusion(found, [best], [found.base], seed)
+    answers = [{*one.candidate.terms} for one in (best, *equal)]
+    same, rivals = [best], [found.base]
+    for one in (*found.singles, *found.pairs):
+        holds = any(answer <= {*one.candidate.terms} for answer in answers)
+        (same if holds else rivals).append(one)
+    return inclusion(found, same, rivals, seed)
 
 
 def named_terms(found: Found, best: Optimum) -> list[str]:

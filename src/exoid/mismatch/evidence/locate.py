@@ -15,6 +15,7 @@ from exoid.mismatch.screen.measured_motion import FREE, drive_of
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.physics.leg import angular_acceleration
 from exoid.physics.state import LegState
+from exoid.physics.term import SensorTerm
 
 WIDTH = 0.1  # s, over which the missing torque is averaged
 CLEAR = 3.0  # standard deviations beyond which it is not noise
@@ -27,8 +28,12 @@ FEW = 12  # bins of angle or speed
 
 
 def locate(prepared: PreparedRecording, base: Hypothesis, best: Optimum) -> Location:
-    """The torque that would make the baseline move as the sensors show, and as `best` does."""
-    shown = np.asarray(best.motion) if best.candidate.terms else None
+    """The torque that would make the baseline move as the sensors show, and as `best` does.
+
+    Where only sensors err, none is missing that `best` would have.
+    """
+    acts = any(not issubclass(term, SensorTerm) for term in best.candidate.terms)
+    shown = np.asarray(best.motion) if acts else None
     missing = [
         lacking(prepared, base, number, None if shown is None else shown[number])
         for number in range(prepared.segments)

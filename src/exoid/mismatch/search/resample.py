@@ -10,8 +10,8 @@ DRAWS = 200
 FEWEST = 3  # segments, of which fewer make no sample
 
 
-def inclusion(found: Found, best: Optimum, rivals: list[Optimum], seed: int) -> float | None:
-    """The share of bootstrapped sets of segments in which `best` has the most evidence.
+def inclusion(found: Found, same: list[Optimum], rivals: list[Optimum], seed: int) -> float | None:
+    """The share of bootstrapped sets of segments in which one of the `same` has the most evidence.
 
     Each candidate is refitted to every set by its quadratic model. None where there are too few
     segments.
@@ -20,9 +20,11 @@ def inclusion(found: Found, best: Optimum, rivals: list[Optimum], seed: int) -> 
     if count < FEWEST:
         return None
     draws = np.random.default_rng(seed).multinomial(count, np.ones(count) / count, DRAWS)
-    worths = np.array([[worth(found, one, draw) for draw in draws] for one in rivals])
-    own = np.array([worth(found, best, draw) for draw in draws])
-    return float(np.mean(own >= worths.max(axis=0, initial=-np.inf)))
+    most = [
+        np.max([[worth(found, one, draw) for draw in draws] for one in each], axis=0)
+        for each in (same, rivals)
+    ]
+    return float(np.mean(most[0] >= most[1]))
 
 
 def worth(found: Found, one: Optimum, draw: np.ndarray) -> float:

@@ -1,10 +1,12 @@
 """A diagnosis in sentences: what is missing, where, the proof, and what it had been booked as."""
 
+from math import degrees
+
 from exoid.fitting.model.term_parameters import RATIO_UNITS
 from exoid.fitting.result.fit_result import FitResult
 from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter
 from exoid.mismatch.sensors.consistency import BIAS, SensorError
-from exoid.report.words.text import in_degrees, quantity_words, with_error
+from exoid.report.words.text import DIMENSIONLESS, in_degrees, quantity_words, with_error
 
 SEEN = 0.01  # share of a number, from which on its change is worth a word
 USUAL = {  # of a leg, in their units
@@ -118,10 +120,14 @@ def parameter(each: Parameter | SensorError) -> str:
 
 def value(each: Parameter | SensorError) -> str:
     """With its error and its unit; one without an error lies at its limit, or acts nowhere."""
-    unit = "" if each.unit == "1" else f" {each.unit}"
-    if each.standard_error is None:
-        return f"not determined (at {each.value:.3g}{unit})"
-    return f"{with_error(each.value, each.standard_error)}{unit}"
+    number, error, unit = each.value, each.standard_error, f" {each.unit}"
+    if each.unit in ("rad", "rad/s"):
+        number, error, unit = degrees(number), error and degrees(error), unit.replace("rad", "deg")
+    if each.unit in DIMENSIONLESS:
+        unit = ""
+    if error is None:
+        return f"not determined (at {number:.3g}{unit})"
+    return f"{with_error(number, error)}{unit}"
 
 
 def explanations(found: Diagnosis) -> list[str]:
