@@ -14,6 +14,7 @@ from exoid.fitting.model.term_parameters import over_inertia, parameters_of, ter
 from exoid.physics.leg import LegModel
 from exoid.physics.library import library
 from exoid.physics.sensing.gyro_bias import GyroBias
+from exoid.physics.sensing.gyro_scale import GyroScale
 from exoid.physics.sensing.sensor_skew import SensorSkew
 from exoid.physics.terms.device.backlash import Backlash
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
@@ -131,6 +132,16 @@ def test_an_end_of_a_range_that_holds_is_said(rubbing):
     assert bias.value == 5e-3
     assert bias.standard_error is None
     assert bias.set_by == "your bound"
+
+
+def test_a_gyro_of_another_scale_leaves_the_clock_in_doubt_as_a_term_too():
+    """Encoder and gyro show one ratio: the clock may be what is off, and m l g / J goes by it."""
+    off = worn(GyroScale(jnp.asarray(0.03)))
+    owned, term = (fit(off, multistart=2, terms=terms) for terms in ((), (GyroScale,)))
+    for name in RATIOS:
+        error, own = (each.ratios[name].standard_error for each in (term, owned))
+        assert error == pytest.approx(own, rel=0.1)
+    assert term.terms["gyro_scale"]["scale"].standard_error > 0.004
 
 
 def test_a_bound_that_moves_the_inertia_leaves_the_ratio_to_the_data(rubbing, found):

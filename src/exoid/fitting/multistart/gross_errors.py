@@ -13,6 +13,7 @@ import numpy as np
 from exoid.fitting.misfit.condensed import Neighbourhood
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.model.coordinates import TYPICAL, places
+from exoid.fitting.model.term_parameters import parameters_of
 from exoid.fitting.multistart.weight_by_kind import explained
 from exoid.fitting.solve.ask import advance, around, lowest, take, task
 from exoid.fitting.solve.problem import Problem
@@ -101,21 +102,38 @@ def with_doubted_clocks(problem: Problem, best: Solved, local: Neighbourhood) ->
     Motion shows only (1 + gyro scale) / (1 + clock) over the encoder's gain, but m l g / J goes by
     the square of the clock. None where no sensors disagree.
     """
-    if not {"clock", "gyro_scale"} <= set(problem.owned):
+    if "clock" not in problem.owned:
         return None
     clock, scale = (problem.deviation_of(name).copy() for name in ("clock", "gyro_scale"))
     total = np.linalg.inv(local.data + local.prior + 1e-9 * np.eye(len(local.data)))
     chosen = False
-    for entry in set(undeclared(problem, "clock")) & set(problem.estimated("gyro_scale")):
-        place = place_of(best, "gyro_scale", entry)
-        value = float(best.coordinates.mounting.gyro_scale[0, entry])
-        error = float(np.sqrt(total[place, place]) * TYPICAL.mounting.gyro_scale)
+    for entry in undeclared(problem, "clock"):
+        value, gradient = gyro_scale(problem, best, local, entry)
         suspected = min(SUSPECTED * abs(value), WORST)
+        error = float(np.sqrt(gradient @ total @ gradient))
         if abs(value) > DISAGREE * error and suspected > clock[entry]:
-            clock[entry] = suspected
-            scale[entry] = max(scale[entry], BEYOND * abs(value))
-            chosen = True
+            clock[entry], chosen = suspected, True
+            if scale.size:
+                scale[entry] = max(scale[entry], BEYOND * abs(value))
     return problem.widened(clock=clock, gyro_scale=scale) if chosen else None
+
+
+def gyro_scale(
+    problem: Problem, best: Solved, local: Neighbourhood, entry: int
+) -> tuple[float, np.ndarray]:
+    """By how much the gyro of a recording shows too much, and the gradient of that: as the
+    recording owns it, or as a term in its place has it. Zeros where it is known.
+    """
+    gradient = np.zeros(len(local.data))
+    if entry in problem.estimated("gyro_scale"):
+        gradient[place_of(best, "gyro_scale", entry)] = TYPICAL.mounting.gyro_scale
+        return float(best.coordinates.mounting.gyro_scale[0, entry]), gradient
+    for term in problem.terms:
+        if term.replaces == "gyro_scale":
+            (name,) = (each for each, _ in parameters_of((term,)))
+            row = problem.quantities.index(name)
+            return float(best.quantities[0, row]), local.quantities[row]
+    return 0.0, gradient
 
 
 def undeclared(problem: Problem, name: str) -> list[int]:
