@@ -250,7 +250,7 @@ def advice(rivals: list[Optimum], verdict: Verdict, formula: Formula | None) -> 
         return []
     if formula is not None:
         return ["Change one thing at a time (speed, angle, load) and watch which moves the torque."]
-    if verdict == "mismatch" and len(rivals) < 2:
-        return []
     terms = dict.fromkeys(term for one in rivals for term in one.candidate.terms)
+    if verdict == "mismatch" and len(rivals) < 2 and not any(term.twin for term in terms):
+        return []
     return [f"To tell {term.title} apart: {term.isolate}." for term in terms] or [REPEAT]

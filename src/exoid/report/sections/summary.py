@@ -140,7 +140,9 @@ def missing(found: Diagnosis) -> Group:
             f"With it, held-out data are predicted to {in_degrees(after)} deg instead of "
             f"{in_degrees(before)} deg."
         )
-    effects = sentence("; ".join(words.named(found)))
+    rivals = words.others(found)
+    either = f", or {rivals}: this recording cannot tell" if rivals else ""
+    effects = sentence("; ".join(words.named(found)) + either)
     return card(question, "care", answer, f"{effects} {proof}".strip())
 
 
@@ -151,7 +153,7 @@ def numbers(case: Case) -> Group:
     if not fit.follows:
         return card(question, "open", "None that can be used.", sentence(LOST))
     groups: dict[str | None, list[str]] = {}
-    for each in {**parameters_of(fit), **fit.ratios}.values():
+    for each in {**parameters_of(fit), **fit.ratios, **fit.of_terms}.values():
         groups.setdefault(each.determined_by, []).append(each.symbol)
     measured = groups.get("data", [])
     others = [each for source, symbols in groups.items() if source != "data" for each in symbols]
