@@ -8,7 +8,6 @@ from diagnosis_cases import FRICTION, Detent, session
 
 from exoid.fitting.estimate import fit
 from exoid.mismatch import prepare as preparing
-from exoid.mismatch.evidence.measure import count
 from exoid.mismatch.prepare import prepare
 from exoid.mismatch.screen import many_pinned
 from exoid.mismatch.screen.hypothesis import Hypothesis
@@ -53,7 +52,7 @@ def at_measured(prepared, *tried):
 
 def test_the_true_term_reaches_the_noise_pinned_and_free(ready):
     prepared, base = ready
-    samples = count(prepared.seen)
+    samples = prepared.samples
     start = [each for each in candidates(prepared, base) if each.terms == (CoulombFriction,)]
     for found in (settle(prepared, start)[0], settle_free(prepared, start[0])):
         # The sum of squares of noise is its number within four deviations.
@@ -67,7 +66,7 @@ def test_no_other_term_reaches_the_noise(ready):
     prepared, base = ready
     for found in settle(prepared, candidates(prepared, base)):
         if found.candidate.terms != (CoulombFriction,):
-            assert found.square > 1.5 * count(prepared.seen), name_of(found.candidate.terms[0])
+            assert found.square > 1.5 * prepared.samples, name_of(found.candidate.terms[0])
 
 
 def test_pinned_and_free_agree_where_the_model_is_right(ready):
@@ -154,6 +153,6 @@ def test_the_encoder_leads_past_the_jumps_of_the_gyro():
     walled = settle_free(prepared, start)
     found = polished(prepared, walled.candidate)
     assert found.candidate.values[0][0] == pytest.approx(0.005, rel=0.02)
-    samples = count(prepared.seen)
+    samples = prepared.samples
     assert abs(found.square - samples) < 4 * np.sqrt(2 * samples)
     assert walled.square > found.square + 100  # no noise makes such a difference
