@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 
 from exoid.fitting.result.fit_result import Estimate
-from exoid.mismatch.conclude.cannot_tell import unrelaxed
+from exoid.mismatch.conclude.cannot_tell import chance, unrelaxed
 from exoid.mismatch.conclude.conclusion import partial
+from exoid.mismatch.evidence.prediction import Prediction, improves
 from exoid.mismatch.evidence.yardstick import Yardstick
 from exoid.mismatch.missing_physics import for_inertia, noise_alone
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum, Products
@@ -73,3 +74,23 @@ def test_a_torque_over_j_is_given_for_the_inertia_of_the_diagnosis_with_its_whol
     soft = dict(declarations(CuffCompliance))["compliance"]
     assert for_inertia(ratio, soft, 0.4).value == pytest.approx(1.25)
     assert for_inertia(replace(ratio, standard_error=None), soft, 0.4).standard_error is None
+
+
+@pytest.mark.parametrize(
+    ("share", "doubted"), [(None, False), (0.96, False), (0.04, True), (0.0, True)]
+)
+def test_what_other_segments_would_contradict_is_not_asserted(share, doubted):
+    assert bool(chance(share)) == doubted
+
+
+@pytest.mark.parametrize(
+    ("after", "better"),
+    [((50.0, 60.0), True), ((99.7, 99.9), False), ((50.0, 160.0), False)],
+    ids=["both by half", "hardly", "one much worse"],
+)
+def test_held_out_data_must_be_predicted_better_by_what_matters(after, better):
+    def predicted(squares):
+        nothing = np.zeros((2, 1))
+        return Prediction(nothing, nothing == 0, np.zeros(2), np.array(squares))
+
+    assert improves(predicted((100.0, 100.0)), predicted(after)) == better

@@ -14,6 +14,7 @@ SHORTEST = 1.5  # s of movement in all, about one swing of a leg
 QUIETEST = np.radians(12.0)  # rad, of movement: less is within straps and skin
 FEW = 1 / 3  # of the segments, in which something may have happened once
 CYCLES = 3  # that a claim about the leg needs where all are voluntary
+MOSTLY = 0.5  # of resampled segments must give the same answer
 APART = 0.05  # relative, by which the slowest must be slower than the fastest
 
 
@@ -99,6 +100,16 @@ def once(prepared: PreparedRecording, best: Optimum) -> list[str]:
     return [
         f"what remains lies in segment {names} alone, and physics of the leg acts in all of them: "
         "a hand may have touched it there. Leave it out, or record it again"
+    ]
+
+
+def chance(repeated: float | None) -> list[str]:
+    """That other segments of the same leg would have given another answer."""
+    if repeated is None or repeated >= MOSTLY:
+        return []
+    return [
+        f"only {repeated:.0%} of resampled segments give the same answer: record more releases, "
+        "from other angles"
     ]
 
 

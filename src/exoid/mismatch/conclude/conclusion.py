@@ -7,7 +7,7 @@ import numpy as np
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.remarks import unlike_anatomy
 from exoid.mismatch.answer.diagnosis import Diagnosis, Finding, NovelTorque, Suspect, Verdict
-from exoid.mismatch.conclude.cannot_tell import hands, once, too_little, unrelaxed, unsure
+from exoid.mismatch.conclude.cannot_tell import chance, hands, once, too_little, unrelaxed, unsure
 from exoid.mismatch.conclude.numbers import (
     CERTAIN,
     FORMULA,
@@ -71,7 +71,9 @@ def concluded(
     shown = proof(prepared, chosen.before, chosen.after)
     selected = [] if formula else named_terms(found, best)
     bias = gyro_bias(best, measure)
-    verdict, reasons = judge(found, best, shown)
+    equal = [] if formula or not best.candidate.terms else equivalents(found, best)
+    repeated = included(found, best, equal, formula, seed)
+    verdict, reasons = judge(found, best, shown, repeated)
     unseen = hidden(found, result) if verdict == "none" else []
     if unseen:
         verdict, reasons = "cannot_tell", [of_hidden(found, result, unseen[0])]
@@ -82,7 +84,6 @@ def concluded(
     verdict = "mismatch" if biased else verdict
     if verdict == "none":
         reasons = [*of_zeros(result, prepared), *of_what_hides(result)]
-    equal = [] if formula or not best.candidate.terms else equivalents(found, best)
     likely = unseen or [one for one in found.singles if found.followed(one) > SUSPECT]
     left = declared and not measure.explains(best.square) and found.followed(best) < FOLLOWED
     novel = formula is not None or (verdict == "mismatch" and left)
@@ -115,7 +116,7 @@ def concluded(
         excluded=[name_of(term) for term in found.failed],
         false_alarm_rate=measure.false_alarm_rate([size(one) for one in found.pinned]),
         power=measure.power(found.base.square, best.square, max(size(best), 1)),
-        inclusion=included(found, best, equal, formula, seed),
+        inclusion=repeated,
         sensors=prepared.sensors.errors,
         before=result,
         suspected=suspects(found, suspected, best),
@@ -199,7 +200,9 @@ def named_alike(equal: list[Optimum], best: Optimum) -> list[str]:
     return [" + ".join(each) for each in known]
 
 
-def judge(found: Found, best: Optimum, shown: Proof) -> tuple[Verdict, list[str]]:
+def judge(
+    found: Found, best: Optimum, shown: Proof, repeated: float | None
+) -> tuple[Verdict, list[str]]:
     """None, mismatch, or an honest doubt."""
     prepared = found.prepared
     little = too_little(prepared)
@@ -215,7 +218,7 @@ def judge(found: Found, best: Optimum, shown: Proof) -> tuple[Verdict, list[str]
         doubts = hands(prepared)
         return ("cannot_tell", doubts) if doubts else ("none", [])
     explained = found.yardstick.explains(best.square)
-    doubts = [*little, *unsure(prepared, best, shown, explained=explained)]
+    doubts = [*little, *unsure(prepared, best, shown, explained=explained), *chance(repeated)]
     return ("cannot_tell", doubts) if doubts else ("mismatch", [])
 
 

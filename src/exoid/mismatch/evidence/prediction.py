@@ -6,6 +6,7 @@ from typing import Annotated
 import numpy as np
 from jaxtyping import Bool, Float
 
+MATTERS = 0.01  # share of a sum of squares on held-out data that a better prediction saves
 Samples = Float[np.ndarray, "segment sample"]
 
 
@@ -48,6 +49,7 @@ class Proof:
 
 
 def improves(before: Prediction, after: Prediction) -> bool:
-    """Is most of it predicted better, and all of it together?"""
+    """Is most of it predicted better, and all of it together, by more than what is no matter?"""
     better = np.sum(after.squares < before.squares)
-    return bool(2 * better > after.squares.size and after.squares.sum() < before.squares.sum())
+    gained = after.squares.sum() < (1 - MATTERS) * before.squares.sum()
+    return bool(2 * better > after.squares.size and gained)

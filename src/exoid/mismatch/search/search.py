@@ -17,6 +17,7 @@ from exoid.mismatch.search.variants import (
     nested,
     pairs,
     reduced,
+    simpler_form,
     twins,
     with_sure_sensors,
 )
@@ -164,21 +165,47 @@ def shortlist(ranked: list[Optimum]) -> list[Optimum]:
 
 
 def by_evidence(settled: list[Optimum], base: Optimum, measure: Yardstick) -> list[Optimum]:
-    """The best first; of those that are alike the simplest first."""
+    """The best first; of those that are alike, and of its own simpler forms that it hardly beats,
+    the simplest first.
+    """
     known = best_of(list(filter(sound, settled)))
     known.sort(key=lambda one: measure.evidence(base.square, one.square, size(one)), reverse=True)
-    return sorted(known, key=lambda one: size(one) if alike(one, known[0], measure) else np.inf)
+
+    def order(one: Optimum) -> float:
+        first = alike(one, known[0], measure) or in_its_place(one, known[0], measure)
+        return size(one) if first else np.inf
+
+    return sorted(known, key=order)
 
 
 def alike(one: Optimum, best: Optimum, measure: Yardstick) -> bool:
-    """Can this recording not tell a candidate from the best?"""
+    """Can noise be all that tells a candidate from the best?"""
     if not measure.explains(best.square):
         return one.square < ALIKE * best.square
     return measure.evidence(one.square, best.square, size(best) - size(one)) < APART
 
 
+def hardly_beaten(one: Optimum, best: Optimum, measure: Yardstick) -> bool:
+    """Is the best better by less than even it leaves over the noise? What nobody explains may as
+    well be what tells them apart.
+    """
+    return one.square - best.square < best.square - measure.samples
+
+
+def in_its_place(one: Optimum, best: Optimum, measure: Yardstick) -> bool:
+    """Is it hardly beaten, and the best but a richer form of it?"""
+    pairs = list(zip(one.candidate.terms, best.candidate.terms, strict=False))
+    same = len(one.candidate.terms) == len(best.candidate.terms)
+    forms = all(simple is rich or simpler_form(simple, rich) for simple, rich in pairs)
+    return same and forms and hardly_beaten(one, best, measure)
+
+
 def equivalents(found: Found, best: Optimum) -> list[Optimum]:
     """The candidates that this recording cannot tell from the best, itself included."""
     rivals = found.pairs if len(best.candidate.terms) > 1 else found.singles
-    top = max(rivals, key=found.evidence)
-    return [one for one in rivals if one is best or alike(one, top, found.yardstick)]
+    top, measure = max(rivals, key=found.evidence), found.yardstick
+    return [
+        one
+        for one in rivals
+        if one is best or alike(one, top, measure) or hardly_beaten(one, top, measure)
+    ]

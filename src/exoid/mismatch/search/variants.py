@@ -10,7 +10,7 @@ from exoid.mismatch.screen.many_pinned import linear
 from exoid.mismatch.screen.optimise import polished, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.physics.parameter import declarations
-from exoid.physics.term import Term, name_of
+from exoid.physics.term import SensorTerm, Term, name_of
 
 PAIRED = 3  # first terms of a pair
 BESIDE = 2  # of the best single terms are tried beside what the sensors surely say
@@ -91,8 +91,7 @@ def nested(
             known = dict(zip(dict(declarations(rich)), values[place], strict=True))
             for simple in simpler:
                 wanted = list(dict(declarations(simple)))
-                fewer = len(wanted) < len(known) and known.keys() >= set(wanted)
-                if fewer and simple not in terms:
+                if simpler_form(simple, rich) and simple not in terms:
                     start = replace(
                         one.candidate,
                         terms=put(terms, place, simple),
@@ -101,6 +100,12 @@ def nested(
                     )
                     found.append(settle_free(prepared, start))
     return found
+
+
+def simpler_form(simple: type[Term], rich: type[Term]) -> bool:
+    """Does the richer of two torques, or of two errors of sensors, hold all of the simple one?"""
+    few, many = ({*dict(declarations(each))} for each in (simple, rich))
+    return few < many and issubclass(simple, SensorTerm) == issubclass(rich, SensorTerm)
 
 
 def put(each: tuple, place: int, other: Any) -> tuple:
