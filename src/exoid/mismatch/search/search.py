@@ -173,7 +173,7 @@ def by_evidence(settled: list[Optimum], base: Optimum, measure: Yardstick) -> li
 
     def order(one: Optimum) -> float:
         first = alike(one, known[0], measure) or in_its_place(one, known[0], measure)
-        return size(one) if first else np.inf
+        return float(size(one)) if first else np.inf
 
     return sorted(known, key=order)
 
