@@ -62,12 +62,12 @@ def capital(words: str) -> str:
 
 def in_words(name: str) -> str:
     """The name of a parameter as a sentence or an axis has it."""
-    return name.replace("_", " ")
+    return name.replace("_", " ").replace(".", ": ")
 
 
 def quantity_words(name: str) -> str:
     """A quantity's name in words."""
-    return in_words(name.replace("_over_inertia", " / J").replace(".", ": "))
+    return in_words(name.replace("_over_inertia", " / J"))
 
 
 def in_degrees(angle: float) -> str:
