@@ -15,9 +15,10 @@ from exoid.cli.inputs.terms import (
     Model,
     OwnTerms,
     With,
+    loaded,
+    model_in,
     names_of,
     own_terms,
-    saved_model,
     terms_asked,
     undecided_in,
 )
@@ -114,8 +115,8 @@ def fit(
     body = given_body(body_mass=body_mass, height=height)
     by_hand = assumed(prior, bounds, fix, bound)
     own = own_terms(terms)
-    saved = saved_model(model, own).terms if model else ()
-    chosen = terms_asked(with_term, own, saved)
+    saved = loaded(model, own) if model else None
+    chosen = terms_asked(with_term, own, model_in(saved, model).terms if model else ())
     if not recordings:
         typer.echo(
             "No recording given: this is the example that comes with exoid, a simulated leg."
@@ -138,7 +139,7 @@ def fit(
         lambda: compute(named, each, options),
         f"fitting {multistart} starts; the first run of a new shape compiles for some seconds",
     )
-    undecided = undecided_in(model, own) if model else None
+    undecided = undecided_in(saved, model) if model else None
     if undecided:
         result = replace(result, notes=[undecided, *result.notes])
     told = None if each else patiently(lambda: ask(result), "asking what the recording told")

@@ -108,8 +108,13 @@ def plan(
         typer.echo(f"{result.notes[0]}\n")
     from exoid.report.tables.plan import plan_document, print_plan
 
-    again = [f"--with {name}" for name in with_term or []] + [f"--model {model}"] * bool(model)
-    show(lambda console: print_plan(found, console, " ".join(again)))
+    again = [
+        ("--terms", terms),
+        *(("--with", each) for each in with_term or []),
+        ("--model", model),
+    ]
+    same = "".join(f" {option} {value}" for option, value in again if value)
+    show(lambda console: print_plan(found, console, same))
     put_document(json, lambda: plan_document(found, result, subject))
     end(result is None or result.follows)
 

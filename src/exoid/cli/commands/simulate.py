@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from exoid.cli.inputs.body import given_body
-from exoid.cli.inputs.terms import OwnTerms, With, body_in, own_terms, saved_model, terms_asked
+from exoid.cli.inputs.terms import OwnTerms, With, body_in, loaded, model_in, own_terms, terms_asked
 from exoid.cli.outputs.destination import Force, check_absent, check_destination
 from exoid.cli.terminal.waiting import patiently
 
@@ -82,13 +82,14 @@ def simulate(
     }
     said = {name: value for name, value in said.items() if value is not None}
     own = own_terms(terms)
-    known = None if model is None else saved_model(model, own)
+    saved = None if model is None else loaded(model, own)
+    known = None if model is None else model_in(saved, model)
     leg = LEG | ({} if known is None else numbers_of(known.leg)) | said
     check_leg(leg, LEG if known is None else said)
     having = terms_asked(with_term, own, () if known is None else known.terms, valued_all=True)
     check_starts(drop, cycle, torque_amplitude)
     body = given_body(body_mass=body_mass, height=height)
-    body = body if model is None else body_in(model, own) | body
+    body = body if saved is None else body_in(saved) | body
     import jax
 
     jax.config.update("jax_enable_x64", True)

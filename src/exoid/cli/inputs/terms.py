@@ -139,29 +139,34 @@ def loaded(path: Path, own: tuple):
 
 def saved_model(model: Path, own: tuple):
     """The fitted leg with its terms, of a saved fit."""
-    found = loaded(model, own).result.model
+    return model_in(loaded(model, own), model)
+
+
+def model_in(saved, path: Path):
+    """The same of what was loaded from `path`."""
+    found = saved.result.model
     if found is None:
-        raise ValueError(f"{model}: every segment was fitted alone there: it holds no one model.")
+        raise ValueError(f"{path}: every segment was fitted alone there: it holds no one model.")
     return found
 
 
-def body_in(model: Path, own: tuple) -> dict[str, float]:
+def body_in(saved) -> dict[str, float]:
     """Body mass and height of whom a saved result is of, where it says so."""
-    found = loaded(model, own).recordings[:1]
+    found = saved.recordings[:1]
     known = {"body_mass": "body_mass_kg", "height": "height_m"}
     return {name: one[key] for one in found for name, key in known.items() if one.get(key)}
 
 
-def undecided_in(model: Path, own: tuple) -> str | None:
+def undecided_in(saved, path: Path) -> str | None:
     """What to say of a fit whose terms a saved diagnosis named without telling them from others."""
-    found = loaded(model, own).diagnosis
+    found = saved.diagnosis
     after = found.after if found else None
     wider = after and any("rival causes" in (one.limited_by or {}) for one in after.ratios.values())
     alike = [each.replace("_", " ") for each in found.equivalent] if found and wider else []
     if len(alike) < 2:
         return None
     return (
-        f"{model} cannot tell {' from '.join(alike)}: each ± here is of one of them alone, "
+        f"{path} cannot tell {' from '.join(alike)}: each ± here is of one of them alone, "
         "each ± in that diagnosis holds the others, too."
     )
 

@@ -43,7 +43,7 @@ def print_steps(proposed: list[Candidate], console: Console, model: str = "") ->
         "Angles are of the knee, 0 straight, -90 hanging. Each time: hold still for 2 s, let "
         f"go without a push, hands off until the leg hangs still, {SWING:g} s at least. The "
         "person relaxes. Stop where knee or seat do not allow the swing. Then fit it together "
-        "with what there is: " + " ".join(["exoid fit OLD NEW", *model.split()]) + ".",
+        f"with what there is: exoid fit OLD NEW{model}.",
     )
 
 

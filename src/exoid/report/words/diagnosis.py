@@ -110,7 +110,8 @@ def scale(found: Diagnosis, parameters: list[Parameter]) -> str:
         return ""
     inertia, first = found.inertia, torques[0]
     name = first.name.rpartition(".")[2].replace("_", " ")
-    ratio = f"{name} / J = {first.value / inertia:.3g} {RATIO_UNITS[first.unit]}"
+    unit = RATIO_UNITS.get(first.unit, f"{first.unit} per kg m^2")
+    ratio = f"{name} / J = {first.value / inertia:.3g} {unit}"
     return f" (for J = {inertia:.3g} kg m^2; {ratio})"
 
 
