@@ -13,11 +13,12 @@ from exoid.physics.term import SensorTerm, name_of
 from .effects import SUFFIX
 from .novel import NOVEL
 
-Category = Literal["single", "combo", "novel", "null", "unobservable"]
+Category = Literal["single", "combo", "triple", "novel", "null", "unobservable"]
 
 CATEGORIES: tuple[str, ...] = get_args(Category)
 
-PAIRS, NULLS, UNOBSERVABLE = 8, 8, 2  # beside every term and every novelty once
+PAIRS, TRIPLES = 8, 4  # beside every term and every novelty once
+NULLS, UNOBSERVABLE = 8, 2
 PASSIVE = 0.6  # share of what both protocols can show
 # Of these, two together are one of them, or nearly; the first change the inertia, both at once.
 ALIKE = (
@@ -53,26 +54,27 @@ def shuffled(seed: int) -> Iterator[Card]:
 
 
 def deck(rng: np.random.Generator) -> list[Card]:
-    """Every term of the library once, every novelty, pairs, and recordings that lack nothing."""
+    """Every term of the library once, every novelty, sets, and recordings that lack nothing."""
     names = [name_of(term) for term in library()]
     novel = [name_of(term) + SUFFIX for term in NOVEL]
     return [
         *(Card("single", is_active(rng, [name]), (name,)) for name in names),
         *(Card("novel", is_active(rng, [name]), (name,)) for name in novel),
-        *(pair(rng) for _ in range(PAIRS)),
+        *(together(rng, "combo", 2) for _ in range(PAIRS)),
+        *(together(rng, "triple", 3) for _ in range(TRIPLES)),
         *(Card("null", is_active(rng, [])) for _ in range(NULLS)),
         *(Card("unobservable", is_active(rng, [])) for _ in range(UNOBSERVABLE)),
     ]
 
 
-def pair(rng: np.random.Generator) -> Card:
-    """Two effects that can be told apart, of which at most one is a sensor's."""
+def together(rng: np.random.Generator, category: Category, count: int) -> Card:
+    """Effects that can be told apart, of which at most one is a sensor's."""
     sensing = {name_of(term) for term in library() if issubclass(term, SensorTerm)}
     names = [name_of(term) for term in library()]
     while True:
-        two = tuple(sorted(str(each) for each in rng.choice(names, 2, replace=False)))
-        if not any(set(two) <= group for group in (*ALIKE, sensing)):
-            return Card("combo", is_active(rng, list(two)), two)
+        drawn = tuple(sorted(str(each) for each in rng.choice(names, count, replace=False)))
+        if all(len({*drawn} & group) < 2 for group in (*ALIKE, sensing)):
+            return Card(category, is_active(rng, list(drawn)), drawn)
 
 
 def is_active(rng: np.random.Generator, names: list[str]) -> bool:

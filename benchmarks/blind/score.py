@@ -4,8 +4,8 @@
   is right.
 - One effect of the library: detected where the verdict is "mismatch". It is named at rank k where
   one of the first k names is its own or one that is as right. To call it novel is a miss.
-- Two effects: the first name must be one of them, and both must be among the first three. Whether
-  it is called novel as well does not matter.
+- Two effects or three: the first name must be one of them, and all must be among the first three.
+  Whether it is called novel as well does not matter.
 - Novel effects: right where the verdict is "mismatch" and it is called novel.
 - Leniently, a rival that leaves hardly more than the true effect is right as well.
 - No answer is a wrong answer.
@@ -23,6 +23,7 @@ Answers = Mapping[str, Answer]
 
 CONSTANT = frozenset({"torque_bias", "stiffness_rest_angle"})  # the same motion, exactly
 SOUND = ("null", "unobservable")  # categories without anything to find
+SETS = ("combo", "triple")  # of several effects at once
 
 
 @dataclass(frozen=True)
@@ -108,7 +109,7 @@ def mark(truth: Truth, answer: Answer | None, *, lenient: bool = False) -> Mark:
         return Mark(True, True, True)
     if truth["category"] == "single" and answer.novel:
         return Mark(True)
-    if truth["category"] == "combo":
+    if truth["category"] in SETS:
         both = all(three & (CONSTANT if each in CONSTANT else {each}) for each in effects)
         return Mark(True, bool(right.intersection(first)), both)
     return Mark(True, bool(right.intersection(first)), bool(right & three))
@@ -119,7 +120,7 @@ def verdict_of(truth: Truth, answer: Answer) -> str:
     if truth["category"] in SOUND:
         return "yes" if answer.verdict == "none" else "no"
     given = mark(truth, answer)
-    if truth["category"] == "combo":
+    if truth["category"] in SETS:
         return "yes" if given.first and given.three else "one" if given.first else "no"
     return "yes" if given.first else "top 3" if given.three else "no"
 

@@ -8,6 +8,7 @@ import pytest
 from benchmarks.blind.cases import LEAST, MOST, draw_case
 from benchmarks.blind.deck import ALIKE, Card, deal
 from benchmarks.blind.effects import RECIPES, TERMS, Effect
+from benchmarks.blind.score import SETS
 from scipy.integrate import cumulative_trapezoid, odeint
 from scipy.optimize import least_squares
 
@@ -97,10 +98,12 @@ def test_what_muscles_do_is_concealed_in_voluntary_movements_only():
         assert card.active or not voluntary & set(card.effects)
 
 
-def test_two_effects_of_a_pair_are_not_alike():
-    pairs = [set(card.effects) for card in deal(4 * DECK, seed=1) if card.category == "combo"]
-    assert len(pairs) > DECK / 4
-    assert not any(pair <= group for pair in pairs for group in ALIKE)
+def test_no_two_effects_of_a_set_are_alike():
+    dealt = list(deal(4 * DECK, seed=1))
+    sets = [set(card.effects) for card in dealt if card.category in SETS]
+    assert len(sets) > DECK / 4
+    assert {len(each) for each in sets} == {2, 3}
+    assert not any(len(each & group) > 1 for each in sets for group in ALIKE)
 
 
 def test_the_first_cards_of_a_seed_are_the_same_however_many_follow():

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from exoid.fitting.result.fit_result import Estimate
+from exoid.mismatch.conclude.asserted import asserted, equivalents
 from exoid.mismatch.conclude.cannot_tell import chance, unrelaxed
-from exoid.mismatch.conclude.conclusion import partial
 from exoid.mismatch.evidence.prediction import Prediction, improves
 from exoid.mismatch.evidence.yardstick import Yardstick
 from exoid.mismatch.missing_physics import for_inertia, noise_alone
@@ -18,7 +18,11 @@ from exoid.mismatch.search.found import Found
 from exoid.physics.parameter import declarations
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.physics.terms.device.cuff_compliance import CuffCompliance
+from exoid.physics.terms.device.quadratic_drag import QuadraticDrag
+from exoid.physics.terms.device.stribeck_friction import StribeckFriction
+from exoid.physics.terms.device.torque_bias import TorqueBias
 from exoid.physics.terms.tissue.maxwell_element import MaxwellElement
+from exoid.physics.terms.tissue.stiffness_rest_angle import StiffnessRestAngle
 
 SAMPLES = 1000
 NOTHING = Hypothesis((), (), np.zeros(4))
@@ -29,20 +33,71 @@ def leaving(square):
     return Optimum(NOTHING, Products(np.zeros((1, 1, 1)), np.array([[square]])), motion=None)
 
 
-@pytest.mark.parametrize(
-    ("left", "doubted"),
-    [(1000.0, False), (20_000.0, False), (40_000.0, True)],
-    ids=["all", "four fifths", "two thirds"],
-)
-def test_a_part_is_no_cause_where_nobody_declared_the_noise(left, doubted):
-    base = leaving(101_000.0)
-    found = Found(
-        Mock(spec=PreparedRecording), base, NOTHING, [], [], [], [], Yardstick(SAMPLES, scale=1.0)
+def explaining(square, *terms):
+    """Terms that leave so much, with values of no matter."""
+    values = tuple(np.zeros(len(dict(declarations(term)))) for term in terms)
+    return replace(leaving(square), candidate=replace(NOTHING, terms=terms, values=values))
+
+
+def found_of(singles, pairs=(), pinned=()):
+    """A search that found these, of a mismatch of a hundred times the noise."""
+    measure = Yardstick(SAMPLES, scale=1.0)
+    prepared = Mock(spec=PreparedRecording)
+    return Found(
+        prepared, leaving(101_000.0), NOTHING, singles, list(pairs), list(pinned), [], measure
     )
-    reasons = partial(found, leaving(left))
-    assert bool(reasons) == doubted
-    if doubted:
-        assert "declare the sensors' noise" in reasons[0]
+
+
+def certain_of(found, best):
+    return asserted(best, equivalents(found, best))
+
+
+def test_what_leaves_only_noise_is_certain_where_its_rivals_leave_clearly_more():
+    best = explaining(1000.0, CoulombFriction)
+    assert certain_of(found_of([best, explaining(1030.0, QuadraticDrag)]), best) == (
+        CoulombFriction,
+    )
+    assert certain_of(found_of([best, explaining(1003.0, QuadraticDrag)]), best) == ()
+
+
+def test_what_even_the_best_leaves_may_tell_it_from_its_rivals():
+    """It leaves 20 times the noise: what nobody knows is 19 000, as much as lies between it and a
+    rival that leaves twice as much; four times as much is another matter.
+    """
+    best = explaining(20_000.0, CoulombFriction)
+    assert certain_of(found_of([best, explaining(38_000.0, QuadraticDrag)]), best) == ()
+    assert certain_of(found_of([best, explaining(80_000.0, QuadraticDrag)]), best) == (
+        CoulombFriction,
+    )
+
+
+def test_forms_of_one_cause_and_exact_twins_are_one_answer():
+    best = explaining(20_000.0, CoulombFriction, TorqueBias)
+    rival = explaining(21_000.0, StribeckFriction, StiffnessRestAngle)
+    assert certain_of(found_of([best], [rival]), best) == (CoulombFriction, TorqueBias)
+
+
+def test_of_two_causes_only_the_one_is_certain_that_all_sets_have():
+    best = explaining(1000.0, CoulombFriction, QuadraticDrag)
+    rival = explaining(1004.0, CoulombFriction, TorqueBias)
+    assert certain_of(found_of([], [best, rival]), best) == (CoulombFriction,)
+
+
+def test_a_cause_that_is_not_needed_takes_nothing_from_the_best():
+    best = explaining(1000.0, CoulombFriction)
+    wider = explaining(995.0, CoulombFriction, QuadraticDrag)
+    assert equivalents(found_of([best], [wider]), best) == [best]
+
+
+def test_where_noise_is_not_reached_what_was_only_seen_at_first_sight_counts():
+    best, seen = explaining(20_000.0, CoulombFriction), explaining(25_000.0, CoulombFriction)
+    rival = explaining(26_000.0, QuadraticDrag)
+    assert certain_of(found_of([best], pinned=[seen, rival]), best) == ()
+
+
+def test_nothing_is_certain_where_the_baseline_leaves_hardly_more():
+    best = explaining(60_000.0, CoulombFriction)  # 41 of 100 times the noise explained
+    assert certain_of(found_of([best]), best) == ()
 
 
 @pytest.mark.parametrize(

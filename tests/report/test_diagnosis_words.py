@@ -26,10 +26,10 @@ def test_what_the_fit_estimates_anyway_is_told_as_an_error_of_a_sensor():
     said = sentences(alone)
     assert said["Missing"] == "bias of the gyro, bias 0.6875 ± 0.0057 deg/s"
     assert "Where" not in said
-    assert "without any leg model" in said["Proof"]
-    assert "chance of" not in said["Proof"]
+    assert "without any leg model" in said["How sure"]
+    assert "chance of" not in said["How sure"]
     assert headline(one) == "Something is missing."
-    assert "chance of" in sentences(one)["Proof"]
+    assert "chance of" in sentences(one)["How sure"]
 
 
 def test_where_no_model_follows_it_is_said_that_the_leg_has_no_numbers():
@@ -37,3 +37,14 @@ def test_where_no_model_follows_it_is_said_that_the_leg_has_no_numbers():
     astray = replace(one.before, astray="it misses the angle")
     assert "not to be used" in sentences(replace(one, after=astray))["The leg"]
     assert "The leg" not in sentences(replace(one, after=one.before))
+
+
+def test_what_was_missing_and_how_sure_what_it_changed_and_what_remains_come_first():
+    one = found()
+    said = sentences(one)
+    assert list(said)[:4] == ["Missing", "How sure", "Changed", "Remains"]
+    assert "95% of resampled segments" in said["How sure"]
+    assert "or quadratic drag + gyro scale: this recording cannot tell" in said["How sure"]
+    # squares over the floor of 0.8 mrad: (1 - 0.64) of (400 - 0.64) mrad^2, over both segments
+    assert "0% of the squares that were missing" in said["Remains"]
+    assert "-> 0.0" in said["Remains"]

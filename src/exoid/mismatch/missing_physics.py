@@ -14,7 +14,8 @@ from exoid.fitting.model import term_parameters
 from exoid.fitting.model.coordinates import leg_parameters, torque_amplitudes
 from exoid.fitting.result.fit_result import Estimate, FitResult
 from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter
-from exoid.mismatch.conclude.conclusion import Chosen, concluded
+from exoid.mismatch.conclude.choose import Chosen, choose
+from exoid.mismatch.conclude.conclusion import concluded
 from exoid.mismatch.conclude.rivals import by_the_fits, with_rivals
 from exoid.mismatch.conclude.unusual_zero import as_a_term, unusual
 from exoid.mismatch.evidence.locate import locate
@@ -207,8 +208,7 @@ def asked(
         chosen = Chosen(best, *(predict(found.prepared, one) for one in (found.base, best)))
     told("locating the mismatch")
     location = locate(found.prepared, found.begin, chosen.best)
-    declared = all(recording.sensors.angle_noise is not None for _, recording in named)
-    return concluded(result, found, chosen, formula, location, declared, seed)
+    return concluded(result, found, chosen, formula, location, seed)
 
 
 def names_it(found: Diagnosis) -> bool:
@@ -235,31 +235,6 @@ def noise_alone(left: np.ndarray, parameters: int) -> bool:
     these samples alone.
     """
     return float(left @ left) < AT_ONCE * (left.size - parameters)
-
-
-def choose(found: Found) -> Chosen:
-    """From the baseline to a term, from there to two: only where it is clear, and where it holds.
-
-    Two terms are only believed where they explain all there is: what bends one way or another can
-    be had from many pairs.
-    """
-    before = predict(found.prepared, found.base)
-    chosen = Chosen(found.base, before, before)
-    whole = [one for one in found.pairs[:1] if found.yardstick.explains(one.square)]
-    single = found.singles[:1]
-    if single and whole and only_sensors(whole[0]):  # no more is asked of what is usual
-        single = [max(*single, *whole, key=found.evidence)]
-    for better in (*single, *whole):
-        if found.clear(chosen.best, better):
-            after = predict(found.prepared, better)
-            if improves(chosen.after, after) or chosen.best is found.base:
-                chosen = Chosen(better, before, after)
-    return chosen
-
-
-def only_sensors(one: Optimum) -> bool:
-    """Is it what every gyro has some of: a scale, a delay?"""
-    return all(term.everyday for term in one.candidate.terms)
 
 
 def formulated(found: Found, chosen: Chosen) -> tuple[Chosen, Formula | None]:

@@ -120,7 +120,7 @@ def unsure(
     reasons = [] if explained else unremembered(prepared)
     sensors_only = all(issubclass(term, SensorTerm) for term in best.candidate.terms)
     if not proof.holds:
-        where = "the recording's own end" if proof.in_time else "held-out segments"
+        where = "held-out quarters" if proof.in_time else "held-out segments"
         reasons.append(f"it does not predict {where} better than the model without it")
     movements = prepared.problem.movements
     if all(each.voluntary for each in movements) and not sensors_only:

@@ -1,13 +1,15 @@
 """From what was found to what is said: verdict, names, numbers with errors, and advice."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.remarks import unlike_anatomy
 from exoid.mismatch.answer.diagnosis import Diagnosis, Finding, NovelTorque, Suspect, Verdict
+from exoid.mismatch.conclude.asserted import asserted, equivalents, has
 from exoid.mismatch.conclude.cannot_tell import chance, hands, once, too_little, unrelaxed, unsure
+from exoid.mismatch.conclude.choose import Chosen
 from exoid.mismatch.conclude.numbers import (
     CERTAIN,
     FORMULA,
@@ -20,9 +22,9 @@ from exoid.mismatch.conclude.numbers import (
     taken_in,
     weighed,
 )
-from exoid.mismatch.conclude.rivals import hidden, of_hidden
+from exoid.mismatch.conclude.rivals import hidden, of_hidden, words
 from exoid.mismatch.evidence.location import Location
-from exoid.mismatch.evidence.prediction import Prediction, Proof
+from exoid.mismatch.evidence.prediction import Proof
 from exoid.mismatch.evidence.proof import proof
 from exoid.mismatch.evidence.yardstick import FOLLOWED
 from exoid.mismatch.novel.formula import Formula
@@ -30,12 +32,10 @@ from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import Found, Workings, names, size
 from exoid.mismatch.search.resample import inclusion
-from exoid.mismatch.search.search import equivalents
 from exoid.mismatch.sensors.consistency import BIAS
 from exoid.physics.library import library
-from exoid.physics.term import name_of
+from exoid.physics.term import Term, name_of
 
-MOSTLY = 0.8  # the same, where noise is what the samples show
 SUSPECTS = 4  # causes of which it is said what they would change
 SUSPECT = 0.5  # share of the mismatch that a cause must explain to be worth a recording
 REPEAT = (
@@ -44,54 +44,38 @@ REPEAT = (
 )
 
 
-@dataclass(frozen=True, eq=False)
-class Chosen:
-    """The best explanation that holds on held-out data, and what it and the baseline predict."""
-
-    best: Optimum
-    before: Prediction
-    after: Prediction
-
-
 def concluded(
     result: FitResult,
     found: Found,
     chosen: Chosen,
     formula: Formula | None,
     location: Location,
-    declared: bool,
     seed: int,
 ) -> Diagnosis:
-    """The verdict and everything that goes with it.
-
-    Where the sensors' noise is `declared` and the best explains only part of the mismatch, the rest
-    is something new, and no term is named.
-    """
+    """The verdict and everything that goes with it."""
     prepared, measure, best = found.prepared, found.yardstick, chosen.best
     shown = proof(prepared, chosen.before, chosen.after)
-    selected = [] if formula else named_terms(found, best)
     bias = gyro_bias(best, measure)
     equal = [] if formula or not best.candidate.terms else equivalents(found, best)
-    repeated = included(found, best, equal, formula, seed)
+    certain = asserted(best, equal)
+    repeated = included(found, certain, best, formula, seed)
     verdict, reasons = judge(found, best, shown, repeated)
     unseen = hidden(found, result) if verdict == "none" else []
     if unseen:
         verdict, reasons = "cannot_tell", [of_hidden(found, result, unseen[0])]
-    if verdict == "mismatch" and formula is None and not declared:
-        doubts = partial(found, best)
-        verdict, reasons = ("cannot_tell", doubts) if doubts else (verdict, reasons)
+    if verdict == "mismatch" and formula is None and not certain:
+        verdict, reasons = "cannot_tell", undecided(found, equal)
     biased = [BIAS] if bias is not None and verdict != "cannot_tell" else []
     verdict = "mismatch" if biased else verdict
     if verdict == "none":
         reasons = [*of_zeros(result, prepared), *of_what_hides(result)]
     likely = unseen or [one for one in found.singles if found.followed(one) > SUSPECT]
-    left = declared and not measure.explains(best.square) and found.followed(best) < FOLLOWED
-    novel = formula is not None or (verdict == "mismatch" and left)
-    doubts = (once(prepared, best) or unrelaxed(prepared, best)) if novel else []
-    if doubts:
+    left = not measure.explains(best.square) and found.followed(best) < FOLLOWED
+    doubts = (once(prepared, best) or unrelaxed(prepared, best)) if left or formula else []
+    if verdict == "mismatch" and doubts:
         verdict, reasons = "cannot_tell", doubts
-    novel = novel and verdict == "mismatch"  # nothing is called new by who cannot tell
-    selected = [*([] if left else selected), *biased]
+    novel = verdict == "mismatch" and formula is not None
+    selected = [*named_terms(found, best, certain), *biased]
     suspected = likely if verdict == "cannot_tell" else equal if len(equal) > 1 else []
     return Diagnosis(
         verdict=verdict,
@@ -168,27 +152,28 @@ def findings(selected: list[str], best: Optimum) -> list[Finding]:
 
 
 def included(
-    found: Found, best: Optimum, equal: list[Optimum], formula: Formula | None, seed: int
+    found: Found,
+    certain: tuple[type[Term], ...],
+    best: Optimum,
+    formula: Formula | None,
+    seed: int,
 ) -> float | None:
-    """How often resampled segments give the same answer, or one that this recording cannot tell
-    from it, alone or beside another cause.
-    """
+    """How often resampled segments ask for the same causes, in this form or another one."""
     if best is found.base:
         return None
     if formula:
         return inclusion(found, [best], [found.base], seed)
-    answers = [{*one.candidate.terms} for one in (best, *equal)]
     same, rivals = [best], [found.base]
     for one in (*found.singles, *found.pairs):
-        holds = any(answer <= {*one.candidate.terms} for answer in answers)
+        holds = all(has(one, cause) for cause in certain or best.candidate.terms)
         (same if holds else rivals).append(one)
     return inclusion(found, same, rivals, seed)
 
 
-def named_terms(found: Found, best: Optimum) -> list[str]:
-    """The terms by name, without those that are part of another: a tilted thigh is one cause."""
+def named_terms(found: Found, best: Optimum, certain: tuple[type[Term], ...]) -> list[str]:
+    """What is certain by name, without what is part of another: a tilted thigh is one cause."""
     inside = taken_in(found, best)
-    return [name for name in names(best) if name not in inside]
+    return [name for name in map(name_of, certain) if name not in inside]
 
 
 def named_alike(equal: list[Optimum], best: Optimum) -> list[str]:
@@ -222,14 +207,11 @@ def judge(
     return ("cannot_tell", doubts) if doubts else ("mismatch", [])
 
 
-def partial(found: Found, best: Optimum) -> list[str]:
-    """That the best leaves too much of the mismatch, where nobody knows how much is noise."""
-    share = found.followed(best)
-    if found.yardstick.explains(best.square) or share >= MOSTLY:
-        return []
+def undecided(found: Found, equal: list[Optimum]) -> list[str]:
+    """That explanations without a cause in common come out alike."""
+    each = [f"{words(names(one)) or 'no cause'} ({found.followed(one):.0%})" for one in equal]
     return [
-        f"the best cause explains {100 * share:.0f} % of the mismatch, and nobody says how much of "
-        "the rest is noise: declare the sensors' noise in the sidecar"
+        f"what explains most of the mismatch has nothing in common: {', '.join(each[:SUSPECTS])}"
     ]
 
 

@@ -17,7 +17,7 @@ class Prediction:
     angle: Annotated[Samples, "rad"]
     counted: Bool[np.ndarray, "segment sample"]  # which samples were held out
     rmse: Annotated[Float[np.ndarray, " segment"], "rad"]
-    squares: Annotated[Float[np.ndarray, " segment"], "1"]  # of both channels over their noise
+    squares: Annotated[Float[np.ndarray, " fold"], "1"]  # of both channels over their noise
 
     @property
     def total(self) -> float:
@@ -35,11 +35,11 @@ class Proof:
     time: Annotated[Samples, "s"]
     angle: Annotated[Samples, "rad"]  # measured
     noise_floor: Annotated[float, "rad"]
-    in_time: bool  # a single segment, its end predicted from its beginning
+    in_time: bool  # a single segment, its quarters predicted from each other
 
     @property
     def better(self) -> int:
-        """Segments that are predicted better than before."""
+        """Segments, or quarters of a single one, that are predicted better than before."""
         return int(np.sum(self.after.squares < self.before.squares))
 
     @property

@@ -4,24 +4,25 @@ from dataclasses import replace
 
 import jax
 import numpy as np
+from jaxtyping import Bool
 
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.mismatch.evidence.prediction import Prediction, Proof
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum, Products
 from exoid.mismatch.screen.many_free import release
-from exoid.mismatch.screen.optimise import FEWER_ROUNDS, STEADY, descend, settle_free
+from exoid.mismatch.screen.optimise import STEADY, descend, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 
 LOOKS = 3  # at a held-out segment, to find where it begins
-EARLY = 0.6  # of a single segment, on which the fit is made where there is no other
+QUARTERS = 4  # of a single segment, each predicted from the others
 TRAINING_ROUNDS = 5  # from where all segments have it
 
 
 def predict(prepared: PreparedRecording, at: Optimum) -> Prediction:
-    """Hold out every segment in turn; of a single one its end."""
+    """Hold out every segment in turn; of a single one every quarter."""
     single = prepared.segments == 1
-    return predict_end(prepared, at) if single else predict_others(prepared, at)
+    return predict_quarters(prepared, at) if single else predict_others(prepared, at)
 
 
 def proof(prepared: PreparedRecording, before: Prediction, after: Prediction) -> Proof:
@@ -36,14 +37,35 @@ def proof(prepared: PreparedRecording, before: Prediction, after: Prediction) ->
 def predict_others(prepared: PreparedRecording, at: Optimum) -> Prediction:
     """Every segment from the others: leg and terms from them, only its own start from itself."""
     held_out = np.eye(prepared.segments, dtype=bool)[:, :, None]
+    candidates = fitted_without(prepared, at, held_out)
+    began = side_by_side(lambda each: started(prepared, *each), enumerate(candidates))
+    shown = np.stack([each.motion[number] for number, each in enumerate(began)])
+    used = np.asarray(prepared.seen.angle_weight) > 0
+    return prediction(prepared.seen, shown, used, np.arange(prepared.segments)[:, None])
+
+
+def predict_quarters(prepared: PreparedRecording, at: Optimum) -> Prediction:
+    """Every quarter of a single segment from the others; where it begins only from itself."""
+    seen = prepared.seen
+    used = np.asarray(seen.angle_weight) > 0
+    which = np.where(used, (np.cumsum(used, axis=1) - 1) * QUARTERS // used.sum(), -1)
+    held_out = np.arange(QUARTERS)[:, None, None] == which
+    first, *later = fitted_without(prepared, at, held_out)
+    begun = started(prepared, 0, first, masked(seen, held_out[0])).motion
+    motions = [begun, *(release(prepared, each)[1] for each in later)]
+    shown = np.select(list(held_out[..., None]), motions, 0.0)
+    return prediction(seen, shown, used, which)
+
+
+def fitted_without(
+    prepared: PreparedRecording, at: Optimum, held_out: Bool[np.ndarray, "fold segment sample"]
+) -> list[Hypothesis]:
+    """The candidate as the rest has it, for each that is held out."""
     training = [masked(prepared.seen, ~each) for each in held_out]
-    candidates = side_by_side(
+    return side_by_side(
         lambda each: settle_free(prepared, at.candidate, each, rounds=TRAINING_ROUNDS).candidate,
         training,
     )
-    began = side_by_side(lambda each: started(prepared, *each), enumerate(candidates))
-    shown = np.stack([each.motion[number] for number, each in enumerate(began)])
-    return prediction(prepared.seen, shown, np.asarray(prepared.seen.angle_weight) > 0)
 
 
 def masked(seen: Observation, kept: np.ndarray) -> Observation:
@@ -52,13 +74,18 @@ def masked(seen: Observation, kept: np.ndarray) -> Observation:
     return replace(seen, **weights)
 
 
-def started(prepared: PreparedRecording, number: int, candidate: Hypothesis) -> Optimum:
+def started(
+    prepared: PreparedRecording,
+    number: int,
+    candidate: Hypothesis,
+    observation: Observation | None = None,
+) -> Optimum:
     """The candidate with what the segment `number` owns brought to its best there."""
     own = [each[number] for each in jax.tree.leaves(prepared.numbers.own)]
     asked = np.isin(np.arange(candidate.unknowns.size + 1), [*own, candidate.unknowns.size])
 
     def evaluate(prepared, tried):
-        found = [release(prepared, one) for one, _ in tried]
+        found = [release(prepared, one, observation) for one, _ in tried]
         return [(there(products), motion) for products, motion in found]
 
     def there(products: Products) -> Products:
@@ -67,21 +94,20 @@ def started(prepared: PreparedRecording, number: int, candidate: Hypothesis) -> 
     return descend(prepared, [(candidate, None)], evaluate, LOOKS, STEADY)[0]
 
 
-def predict_end(prepared: PreparedRecording, at: Optimum) -> Prediction:
-    """The end of a single segment, from a fit of its beginning."""
-    seen = prepared.seen
-    used = np.asarray(seen.angle_weight) > 0
-    last = np.flatnonzero(used[0])
-    early = np.arange(used.shape[1]) <= last[int(EARLY * last.size)]
-    fitted = settle_free(prepared, at.candidate, masked(seen, early), rounds=FEWER_ROUNDS)
-    return prediction(seen, np.asarray(fitted.motion), used & ~early)
+def prediction(
+    seen: Observation,
+    shown: np.ndarray,
+    counted: Bool[np.ndarray, "segment sample"],
+    fold: np.ndarray,
+) -> Prediction:
+    """Compare what was predicted with the samples that count, each in its fold.
 
-
-def prediction(seen: Observation, shown: np.ndarray, counted: np.ndarray) -> Prediction:
-    """Compare what was predicted with the samples that count."""
+    The folds are those of all samples, or one of every segment.
+    """
     angle = np.where(counted, shown[..., 0] - seen.angle, 0.0)
     velocity = np.where(counted, shown[..., 1] - seen.angular_velocity, 0.0)
     squares = (seen.angle_weight * angle) ** 2 + (seen.velocity_weight * velocity) ** 2
     number = counted.sum(axis=1)
     rmse = np.sqrt((angle**2).sum(axis=1) / np.maximum(number, 1))
-    return Prediction(shown[..., 0], counted, rmse, squares.sum(axis=1))
+    folds = np.broadcast_to(fold, counted.shape)[counted]
+    return Prediction(shown[..., 0], counted, rmse, np.bincount(folds, squares[counted]))

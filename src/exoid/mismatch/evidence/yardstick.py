@@ -10,7 +10,6 @@ APART = 10.0  # evidence by which one candidate is better than another: odds of 
 MATTERS = 0.02  # of the noise's sum of squares: an effect that explains less changes nothing
 UNEXPLAINED = 1.6  # mean square over the noise from which on something remains unexplained
 FOLLOWED = 0.97  # share of the mismatch that a term must explain to be named, where noise is known
-ALIKE = 1.5  # times what the best leaves: where all leave something, that little is no difference
 
 
 @dataclass(frozen=True)
@@ -27,6 +26,17 @@ class Yardstick:
     def evidence(self, worse: float, better: float, parameters: int) -> float:
         """The gain from one sum of squares to another, after its price."""
         return (worse - better) / self.scale - self.price(parameters)
+
+    def apart(self, worse: float, best: float, parameters: int) -> float:
+        """How much the best is better than another, in units of noise and of what remains.
+
+        What even the best leaves over the noise has a cause that nobody knows. It may as well be
+        what tells the two apart: a difference as large as that counts `APART` and no more.
+        """
+        found, left = self.evidence(worse, best, parameters), best - self.samples
+        if left <= 0 or worse <= best:
+            return found
+        return min(found, APART * (worse - best) / left)
 
     def matters(self, worse: float, better: float) -> bool:
         """Is the gain large beside the noise itself?"""

@@ -12,7 +12,9 @@ from exoid.physics.term import Term, name_of
 
 @dataclass(frozen=True, eq=False)
 class Found:
-    """What a search found, best first; `pinned` are those of the first look."""
+    """What a search found, best first; `pinned` are those of the first look, `glimpsed` the pairs
+    of theirs that did not run free.
+    """
 
     prepared: PreparedRecording
     base: Optimum
@@ -22,6 +24,7 @@ class Found:
     pinned: list[Optimum]
     failed: list[type[Term]]  # whose derivatives are not finite
     yardstick: Yardstick
+    glimpsed: tuple[Optimum, ...] = ()
 
     def clear(self, worse: Optimum, better: Optimum) -> bool:
         parameters = size(better) - size(worse)

@@ -7,7 +7,7 @@ import numpy as np
 
 from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.mismatch.evidence.measure import yardstick
-from exoid.mismatch.evidence.yardstick import ALIKE, APART, FOLLOWED, Yardstick
+from exoid.mismatch.evidence.yardstick import APART, FOLLOWED, Yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import FEWER_ROUNDS, FLOOR, polished, settle, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
@@ -61,9 +61,9 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
     singles = by_evidence([*singles, *alone], base, measure)
     best = least(base, *singles).square
     if best > FLOOR * measure.samples and measure.followed(base.square, best) < FOLLOWED:
-        told("simulating the others")
+        told("simulating what acts for moments only")
         tried = {one.candidate.terms for one in singles}
-        others = [one for one in ranked if one.candidate.terms not in tried]
+        others = [one for one in ranked if one.candidate.terms not in tried and hidden(one)]
         singles += side_by_side(lambda one: simulated(prepared, base, one, starts), others)
         singles = by_evidence(singles, base, measure)
     found = Found(prepared, base, begin, singles, sensors, ranked, failed, measure)
@@ -101,15 +101,18 @@ def with_sets(found: Found, usable: list[type[Term]], told: Told) -> Found:
     joint = by_evidence(joint, base, measure)
     joint = by_evidence([*joint, *twins(prepared, joint[:1], joint)], base, measure)
     singles = by_evidence(singles, base, measure)
-    return replace(found, singles=singles, pairs=joint, yardstick=measure)
+    return replace(found, singles=singles, pairs=joint, yardstick=measure, glimpsed=tuple(both))
+
+
+def hidden(one: Optimum) -> bool:
+    """May it act for a few samples only, which are not seen along a motion with noise?"""
+    return any(term.jumps for term in one.candidate.terms)
 
 
 def simulated(
     prepared: PreparedRecording, base: Optimum, one: Optimum, starts: list[Hypothesis]
 ) -> Optimum:
-    """Running free from where it came pinned, or from all its `starts` where that led nowhere: what
-    acts for a few samples only, such as a stop, is not seen along a motion with noise.
-    """
+    """Running free from where it came pinned, or from all its `starts` where that led nowhere."""
     if one.square < base.square:
         return polished(prepared, one.candidate)
     own = [start for start in starts if start.terms == one.candidate.terms]
@@ -165,47 +168,28 @@ def shortlist(ranked: list[Optimum]) -> list[Optimum]:
 
 
 def by_evidence(settled: list[Optimum], base: Optimum, measure: Yardstick) -> list[Optimum]:
-    """The best first; of those that are alike, and of its own simpler forms that it hardly beats,
-    the simplest first.
+    """The best first; of those that noise alone may tell apart, and of its own simpler forms that
+    are alike, the simplest first.
     """
     known = best_of(list(filter(sound, settled)))
     known.sort(key=lambda one: measure.evidence(base.square, one.square, size(one)), reverse=True)
 
     def order(one: Optimum) -> float:
-        first = alike(one, known[0], measure) or in_its_place(one, known[0], measure)
+        best = known[0]
+        gain = measure.evidence(one.square, best.square, size(best) - size(one))
+        first = gain < APART or (simpler(one, best) and alike(one, best, measure))
         return float(size(one)) if first else np.inf
 
     return sorted(known, key=order)
 
 
-def alike(one: Optimum, best: Optimum, measure: Yardstick) -> bool:
-    """Can noise be all that tells a candidate from the best?"""
-    if not measure.explains(best.square):
-        return one.square < ALIKE * best.square
-    return measure.evidence(one.square, best.square, size(best) - size(one)) < APART
-
-
-def hardly_beaten(one: Optimum, best: Optimum, measure: Yardstick) -> bool:
-    """Is the best better by less than even it leaves over the noise? What nobody explains may as
-    well be what tells them apart.
-    """
-    return one.square - best.square < best.square - measure.samples
-
-
-def in_its_place(one: Optimum, best: Optimum, measure: Yardstick) -> bool:
-    """Is it hardly beaten, and the best but a richer form of it?"""
+def simpler(one: Optimum, best: Optimum) -> bool:
+    """Is the best but a richer form of it?"""
     pairs = list(zip(one.candidate.terms, best.candidate.terms, strict=False))
     same = len(one.candidate.terms) == len(best.candidate.terms)
-    forms = all(simple is rich or simpler_form(simple, rich) for simple, rich in pairs)
-    return same and forms and hardly_beaten(one, best, measure)
+    return same and all(few is many or simpler_form(few, many) for few, many in pairs)
 
 
-def equivalents(found: Found, best: Optimum) -> list[Optimum]:
-    """The candidates that this recording cannot tell from the best, itself included."""
-    rivals = found.pairs if len(best.candidate.terms) > 1 else found.singles
-    top, measure = max(rivals, key=found.evidence), found.yardstick
-    return [
-        one
-        for one in rivals
-        if one is best or alike(one, top, measure) or hardly_beaten(one, top, measure)
-    ]
+def alike(one: Optimum, best: Optimum, measure: Yardstick) -> bool:
+    """Can noise, or what even the best does not explain, be all that tells them apart?"""
+    return measure.apart(one.square, best.square, size(best) - size(one)) < APART

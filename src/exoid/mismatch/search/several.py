@@ -14,19 +14,19 @@ from exoid.physics.term import Term
 
 MOST = 4  # causes of one recording
 NEXT = 3  # further causes that run free beside those at hand
-NEAR = 10.0  # mean square over the noise, of causes that one more may bring down to it
 ROUNDS = 6  # of pinned steps
+SLOTS = 2  # causes that the pinned program works out at once
+REACH = 3.0  # times what the set leaves, within which running free may change the order
 
 
 def several(prepared: PreparedRecording, usable: list[type[Term]], best: Optimum) -> list[Optimum]:
     """Sets with one cause more than the best at hand, and so on while that clearly explains more
     and noise is not reached.
 
-    Of a set that explains all there is, those with one cause less are tried as well: is each of
-    them needed?
+    Those with one cause less are tried as well: is each of them needed?
     """
     found, measure = [], yardstick(prepared, best)
-    while FLOOR < best.square / measure.samples < NEAR and len(best.candidate.terms) < MOST:
+    while best.square > FLOOR * measure.samples and len(best.candidate.terms) < MOST:
         starts = with_one_more(prepared, usable, best.candidate)
         wider = [one for each in starts if sound(one := polished(prepared, each))]
         better = min([best, *wider], key=lambda one: one.square)
@@ -35,9 +35,16 @@ def several(prepared: PreparedRecording, usable: list[type[Term]], best: Optimum
             break
         found += wider
         best = better
-    if found and measure.explains(best.square):
-        found += [polished(prepared, each) for each in with_one_less(best.candidate)]
-    return found
+    return [*found, *without_one(prepared, best)] if found else []
+
+
+def without_one(prepared: PreparedRecording, best: Optimum) -> list[Optimum]:
+    """The set without each of its causes in turn, where that may do as well."""
+    fewer = with_one_less(best.candidate)
+    if len(fewer) > SLOTS + 1:
+        return [polished(prepared, each) for each in fewer]
+    seen = settle(prepared, fewer, rounds=ROUNDS)
+    return [polished(prepared, one.candidate) for one in seen if one.square < REACH * best.square]
 
 
 def with_one_more(

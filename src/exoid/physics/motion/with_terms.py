@@ -93,18 +93,10 @@ def whole_step(
     pushes = {0.0: drive.begin, 0.5: drive.middle, 1.0: drive.end}
     dry = sticky(terms)
 
+    free = jnp.ones(())
+
     def rate(at: Motion, part: float) -> Motion:
-        now = moment(place, at.leg, time + part * step, pushes[part])
-        moving = LegState(at.leg.angular_velocity, now.angular_acceleration)
-        if terms:
-            pulled = now.angular_acceleration + missing(terms, now, at.memory)
-            moving = LegState(at.leg.angular_velocity, pulled)
-        if dry:
-            moving = jax.tree.map(lambda slope: free * slope, moving)
-        changes = tuple(
-            term.memory_rate(now, own) for term, own in zip(terms, at.memory, strict=True)
-        )
-        return Motion(moving, changes)
+        return slopes(place, terms, at, time + part * step, pushes[part], free)
 
     if dry:
         motion = slowed(place, terms, motion, time, step / 2, drive.begin)
@@ -117,6 +109,22 @@ def whole_step(
         term.memory_within(now, own) for term, own in zip(terms, motion.memory, strict=True)
     )
     return Motion(motion.leg, kept)
+
+
+@jax.jit  # traced once, for all stages of a step
+def slopes(
+    place: SegmentConstants, terms: Terms, at: Motion, time: Any, push: Any, free: Any
+) -> Motion:
+    """The time derivatives of leg and terms; `free` is 0 while the leg sticks."""
+    now = moment(place, at.leg, time, push)
+    pulled = now.angular_acceleration
+    if terms:
+        pulled = pulled + missing(terms, now, at.memory)
+    moving = LegState(at.leg.angular_velocity, pulled)
+    if sticky(terms):
+        moving = jax.tree.map(lambda slope: free * slope, moving)
+    changes = tuple(term.memory_rate(now, own) for term, own in zip(terms, at.memory, strict=True))
+    return Motion(moving, changes)
 
 
 def sticky(terms: Terms) -> bool:

@@ -19,6 +19,7 @@ NO_LEG = (
     "its numbers are not to be used: with what was found the model still does not follow the "
     "recording, and no error says how wrong they are."
 )
+SUSPECTS = 3  # that are named
 CERTAIN = 0.001  # below this share a chance is written as "below"
 
 
@@ -48,30 +49,25 @@ def only_sensors(found: Diagnosis) -> bool:
 
 
 def sentences(found: Diagnosis) -> dict[str, str]:
-    """The answer, line by line, by its heading."""
+    """The answer, line by line, by its heading; first what was missing, how sure that is, what it
+    changed and what remains.
+    """
     lines = {}
     if found.verdict == "mismatch":
-        lines["Missing"] = "; ".join(named(found)) or "nothing that has a name here."
-        if found.novel and found.formula is None:
-            lines["New"] = "no cause of the library explains it, and no formula fits it."
-        if not found.explained:
-            left = found.best.mean_square
-            lines["Unexplained"] = f"what remains is {left**0.5:.2g} times the noise."
-        rivals = others(found)
-        if rivals:
-            lines["Or"] = f"{rivals}: this recording cannot tell them apart"
+        lines["Missing"] = "; ".join(named(found))
+        lines["How sure"] = how_sure(found)
+        lines["Changed"] = booked(found)
+        lines["Remains"] = remains(found)
         lines["Reason"] = " ".join(explanations(found))
         if found.changed and not found.fit.follows and found.formula is None:
             lines["The leg"] = NO_LEG
     elif found.reasons:
         lines["Why"] = "; ".join(found.reasons) + "."
         if found.changed:
-            lines["Suspected"] = ", ".join(found.ranking[:2]).replace("_", " ")
+            lines["Suspected"] = suspected(found)
+            lines["Remains"] = remains(found)
     if found.verdict != "none" and not only_sensors(found):
         lines["Where"] = where(found)
-    if found.verdict == "mismatch":
-        lines["Proof"] = proof(found)
-        lines["Booked before"] = booked(found)
     lines["Sensors"] = sensors(found)
     if found.verdict == "none":
         lines["Trust"] = trust(found)
@@ -158,28 +154,48 @@ def where(found: Diagnosis) -> str:
     return "; ".join(regions) + f". Over all of it, {found.location.pattern}."
 
 
-def proof(found: Diagnosis) -> str:
-    shown = found.proof
+def how_sure(found: Diagnosis) -> str:
+    """Whether other data would say the same, and what else it may be."""
     if only_sensors(found):
-        return (
-            "encoder and gyro show it of each other, without any leg model, and the fit takes it "
-            f"into account: held-out angle RMSE {in_degrees(shown.before.total)} deg, "
-            f"{shown.before.total / shown.noise_floor:.1f} times the noise floor; on noise alone "
-            f"{chance(found.false_alarm_rate)} false alarms."
-        )
-    before, after = in_degrees(shown.before.total), in_degrees(shown.after.total)
-    count = shown.after.squares.size
-    over = "the end of the recording, from its beginning" if shown.in_time else (
-        f"{shown.better} of {count} segments better, each from the others"
-    )  # fmt: skip
-    floor = shown.after.total / shown.noise_floor
-    share = found.inclusion
-    again = "" if share is None else f"the same answer in {share:.0%} of resampled segments; "
+        return "encoder and gyro show it of each other, without any leg model."
+    share, drawn = found.inclusion, "quarters" if found.proof.in_time else "segments"
+    again = "" if share is None else f"the same answer in {share:.0%} of resampled {drawn}; "
+    rivals = others(found)
+    alike = f"or {rivals}: this recording cannot tell them apart; " if rivals else ""
     return (
-        f"held-out angle RMSE {before} -> {after} deg ({over}), {floor:.1f} times the noise floor; "
-        f"{again}on noise alone {chance(found.false_alarm_rate)} false alarms, an effect of this "
-        f"size is found with a chance of {certain(found.power)}."
+        f"{again}{alike}on noise alone {chance(found.false_alarm_rate)} false alarms, an effect of "
+        f"this size is found with a chance of {certain(found.power)}."
     )
+
+
+def suspected(found: Diagnosis) -> str:
+    """What explains most of it, and how much."""
+    first = [one for one in (*found.singles, *found.pairs) if one.terms][:SUSPECTS]
+    return ", ".join(f"{' + '.join(one.terms)}".replace("_", " ") for one in first) + "."
+
+
+def remains(found: Diagnosis) -> str:
+    """What is left on data that the fit has not seen, beside what was there before."""
+    shown = found.proof
+    before, after = in_degrees(shown.before.total), in_degrees(shown.after.total)
+    times = f"{shown.after.total / shown.noise_floor:.1f} times the noise floor"
+    if not found.changed:
+        return f"held-out angle RMSE {after} deg, {times}."
+    parts = "quarters of the recording" if shown.in_time else "segments"
+    return (
+        f"held-out angle RMSE {before} -> {after} deg, {left_over(found)}{times} "
+        f"({shown.better} of {shown.after.squares.size} {parts} better, each from the others)."
+    )
+
+
+def left_over(found: Diagnosis) -> str:
+    """The share of what was missing over the noise, in squares, that still is."""
+    shown = found.proof
+    missing = shown.before.total**2 - shown.noise_floor**2
+    if missing <= 0:
+        return ""
+    share = max(shown.after.total**2 - shown.noise_floor**2, 0.0) / missing
+    return f"{share:.0%} of the squares that were missing; "
 
 
 def chance(share: float) -> str:

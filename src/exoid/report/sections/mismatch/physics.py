@@ -16,9 +16,9 @@ from exoid.report.words.text import in_words
 
 SAID = (
     "Missing",
-    "New",
-    "Unexplained",
-    "Or",
+    "How sure",
+    "Changed",
+    "Remains",
     "Why",
     "Suspected",
     "Sensors",

@@ -13,7 +13,7 @@ from exoid.report.words.text import capital, in_degrees
 
 NOTHING = (
     "Nothing was added to the model. Every segment was predicted from a fit of the others, and "
-    "its end from its beginning where there is only one: held-out angle RMSE {0} deg, {1:.1f} "
+    "its quarters from each other where there is only one: held-out angle RMSE {0} deg, {1:.1f} "
     "times the noise floor of {2} deg."
 )
 
@@ -33,7 +33,7 @@ def proof(case: Case) -> Iterator[Block]:
 def sentence(found: Diagnosis) -> str:
     """What the prediction shows."""
     if found.changed:
-        return capital(words.proof(found))
+        return capital(words.remains(found))
     total, floor = found.proof.before.total, found.proof.noise_floor
     return NOTHING.format(in_degrees(total), total / floor, in_degrees(floor))
 

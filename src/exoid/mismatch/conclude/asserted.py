@@ -1,0 +1,55 @@
+"""What is certain: the causes that every explanation has which this recording cannot tell apart."""
+
+from exoid.mismatch.screen.hypothesis import Optimum
+from exoid.mismatch.search.found import Found
+from exoid.mismatch.search.search import alike
+from exoid.mismatch.search.variants import simpler_form
+from exoid.physics.term import Term, name_of
+
+
+def equivalents(found: Found, best: Optimum) -> list[Optimum]:
+    """The explanations that this recording cannot tell from the best, itself first.
+
+    Those that only add to it what is not needed are no others. Where noise is not reached, what was
+    only seen along the measured motion counts, too.
+    """
+    simulated, measure = [*found.singles, *found.pairs], found.yardstick
+    top = max(simulated, key=found.evidence)
+    rivals = [one for one in (found.base, *simulated) if alike(one, top, measure)]
+    if not measure.explains(best.square):
+        rivals += glimpsed(found, best, simulated)
+    return [best, *(one for one in rivals if one is not best and not holds_all(one, best))]
+
+
+def glimpsed(found: Found, best: Optimum, simulated: list[Optimum]) -> list[Optimum]:
+    """Those like the best that were not simulated, all of them along the measured motion."""
+    seen = {one.candidate.terms: one for one in (*found.pinned, *found.glimpsed)}
+    own = seen.get(best.candidate.terms)
+    if own is None:
+        return []
+    for one in simulated:
+        seen.pop(one.candidate.terms, None)
+    return [one for one in seen.values() if alike(one, own, found.yardstick)]
+
+
+def asserted(best: Optimum, equal: list[Optimum]) -> tuple[type[Term], ...]:
+    """The causes of the best that all of the `equal` have, in this form or another one."""
+    return tuple(term for term in best.candidate.terms if all(has(one, term) for one in equal))
+
+
+def holds_all(one: Optimum, best: Optimum) -> bool:
+    """Has it all causes of the best, and more?"""
+    more = len(one.candidate.terms) > len(best.candidate.terms)
+    return more and all(has(one, term) for term in best.candidate.terms)
+
+
+def has(one: Optimum, cause: type[Term]) -> bool:
+    return any(same_cause(term, cause) for term in one.candidate.terms)
+
+
+def same_cause(one: type[Term], other: type[Term]) -> bool:
+    """Are they one cause: the same, forms of one, or exactly alike in every recording?"""
+    names = {name_of(one), name_of(other)}
+    twins = {one.twin, one.same_torque} | {other.twin, other.same_torque}
+    forms = simpler_form(one, other) or simpler_form(other, one)
+    return one is other or forms or bool(names & twins)

@@ -1,0 +1,52 @@
+"""From the baseline to one cause, from there to more: where it is clear, and where it holds."""
+
+from dataclasses import dataclass
+from itertools import groupby
+
+from exoid.mismatch.evidence.prediction import Prediction, improves
+from exoid.mismatch.evidence.proof import predict
+from exoid.mismatch.screen.hypothesis import Optimum
+from exoid.mismatch.search.found import Found
+from exoid.mismatch.search.search import alike
+
+
+@dataclass(frozen=True, eq=False)
+class Chosen:
+    """The best explanation that holds on held-out data, and what it and the baseline predict."""
+
+    best: Optimum
+    before: Prediction
+    after: Prediction
+
+
+def choose(found: Found) -> Chosen:
+    """The best explanation.
+
+    More causes at once are only believed where they leave far less than fewer do, and predict
+    better what they have not seen: what bends one way or another can be had from many sets.
+    """
+    before = predict(found.prepared, found.base)
+    chosen = Chosen(found.base, before, before)
+    for better in by_count(found):
+        first = chosen.best is found.base
+        if not found.clear(chosen.best, better):
+            continue
+        if not first and alike(chosen.best, better, found.yardstick):
+            continue
+        after = predict(found.prepared, better)
+        if first or improves(chosen.after, after):
+            chosen = Chosen(better, before, after)
+    return chosen
+
+
+def by_count(found: Found) -> list[Optimum]:
+    """The best of one cause, the best of two, and so on."""
+    every = [*found.singles[:1], *found.pairs]
+    every.sort(key=causes)
+    same = [list(each) for _, each in groupby(every, key=causes)]
+    return [max(each, key=found.evidence) for each in same]
+
+
+def causes(one: Optimum) -> int:
+    """How many; what every gyro has some of, as a scale and a delay, counts as one or as none."""
+    return max(1, sum(not term.everyday for term in one.candidate.terms))
