@@ -15,6 +15,7 @@ from exoid.physics.term import holds
 ROUNDS, FEWER_ROUNDS = 60, 12  # of steps at most
 LONG = 25  # rounds, from which on only what still falls goes on, as along a narrow valley
 FALLING, LAST = 0.9, 10  # to what share of itself a sum of squares must fall in how many rounds
+EARLY, FAR, FAST = 12, 3.0, 0.6  # rounds, times a rival's square, share in half as many rounds
 EASIER, HARDER = 0.1, 8.0
 CAREFUL = 1e-2  # damping beyond which a small step says little
 STEADY = 1e-2  # expected gain of a sum of squares below which a candidate rests
@@ -44,17 +45,18 @@ def settle_free(
     observation: Observation | None = None,
     *,
     rounds: int = ROUNDS,
+    rival: float = np.inf,
 ) -> Optimum:
-    """Fit a candidate to the observation, running free."""
+    """Fit a candidate to the observation, running free; `rival` is what another one leaves."""
 
     def evaluate(prepared, tried):
         return [release(prepared, one, observation) for one, _ in tried]
 
-    return descend(prepared, [(candidate, None)], evaluate, rounds, STEADY)[0]
+    return descend(prepared, [(candidate, None)], evaluate, rounds, STEADY, rival)[0]
 
 
-def polished(prepared: PreparedRecording, start: Hypothesis) -> Optimum:
-    """Running free from a start.
+def polished(prepared: PreparedRecording, start: Hypothesis, rival: float = np.inf) -> Optimum:
+    """Running free from a start; `rival` is what another candidate leaves.
 
     Where a gyro's reading jumps, every sample beside a jump is a wall: the encoder leads past them.
     """
@@ -62,8 +64,9 @@ def polished(prepared: PreparedRecording, start: Hypothesis) -> Optimum:
         seen = prepared.seen
         by_encoder = replace(seen, velocity_weight=0.0 * seen.velocity_weight)
         start = settle_free(prepared, start, by_encoder).candidate
-    found = settle_free(prepared, start)
-    return hopped(prepared, found) if any(map(holds, start.terms)) else found
+    found = settle_free(prepared, start, rival=rival)
+    beaten = found.square > FAR * rival
+    return hopped(prepared, found) if any(map(holds, start.terms)) and not beaten else found
 
 
 def hopped(prepared: PreparedRecording, at: Optimum) -> Optimum:
@@ -96,8 +99,9 @@ def nearby(prepared: PreparedRecording, at: Optimum, random: np.random.Generator
     return at.candidate.at(np.clip(unknowns + np.sqrt(rise) * away, *prepared.bounds(at.candidate)))
 
 
-def descend(prepared, begin, evaluate, rounds, steady) -> list[Optimum]:
-    """Steps of all candidates together, until each expects to gain less than `steady`.
+def descend(prepared, begin, evaluate, rounds, steady, rival=np.inf) -> list[Optimum]:
+    """Steps of all candidates together, until each expects to gain less than `steady`, or falls too
+    slowly to come near what a `rival` leaves.
 
     `evaluate` takes candidates with the motions that they had, and gives products with new ones.
     """
@@ -105,7 +109,9 @@ def descend(prepared, begin, evaluate, rounds, steady) -> list[Optimum]:
     at = [Optimum(one, *each) for (one, _), each in zip(begin, found, strict=True)]
     squares = [[each.square] for each in at]
     for _ in range(rounds):
-        moving = [n for n, each in enumerate(at) if not each.resting and promising(squares[n])]
+        moving = [
+            n for n, each in enumerate(at) if not each.resting and promising(squares[n], rival)
+        ]
         if not moving:
             break
         steps = [step(prepared, at[number]) for number in moving]
@@ -117,8 +123,10 @@ def descend(prepared, begin, evaluate, rounds, steady) -> list[Optimum]:
     return at
 
 
-def promising(squares: list[float]) -> bool:
-    """Is it early, or do they still fall?"""
+def promising(squares: list[float], rival: float) -> bool:
+    """Is it early, or do they still fall, and fast where a rival leaves far less?"""
+    if len(squares) > EARLY and squares[-1] > FAR * rival:
+        return squares[-1] < FAST * squares[-EARLY // 2]
     return len(squares) <= LONG or squares[-1] < FALLING * squares[-1 - LAST]
 
 

@@ -48,7 +48,7 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
     failed = [one.candidate.terms[0] for one in first if not sound(one)]
     ranked = ordered(first)
     told("simulating the best of them")
-    singles = side_by_side(lambda one: polished(prepared, one.candidate), shortlist(ranked))
+    singles = simulated(prepared, shortlist(ranked))
     singles += [*twins(prepared, singles, singles), *nested(prepared, singles, of_all(singles))]
     truer = truer_baseline(prepared, base, least(*singles))
     if truer is not None:
@@ -64,7 +64,7 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
         told("simulating what acts for moments only")
         tried = {one.candidate.terms for one in singles}
         others = [one for one in ranked if one.candidate.terms not in tried and hidden(one)]
-        singles += side_by_side(lambda one: simulated(prepared, base, one, starts), others)
+        singles += side_by_side(lambda one: found_anyhow(prepared, base, one, starts), others)
         singles = by_evidence(singles, base, measure)
     found = Found(prepared, base, begin, singles, sensors, ranked, failed, measure)
     best = least(base, *singles).square
@@ -88,7 +88,7 @@ def with_sets(found: Found, usable: list[type[Term]], told: Told) -> Found:
     seconds = pairs(prepared, found.pinned, found.singles)
     both = ordered(best_of(settle(prepared, seconds, rounds=PAIR_ROUNDS)))
     told("simulating the best pairs")
-    joint = [*(polished(prepared, one.candidate) for one in shortlist(both)), *found.pairs]
+    joint = [*simulated(prepared, shortlist(both)), *found.pairs]
     for best in ordered(joint)[:1]:
         if best.square > FLOOR * found.yardstick.samples:
             told("testing three causes and more")
@@ -109,7 +109,12 @@ def hidden(one: Optimum) -> bool:
     return any(term.jumps for term in one.candidate.terms)
 
 
-def simulated(
+def simulated(prepared: PreparedRecording, pinned: list[Optimum]) -> list[Optimum]:
+    """Running free from where they came pinned, the best first."""
+    return side_by_side(lambda one: polished(prepared, one.candidate, pinned[0].square), pinned)
+
+
+def found_anyhow(
     prepared: PreparedRecording, base: Optimum, one: Optimum, starts: list[Hypothesis]
 ) -> Optimum:
     """Running free from where it came pinned, or from all its `starts` where that led nowhere."""

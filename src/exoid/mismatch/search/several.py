@@ -28,7 +28,7 @@ def several(prepared: PreparedRecording, usable: list[type[Term]], best: Optimum
     found, measure = [], yardstick(prepared, best)
     while best.square > FLOOR * measure.samples and len(best.candidate.terms) < MOST:
         starts = with_one_more(prepared, usable, best.candidate)
-        wider = [one for each in starts if sound(one := polished(prepared, each))]
+        wider = [one for each in starts if sound(one := polished(prepared, each, best.square))]
         better = min([best, *wider], key=lambda one: one.square)
         measure = yardstick(prepared, better)
         if not measure.clear(best.square, better.square, max(size(better) - size(best), 1)):
@@ -42,9 +42,10 @@ def without_one(prepared: PreparedRecording, best: Optimum) -> list[Optimum]:
     """The set without each of its causes in turn, where that may do as well."""
     fewer = with_one_less(best.candidate)
     if len(fewer) > SLOTS + 1:
-        return [polished(prepared, each) for each in fewer]
+        return [polished(prepared, each, best.square) for each in fewer]
     seen = settle(prepared, fewer, rounds=ROUNDS)
-    return [polished(prepared, one.candidate) for one in seen if one.square < REACH * best.square]
+    near = [one.candidate for one in seen if one.square < REACH * best.square]
+    return [polished(prepared, each, best.square) for each in near]
 
 
 def with_one_more(

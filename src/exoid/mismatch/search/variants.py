@@ -20,7 +20,7 @@ SOFTEST = 1e-3  # N m/rad, of a leg that has a rest angle
 def reduced(prepared: PreparedRecording, joint: list[Optimum]) -> list[Optimum]:
     """Each term of a pair alone again, from where the pair is: is the other one needed?"""
     return [
-        polished(prepared, replace(one.candidate, terms=(term,), values=(value,)))
+        polished(prepared, replace(one.candidate, terms=(term,), values=(value,)), one.square)
         for one in joint
         for term, value in zip(one.candidate.terms, one.candidate.values, strict=True)
     ]
