@@ -44,7 +44,20 @@ def test_what_was_missing_and_how_sure_what_it_changed_and_what_remains_come_fir
     said = sentences(one)
     assert list(said)[:4] == ["Missing", "How sure", "Changed", "Remains"]
     assert "95% of resampled segments" in said["How sure"]
-    assert "or quadratic drag + gyro scale: this recording cannot tell" in said["How sure"]
+    assert "or quadratic drag + gyro scale: this recording cannot tell;" in said["How sure"]
     # squares over the floor of 0.8 mrad: (1 - 0.64) of (400 - 0.64) mrad^2, over both segments
     assert "0% of the squares that were missing" in said["Remains"]
     assert "-> 0.0" in said["Remains"]
+
+
+def test_what_may_act_besides_is_apart_from_what_it_may_be_instead():
+    two = ["coulomb_friction + gyro_scale", "coulomb_friction + encoder_gain"]
+    one = replace(found(), equivalent=[*two, "stribeck_friction"])
+    said = sentences(one)["How sure"]
+    assert "besides it perhaps gyro scale, or encoder gain: this recording cannot tell;" in said
+    assert "or stribeck friction: this recording cannot tell;" in said
+
+
+def test_a_number_that_is_smaller_than_its_error_is_no_size():
+    wide = Parameter("torque_bias.bias", -0.2, "N m", 1.3)
+    assert parameter(wide) == "bias not determined (± 1.3 N m)"

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.mismatch.evidence.measure import yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis, Linear, Optimum
 from exoid.mismatch.screen.many_pinned import linear, together
@@ -21,52 +22,79 @@ REACH = 3.0  # times what the set leaves, within which running free may change t
 
 def several(prepared: PreparedRecording, usable: list[type[Term]], best: Optimum) -> list[Optimum]:
     """Sets with one cause more than the best at hand, and so on while that clearly explains more
-    and noise is not reached.
-
-    Those with one cause less are tried as well: is each of them needed?
+    and noise is not reached; then with another cause in the place of one, and with one less.
     """
     found, measure = [], yardstick(prepared, best)
-    while best.square > FLOOR * measure.samples and len(best.candidate.terms) < MOST:
-        starts = with_one_more(prepared, usable, best.candidate)
-        wider = [one for each in starts if sound(one := polished(prepared, each, best.square))]
-        better = min([best, *wider], key=lambda one: one.square)
-        measure = yardstick(prepared, better)
-        if not measure.clear(best.square, better.square, max(size(better) - size(best), 1)):
-            break
-        found += wider
-        best = better
+    for steps in (with_one_more, with_another):
+        while best.square > FLOOR * measure.samples:
+            wider = simulated(prepared, steps(prepared, usable, best), best)
+            better = min([best, *wider], key=lambda one: one.square)
+            measure = yardstick(prepared, better)
+            if not measure.clear(best.square, better.square, max(size(better) - size(best), 1)):
+                break
+            found += wider
+            best = better
     return [*found, *without_one(prepared, best)] if found else []
+
+
+def simulated(
+    prepared: PreparedRecording, starts: list[Hypothesis], best: Optimum
+) -> list[Optimum]:
+    """Running free, as far as they come near the best."""
+    each = side_by_side(lambda start: polished(prepared, start, best.square), starts)
+    return list(filter(sound, each))
 
 
 def without_one(prepared: PreparedRecording, best: Optimum) -> list[Optimum]:
     """The set without each of its causes in turn, where that may do as well."""
     fewer = with_one_less(best.candidate)
-    if len(fewer) > SLOTS + 1:
-        return [polished(prepared, each, best.square) for each in fewer]
-    seen = settle(prepared, fewer, rounds=ROUNDS)
-    near = [one.candidate for one in seen if one.square < REACH * best.square]
-    return [polished(prepared, each, best.square) for each in near]
+    if len(fewer) <= SLOTS + 1:
+        seen = settle(prepared, fewer, rounds=ROUNDS)
+        fewer = [one.candidate for one in seen if one.square < REACH * best.square]
+    return simulated(prepared, fewer, best)
 
 
 def with_one_more(
-    prepared: PreparedRecording, usable: list[type[Term]], best: Hypothesis
+    prepared: PreparedRecording, usable: list[type[Term]], best: Optimum
 ) -> list[Hypothesis]:
-    """The candidate with each of the causes that explain most beside those it has, pinned."""
-    size = sum(value.size for value in best.values)
+    """The set with each of the causes that explain most beside those it has."""
+    if len(best.candidate.terms) >= MOST:
+        return []
+    return [one.candidate for one in beside(prepared, usable, best.candidate)[:NEXT]]
+
+
+def with_another(
+    prepared: PreparedRecording, usable: list[type[Term]], best: Optimum
+) -> list[Hypothesis]:
+    """The set with another cause in the place of one, where that leaves less at first sight."""
+    terms = best.candidate.terms
+    seen = [
+        beside(prepared, [each for each in usable if each is not out], fewer)[:1]
+        for out, fewer in zip(terms, with_one_less(best.candidate), strict=True)
+    ]
+    better = [one for (one,) in filter(None, seen) if one.square < best.square]
+    return [one.candidate for one in sorted(better, key=lambda one: one.square)]
+
+
+def beside(
+    prepared: PreparedRecording, usable: list[type[Term]], known: Hypothesis
+) -> list[Optimum]:
+    """All sets with one cause more, pinned, the best first."""
+    size = sum(value.size for value in known.values)
     if size > MOST_PARAMETERS:
         return []
-    known = as_one(prepared, best, prepared.measured_motion)
-    motion = settle(prepared, [replace(best, linear=known)], rounds=1)[0].motion
-    known = as_one(prepared, best, motion)
+    effect = as_one(prepared, known, prepared.measured_motion)
+    motion = settle(prepared, [replace(known, linear=effect)], rounds=1)[0].motion
+    effect = as_one(prepared, known, motion)
     starts = [
-        replace(best, terms=(*best.terms, term), values=(*best.values, value), linear=known)
+        replace(known, terms=(*known.terms, term), values=(*known.values, value), linear=effect)
         for term in usable
         for value in prepared.starts(term)
-        if term not in best.terms
+        if term not in known.terms
     ]
     wider = best_of([one for one in settle(prepared, starts, rounds=ROUNDS) if sound(one)])
-    first = sorted(wider, key=lambda one: one.square)[:NEXT]
-    return [replace(one.candidate, linear=None) for one in first]
+    first = sorted(wider, key=lambda one: one.square)
+    return [replace(one, candidate=replace(one.candidate, linear=None)) for one in first]
 
 
 def as_one(prepared: PreparedRecording, best: Hypothesis, motion: MeasuredMotion) -> Linear:

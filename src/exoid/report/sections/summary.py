@@ -140,9 +140,7 @@ def missing(found: Diagnosis) -> Group:
             f"With it, held-out data are predicted to {in_degrees(after)} deg instead of "
             f"{in_degrees(before)} deg."
         )
-    rivals = words.others(found)
-    either = f", or {rivals}: this recording cannot tell" if rivals else ""
-    effects = sentence("; ".join(words.named(found)) + either)
+    effects = sentence("; ".join([*words.named(found), *words.others(found)]))
     return card(question, "care", answer, f"{effects} {proof}".strip())
 
 

@@ -124,6 +124,8 @@ def value(each: Parameter | SensorError) -> str:
         unit = ""
     if error is None:
         return f"not determined (at {number:.3g}{unit})"
+    if error > abs(number):
+        return f"not determined (± {error:.2g}{unit})"
     return f"{with_error(number, error)}{unit}"
 
 
@@ -138,12 +140,16 @@ def titles(found: Diagnosis) -> list[str]:
     return [each.title for each in found.findings]
 
 
-def others(found: Diagnosis) -> str:
-    """What it may be instead."""
+def others(found: Diagnosis) -> list[str]:
+    """What may act besides, and what it may be instead."""
     named = set(found.selected)
-    mine = (named, named - {BIAS})  # a bias is free in every candidate, and has no rival
-    rest = [name for name in found.equivalent if set(name.split(" + ")) not in mine]
-    return ", or ".join(name.replace("_", " ") for name in rest)
+    mine = named - {BIAS}  # a bias is free in every candidate, and has no rival
+    each = [name.split(" + ") for name in found.equivalent]
+    beside = [" + ".join(x for x in one if x not in named) for one in each if mine <= {*one}]
+    instead = [" + ".join(one) for one in each if not mine <= {*one}]
+    said = [f"besides it perhaps {', or '.join(filter(None, beside))}"] if any(beside) else []
+    said += [f"or {', or '.join(instead)}"] if instead else []
+    return [f"{one.replace('_', ' ')}: this recording cannot tell" for one in said]
 
 
 def where(found: Diagnosis) -> str:
@@ -160,8 +166,7 @@ def how_sure(found: Diagnosis) -> str:
         return "encoder and gyro show it of each other, without any leg model."
     share, drawn = found.inclusion, "quarters" if found.proof.in_time else "segments"
     again = "" if share is None else f"the same answer in {share:.0%} of resampled {drawn}; "
-    rivals = others(found)
-    alike = f"or {rivals}: this recording cannot tell them apart; " if rivals else ""
+    alike = "".join(f"{one}; " for one in others(found))
     return (
         f"{again}{alike}on noise alone {chance(found.false_alarm_rate)} false alarms, an effect of "
         f"this size is found with a chance of {certain(found.power)}."
