@@ -1,6 +1,7 @@
 """Makes recordings as other people do, has exoid fit and diagnose them, and scores the answers.
 
 python -m benchmarks.others --cases 500 --seed 0             # all of it; continues where it was
+python -m benchmarks.others --cases 200 --together 3         # three effects at once
 python -m benchmarks.others --cases 0:60 --only fit          # these cases, fits alone
 python -m benchmarks.others --cases 200 --only make          # recordings and truths alone
 python -m benchmarks.others --cases 200 --release MODULE:FUNCTION   # a detector's begins and ends
@@ -28,7 +29,8 @@ def main() -> None:
     options = parse()
     numbers = range(*options.cases)
     with ProcessPoolExecutor(options.workers, mp_context=get_context("spawn")) as pool:
-        made = pool.map(make, repeat(options.seed), numbers, repeat(options.to), chunksize=4)
+        given = (repeat(options.seed), numbers, repeat(options.to), repeat(options.together))
+        made = pool.map(make, *given, chunksize=4)
         tables = list(made)
     if options.only == "make":
         print(f"{len(tables)} recordings in {options.to}")
@@ -46,6 +48,9 @@ def parse() -> argparse.Namespace:
     )
     parser.add_argument("--cases", type=span, default=(0, 500), metavar="N or A:B")
     parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument(
+        "--together", type=int, default=1, choices=[1, 2, 3], help="effects of one recording"
+    )
     parser.add_argument("--only", choices=["make", *COMMANDS], help="without it: fit and diagnose")
     parser.add_argument("--workers", type=int, default=2)
     parser.add_argument(

@@ -32,8 +32,9 @@ class Case:
     protocol: Protocol
 
 
-def name_of_case(seed: int, number: int) -> str:
-    return f"s{seed}-{number:04d}"
+def name_of_case(seed: int, number: int, together: int) -> str:
+    several = f"x{together}" if together > 1 else ""
+    return f"s{seed}{several}-{number:04d}"
 
 
 def source_of(seed: int, number: int, purpose: int) -> np.random.Generator:
@@ -41,16 +42,17 @@ def source_of(seed: int, number: int, purpose: int) -> np.random.Generator:
     return np.random.default_rng([seed, number, purpose])
 
 
-def draw_case(seed: int, number: int) -> Case:
+def draw_case(seed: int, number: int, together: int = 1) -> Case:
+    """Of this seed; where it lacks anything, so many effects `together`."""
     rng = source_of(seed, number, 0)
     person, device, trouble = draw_person(rng), draw_device(rng), draw_trouble(rng)
     gyro, encoder = device.velocity_noise is not None, device.counts > 0
-    effect = draw_effect(person.leg, encoder=encoder, gyro=gyro, rng=rng)
+    effect = draw_effect(person.leg, encoder=encoder, gyro=gyro, rng=rng, together=together)
     systematic = bool(rng.random() < SYSTEMATIC)
     zero, tilt, scale, clock = rng.standard_normal(4) * (ZERO, TILT, SCALE, CLOCK) * systematic
     physics = physics_of(person.leg, **effect.torque)._replace(tilt=float(tilt))
     sensed = {"bias": rng.normal(0, BIAS), "zero": zero, "scale": scale, "clock": clock}
     errors = Errors(**{k: float(v) for k, v in (sensed | effect.sensor).items()})
     protocol = draw_protocol(physics, device.angle_noise, rng)
-    name = name_of_case(seed, number)
+    name = name_of_case(seed, number, together)
     return Case(name, person, device, trouble, effect, systematic, physics, errors, protocol)

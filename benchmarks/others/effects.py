@@ -104,13 +104,24 @@ GYROS: dict[str, Recipe] = {
 SENSORS_SHARE = 2.0  # of one sensor's error against one torque: not every device can have it
 
 
-def draw_effect(leg: Leg, *, encoder: bool, gyro: bool, rng: Generator) -> Effect:
-    """Nothing in one of two, else one effect that this device can have."""
+def draw_effect(
+    leg: Leg, *, encoder: bool, gyro: bool, rng: Generator, together: int = 1
+) -> Effect:
+    """Nothing in one of two, else one effect that this device can have, or so many `together`, of
+    which one at most is a sensor's.
+    """
     if rng.random() < 0.5:
         return NOTHING
     sensors = (ENCODERS if encoder else {}) | (GYROS if gyro else {})
     recipes = TORQUES | sensors
     shares = np.array([SENSORS_SHARE if each in sensors else 1.0 for each in recipes])
-    name = str(rng.choice(list(recipes), p=shares / shares.sum()))
-    size = {key: float(value) for key, value in recipes[name](leg, rng).items()}
-    return Effect(name, sensor=size) if name in sensors else Effect(name, torque=size)
+    names: list[str] = []
+    while len(names) < together:
+        name = str(rng.choice(list(recipes), p=shares / shares.sum()))
+        if name not in names and not (name in sensors and sensors.keys() & names):
+            names.append(name)
+    torque, sensor = {}, {}
+    for name in names:
+        size = {key: float(value) for key, value in recipes[name](leg, rng).items()}
+        (sensor if name in sensors else torque).update(size)
+    return Effect("+".join(sorted(names)), torque, sensor)

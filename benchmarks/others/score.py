@@ -47,7 +47,9 @@ class FitMark:
 
 @dataclass(frozen=True)
 class Mark:
-    """Of one diagnosis: quiet, sensor, alarm; named, unsure, missed, unseen, wrong; refused."""
+    """Of one diagnosis: quiet, sensor, alarm; named, part of it, unsure, missed, unseen, wrong;
+    refused.
+    """
 
     word: str
     said: str
@@ -98,9 +100,12 @@ def mark_diagnosis(truth: dict[str, Any], answer: Answer) -> Mark:
     if truth["effect"] == "none":
         sensor = bool(names) and names <= present(truth) and not found["novel"]
         return Mark("quiet" if not loud else "sensor" if sensor else "alarm", said)
-    right = {truth["effect"]} | EQUAL.get(truth["effect"], set())
+    rights = [{each} | EQUAL.get(each, set()) for each in truth["effect"].split("+")]
+    right = frozenset().union(*rights)
     if names & right:
-        return Mark("named" if names <= right | present(truth) else "wrong", said)
+        whole = all(names & each for each in rights)
+        word = "named" if whole else "part"
+        return Mark(word if names <= right | present(truth) else "wrong", said)
     alike = {name for each in found["equivalent"] for name in each.split(" + ")}
     if alike & right and not found["novel"]:
         return Mark("unsure", said)

@@ -10,7 +10,10 @@ import numpy as np
 from .score import FitMark, Mark
 
 GROUPS = ("person", "device", "trouble", "effect")
-NULL, EFFECT = ("quiet", "sensor", "alarm"), ("named", "unsure", "unseen", "missed", "wrong")
+NULL, EFFECT = (
+    ("quiet", "sensor", "alarm"),
+    ("named", "part", "unsure", "unseen", "missed", "wrong"),
+)
 HEAD = (
     "group", "cases", "fits", "right", "warned", "cover 99 %", "leg 95 %", "error/bound", "90 %",
     "nulls", "alarms", "effects", *EFFECT, "refused",

@@ -11,9 +11,9 @@ from .session import hold_session
 from .truth import truth_of
 
 
-def make(seed: int, number: int, folder: Path) -> Path:
+def make(seed: int, number: int, folder: Path, together: int = 1) -> Path:
     """Draw a case and write it; the table's path. What is there already is kept."""
-    case = draw_case(seed, number)
+    case = draw_case(seed, number, together)
     table = folder / f"{case.name}.csv"
     told = table.with_suffix(".truth.json")
     if told.exists():

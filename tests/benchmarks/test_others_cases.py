@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from benchmarks.others.case import draw_case
 from benchmarks.others.devices import Device, sample_times
+from benchmarks.others.effects import TORQUES
 from benchmarks.others.kalman import filtered
 from benchmarks.others.leg import GRAVITY
 from benchmarks.others.people import HARDEST
@@ -43,6 +44,19 @@ def made(tmp_path_factory):
 def read(path: Path):
     truth = json.loads(path.with_suffix(".truth.json").read_text())
     return truth, np.genfromtxt(path, delimiter=",", names=True)
+
+
+def test_several_effects_are_as_many_as_wanted_and_at_most_one_is_of_a_sensor():
+    drawn = [draw_case(SEED, number, together=3).effect for number in range(60)]
+    several = [each for each in drawn if each.name != "none"]
+    assert len(several) > 20
+    for each in several:
+        names = set(each.name.split("+"))
+        assert len(names) == 3
+        assert len(names - TORQUES.keys()) <= 1
+    assert [draw_case(SEED, number).effect for number in range(60)] == [
+        case.effect for case in CASES[:60]
+    ]
 
 
 def test_nothing_of_exoid_makes_them():

@@ -108,6 +108,17 @@ def test_a_fit_may_be_refused_or_say_itself_that_it_failed():
         (lacking("quadratic_drag"), diagnosis("mismatch", novel=True), "wrong"),
         (lacking("hard_stop"), diagnosis("mismatch", "backlash", alike=["hard_stop"]), "unsure"),
         (lacking("backlash", systematic=True), diagnosis("mismatch", "gyro_scale"), "missed"),
+        (lacking("hard_stop+quadratic_drag"), diagnosis("mismatch", "hard_stop"), "part"),
+        (
+            lacking("hard_stop+quadratic_drag"),
+            diagnosis("mismatch", "quadratic_drag", "hard_stop"),
+            "named",
+        ),
+        (
+            lacking("hard_stop+quadratic_drag"),
+            diagnosis("mismatch", "hard_stop", "backlash"),
+            "wrong",
+        ),
         (TRUTH, Answer(2, "exoid: no.", 1.0, None), "refused"),
     ],
 )
