@@ -5,11 +5,13 @@ there (StableHLO, by jax.export) beside XLA's own compilation cache, and the nex
 both without importing the solver.
 """
 
+import ctypes
 import hashlib
 import inspect
 import logging
 import os
 import platform
+import sys
 import warnings
 from collections.abc import Callable
 from functools import cache
@@ -41,7 +43,7 @@ UNREADABLE = "Error reading persistent compilation cache"  # what XLA's Python s
 Result = TypeVar("Result")
 LOG = logging.getLogger("exoid")
 _folder: list[Path] = []  # where programs are kept; empty: nowhere
-_lock = Lock()
+_locks: dict[tuple, Lock] = {}  # one for every program: others may be compiled meanwhile
 
 
 def keep_programs_in(folder: Path | None = None) -> None:
@@ -108,10 +110,13 @@ def called(name: str, arguments: tuple, static, structure):
     """
     leaves, given = jax.tree.flatten(arguments)
     shapes = tuple(jax.ShapeDtypeStruct(np.shape(leaf), np.result_type(leaf)) for leaf in leaves)
+    wanted = (name, given, shapes, static)
     with jax.enable_x64(True):  # a fit in float32 would stop short of its optimum
-        with _lock:  # of two threads that want a program, one compiles it
-            compiled = program(name, given, shapes, static)
-        results = compiled(*map(np.asarray, leaves))
+        with _locks.setdefault(
+            wanted, Lock()
+        ):  # of two threads that want a program, one compiles it
+            code = program(*wanted)
+        results = code(*map(np.asarray, leaves))
     return jax.tree.unflatten(structure, [np.asarray(result) for result in results])
 
 
@@ -124,13 +129,22 @@ def program(name: str, structure, shapes, static):
     options = understood(OPTIONS.get(name, LEAN))
     if not _folder or None in own_sources((static, *classes(structure))):
         found = jax.jit(traceable(name, structure, static), compiler_options=options)
-        return found.lower(*shapes).compile()
+        return compiled(found, shapes)
     path = _folder[0] / f"{fingerprint(name, structure, shapes, static)}.stablehlo"
     exported = load(path)
     if exported is None:
         exported = jax.export.export(jax.jit(traceable(name, structure, static)))(*shapes)
         store(path, exported.serialize())
-    return jax.jit(exported.call, compiler_options=options).lower(*shapes).compile()
+    return compiled(jax.jit(exported.call, compiler_options=options), shapes)
+
+
+def compiled(found, shapes):
+    """The machine code; what compiling took of memory goes back to the system."""
+    code = found.lower(*shapes).compile()
+    if sys.platform == "linux":
+        trim = getattr(ctypes.CDLL(None), "malloc_trim", lambda _: 0)  # of glibc alone
+        trim(0)
+    return code
 
 
 @cache

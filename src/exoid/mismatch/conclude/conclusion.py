@@ -98,7 +98,9 @@ def concluded(
         pairs=[weighed(found, one, best) for one in found.pairs],
         pinned=pinned(found),
         excluded=[name_of(term) for term in found.failed],
-        false_alarm_rate=measure.false_alarm_rate([size(one) for one in found.pinned]),
+        false_alarm_rate=measure.false_alarm_rate(
+            [size(one) for one in (*found.pinned, *found.glimpsed)]
+        ),
         power=measure.power(found.base.square, best.square, max(size(best), 1)),
         inclusion=repeated,
         sensors=prepared.sensors.errors,

@@ -126,7 +126,7 @@ def descend(prepared, begin, evaluate, rounds, steady, rival=np.inf) -> list[Opt
 def promising(squares: list[float], rival: float) -> bool:
     """Is it early, or do they still fall, and fast where a rival leaves far less?"""
     if len(squares) > EARLY and squares[-1] > FAR * rival:
-        return squares[-1] < FAST * squares[-EARLY // 2]
+        return bool(squares[-1] < FAST * squares[-EARLY // 2])
     return len(squares) <= LONG or squares[-1] < FALLING * squares[-1 - LAST]
 
 

@@ -22,7 +22,8 @@ REACH = 3.0  # times what the set leaves, within which running free may change t
 
 def several(prepared: PreparedRecording, usable: list[type[Term]], best: Optimum) -> list[Optimum]:
     """Sets with one cause more than the best at hand, and so on while that clearly explains more
-    and noise is not reached; then with another cause in the place of one, and with one less.
+    and noise is not reached; then with another cause in the place of one. What explains as much
+    with another cause, or with one less, is found, too.
     """
     found, measure = [], yardstick(prepared, best)
     for steps in (with_one_more, with_another):
@@ -34,7 +35,10 @@ def several(prepared: PreparedRecording, usable: list[type[Term]], best: Optimum
                 break
             found += wider
             best = better
-    return [*found, *without_one(prepared, best)] if found else []
+    if not found:
+        return []
+    rivals = simulated(prepared, with_another(prepared, usable, best), best)
+    return [*found, *rivals, *without_one(prepared, best)]
 
 
 def simulated(
@@ -66,14 +70,15 @@ def with_one_more(
 def with_another(
     prepared: PreparedRecording, usable: list[type[Term]], best: Optimum
 ) -> list[Hypothesis]:
-    """The set with another cause in the place of one, where that leaves less at first sight."""
+    """The set with another cause in the place of one, where that may leave as little."""
     terms = best.candidate.terms
     seen = [
         beside(prepared, [each for each in usable if each is not out], fewer)[:1]
         for out, fewer in zip(terms, with_one_less(best.candidate), strict=True)
     ]
-    better = [one for (one,) in filter(None, seen) if one.square < best.square]
-    return [one.candidate for one in sorted(better, key=lambda one: one.square)]
+    little = max(best.square, FLOOR * prepared.samples)
+    near = [one for (one,) in filter(None, seen) if one.square < little]
+    return [one.candidate for one in sorted(near, key=lambda one: one.square)]
 
 
 def beside(
