@@ -22,7 +22,8 @@ STEADY = 1e-2  # expected gain of a sum of squares below which a candidate rests
 NEARLY = 0.5  # the same while it is pinned, for it goes on running free
 FLAT = 1e-6  # relative curvature below which no place nearby is looked for
 WEAK = 1e-9  # relative curvature of what nothing tells
-FLOOR = 1.3  # mean square over the noise at which nothing more is looked for
+FLOOR = 1.3  # mean square over the noise at which no other basin is looked for
+USUAL = 1.6  # standard deviations of a sum of squares
 HOPS = 8  # places nearby to begin from, a round
 HOP_ROUNDS = 6  # of steps, by which it shows whether one leads down
 HOP = 0.03  # geometric mean of the shares of its square by which a parabola would rise there
@@ -67,6 +68,11 @@ def polished(prepared: PreparedRecording, start: Hypothesis, rival: float = np.i
     found = settle_free(prepared, start, rival=rival)
     beaten = found.square > FAR * rival
     return hopped(prepared, found) if any(map(holds, start.terms)) and not beaten else found
+
+
+def enough(prepared: PreparedRecording, square: float) -> bool:
+    """Is what is left no more than noise by chance is in one of twenty recordings?"""
+    return square < prepared.samples + USUAL * np.sqrt(2 * prepared.samples)
 
 
 def hopped(prepared: PreparedRecording, at: Optimum) -> Optimum:

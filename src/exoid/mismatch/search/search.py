@@ -9,10 +9,17 @@ from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.mismatch.evidence.measure import yardstick
 from exoid.mismatch.evidence.yardstick import APART, FOLLOWED, Yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
-from exoid.mismatch.screen.optimise import FEWER_ROUNDS, FLOOR, polished, settle, settle_free
+from exoid.mismatch.screen.optimise import (
+    FEWER_ROUNDS,
+    FLOOR,
+    enough,
+    polished,
+    settle,
+    settle_free,
+)
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import Found, best_of, size, sound
-from exoid.mismatch.search.several import several
+from exoid.mismatch.search.several import several, with_one_more
 from exoid.mismatch.search.variants import (
     nested,
     pairs,
@@ -67,8 +74,19 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
         singles += side_by_side(lambda one: found_anyhow(prepared, base, one, starts), others)
         singles = by_evidence(singles, base, measure)
     found = Found(prepared, base, begin, singles, sensors, ranked, failed, measure)
-    best = least(base, *singles).square
-    return found if best < FLOOR * measure.samples else with_sets(found, usable, told)
+    return with_sets(found, usable, told) if lacks_more(found, usable) else found
+
+
+def lacks_more(found: Found, usable: list[type[Term]]) -> bool:
+    """Can a second cause explain what the best one leaves? Where that is little, it must be clear
+    at first sight.
+    """
+    prepared, best = found.prepared, least(found.base, *found.singles)
+    if best.square > FLOOR * prepared.samples:
+        return True
+    if enough(prepared, best.square) or not best.candidate.terms:
+        return False
+    return bool(with_one_more(prepared, usable, best))
 
 
 def truer_baseline(prepared: PreparedRecording, base: Optimum, best: Optimum) -> Optimum | None:
@@ -90,7 +108,7 @@ def with_sets(found: Found, usable: list[type[Term]], told: Told) -> Found:
     told("simulating the best pairs")
     joint = [*simulated(prepared, shortlist(both)), *found.pairs]
     for best in ordered(joint)[:1]:
-        if best.square > FLOOR * found.yardstick.samples:
+        if not enough(prepared, best.square):
             told("testing three causes and more")
             joint += several(prepared, usable, best)
             joint += nested(prepared, ordered(joint)[:1], usable)

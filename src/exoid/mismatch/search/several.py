@@ -7,7 +7,7 @@ from exoid.mismatch.evidence.measure import yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis, Linear, Optimum
 from exoid.mismatch.screen.many_pinned import linear, together
 from exoid.mismatch.screen.measured_motion import MeasuredMotion
-from exoid.mismatch.screen.optimise import FLOOR, polished, settle
+from exoid.mismatch.screen.optimise import FLOOR, enough, polished, settle
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import best_of, size, sound
 from exoid.physics.library import MOST_PARAMETERS
@@ -27,7 +27,7 @@ def several(prepared: PreparedRecording, usable: list[type[Term]], best: Optimum
     """
     found, measure = [], yardstick(prepared, best)
     for steps in (with_one_more, with_another):
-        while best.square > FLOOR * measure.samples:
+        while not enough(prepared, best.square):
             wider = simulated(prepared, steps(prepared, usable, best), best)
             better = min([best, *wider], key=lambda one: one.square)
             measure = yardstick(prepared, better)
@@ -64,7 +64,14 @@ def with_one_more(
     """The set with each of the causes that explain most beside those it has."""
     if len(best.candidate.terms) >= MOST:
         return []
-    return [one.candidate for one in beside(prepared, usable, best.candidate)[:NEXT]]
+    wider = beside(prepared, usable, best.candidate)
+    return [one.candidate for one in wider if gains(prepared, best, one)][:NEXT]
+
+
+def gains(prepared: PreparedRecording, best: Optimum, one: Optimum) -> bool:
+    """Is it clear at first sight that a set explains more than the best?"""
+    more = max(size(one) - size(best), 1)
+    return yardstick(prepared, best).clear(best.square, one.square, more)
 
 
 def with_another(
