@@ -16,6 +16,7 @@ from exoid.fitting.result.fit_result import Estimate, FitResult
 from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter
 from exoid.mismatch.conclude.conclusion import Chosen, concluded
 from exoid.mismatch.conclude.rivals import by_the_fits, with_rivals
+from exoid.mismatch.conclude.sensor_faults import with_faults_told
 from exoid.mismatch.conclude.unusual_zero import as_a_term, unusual
 from exoid.mismatch.evidence.locate import locate
 from exoid.mismatch.evidence.measure import misfits
@@ -30,6 +31,7 @@ from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import settle_free
 from exoid.mismatch.search.found import Found, Workings, size
 from exoid.mismatch.search.search import look
+from exoid.mismatch.search.variants import with_term
 from exoid.physics.library import library
 from exoid.physics.parameter import Declaration
 from exoid.physics.term import Term, name_of
@@ -202,6 +204,9 @@ def asked(
     if chosen.best.square > REMAINS * found.yardstick.samples:
         told("looking for a formula")
         chosen, formula = formulated(found, chosen)
+    found, best = with_faults_told(found, chosen.best)
+    if prepared.common:
+        chosen = Chosen(best, *(predict(prepared, one) for one in (found.base, best)))
     if formula is None and unusual(found, chosen.best):
         found, best = as_a_term(found, chosen.best)
         chosen = Chosen(best, *(predict(found.prepared, one) for one in (found.base, best)))
@@ -268,12 +273,12 @@ def formulated(found: Found, chosen: Chosen) -> tuple[Chosen, Formula | None]:
     if formula.known > KNOWN:
         return chosen, None
     term = term_of(formula)
-    start = replace(found.begin, terms=(term,), values=(formula.values,))
+    start = with_term(found.begin, term, formula.values)
     one = settle_free(found.prepared, start)
     if better(found, one, chosen.best) and found.clear(found.base, one):
         after = predict(found.prepared, one)
         if improves(chosen.after, after):
-            return Chosen(one, chosen.before, after), formula.at(one.candidate.values[0])
+            return Chosen(one, chosen.before, after), formula.at(one.candidate.values[-1])
     return chosen, None
 
 

@@ -46,11 +46,23 @@ def prepare(
     problem = replace(problem, observation=observation)
     fitted = released(best, problem)
     inertia = float(fitted.shared.log_inertia)
-    tested = (*library(), *terms)
+    tested = (*(each for each in library() if not each.named_only), *terms)
     zero = movements[0].systematics.zero
-    prepared = PreparedRecording(problem, sensors, tested, inertia, rig, zero)
-    point = prepared.point(fitted)
-    return prepared, settle_free(prepared, Hypothesis((), (), point), rounds=FEWER_ROUNDS)
+    common = common_of(sensors, owned)
+    made = PreparedRecording(problem, sensors, tested, inertia, rig, zero, tuple(common))
+    begin = Hypothesis(tuple(common), tuple(common.values()), made.point(fitted))
+    return made, settle_free(made, begin, rounds=FEWER_ROUNDS)
+
+
+def common_of(sensors: Consistency, owned: tuple[str, ...]) -> dict[type[Term], np.ndarray]:
+    """What the sensors surely do wrong, which every candidate has, but for what each recording
+    owns.
+    """
+    return {
+        each.fault.term: each.values
+        for each in sensors.sure.errors
+        if each.fault.term.replaces not in owned
+    }
 
 
 def without_edges(seen: Observation, sensors: Consistency) -> Observation:

@@ -21,6 +21,7 @@ from exoid.mismatch.conclude.numbers import (
     weighed,
 )
 from exoid.mismatch.conclude.rivals import hidden, of_hidden
+from exoid.mismatch.conclude.twins import named_alike
 from exoid.mismatch.evidence.location import Location
 from exoid.mismatch.evidence.prediction import Prediction, Proof
 from exoid.mismatch.evidence.proof import proof
@@ -98,7 +99,7 @@ def concluded(
         reasons=reasons,
         findings=findings(selected, best) if verdict == "mismatch" else [],
         ranking=ranked(found, selected, formula),
-        equivalent=named_alike(equal, best) if verdict != "none" else [],
+        equivalent=named_alike(prepared, equal) if verdict != "none" else [],
         novel=novel,
         formula=NovelTorque(formula.words, formula.explained, formula.known)
         if formula and novel
@@ -191,15 +192,6 @@ def named_terms(found: Found, best: Optimum) -> list[str]:
     return [name for name in names(best) if name not in inside]
 
 
-def named_alike(equal: list[Optimum], best: Optimum) -> list[str]:
-    """What this recording cannot tell from the best, itself included: names joined by " + "."""
-    known = [names(one) for one in equal]
-    for term in best.candidate.terms if equal else ():
-        if term.twin:
-            known.append([term.twin if name == name_of(term) else name for name in names(best)])
-    return [" + ".join(each) for each in known]
-
-
 def judge(
     found: Found, best: Optimum, shown: Proof, repeated: float | None
 ) -> tuple[Verdict, list[str]]:
@@ -236,14 +228,14 @@ def partial(found: Found, best: Optimum) -> list[str]:
 def ranked(found: Found, selected: list[str], formula: Formula | None) -> list[str]:
     """Names, best first: what was selected, then every other single term by what it explains."""
     singles = [names(one)[0] for one in found.singles if names(one)]
-    others = [names(one)[0] for one in found.pinned]
+    others = [names(one)[-1] for one in found.pinned]
     first = [] if formula else by_share(found, selected)
     return list(dict.fromkeys([*first, *singles, *others]))
 
 
 def by_share(found: Found, selected: list[str]) -> list[str]:
     """Of two effects the one first that explains more by itself."""
-    alone = {names(one)[0]: one.square for one in found.pinned}
+    alone = {names(one)[-1]: one.square for one in found.pinned}
     return sorted(selected, key=lambda name: alone.get(name, np.inf))
 
 

@@ -41,6 +41,7 @@ class PreparedRecording:
     log_inertia: float  # log(J / kg m^2) of the baseline's fit
     rig: bool
     zero: float  # rad, standard deviation of the encoder's; 0 where it is known
+    common: tuple[type[Term], ...] = ()  # first terms of every candidate: sure errors of sensors
 
     @property
     def zeros(self) -> tuple[str, ...]:

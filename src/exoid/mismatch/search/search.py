@@ -14,12 +14,15 @@ from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import Found, best_of, size, sound
 from exoid.mismatch.search.several import several
 from exoid.mismatch.search.variants import (
+    given,
     nested,
     pairs,
     reduced,
     simpler_form,
+    suspected_sensors,
     twins,
-    with_sure_sensors,
+    with_common,
+    with_term,
 )
 from exoid.physics.term import Term
 
@@ -38,14 +41,13 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
     """
     begin = beginning(prepared, base)
     usable = [term for term in prepared.library if applies(prepared, term)]
+    known = given(prepared, begin)
     told(f"testing {len(usable)} candidates")
     starts = [
-        replace(begin, terms=(term,), values=(value,))
-        for term in usable
-        for value in prepared.starts(term)
+        with_term(begin, term, value, known) for term in usable for value in prepared.starts(term)
     ]
     first = best_of(settle(prepared, starts, rounds=ROUNDS))
-    failed = [one.candidate.terms[0] for one in first if not sound(one)]
+    failed = [one.candidate.terms[-1] for one in first if not sound(one)]
     ranked = ordered(first)
     told("simulating the best of them")
     singles = side_by_side(lambda one: polished(prepared, one.candidate), shortlist(ranked))
@@ -55,7 +57,7 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
         return look(prepared, truer, told)
     measure = yardstick(prepared, least(base, *singles))
     singles = by_evidence(singles, base, measure)
-    beside = with_sure_sensors(prepared, base, singles)
+    beside = suspected_sensors(prepared, base, singles)
     sensors = [one for one in beside if len(one.candidate.terms) > 1]
     alone = [one for one in beside if len(one.candidate.terms) == 1]
     singles = by_evidence([*singles, *alone], base, measure)
@@ -75,7 +77,7 @@ def truer_baseline(prepared: PreparedRecording, base: Optimum, best: Optimum) ->
     """The baseline in the valley of the best candidate, where its own is a false one."""
     if not best.square < FALSE * base.square:
         return None
-    found = polished(prepared, replace(best.candidate, terms=(), values=()))
+    found = polished(prepared, with_common(prepared, best.candidate))
     return found if found.square < FALSE * base.square else None
 
 
@@ -132,7 +134,7 @@ def applies(prepared: PreparedRecording, term: type[Term]) -> bool:
         return False
     if term.voluntary:
         return any(each.voluntary for each in prepared.problem.movements)
-    if term.replaces in prepared.zeros:
+    if term.replaces in prepared.zeros or term in prepared.common:
         return False
     if term.everyday:
         return bool((prepared.seen.velocity_weight > 0).any())

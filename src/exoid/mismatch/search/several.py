@@ -3,12 +3,11 @@
 from dataclasses import replace
 
 from exoid.mismatch.evidence.measure import yardstick
-from exoid.mismatch.screen.hypothesis import Hypothesis, Linear, Optimum
-from exoid.mismatch.screen.many_pinned import linear, together
-from exoid.mismatch.screen.measured_motion import MeasuredMotion
+from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import FLOOR, polished, settle
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import best_of, size, sound
+from exoid.mismatch.search.variants import given
 from exoid.physics.library import MOST_PARAMETERS
 from exoid.physics.term import Term
 
@@ -26,7 +25,8 @@ def several(prepared: PreparedRecording, usable: list[type[Term]], best: Optimum
     them needed?
     """
     found, measure = [], yardstick(prepared, best)
-    while FLOOR < best.square / measure.samples < NEAR and len(best.candidate.terms) < MOST:
+    most = MOST + len(prepared.common)
+    while FLOOR < best.square / measure.samples < NEAR and len(best.candidate.terms) < most:
         starts = with_one_more(prepared, usable, best.candidate)
         wider = [one for each in starts if sound(one := polished(prepared, each))]
         better = min([best, *wider], key=lambda one: one.square)
@@ -36,7 +36,8 @@ def several(prepared: PreparedRecording, usable: list[type[Term]], best: Optimum
         found += wider
         best = better
     if found and measure.explains(best.square):
-        found += [polished(prepared, each) for each in with_one_less(best.candidate)]
+        fewer = with_one_less(best.candidate, len(prepared.common))
+        found += [polished(prepared, each) for each in fewer]
     return found
 
 
@@ -47,9 +48,7 @@ def with_one_more(
     size = sum(value.size for value in best.values)
     if size > MOST_PARAMETERS:
         return []
-    known = as_one(prepared, best, prepared.measured_motion)
-    motion = settle(prepared, [replace(best, linear=known)], rounds=1)[0].motion
-    known = as_one(prepared, best, motion)
+    known = given(prepared, best)
     starts = [
         replace(best, terms=(*best.terms, term), values=(*best.values, value), linear=known)
         for term in usable
@@ -61,17 +60,8 @@ def with_one_more(
     return [replace(one.candidate, linear=None) for one in first]
 
 
-def as_one(prepared: PreparedRecording, best: Hypothesis, motion: MeasuredMotion) -> Linear:
-    """What all its terms do along a motion; the pinned program itself takes no more than two."""
-    each = [
-        (replace(best, terms=(term,), values=(value,), linear=None), motion)
-        for term, value in zip(best.terms, best.values, strict=True)
-    ]
-    return together(linear(prepared, each))
-
-
-def with_one_less(candidate: Hypothesis) -> list[Hypothesis]:
-    """The candidate without each of its causes in turn."""
+def with_one_less(candidate: Hypothesis, first: int) -> list[Hypothesis]:
+    """The candidate without each of its causes in turn, from the one in place `first` on."""
     return [
         replace(
             candidate,
@@ -79,5 +69,5 @@ def with_one_less(candidate: Hypothesis) -> list[Hypothesis]:
             values=candidate.values[:out] + candidate.values[out + 1 :],
             linear=None,
         )
-        for out in range(len(candidate.terms))
+        for out in range(first, len(candidate.terms))
     ]

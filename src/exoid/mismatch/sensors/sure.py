@@ -1,0 +1,92 @@
+"""Which errors of the sensors are sure, before any leg model: the fewest that leave only noise.
+
+All are estimated at once. What explains the sensors' disagreement about as well is named, too: a
+gain that is off and a magnet off the centre look much alike over a quarter of a turn.
+"""
+
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+
+from exoid.mismatch.evidence.yardstick import APART, UNEXPLAINED, Yardstick
+from exoid.mismatch.sensors.compare import Compared, Measured, compare, inverse
+from exoid.mismatch.sensors.faults import BIAS, OTHERS, USUAL, Fault
+from exoid.physics.term import Term
+
+ASKED = tuple(one for one in (*USUAL, *OTHERS) if one is not BIAS)  # which is free anyway
+MOST = 4  # errors at once
+
+
+@dataclass(frozen=True, eq=False)
+class SureError:
+    """An error whose size the sensors surely tell among themselves."""
+
+    fault: Fault
+    values: np.ndarray
+
+
+@dataclass(frozen=True, eq=False)
+class Sure:
+    """Errors that every model of the leg has, and sets of others that would do as well."""
+
+    errors: tuple[SureError, ...] = ()
+    alike: tuple[tuple[type[Term], ...], ...] = ()
+
+    @property
+    def faults(self) -> tuple[Fault, ...]:
+        return tuple(one.fault for one in self.errors)
+
+    @property
+    def terms(self) -> tuple[type[Term], ...]:
+        return tuple(one.fault.term for one in self.errors)
+
+
+def surely(segments: list[Measured], usual: Compared) -> Sure:
+    """What encoder and gyro surely say of each other; nothing where more is between them."""
+    every = compare(segments, (*USUAL, *OTHERS))
+    measure = Yardstick(every.samples, max(1.0, every.misfit))
+    sets = [each for count in range(MOST + 1) for each in combinations(ASKED, count)]
+    costs = [cost(every, each, measure) for each in sets]
+    chosen = needed(every, sets[int(np.argmin(costs))], measure)
+    if not chosen or every.misfit > UNEXPLAINED:
+        return Sure()
+    here = cost(every, chosen, measure)
+    alike = [
+        tuple(fault.term for fault in each)
+        for each, one in zip(sets, costs, strict=True)
+        if one < here + APART and each != chosen and needed(every, each, measure) == each
+    ]
+    known = set(chosen) <= set(USUAL)
+    found = usual if known else compare(segments, (BIAS, *chosen))
+    return Sure(tuple(SureError(one, found.of(one)) for one in chosen), tuple(alike))
+
+
+def cost(every: Compared, some: tuple[Fault, ...], measure: Yardstick) -> float:
+    """What a set of errors leaves, and its price."""
+    parameters = sum(one.parameters for one in some)
+    return missed(every, some) / measure.scale + measure.price(parameters)
+
+
+def missed(every: Compared, some: tuple[Fault, ...]) -> float:
+    """The sum of squares that the others explain beside a set of errors."""
+    out = every.places(tuple(one for one in ASKED if one not in some))
+    if not out.size:
+        return 0.0
+    within = np.setdiff1d(np.arange(every.values.size), out)
+    values, normal = every.values[out], every.normal
+    cross = normal[np.ix_(out, within)]
+    rest = normal[np.ix_(out, out)] - cross @ inverse(normal[np.ix_(within, within)]) @ cross.T
+    return float(values @ rest @ values)
+
+
+def needed(every: Compared, some: tuple[Fault, ...], measure: Yardstick) -> tuple[Fault, ...]:
+    """Those without which clearly more is left, the least needed taken out first."""
+    while some:
+        fewer = {one: tuple(other for other in some if other is not one) for one in some}
+        lost = {one: missed(every, rest) - missed(every, some) for one, rest in fewer.items()}
+        weakest = min(some, key=lambda one: lost[one])
+        if measure.clear(lost[weakest], 0.0, weakest.parameters):
+            return some
+        some = fewer[weakest]
+    return some
