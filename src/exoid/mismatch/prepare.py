@@ -48,20 +48,22 @@ def prepare(
     inertia = float(fitted.shared.log_inertia)
     tested = (*(each for each in library() if not each.named_only), *terms)
     zero = movements[0].systematics.zero
-    common = common_of(sensors, owned)
+    common = common_of(sensors, tested, owned)
     made = PreparedRecording(problem, sensors, tested, inertia, rig, zero, tuple(common))
     begin = Hypothesis(tuple(common), tuple(common.values()), made.point(fitted))
     return made, settle_free(made, begin, rounds=FEWER_ROUNDS)
 
 
-def common_of(sensors: Consistency, owned: tuple[str, ...]) -> dict[type[Term], np.ndarray]:
+def common_of(
+    sensors: Consistency, tested: tuple[type[Term], ...], owned: tuple[str, ...]
+) -> dict[type[Term], np.ndarray]:
     """What the sensors surely do wrong, which every candidate has, but for what each recording
     owns.
     """
     return {
         each.fault.term: each.values
         for each in sensors.sure.errors
-        if each.fault.term.replaces not in owned
+        if each.fault.term in tested and each.fault.term.replaces not in owned
     }
 
 

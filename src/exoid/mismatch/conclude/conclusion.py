@@ -73,6 +73,7 @@ def concluded(
     selected = [] if formula else named_terms(found, best)
     bias = gyro_bias(best, measure)
     equal = [] if formula or not best.candidate.terms else equivalents(found, best)
+    equal.sort(key=lambda one: one is not best)
     repeated = included(found, best, equal, formula, seed)
     verdict, reasons = judge(found, best, shown, repeated)
     unseen = hidden(found, result) if verdict == "none" else []

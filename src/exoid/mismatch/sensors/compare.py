@@ -17,7 +17,7 @@ from exoid.mismatch.sensors.smooth import (
 
 ROUNDS = 3  # a late gyro is shifted by what the last round found
 FLAT = 1e-10  # relative curvature of what these segments do not tell
-Measured = tuple[Samples, np.ndarray, np.ndarray]  # of a segment: time, data, weights
+Measured = tuple[np.ndarray, np.ndarray, np.ndarray]  # of a segment: time, data, weights
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,22 +82,33 @@ def with_right_gyros(
     values: np.ndarray,
 ) -> list[Measured]:
     """The data as gyros without these errors would have shown them."""
+    skew = skew_of(faults, values)
     return [
-        (time, right(time, data, motion, faults, values), weights)
+        (time, right(time, data, motion, faults, values), within(time, weights, skew))
         for (time, data, weights), motion in zip(segments, motions, strict=True)
     ]
 
 
+def skew_of(faults: tuple[Fault, ...], values: np.ndarray) -> float:
+    """By how much the gyro is late [s]."""
+    own = [one for fault, one in zip(faults, split(faults, values), strict=True) if fault is SKEW]
+    return float(own[0][0]) if own else 0.0
+
+
+def within(time: Samples, weights: np.ndarray, skew: float) -> np.ndarray:
+    """The weights, 0 where a late gyro shows what was before or after the encoder's samples."""
+    shown = time - skew
+    inside = (shown >= time[0]) & (shown <= time[-1])
+    return np.stack([weights[:, 0], weights[:, 1] * inside], axis=1)
+
+
 def right(time, data, motion: Reference, faults, values) -> np.ndarray:
     """One segment's data: the errors at the instants that a late gyro shows, and its lateness."""
-    velocity = motion.angular_velocity
-    skew, added = 0.0, np.zeros_like(velocity)
+    velocity, wrong = motion.angular_velocity, motion.angular_velocity
     for one, own in zip(faults, split(faults, values), strict=True):
-        if one is SKEW:
-            skew = float(own[0])
-        else:
-            added = added + one.columns(motion) @ own
-    late = np.interp(time - skew, time, velocity + added)
+        if one is not SKEW:
+            wrong = wrong + one.columns(motion) @ own
+    late = np.interp(time - skew_of(faults, values), time, wrong)
     return np.stack([data[:, 0], data[:, 1] - late + velocity], axis=1)
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from exoid.fitting.data.observation import Observation
-from exoid.mismatch.sensors.compare import Compared, Measured, compare, right
+from exoid.mismatch.sensors.compare import Compared, Measured, compare, with_right_gyros
 from exoid.mismatch.sensors.faults import BIAS as GYRO_BIAS
 from exoid.mismatch.sensors.faults import SKEW, USUAL, Fault
 from exoid.mismatch.sensors.smooth import Reference, smooth
@@ -77,10 +77,8 @@ def references(
     values = found.values.copy()
     values[found.places(tuple(one for one in USUAL if one.name not in clear))] = 0.0
     excess = float(np.sqrt(max(1.0, CAUTION * found.misfit)))  # of what remains between the sensors
-    return [
-        smooth(time, right(time, data, motion, found.faults, values), weights / [1.0, excess])
-        for (time, data, weights), motion in zip(segments, found.motions, strict=True)
-    ]
+    cleaned = with_right_gyros(segments, found.motions, found.faults, values)
+    return [smooth(time, data, weights / [1.0, excess]) for time, data, weights in cleaned]
 
 
 def segment(seen: Observation, number: int) -> Measured:

@@ -12,6 +12,7 @@ import numpy as np
 from exoid.mismatch.evidence.yardstick import APART, UNEXPLAINED, Yardstick
 from exoid.mismatch.sensors.compare import Compared, Measured, compare, inverse
 from exoid.mismatch.sensors.faults import BIAS, OTHERS, USUAL, Fault
+from exoid.physics.parameter import declarations
 from exoid.physics.term import Term
 
 ASKED = tuple(one for one in (*USUAL, *OTHERS) if one is not BIAS)  # which is free anyway
@@ -24,6 +25,14 @@ class SureError:
 
     fault: Fault
     values: np.ndarray
+
+    @property
+    def possible(self) -> bool:
+        """May a sensor err so much? A thigh that moves can look like one that errs by more."""
+        ranges = [(each.lower, each.upper) for _, each in declarations(self.fault.term)]
+        return all(
+            low < value < high for value, (low, high) in zip(self.values, ranges, strict=True)
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,7 +68,8 @@ def surely(segments: list[Measured], usual: Compared) -> Sure:
     ]
     known = set(chosen) <= set(USUAL)
     found = usual if known else compare(segments, (BIAS, *chosen))
-    return Sure(tuple(SureError(one, found.of(one)) for one in chosen), tuple(alike))
+    errors = tuple(SureError(one, found.of(one)) for one in chosen)
+    return Sure(errors, tuple(alike)) if all(each.possible for each in errors) else Sure()
 
 
 def cost(every: Compared, some: tuple[Fault, ...], measure: Yardstick) -> float:

@@ -14,6 +14,7 @@ from exoid.physics.state import LegState
 from exoid.physics.term import Reading, Term, holds, reading
 
 Terms = tuple[Term, ...]
+STILL = 0.05  # of what a leg gains within the gyro's delay: hardly more is none
 
 
 class Motion(eqx.Module):
@@ -184,11 +185,10 @@ def delayed(
 ) -> Float[Array, " time"]:
     """A rate as it was `delay` [s] before, by cubic Hermite interpolation between samples.
 
-    Beyond its ends, the sample `last` where it is given, it goes on along the tangent, before the
-    first one no further than to rest: there a leg was let go.
+    Beyond its ends (`last`) it goes on along the tangent; before the first, a leg let go rested.
     """
-    wanted = time - delay
-    after = jnp.clip(jnp.searchsorted(time, wanted), 1, time.size - 1 if last is None else last)
+    wanted, end = time - delay, time.size - 1 if last is None else last
+    after = jnp.clip(jnp.searchsorted(time, wanted), 1, end)
     before, step = after - 1, time[after] - time[after - 1]
     x = jnp.clip((wanted - time[before]) / step, 0.0, 1.0)
     beyond = wanted - (time[before] + x * step)
@@ -196,5 +196,5 @@ def delayed(
     bend_first, bend_last = step * slope[before] - rise, rise - step * slope[after]
     inside = value[before] + x * rise + x * (1 - x) * ((1 - x) * bend_first + x * bend_last)
     change = beyond * jnp.where(x > 0.5, slope[after], slope[before])
-    resting = (beyond < 0) & (jnp.abs(inside) <= jnp.abs(change))
-    return jnp.where(resting, 0.0, inside + change)
+    begun = (inside * change <= STILL * change**2) & (jnp.abs(inside) <= jnp.abs(change))
+    return jnp.where((beyond < 0) & begun, 0.0, inside + change)
