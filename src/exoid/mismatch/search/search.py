@@ -21,6 +21,7 @@ from exoid.mismatch.search.variants import (
     simpler_form,
     suspected_sensors,
     twins,
+    unwatched,
     with_common,
     with_term,
 )
@@ -50,7 +51,9 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
     failed = [one.candidate.terms[-1] for one in first if not sound(one)]
     ranked = ordered(first)
     told("simulating the best of them")
-    singles = side_by_side(lambda one: polished(prepared, one.candidate), shortlist(ranked))
+    likely = shortlist(ranked)
+    likely += unwatched(prepared, [one for one in ranked if one not in likely], base)
+    singles = side_by_side(lambda one: polished(prepared, one.candidate), likely)
     singles += [*twins(prepared, singles, singles), *nested(prepared, singles, of_all(singles))]
     truer = truer_baseline(prepared, base, least(*singles))
     if truer is not None:

@@ -8,7 +8,7 @@ import numpy as np
 from exoid.mismatch.screen.hypothesis import Hypothesis, Linear, Optimum
 from exoid.mismatch.screen.many_pinned import linear, together
 from exoid.mismatch.screen.measured_motion import MeasuredMotion
-from exoid.mismatch.screen.optimise import polished, settle, settle_free
+from exoid.mismatch.screen.optimise import FLOOR, polished, settle, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.physics.library import MOST_PARAMETERS
 from exoid.physics.parameter import declarations
@@ -95,6 +95,16 @@ def suspected_sensors(
         for one in (base.candidate, *best)
     ]
     return [settle_free(prepared, one) for one in starts]
+
+
+def unwatched(prepared: PreparedRecording, others: list[Optimum], base: Optimum) -> list[Optimum]:
+    """What an encoder may do wrong where no gyro watches it: it bends a motion as springs do, and
+    must not be missed for them.
+    """
+    if (prepared.seen.velocity_weight > 0).any() or base.square < FLOOR * prepared.samples:
+        return []
+    sensors = [one for one in others if issubclass(one.candidate.terms[-1], SensorTerm)]
+    return [one for one in sensors if one.square < base.square]
 
 
 def nested(
