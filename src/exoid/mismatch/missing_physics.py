@@ -34,7 +34,7 @@ from exoid.mismatch.search.search import look
 from exoid.mismatch.search.variants import with_term
 from exoid.physics.library import library
 from exoid.physics.parameter import Declaration
-from exoid.physics.term import Term, name_of
+from exoid.physics.term import SensorTerm, Term, name_of
 from exoid.recordings.loading.named import RecordingsLike, named_recordings
 from exoid.recordings.recording import Recording
 
@@ -77,7 +77,7 @@ def diagnose(
     if any(each.late for each in movements):
         at_once = {**options, "at_once": True}
         whole = ask(fit(named, multistart=multistart, **at_once))
-        if names_it(whole):
+        if names_it(whole) and not by_sensors(whole):
             later = None if from_the_first(whole, movements) else ask(result)
             if later is None or (later.changed and not names_it(later)):
                 return with_model(whole, named, at_once, told)
@@ -219,6 +219,11 @@ def asked(
 def names_it(found: Diagnosis) -> bool:
     """Is something missing that the library has?"""
     return found.verdict == "mismatch" and not found.novel
+
+
+def by_sensors(found: Diagnosis) -> bool:
+    """Is all that was found an error of sensors? It shows as well without the first instants."""
+    return all(issubclass(term, SensorTerm) for term in just_made(found).best.candidate.terms)
 
 
 def from_the_first(found: Diagnosis, movements: list[Movement]) -> bool:

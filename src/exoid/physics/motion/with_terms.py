@@ -14,7 +14,6 @@ from exoid.physics.state import LegState
 from exoid.physics.term import Reading, Term, holds, reading
 
 Terms = tuple[Term, ...]
-STILL = 0.05  # of what a leg gains within the gyro's delay: hardly more is none
 
 
 class Motion(eqx.Module):
@@ -196,5 +195,6 @@ def delayed(
     bend_first, bend_last = step * slope[before] - rise, rise - step * slope[after]
     inside = value[before] + x * rise + x * (1 - x) * ((1 - x) * bend_first + x * bend_last)
     change = beyond * jnp.where(x > 0.5, slope[after], slope[before])
-    begun = (inside * change <= STILL * change**2) & (jnp.abs(inside) <= jnp.abs(change))
-    return jnp.where((beyond < 0) & begun, 0.0, inside + change)
+    back, gain = inside * jnp.sign(change), jnp.abs(slope[before]) * step
+    begun = (beyond < 0) & (-jnp.abs(change) <= back) & (back <= gain)  # within that sample's step
+    return jnp.where(begun, 0.0, inside + change)
