@@ -109,7 +109,7 @@ def test_a_clock_that_nobody_vouches_for_is_allowed_for_where_the_sensors_disagr
     assert error[0] > 3 * error[1]
 
 
-@pytest.mark.parametrize(("clock", "scale"), [(0.03, 0.0), (-0.04, 0.0), (0.0, 0.03)])
+@pytest.mark.parametrize(("clock", "scale"), [(0.03, 0.0), (-0.03, 0.0), (0.0, 0.03)])
 def test_a_wrong_rate_of_samples_is_within_the_errors(clock, scale):
     """No gyro is off by that much as it is sold, so that the clock is as likely to be."""
     result = fit(drops(clock=clock, scale=scale, sensors=NOISE), multistart=2)

@@ -6,6 +6,7 @@ from faulty_sensors import Faults, cycles, drops
 
 from exoid.fitting.data.observe import observe
 from exoid.fitting.data.segment import movement
+from exoid.mismatch.evidence.yardstick import Yardstick
 from exoid.mismatch.sensors.consistency import consistency
 from exoid.physics.sensing.encoder_second_harmonic import EncoderSecondHarmonic
 from exoid.physics.sensing.gyro_scale import GyroScale
@@ -30,7 +31,7 @@ RIGHT = {
 def sure_of(recording):
     count = range(len(recording.segments))
     seen = observe([movement(recording, number, str(number)) for number in count], "1/T")
-    return {each.fault.term: each.values for each in consistency(seen).sure.errors}
+    return {each.fault.term: each.values for each in consistency(seen, Yardstick).sure.errors}
 
 
 @pytest.mark.parametrize("name", RIGHT)

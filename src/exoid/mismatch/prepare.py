@@ -15,6 +15,7 @@ from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.solve.ask import take
 from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.problem import Problem
+from exoid.mismatch.evidence.yardstick import Yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import FEWER_ROUNDS, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
@@ -39,7 +40,7 @@ def prepare(
     rig = any(recording.subject.kind == "rig" for _, recording in recordings)
     owned = unknown(movements, rig=rig)
     problem = compared(pose(movements, basis.problem.belief, reading, chain, owned=owned))
-    sensors = consistency(problem.observation)
+    sensors = consistency(problem.observation, Yardstick)
     best = take(basis.ended.best, 0).coordinates
     observation = without_edges(problem.observation, sensors)
     observation = with_masses(observation, best.mounting, owned)

@@ -12,7 +12,7 @@ from exoid.mismatch.sensors.compare import Compared, Measured, compare, with_rig
 from exoid.mismatch.sensors.faults import BIAS as GYRO_BIAS
 from exoid.mismatch.sensors.faults import SKEW, USUAL, Fault
 from exoid.mismatch.sensors.smooth import Reference, smooth
-from exoid.mismatch.sensors.sure import Sure, surely
+from exoid.mismatch.sensors.sure import Measuring, Sure, surely
 
 BIAS, DELAY = GYRO_BIAS.name, SKEW.name
 UNITS = dict(zip(USUAL, ("1", "rad/s", "s"), strict=True))
@@ -49,13 +49,16 @@ class Consistency:
         return known[0] if known else 0.0
 
 
-def consistency(seen: Observation) -> Consistency:
-    """Compare encoder and gyro over all segments; samples of weight 0 were not measured."""
+def consistency(seen: Observation, measuring: Measuring) -> Consistency:
+    """Compare encoder and gyro over all segments; samples of weight 0 were not measured.
+
+    What is sure is told by `measuring`: a `Yardstick`.
+    """
     segments = [segment(seen, number) for number in range(seen.time.shape[0])]
     if not any(weights[:, 1].any() for _, _, weights in segments):
         return Consistency([], [smooth(*each) for each in segments])
     usual = compare(segments, USUAL)
-    sure = surely(segments, usual)
+    sure = surely(segments, usual, measuring)
     others = tuple(one for one in sure.faults if one not in USUAL)
     found = compare(segments, (*USUAL, *others)) if others else usual
     errors = [error_of(found, one) for one in USUAL]

@@ -4,12 +4,13 @@ All are estimated at once. What explains the sensors' disagreement about as well
 gain that is off and a magnet off the centre look much alike over a quarter of a turn.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import combinations
+from typing import Protocol
 
 import numpy as np
 
-from exoid.mismatch.evidence.yardstick import APART, UNEXPLAINED, Yardstick
 from exoid.mismatch.sensors.compare import Compared, Measured, compare, inverse
 from exoid.mismatch.sensors.faults import BIAS, OTHERS, USUAL, Fault
 from exoid.physics.parameter import declarations
@@ -17,6 +18,22 @@ from exoid.physics.term import Term
 
 ASKED = tuple(one for one in (*USUAL, *OTHERS) if one is not BIAS)  # which is free anyway
 MOST = 4  # errors at once
+
+
+class Measure(Protocol):
+    """What a difference between sums of squares is worth: `evidence.yardstick.Yardstick`."""
+
+    @property
+    def scale(self) -> float: ...
+
+    def price(self, parameters: int) -> float: ...
+
+    def clear(self, worse: float, better: float, parameters: int) -> bool: ...
+
+    def explains(self, square: float) -> bool: ...
+
+
+Measuring = Callable[[int, float], Measure]  # of a number of samples, and their scale
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,20 +68,22 @@ class Sure:
         return tuple(one.fault.term for one in self.errors)
 
 
-def surely(segments: list[Measured], usual: Compared) -> Sure:
+def surely(segments: list[Measured], usual: Compared, measuring: Measuring) -> Sure:
     """What encoder and gyro surely say of each other; nothing where more is between them."""
     every = compare(segments, (*USUAL, *OTHERS))
-    measure = Yardstick(every.samples, max(1.0, every.misfit))
+    measure = measuring(every.samples, max(1.0, every.misfit))
     sets = [each for count in range(MOST + 1) for each in combinations(ASKED, count)]
     costs = [cost(every, each, measure) for each in sets]
     chosen = needed(every, sets[int(np.argmin(costs))], measure)
-    if not chosen or every.misfit > UNEXPLAINED:
+    if not chosen or not measure.explains(every.left):
         return Sure()
-    here = cost(every, chosen, measure)
+    least = missed(every, chosen)
     alike = [
         tuple(fault.term for fault in each)
-        for each, one in zip(sets, costs, strict=True)
-        if one < here + APART and each != chosen and needed(every, each, measure) == each
+        for each in sets
+        if each != chosen
+        and not measure.clear(missed(every, each), least, 1)
+        and needed(every, each, measure) == each
     ]
     known = set(chosen) <= set(USUAL)
     found = usual if known else compare(segments, (BIAS, *chosen))
@@ -72,7 +91,7 @@ def surely(segments: list[Measured], usual: Compared) -> Sure:
     return Sure(errors, tuple(alike)) if all(each.possible for each in errors) else Sure()
 
 
-def cost(every: Compared, some: tuple[Fault, ...], measure: Yardstick) -> float:
+def cost(every: Compared, some: tuple[Fault, ...], measure: Measure) -> float:
     """What a set of errors leaves, and its price."""
     parameters = sum(one.parameters for one in some)
     return missed(every, some) / measure.scale + measure.price(parameters)
@@ -90,7 +109,7 @@ def missed(every: Compared, some: tuple[Fault, ...]) -> float:
     return float(values @ rest @ values)
 
 
-def needed(every: Compared, some: tuple[Fault, ...], measure: Yardstick) -> tuple[Fault, ...]:
+def needed(every: Compared, some: tuple[Fault, ...], measure: Measure) -> tuple[Fault, ...]:
     """Those without which clearly more is left, the least needed taken out first."""
     while some:
         fewer = {one: tuple(other for other in some if other is not one) for one in some}
