@@ -19,7 +19,8 @@ from exoid.mismatch.evidence.yardstick import Yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import FEWER_ROUNDS, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
-from exoid.mismatch.sensors.consistency import Consistency, consistency
+from exoid.mismatch.sensors.agreement import Consistency
+from exoid.mismatch.sensors.consistency import consistency
 from exoid.physics.library import library
 from exoid.physics.term import Term
 from exoid.recordings.recording import Recording

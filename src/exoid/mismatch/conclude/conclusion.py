@@ -32,7 +32,7 @@ from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import Found, Workings, names, size
 from exoid.mismatch.search.resample import inclusion
 from exoid.mismatch.search.search import equivalents
-from exoid.mismatch.sensors.consistency import BIAS
+from exoid.mismatch.sensors.agreement import BIAS
 from exoid.physics.library import library
 from exoid.physics.term import name_of
 

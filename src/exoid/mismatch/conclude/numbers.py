@@ -8,7 +8,7 @@ from exoid.mismatch.evidence.yardstick import Yardstick
 from exoid.mismatch.novel.formula import Formula
 from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.search.found import Found, names
-from exoid.mismatch.sensors.consistency import BIAS
+from exoid.mismatch.sensors.agreement import BIAS
 from exoid.physics.parameter import declarations
 from exoid.physics.term import name_of
 

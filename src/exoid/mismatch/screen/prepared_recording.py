@@ -22,7 +22,7 @@ from exoid.fitting.model.systematics import deviations
 from exoid.fitting.solve.problem import Problem
 from exoid.mismatch.screen.hypothesis import Hypothesis, Products
 from exoid.mismatch.screen.measured_motion import MeasuredMotion
-from exoid.mismatch.sensors.consistency import Consistency
+from exoid.mismatch.sensors.agreement import Consistency
 from exoid.physics.parameter import Declaration, declarations
 from exoid.physics.sensing.angle_offset import AngleOffset
 from exoid.physics.term import Term, name_of

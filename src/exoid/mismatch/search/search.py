@@ -9,12 +9,11 @@ from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.mismatch.evidence.measure import yardstick
 from exoid.mismatch.evidence.yardstick import ALIKE, APART, FOLLOWED, Yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
-from exoid.mismatch.screen.optimise import FEWER_ROUNDS, FLOOR, polished, settle, settle_free
+from exoid.mismatch.screen.optimise import FEWER_ROUNDS, FLOOR, given, polished, settle, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import Found, best_of, size, sound
 from exoid.mismatch.search.several import several
 from exoid.mismatch.search.variants import (
-    given,
     nested,
     pairs,
     reduced,

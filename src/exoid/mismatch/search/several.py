@@ -4,10 +4,9 @@ from dataclasses import replace
 
 from exoid.mismatch.evidence.measure import yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
-from exoid.mismatch.screen.optimise import FLOOR, polished, settle
+from exoid.mismatch.screen.optimise import FLOOR, given, polished, settle
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import best_of, size, sound
-from exoid.mismatch.search.variants import given
 from exoid.physics.library import MOST_PARAMETERS
 from exoid.physics.term import Term
 

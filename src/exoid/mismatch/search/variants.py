@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 
 from exoid.mismatch.screen.hypothesis import Hypothesis, Linear, Optimum
-from exoid.mismatch.screen.many_pinned import linear, together
+from exoid.mismatch.screen.many_pinned import linear
 from exoid.mismatch.screen.measured_motion import MeasuredMotion
-from exoid.mismatch.screen.optimise import FLOOR, polished, settle, settle_free
+from exoid.mismatch.screen.optimise import FLOOR, as_one, polished, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.physics.library import MOST_PARAMETERS
 from exoid.physics.parameter import declarations
@@ -173,21 +173,3 @@ def as_given(
         else None
         for first, motion in zip(firsts, motions, strict=True)
     ]
-
-
-def as_one(prepared: PreparedRecording, best: Hypothesis, motion: MeasuredMotion) -> Linear:
-    """What all its terms do along a motion; the pinned program itself takes no more than two."""
-    each = [
-        (replace(best, terms=(term,), values=(value,), linear=None), motion)
-        for term, value in zip(best.terms, best.values, strict=True)
-    ]
-    return together(linear(prepared, each))
-
-
-def given(prepared: PreparedRecording, begin: Hypothesis) -> Linear | None:
-    """All its terms as one, along the motion that is behind what the sensors show."""
-    if not begin.terms:
-        return None
-    known = as_one(prepared, begin, prepared.measured_motion)
-    motion = settle(prepared, [replace(begin, linear=known)], rounds=1)[0].motion
-    return as_one(prepared, begin, motion)

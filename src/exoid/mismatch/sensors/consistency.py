@@ -3,50 +3,17 @@
 What only a sensor can have done is seen here first, so that no torque is ever blamed for it.
 """
 
-from dataclasses import dataclass, field
-
 import numpy as np
 
 from exoid.fitting.data.observation import Observation
+from exoid.mismatch.sensors.agreement import Consistency, SensorError
 from exoid.mismatch.sensors.compare import Compared, Measured, compare, with_right_gyros
-from exoid.mismatch.sensors.faults import BIAS as GYRO_BIAS
-from exoid.mismatch.sensors.faults import SKEW, USUAL, Fault
+from exoid.mismatch.sensors.faults import USUAL, Fault
 from exoid.mismatch.sensors.smooth import Reference, smooth
-from exoid.mismatch.sensors.sure import Measuring, Sure, surely
+from exoid.mismatch.sensors.sure import Measuring, surely
 
-BIAS, DELAY = GYRO_BIAS.name, SKEW.name
 UNITS = dict(zip(USUAL, ("1", "rad/s", "s"), strict=True))
 CAUTION = 2.0  # times what is left, that a gyro is held to err beside the encoder
-CLEAR = 25.0  # sum of squares that an error must explain to be one: 5 standard deviations
-
-
-@dataclass(frozen=True, eq=False)
-class SensorError:
-    """What the gyro does against the encoder."""
-
-    name: str
-    value: float
-    standard_error: float
-    unit: str
-
-    @property
-    def clear(self) -> bool:
-        return self.value**2 > CLEAR * self.standard_error**2
-
-
-@dataclass(frozen=True, eq=False)
-class Consistency:
-    """The sensors against each other, and the motion that they show together."""
-
-    errors: list[SensorError]  # empty without a gyro
-    references: list[Reference]
-    sure: Sure = field(default_factory=Sure)
-
-    @property
-    def delay(self) -> float:
-        """By which the gyro clearly is late [s], else 0."""
-        known = [each.value for each in self.errors if each.name == DELAY and each.clear]
-        return known[0] if known else 0.0
 
 
 def consistency(seen: Observation, measuring: Measuring) -> Consistency:

@@ -5,21 +5,20 @@ gain that is off and a magnet off the centre look much alike over a quarter of a
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from itertools import combinations
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 import numpy as np
 
+from exoid.mismatch.sensors.agreement import Sure, SureError
 from exoid.mismatch.sensors.compare import Compared, Measured, compare, inverse
 from exoid.mismatch.sensors.faults import BIAS, OTHERS, USUAL, Fault
-from exoid.physics.parameter import declarations
-from exoid.physics.term import Term
 
 ASKED = tuple(one for one in (*USUAL, *OTHERS) if one is not BIAS)  # which is free anyway
 MOST = 4  # errors at once
 
 
+@runtime_checkable
 class Measure(Protocol):
     """What a difference between sums of squares is worth: `evidence.yardstick.Yardstick`."""
 
@@ -34,38 +33,6 @@ class Measure(Protocol):
 
 
 Measuring = Callable[[int, float], Measure]  # of a number of samples, and their scale
-
-
-@dataclass(frozen=True, eq=False)
-class SureError:
-    """An error whose size the sensors surely tell among themselves."""
-
-    fault: Fault
-    values: np.ndarray
-
-    @property
-    def possible(self) -> bool:
-        """May a sensor err so much? A thigh that moves can look like one that errs by more."""
-        ranges = [(each.lower, each.upper) for _, each in declarations(self.fault.term)]
-        return all(
-            low < value < high for value, (low, high) in zip(self.values, ranges, strict=True)
-        )
-
-
-@dataclass(frozen=True, eq=False)
-class Sure:
-    """Errors that every model of the leg has, and sets of others that would do as well."""
-
-    errors: tuple[SureError, ...] = ()
-    alike: tuple[tuple[type[Term], ...], ...] = ()
-
-    @property
-    def faults(self) -> tuple[Fault, ...]:
-        return tuple(one.fault for one in self.errors)
-
-    @property
-    def terms(self) -> tuple[type[Term], ...]:
-        return tuple(one.fault.term for one in self.errors)
 
 
 def surely(segments: list[Measured], usual: Compared, measuring: Measuring) -> Sure:
