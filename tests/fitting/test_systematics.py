@@ -118,7 +118,7 @@ def test_a_wrong_rate_of_samples_is_within_the_errors(clock, scale):
 
 
 def test_the_rate_of_a_clock_as_a_term_gives_back_the_leg():
-    """By the gyro, as well as that is known, within 1.5 %; what legs are like tells a little, too."""
+    """By the gyro, as well as that is known: within 1.5 %. What legs are like tells a little."""
     result = fit(drops(clock=0.03, sensors=NOISE), multistart=2, terms=(ClockRate,))
     rate = result.terms["clock_rate"]["rate"]
     assert abs(rate.value - 0.03) < rate.standard_error / 3

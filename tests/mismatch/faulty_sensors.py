@@ -14,6 +14,7 @@ from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Su
 from hands import ADULT, Hand, Knee, motion
 
 BODY = Subject(kind="leg", body_mass=74.0, height=1.78)
+PENDULUM = Subject(kind="rig")
 NOISE = (8e-4, 3e-3)  # rad, rad/s
 STARTS = (-0.05, -0.3, -0.6)  # rad, of drops
 BEFORE = 0.7  # s that a hand holds the leg
@@ -62,6 +63,7 @@ def drops(
     seed=0,
     rate=100.0,
     lasting=6.0,
+    body=BODY,
 ) -> Recording:
     """Drops from several angles, every one held still by a hand `before` [s]."""
     random = np.random.default_rng(seed)
@@ -75,7 +77,7 @@ def drops(
 
         time = np.arange(0.0, before + lasting, 1 / rate)
         segments.append(shown(faults, moving, time, random, gyro=gyro))
-    return Recording(tuple(segments), BODY, Protocol(kind="passive"), known(gyro=gyro))
+    return Recording(tuple(segments), body, Protocol(kind="passive"), known(gyro=gyro))
 
 
 def cycles(faults: Faults, knee: Knee = ADULT, *, gyro=True, seed=0, rate=100.0) -> Recording:

@@ -70,7 +70,8 @@ def concluded(
     """
     prepared, measure, best = found.prepared, found.yardstick, chosen.best
     shown = proof(prepared, chosen.before, chosen.after)
-    selected = [] if formula else named_terms(found, best)
+    sure = [name_of(term) for term in best.candidate.terms if term in prepared.common]
+    selected = sure if formula else named_terms(found, best)
     bias = gyro_bias(best, measure)
     equal = [] if formula or not best.candidate.terms else equivalents(found, best)
     equal.sort(key=lambda one: one is not best)
@@ -93,7 +94,7 @@ def concluded(
     if doubts:
         verdict, reasons = "cannot_tell", doubts
     novel = novel and verdict == "mismatch"  # nothing is called new by who cannot tell
-    selected = [*([] if left else selected), *biased]
+    selected = [*(sure if left else selected), *biased]
     suspected = likely if verdict == "cannot_tell" else equal if len(equal) > 1 else []
     return Diagnosis(
         verdict=verdict,
