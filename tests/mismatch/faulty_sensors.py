@@ -81,14 +81,14 @@ def drops(
 
 
 def cycles(faults: Faults, knee: Knee = ADULT, *, gyro=True, seed=0, rate=100.0) -> Recording:
-    """Cycles of Eq. 10 with f = 1/T, of several speeds, from rest."""
+    """Cycles of Eq. 10 with f = 1/T, of several speeds, from rest; T by the recorder's clock."""
     random = np.random.default_rng(seed)
     segments = []
     for period, torque in CYCLES:
-        time = np.arange(0.0, period, 1 / rate)
+        time = np.arange(0.0, period / (1 + faults.clock), 1 / rate)
         moving = cycled(knee, period, torque)
         segments.append(shown(faults, moving, time, random, gyro=gyro))
-    periods = tuple(period for period, _ in CYCLES)
+    periods = tuple(period / (1 + faults.clock) for period, _ in CYCLES)
     protocol = Protocol(kind="active", cycle_period=periods, torque_frequency="1/T")
     return Recording(tuple(segments), BODY, protocol, known(gyro=gyro))
 

@@ -21,7 +21,7 @@ from exoid.mismatch.conclude.numbers import (
     weighed,
 )
 from exoid.mismatch.conclude.rivals import hidden, of_hidden
-from exoid.mismatch.conclude.twins import named_alike
+from exoid.mismatch.conclude.twins import fewest, named_alike
 from exoid.mismatch.evidence.location import Location
 from exoid.mismatch.evidence.prediction import Prediction, Proof
 from exoid.mismatch.evidence.proof import proof
@@ -73,8 +73,8 @@ def concluded(
     sure = [name_of(term) for term in best.candidate.terms if term in prepared.common]
     selected = sure if formula else named_terms(found, best)
     bias = gyro_bias(best, measure)
-    equal = [] if formula or not best.candidate.terms else equivalents(found, best)
-    equal.sort(key=lambda one: one is not best)
+    named = best.candidate.terms and not formula
+    equal = fewest(equivalents(found, best), best) if named else []
     repeated = included(found, best, equal, formula, seed)
     verdict, reasons = judge(found, best, shown, repeated)
     unseen = hidden(found, result) if verdict == "none" else []
