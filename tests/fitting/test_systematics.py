@@ -7,6 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from exoid.fitting.estimate import fit
+from exoid.physics.sensing.clock_rate import ClockRate
 from exoid.recordings.recording import Protocol, Recording, Segment
 from fit_cases import BODY, NOISE
 
@@ -107,6 +108,22 @@ def test_a_clock_that_nobody_vouches_for_is_allowed_for_where_the_sensors_disagr
     assert max(map(abs, off(sure).values())) < WITHIN
     error = [each.ratios["gravity_over_inertia"].standard_error for each in (result, sure)]
     assert error[0] > 3 * error[1]
+
+
+@pytest.mark.parametrize(("clock", "scale"), [(0.03, 0.0), (-0.03, 0.0), (0.0, 0.03)])
+def test_a_wrong_rate_of_samples_is_within_the_errors(clock, scale):
+    """No gyro is off by that much as it is sold, so that the clock is as likely to be."""
+    result = fit(drops(clock=clock, scale=scale, sensors=NOISE), multistart=2)
+    assert max(map(abs, off(result).values())) < WITHIN, off(result)
+
+
+def test_the_rate_of_a_clock_as_a_term_gives_back_the_leg():
+    """By the gyro, as well as that is known: within 1.5 %. What legs are like tells a little."""
+    result = fit(drops(clock=0.03, sensors=NOISE), multistart=2, terms=(ClockRate,))
+    rate = result.terms["clock_rate"]["rate"]
+    assert abs(rate.value - 0.03) < rate.standard_error / 3
+    assert 0.007 < rate.standard_error < 0.015
+    assert max(map(abs, off(result).values())) < WITHIN, off(result)
 
 
 def loaded(wrong_mass=1.0, seed=0, **declared):

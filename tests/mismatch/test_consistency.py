@@ -6,6 +6,7 @@ import pytest
 
 from exoid.fitting.data.observe import observe
 from exoid.fitting.data.segment import movement
+from exoid.mismatch.evidence.yardstick import Yardstick
 from exoid.mismatch.sensors.consistency import consistency
 from fit_cases import DROP, recorded
 
@@ -29,7 +30,7 @@ def spoiled(observation, scale=0.0, bias=0.0, delay=0.0):
 @pytest.mark.parametrize("name", TRUE)
 def test_what_the_gyro_does_wrong_is_measured(name):
     wrong = {"gyro_scale": "scale", "gyro_bias": "bias", "sensor_skew": "delay"}[name]
-    found = consistency(spoiled(seen(), **{wrong: TRUE[name]}))
+    found = consistency(spoiled(seen(), **{wrong: TRUE[name]}), Yardstick)
     each = {error.name: error for error in found.errors}
     for other, error in each.items():
         # The interpolation that delays the gyro here smooths its noise: a percent of the delay.
@@ -39,14 +40,16 @@ def test_what_the_gyro_does_wrong_is_measured(name):
 
 
 def test_sound_sensors_are_called_sound():
-    found = [error for seed in range(6) for error in consistency(seen(seed)).errors]
+    found = [error for seed in range(6) for error in consistency(seen(seed), Yardstick).errors]
     assert not any(error.clear for error in found)
 
 
 def test_the_errors_scatter_as_they_say():
     # 18 values: their mean square is 1 within 0.7 (two standard deviations).
     scores = [
-        e.value / e.standard_error for seed in range(6) for e in consistency(seen(seed)).errors
+        e.value / e.standard_error
+        for seed in range(6)
+        for e in consistency(seen(seed), Yardstick).errors
     ]
     assert 0.3 < np.mean(np.square(scores)) < 1.9
 
@@ -56,4 +59,4 @@ def test_without_a_gyro_nothing_is_said_of_it():
     blind = eqx.tree_at(
         lambda o: o.velocity_weight, observation, np.zeros_like(observation.velocity_weight)
     )
-    assert consistency(blind).errors == []
+    assert consistency(blind, Yardstick).errors == []

@@ -48,6 +48,8 @@ NAMES = {
     "gyro_scale",
     "gyro_bias",
     "sensor_skew",
+    "clock_rate",
+    "zero_drift",
 }
 
 ODD = {  # what a user's class may do wrong, and what is said of it

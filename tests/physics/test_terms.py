@@ -942,7 +942,7 @@ def test_a_voluntary_torque_is_asymmetric_fades_and_has_harmonics_as_said(share)
 SENSORS = [name for name, term in TERMS.items() if issubclass(term, SensorTerm)]
 
 
-@pytest.mark.parametrize("name", SENSORS)
+@pytest.mark.parametrize("name", [name for name in SENSORS if name != "clock_rate"])
 def test_an_error_of_a_sensor_leaves_the_motion_alone(name):
     found, bare = motion(name, starts(name)), plain()
     for each in ("angle", "angular_velocity", "angular_acceleration"):
@@ -965,10 +965,42 @@ SHOWN = {
     "encoder_second_harmonic": elliptic,
     "gyro_bias": lambda term, angle, velocity: (angle, velocity + term.bias),
     "gyro_scale": lambda term, angle, velocity: (angle, (1 + term.scale) * velocity),
+    "clock_rate": lambda term, angle, velocity: (angle, velocity / (1 + term.rate)),
 }
 
 
-@pytest.mark.parametrize("name", [name for name in SENSORS if name != "sensor_skew"])
+def test_by_a_wrong_clock_a_leg_moves_as_by_the_right_one_at_other_times():
+    """A recorded second that is 1.02 s long: the gyro, which has no clock, shows true rates."""
+    rate = 0.02
+    found = motion("clock_rate", [[rate]], rate=FINE, amplitude=0.0)
+    true = plain(state(velocity=0.5 / (1 + rate)), rate=FINE, amplitude=0.0)
+    ticks = np.arange(found.angle.shape[1]) / FINE
+    inside = (1 + rate) * ticks < ticks[-1]
+    later = (1 + rate) * ticks[inside]
+    # A line between samples errs by an eighth of h^2 times 30 rad/s^2, and 400 rad/s^3.
+    angle, velocity = (
+        np.interp(later, ticks, each) for each in (true.angle, true.angular_velocity)
+    )
+    same(found.angle[0, inside], angle, 2e-6)
+    same(found.shown_velocity[0, inside], velocity, 2e-5)
+
+
+@pytest.mark.parametrize("number", [0.0, 3.0])
+def test_the_zero_drifts_with_time_and_from_segment_to_segment(number):
+    term = TERMS["zero_drift"](jnp.array(0.01), jnp.array(0.002))
+    now = instant(jnp.array(0.5), jnp.array(-1.0), jnp.array(0.3), number=number)
+    assert float(term.shown(now, jnp.zeros(0)).angle) == pytest.approx(0.005 + 0.002 * number)
+
+
+@pytest.mark.parametrize("samples", [0.5, 1.7])
+def test_before_a_leg_was_let_go_a_late_gyro_shows_rest(samples):
+    found = late(
+        TICKS, -25 * TICKS, jnp.full(TICKS.shape, -25.0), samples * (1 + 0 * TICKS) / COARSE
+    )
+    same(found, -25 * np.maximum(TICKS - samples / COARSE, 0), 1e-13)
+
+
+@pytest.mark.parametrize("name", sorted(SHOWN))
 def test_a_sensor_shows_what_its_formula_says(name):
     rows = starts(name)
     found = motion(name, rows)

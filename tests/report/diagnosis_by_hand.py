@@ -15,7 +15,7 @@ from exoid.mismatch.answer.diagnosis import (
 )
 from exoid.mismatch.evidence.location import Location, Missing, Region
 from exoid.mismatch.evidence.prediction import Prediction, Proof
-from exoid.mismatch.sensors.consistency import SensorError
+from exoid.mismatch.sensors.agreement import SensorError
 
 ODD = 0.1 + 0.2
 TIME = np.linspace(0.0, 2.0, 201)

@@ -17,6 +17,7 @@ from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter
 from exoid.mismatch.conclude.choose import Chosen, choose
 from exoid.mismatch.conclude.conclusion import concluded
 from exoid.mismatch.conclude.rivals import by_the_fits, with_rivals
+from exoid.mismatch.conclude.sensor_faults import with_faults_told
 from exoid.mismatch.conclude.unusual_zero import as_a_term, unusual
 from exoid.mismatch.evidence.locate import locate
 from exoid.mismatch.evidence.measure import misfits
@@ -31,9 +32,10 @@ from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import settle_free
 from exoid.mismatch.search.found import Found, Workings, size
 from exoid.mismatch.search.search import look
+from exoid.mismatch.search.variants import with_term
 from exoid.physics.library import library
 from exoid.physics.parameter import Declaration
-from exoid.physics.term import Term, name_of
+from exoid.physics.term import SensorTerm, Term, name_of
 from exoid.recordings.loading.named import RecordingsLike, named_recordings
 from exoid.recordings.recording import Recording
 
@@ -76,7 +78,7 @@ def diagnose(
     if any(each.late for each in movements):
         at_once = {**options, "at_once": True}
         whole = ask(fit(named, multistart=multistart, **at_once))
-        if names_it(whole):
+        if names_it(whole) and not by_sensors(whole):
             later = None if from_the_first(whole, movements) else ask(result)
             if later is None or (later.changed and not names_it(later)):
                 return with_model(whole, named, at_once, told)
@@ -203,6 +205,9 @@ def asked(
     if chosen.best.square > REMAINS * found.yardstick.samples:
         told("looking for a formula")
         chosen, formula = formulated(found, chosen)
+    found, best = with_faults_told(found, chosen.best)
+    if prepared.common:
+        chosen = Chosen(best, *(predict(prepared, one) for one in (found.base, best)))
     if formula is None and unusual(found, chosen.best):
         found, best = as_a_term(found, chosen.best)
         chosen = Chosen(best, *(predict(found.prepared, one) for one in (found.base, best)))
@@ -214,6 +219,11 @@ def asked(
 def names_it(found: Diagnosis) -> bool:
     """Is something missing that the library has?"""
     return found.verdict == "mismatch" and not found.novel
+
+
+def by_sensors(found: Diagnosis) -> bool:
+    """Is all that was found an error of sensors? It shows as well without the first instants."""
+    return all(issubclass(term, SensorTerm) for term in just_made(found).best.candidate.terms)
 
 
 def from_the_first(found: Diagnosis, movements: list[Movement]) -> bool:
@@ -243,12 +253,12 @@ def formulated(found: Found, chosen: Chosen) -> tuple[Chosen, Formula | None]:
     if formula.known > KNOWN:
         return chosen, None
     term = term_of(formula)
-    start = replace(found.begin, terms=(term,), values=(formula.values,))
+    start = with_term(found.begin, term, formula.values)
     one = settle_free(found.prepared, start)
     if better(found, one, chosen.best) and found.clear(found.base, one):
         after = predict(found.prepared, one)
         if improves(chosen.after, after):
-            return Chosen(one, chosen.before, after), formula.at(one.candidate.values[0])
+            return Chosen(one, chosen.before, after), formula.at(one.candidate.values[-1])
     return chosen, None
 
 

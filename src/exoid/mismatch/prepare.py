@@ -15,10 +15,12 @@ from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.solve.ask import take
 from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.problem import Problem
+from exoid.mismatch.evidence.yardstick import Yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import FEWER_ROUNDS, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
-from exoid.mismatch.sensors.consistency import Consistency, consistency
+from exoid.mismatch.sensors.agreement import Consistency
+from exoid.mismatch.sensors.consistency import consistency
 from exoid.physics.library import library
 from exoid.physics.term import Term
 from exoid.recordings.recording import Recording
@@ -39,18 +41,32 @@ def prepare(
     rig = any(recording.subject.kind == "rig" for _, recording in recordings)
     owned = unknown(movements, rig=rig)
     problem = compared(pose(movements, basis.problem.belief, reading, chain, owned=owned))
-    sensors = consistency(problem.observation)
+    sensors = consistency(problem.observation, Yardstick)
     best = take(basis.ended.best, 0).coordinates
     observation = without_edges(problem.observation, sensors)
     observation = with_masses(observation, best.mounting, owned)
     problem = replace(problem, observation=observation)
     fitted = released(best, problem)
     inertia = float(fitted.shared.log_inertia)
-    tested = (*library(), *terms)
+    tested = (*(each for each in library() if not each.named_only), *terms)
     zero = movements[0].systematics.zero
-    prepared = PreparedRecording(problem, sensors, tested, inertia, rig, zero)
-    point = prepared.point(fitted)
-    return prepared, settle_free(prepared, Hypothesis((), (), point), rounds=FEWER_ROUNDS)
+    common = common_of(sensors, tested, owned)
+    made = PreparedRecording(problem, sensors, tested, inertia, rig, zero, tuple(common))
+    begin = Hypothesis(tuple(common), tuple(common.values()), made.point(fitted))
+    return made, settle_free(made, begin, rounds=FEWER_ROUNDS)
+
+
+def common_of(
+    sensors: Consistency, tested: tuple[type[Term], ...], owned: tuple[str, ...]
+) -> dict[type[Term], np.ndarray]:
+    """What the sensors surely do wrong, which every candidate has, but for what each recording
+    owns.
+    """
+    return {
+        each.fault.term: each.values
+        for each in sensors.sure.errors
+        if each.fault.term in tested and each.fault.term.replaces not in owned
+    }
 
 
 def without_edges(seen: Observation, sensors: Consistency) -> Observation:

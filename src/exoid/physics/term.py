@@ -46,7 +46,8 @@ class Term(eqx.Module):
     explanation: eqx.AbstractClassVar[str]  # one sentence for the user
     isolate: eqx.AbstractClassVar[str]  # the recording that would show it apart from others
 
-    twin: ClassVar[str] = ""  # what looks the same in every recording and is no term itself
+    twin: ClassVar[str] = ""  # what looks the same in every recording
+    named_only: ClassVar[bool] = False  # is it such a twin, which no search need try by itself
     same_torque: ClassVar[str] = ""  # the term that pushes just like this one
     opposite: ClassVar[str] = ""  # the term that this one takes in where the two are opposite
     memory_size: ClassVar[int] = 0  # of a state of its own

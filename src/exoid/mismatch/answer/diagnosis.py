@@ -10,7 +10,7 @@ from exoid.mismatch.evidence.location import Location
 from exoid.mismatch.evidence.prediction import Proof
 from exoid.mismatch.evidence.yardstick import UNEXPLAINED
 from exoid.mismatch.search.found import Workings
-from exoid.mismatch.sensors.consistency import SensorError
+from exoid.mismatch.sensors.agreement import SensorError
 
 Verdict = Literal["none", "mismatch", "cannot_tell"]
 

@@ -23,6 +23,7 @@ from exoid.mismatch.conclude.numbers import (
     weighed,
 )
 from exoid.mismatch.conclude.rivals import hidden, of_hidden, words
+from exoid.mismatch.conclude.twins import fewest, named_alike
 from exoid.mismatch.evidence.location import Location
 from exoid.mismatch.evidence.prediction import Proof
 from exoid.mismatch.evidence.proof import proof
@@ -32,7 +33,7 @@ from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import Found, Workings, names, size
 from exoid.mismatch.search.resample import inclusion
-from exoid.mismatch.sensors.consistency import BIAS
+from exoid.mismatch.sensors.agreement import BIAS
 from exoid.physics.library import library
 from exoid.physics.term import Term, name_of
 
@@ -56,8 +57,10 @@ def concluded(
     prepared, measure, best = found.prepared, found.yardstick, chosen.best
     shown = proof(prepared, chosen.before, chosen.after)
     bias = gyro_bias(best, measure)
-    equal = [] if formula or not best.candidate.terms else equivalents(found, best)
-    certain = asserted(best, equal)
+    sure = tuple(term for term in best.candidate.terms if term in prepared.common)
+    named = best.candidate.terms and not formula
+    equal = fewest(equivalents(found, best), best) if named else []
+    certain = asserted(best, equal) if named else sure
     repeated = included(found, certain, best, formula, seed)
     verdict, reasons = judge(found, best, shown, repeated)
     unseen = hidden(found, result) if verdict == "none" else []
@@ -82,7 +85,7 @@ def concluded(
         reasons=reasons,
         findings=findings(selected, best) if verdict == "mismatch" else [],
         ranking=ranked(found, selected, formula),
-        equivalent=named_alike(equal, best) if verdict != "none" else [],
+        equivalent=named_alike(prepared, equal) if verdict != "none" else [],
         novel=novel,
         formula=NovelTorque(formula.words, formula.explained, formula.known)
         if formula and novel
@@ -178,15 +181,6 @@ def named_terms(found: Found, best: Optimum, certain: tuple[type[Term], ...]) ->
     return [name for name in map(name_of, certain) if name not in inside]
 
 
-def named_alike(equal: list[Optimum], best: Optimum) -> list[str]:
-    """What this recording cannot tell from the best, itself included: names joined by " + "."""
-    known = [names(one) for one in equal]
-    for term in best.candidate.terms if equal else ():
-        if term.twin:
-            known.append([term.twin if name == name_of(term) else name for name in names(best)])
-    return [" + ".join(each) for each in known]
-
-
 def judge(
     found: Found, best: Optimum, shown: Proof, repeated: float | None
 ) -> tuple[Verdict, list[str]]:
@@ -220,14 +214,14 @@ def undecided(found: Found, equal: list[Optimum]) -> list[str]:
 def ranked(found: Found, selected: list[str], formula: Formula | None) -> list[str]:
     """Names, best first: what was selected, then every other single term by what it explains."""
     singles = [names(one)[0] for one in found.singles if names(one)]
-    others = [names(one)[0] for one in found.pinned]
+    others = [names(one)[-1] for one in found.pinned]
     first = [] if formula else by_share(found, selected)
     return list(dict.fromkeys([*first, *singles, *others]))
 
 
 def by_share(found: Found, selected: list[str]) -> list[str]:
     """Of two effects the one first that explains more by itself."""
-    alone = {names(one)[0]: one.square for one in found.pinned}
+    alone = {names(one)[-1]: one.square for one in found.pinned}
     return sorted(selected, key=lambda name: alone.get(name, np.inf))
 
 

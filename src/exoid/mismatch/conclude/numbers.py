@@ -8,7 +8,7 @@ from exoid.mismatch.evidence.yardstick import Yardstick
 from exoid.mismatch.novel.formula import Formula
 from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.search.found import Found, names
-from exoid.mismatch.sensors.consistency import BIAS
+from exoid.mismatch.sensors.agreement import BIAS
 from exoid.physics.parameter import declarations
 from exoid.physics.term import name_of
 
@@ -85,7 +85,7 @@ def parameters_of(found: Found, best: Optimum, formula: Formula | None) -> list[
     told = np.diag(best.products.total)[:-1] > 0
     parameters, at = [], candidate.point.size + 2
     for term, values in zip(candidate.terms, candidate.values, strict=True):
-        owner = FORMULA if formula else name_of(term)
+        owner = FORMULA if formula and term is candidate.terms[-1] else name_of(term)
         for (name, declared), value in zip(declarations(term), values, strict=True):
             known = bool(told[at]) and declared.lower < value < declared.upper
             error = float(np.sqrt(variance[at])) if known else None

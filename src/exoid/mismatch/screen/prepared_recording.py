@@ -22,7 +22,7 @@ from exoid.fitting.model.systematics import deviations
 from exoid.fitting.solve.problem import Problem
 from exoid.mismatch.screen.hypothesis import Hypothesis, Products
 from exoid.mismatch.screen.measured_motion import MeasuredMotion
-from exoid.mismatch.sensors.consistency import Consistency
+from exoid.mismatch.sensors.agreement import Consistency
 from exoid.physics.parameter import Declaration, declarations
 from exoid.physics.sensing.angle_offset import AngleOffset
 from exoid.physics.term import Term, name_of
@@ -41,6 +41,7 @@ class PreparedRecording:
     log_inertia: float  # log(J / kg m^2) of the baseline's fit
     rig: bool
     zero: float  # rad, standard deviation of the encoder's; 0 where it is known
+    common: tuple[type[Term], ...] = ()  # first terms of every candidate: sure errors of sensors
 
     @property
     def zeros(self) -> tuple[str, ...]:

@@ -13,6 +13,7 @@ from exoid.mismatch.screen.optimise import (
     FEWER_ROUNDS,
     FLOOR,
     enough,
+    given,
     polished,
     settle,
     settle_free,
@@ -25,8 +26,11 @@ from exoid.mismatch.search.variants import (
     pairs,
     reduced,
     simpler_form,
+    suspected_sensors,
     twins,
-    with_sure_sensors,
+    unwatched,
+    with_common,
+    with_term,
 )
 from exoid.physics.term import Term
 
@@ -45,24 +49,25 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
     """
     begin = beginning(prepared, base)
     usable = [term for term in prepared.library if applies(prepared, term)]
+    known = given(prepared, begin)
     told(f"testing {len(usable)} candidates")
     starts = [
-        replace(begin, terms=(term,), values=(value,))
-        for term in usable
-        for value in prepared.starts(term)
+        with_term(begin, term, value, known) for term in usable for value in prepared.starts(term)
     ]
     first = best_of(settle(prepared, starts, rounds=ROUNDS))
-    failed = [one.candidate.terms[0] for one in first if not sound(one)]
+    failed = [one.candidate.terms[-1] for one in first if not sound(one)]
     ranked = ordered(first)
     told("simulating the best of them")
-    singles = simulated(prepared, shortlist(ranked))
+    likely = shortlist(ranked)
+    likely += unwatched(prepared, [one for one in ranked if one not in likely], base)
+    singles = simulated(prepared, likely)
     singles += [*twins(prepared, singles, singles), *nested(prepared, singles, of_all(singles))]
     truer = truer_baseline(prepared, base, least(*singles))
     if truer is not None:
         return look(prepared, truer, told)
     measure = yardstick(prepared, least(base, *singles))
     singles = by_evidence(singles, base, measure)
-    beside = with_sure_sensors(prepared, base, singles)
+    beside = suspected_sensors(prepared, base, singles)
     sensors = [one for one in beside if len(one.candidate.terms) > 1]
     alone = [one for one in beside if len(one.candidate.terms) == 1]
     singles = by_evidence([*singles, *alone], base, measure)
@@ -84,7 +89,7 @@ def lacks_more(found: Found, usable: list[type[Term]]) -> bool:
     prepared, best = found.prepared, least(found.base, *found.singles)
     if best.square > FLOOR * prepared.samples:
         return True
-    if enough(prepared, best.square) or not best.candidate.terms:
+    if enough(prepared, best.square) or best.candidate.terms == prepared.common:
         return False
     return bool(with_one_more(prepared, usable, best))
 
@@ -93,7 +98,7 @@ def truer_baseline(prepared: PreparedRecording, base: Optimum, best: Optimum) ->
     """The baseline in the valley of the best candidate, where its own is a false one."""
     if not best.square < FALSE * base.square:
         return None
-    found = polished(prepared, replace(best.candidate, terms=(), values=()))
+    found = polished(prepared, with_common(prepared, best.candidate))
     return found if found.square < FALSE * base.square else None
 
 
@@ -158,7 +163,7 @@ def applies(prepared: PreparedRecording, term: type[Term]) -> bool:
         return False
     if term.voluntary:
         return any(each.voluntary for each in prepared.problem.movements)
-    if term.replaces in prepared.zeros:
+    if term.replaces in prepared.zeros or term in prepared.common:
         return False
     if term.everyday:
         return bool((prepared.seen.velocity_weight > 0).any())

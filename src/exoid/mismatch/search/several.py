@@ -4,10 +4,8 @@ from dataclasses import replace
 
 from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.mismatch.evidence.measure import yardstick
-from exoid.mismatch.screen.hypothesis import Hypothesis, Linear, Optimum
-from exoid.mismatch.screen.many_pinned import linear, together
-from exoid.mismatch.screen.measured_motion import MeasuredMotion
-from exoid.mismatch.screen.optimise import FLOOR, enough, polished, settle
+from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
+from exoid.mismatch.screen.optimise import FLOOR, enough, given, polished, settle
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import best_of, size, sound
 from exoid.physics.library import MOST_PARAMETERS
@@ -51,8 +49,8 @@ def simulated(
 
 def without_one(prepared: PreparedRecording, best: Optimum) -> list[Optimum]:
     """The set without each of its causes in turn, where that may do as well."""
-    fewer = with_one_less(best.candidate)
-    if len(fewer) <= SLOTS + 1:
+    fewer = with_one_less(best.candidate, len(prepared.common))
+    if len(best.candidate.terms) <= SLOTS + 1:
         seen = settle(prepared, fewer, rounds=ROUNDS)
         fewer = [one.candidate for one in seen if one.square < REACH * best.square]
     return simulated(prepared, fewer, best)
@@ -62,7 +60,7 @@ def with_one_more(
     prepared: PreparedRecording, usable: list[type[Term]], best: Optimum
 ) -> list[Hypothesis]:
     """The set with each of the causes that explain most beside those it has."""
-    if len(best.candidate.terms) >= MOST:
+    if len(best.candidate.terms) >= MOST + len(prepared.common):
         return []
     wider = beside(prepared, usable, best.candidate)
     return [one.candidate for one in wider if gains(prepared, best, one)][:NEXT]
@@ -78,10 +76,11 @@ def with_another(
     prepared: PreparedRecording, usable: list[type[Term]], best: Optimum
 ) -> list[Hypothesis]:
     """The set with another cause in the place of one, where that may leave as little."""
-    terms = best.candidate.terms
+    common = len(prepared.common)
+    less = with_one_less(best.candidate, common)
     seen = [
         beside(prepared, [each for each in usable if each is not out], fewer)[:1]
-        for out, fewer in zip(terms, with_one_less(best.candidate), strict=True)
+        for out, fewer in zip(best.candidate.terms[common:], less, strict=True)
     ]
     little = max(best.square, FLOOR * prepared.samples)
     near = [one for (one,) in filter(None, seen) if one.square < little]
@@ -95,9 +94,7 @@ def beside(
     size = sum(value.size for value in known.values)
     if size > MOST_PARAMETERS:
         return []
-    effect = as_one(prepared, known, prepared.measured_motion)
-    motion = settle(prepared, [replace(known, linear=effect)], rounds=1)[0].motion
-    effect = as_one(prepared, known, motion)
+    effect = given(prepared, known)
     starts = [
         replace(known, terms=(*known.terms, term), values=(*known.values, value), linear=effect)
         for term in usable
@@ -109,17 +106,8 @@ def beside(
     return [replace(one, candidate=replace(one.candidate, linear=None)) for one in first]
 
 
-def as_one(prepared: PreparedRecording, best: Hypothesis, motion: MeasuredMotion) -> Linear:
-    """What all its terms do along a motion; the pinned program itself takes no more than two."""
-    each = [
-        (replace(best, terms=(term,), values=(value,), linear=None), motion)
-        for term, value in zip(best.terms, best.values, strict=True)
-    ]
-    return together(linear(prepared, each))
-
-
-def with_one_less(candidate: Hypothesis) -> list[Hypothesis]:
-    """The candidate without each of its causes in turn."""
+def with_one_less(candidate: Hypothesis, first: int) -> list[Hypothesis]:
+    """The candidate without each of its causes in turn, from the one in place `first` on."""
     return [
         replace(
             candidate,
@@ -127,5 +115,5 @@ def with_one_less(candidate: Hypothesis) -> list[Hypothesis]:
             values=candidate.values[:out] + candidate.values[out + 1 :],
             linear=None,
         )
-        for out in range(len(candidate.terms))
+        for out in range(first, len(candidate.terms))
     ]

@@ -5,10 +5,12 @@ from typing import Any
 
 import numpy as np
 
-from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
+from exoid.mismatch.screen.hypothesis import Hypothesis, Linear, Optimum
 from exoid.mismatch.screen.many_pinned import linear
-from exoid.mismatch.screen.optimise import polished, settle_free
+from exoid.mismatch.screen.measured_motion import MeasuredMotion
+from exoid.mismatch.screen.optimise import FLOOR, as_one, polished, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
+from exoid.physics.library import MOST_PARAMETERS
 from exoid.physics.parameter import declarations
 from exoid.physics.term import SensorTerm, Term, name_of
 
@@ -19,11 +21,27 @@ SOFTEST = 1e-3  # N m/rad, of a leg that has a rest angle
 
 def reduced(prepared: PreparedRecording, joint: list[Optimum]) -> list[Optimum]:
     """Each term of a pair alone again, from where the pair is: is the other one needed?"""
+    first = len(prepared.common)
     return [
-        polished(prepared, replace(one.candidate, terms=(term,), values=(value,)), one.square)
+        polished(prepared, with_term(with_common(prepared, one.candidate), term, value), one.square)
         for one in joint
-        for term, value in zip(one.candidate.terms, one.candidate.values, strict=True)
+        for term, value in list(zip(one.candidate.terms, one.candidate.values, strict=True))[first:]
     ]
+
+
+def with_common(prepared: PreparedRecording, candidate: Hypothesis) -> Hypothesis:
+    """The candidate with none of its terms but the sure errors of sensors."""
+    count = len(prepared.common)
+    terms, values = candidate.terms[:count], candidate.values[:count]
+    return replace(candidate, terms=terms, values=values, linear=None)
+
+
+def with_term(
+    candidate: Hypothesis, term: type[Term], value: np.ndarray, linear: Linear | None = None
+) -> Hypothesis:
+    """The candidate with one term more."""
+    terms, values = (*candidate.terms, term), (*candidate.values, value)
+    return replace(candidate, terms=terms, values=values, linear=linear)
 
 
 def twins(prepared: PreparedRecording, some: list[Optimum], known: list[Optimum]) -> list[Optimum]:
@@ -58,26 +76,35 @@ def renamed(
     return replace(candidate, terms=terms, values=values, linear=None)
 
 
-def with_sure_sensors(
+def suspected_sensors(
     prepared: PreparedRecording, base: Optimum, singles: list[Optimum]
 ) -> list[Optimum]:
-    """Everything at once that the sensors surely say of each other, alone and with each of the best
-    single terms: a sensor that is wrong in one way is seldom right in all others, and what it does
-    wrong stays, whatever else is missing.
+    """Everything at once that the sensors seem to say of each other, alone and with each of the
+    best single terms, where it is not sure enough to be in every candidate.
     """
     known = {name_of(term): term for term in prepared.library}
-    sure = [each for each in prepared.sensors.errors if each.clear and each.name in known]
-    sure = [each for each in sure if known[each.name].replaces not in prepared.zeros]
-    if not sure:
+    told = [each for each in prepared.sensors.errors if each.clear and each.name in known]
+    told = [each for each in told if known[each.name].replaces not in prepared.zeros]
+    if not told or prepared.common:
         return []
-    terms = tuple(known[each.name] for each in sure)
-    values = tuple(np.array([each.value]) for each in sure)
+    terms = tuple(known[each.name] for each in told)
+    values = tuple(np.array([each.value]) for each in told)
     best = [one.candidate for one in singles[:BESIDE] if one.candidate.terms[0] not in terms]
     starts = [
         replace(one, terms=(*terms, *one.terms), values=(*values, *one.values), linear=None)
         for one in (base.candidate, *best)
     ]
     return [settle_free(prepared, one) for one in starts]
+
+
+def unwatched(prepared: PreparedRecording, others: list[Optimum], base: Optimum) -> list[Optimum]:
+    """What an encoder may do wrong where no gyro watches it: it bends a motion as springs do, and
+    must not be missed for them.
+    """
+    if (prepared.seen.velocity_weight > 0).any() or base.square < FLOOR * prepared.samples:
+        return []
+    sensors = [one for one in others if issubclass(one.candidate.terms[-1], SensorTerm)]
+    return [one for one in sensors if one.square < base.square]
 
 
 def nested(
@@ -117,22 +144,32 @@ def pairs(
     prepared: PreparedRecording, ranked: list[Optimum], singles: list[Optimum]
 ) -> list[Hypothesis]:
     """The best single terms, each with every other."""
-    refined = {one.candidate.terms[0]: one for one in singles}
-    firsts = [refined.get(one.candidate.terms[0], one).candidate for one in ranked[:PAIRED]]
-    motions = [one.motion for one in ranked[:PAIRED]]
-    found = linear(prepared, list(zip(firsts, motions, strict=True)))
+    refined = {one.candidate.terms: one for one in singles}
+    best = ranked[:PAIRED]
+    firsts = [refined.get(one.candidate.terms, one).candidate for one in best]
+    motions = [one.motion for one in best]
+    found = as_given(prepared, firsts, motions)
     made = []
     for number, (first, known) in enumerate(zip(firsts, found, strict=True)):
-        done = {one.terms[0] for one in firsts[: number + 1]}
+        done = {one.terms[-1] for one in firsts[: number + 1]}
         made += [
-            replace(
-                first,
-                terms=(*first.terms, *second.candidate.terms),
-                values=(*first.values, value),
-                linear=known,
-            )
+            with_term(first, second.candidate.terms[-1], value, known)
             for second in ranked
-            for value in prepared.starts(second.candidate.terms[0])
-            if second.candidate.terms[0] not in done
+            for value in prepared.starts(second.candidate.terms[-1])
+            if second.candidate.terms[-1] not in done and known is not None
         ]
     return made
+
+
+def as_given(
+    prepared: PreparedRecording, firsts: list[Hypothesis], motions: list[MeasuredMotion]
+) -> list[Linear | None]:
+    """What all terms of each do along its motion; None where they have too many parameters."""
+    if not prepared.common:
+        return list(linear(prepared, list(zip(firsts, motions, strict=True))))
+    return [
+        as_one(prepared, first, motion)
+        if sum(value.size for value in first.values) <= MOST_PARAMETERS
+        else None
+        for first, motion in zip(firsts, motions, strict=True)
+    ]

@@ -183,26 +183,26 @@ def observed(
 
 def errors(terms: Terms, now: Moment, memory: tuple[Array, ...]) -> Reading:
     """What the sensors show minus how the leg moves."""
-    each = [term.shown(now, own) for term, own in zip(terms, memory, strict=True)]
+    each = (term.shown(now, own) for term, own in zip(terms, memory, strict=True))
     return sum(each, reading(jnp.zeros_like(now.angle)))
 
 
 def delayed(
     time: Any, value: Any, slope: Any, delay: Any, last: Any = None
 ) -> Float[Array, " time"]:
-    """A signal as it was `delay` [s] before, by cubic Hermite interpolation between samples.
+    """A rate as it was `delay` [s] before, by cubic Hermite interpolation between samples.
 
-    Beyond its ends, the sample `last` where it is given, it goes on along the tangent.
+    Beyond its ends (`last`) it goes on along the tangent; before the first, a leg let go rested.
     """
-    wanted = time - delay
-    last = time.size - 1 if last is None else last
-    after = jnp.clip(jnp.searchsorted(time, wanted), 1, last)
-    before = after - 1
-    step = time[after] - time[before]
+    wanted, end = time - delay, time.size - 1 if last is None else last
+    after = jnp.clip(jnp.searchsorted(time, wanted), 1, end)
+    before, step = after - 1, time[after] - time[after - 1]
     x = jnp.clip((wanted - time[before]) / step, 0.0, 1.0)
     beyond = wanted - (time[before] + x * step)
     rise = value[after] - value[before]
-    bend_first = step * slope[before] - rise
-    bend_last = rise - step * slope[after]
+    bend_first, bend_last = step * slope[before] - rise, rise - step * slope[after]
     inside = value[before] + x * rise + x * (1 - x) * ((1 - x) * bend_first + x * bend_last)
-    return inside + beyond * jnp.where(x > 0.5, slope[after], slope[before])
+    change = beyond * jnp.where(x > 0.5, slope[after], slope[before])
+    back, gain = inside * jnp.sign(change), jnp.abs(slope[before]) * step
+    begun = (beyond < 0) & (-jnp.abs(change) <= back) & (back <= gain)  # within that sample's step
+    return jnp.where(begun, 0.0, inside + change)

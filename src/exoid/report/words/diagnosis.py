@@ -5,7 +5,7 @@ from math import degrees
 from exoid.fitting.model.term_parameters import RATIO_UNITS
 from exoid.fitting.result.fit_result import FitResult
 from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter
-from exoid.mismatch.sensors.consistency import BIAS, SensorError
+from exoid.mismatch.sensors.agreement import BIAS, SensorError
 from exoid.report.words.text import DIMENSIONLESS, in_degrees, quantity_words, with_error
 
 SEEN = 0.01  # share of a number, from which on its change is worth a word

@@ -1,0 +1,102 @@
+"""The sure errors of sensors as terms of the answer, beside a baseline that has none of them.
+
+Every candidate has them from the start (`PreparedRecording.common`). Here those that matter in the
+best one become causes like others, with what no motion tells from them: only the encoder's gain
+over the gyro's scale and the clock's rate is seen.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+
+from exoid.mismatch.conclude.numbers import covariance
+from exoid.mismatch.evidence.yardstick import UNEXPLAINED
+from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
+from exoid.mismatch.screen.optimise import settle_free
+from exoid.mismatch.search.found import Found, best_of
+from exoid.mismatch.search.search import by_evidence
+from exoid.physics.parameter import declarations
+from exoid.physics.sensing.clock_rate import ClockRate
+from exoid.physics.sensing.encoder_gain import EncoderGain
+from exoid.physics.sensing.gyro_scale import GyroScale
+from exoid.physics.term import Term
+
+
+def with_faults_told(found: Found, best: Optimum) -> tuple[Found, Optimum]:
+    """The same by a baseline without errors of sensors, and the best with those that matter."""
+    prepared = found.prepared
+    if not prepared.common:
+        return found, best
+    plain = without(found.base.candidate, prepared.common)
+    base = settle_free(prepared, plain)
+    unneeded = [term for term in prepared.common if not matters(found, best, term)]
+    if unneeded:
+        fewer = without(best.candidate, unneeded)
+        best = settle_free(prepared, fewer) if fewer.terms else base
+    each = [found.base, *found.singles, *found.pairs, *others(found, best)]
+    each = best_of([one for one in each if one.candidate.terms != best.candidate.terms])
+    if best is not base:
+        each.append(best)
+    return told(found, base, each), best
+
+
+def told(found: Found, base: Optimum, each: list[Optimum]) -> Found:
+    """What was found, with the errors of sensors among the causes."""
+    alone = [one for one in each if len(one.candidate.terms) == 1]
+    joint = [one for one in each if len(one.candidate.terms) > 1]
+    return replace(
+        found,
+        base=base,
+        singles=by_evidence(alone, base, found.yardstick),
+        pairs=by_evidence(joint, base, found.yardstick),
+    )
+
+
+def matters(found: Found, best: Optimum, term: type[Term]) -> bool:
+    """Would clearly more be left without it?"""
+    at, candidate = best.candidate.point.size + best.candidate.zero.size, best.candidate
+    place = candidate.terms.index(term)
+    first = at + sum(value.size for value in candidate.values[:place])
+    rows = slice(first, first + candidate.values[place].size)
+    variance = covariance(found, best)[rows, rows] / found.yardstick.scale
+    value = candidate.unknowns[rows]
+    lost = float(value @ np.linalg.pinv(variance) @ value)
+    return found.yardstick.clear(lost, 0.0, value.size)
+
+
+def others(found: Found, best: Optimum) -> list[Optimum]:
+    """The best with other errors of sensors that show about the same."""
+    prepared, mine = found.prepared, best.candidate
+    sets = [each for each in prepared.sensors.sure.alike if not {*each} & {*mine.terms}]
+    common = [term for term in prepared.common if term in mine.terms]
+    starts = [swapped(mine, common, each) for each in sets] if common else []
+    if GyroScale in common:
+        starts += [in_place(mine, ClockRate), in_place(mine, EncoderGain)]
+    ended = [settle_free(prepared, one) for one in starts]
+    return [one for one in ended if one.square < UNEXPLAINED * max(best.square, 1.0)]
+
+
+def in_place(mine: Hypothesis, other: type[Term]) -> Hypothesis:
+    """The candidate with a rate of the clock, or a gain of the encoder, for the gyro's scale."""
+    place = mine.terms.index(GyroScale)
+    terms, values = list(mine.terms), list(mine.values)
+    terms[place], values[place] = other, 1 / (1 + mine.values[place]) - 1
+    return replace(mine, terms=tuple(terms), values=tuple(values), linear=None)
+
+
+def swapped(mine: Hypothesis, common: list[type[Term]], others: tuple[type[Term], ...]):
+    """The candidate with other errors of sensors, from none of their own size."""
+    kept = without(mine, common)
+    values = [np.zeros(len(list(declarations(term)))) for term in others]
+    return replace(kept, terms=(*others, *kept.terms), values=(*values, *kept.values))
+
+
+def without(candidate: Hypothesis, some) -> Hypothesis:
+    """The candidate without some of its terms."""
+    kept = [
+        (term, value)
+        for term, value in zip(candidate.terms, candidate.values, strict=True)
+        if term not in some
+    ]
+    terms, values = tuple(term for term, _ in kept), tuple(value for _, value in kept)
+    return replace(candidate, terms=terms, values=values, linear=None)

@@ -1,0 +1,156 @@
+"""Encoder against gyro by least squares: all errors that are asked for, in one joint estimate."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from exoid.mismatch.sensors.faults import SKEW, Fault
+from exoid.mismatch.sensors.smooth import (
+    JERKS,
+    Reference,
+    Samples,
+    Smoother,
+    smooth,
+    smoothed,
+    smoother_of,
+)
+
+ROUNDS = 3  # a late gyro is shifted by what the last round found
+FLAT = 1e-10  # relative curvature of what these segments do not tell
+Measured = tuple[np.ndarray, np.ndarray, np.ndarray]  # of a segment: time, data, weights
+
+
+@dataclass(frozen=True, eq=False)
+class Compared:
+    """The errors of sensors, and the quadratic form of what they leave: (r - x)'N(r - x)."""
+
+    faults: tuple[Fault, ...]
+    values: np.ndarray  # of all parameters, one fault after the other
+    normal: np.ndarray
+    left: float  # sum of squares over the noise
+    samples: int  # of both channels
+    motions: list[Reference] = field(repr=False)
+
+    @property
+    def misfit(self) -> float:
+        """What is left, a sample: 1 where it is noise, for the jerk is told by its own rows."""
+        return self.left / self.samples
+
+    @property
+    def covariance(self) -> np.ndarray:
+        """By the noise alone."""
+        return inverse(self.normal)
+
+    def places(self, some: tuple[Fault, ...]) -> np.ndarray:
+        """Which of the parameters are those of some faults."""
+        whose = np.repeat(np.arange(len(self.faults)), [one.parameters for one in self.faults])
+        return np.flatnonzero(np.isin(whose, [self.faults.index(one) for one in some]))
+
+    def of(self, one: Fault) -> np.ndarray:
+        return self.values[self.places((one,))]
+
+
+def inverse(normal: np.ndarray) -> np.ndarray:
+    """Of a matrix with units; 0 for what it says nothing of."""
+    size = np.sqrt(np.diag(normal))
+    unit = np.where(size > 0, size, 1.0)
+    units = np.outer(unit, unit)
+    return np.linalg.pinv(normal / units, rcond=FLAT, hermitian=True) / units
+
+
+def compare(segments: list[Measured], faults: tuple[Fault, ...]) -> Compared:
+    """The errors of encoder and gyro against each other, over all segments."""
+    values = np.zeros(sum(one.parameters for one in faults))
+    motions = [smooth(time, data, weights * [1.0, 0.0]) for time, data, weights in segments]
+    found = None
+    for _ in range(ROUNDS):
+        cleaned = with_right_gyros(segments, motions, faults, values)
+        found, smoothers = in_one_round(cleaned, motions, faults, values)
+        values = found.values
+        cleaned = with_right_gyros(segments, motions, faults, values)
+        motions = [
+            smoothed(one, data) for one, (_, data, _) in zip(smoothers, cleaned, strict=True)
+        ]
+    assert found is not None  # there are rounds
+    return Compared(faults, values, found.normal, found.left, found.samples, motions)
+
+
+def with_right_gyros(
+    segments: list[Measured],
+    motions: list[Reference],
+    faults: tuple[Fault, ...],
+    values: np.ndarray,
+) -> list[Measured]:
+    """The data as gyros without these errors would have shown them."""
+    skew = skew_of(faults, values)
+    return [
+        (time, right(time, data, motion, faults, values), within(time, weights, skew))
+        for (time, data, weights), motion in zip(segments, motions, strict=True)
+    ]
+
+
+def skew_of(faults: tuple[Fault, ...], values: np.ndarray) -> float:
+    """By how much the gyro is late [s]."""
+    own = [one for fault, one in zip(faults, split(faults, values), strict=True) if fault is SKEW]
+    return float(own[0][0]) if own else 0.0
+
+
+def within(time: Samples, weights: np.ndarray, skew: float) -> np.ndarray:
+    """The weights, 0 where a late gyro shows what was before or after the encoder's samples."""
+    shown = time - skew
+    inside = (shown >= time[0]) & (shown <= time[-1])
+    return np.stack([weights[:, 0], weights[:, 1] * inside], axis=1)
+
+
+def right(time, data, motion: Reference, faults, values) -> np.ndarray:
+    """One segment's data: the errors at the instants that a late gyro shows, and its lateness."""
+    velocity, wrong = motion.angular_velocity, motion.angular_velocity
+    for one, own in zip(faults, split(faults, values), strict=True):
+        if one is not SKEW:
+            wrong = wrong + one.columns(motion) @ own
+    late = np.interp(time - skew_of(faults, values), time, wrong)
+    return np.stack([data[:, 0], data[:, 1] - late + velocity], axis=1)
+
+
+def split(faults: tuple[Fault, ...], values: np.ndarray) -> list[np.ndarray]:
+    """The values of each."""
+    return np.split(values, np.cumsum([one.parameters for one in faults])[:-1])
+
+
+def in_one_round(
+    cleaned: list[Measured], motions: list[Reference], faults: tuple[Fault, ...], so_far: np.ndarray
+) -> tuple[Compared, list[Smoother]]:
+    """A Gauss-Newton step, with the scatter of the jerk that makes the data most likely."""
+    best = None
+    for jerk in JERKS:
+        made = [smoother_of(time, weights, float(jerk)) for time, _, weights in cleaned]
+        smoothers = [each for each in made if each is not None]
+        if len(smoothers) == len(made):
+            table, scatter = products(cleaned, motions, smoothers, faults)
+            change = inverse(table[1:, 1:]) @ table[1:, 0]
+            left = float(table[0, 0] - table[1:, 0] @ change)
+            likelihood = scatter - left / 2
+            if best is None or likelihood > best[0]:
+                best = (likelihood, change, table[1:, 1:], left, smoothers)
+    assert best is not None  # there are jerks to try
+    _, change, normal, left, smoothers = best
+    samples = sum(int((weights > 0).sum()) for _, _, weights in cleaned)
+    return Compared(faults, so_far + change, normal, left, samples, motions), smoothers
+
+
+def products(
+    cleaned: list[Measured],
+    motions: list[Reference],
+    smoothers: list[Smoother],
+    faults: tuple[Fault, ...],
+) -> tuple[np.ndarray, float]:
+    """(data, columns)'(data, columns) of what no motion follows, and the log of the scatter."""
+    table, scatter = 0.0, 0.0
+    for (_, data, _), motion, smoother in zip(cleaned, motions, smoothers, strict=True):
+        added = [one.columns(motion) for one in faults]
+        rates = np.concatenate([data[:, 1:], *added], axis=1)
+        angles = np.concatenate([data[:, :1], np.zeros_like(rates[:, 1:])], axis=1)
+        rows = smoother.left(np.stack([angles, rates], axis=1))
+        table = table + rows.T @ rows
+        scatter -= float(np.sum(np.log(smoother.factor[-1]))) + 3 * smoother.log_scale
+    return np.asarray(table), scatter
