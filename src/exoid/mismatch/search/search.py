@@ -9,7 +9,15 @@ from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.mismatch.evidence.measure import yardstick
 from exoid.mismatch.evidence.yardstick import ALIKE, APART, FOLLOWED, Yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
-from exoid.mismatch.screen.optimise import FEWER_ROUNDS, FLOOR, polished, settle, settle_free
+from exoid.mismatch.screen.optimise import (
+    FEWER_ROUNDS,
+    FLOOR,
+    polished,
+    raced,
+    settle,
+    settle_free,
+    strikes,
+)
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import Found, best_of, size, sound
 from exoid.mismatch.search.several import several
@@ -59,11 +67,9 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
     sensors = [one for one in beside if len(one.candidate.terms) > 1]
     alone = [one for one in beside if len(one.candidate.terms) == 1]
     singles = by_evidence([*singles, *alone], base, measure)
-    best = least(base, *singles).square
-    if best > FLOOR * measure.samples and measure.followed(base.square, best) < FOLLOWED:
+    others = not_yet_free(ranked, singles, base, measure)
+    if others:
         told("simulating the others")
-        tried = {one.candidate.terms for one in singles}
-        others = [one for one in ranked if one.candidate.terms not in tried]
         singles += side_by_side(lambda one: simulated(prepared, base, one, starts), others)
         singles = by_evidence(singles, base, measure)
     found = Found(prepared, base, begin, singles, sensors, ranked, failed, measure)
@@ -104,16 +110,33 @@ def with_sets(found: Found, usable: list[type[Term]], told: Told) -> Found:
     return replace(found, singles=singles, pairs=joint, yardstick=measure)
 
 
+def not_yet_free(
+    ranked: list[Optimum], singles: list[Optimum], base: Optimum, measure: Yardstick
+) -> list[Optimum]:
+    """What else may explain more than the best by far: nothing where that reaches the noise,
+    everything where it explains too little, else what strikes, for no look along a motion shows it.
+    """
+    best = least(base, *singles).square
+    if best < FLOOR * measure.samples:
+        return []
+    tried = {one.candidate.terms for one in singles}
+    everything = measure.followed(base.square, best) < FOLLOWED
+    untried = [one for one in ranked if everything and one.candidate.terms not in tried]
+    return [*untried, *(one for one in ranked if strikes(one.candidate) and one not in untried)]
+
+
 def simulated(
     prepared: PreparedRecording, base: Optimum, one: Optimum, starts: list[Hypothesis]
 ) -> Optimum:
-    """Running free from where it came pinned, or from all its `starts` where that led nowhere: what
-    acts for a few samples only, such as a stop, is not seen along a motion with noise.
+    """Running free from where it came pinned, or from all its `starts` where that led nowhere or
+    may have: what acts for a few samples only, such as a stop, is not seen along a motion with
+    noise, nor is a leg within the play of the frame that carries the sensors.
     """
-    if one.square < base.square:
+    led = [one.candidate] if one.square < base.square else []
+    if led and not strikes(one.candidate):
         return polished(prepared, one.candidate)
     own = [start for start in starts if start.terms == one.candidate.terms]
-    return least(*(polished(prepared, start) for start in own))
+    return raced(prepared, [*led, *own])
 
 
 def beginning(prepared: PreparedRecording, base: Optimum) -> Hypothesis:

@@ -6,7 +6,6 @@ from exoid.physics.moment import Moment
 from exoid.physics.parameter import Parameter, parameter
 from exoid.physics.term import Memory, PhysicsTerm, Reading, Scalar, reading
 
-LOSS = 0.7  # damping ratio of the contact
 DEEP = 5e-4  # rad, at which the contact's damper has its full strength
 CLINGS = 1500.0  # rad/s, of a frame that dry friction holds: within 10 urad for 20 rad/s^2
 
@@ -34,20 +33,25 @@ class Backlash(PhysicsTerm):
     jumps = True
     substeps = 16
 
-    half_play: Parameter = parameter("b", "rad", 0.0, 0.1, "half the play", (0.008, 0.025))
+    half_play: Parameter = parameter("b", "rad", 0.0, 0.1, "half the play", (0.008, 0.022))
     frame_inertia: Parameter = parameter(
         "J_e", "kg m^2", 0.003, 0.1, "inertia of the frame", (0.012,)
     )
     frame_gravity: Parameter = parameter(
-        "G_e", "N m", 0.0, 6.0, "gravity moment of the frame", (0.6,)
+        "G_e", "N m", 0.0, 6.0, "gravity moment of the frame", (0.5,)
     )
     hinge_friction: Parameter = parameter(
-        "F_h", "N m", 0.0, 2.0, "dry friction of the frame's hinge", (0.05,)
+        "F_h", "N m", 0.0, 2.0, "dry friction of the frame's hinge", (0.03, 0.15)
     )
     hinge_damping: Parameter = parameter(
         "d_h", "N m s/rad", 0.0, 1.0, "damping of the frame's hinge", (0.02,)
     )
-    contact_time: Parameter = parameter("t_c", "s", 0.006, 0.1, "how long a bounce lasts", (0.02,))
+    contact_time: Parameter = parameter(
+        "t_c", "s", 0.006, 0.04, "how long a bounce lasts", (0.012,)
+    )
+    damping_ratio: Parameter = parameter(
+        "zeta", "1", 0.0, 1.5, "damping ratio of the contact", (0.7,)
+    )
 
     @property
     def rate(self) -> Scalar:
@@ -58,7 +62,7 @@ class Backlash(PhysicsTerm):
         slip, speed, _ = memory
         way, depth = jnp.sign(slip), jnp.abs(slip) - self.half_play
         inwards = way * (speed - now.angular_velocity)
-        damped = 2 * LOSS * self.rate * jnp.clip(depth / DEEP, 0.0, 1.0) * inwards
+        damped = 2 * self.damping_ratio * self.rate * jnp.clip(depth / DEEP, 0.0, 1.0) * inwards
         push = jnp.maximum(self.rate**2 * depth + damped, 0.0)
         return -way * jnp.where(depth > 0, push, 0.0)
 
