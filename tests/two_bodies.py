@@ -11,7 +11,7 @@ from scipy.integrate import solve_ivp
 from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
 
 STARTS = (-0.1, -0.4, -0.7)  # rad
-COUNTS = 4096  # of the encoder
+COUNT = 2 * np.pi / 4096  # rad, of the encoder
 CREEP = 2e-3  # rad/s, within which dry friction passes through zero
 DEEP = 3e-4  # rad, at which a contact's damper has its full strength
 
@@ -106,12 +106,11 @@ def recorded(leg: Leg, frame: Frame, how: Session, seed: int = 0) -> Recording:
         held = np.repeat(fallen[:, :1], (~after).sum(), axis=1)
         _, _, place, speed = np.concatenate([held, fallen[:, 1:]], axis=1)
         angle = place + how.angle_noise * random.standard_normal(time.size)
-        count = 2 * np.pi / COUNTS
         gyro = speed + how.gyro_noise * random.standard_normal(time.size)
         segments.append(
-            Segment(time, raw_angle=count * np.round(angle / count), raw_angular_velocity=gyro)
+            Segment(time, raw_angle=COUNT * np.round(angle / COUNT), raw_angular_velocity=gyro)
         )
     body = Subject(kind="leg", body_mass=74.0, height=1.78)
-    noise = np.sqrt(how.angle_noise**2 + count**2 / 12)
+    noise = np.sqrt(how.angle_noise**2 + COUNT**2 / 12)
     known = Sensors(angle_noise=float(noise), velocity_noise=how.gyro_noise)
     return Recording(tuple(segments), body, Protocol(kind="passive"), known)

@@ -1,6 +1,7 @@
 """Play against two bodies that SciPy moves, and against what must hold for any two bodies."""
 
 from dataclasses import replace
+from typing import Any
 
 import jax
 import jax.numpy as jnp
@@ -31,7 +32,8 @@ START, LASTING = -0.4, 3.0
 def term(frame: two_bodies.Frame) -> Backlash:
     contact = np.pi * np.sqrt(frame.inertia / frame.stiffness)
     own = (frame.half_play, frame.inertia, frame.gravity, frame.friction, frame.damping)
-    return Backlash(*map(jnp.asarray, (*own, contact, frame.damping_ratio)))
+    made: Any = Backlash  # whose parameters are its own
+    return made(*map(jnp.asarray, (*own, contact, frame.damping_ratio)))
 
 
 @jax.jit

@@ -67,13 +67,9 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
     sensors = [one for one in beside if len(one.candidate.terms) > 1]
     alone = [one for one in beside if len(one.candidate.terms) == 1]
     singles = by_evidence([*singles, *alone], base, measure)
-    others = not_yet_free(ranked, singles, base, measure)
-    if others:
-        told("simulating the others")
-        singles += side_by_side(lambda one: simulated(prepared, base, one, starts), others)
-        singles = by_evidence(singles, base, measure)
     found = Found(prepared, base, begin, singles, sensors, ranked, failed, measure)
-    best = least(base, *singles).square
+    found = with_others(found, starts, told)
+    best = least(base, *found.singles).square
     return found if best < FLOOR * measure.samples else with_sets(found, usable, told)
 
 
@@ -110,19 +106,23 @@ def with_sets(found: Found, usable: list[type[Term]], told: Told) -> Found:
     return replace(found, singles=singles, pairs=joint, yardstick=measure)
 
 
-def not_yet_free(
-    ranked: list[Optimum], singles: list[Optimum], base: Optimum, measure: Yardstick
-) -> list[Optimum]:
-    """What else may explain more than the best by far: nothing where that reaches the noise,
-    everything where it explains too little, else what strikes, for no look along a motion shows it.
+def with_others(found: Found, starts: list[Hypothesis], told: Told) -> Found:
+    """The same with what no look along a motion shows, as what strikes, and then with everything
+    else where the best explains too little; neither where the best reaches the noise.
     """
-    best = least(base, *singles).square
-    if best < FLOOR * measure.samples:
-        return []
-    tried = {one.candidate.terms for one in singles}
-    everything = measure.followed(base.square, best) < FOLLOWED
-    untried = [one for one in ranked if everything and one.candidate.terms not in tried]
-    return [*untried, *(one for one in ranked if strikes(one.candidate) and one not in untried)]
+    prepared, base, measure = found.prepared, found.base, found.yardstick
+    tried = {one.candidate.terms for one in found.singles}
+    striking = [one for one in found.pinned if strikes(one.candidate)]
+    untried = [one for one in found.pinned if one.candidate.terms not in tried]
+    others = [one for one in untried if one not in striking]
+    for some, enough in ((striking, np.inf), (others, FOLLOWED)):
+        best = least(base, *found.singles)
+        if best.square < FLOOR * measure.samples or found.followed(best) >= enough:
+            break
+        told("simulating the others")
+        more = side_by_side(lambda one: simulated(prepared, base, one, starts), some)
+        found = replace(found, singles=by_evidence([*found.singles, *more], base, measure))
+    return found
 
 
 def simulated(
