@@ -22,8 +22,7 @@ NEARLY = 0.5  # the same while it is pinned, for it goes on running free
 FLAT = 1e-6  # relative curvature below which no place nearby is looked for
 WEAK = 1e-9  # relative curvature of what nothing tells
 FLOOR = 1.3  # mean square over the noise at which nothing more is looked for
-HEAT, FINALISTS = 10, 2  # rounds in which starts race, and how many of them go on
-SHARES = (0.03, 0.1, 0.3)  # of the gyro's weight, in which it comes in
+SHARES = (0.03, 0.3)  # of the gyro's weight, in which it comes in
 HOPS = 8  # places nearby to begin from, a round
 HOP_ROUNDS = 6  # of steps, by which it shows whether one leads down
 HOP = 0.03  # geometric mean of the shares of its square by which a parabola would rise there
@@ -79,25 +78,6 @@ def by_encoder(prepared: PreparedRecording, share: float = 0.0) -> Observation:
     """What was seen, with this share of the gyro's weight."""
     seen = prepared.seen
     return replace(seen, velocity_weight=share * seen.velocity_weight)
-
-
-def raced(prepared: PreparedRecording, starts: list[Hypothesis]) -> Optimum:
-    """Running free from the best of several starts: all of them go a few rounds, the first go on.
-
-    What strikes and sticks has many valleys, and a level that is far too low or too high leads into
-    a false one.
-    """
-    if len(starts) > FINALISTS:
-        heats = side_by_side(
-            lambda one: settle_free(
-                prepared, one, by_encoder(prepared) if strikes(one) else None, rounds=HEAT
-            ),
-            starts,
-        )
-        heats.sort(key=lambda one: one.square if np.isfinite(one.square) else np.inf)
-        starts = [one.candidate for one in heats[:FINALISTS]]
-    ends = side_by_side(lambda one: polished(prepared, one), starts)
-    return min(ends, key=lambda one: one.square if np.isfinite(one.square) else np.inf)
 
 
 def hopped(prepared: PreparedRecording, at: Optimum) -> Optimum:

@@ -13,12 +13,12 @@ from exoid.mismatch.screen.optimise import (
     FEWER_ROUNDS,
     FLOOR,
     polished,
-    raced,
     settle,
     settle_free,
     strikes,
 )
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
+from exoid.mismatch.screen.race import raced
 from exoid.mismatch.search.found import Found, best_of, size, sound
 from exoid.mismatch.search.several import several
 from exoid.mismatch.search.variants import (
