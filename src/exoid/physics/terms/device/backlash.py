@@ -47,7 +47,7 @@ class Backlash(PhysicsTerm):
         "d_h", "N m s/rad", 0.0, 1.0, "damping of the frame's hinge", (0.02,)
     )
     contact_time: Parameter = parameter(
-        "t_c", "s", 0.006, 0.04, "how long a bounce lasts", (0.012,)
+        "t_c", "s", 0.006, 0.02, "how long a bounce lasts", (0.012,)
     )
     damping_ratio: Parameter = parameter(
         "zeta", "1", 0.0, 1.5, "damping ratio of the contact", (0.7,)
