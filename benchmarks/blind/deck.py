@@ -23,7 +23,14 @@ PASSIVE = 0.6  # share of what both protocols can show
 # Of these, two together are one of them, or nearly; the first change the inertia, both at once.
 ALIKE = (
     {"moving_base", "polycentric_axis", "wobbling_mass"},
-    {"coulomb_friction", "stribeck_friction", "hysteresis", "cuff_compliance", "backlash"},
+    {
+        "coulomb_friction",
+        "stribeck_friction",
+        "hysteresis",
+        "cuff_compliance",
+        "backlash",
+        "sticking_backlash",
+    },
     {"torque_bias", "stiffness_rest_angle", "angle_offset", "end_range_stiffening"},
     {"quadratic_drag", "stretch_reflex"},
     {"activation_lag", "torque_asymmetry", "torque_harmonic"},

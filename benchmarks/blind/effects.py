@@ -78,7 +78,20 @@ class Stop(Effect):
 RECIPES = {
     "activation_lag": Recipe(0.002, 0.1, {"lag": EXACTLY}),
     "angle_offset": Recipe(2 * DEGREE, 8 * DEGREE, {"offset": EXACTLY}, signed=True),
-    "backlash": Recipe(5e-4, 0.04, {"half_play": EXACTLY}),
+    "backlash": Recipe(
+        5e-4,
+        0.04,
+        {"half_play": EXACTLY},
+        {
+            "frame_inertia": (0.006, 0.03),
+            "frame_gravity": (0.2, 1.5),
+            "hinge_friction": (0.01, 0.2),
+            "hinge_damping": (0.01, 0.05),
+            "contact_time": (0.008, 0.02),
+            "damping_ratio": (0.4, 1.0),
+        },
+    ),
+    "sticking_backlash": Recipe(5e-4, 0.04, {"half_play": EXACTLY}),
     "coulomb_friction": Recipe(0.003, 1.0, {"level": EXACTLY}),
     "cubic_stiffness": Recipe(0.01, 3.0, {"coefficient": EXACTLY}, signed=True),
     "cuff_compliance": Recipe(

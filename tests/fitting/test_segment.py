@@ -12,15 +12,15 @@ from exoid.fitting.estimate import left_out, movements_of
 from exoid.physics.leg import LegModel
 from exoid.physics.motion.simulate import simulate
 from exoid.physics.term import Term
-from exoid.physics.terms.device.backlash import Backlash
 from exoid.physics.terms.device.cuff_compliance import CuffCompliance
+from exoid.physics.terms.device.sticking_backlash import StickingBacklash
 from exoid.physics.torque import NoTorque
 from exoid.recordings.recording import Segment
 from fit_cases import leg, one, state
 from hands import Device, Hand, dropped
 
 TICK = 0.01  # s
-PLAY = Backlash(jnp.asarray(0.02))
+PLAY = StickingBacklash(jnp.asarray(0.02))
 SOFT = CuffCompliance(*map(jnp.asarray, (0.2, 0.02, 1.2, 0.1, 0.4)))
 
 

@@ -16,8 +16,8 @@ from exoid.physics.library import library
 from exoid.physics.sensing.gyro_bias import GyroBias
 from exoid.physics.sensing.gyro_scale import GyroScale
 from exoid.physics.sensing.sensor_skew import SensorSkew
-from exoid.physics.terms.device.backlash import Backlash
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
+from exoid.physics.terms.device.sticking_backlash import StickingBacklash
 from exoid.physics.terms.tissue.maxwell_element import MaxwellElement
 from exoid.physics.torque import NoTorque
 from exoid.planning.plan import plan
@@ -192,8 +192,10 @@ def test_a_term_that_remembers_says_what_its_errors_leave_out(found):
     relaxing = fit(whole, multistart=2, terms=(MaxwellElement,))
     assert any("maxwell_element may remember for seconds" in each for each in relaxing.notes)
     begun = replace(whole, segments=tuple(cut(each, slice(140, None)) for each in whole.segments))
-    playing = fit(begun, multistart=2, terms=(Backlash,))
-    assert any("what backlash remembers of before is unknown" in each for each in playing.notes)
+    playing = fit(begun, multistart=2, terms=(StickingBacklash,))
+    assert any(
+        "what sticking_backlash remembers of before is unknown" in each for each in playing.notes
+    )
 
 
 @pytest.mark.proof

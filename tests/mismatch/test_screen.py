@@ -17,8 +17,8 @@ from exoid.mismatch.screen.optimise import polished, promising, settle, settle_f
 from exoid.physics.leg import LegModel
 from exoid.physics.motion.simulate import simulate
 from exoid.physics.term import name_of
-from exoid.physics.terms.device.backlash import Backlash
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
+from exoid.physics.terms.device.sticking_backlash import StickingBacklash
 from exoid.physics.terms.tissue.maxwell_element import MaxwellElement
 from exoid.physics.torque import NoTorque
 from exoid.recordings.recording import Protocol, Recording, Segment
@@ -151,7 +151,7 @@ def test_the_measured_motion_is_what_the_sensors_show(ready):
 
 def played(angle: float, seed: int) -> Segment:
     """A drop from its release on, as sensors with a play of 0.01 rad show it."""
-    model = LegModel(leg(), NoTorque(), terms=(Backlash(np.asarray(0.005)),))
+    model = LegModel(leg(), NoTorque(), terms=(StickingBacklash(np.asarray(0.005)),))
     time = 0.01 * np.arange(600)
     seen = simulate(model, state(angle), jnp.asarray(time))
     rng = np.random.default_rng(seed)
@@ -169,7 +169,7 @@ def test_the_encoder_leads_past_the_jumps_of_the_gyro():
     segments = tuple(played(angle, seed) for seed, angle in enumerate((-0.2, -0.5, -0.8)))
     recordings = [("drops", Recording(segments, BODY, Protocol(kind="passive"), NOISE))]
     prepared, base = prepare(fit(recordings), recordings, ())
-    start = Hypothesis((Backlash,), (np.array([0.008]),), base.candidate.point)
+    start = Hypothesis((StickingBacklash,), (np.array([0.008]),), base.candidate.point)
     walled = settle_free(prepared, start)
     found = polished(prepared, walled.candidate)
     assert found.candidate.values[0][0] == pytest.approx(0.005, rel=0.02)

@@ -34,6 +34,7 @@ NAMES = {
     "maxwell_element",
     "hysteresis",
     "backlash",
+    "sticking_backlash",
     "moving_base",
     "polycentric_axis",
     "torque_harmonic",

@@ -16,7 +16,7 @@ from exoid.physics.parameter import declarations
 from exoid.physics.ratios import Ratios
 from exoid.physics.term import Term, name_of
 
-MOST_PARAMETERS = 6
+MOST_PARAMETERS = 7
 
 
 @cache

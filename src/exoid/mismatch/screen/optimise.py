@@ -25,6 +25,7 @@ FLAT = 1e-6  # relative curvature below which no place nearby is looked for
 WEAK = 1e-9  # relative curvature of what nothing tells
 FLOOR = 1.3  # mean square over the noise at which no other basin is looked for
 USUAL = 1.6  # standard deviations of a sum of squares
+SHARES = (0.03, 0.3)  # of the gyro's weight, in which it comes in
 HOPS = 8  # places nearby to begin from, a round
 HOP_ROUNDS = 6  # of steps, by which it shows whether one leads down
 HOP = 0.03  # geometric mean of the shares of its square by which a parabola would rise there
@@ -60,12 +61,14 @@ def settle_free(
 def polished(prepared: PreparedRecording, start: Hypothesis, rival: float = np.inf) -> Optimum:
     """Running free from a start; `rival` is what another candidate leaves.
 
-    Where a gyro's reading jumps, every sample beside a jump is a wall: the encoder leads past them.
+    Where a gyro's reading jumps, every sample beside a jump is a wall: the encoder leads past them,
+    and the gyro comes in by and by.
     """
-    if any(term.jumps for term in start.terms):
-        seen = prepared.seen
-        by_encoder = replace(seen, velocity_weight=0.0 * seen.velocity_weight)
-        start = settle_free(prepared, start, by_encoder).candidate
+    if strikes(start):
+        start = settle_free(prepared, start, by_encoder(prepared)).candidate
+        for share in SHARES:
+            eased = by_encoder(prepared, share)
+            start = settle_free(prepared, start, eased, rounds=FEWER_ROUNDS).candidate
     found = settle_free(prepared, start, rival=rival)
     beaten = found.square > FAR * rival
     return hopped(prepared, found) if any(map(holds, start.terms)) and not beaten else found
@@ -74,6 +77,17 @@ def polished(prepared: PreparedRecording, start: Hypothesis, rival: float = np.i
 def enough(prepared: PreparedRecording, square: float) -> bool:
     """Is what is left no more than noise by chance is in one of twenty recordings?"""
     return square < prepared.samples + USUAL * np.sqrt(2 * prepared.samples)
+
+
+def strikes(candidate: Hypothesis) -> bool:
+    """Does one of its terms make what the sensors show jump?"""
+    return any(term.jumps for term in candidate.terms)
+
+
+def by_encoder(prepared: PreparedRecording, share: float = 0.0) -> Observation:
+    """What was seen, with this share of the gyro's weight."""
+    seen = prepared.seen
+    return replace(seen, velocity_weight=share * seen.velocity_weight)
 
 
 def hopped(prepared: PreparedRecording, at: Optimum) -> Optimum:

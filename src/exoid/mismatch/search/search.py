@@ -7,7 +7,7 @@ import numpy as np
 
 from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.mismatch.evidence.measure import yardstick
-from exoid.mismatch.evidence.yardstick import APART, FOLLOWED, Yardstick
+from exoid.mismatch.evidence.yardstick import APART, Yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import (
     FEWER_ROUNDS,
@@ -17,8 +17,10 @@ from exoid.mismatch.screen.optimise import (
     polished,
     settle,
     settle_free,
+    strikes,
 )
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
+from exoid.mismatch.screen.race import raced
 from exoid.mismatch.search.found import Found, best_of, size, sound
 from exoid.mismatch.search.several import several, with_one_more
 from exoid.mismatch.search.variants import (
@@ -71,14 +73,8 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
     sensors = [one for one in beside if len(one.candidate.terms) > 1]
     alone = [one for one in beside if len(one.candidate.terms) == 1]
     singles = by_evidence([*singles, *alone], base, measure)
-    best = least(base, *singles).square
-    if best > FLOOR * measure.samples and measure.followed(base.square, best) < FOLLOWED:
-        told("simulating what acts for moments only")
-        tried = {one.candidate.terms for one in singles}
-        others = [one for one in ranked if one.candidate.terms not in tried and hidden(one)]
-        singles += side_by_side(lambda one: found_anyhow(prepared, base, one, starts), others)
-        singles = by_evidence(singles, base, measure)
     found = Found(prepared, base, begin, singles, sensors, ranked, failed, measure)
+    found = with_strikes(found, starts, told)
     return with_sets(found, usable, told) if lacks_more(found, usable) else found
 
 
@@ -127,24 +123,34 @@ def with_sets(found: Found, usable: list[type[Term]], told: Told) -> Found:
     return replace(found, singles=singles, pairs=joint, yardstick=measure, glimpsed=tuple(both))
 
 
-def hidden(one: Optimum) -> bool:
-    """May it act for a few samples only, which are not seen along a motion with noise?"""
-    return any(term.jumps for term in one.candidate.terms)
-
-
 def simulated(prepared: PreparedRecording, pinned: list[Optimum]) -> list[Optimum]:
     """Running free from where they came pinned, the best first."""
     return side_by_side(lambda one: polished(prepared, one.candidate, pinned[0].square), pinned)
 
 
+def with_strikes(found: Found, starts: list[Hypothesis], told: Told) -> Found:
+    """The same with what no look along a motion shows, as what strikes, unless noise is reached."""
+    prepared, base, measure = found.prepared, found.base, found.yardstick
+    if least(base, *found.singles).square < FLOOR * measure.samples:
+        return found
+    told("simulating what acts for moments only")
+    striking = [one for one in found.pinned if strikes(one.candidate)]
+    more = side_by_side(lambda one: found_anyhow(prepared, base, one, starts), striking)
+    return replace(found, singles=by_evidence([*found.singles, *more], base, measure))
+
+
 def found_anyhow(
     prepared: PreparedRecording, base: Optimum, one: Optimum, starts: list[Hypothesis]
 ) -> Optimum:
-    """Running free from where it came pinned, or from all its `starts` where that led nowhere."""
-    if one.square < base.square:
+    """Running free from where it came pinned, and from all its `starts` where that led nowhere or
+    may have: what acts for a few samples only, such as a stop, is not seen along a motion with
+    noise, nor is a leg within the play of the frame that carries the sensors.
+    """
+    led = [one.candidate] if one.square < base.square else []
+    if led and not strikes(one.candidate):
         return polished(prepared, one.candidate)
     own = [start for start in starts if start.terms == one.candidate.terms]
-    return least(*(polished(prepared, start) for start in own))
+    return raced(prepared, [*led, *own])
 
 
 def beginning(prepared: PreparedRecording, base: Optimum) -> Hypothesis:

@@ -23,6 +23,7 @@ MATTERS = 0.5  # of the noise
 SEEN = 0.6  # of a tone, that is left beside a motion that is free to do what is slower
 EDGE = 5  # frequencies beside the slowest, where a motion's kinks still show
 STEADY = 0.4  # of its size, that a tone has in three of four pieces
+SURGES = 2.0  # of its size, that it exceeds in no more than one of four: a frame that strikes does
 IN_PHASE = 0.6  # of its size, that is left of the middle of its pieces: noise has any phase
 PIECE, FEW = 0.3, 24  # s, and samples, of a piece at least
 FEWEST = 64  # samples of a segment that can tell a tone
@@ -69,7 +70,8 @@ def find_tone(times: list[Samples], signals: list[Samples], noise: float = 0.0) 
     pieces = [piecewise(*each, frequency) for each in parts]
     sizes = np.concatenate([np.hypot(*each.T) for each in pieces])
     size = float(np.median(sizes))
-    steady = np.quantile(sizes, 0.25) > STEADY * size
+    least, most = np.quantile(sizes, [0.25, 0.75])
+    steady = least > STEADY * size and most < SURGES * size
     in_phase = [float(np.hypot(*np.median(each, axis=0))) for each in pieces]
     one = np.average(in_phase, weights=[len(each) for each in pieces]) > IN_PHASE * size
     loud = size > max(SMALLEST, MATTERS * noise)

@@ -1,38 +1,91 @@
-"""Play between the leg and the frame that carries the sensors."""
+"""Play between the leg and the frame that carries the sensors, which has a weight of its own."""
 
 import jax.numpy as jnp
 
 from exoid.physics.moment import Moment
 from exoid.physics.parameter import Parameter, parameter
-from exoid.physics.term import Memory, PhysicsTerm, Reading, reading
+from exoid.physics.term import Memory, PhysicsTerm, Reading, Scalar, reading
 
-TOUCH = 1e-6  # relative, within which leg and frame are in contact
+DEEP = 5e-4  # rad, at which the contact's damper has its full strength
+CLINGS = 1500.0  # rad/s, of a frame that dry friction holds: within 10 urad for 20 rad/s^2
 
 
 class Backlash(PhysicsTerm):
-    """The frame q follows the leg only once the play 2 b is used up: |phi - q| <= b.
+    """Encoder and gyro sit on a frame (q) that is free within the play 2 b; s = q - phi.
 
-    Its memory is q - phi, within the play.
+    Beyond it, at the depth x = |s| - b, they push each other, but never pull:
+
+        tau = -p,  J_e q'' = p - G_e cos(q) - d_h q' - F_h sgn(q'),
+        p = -sgn(s) J_e max(0, w^2 x + 2 zeta w min(x / x_0, 1) x'),  w = pi / t_c.
+
+    Friction that holds the frame is a stiff, damped spring z that yields at F_h. The
+    memory is (s, q', z).
     """
 
     title = "play between leg and frame"
-    reference = "Visintin, Differential Models of Hysteresis, 1994: play operator"
+    reference = "Nordin & Gutman, Automatica 38(10), 2002: two masses with play"
     explanation = (
-        "Slack straps or a worn hinge: after every turn the leg moves for a moment before the "
-        "sensors do."
+        "Slack straps or a worn hinge: around every turn leg and frame part, and what carries the "
+        "sensors moves by its own weight until they meet again."
     )
     isolate = "the leg held, the frame moved by hand through its play"
-    memory_size = 1
+    memory_size = 3
     jumps = True
+    substeps = 16
 
-    half_play: Parameter = parameter("b", "rad", 0.0, 0.1, "half the play", (0.004, 0.015))
+    half_play: Parameter = parameter("b", "rad", 0.0, 0.1, "half the play", (0.008, 0.022))
+    frame_inertia: Parameter = parameter(
+        "J_e", "kg m^2", 0.003, 0.1, "inertia of the frame", (0.012,)
+    )
+    frame_gravity: Parameter = parameter(
+        "G_e", "N m", 0.0, 6.0, "gravity moment of the frame", (0.5,)
+    )
+    hinge_friction: Parameter = parameter(
+        "F_h", "N m", 0.0, 2.0, "dry friction of the frame's hinge", (0.03, 0.15)
+    )
+    hinge_damping: Parameter = parameter(
+        "d_h", "N m s/rad", 0.0, 1.0, "damping of the frame's hinge", (0.02,)
+    )
+    contact_time: Parameter = parameter(
+        "t_c", "s", 0.006, 0.02, "how long a bounce lasts", (0.012,)
+    )
+    damping_ratio: Parameter = parameter(
+        "zeta", "1", 0.0, 1.5, "damping ratio of the contact", (0.7,)
+    )
+
+    @property
+    def rate(self) -> Scalar:
+        return jnp.pi / self.contact_time
+
+    def pushed(self, now: Moment, memory: Memory) -> Scalar:
+        """The torque of the leg on the frame over the frame's inertia [rad/s^2]."""
+        slip, speed, _ = memory
+        way, depth = jnp.sign(slip), jnp.abs(slip) - self.half_play
+        inwards = way * (speed - now.angular_velocity)
+        damped = 2 * self.damping_ratio * self.rate * jnp.clip(depth / DEEP, 0.0, 1.0) * inwards
+        push = jnp.maximum(self.rate**2 * depth + damped, 0.0)
+        return -way * jnp.where(depth > 0, push, 0.0)
+
+    def torque(self, now: Moment, memory: Memory) -> Scalar:
+        return -self.frame_inertia * self.pushed(now, memory)
+
+    def memory_at_rest(self, now: Moment) -> Memory:
+        weight = self.frame_gravity * jnp.cos(now.tilted)
+        sunk = weight / (self.frame_inertia * self.rate**2)
+        slip = -jnp.sign(weight) * self.half_play - sunk
+        return jnp.stack([slip, now.angular_velocity, jnp.zeros_like(slip)])
 
     def memory_rate(self, now: Moment, memory: Memory) -> Memory:
-        return -now.angular_velocity[None]
+        slip, speed, held = memory
+        level = self.hinge_friction / self.frame_inertia
+        friction = jnp.clip(CLINGS**2 * held + CLINGS * speed, -level, level)
+        pull = self.frame_gravity * jnp.cos(now.tilted + slip) + self.hinge_damping * speed
+        moved = self.pushed(now, memory) - pull / self.frame_inertia - friction
+        return jnp.stack([speed - now.angular_velocity, moved, speed])
 
     def memory_within(self, now: Moment, memory: Memory) -> Memory:
-        return jnp.clip(memory, -self.half_play, self.half_play)
+        most = self.hinge_friction / (self.frame_inertia * CLINGS**2)
+        return jnp.stack([*memory[:2], jnp.clip(memory[2], -most, most)])
 
     def shown(self, now: Moment, memory: Memory) -> Reading:
-        inside = jnp.abs(memory[0]) < self.half_play * (1 - TOUCH)
-        return reading(memory[0], jnp.where(inside, -now.angular_velocity, 0.0))
+        return reading(memory[0], memory[1] - now.angular_velocity)
