@@ -9,6 +9,7 @@ import numpy as np
 
 from exoid.fitting.data.movement import Movement, smoothed_motion
 from exoid.fitting.data.observe import cycle_torque
+from exoid.fitting.data.pace import unhurried
 from exoid.fitting.model.coordinates import Coordinates, SegmentUnknowns, shared_of
 from exoid.fitting.model.limits import Limits
 from exoid.fitting.model.mounting import Mounting
@@ -108,7 +109,7 @@ def usual_mounting(
 
 def first_state(movement: Movement) -> tuple[float, float]:
     """Angle [rad] and angular velocity [rad/s] of the first sample, from the ones around it."""
-    angle, velocity = smoothed_motion(movement, SLOPE_WIDTH)
+    angle, velocity = smoothed_motion(movement, unhurried(movement, SLOPE_WIDTH))
     return float(angle[0]), float(velocity[0])
 
 

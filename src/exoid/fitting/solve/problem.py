@@ -77,7 +77,9 @@ class Problem:
 
     @property
     def longest_step(self) -> float:
-        return float(np.diff(np.asarray(self.observation.time)).max())
+        """Of the simulation [s]."""
+        seen = self.observation
+        return float(np.diff(np.asarray(seen.time)).max()) / seen.parts
 
     @property
     def unknowns(self) -> int:
