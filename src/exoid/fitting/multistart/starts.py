@@ -14,6 +14,7 @@ from exoid.fitting.model.coordinates import Coordinates, SegmentUnknowns, shared
 from exoid.fitting.model.limits import Limits
 from exoid.fitting.model.mounting import Mounting
 from exoid.fitting.model.prior_and_limits import leg_limits
+from exoid.fitting.model.scale import AS_A_LEG, Scale, ranged
 from exoid.fitting.model.systematics import OWNED
 from exoid.fitting.model.term_parameters import over_inertia, term_of
 from exoid.physics.leg import GRAVITY, LegParameters
@@ -52,7 +53,10 @@ def draw(count: int, seed: int, limits: Limits | None = None) -> np.ndarray:
 
 
 def term_starts(
-    terms: Sequence[type[Term] | Term], movements: list[Movement], count: int
+    terms: Sequence[type[Term] | Term],
+    movements: list[Movement],
+    count: int,
+    scale: Scale = AS_A_LEG,
 ) -> tuple[Term, ...]:
     """`count` starts of the terms: where an instance is; of a class all it declares, in turn."""
     angles = np.concatenate([each.angle for each in movements])
@@ -60,7 +64,7 @@ def term_starts(
 
     def begins(term: type[Term] | Term) -> list[tuple[float, ...]]:
         if isinstance(term, type):
-            return [declared.starts_between(*ends) for _, declared in declarations(term)]
+            return [ranged(each, scale).starts_between(*ends) for _, each in declarations(term)]
         return [(float(getattr(term, name)),) for name, _ in declarations(type(term))]
 
     each = [row for term in terms for row in begins(term)]
@@ -136,3 +140,23 @@ def informed(
     solution, *_ = np.linalg.lstsq(np.concatenate(rows), np.concatenate(accelerations), rcond=None)
     gravity, stiffness, damping, torque = solution * inertia
     return np.array([mass, inertia, gravity / (mass * GRAVITY), damping, stiffness, torque])
+
+
+def driven(movements: list[Movement], mass: float) -> np.ndarray | None:
+    """The same where the torque was measured: least squares on tau = J phi'' + m l g cos(phi) +
+    c phi + d phi', each side as smooth as the other; None where that makes no leg.
+    """
+    rows, torques = [], []
+    for each in movements:
+        time, torque = each.segment.time, each.segment.applied_torque
+        assert torque is not None  # `movement` sees to that
+        width = unhurried(each, SLOPE_WIDTH)
+        angle, velocity = smoothed_motion(each, width)
+        acceleration = local_line(time, velocity, width)[1]
+        rows.append(np.stack([acceleration, np.cos(angle), velocity, angle], axis=1))
+        torques.append(local_line(time, torque, width)[0])
+    solution, *_ = np.linalg.lstsq(np.concatenate(rows), np.concatenate(torques), rcond=None)
+    inertia, gravity, damping, stiffness = solution
+    if inertia <= 0:
+        return None
+    return np.array([mass, inertia, gravity / (mass * GRAVITY), max(damping, 0.0), stiffness, 0.0])

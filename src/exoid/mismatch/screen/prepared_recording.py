@@ -18,6 +18,7 @@ from exoid.fitting.model.coordinates import (
     unflattened,
     unscaled,
 )
+from exoid.fitting.model.scale import AS_A_LEG, Scale, ranged, scale_of
 from exoid.fitting.model.systematics import deviations
 from exoid.fitting.solve.problem import Problem
 from exoid.mismatch.screen.hypothesis import Hypothesis, Products
@@ -54,6 +55,11 @@ class PreparedRecording:
     @property
     def seen(self) -> Observation:
         return self.problem.observation
+
+    @cached_property
+    def scale(self) -> Scale:
+        """How large a rig's motion is beside a leg's."""
+        return scale_of(self.problem.movements) if self.rig else AS_A_LEG
 
     @cached_property
     def samples(self) -> int:
@@ -139,7 +145,7 @@ class PreparedRecording:
                 return [np.array([error.value])]
         low, high = self.range
         each = [
-            declared.starts(low, high) if callable(declared.starts) else declared.starts
+            ranged(declared, self.scale).starts_between(low, high)
             for _, declared in declarations(term)
         ]
         return [np.array(row) for row in product(*each)]
@@ -161,7 +167,9 @@ class PreparedRecording:
         lower[at] = jax.tree.leaves(least)
         upper[self.numbers.shared.log_inertia] = inertia + FARTHEST
         each: list[Declaration] = [
-            declared for term in candidate.terms for _, declared in declarations(term)
+            ranged(declared, self.scale)
+            for term in candidate.terms
+            for _, declared in declarations(term)
         ]
         first = candidate.point.size + 2
         tilts = np.flatnonzero(self.tilts)
