@@ -7,22 +7,26 @@ import numpy as np
 
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.data.observation import Observation
+from exoid.fitting.data.pace import QUICK, pace
 from exoid.fitting.model.coordinates import Coordinates
 from exoid.fitting.model.mounting import Mounting
 from exoid.fitting.model.systematics import OF_THE_GYRO, OWNED
 from exoid.fitting.multistart.starts import first_state, usual_mounting
-from exoid.fitting.result.fit_result import FitResult
+from exoid.fitting.multistart.tethers import tethers
+from exoid.fitting.result.fit_result import FitResult, pooled
 from exoid.fitting.solve.ask import take
 from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.problem import Problem
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import FEWER_ROUNDS, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
-from exoid.mismatch.sensors.consistency import Consistency, consistency
+from exoid.mismatch.sensors.consistency import ERRORS, Consistency, consistency
 from exoid.physics.library import library
 from exoid.physics.term import Term
 from exoid.recordings.recording import Recording
 
+FAR = 10.0  # times the noise, by which a baseline misses what drives a rig in a false valley
+SLOW = 5.0  # rad/s, a leg's pace
 ABSOLUTE = ("log_distance", "tilt")  # what a recording owns by itself, not compared with the first
 
 
@@ -39,7 +43,7 @@ def prepare(
     rig = any(recording.subject.kind == "rig" for _, recording in recordings)
     owned = unknown(movements, rig=rig)
     problem = compared(pose(movements, basis.problem.belief, reading, chain, owned=owned))
-    sensors = consistency(problem.observation)
+    sensors = compared_at_ease(problem)
     best = take(basis.ended.best, 0).coordinates
     observation = without_edges(problem.observation, sensors)
     observation = with_masses(observation, best.mounting, owned)
@@ -48,9 +52,46 @@ def prepare(
     inertia = float(fitted.shared.log_inertia)
     tested = (*library(), *terms)
     zero = movements[0].systematics.zero
-    prepared = PreparedRecording(problem, sensors, tested, inertia, rig, zero)
+    driven = rig and all(each.kind == "measured" for each in movements)
+    noise = pooled(result.segments, lambda each: each.angle_noise)
+    led = tethers(problem) if driven and result.angle_rmse > FAR * noise else ()
+    prepared = PreparedRecording(problem, sensors, tested, inertia, rig, zero, led)
     point = prepared.point(fitted)
     return prepared, settle_free(prepared, Hypothesis((), (), point), rounds=FEWER_ROUNDS)
+
+
+def compared_at_ease(problem: Problem) -> Consistency:
+    """Encoder against gyro, the clock of what is quicker than a leg slowed down to one's pace."""
+    quickest = max(map(pace, problem.movements))
+    if quickest <= QUICK:
+        return consistency(problem.observation)
+    slow, seen = quickest / SLOW, problem.observation
+    found = consistency(
+        replace(
+            seen,
+            time=seen.time * slow,
+            angular_velocity=seen.angular_velocity / slow,
+            velocity_weight=seen.velocity_weight * slow,
+        )
+    )
+    powers = {name: power for name, power in zip(ERRORS, (0, 1, -1), strict=True)}
+    errors = [
+        replace(
+            each,
+            value=each.value * slow ** powers[each.name],
+            standard_error=each.standard_error * slow ** powers[each.name],
+        )
+        for each in found.errors
+    ]
+    references = [
+        replace(
+            each,
+            angular_velocity=each.angular_velocity * slow,
+            angular_acceleration=each.angular_acceleration * slow**2,
+        )
+        for each in found.references
+    ]
+    return Consistency(errors, references)
 
 
 def without_edges(seen: Observation, sensors: Consistency) -> Observation:

@@ -20,7 +20,7 @@ def tethers(problem: Problem) -> tuple[float, float]:
     """Of both stages, as far as the sampling allows."""
     quickest = max(map(pace, problem.movements))
     first = min(max(TETHERS[0], QUICKER * quickest), STIFF / problem.longest_step)
-    return first, min(TETHERS[1], first / 2)
+    return first, min(max(TETHERS[1], first / 4), first / 2)
 
 
 def approach(problem: Problem, starts: Coordinates, scale: np.ndarray) -> Solved:

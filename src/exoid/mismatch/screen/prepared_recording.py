@@ -42,6 +42,7 @@ class PreparedRecording:
     log_inertia: float  # log(J / kg m^2) of the baseline's fit
     rig: bool
     zero: float  # rad, standard deviation of the encoder's; 0 where it is known
+    tethers: tuple[float, ...] = ()  # rad/s, by which candidates are led where a baseline drifts
 
     @property
     def zeros(self) -> tuple[str, ...]:
@@ -162,7 +163,9 @@ class PreparedRecording:
         lower, upper = np.full(size, -np.inf), np.full(size, np.inf)
         inertia = self.log_inertia / float(TYPICAL.shared.log_inertia)
         free = -np.inf if self.rig else 0.0  # of the stiffness
-        least = Shared(*map(np.asarray, (inertia - FARTHEST, 0.0, free, 0.0)))
+        driven = all(each.kind == "measured" for each in self.problem.movements)
+        pull = -np.inf if self.rig and driven else 0.0  # an axis may point anywhere
+        least = Shared(*map(np.asarray, (inertia - FARTHEST, pull, free, 0.0)))
         at = np.ravel(jax.tree.leaves(self.numbers.shared))
         lower[at] = jax.tree.leaves(least)
         upper[self.numbers.shared.log_inertia] = inertia + FARTHEST

@@ -76,7 +76,7 @@ def extended_step(
     *,
     parts: int = 1,
 ) -> Motion:
-    """The step from `time` on, in at least so many `parts` and as many as the fastest term asks for.
+    """The step from `time` on, in so many `parts` or as many as the fastest term asks for.
 
     Dry friction acts in half steps before and after the smooth rest (Strang splitting): it can
     bring the leg to rest, but never turn it round.
