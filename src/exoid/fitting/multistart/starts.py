@@ -90,8 +90,9 @@ def coordinates(
     first = np.array([first_state(each) for each in movements])
     voluntary = np.array([each.voluntary for each in movements])
     shape = (torque.size, len(movements))
+    none = {name: np.zeros(torque.size) for each in movements for name in each.absent}
     return Coordinates(
-        shared=replace(shared, damping=np.minimum(shared.damping, greatest_damping)),
+        shared=replace(shared, damping=np.minimum(shared.damping, greatest_damping), **none),
         log_mass=np.log(leg.mass),
         mounting=usual_mounting(movements, (torque.size,), owned),
         own=SegmentUnknowns(
@@ -155,8 +156,10 @@ def driven(movements: list[Movement], mass: float) -> np.ndarray | None:
         acceleration = local_line(time, velocity, width)[1]
         rows.append(np.stack([acceleration, np.cos(angle), velocity, angle], axis=1))
         torques.append(local_line(time, torque, width)[0])
-    solution, *_ = np.linalg.lstsq(np.concatenate(rows), np.concatenate(torques), rcond=None)
-    inertia, gravity, damping, stiffness = solution
+    absent = {name for each in movements for name in each.absent}
+    has = np.array([1.0, "gravity" not in absent, 1.0, "stiffness" not in absent])
+    table, known = np.concatenate(rows) * has, np.concatenate(torques)
+    inertia, gravity, damping, stiffness = np.linalg.lstsq(table, known, rcond=None)[0]
     if inertia <= 0:
         return None
     return np.array([mass, inertia, gravity / (mass * GRAVITY), max(damping, 0.0), stiffness, 0.0])
