@@ -51,8 +51,8 @@ def remarks(problem: Problem, ended: SearchResult, at_bound: set[str]) -> list[s
     if rig and "stiffness" not in problem.absent:
         said.append(
             "on a rig the spring term c phi also takes up a constant torque and an encoder zero "
-            "that is off: read c / J as a spring only where a spring is known to be. Where none is, "
-            'say so: [subject] spring = "none".'
+            "that is off: read c / J as a spring only where a spring is known to be. Where none "
+            'is, [subject] spring = "none" leaves it out.'
         )
     if float(ended.best.violation[0]) > FEASIBLE:
         said.append("the limits could not all be met: see the bounds in the table.")
