@@ -7,7 +7,7 @@ import numpy as np
 
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.data.observation import Observation
-from exoid.fitting.data.pace import QUICK, pace
+from exoid.fitting.data.pace import pace
 from exoid.fitting.model.coordinates import Coordinates
 from exoid.fitting.model.mounting import Mounting
 from exoid.fitting.model.systematics import OF_THE_GYRO, OWNED
@@ -24,6 +24,7 @@ from exoid.mismatch.sensors.consistency import ERRORS, Consistency, consistency
 from exoid.physics.library import library
 from exoid.physics.term import Term
 from exoid.recordings.recording import Recording
+from exoid.recordings.signal.turns import QUICK
 
 FAR = 10.0  # times the noise, by which a baseline misses what drives a rig in a false valley
 SLOW = 5.0  # rad/s, a leg's pace
