@@ -51,7 +51,7 @@ def prepare(
     problem = replace(problem, observation=observation)
     fitted = released(best, problem)
     inertia = float(fitted.shared.log_inertia)
-    tested = (*library(), *terms)
+    tested = (*(each for each in library() if rig or not each.mechanical), *terms)
     zero = movements[0].systematics.zero
     driven = rig and all(each.kind == "measured" for each in movements)
     noise = pooled(result.segments, lambda each: each.angle_noise)
