@@ -18,8 +18,8 @@ def first_part(recording: Recording) -> Recording:
 
 def later_part(recording: Recording) -> Recording:
     """The other segments; of a single one its end, on a clock of its own."""
-    if len(recording.segments) > 1:
-        return replace(recording, segments=recording.segments[1:])
-    only = recording.segments[0]
+    only, *others = recording.segments
+    if others:
+        return replace(recording, segments=tuple(others))
     later = cut(only, slice(int(EARLY * only.time.size), only.time.size))
     return replace(recording, segments=(later,))

@@ -1,5 +1,7 @@
 """Recordings that move faster than a leg are simulated in parts of a sample's step."""
 
+from dataclasses import replace
+
 import jax
 import jax.numpy as jnp
 import numpy as np
@@ -98,6 +100,6 @@ def test_a_smooth_torque_is_met_between_its_samples():
 
 @pytest.mark.parametrize("word", ["gravity", "spring"])
 def test_a_leg_has_gravity_and_a_spring(word):
-    segment = Segment(np.arange(20) * 0.01, raw_angle=np.linspace(-0.5, 0.0, 20))
+    segment = Segment(np.arange(20) * 0.01, raw_angle=np.full(20, -0.5))
     with pytest.raises(ValueError, match=r'is of a rig: a leg has both\. Say kind = "rig"'):
-        Recording((segment,), Subject(kind="leg", **{word: "none"}))
+        Recording((segment,), replace(Subject(kind="leg"), **{word: "none"}))
