@@ -3,6 +3,7 @@
 from functools import partial
 
 import jax
+import jax.numpy as jnp
 import numpy as np
 
 from exoid.fitting.data.movement import Movement
@@ -31,9 +32,10 @@ def missed(fitted: FitResult, recording: Recording, *, same_begin: bool = False)
     at = take(basis.ended.best.coordinates, 0)
     own = at.own if same_begin else begin(movements)
     point = Coordinates(at.shared, at.log_mass, at.mounting, own, at.terms)
-    each = of_segments(point, problem.observation.owner)
-    see = jax.jit(jax.vmap(partial(predict, stage=problem.free, chain=problem.chain)))
-    shown = np.asarray(see(each, problem.observation).angle)
+    seen, free = jax.tree.map(jnp.asarray, (problem.observation, problem.free))
+    each = of_segments(jax.tree.map(jnp.asarray, point), seen.owner)
+    see = jax.jit(jax.vmap(partial(predict, stage=free, chain=problem.chain)))
+    shown = np.asarray(see(each, seen).angle)
     return np.concatenate(
         [
             row[problem.own_rows(number)] - movement.angle

@@ -2,9 +2,10 @@
 
 import pytest
 
-from exoid.fitting.model.scale import AS_A_LEG, Scale, beside, powers, ranged
+from exoid.fitting.data.size_of_rig import beside
 from exoid.physics.library import library
 from exoid.physics.parameter import declarations
+from exoid.physics.scale import AS_A_LEG, Scale, powers, ranged
 
 POWERS = {
     "N m": (1, 0, 0),

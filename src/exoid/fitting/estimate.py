@@ -11,11 +11,11 @@ from exoid.fitting.data.conditioning import conditioned
 from exoid.fitting.data.fitted_samples import Clip
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.data.segment import movement
+from exoid.fitting.data.size_of_rig import scale_of
 from exoid.fitting.hands.unseen_hands import without_unseen_hands
 from exoid.fitting.model.assumptions import Assumptions, BoundsName, PriorName, by_hand
 from exoid.fitting.model.belief import NAMES, Belief
 from exoid.fitting.model.prior_and_limits import believe
-from exoid.fitting.model.scale import AS_A_LEG, scale_of
 from exoid.fitting.model.user_values import Bounds, Expectations, Fixed
 from exoid.fitting.multistart.search import search
 from exoid.fitting.multistart.search_result import SearchResult
@@ -26,6 +26,7 @@ from exoid.fitting.result.remarks import UPWARDS, upwards
 from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.library import check_terms, library
+from exoid.physics.scale import AS_A_LEG
 from exoid.physics.term import Term, name_of
 from exoid.recordings.loading.named import RecordingsLike, named_recordings
 from exoid.recordings.motion.extent import Motionless

@@ -8,7 +8,6 @@ from exoid.fitting.model.assumptions import Assumptions, BoundsName, PriorName
 from exoid.fitting.model.belief import NAMES, Belief
 from exoid.fitting.model.limits import Limits, Prior
 from exoid.fitting.model.prior import joint_prior, no_prior, own_units, with_own
-from exoid.fitting.model.scale import AS_A_LEG, Scale, ranged
 from exoid.fitting.model.term_parameters import leg_of, parameters_of, term_of, with_values
 from exoid.fitting.model.user_values import DECLARED, ByHand
 from exoid.physics.anatomy import (
@@ -21,6 +20,7 @@ from exoid.physics.anatomy import (
 )
 from exoid.physics.anatomy.limits import Allowed, allowed, anybody, strongest
 from exoid.physics.parameter import Declaration
+from exoid.physics.scale import AS_A_LEG, Scale, ranged
 from exoid.physics.term import Term
 from exoid.recordings.recording import Subject
 

@@ -14,11 +14,11 @@ from exoid.fitting.model.coordinates import Coordinates, SegmentUnknowns, shared
 from exoid.fitting.model.limits import Limits
 from exoid.fitting.model.mounting import Mounting
 from exoid.fitting.model.prior_and_limits import leg_limits
-from exoid.fitting.model.scale import AS_A_LEG, Scale, ranged
 from exoid.fitting.model.systematics import OWNED
 from exoid.fitting.model.term_parameters import over_inertia, term_of
 from exoid.physics.leg import GRAVITY, LegParameters
 from exoid.physics.parameter import declarations
+from exoid.physics.scale import AS_A_LEG, Scale, ranged
 from exoid.physics.term import Term
 from exoid.recordings.recording import Subject
 from exoid.recordings.signal.condition import local_line

@@ -8,6 +8,7 @@ import jax
 import numpy as np
 
 from exoid.fitting.data.observation import Observation
+from exoid.fitting.data.size_of_rig import scale_of
 from exoid.fitting.misfit.neighbourhood import columns
 from exoid.fitting.model.coordinates import (
     TYPICAL,
@@ -18,13 +19,13 @@ from exoid.fitting.model.coordinates import (
     unflattened,
     unscaled,
 )
-from exoid.fitting.model.scale import AS_A_LEG, Scale, ranged, scale_of
 from exoid.fitting.model.systematics import deviations
 from exoid.fitting.solve.problem import Problem
 from exoid.mismatch.screen.hypothesis import Hypothesis, Products
 from exoid.mismatch.screen.measured_motion import MeasuredMotion
 from exoid.mismatch.sensors.consistency import Consistency
 from exoid.physics.parameter import Declaration, declarations
+from exoid.physics.scale import AS_A_LEG, Scale, ranged
 from exoid.physics.sensing.angle_offset import AngleOffset
 from exoid.physics.term import Term, name_of
 

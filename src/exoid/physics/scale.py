@@ -5,17 +5,12 @@ times larger on a rig, as the torque, the angle and the time of the rig's record
 """
 
 import re
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from exoid.fitting.data.movement import Movement
-from exoid.fitting.data.pace import pace
 from exoid.physics.parameter import Declaration
 
-ANGLE, RATE, TORQUE = 0.4, 5.0, 5.0  # rad, rad/s, N m: a leg's, root mean square, and its pace
-ALIKE = 5.0  # a rig within this factor of a leg is as a leg
 UNITS = {"N m": (1, 0, 0), "rad": (0, 1, 0), "s": (0, 0, 1), "Hz": (0, 0, -1)}
 UNITS["kg m^2"] = (1, -1, 2)  # N m over rad/s^2
 FACTOR = re.compile(r"(kg m\^2|N m|rad|s|Hz)(?:\^(\d))?")
@@ -48,25 +43,6 @@ def powers(unit: str) -> tuple[int, ...]:
         for name, power in FACTOR.findall(part):
             total += sign * int(power or 1) * np.array(UNITS[name])
     return tuple(int(each) for each in total)
-
-
-def scale_of(movements: Sequence[Movement]) -> Scale:
-    """What the movements of a rig say of its size; without a measured torque nothing of that."""
-    angles = np.concatenate([each.angle - np.nanmean(each.angle) for each in movements])
-    rates = [rate for each in movements if (rate := pace(each)) > 0]
-    torques = [each.segment.applied_torque for each in movements if each.kind == "measured"]
-    driven = np.concatenate([each for each in torques if each is not None] or [[TORQUE]])
-    return Scale(
-        torque=beside(float(np.sqrt(np.nanmean(driven**2))), TORQUE),
-        angle=beside(float(np.sqrt(np.nanmean(angles**2))), ANGLE),
-        time=beside(RATE, float(np.median(rates)) if rates else RATE),
-    )
-
-
-def beside(size: float, leg: float) -> float:
-    """Their ratio; 1 where it is about that."""
-    ratio = size / leg
-    return 1.0 if 1 / ALIKE < ratio < ALIKE else ratio
 
 
 def ranged(declared: Declaration, scale: Scale) -> Declaration:
