@@ -33,6 +33,7 @@ NAMES = {
     "wobbling_mass",
     "maxwell_element",
     "hysteresis",
+    "shaped_hysteresis",
     "backlash",
     "sticking_backlash",
     "moving_base",

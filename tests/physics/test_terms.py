@@ -461,6 +461,7 @@ JUMPS = {
     "coulomb_friction": 1e-3,  # F h / J = 0.05 * 0.01 / 0.45 rad/s, for 1 s
     "hard_stop": 1e-3,  # (h / 8) of the contact's 0.02 s, on the way of a bounce
     "hysteresis": 1e-5,  # a kink, no jump
+    "shaped_hysteresis": 1e-5,  # as hysteresis
     "sticking_backlash": 5e-4,  # the frame stops at a sample, not at the turn: phi'' h^2 / 8
     "stribeck_friction": 1e-3,  # as Coulomb's, with 0.08 N m
 }

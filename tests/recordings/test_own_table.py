@@ -218,7 +218,14 @@ def test_keys_of_older_sidecars_are_kept_without_a_word(write):
     recording, notes = read_table(write(f"time_s,angle_rad\n{SAMPLES}", toml))
     assert recording.subject.shank_length == 0.42
     assert recording.subject.extra_keys == {"shank_radius_m": 0.06}
+    assert recording.protocol.torque_known is True
     assert notes == ()
+
+
+def test_a_word_in_the_place_of_true_or_false_is_refused(write):
+    toml = '[protocol]\ntorque_known = "no"\n'
+    with pytest.raises(ValueError, match="it must be true or false, without quotes"):
+        read_table(write(f"time_s,angle_rad\n{SAMPLES}", toml))
 
 
 def test_a_clock_that_does_not_restart_is_kept_and_named(write):

@@ -11,6 +11,7 @@ from exoid.fitting.data.conditioning import conditioned
 from exoid.fitting.data.fitted_samples import Clip
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.data.segment import movement
+from exoid.fitting.data.size_of_rig import scale_of
 from exoid.fitting.hands.unseen_hands import without_unseen_hands
 from exoid.fitting.model.assumptions import Assumptions, BoundsName, PriorName, by_hand
 from exoid.fitting.model.belief import NAMES, Belief
@@ -18,13 +19,14 @@ from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.model.user_values import Bounds, Expectations, Fixed
 from exoid.fitting.multistart.search import search
 from exoid.fitting.multistart.search_result import SearchResult
-from exoid.fitting.multistart.starts import draw, informed, term_starts
+from exoid.fitting.multistart.starts import draw, driven, informed, term_starts
 from exoid.fitting.result.describe import describe
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.remarks import UPWARDS, upwards
 from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.library import check_terms, library
+from exoid.physics.scale import AS_A_LEG
 from exoid.physics.term import Term, name_of
 from exoid.recordings.loading.named import RecordingsLike, named_recordings
 from exoid.recordings.motion.extent import Motionless
@@ -92,7 +94,9 @@ def fit(
     weight *= PLAIN_SCALE**2 if plain else 1.0
     hand = by_hand(named, fix, bound, expect)
     classes = classes_of(terms)
-    belief = believe(named[0][1].subject, Assumptions(prior, weight, plain, bounds, hand), classes)
+    subject = named[0][1].subject
+    scale = scale_of(movements) if subject.kind == "rig" else AS_A_LEG
+    belief = believe(subject, Assumptions(prior, weight, plain, bounds, hand), classes, scale)
     if plain:
         movements = [plainly(each) for each in movements]
     chain, movements = conditioned(movements, smooth)
@@ -102,7 +106,7 @@ def fit(
         if near is not None:
             given = np.vstack([near, given[1:]])
         problem = pose(movements, belief, reading, chain, terms=classes)
-        own = term_starts(terms, movements, len(given))
+        own = term_starts(terms, movements, len(given), scale)
         if method == "slsqp":
             return problem, by_slsqp(problem, given, own)
         return search(problem, given, own, near=near is not None)
@@ -242,7 +246,8 @@ def begin(
     if belief.expected is not None:
         starts[0] = [*(typical[name] for name in NAMES), 0.0]
     mass, inertia = (typical.get(*each) for each in MIDDLING.items())
-    guess = informed(movements, reading, mass, inertia)
+    driven_rig = belief.rig and all(each.kind == "measured" for each in movements)
+    guess = driven(movements, mass) if driven_rig else informed(movements, reading, mass, inertia)
     if count > 1 and guess is not None:
         starts[1] = guess
     return starts

@@ -7,11 +7,13 @@ import numpy as np
 
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.data.observation import Observation
+from exoid.fitting.data.pace import pace
 from exoid.fitting.model.coordinates import Coordinates
 from exoid.fitting.model.mounting import Mounting
 from exoid.fitting.model.systematics import OF_THE_GYRO, OWNED
 from exoid.fitting.multistart.starts import first_state, usual_mounting
-from exoid.fitting.result.fit_result import FitResult
+from exoid.fitting.multistart.tethers import tethers
+from exoid.fitting.result.fit_result import FitResult, pooled
 from exoid.fitting.solve.ask import take
 from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.problem import Problem
@@ -20,11 +22,14 @@ from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import FEWER_ROUNDS, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.sensors.agreement import Consistency
-from exoid.mismatch.sensors.consistency import consistency
+from exoid.mismatch.sensors.at_ease import compared_at_ease
 from exoid.physics.library import library
 from exoid.physics.term import Term
 from exoid.recordings.recording import Recording
+from exoid.recordings.signal.turns import QUICK
 
+FAR = 10.0  # times the noise, by which a baseline misses what drives a rig in a false valley
+SLOW = 5.0  # rad/s, a leg's pace
 ABSOLUTE = ("log_distance", "tilt")  # what a recording owns by itself, not compared with the first
 
 
@@ -41,17 +46,23 @@ def prepare(
     rig = any(recording.subject.kind == "rig" for _, recording in recordings)
     owned = unknown(movements, rig=rig)
     problem = compared(pose(movements, basis.problem.belief, reading, chain, owned=owned))
-    sensors = consistency(problem.observation, Yardstick)
+    quickest = max(map(pace, problem.movements))
+    slow = quickest / SLOW if quickest > QUICK else 1.0
+    sensors = compared_at_ease(problem.observation, Yardstick, slow)
     best = take(basis.ended.best, 0).coordinates
     observation = without_edges(problem.observation, sensors)
     observation = with_masses(observation, best.mounting, owned)
     problem = replace(problem, observation=observation)
     fitted = released(best, problem)
     inertia = float(fitted.shared.log_inertia)
-    tested = (*(each for each in library() if not each.named_only), *terms)
+    known = (each for each in library() if not each.named_only and (rig or not each.mechanical))
+    tested = (*known, *terms)
     zero = movements[0].systematics.zero
     common = common_of(sensors, tested, owned)
-    made = PreparedRecording(problem, sensors, tested, inertia, rig, zero, tuple(common))
+    driven = rig and all(each.kind == "measured" for each in movements)
+    noise = pooled(result.segments, lambda each: each.angle_noise)
+    led = tethers(problem) if driven and result.angle_rmse > FAR * noise else ()
+    made = PreparedRecording(problem, sensors, tested, inertia, rig, zero, tuple(common), led)
     begin = Hypothesis(tuple(common), tuple(common.values()), made.point(fitted))
     return made, settle_free(made, begin, rounds=FEWER_ROUNDS)
 

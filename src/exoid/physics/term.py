@@ -56,6 +56,7 @@ class Term(eqx.Module):
     substeps: ClassVar[int] = 1  # of a time step, where the term is faster than the leg
     voluntary: ClassVar[bool] = False  # does it change the torque of Eq. 10, and nothing else
     living: ClassVar[bool] = False  # does it take a person's leg, so that no rig has it
+    mechanical: ClassVar[bool] = False  # does only a rig have it, and no person's leg
     inertial: ClassVar[bool] = False  # does its torque hang on the acceleration
     everyday: ClassVar[bool] = False  # does every gyro have some of it
     replaces: ClassVar[str] = ""  # what a fit estimates of every recording and the term is itself

@@ -19,6 +19,7 @@ Kind = Literal["passive", "active", "measured"]
 KINDS: tuple[Kind, ...] = ("passive", "active", "measured")
 TORQUE_FREQUENCIES = ("1/T", "2/T")  # the two readings of Eq. 4
 SIDES = ("left", "right")
+ABSENT = ("none",)  # what a rig can be said to have of gravity or of a spring
 FLIPS = ("angle", "gyro", "all")  # channels whose sign is the other one
 ZEROS = ("extended", "hanging", "unknown")  # what the encoder calls 0
 KNEE_ANGLE_LIMIT = 3.6  # rad; a knee spans about -2.7 (heel at the thigh) to +0.3
@@ -34,6 +35,11 @@ def ranged(key: str, unit: str, lower: float, upper: float, default=None):
 def text(key: str, choices: tuple[str, ...] | None = None):
     """A word of the sidecar: its TOML key and, where only some words make sense, which."""
     return field(default=None, metadata={"key": key, "choices": choices})
+
+
+def flag(key: str):
+    """A true or false of the sidecar, and its TOML key."""
+    return field(default=None, metadata={"key": key, "flag": True})
 
 
 def extra():
@@ -68,6 +74,8 @@ class Subject:
         "added_mass_distance_uncertainty_m", "m", 0.0, 0.5
     )
     added_mass_gyration: float | None = ranged("added_mass_gyration_m", "m", 0.0, 0.5)
+    gravity: str | None = text("gravity", ABSENT)
+    spring: str | None = text("spring", ABSENT)
     notes: str | None = text("notes")
     extra_keys: Mapping[str, Any] = extra()
 
@@ -87,6 +95,7 @@ class Protocol:
     thigh_angle_uncertainty: float | None = ranged("thigh_angle_uncertainty_rad", "rad", 0.0, 1.2)
     segment_start: tuple[float, ...] | None = ranged("segment_start_s", "s", 0.0, 1e6)
     segment_end: tuple[float, ...] | None = ranged("segment_end_s", "s", 0.0, 1e6)
+    torque_known: bool | None = flag("torque_known")
     time_origin: float | None = ranged("time_origin_s", "s", 0.0, 1e19)
     extra_keys: Mapping[str, Any] = extra()
 
@@ -222,6 +231,12 @@ class Recording:
         """The period of the voluntary cycle in this segment [s], None where unknown."""
         return per_segment(self.protocol.cycle_period, segment)
 
+    @property
+    def absent(self) -> tuple[str, ...]:
+        """What of Eq. 9 this rig is said not to have: gravity, stiffness."""
+        said = {"gravity": self.subject.gravity, "stiffness": self.subject.spring}
+        return tuple(name for name, word in said.items() if word == "none")
+
     def added_mass(self, segment: int) -> float:
         """The mass fixed to the shank in this segment [kg]."""
         return per_segment(self.subject.added_mass, segment) or 0.0
@@ -320,6 +335,11 @@ def check_metadata(recording: Recording) -> None:
         for entry in known(table):
             check_entry(entry.metadata, getattr(table, entry.name), segments)
     subject = recording.subject
+    for key in ("gravity", "spring"):
+        if getattr(subject, key) is not None and subject.kind != "rig":
+            raise ValueError(
+                f'{key} = "none" is of a rig: a leg has both. Say kind = "rig", or leave it out.'
+            )
     if subject.added_mass_distance is not None and subject.added_mass is None:
         raise ValueError("added_mass_distance_m is given without added_mass_kg. Give both.")
 

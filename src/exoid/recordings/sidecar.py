@@ -37,7 +37,7 @@ def write_sidecar(
 
 
 # Keys of older sidecars that say nothing of the leg: kept without a word.
-KEPT = ("shank_radius_m", "torque_known")
+KEPT = ("shank_radius_m",)
 
 
 def keys_beside(path: Path, absent: str) -> tuple[dict[str, Any], dict[str, Any], Notes]:
@@ -143,7 +143,11 @@ def parse_entry(where: str, entry, value: Any):
     return result
 
 
-def parse_value(where: str, meta: Mapping[str, Any], value: Any) -> float | str:
+def parse_value(where: str, meta: Mapping[str, Any], value: Any) -> float | str | bool:
+    if "flag" in meta:
+        if isinstance(value, bool):
+            return value
+        raise ValueError(f"{where} is {value!r:.60}; it must be true or false, without quotes.")
     number = "lower" in meta
     word = "a number, without quotes" if number else "a text in quotes"
     if not isinstance(value, (int, float) if number else str) or isinstance(value, bool):

@@ -36,6 +36,8 @@ class Movement:
     recording: int = 0  # of those that are fitted together
     extent: Extent | None = None  # how it began and ended; None where the whole segment is kept
     systematics: Systematics = DECLARED_NOTHING  # how well what is declared is known
+    absent: tuple[str, ...] = ()  # what of Eq. 9 a rig does not have: gravity, stiffness
+    gain_known: bool = True  # of the measured torque; else its unit is any
     late: int = 0  # samples from the first that weigh nothing, though nobody was seen to hold it
     kept: int | None = None  # samples after which a hand holds it that only a fit has seen
     divisor: float | None = None  # rad, of the angle's residuals; None: its noise

@@ -40,3 +40,4 @@ class Observation(eqx.Module):
     thigh_angle: Float[Any, "*segment"]  # rad, the knee above the hip
     owner: Int[Any, "*segment"]  # which recording's mounting it has
     clock: Clock
+    parts: int = eqx.field(static=True, default=1)  # of a step, where it is long for the motion

@@ -56,6 +56,8 @@ def movement(
         recording=belongs,
         extent=part.extent,
         systematics=systematics(recording, number),
+        absent=recording.absent,
+        gain_known=recording.protocol.torque_known is not False,
     )
     return weightless(whole, np.arange(angle.size) < part.free - part.start)
 

@@ -54,7 +54,8 @@ def violations(
     # Eq. 12 and the reach are of a leg; on a rig, whose reach is infinite, m and l mean nothing.
     body = xp.isfinite(limits.reach)
     rigid = xp.where(body, (moment * leg.com_distance - leg.inertia) / SIZE.inertia, NEVER)
-    within = (leg.inertia - limits.reach * moment) / SIZE.inertia
+    reach = xp.where(body, limits.reach, 0.0)  # a rig without gravity has no moment either
+    within = xp.where(body, (leg.inertia - reach * moment) / SIZE.inertia, NEVER)
     every = xp.stack([*beyond(leg, limits.lower, limits.upper, size), rigid, within])
     drive = [(torque - limits.torque) / SIZE_TORQUE, (-torque - limits.torque) / SIZE_TORQUE]
     each = xp.concatenate([every, *drive])

@@ -20,6 +20,7 @@ from exoid.physics.anatomy import (
 )
 from exoid.physics.anatomy.limits import Allowed, allowed, anybody, strongest
 from exoid.physics.parameter import Declaration
+from exoid.physics.scale import AS_A_LEG, Scale, ranged
 from exoid.physics.term import Term
 from exoid.recordings.recording import Subject
 
@@ -30,12 +31,15 @@ NO_REACH = 1e3  # m: Eq. 12 and 13 have none; an infinite one marks a rig
 
 
 def believe(
-    subject: Subject, assumed: Assumptions | None = None, terms: tuple[type[Term], ...] = ()
+    subject: Subject,
+    assumed: Assumptions | None = None,
+    terms: tuple[type[Term], ...] = (),
+    scale: Scale = AS_A_LEG,
 ) -> Belief:
     """Expected parameters from body mass and height, else from a measured mass and COM distance.
 
     A rig has neither prior nor limits but that it does not make energy, and what is said by hand.
-    `terms` keep the limits that they declare.
+    `terms` keep the limits that they declare, a rig's by its `scale`.
 
     **Raises** `ValueError` where something is said by hand of a term that is not in the model, or
     that it cannot have.
@@ -50,7 +54,7 @@ def believe(
         name = "none" if expected is None else assumed.prior
         prior = prior_of(expected, assumed)
         found = Belief(name, expected, prior, limits, note, assumed.raw and expected is not None)
-    declared = dict(parameters_of(terms))
+    declared = {name: ranged(each, scale) for name, each in parameters_of(terms)}
     check_known(hand.terms, declared)
     prior = replace(
         found.prior,
@@ -60,7 +64,7 @@ def believe(
     return replace(
         found,
         prior=with_own(prior, hand.prior, assumed.weight),
-        limits=term_limits(limits_by_hand(found.limits, hand.leg), terms, hand),
+        limits=term_limits(limits_by_hand(found.limits, hand.leg), terms, hand, scale),
         note="; ".join([found.note, *(f"yours: {words}" for words in hand.words(declared))]),
         bounds=assumed.bounds,
         by_hand=hand,
@@ -85,12 +89,14 @@ def check_known(hand: ByHand, declared: dict[str, Declaration]) -> None:
             )
 
 
-def term_limits(limits: Limits, terms: tuple[type[Term], ...], hand: ByHand) -> Limits:
+def term_limits(
+    limits: Limits, terms: tuple[type[Term], ...], hand: ByHand, scale: Scale
+) -> Limits:
     """The limits with what the terms declare, narrowed or fixed by hand."""
 
     def model(end: int) -> tuple[Term, ...]:
         return tuple(
-            term_of(term, lambda name, declared: ends_of(name, declared, hand)[end])
+            term_of(term, lambda name, declared: ends_of(name, ranged(declared, scale), hand)[end])
             for term in terms
         )
 

@@ -7,6 +7,7 @@ import jax
 import numpy as np
 from scipy.optimize import least_squares
 
+from exoid.fitting.data.pace import pace
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.neighbourhood import penalties, weighed
 from exoid.fitting.model.coordinates import Coordinates, Shared, scaled
@@ -39,7 +40,8 @@ from exoid.physics.term import Term
 
 BASIN = 0.2  # typical steps within which tied starts have come together
 HOPELESS = 1e5  # times the best loss, of a tied start that leads nowhere
-FIRST_HORIZON = 1.0  # s of every segment that a start sees first
+FIRST_HORIZON = 1.0  # s of every segment that a start sees first ...
+HORIZON = 25.0  # ... or so many radians of what is quicker than a leg
 PATIENCE = 4  # times that a search with limits goes on where its steps ran out: a long valley
 
 
@@ -87,7 +89,8 @@ def led_to_the_data(
     """
     bare = without_terms(problem)
     tether, weaker = tethers(bare)
-    first = np.searchsorted(np.asarray(bare.observation.time)[0], FIRST_HORIZON)
+    seconds = min(FIRST_HORIZON, *(HORIZON / max(pace(each), 1.0) for each in bare.movements))
+    first = np.searchsorted(np.asarray(bare.observation.time)[0], seconds)
     horizon = min(max(int(first), 50), bare.steps)
     declared = as_declared(without_scale(bare))
     usual = usual_mounting(bare.movements, begin.log_mass.shape)

@@ -9,6 +9,7 @@ import numpy as np
 
 from exoid.fitting.data.movement import Movement, smoothed_motion
 from exoid.fitting.data.observe import cycle_torque
+from exoid.fitting.data.pace import unhurried
 from exoid.fitting.model.coordinates import Coordinates, SegmentUnknowns, shared_of
 from exoid.fitting.model.limits import Limits
 from exoid.fitting.model.mounting import Mounting
@@ -17,6 +18,7 @@ from exoid.fitting.model.systematics import OWNED
 from exoid.fitting.model.term_parameters import over_inertia, term_of
 from exoid.physics.leg import GRAVITY, LegParameters
 from exoid.physics.parameter import declarations
+from exoid.physics.scale import AS_A_LEG, Scale, ranged
 from exoid.physics.term import Term
 from exoid.recordings.recording import Subject
 from exoid.recordings.signal.condition import local_line
@@ -51,7 +53,10 @@ def draw(count: int, seed: int, limits: Limits | None = None) -> np.ndarray:
 
 
 def term_starts(
-    terms: Sequence[type[Term] | Term], movements: list[Movement], count: int
+    terms: Sequence[type[Term] | Term],
+    movements: list[Movement],
+    count: int,
+    scale: Scale = AS_A_LEG,
 ) -> tuple[Term, ...]:
     """`count` starts of the terms: where an instance is; of a class all it declares, in turn."""
     angles = np.concatenate([each.angle for each in movements])
@@ -59,7 +64,7 @@ def term_starts(
 
     def begins(term: type[Term] | Term) -> list[tuple[float, ...]]:
         if isinstance(term, type):
-            return [declared.starts_between(*ends) for _, declared in declarations(term)]
+            return [ranged(each, scale).starts_between(*ends) for _, each in declarations(term)]
         return [(float(getattr(term, name)),) for name, _ in declarations(type(term))]
 
     each = [row for term in terms for row in begins(term)]
@@ -85,8 +90,9 @@ def coordinates(
     first = np.array([first_state(each) for each in movements])
     voluntary = np.array([each.voluntary for each in movements])
     shape = (torque.size, len(movements))
+    none = {name: np.zeros(torque.size) for each in movements for name in each.absent}
     return Coordinates(
-        shared=replace(shared, damping=np.minimum(shared.damping, greatest_damping)),
+        shared=replace(shared, damping=np.minimum(shared.damping, greatest_damping), **none),
         log_mass=np.log(leg.mass),
         mounting=usual_mounting(movements, (torque.size,), owned),
         own=SegmentUnknowns(
@@ -108,7 +114,7 @@ def usual_mounting(
 
 def first_state(movement: Movement) -> tuple[float, float]:
     """Angle [rad] and angular velocity [rad/s] of the first sample, from the ones around it."""
-    angle, velocity = smoothed_motion(movement, SLOPE_WIDTH)
+    angle, velocity = smoothed_motion(movement, unhurried(movement, SLOPE_WIDTH))
     return float(angle[0]), float(velocity[0])
 
 
@@ -135,3 +141,25 @@ def informed(
     solution, *_ = np.linalg.lstsq(np.concatenate(rows), np.concatenate(accelerations), rcond=None)
     gravity, stiffness, damping, torque = solution * inertia
     return np.array([mass, inertia, gravity / (mass * GRAVITY), damping, stiffness, torque])
+
+
+def driven(movements: list[Movement], mass: float) -> np.ndarray | None:
+    """The same where the torque was measured: least squares on tau = J phi'' + m l g cos(phi) +
+    c phi + d phi', each side as smooth as the other; None where that makes no leg.
+    """
+    rows, torques = [], []
+    for each in movements:
+        time, torque = each.segment.time, each.segment.applied_torque
+        assert torque is not None  # `movement` sees to that
+        width = unhurried(each, SLOPE_WIDTH)
+        angle, velocity = smoothed_motion(each, width)
+        acceleration = local_line(time, velocity, width)[1]
+        rows.append(np.stack([acceleration, np.cos(angle), velocity, angle], axis=1))
+        torques.append(local_line(time, torque, width)[0])
+    absent = {name for each in movements for name in each.absent}
+    has = np.array([1.0, "gravity" not in absent, 1.0, "stiffness" not in absent])
+    table, known = np.concatenate(rows) * has, np.concatenate(torques)
+    inertia, gravity, damping, stiffness = np.linalg.lstsq(table, known, rcond=None)[0]
+    if inertia <= 0:
+        return None
+    return np.array([mass, inertia, gravity / (mass * GRAVITY), max(damping, 0.0), stiffness, 0.0])

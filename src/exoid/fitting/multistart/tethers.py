@@ -4,20 +4,23 @@ from dataclasses import replace
 
 import numpy as np
 
+from exoid.fitting.data.pace import pace
 from exoid.fitting.model.coordinates import Coordinates
 from exoid.fitting.solve.ask import advance, task
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
 
 TETHERS = (60.0, 15.0)  # rad/s, of the first stage and the second; then free
+QUICKER = 2.0  # times the pace of a recording that is quicker than a leg: its first tether
 STIFF = 0.6  # greatest tether times step: Runge-Kutta carries it with room for the leg
 COARSE, FINE = 10.0, 1e-2  # tolerances, in units of noise
 
 
 def tethers(problem: Problem) -> tuple[float, float]:
     """Of both stages, as far as the sampling allows."""
-    first = min(TETHERS[0], STIFF / problem.longest_step)
-    return first, min(TETHERS[1], first / 2)
+    quickest = max(map(pace, problem.movements))
+    first = min(max(TETHERS[0], QUICKER * quickest), STIFF / problem.longest_step)
+    return first, min(max(TETHERS[1], first / 4), first / 2)
 
 
 def approach(problem: Problem, starts: Coordinates, scale: np.ndarray) -> Solved:

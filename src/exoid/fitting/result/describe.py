@@ -20,9 +20,12 @@ from exoid.fitting.result.estimates import (
     estimate_terms,
     estimate_torque,
     goes_with_scale,
+    label_of,
     mean_of,
+    none_of,
     parameter_estimate,
     with_reasons,
+    without_gain,
 )
 from exoid.fitting.result.fit_result import (
     Basis,
@@ -127,7 +130,12 @@ def estimate_leg(
     parameters = {
         name: parameter_estimate(name, belief, mean_of(basis, [name], at_bound)) for name in NAMES
     }
+    if not basis.problem.gain_known:
+        parameters["inertia"] = without_gain(parameters["inertia"])
     for name in ("damping", "stiffness"):
+        if name in basis.problem.absent:
+            parameters[name] = none_of(label_of(parameters[name]))
+            continue
         ratio = ratios[f"{name}_over_inertia"]
         parameters[name] = goes_with_scale(parameters[name], ratio, parameters["inertia"])
     return parameters

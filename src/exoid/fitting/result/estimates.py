@@ -19,6 +19,11 @@ NO_RATIO = 1e-3  # a ratio below it, at a bound of zero, is the rounding of the 
 ON_BOUND = "at a bound: no error is quoted"
 ON_YOUR_BOUND = "at your bound: no error is quoted"
 FIXED = "fixed by you: ± 0 is no finding, and the errors of the others hold if it is true"
+NO_GAIN = (
+    "the sidecar says that the torque's gain is unknown (torque_known = false): only the ratios to "
+    "J are told"
+)
+ABSENT = "the sidecar says that there is none"
 NARROWED = "follows from a bound, not from the recording: ± holds only there, see --plot for more"
 RATIOS = {  # name: symbol, title, unit
     "gravity_over_inertia": ("m l g / J", "gravity over inertia", "1/s^2"),
@@ -141,13 +146,15 @@ def with_reasons(parameters: dict[str, Estimate], rig: bool) -> dict[str, Estima
     """Say of every missing value why it is missing."""
     scale_known = parameters["inertia"].value is not None
 
+    gainless = NO_GAIN if parameters["inertia"].reason == NO_GAIN else None
+
     def missing(name: str) -> str:
         if scale_known and name in ("mass", "com_distance"):
             return MASS_AND_DISTANCE
         return SCALE_FREE_RIG if rig else SCALE_FREE
 
     return {
-        name: replace(each, reason=missing(name)) if each.value is None else each
+        name: replace(each, reason=gainless or missing(name)) if each.value is None else each
         for name, each in parameters.items()
     }
 
@@ -174,6 +181,9 @@ def estimate_ratios(basis: Basis, at_bound: set[str]) -> dict[str, Estimate]:
         if not wanted:
             continue
         found, parameter = mean_of(basis, wanted, set()), name.removesuffix("_over_inertia")
+        if parameter in problem.absent:
+            estimates[name] = none_of(label)
+            continue
         at_zero = abs(found.value) < NO_RATIO
         if parameter in at_bound:
             none = parameter == "damping" or (parameter == "stiffness" and at_zero)
@@ -188,6 +198,25 @@ def estimate_ratios(basis: Basis, at_bound: set[str]) -> dict[str, Estimate]:
             reason=FIXED if fixed else ON_BOUND if held else untold(found, UNTOLD),
         )
     return estimates
+
+
+def none_of(label: tuple[str, str, str]) -> Estimate:
+    """What a rig is said not to have."""
+    return Estimate(
+        *label, value=0.0, standard_error=0.0, shares=HELD, by_hand="fix", reason=ABSENT
+    )
+
+
+def label_of(each: Estimate) -> tuple[str, str, str]:
+    """Its symbol, title and unit."""
+    return each.symbol, each.title, each.unit
+
+
+def without_gain(inertia: Estimate) -> Estimate:
+    """The inertia where the torque's unit is unknown: only what is over J is told."""
+    return replace(
+        inertia, value=None, standard_error=None, shares=None, reason=NO_GAIN, limited_by={}
+    )
 
 
 def untold(found: Found, reason: str) -> str | None:

@@ -48,10 +48,11 @@ def remarks(problem: Problem, ended: SearchResult, at_bound: set[str]) -> list[s
             "With another rest angle they trade off against each other by more than their "
             "errors say: drops from several angles, or with a known mass, tell them apart."
         )
-    if rig:
+    if rig and "stiffness" not in problem.absent:
         said.append(
             "on a rig the spring term c phi also takes up a constant torque and an encoder zero "
-            "that is off: read c / J as a spring only where a spring is known to be."
+            "that is off: read c / J as a spring only where a spring is known to be. Where none "
+            'is, [subject] spring = "none" leaves it out.'
         )
     if float(ended.best.violation[0]) > FEASIBLE:
         said.append("the limits could not all be met: see the bounds in the table.")
@@ -201,11 +202,12 @@ def of_missed(
         over = "varying from moment to moment"
     widened = f"Errors are widened for it; {INCOMPLETE}, and 'exoid diagnose' asks what it misses."
     if found.cause == "torque":
-        share = f"{100 * found.deviation / abs(gravity):.2g} % of m l g"
-        torque = "" if inertia is None else f", {found.deviation * inertia:.2g} N m"
+        each = [f"{100 * found.deviation / abs(gravity):.2g} % of m l g"] if gravity else []
+        each += [] if inertia is None else [f"{found.deviation * inertia:.2g} N m"]
+        share = ", ".join(each) or f"{found.deviation:.2g} rad/s^2 times J"
         return [
             f"{where} is more than the sensors' noise: the model misses something. It is what "
-            f"an unknown torque of about {share}{torque}, {over}, would leave. {widened}"
+            f"an unknown torque of about {share}, {over}, would leave. {widened}"
         ]
     if found.cause == "encoder":
         return [

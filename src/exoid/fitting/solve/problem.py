@@ -66,6 +66,16 @@ class Problem:
         return [each.kind for each in self.movements]
 
     @property
+    def absent(self) -> frozenset[str]:
+        """What of Eq. 9 the rig is said not to have: gravity, stiffness."""
+        return absent_of(self.movements)
+
+    @property
+    def gain_known(self) -> bool:
+        """Is every torque that was measured in N m?"""
+        return all(each.gain_known for each in self.movements if each.kind == "measured")
+
+    @property
     def voluntary(self) -> list[int]:
         """The segments that a voluntary torque moved."""
         return [number for number, each in enumerate(self.movements) if each.voluntary]
@@ -77,7 +87,9 @@ class Problem:
 
     @property
     def longest_step(self) -> float:
-        return float(np.diff(np.asarray(self.observation.time)).max())
+        """Of the simulation [s]."""
+        seen = self.observation
+        return float(np.diff(np.asarray(seen.time)).max()) / seen.parts
 
     @property
     def unknowns(self) -> int:
@@ -144,6 +156,11 @@ class Problem:
         return constraint_names(len(self.movements), self.terms)
 
 
+def absent_of(movements: list[Movement]) -> frozenset[str]:
+    """What of Eq. 9 the rig is said not to have: gravity, stiffness."""
+    return frozenset(name for each in movements for name in each.absent)
+
+
 def known_of(
     movements: list[Movement],
     belief: Belief,
@@ -160,8 +177,10 @@ def known_of(
     none = np.zeros((len(movements), 0))
     bare = np.array([float(not one.scaled) for one in movements])
     relaxed = np.array([float(not one.voluntary) for one in movements])
+    absent = absent_of(movements)
+    shared = {name: nothing + float(name in absent) for name in ("gravity", "stiffness", "damping")}
     return Unknowns(
-        Shared(bare, nothing, nothing, nothing),
+        Shared(bare, **shared),
         Mounting(**{name: each.get(name, none) for name in OWNED}),
         SegmentUnknowns(relaxed, nothing, nothing),
         tuple(jax.tree.map(lambda _: nothing, term_of(term, lambda *_: 0.0)) for term in terms),

@@ -27,7 +27,7 @@ def too_little(prepared: PreparedRecording) -> list[str]:
             f"{duration:.1f} s of movement are too short: record drops until the leg rests"
         )
     low, high = prepared.range
-    if high - low < QUIETEST:
+    if high - low < QUIETEST * min(prepared.scale.angle, 1.0):
         reasons.append(
             f"the leg moves by {np.degrees(high - low):.0f} deg only: release it from higher up"
         )

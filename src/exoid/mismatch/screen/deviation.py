@@ -3,8 +3,11 @@
 What the simulation does otherwise than the pinned motion x is carried along linearly:
 
     d(i+1) = F_x d(i) + F_z dz + F_u u(i) + F(x(i)) - x(i+1)
+
+A tether acts on d alone: F_x is then that of a leg tied to the motion.
 """
 
+from dataclasses import replace
 from functools import partial
 
 import jax
@@ -14,6 +17,7 @@ from jaxtyping import Array, Float
 
 from exoid.fitting.misfit.residual import Equation, advance, residual
 from exoid.fitting.misfit.rollout import along, numbers_of
+from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.coordinates import in_a_row
 from exoid.mismatch.screen.measured_motion import FREE
 from exoid.physics.motion.step import Drive, march
@@ -22,7 +26,7 @@ from exoid.physics.state import LegState
 
 
 def products(
-    unknowns, motion, observation, known, pushes, shown, zero, *, steps, chain
+    unknowns, motion, observation, known, pushes, shown, zero, *, stage, chain
 ) -> Float[Array, "column column"]:
     """(J, r)'(J, r) of one segment: baseline unknowns, zeros of gyro and encoder, terms'
     parameters, residual.
@@ -39,7 +43,7 @@ def products(
         setup, (row,), (jnp.diag(1 - ravel_pytree(known)[0]),)
     )
     pinned = LegState(motion.angle, motion.angular_velocity)
-    steppers = jax.vmap(partial(linear_step, eq, by_eq, pinned, observation))
+    steppers = jax.vmap(partial(linear_step, eq, by_eq, pinned, observation, stage))
     carry, by_base, by_push, defect = steppers(jnp.arange(motion.angle.size - 1))
     pushed = moved_by(by_push, pushes, eq).at[:, -1].add(defect)
     added = jnp.concatenate([by_base, jnp.zeros_like(by_base[:, :2]), pushed], axis=1)
@@ -60,7 +64,7 @@ def products(
 
     memory = jax.vmap(chain.begin)(LegState(begin[:, 0], begin[:, 1]))
     table = jnp.zeros((motion.angle.size, *begin.shape))
-    moved = march(forward, store, begin, (memory, table), steps)[1]
+    moved = march(forward, store, begin, (memory, table), stage.steps)[1]
 
     nothing = jnp.zeros((base, *shown.shape[1:]))
     drifting = jnp.zeros((2, *shown.shape[1:])).at[0, :, 1].set(1.0).at[1, :, 0].set(1.0)
@@ -78,7 +82,7 @@ def products(
         return rows.at[-1].add(value + zero @ rows[base : base + 2])
 
     rows = jax.vmap(show)(jnp.arange(motion.angle.size))
-    rows = jnp.where(jnp.arange(motion.angle.size)[:, None, None] <= steps, rows, 0.0)
+    rows = jnp.where(jnp.arange(motion.angle.size)[:, None, None] <= stage.steps, rows, 0.0)
     flat = jnp.moveaxis(rows, 1, 0).reshape(rows.shape[1], -1)
     return flat @ flat.T
 
@@ -88,7 +92,7 @@ def moved_by(by_push, pushes: Drive, eq: Equation) -> Float[Array, "step column 
     return jnp.einsum("tsp,pct->tcs", by_push, jnp.stack(jax.tree.leaves(pushes)) / eq.share)
 
 
-def linear_step(eq, by_eq, pinned, observation, index):
+def linear_step(eq, by_eq, pinned, observation, stage, index):
     """One step from the motion: its derivatives by state, by every baseline unknown and by the
     torques at its begin, middle and end, and how far it ends from the motion.
     """
@@ -99,10 +103,22 @@ def linear_step(eq, by_eq, pinned, observation, index):
     zero = jnp.zeros(())
     here, after = (jax.tree.map(lambda leaf, i=i: leaf[i], pinned) for i in (index, index + 1))
     following, by_base = along(lambda eq: step(eq, here, Drive(zero, zero, zero)), (eq,), (by_eq,))
-    carry = jax.jacfwd(lambda state: vector(step(eq, LegState(*state), Drive(zero, zero, zero))))
+    held = tied(eq, stage)
+    carry = jax.jacfwd(lambda state: vector(step(held, LegState(*state), Drive(zero, zero, zero))))
     push = jax.jacfwd(lambda missing: vector(step(eq, here, Drive(*missing))))
     defect = vector(following) - vector(after)
     return carry(vector(here)), jnp.stack(jax.tree.leaves(by_base), 1), push(jnp.zeros(3)), defect
+
+
+def tied(eq: Equation, stage: Stage) -> Equation:
+    """The equation of a leg that a critically damped spring holds."""
+    ratios = eq.ratios
+    held = replace(
+        ratios,
+        stiffness=ratios.stiffness + stage.tether**2,
+        damping=ratios.damping + 2 * stage.tether,
+    )
+    return replace(eq, ratios=held)
 
 
 def vector(state: LegState):

@@ -27,14 +27,14 @@ PINNED = jax.tree.structure(Pinned(TABLE, MeasuredMotion(ROWS, ROWS, ROWS), NONE
 
 
 def evaluate(
-    prepared: PreparedRecording, tried: Sequence[Tried]
+    prepared: PreparedRecording, tried: Sequence[Tried], tether: float = 0.0
 ) -> list[tuple[Products, MeasuredMotion]]:
     """The products of every candidate, and the motion along which they are."""
     results = {}
     waiting = list(range(len(tried)))
     while waiting:
         batch, waiting = packed(prepared, waiting, [one for one, _ in tried])
-        found = run(prepared, [tried[number] for number in batch])
+        found = run(prepared, [tried[number] for number in batch], tether)
         for row, number in enumerate(batch):
             gram = placed(prepared, tried[number][0], found.gram[row])
             results[number] = (gram, row_of(found.motion, row))
@@ -93,7 +93,7 @@ def packed(
     return batch, rest
 
 
-def run(prepared: PreparedRecording, batch: Sequence[Tried]) -> Pinned:
+def run(prepared: PreparedRecording, batch: Sequence[Tried], tether: float = 0.0) -> Pinned:
     """The program on a batch; the last row takes the requests that nobody made."""
     space = room(prepared)
     spare = sum(space.values())
@@ -113,12 +113,12 @@ def run(prepared: PreparedRecording, batch: Sequence[Tried]) -> Pinned:
         strict=True,
     )
     static = (prepared.library, prepared.problem.chain)
-    steps, used = np.asarray(prepared.problem.steps), np.asarray(len(batch))
+    numbers = prepared.problem.steps, len(batch), float(tether)
 
     def group(part) -> Pinned:
         effect, (own, motion), around = part
         rows = (asked, replace(known, effect=effect), replace(points, own=own), zero, motion)
-        arguments = (*rows, *around, steps, used)
+        arguments = (*rows, *around, *map(np.asarray, numbers))
         return called("exoid.mismatch.screen.pinned:evaluate", arguments, static, PINNED)
 
     return joined(side_by_side(group, parts), prepared.segments)

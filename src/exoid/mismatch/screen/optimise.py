@@ -1,6 +1,7 @@
 """Bring candidates to their best: Levenberg-Marquardt within bounds, all of them together."""
 
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
@@ -37,9 +38,18 @@ PASSES = 4  # in which bounds that a step runs into are found
 def settle(
     prepared: PreparedRecording, candidates: list[Hypothesis], *, rounds: int = FEWER_ROUNDS
 ) -> list[Optimum]:
-    """Fit every candidate to the data, along the motion that it reads from the sensors."""
-    begin = [(one, prepared.measured_motion) for one in candidates]
-    return descend(prepared, begin, many_pinned.evaluate, rounds, NEARLY)
+    """Fit every candidate to the data, along the motion that it reads from the sensors.
+
+    Where a baseline may have drifted off, tethers lead the candidates, and the last one stays: what
+    a torque explains shows before it is lost in what the motion has drifted since.
+    """
+    ended = [(one, prepared.measured_motion) for one in candidates]
+    found = []
+    for tether in prepared.tethers or (0.0,):
+        evaluate = partial(many_pinned.evaluate, tether=tether)
+        found = descend(prepared, ended, evaluate, rounds, NEARLY)
+        ended = [(one.candidate, one.motion) for one in found]
+    return found
 
 
 def settle_free(

@@ -17,6 +17,7 @@ from jaxtyping import Array, Float, Int
 
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.observation import Observation
+from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.coordinates import Coordinates, Unknowns, of_segments
 from exoid.mismatch.screen.deviation import products
 from exoid.mismatch.screen.effect import columns, named, remembered, shown
@@ -64,13 +65,15 @@ def evaluate(
     known: Unknowns,
     steps: Int[Array, ""],
     used: Int[Array, ""],
+    tether: Float[Array, ""],  # rad/s
     static: tuple[tuple[type[Term], ...], Chain],
 ) -> Pinned:
     """Every candidate's misfit and its derivatives.
 
     `motions` are where the candidates were last, `measured` is what the sensors show. The requests
     are those of each term in `static`; a candidate's first term may be `linear`. Only the first
-    `used` candidates are worked out, and requests of others are none.
+    `used` candidates are worked out, and requests of others are none. A `tether` makes a candidate
+    forget what it once did otherwise: its misfit is then that of its torques, nearly.
     """
     terms, chain = static
     asked = list(zip(terms, requests, strict=True))
@@ -87,7 +90,7 @@ def evaluate(
         )
     summed = jax.tree.map(lambda leaf: jnp.moveaxis(together(leaf), 2, 1), effects)
     own = (jax.vmap(of_segments, in_axes=(0, None))(points, observation.owner), motions)
-    each = partial(products, steps=steps, chain=chain)
+    each = partial(products, stage=Stage(tether, steps), chain=chain)
     by_segment: Any = jax.vmap(each, in_axes=(0, 0, 0, 0, 0, 0, None))
 
     def one(candidate):

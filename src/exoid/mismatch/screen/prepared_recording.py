@@ -8,6 +8,7 @@ import jax
 import numpy as np
 
 from exoid.fitting.data.observation import Observation
+from exoid.fitting.data.size_of_rig import scale_of
 from exoid.fitting.misfit.neighbourhood import columns
 from exoid.fitting.model.coordinates import (
     TYPICAL,
@@ -24,6 +25,7 @@ from exoid.mismatch.screen.hypothesis import Hypothesis, Products
 from exoid.mismatch.screen.measured_motion import MeasuredMotion
 from exoid.mismatch.sensors.agreement import Consistency
 from exoid.physics.parameter import Declaration, declarations
+from exoid.physics.scale import AS_A_LEG, Scale, ranged
 from exoid.physics.sensing.angle_offset import AngleOffset
 from exoid.physics.term import Term, name_of
 
@@ -42,6 +44,7 @@ class PreparedRecording:
     rig: bool
     zero: float  # rad, standard deviation of the encoder's; 0 where it is known
     common: tuple[type[Term], ...] = ()  # first terms of every candidate: sure errors of sensors
+    tethers: tuple[float, ...] = ()  # rad/s, by which candidates are led where a baseline drifts
 
     @property
     def zeros(self) -> tuple[str, ...]:
@@ -55,6 +58,11 @@ class PreparedRecording:
     @property
     def seen(self) -> Observation:
         return self.problem.observation
+
+    @cached_property
+    def scale(self) -> Scale:
+        """How large a rig's motion is beside a leg's."""
+        return scale_of(self.problem.movements) if self.rig else AS_A_LEG
 
     @cached_property
     def samples(self) -> int:
@@ -140,7 +148,7 @@ class PreparedRecording:
                 return [np.array([error.value])]
         low, high = self.range
         each = [
-            declared.starts(low, high) if callable(declared.starts) else declared.starts
+            ranged(declared, self.scale).starts_between(low, high)
             for _, declared in declarations(term)
         ]
         return [np.array(row) for row in product(*each)]
@@ -157,12 +165,16 @@ class PreparedRecording:
         lower, upper = np.full(size, -np.inf), np.full(size, np.inf)
         inertia = self.log_inertia / float(TYPICAL.shared.log_inertia)
         free = -np.inf if self.rig else 0.0  # of the stiffness
-        least = Shared(*map(np.asarray, (inertia - FARTHEST, 0.0, free, 0.0)))
+        driven = all(each.kind == "measured" for each in self.problem.movements)
+        pull = -np.inf if self.rig and driven else 0.0  # an axis may point anywhere
+        least = Shared(*map(np.asarray, (inertia - FARTHEST, pull, free, 0.0)))
         at = np.ravel(jax.tree.leaves(self.numbers.shared))
         lower[at] = jax.tree.leaves(least)
         upper[self.numbers.shared.log_inertia] = inertia + FARTHEST
         each: list[Declaration] = [
-            declared for term in candidate.terms for _, declared in declarations(term)
+            ranged(declared, self.scale)
+            for term in candidate.terms
+            for _, declared in declarations(term)
         ]
         first = candidate.point.size + 2
         tilts = np.flatnonzero(self.tilts)

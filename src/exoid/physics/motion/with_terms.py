@@ -67,14 +67,21 @@ def missing(terms: Terms, now: Moment, memory: tuple[Array, ...]) -> Float[Array
 
 
 def extended_step(
-    place: SegmentConstants, terms: Terms, motion: Motion, time: Any, step: Any, drive: Drive
+    place: SegmentConstants,
+    terms: Terms,
+    motion: Motion,
+    time: Any,
+    step: Any,
+    drive: Drive,
+    *,
+    parts: int = 1,
 ) -> Motion:
-    """The step from `time` on, in as many parts as the fastest term asks for.
+    """The step from `time` on, in so many `parts` or as many as the fastest term asks for.
 
     Dry friction acts in half steps before and after the smooth rest (Strang splitting): it can
     bring the leg to rest, but never turn it round.
     """
-    parts = max((term.substeps for term in terms), default=1)
+    parts = max([parts, *(term.substeps for term in terms)])
     if parts == 1:
         return whole_step(place, terms, motion, time, step, drive)
 

@@ -9,6 +9,7 @@ from exoid.recordings.recording import Recording, Segment
 from exoid.recordings.signal.gyro_drift import gyro_drift
 from exoid.recordings.signal.noise import Noise, declared_angle_noise, find_spikes, noise_of
 from exoid.recordings.signal.tone import find_tone, without_tone
+from exoid.recordings.signal.turns import coarse
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,6 +63,10 @@ def clean_channel(
     if filtered(recording.segments[0]):
         level = noise_of(times, signals, None).level if declared is None else declared
         return recording, Noise(level, declared=declared)
+    if any(map(coarse, times, signals)):  # neighbours see the motion: neither spike nor tone
+        found = noise_of(times, signals, declared)
+        level = found.level if declared is None else declared
+        return recording, replace(found, level=level)
     spikes = [find_spikes(*each, declared or 0.0) for each in zip(times, signals, strict=True)]
     signals = [
         np.where(spike, np.nan, signal) for spike, signal in zip(spikes, signals, strict=True)

@@ -1,0 +1,28 @@
+"""How finely a recording must be simulated, and looked at, by how fast it moves."""
+
+import numpy as np
+
+from exoid.fitting.data.movement import Movement
+from exoid.recordings.signal import turns
+from exoid.recordings.signal.turns import QUICK
+
+RADIANS = 0.2  # of an oscillation that a Runge-Kutta step may span: 0.2^4 / 120 is 1.3e-5 a radian
+MOST_PARTS = 16  # of a step
+
+
+def pace(movement: Movement) -> float:
+    """How many radians of an oscillation its angle passes in a second."""
+    return turns.pace(movement.segment.time, movement.angle)
+
+
+def parts_of(movements: list[Movement]) -> int:
+    """Into how many parts a step between samples is cut: 1 of whatever is as slow as a leg."""
+    rates = [(pace(each), float(np.median(np.diff(each.segment.time)))) for each in movements]
+    wanted = [rate * step / RADIANS for rate, step in rates if rate > QUICK]
+    return int(min(np.ceil(max(wanted, default=1.0)), MOST_PARTS))
+
+
+def unhurried(movement: Movement, width: float) -> float:
+    """A time over which a motion is smoothed [s], shorter where it moves faster than any leg."""
+    rate = pace(movement)
+    return width if rate <= QUICK else width * QUICK / (3 * rate)

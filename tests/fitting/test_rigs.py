@@ -1,0 +1,60 @@
+"""What a rig is said not to have, and a torque of which only the form is known."""
+
+from dataclasses import replace
+
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+from exoid.fitting.estimate import fit
+from exoid.physics.leg import LegModel
+from exoid.physics.torque import MeasuredTorque
+from exoid.recordings.recording import Protocol, Recording, Subject
+from fit_cases import NOISE, exact, leg, state
+
+TIME = np.arange(600) * 0.01
+AXIS = Subject(kind="rig", gravity="none", spring="none")
+INERTIA, DAMPING = 2.0, 3.0  # kg m^2, N m s/rad
+ALIKE = 0.01  # of 1: 600 samples of 0.9 mrad beside 0.3 rad tell both to 0.2 %
+
+
+@pytest.fixture(scope="module")
+def axis():
+    """A vertical axis that a known torque turns to and fro."""
+    torque = 6.0 * np.sin(2 * np.pi * 0.7 * TIME) + 4.0 * np.cos(2 * np.pi * 1.1 * TIME)
+    driven = MeasuredTorque(jnp.asarray(TIME), jnp.asarray(torque))
+    model = LegModel(leg(1.0, INERTIA, 0.0, DAMPING, 0.0), driven)
+    segment = exact(model, state(0.1, -0.2), TIME, applied_torque=torque)
+    noise = np.random.default_rng(0).normal(size=(2, TIME.size))
+    segment = replace(
+        segment,
+        raw_angle=segment.raw_angle + NOISE.angle_noise * noise[0],
+        raw_angular_velocity=segment.raw_angular_velocity + NOISE.velocity_noise * noise[1],
+    )
+    return Recording((segment,), AXIS, Protocol(kind="measured"), NOISE)
+
+
+def test_an_axis_without_gravity_and_spring_has_neither(axis):
+    found = fit(axis, multistart=4)
+    assert found.parameters["inertia"].value == pytest.approx(INERTIA, rel=ALIKE)
+    assert found.parameters["damping"].value == pytest.approx(DAMPING, rel=ALIKE)
+    for each in (found.ratios["gravity_over_inertia"], found.ratios["stiffness_over_inertia"]):
+        assert each.value == 0.0
+        assert each.standard_error == 0.0
+        assert each.reason == "the sidecar says that there is none"
+    assert found.parameters["stiffness"].value == 0.0
+    assert found.leg is not None  # of one fit
+    assert found.leg.stiffness == 0.0
+
+
+def test_of_a_torque_of_unknown_gain_only_what_is_over_the_inertia_is_told(axis):
+    """A current of 8 A for every N m: ratios stay, and nothing is said in N m or kg m^2."""
+    segment = axis.segments[0]
+    current = replace(segment, applied_torque=segment.applied_torque * 8)
+    protocol = replace(axis.protocol, torque_known=False)
+    found = fit(replace(axis, segments=(current,), protocol=protocol), multistart=4)
+    ratio = found.ratios["damping_over_inertia"].value
+    assert ratio == pytest.approx(DAMPING / INERTIA, rel=ALIKE)
+    for name in ("inertia", "damping"):
+        assert found.parameters[name].value is None
+        assert "gain is unknown (torque_known = false)" in (found.parameters[name].reason or "")
