@@ -14,7 +14,7 @@ from exoid.fitting.model import term_parameters
 from exoid.fitting.model.coordinates import leg_parameters, torque_amplitudes
 from exoid.fitting.result.fit_result import Estimate, FitResult
 from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter
-from exoid.mismatch.conclude.choose import Chosen, choose
+from exoid.mismatch.conclude.choose import Chosen, causes, choose
 from exoid.mismatch.conclude.conclusion import concluded
 from exoid.mismatch.conclude.rivals import by_the_fits, with_rivals
 from exoid.mismatch.conclude.sensor_faults import with_faults_told
@@ -248,9 +248,12 @@ def noise_alone(left: np.ndarray, parameters: int) -> bool:
 
 
 def formulated(found: Found, chosen: Chosen) -> tuple[Chosen, Formula | None]:
-    """The best formula as a term, where it explains more than the library does."""
+    """The best formula as a term, where it explains more than the library does.
+
+    One that a single cause of the library knows is that cause; a set may imitate what is new.
+    """
     formula = describe(found.prepared, found.begin)
-    if formula.known > KNOWN:
+    if formula.known > KNOWN and causes(chosen.best) < 2:
         return chosen, None
     term = term_of(formula)
     start = with_term(found.begin, term, formula.values)
