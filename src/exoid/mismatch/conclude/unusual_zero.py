@@ -12,10 +12,10 @@ import numpy as np
 from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.mismatch.conclude.numbers import CERTAIN, covariance
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
-from exoid.mismatch.screen.optimise import FLOOR, polished, settle_free
+from exoid.mismatch.screen.optimise import polished, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import Found
-from exoid.mismatch.search.search import applies, by_evidence
+from exoid.mismatch.search.search import REACH, applies, by_evidence
 from exoid.mismatch.search.several import beside
 from exoid.physics.sensing.angle_offset import AngleOffset
 
@@ -63,8 +63,7 @@ def in_its_place(declared: PreparedRecording, best: Optimum) -> list[Optimum]:
     """The best with another cause in the place of the zero, where that may leave as little."""
     others = [one for one in declared.library if applies(declared, one) and one is not AngleOffset]
     seen = beside(declared, others, without_zero(best.candidate))
-    little = max(best.square, FLOOR * declared.samples)
-    near = [one.candidate for one in seen if one.square < little][:INSTEAD]
+    near = [one.candidate for one in seen if one.square < REACH * best.square][:INSTEAD]
     return side_by_side(lambda one: polished(declared, one), near)
 
 
