@@ -10,7 +10,7 @@ import numpy as np
 from exoid.physics.library import library
 from exoid.physics.term import SensorTerm, name_of
 
-from .effects import SUFFIX
+from .effects import SUFFIX, of_legs
 from .novel import NOVEL
 
 Category = Literal["single", "combo", "triple", "novel", "null", "unobservable"]
@@ -61,8 +61,8 @@ def shuffled(seed: int) -> Iterator[Card]:
 
 
 def deck(rng: np.random.Generator) -> list[Card]:
-    """Every term of the library once, every novelty, sets, and recordings that lack nothing."""
-    names = [name_of(term) for term in library()]
+    """Every term of a leg once, every novelty, sets, and recordings that lack nothing."""
+    names = [name_of(term) for term in of_legs()]
     novel = [name_of(term) + SUFFIX for term in NOVEL]
     return [
         *(Card("single", is_active(rng, [name]), (name,)) for name in names),
@@ -77,7 +77,7 @@ def deck(rng: np.random.Generator) -> list[Card]:
 def together(rng: np.random.Generator, category: Category, count: int) -> Card:
     """Effects that can be told apart, of which at most one is a sensor's."""
     sensing = {name_of(term) for term in library() if issubclass(term, SensorTerm)}
-    names = [name_of(term) for term in library()]
+    names = [name_of(term) for term in of_legs()]
     while True:
         drawn = tuple(sorted(str(each) for each in rng.choice(names, count, replace=False)))
         if all(len({*drawn} & group) < 2 for group in (*ALIKE, sensing)):

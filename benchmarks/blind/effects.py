@@ -167,6 +167,9 @@ RECIPES = {
         {"share": EXACTLY},
         {"radius": (0.15, 0.3), "frequency": (2.0, 6.0), "damping_ratio": (0.1, 0.35)},
     ),
+    "zero_drift": Recipe(
+        0.2 * DEGREE, 1.0 * DEGREE, {"drift": EXACTLY}, {"step": (0.0, 0.0)}, signed=True
+    ),
     "angle_bump_novel": Recipe(
         0.01, 3.0, {"height": EXACTLY}, {"angle": (-1.5, -0.8), "width": (0.1, 0.25)}, signed=True
     ),
@@ -182,7 +185,14 @@ RECIPES = {
     ),
     "cubic_damping_novel": Recipe(0.0005, 0.2, {"coefficient": EXACTLY}),
 }
-TERMS = {name_of(term): term for term in library()} | {
+
+
+def of_legs() -> list[type[Term]]:
+    """The terms that a leg may have, each of its own: no exact twin, nothing of machines."""
+    return [term for term in library() if not (term.named_only or term.mechanical)]
+
+
+TERMS = {name_of(term): term for term in of_legs()} | {
     name_of(term) + SUFFIX: term for term in NOVEL
 }
 

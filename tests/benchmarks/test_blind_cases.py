@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from benchmarks.blind.cases import LEAST, MOST, draw_case
 from benchmarks.blind.deck import ALIKE, Card, deal
-from benchmarks.blind.effects import RECIPES, TERMS, Effect
+from benchmarks.blind.effects import RECIPES, TERMS, Effect, of_legs
 from benchmarks.blind.score import SETS
 from scipy.integrate import cumulative_trapezoid, odeint
 from scipy.optimize import least_squares
@@ -86,10 +86,10 @@ def test_a_size_scales_what_is_sized_and_nothing_else():
     assert (float(term.level), float(term.excess), float(term.speed)) == (0.4, 0.8, 0.3)
 
 
-def test_a_deck_holds_every_term_of_the_library_once():
+def test_a_deck_holds_every_term_of_a_leg_once():
     cards = list(deal(DECK, seed=1))
     singles = sorted(card.effects[0] for card in cards if card.category == "single")
-    assert singles == sorted(name_of(term) for term in library())
+    assert singles == sorted(name_of(term) for term in of_legs())
 
 
 def test_what_muscles_do_is_concealed_in_voluntary_movements_only():

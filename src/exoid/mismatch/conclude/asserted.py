@@ -2,8 +2,7 @@
 
 from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.search.found import Found
-from exoid.mismatch.search.search import alike
-from exoid.mismatch.search.variants import simpler_form
+from exoid.mismatch.search.rank import alike, simpler_form
 from exoid.physics.term import Term, name_of
 
 

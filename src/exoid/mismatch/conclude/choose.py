@@ -7,7 +7,7 @@ from exoid.mismatch.evidence.prediction import Prediction, improves
 from exoid.mismatch.evidence.proof import predict
 from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.search.found import Found
-from exoid.mismatch.search.search import alike
+from exoid.mismatch.search.rank import alike
 
 
 @dataclass(frozen=True, eq=False)

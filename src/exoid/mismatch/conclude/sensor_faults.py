@@ -14,7 +14,7 @@ from exoid.mismatch.evidence.yardstick import UNEXPLAINED
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import settle_free
 from exoid.mismatch.search.found import Found, best_of
-from exoid.mismatch.search.search import by_evidence
+from exoid.mismatch.search.rank import by_evidence
 from exoid.physics.parameter import declarations
 from exoid.physics.sensing.clock_rate import ClockRate
 from exoid.physics.sensing.encoder_gain import EncoderGain

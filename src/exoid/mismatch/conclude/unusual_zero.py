@@ -15,7 +15,8 @@ from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import polished, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import Found
-from exoid.mismatch.search.search import REACH, applies, by_evidence
+from exoid.mismatch.search.rank import by_evidence
+from exoid.mismatch.search.search import REACH, applies
 from exoid.mismatch.search.several import beside
 from exoid.physics.sensing.angle_offset import AngleOffset
 

@@ -86,7 +86,7 @@ def polished(prepared: PreparedRecording, start: Hypothesis, rival: float = np.i
 
 def enough(prepared: PreparedRecording, square: float) -> bool:
     """Is what is left no more than noise by chance is in one of twenty recordings?"""
-    return square < prepared.samples + USUAL * np.sqrt(2 * prepared.samples)
+    return bool(square < prepared.samples + USUAL * np.sqrt(2 * prepared.samples))
 
 
 def strikes(candidate: Hypothesis) -> bool:

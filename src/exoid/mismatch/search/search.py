@@ -7,7 +7,6 @@ import numpy as np
 
 from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.mismatch.evidence.measure import yardstick
-from exoid.mismatch.evidence.yardstick import APART, Yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import (
     FEWER_ROUNDS,
@@ -22,12 +21,12 @@ from exoid.mismatch.screen.optimise import (
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.screen.race import raced
 from exoid.mismatch.search.found import Found, best_of, size, sound
+from exoid.mismatch.search.rank import by_evidence
 from exoid.mismatch.search.several import several, with_one_more
 from exoid.mismatch.search.variants import (
     nested,
     pairs,
     reduced,
-    simpler_form,
     suspected_sensors,
     twins,
     unwatched,
@@ -199,31 +198,3 @@ def shortlist(ranked: list[Optimum]) -> list[Optimum]:
     return [
         one for one in first if one.square < REACH * first[0].square or size(one) < size(first[0])
     ]
-
-
-def by_evidence(settled: list[Optimum], base: Optimum, measure: Yardstick) -> list[Optimum]:
-    """The best first; of those that noise alone may tell apart, and of its own simpler forms that
-    are alike, the simplest first.
-    """
-    known = best_of(list(filter(sound, settled)))
-    known.sort(key=lambda one: measure.evidence(base.square, one.square, size(one)), reverse=True)
-
-    def order(one: Optimum) -> float:
-        best = known[0]
-        gain = measure.evidence(one.square, best.square, size(best) - size(one))
-        first = gain < APART or (simpler(one, best) and alike(one, best, measure))
-        return float(size(one)) if first else np.inf
-
-    return sorted(known, key=order)
-
-
-def simpler(one: Optimum, best: Optimum) -> bool:
-    """Is the best but a richer form of it?"""
-    pairs = list(zip(one.candidate.terms, best.candidate.terms, strict=False))
-    same = len(one.candidate.terms) == len(best.candidate.terms)
-    return same and all(few is many or simpler_form(few, many) for few, many in pairs)
-
-
-def alike(one: Optimum, best: Optimum, measure: Yardstick) -> bool:
-    """Can noise, or what even the best does not explain, be all that tells them apart?"""
-    return measure.apart(one.square, best.square, size(best) - size(one)) < APART

@@ -10,6 +10,7 @@ from exoid.mismatch.screen.many_pinned import linear
 from exoid.mismatch.screen.measured_motion import MeasuredMotion
 from exoid.mismatch.screen.optimise import FLOOR, as_one, polished, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
+from exoid.mismatch.search.rank import simpler_form
 from exoid.physics.library import MOST_PARAMETERS
 from exoid.physics.parameter import declarations
 from exoid.physics.term import SensorTerm, Term, name_of
@@ -127,12 +128,6 @@ def nested(
                     )
                     found.append(settle_free(prepared, start))
     return found
-
-
-def simpler_form(simple: type[Term], rich: type[Term]) -> bool:
-    """Does the richer of two torques, or of two errors of sensors, hold all of the simple one?"""
-    few, many = ({*dict(declarations(each))} for each in (simple, rich))
-    return few < many and issubclass(simple, SensorTerm) == issubclass(rich, SensorTerm)
 
 
 def put(each: tuple, place: int, other: Any) -> tuple:
