@@ -80,8 +80,8 @@ def polished(prepared: PreparedRecording, start: Hypothesis, rival: float = np.i
             eased = by_encoder(prepared, share)
             start = settle_free(prepared, start, eased, rounds=FEWER_ROUNDS).candidate
     found = settle_free(prepared, start, rival=rival)
-    beaten = found.square > FAR * rival
-    return hopped(prepared, found) if any(map(holds, start.terms)) and not beaten else found
+    alone = len(start.terms) - len(prepared.common) == 1
+    return hopped(prepared, found) if alone and found.square < FAR * rival else found
 
 
 def enough(prepared: PreparedRecording, square: float) -> bool:
@@ -101,13 +101,13 @@ def by_encoder(prepared: PreparedRecording, share: float = 0.0) -> Observation:
 
 
 def hopped(prepared: PreparedRecording, at: Optimum) -> Optimum:
-    """The best of the basins nearby, while noise is not reached.
+    """The best of the basins nearby where a term holds the leg, while noise is not reached.
 
     A leg that sticks one step later jumps: its sum of squares has creases, in which a search that
     goes down stands still (basin hopping: Wales & Doye, J. Phys. Chem. A 101, 1997).
     """
-    random = np.random.default_rng(0)
-    while at.square > FLOOR * prepared.samples:
+    random, creased = np.random.default_rng(0), any(map(holds, at.candidate.terms))
+    while creased and at.square > FLOOR * prepared.samples:
         starts = [nearby(prepared, at, random) for _ in range(HOPS)]
         ends = side_by_side(lambda one: settle_free(prepared, one, rounds=HOP_ROUNDS), starts)
         best = min(ends, key=lambda one: one.square if np.isfinite(one.square) else np.inf)

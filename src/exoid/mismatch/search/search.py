@@ -13,6 +13,7 @@ from exoid.mismatch.screen.optimise import (
     FLOOR,
     enough,
     given,
+    hopped,
     polished,
     settle,
     settle_free,
@@ -117,6 +118,7 @@ def with_sets(found: Found, usable: list[type[Term]], told: Told) -> Found:
     singles += nested(prepared, singles, of_all(singles))
     measure = yardstick(prepared, least(base, *singles, *joint))
     joint = by_evidence(joint, base, measure)
+    joint = [*(hopped(prepared, one) for one in joint[:1]), *joint[1:]]
     joint = by_evidence([*joint, *twins(prepared, joint[:1], joint)], base, measure)
     singles = by_evidence(singles, base, measure)
     return replace(found, singles=singles, pairs=joint, yardstick=measure, glimpsed=tuple(both))
