@@ -7,7 +7,7 @@ from exoid.mismatch.evidence.prediction import Prediction, improves
 from exoid.mismatch.evidence.proof import predict
 from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.search.found import Found
-from exoid.mismatch.search.rank import alike
+from exoid.mismatch.search.rank import alike, by_evidence
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,7 +44,7 @@ def by_count(found: Found) -> list[Optimum]:
     every = [*found.singles[:1], *found.pairs]
     every.sort(key=causes)
     same = [list(each) for _, each in groupby(every, key=causes)]
-    return [max(each, key=found.evidence) for each in same]
+    return [by_evidence(each, found.base, found.yardstick)[0] for each in same]
 
 
 def causes(one: Optimum) -> int:
