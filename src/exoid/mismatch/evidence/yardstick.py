@@ -8,6 +8,7 @@ from scipy.stats import chi2, ncx2
 SURE = 30.0  # evidence beyond its price that noise does not reach: with thirty terms, 1 in 10 000
 APART = 10.0  # evidence by which one candidate is better than another: odds of 150 to 1
 MATTERS = 0.02  # of the noise's sum of squares: an effect that explains less changes nothing
+KNOWN = 1.1  # mean square over the noise up to which noise may be all that is left
 UNEXPLAINED = 1.6  # mean square over the noise from which on something remains unexplained
 FOLLOWED = 0.97  # share of the mismatch that a term must explain to be named, where noise is known
 
@@ -30,10 +31,11 @@ class Yardstick:
     def apart(self, worse: float, best: float, parameters: int) -> float:
         """How much the best is better than another, in units of noise and of what remains.
 
-        What even the best leaves over the noise has a cause that nobody knows. It may as well be
-        what tells the two apart: a difference as large as that counts `APART` and no more.
+        What even the best leaves over the noise, which is known to 5 %, has a cause that nobody
+        knows. It may as well be what tells the two apart: a difference as large as that counts
+        `APART` and no more.
         """
-        found, left = self.evidence(worse, best, parameters), best - self.samples
+        found, left = self.evidence(worse, best, parameters), best - KNOWN * self.samples
         if left <= 0 or worse <= best:
             return found
         return min(found, APART * (worse - best) / left)
