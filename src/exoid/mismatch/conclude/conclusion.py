@@ -207,7 +207,8 @@ def undecided(found: Found, equal: list[Optimum]) -> list[str]:
     """That explanations without a cause in common come out alike."""
     each = [f"{words(names(one)) or 'no cause'} ({found.followed(one):.0%})" for one in equal]
     return [
-        f"what explains most of the mismatch has nothing in common: {', '.join(each[:SUSPECTS])}"
+        "explanations that have nothing in common come out alike (shares of the mismatch): "
+        f"{', '.join(each[:SUSPECTS])}"
     ]
 
 
