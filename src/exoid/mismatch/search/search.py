@@ -130,9 +130,11 @@ def simulated(prepared: PreparedRecording, pinned: list[Optimum]) -> list[Optimu
 
 
 def with_strikes(found: Found, starts: list[Hypothesis], told: Told) -> Found:
-    """The same with what no look along a motion shows, as what strikes, unless noise is reached."""
+    """The same with what no look along a motion shows, as what strikes, unless hardly more than
+    noise is left.
+    """
     prepared, base, measure = found.prepared, found.base, found.yardstick
-    if least(base, *found.singles).square < FLOOR * measure.samples:
+    if measure.explains(least(base, *found.singles).square):
         return found
     told("simulating what acts for moments only")
     striking = [one for one in found.pinned if strikes(one.candidate)]
