@@ -30,7 +30,8 @@ def missed(fitted: FitResult, recording: Recording, *, same_begin: bool = False)
         movements, posed.belief, "1/T", posed.chain, owned=posed.owned, terms=posed.terms
     )
     at = take(basis.ended.best.coordinates, 0)
-    own = at.own if same_begin else begin(movements)
+    zero = float(at.mounting.zero[0]) if at.mounting.zero.size else 0.0  # of the encoder
+    own = at.own if same_begin else begin(movements, zero)
     point = Coordinates(at.shared, at.log_mass, at.mounting, own, at.terms)
     seen, free = jax.tree.map(jnp.asarray, (problem.observation, problem.free))
     each = of_segments(jax.tree.map(jnp.asarray, point), seen.owner)
@@ -44,10 +45,10 @@ def missed(fitted: FitResult, recording: Recording, *, same_begin: bool = False)
     )
 
 
-def begin(movements: list[Movement]) -> SegmentUnknowns:
-    """From the first measured state of every movement."""
+def begin(movements: list[Movement], zero: float) -> SegmentUnknowns:
+    """From the first measured state of every movement, by an encoder with this zero [rad]."""
     angle, velocity = np.array([first_state(each) for each in movements]).T
-    return SegmentUnknowns(np.zeros(angle.size), angle, velocity)
+    return SegmentUnknowns(np.zeros(angle.size), angle - zero, velocity)
 
 
 def rms(each: np.ndarray) -> float:

@@ -46,7 +46,7 @@ SYSTEMS = (
         "Bouc-Wen",
         "benchmarks/bouc-wen-multisine.csv",
         "m",
-        ("hysteresis", "shaped_hysteresis"),
+        ("shaped_hysteresis", "hysteresis"),
         "1.87e-5 on the multisine (Esfahani et al. 2018)",
         "m 2 kg, c 10 N s/m, k 5e4 N/m",
         {"gravity": "none"},

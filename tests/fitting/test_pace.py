@@ -100,6 +100,6 @@ def test_a_smooth_torque_is_met_between_its_samples():
 
 @pytest.mark.parametrize("word", ["gravity", "spring"])
 def test_a_leg_has_gravity_and_a_spring(word):
-    segment = Segment(np.arange(20) * 0.01, raw_angle=np.full(20, -0.5))
+    segment = Segment(TIME[:20], raw_angle=-0.5 + TIME[:20])
     with pytest.raises(ValueError, match=r'is of a rig: a leg has both\. Say kind = "rig"'):
         Recording((segment,), replace(Subject(kind="leg"), **{word: "none"}))

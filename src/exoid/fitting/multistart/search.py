@@ -223,7 +223,7 @@ def settle(problem: Problem, free: Solved, begin: Coordinates, found: Disturbanc
     typical = problem.belief.typical
     inertia[0] = np.log(typical["inertia"]) if "inertia" in typical else inertia[0]
     mass[0] = np.log(typical["mass"]) if "mass" in typical else mass[0]
-    told = scale_told(local.data + local.declared)
+    told = scale_told(local.data + local.declared) or loaded_rig(problem)
     if told:
         inertia = one.shared.log_inertia
     elif typical and problem.terms:
@@ -248,6 +248,12 @@ def settle(problem: Problem, free: Solved, begin: Coordinates, found: Disturbanc
             break
         before = np.minimum(before, reached(ended))
     return take(ended, [least(ended)])
+
+
+def loaded_rig(problem: Problem) -> bool:
+    """Is it a rig with several known masses? Nothing else tells of its inertia: it stays free."""
+    loads = {each.added_mass for each in problem.movements if not each.unplaced}
+    return problem.belief.rig and len(loads) > 1
 
 
 def as_believed(problem: Problem, free: Coordinates, *begin: float) -> np.ndarray:
