@@ -38,7 +38,7 @@ SYSTEMS = (
         "benchmarks/silverbox-multisine.csv",
         "V",
         ("cubic_stiffness",),
-        "0.3e-3 of the best black boxes (Schoukens & Noel 2017)",
+        "baselines of ten methods: Champneys et al. 2024, arXiv 2405.10779",
         "68 Hz, cubic spring",
         {"gravity": "none"},
     ),
