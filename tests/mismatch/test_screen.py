@@ -11,7 +11,6 @@ from exoid.mismatch import prepare as preparing
 from exoid.mismatch.prepare import prepare
 from exoid.mismatch.screen import many_pinned
 from exoid.mismatch.screen.hypothesis import Hypothesis
-from exoid.mismatch.screen.many_free import by_stretches, release
 from exoid.mismatch.screen.many_pinned import linear, together
 from exoid.mismatch.screen.optimise import polished, promising, settle, settle_free
 from exoid.physics.leg import LegModel
@@ -109,16 +108,6 @@ def test_more_requests_than_fit_at_once_are_all_answered(ready):
     many = [each for each in candidates(prepared, base) if each.terms == (MaxwellElement,)] * 5
     squares = [products.square for products in at_measured(prepared, *many)]
     assert squares[:3] * 5 == pytest.approx(squares, rel=1e-12)
-
-
-def test_the_products_of_all_stretches_of_time_are_those_of_the_whole(ready):
-    prepared, base = ready
-    start = next(each for each in candidates(prepared, base) if each.terms == (CoulombFriction,))
-    parts, whole = by_stretches(prepared, start, 3), release(prepared, start)[0]
-    assert len(parts) == 3 * prepared.segments
-    # the same samples in another order: rounding only
-    np.testing.assert_allclose(parts.sum(axis=0), whole.each.sum(axis=0), rtol=1e-9, atol=1e-9)
-    assert (parts[:, -1, -1] > 0).all()
 
 
 def test_what_falls_too_slowly_to_come_near_a_rival_is_given_up():

@@ -28,7 +28,9 @@ def glimpsed(found: Found, best: Optimum, simulated: list[Optimum]) -> list[Opti
         return []
     for one in simulated:
         seen.pop(one.candidate.terms, None)
-    return [one for one in seen.values() if alike(one, own, found.yardstick)]
+    measure = found.yardstick
+    both = (own, best)  # a leg that sticks is smeared along a motion
+    return [one for one in seen.values() if all(alike(one, each, measure) for each in both)]
 
 
 def asserted(best: Optimum, equal: list[Optimum]) -> tuple[type[Term], ...]:

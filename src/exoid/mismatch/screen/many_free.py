@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import jax
 import numpy as np
-from jaxtyping import Float
 
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.solve.program_cache import called
@@ -28,28 +27,6 @@ def release(
     at = prepared.coordinates(candidate)
     gram, shown = run(prepared, candidate, (at.own, observation, prepared.problem.known))
     return prepared.products(candidate, gram), shown[:, :size]
-
-
-def by_stretches(
-    prepared: PreparedRecording, candidate: Hypothesis, count: int
-) -> Float[np.ndarray, "part column column"]:
-    """The products of a candidate over every segment's first, second and further stretch of time,
-    `count` of each.
-    """
-    seen, at = prepared.seen, prepared.coordinates(candidate)
-    used = (seen.angle_weight > 0) | (seen.velocity_weight > 0)
-    done = np.cumsum(used, axis=1) - 1
-    which = done * count // used.sum(axis=1, keepdims=True)
-    kept = np.concatenate([which == number for number in range(count)])
-    repeated = jax.tree.map(
-        lambda leaf: np.tile(leaf, (count, *[1] * (np.ndim(leaf) - 1))),
-        (at.own, seen, prepared.problem.known),
-    )
-    own, again, known = repeated
-    weights = {name: getattr(again, name) * kept for name in ("angle_weight", "velocity_weight")}
-    gram, _ = run(prepared, candidate, (own, replace(again, **weights), known))
-    parts = np.split(gram, count)
-    return np.concatenate([prepared.products(candidate, part).each for part in parts])
 
 
 def run(prepared: PreparedRecording, candidate: Hypothesis, rows: tuple) -> tuple:

@@ -164,8 +164,8 @@ def how_sure(found: Diagnosis) -> str:
     """Whether other data would say the same, and what else it may be."""
     if only_sensors(found):
         return "encoder and gyro show it of each other, without any leg model."
-    share, drawn = found.inclusion, "quarters" if found.proof.in_time else "segments"
-    again = "" if share is None else f"the same answer in {share:.0%} of resampled {drawn}; "
+    share = found.inclusion
+    again = "" if share is None else f"the same answer in {share:.0%} of resampled segments; "
     alike = "".join(f"{one}; " for one in others(found))
     return (
         f"{again}{alike}on noise alone {chance(found.false_alarm_rate)} false alarms, an effect of "
