@@ -9,7 +9,7 @@ import numpy as np
 
 from exoid.fitting.data.conditioning import conditioned
 from exoid.fitting.data.fitted_samples import Clip
-from exoid.fitting.data.movement import Movement
+from exoid.fitting.data.movement import Movement, all_driven
 from exoid.fitting.data.segment import movement
 from exoid.fitting.data.size_of_rig import scale_of
 from exoid.fitting.hands.unseen_hands import without_unseen_hands
@@ -246,8 +246,10 @@ def begin(
     if belief.expected is not None:
         starts[0] = [*(typical[name] for name in NAMES), 0.0]
     mass, inertia = (typical.get(*each) for each in MIDDLING.items())
-    driven_rig = belief.rig and all(each.kind == "measured" for each in movements)
-    guess = driven(movements, mass) if driven_rig else informed(movements, reading, mass, inertia)
+    if belief.rig and all_driven(movements):
+        guess = driven(movements, mass)
+    else:
+        guess = informed(movements, reading, mass, inertia)
     if count > 1 and guess is not None:
         starts[1] = guess
     return starts

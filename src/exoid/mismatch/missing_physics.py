@@ -32,7 +32,6 @@ from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import settle_free
 from exoid.mismatch.search.found import Found, Workings, size
 from exoid.mismatch.search.search import look
-from exoid.mismatch.search.variants import with_term
 from exoid.physics.library import library
 from exoid.physics.parameter import Declaration
 from exoid.physics.term import SensorTerm, Term, name_of
@@ -256,7 +255,7 @@ def formulated(found: Found, chosen: Chosen) -> tuple[Chosen, Formula | None]:
     if formula.known > KNOWN and causes(chosen.best) < 2:
         return chosen, None
     term = term_of(formula)
-    start = with_term(found.begin, term, formula.values)
+    start = found.begin.with_term(term, formula.values)
     one = settle_free(found.prepared, start)
     if better(found, one, chosen.best) and found.clear(found.base, one):
         after = predict(found.prepared, one)

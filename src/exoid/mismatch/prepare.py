@@ -5,9 +5,9 @@ from dataclasses import replace
 import jax
 import numpy as np
 
-from exoid.fitting.data.movement import Movement
+from exoid.fitting.data.movement import Movement, all_driven
 from exoid.fitting.data.observation import Observation
-from exoid.fitting.data.pace import pace
+from exoid.fitting.data.pace import LEG, quickest
 from exoid.fitting.model.coordinates import Coordinates
 from exoid.fitting.model.mounting import Mounting
 from exoid.fitting.model.systematics import OF_THE_GYRO, OWNED
@@ -29,7 +29,6 @@ from exoid.recordings.recording import Recording
 from exoid.recordings.signal.turns import QUICK
 
 FAR = 10.0  # times the noise, by which a baseline misses what drives a rig in a false valley
-SLOW = 5.0  # rad/s, a leg's pace
 ABSOLUTE = ("log_distance", "tilt")  # what a recording owns by itself, not compared with the first
 
 
@@ -46,8 +45,8 @@ def prepare(
     rig = any(recording.subject.kind == "rig" for _, recording in recordings)
     owned = unknown(movements, rig=rig)
     problem = compared(pose(movements, basis.problem.belief, reading, chain, owned=owned))
-    quickest = max(map(pace, problem.movements))
-    slow = quickest / SLOW if quickest > QUICK else 1.0
+    pace = quickest(problem.movements)
+    slow = pace / LEG if pace > QUICK else 1.0
     sensors = compared_at_ease(problem.observation, Yardstick, slow)
     best = take(basis.ended.best, 0).coordinates
     observation = without_edges(problem.observation, sensors)
@@ -59,9 +58,12 @@ def prepare(
     tested = (*known, *terms)
     zero = movements[0].systematics.zero
     common = common_of(sensors, tested, owned)
-    driven = rig and all(each.kind == "measured" for each in movements)
     noise = pooled(result.segments, lambda each: each.angle_noise)
-    led = tethers(problem) if driven and result.angle_rmse > FAR * noise else ()
+    led = (
+        tethers(problem)
+        if rig and all_driven(movements) and result.angle_rmse > FAR * noise
+        else ()
+    )
     made = PreparedRecording(problem, sensors, tested, inertia, rig, zero, tuple(common), led)
     begin = Hypothesis(tuple(common), tuple(common.values()), made.point(fitted))
     return made, settle_free(made, begin, rounds=FEWER_ROUNDS)

@@ -1,6 +1,6 @@
 """A segment as it enters the fit: its channels, its extent, its clock, its noise."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -75,6 +75,16 @@ class Movement:
     def unplaced(self) -> bool:
         """Is it unknown where the added mass sat?"""
         return self.added_mass > 0 and bool(np.isnan(self.added_mass_distance))
+
+
+def all_driven(movements: Sequence[Movement]) -> bool:
+    """Was the torque of all of them measured?"""
+    return all(each.kind == "measured" for each in movements)
+
+
+def absent_of(movements: Sequence[Movement]) -> frozenset[str]:
+    """What of Eq. 9 the rig is said not to have: gravity, stiffness."""
+    return frozenset(name for each in movements for name in each.absent)
 
 
 def with_channels(each: Movement, change: Callable[[Samples], Samples], **more: Any) -> Movement:

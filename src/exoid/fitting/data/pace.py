@@ -6,6 +6,7 @@ from exoid.fitting.data.movement import Movement
 from exoid.recordings.signal import turns
 from exoid.recordings.signal.turns import QUICK
 
+LEG = 5.0  # rad/s, a leg's pace
 RADIANS = 0.2  # of an oscillation that a Runge-Kutta step may span: 0.2^4 / 120 is 1.3e-5 a radian
 MOST_PARTS = 16  # of a step
 
@@ -13,6 +14,11 @@ MOST_PARTS = 16  # of a step
 def pace(movement: Movement) -> float:
     """How many radians of an oscillation its angle passes in a second."""
     return turns.pace(movement.segment.time, movement.angle)
+
+
+def quickest(movements: list[Movement]) -> float:
+    """The pace of the quickest of them [rad/s]."""
+    return max(map(pace, movements))
 
 
 def parts_of(movements: list[Movement]) -> int:

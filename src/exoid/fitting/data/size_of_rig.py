@@ -5,10 +5,10 @@ from collections.abc import Sequence
 import numpy as np
 
 from exoid.fitting.data.movement import Movement
-from exoid.fitting.data.pace import pace
+from exoid.fitting.data.pace import LEG, pace
 from exoid.physics.scale import Scale
 
-ANGLE, RATE, TORQUE = 0.4, 5.0, 5.0  # rad, rad/s, N m: a leg's, root mean square, and its pace
+ANGLE, TORQUE = 0.4, 5.0  # rad, N m: a leg's, root mean square
 ALIKE = 5.0  # a rig within this factor of a leg is as a leg
 
 
@@ -21,7 +21,7 @@ def scale_of(movements: Sequence[Movement]) -> Scale:
     return Scale(
         torque=beside(float(np.sqrt(np.nanmean(driven**2))), TORQUE),
         angle=beside(float(np.sqrt(np.nanmean(angles**2))), ANGLE),
-        time=beside(RATE, float(np.median(rates)) if rates else RATE),
+        time=beside(LEG, float(np.median(rates)) if rates else LEG),
     )
 
 

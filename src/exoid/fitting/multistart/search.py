@@ -7,7 +7,7 @@ import jax
 import numpy as np
 from scipy.optimize import least_squares
 
-from exoid.fitting.data.pace import pace
+from exoid.fitting.data.pace import quickest
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.neighbourhood import penalties, weighed
 from exoid.fitting.model.coordinates import Coordinates, Shared, scaled
@@ -89,7 +89,7 @@ def led_to_the_data(
     """
     bare = without_terms(problem)
     tether, weaker = tethers(bare)
-    seconds = min(FIRST_HORIZON, *(HORIZON / max(pace(each), 1.0) for each in bare.movements))
+    seconds = min(FIRST_HORIZON, HORIZON / max(quickest(bare.movements), 1.0))
     first = np.searchsorted(np.asarray(bare.observation.time)[0], seconds)
     horizon = min(max(int(first), 50), bare.steps)
     declared = as_declared(without_scale(bare))

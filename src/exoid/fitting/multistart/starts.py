@@ -7,7 +7,7 @@ from itertools import product
 import jax
 import numpy as np
 
-from exoid.fitting.data.movement import Movement, smoothed_motion
+from exoid.fitting.data.movement import Movement, absent_of, smoothed_motion
 from exoid.fitting.data.observe import cycle_torque
 from exoid.fitting.data.pace import unhurried
 from exoid.fitting.model.coordinates import Coordinates, SegmentUnknowns, shared_of
@@ -90,7 +90,7 @@ def coordinates(
     first = np.array([first_state(each) for each in movements])
     voluntary = np.array([each.voluntary for each in movements])
     shape = (torque.size, len(movements))
-    none = {name: np.zeros(torque.size) for each in movements for name in each.absent}
+    none = {name: np.zeros(torque.size) for name in absent_of(movements)}
     return Coordinates(
         shared=replace(shared, damping=np.minimum(shared.damping, greatest_damping), **none),
         log_mass=np.log(leg.mass),
@@ -156,7 +156,7 @@ def driven(movements: list[Movement], mass: float) -> np.ndarray | None:
         acceleration = local_line(time, velocity, width)[1]
         rows.append(np.stack([acceleration, np.cos(angle), velocity, angle], axis=1))
         torques.append(local_line(time, torque, width)[0])
-    absent = {name for each in movements for name in each.absent}
+    absent = absent_of(movements)
     has = np.array([1.0, "gravity" not in absent, 1.0, "stiffness" not in absent])
     table, known = np.concatenate(rows) * has, np.concatenate(torques)
     inertia, gravity, damping, stiffness = np.linalg.lstsq(table, known, rcond=None)[0]

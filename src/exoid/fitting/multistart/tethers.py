@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from exoid.fitting.data.pace import pace
+from exoid.fitting.data.pace import quickest
 from exoid.fitting.model.coordinates import Coordinates
 from exoid.fitting.solve.ask import advance, task
 from exoid.fitting.solve.problem import Problem
@@ -18,8 +18,8 @@ COARSE, FINE = 10.0, 1e-2  # tolerances, in units of noise
 
 def tethers(problem: Problem) -> tuple[float, float]:
     """Of both stages, as far as the sampling allows."""
-    quickest = max(map(pace, problem.movements))
-    first = min(max(TETHERS[0], QUICKER * quickest), STIFF / problem.longest_step)
+    pace = quickest(problem.movements)
+    first = min(max(TETHERS[0], QUICKER * pace), STIFF / problem.longest_step)
     return first, min(max(TETHERS[1], first / 4), first / 2)
 
 

@@ -6,7 +6,7 @@ import jax
 import numpy as np
 
 from exoid.fitting.data.conditioning_chain import Chain
-from exoid.fitting.data.movement import Movement
+from exoid.fitting.data.movement import Movement, absent_of
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.belief import Belief
@@ -154,11 +154,6 @@ class Problem:
     def constraints(self) -> list[str]:
         """What every row of `constraint.violations_at` limits."""
         return constraint_names(len(self.movements), self.terms)
-
-
-def absent_of(movements: list[Movement]) -> frozenset[str]:
-    """What of Eq. 9 the rig is said not to have: gravity, stiffness."""
-    return frozenset(name for each in movements for name in each.absent)
 
 
 def known_of(

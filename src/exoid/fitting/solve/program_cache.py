@@ -112,9 +112,7 @@ def called(name: str, arguments: tuple, static, structure):
     shapes = tuple(jax.ShapeDtypeStruct(np.shape(leaf), np.result_type(leaf)) for leaf in leaves)
     wanted = (name, given, shapes, static)
     with jax.enable_x64(True):  # a fit in float32 would stop short of its optimum
-        with _locks.setdefault(
-            wanted, Lock()
-        ):  # of two threads that want a program, one compiles it
+        with _locks.setdefault(wanted, Lock()):  # of two threads that want it, one compiles it
             code = program(*wanted)
         results = code(*map(np.asarray, leaves))
     return jax.tree.unflatten(structure, [np.asarray(result) for result in results])

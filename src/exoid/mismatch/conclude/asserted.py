@@ -9,15 +9,16 @@ from exoid.physics.term import Term, name_of
 def equivalents(found: Found, best: Optimum) -> list[Optimum]:
     """The explanations that this recording cannot tell from the best, itself first.
 
-    Those that only add to it what is not needed are no others. Where noise is not reached, what was
-    only seen along the measured motion counts, too.
+    One that only adds to another what is not needed is no other. Where noise is not reached, what
+    was only seen along the measured motion counts, too.
     """
     simulated, measure = [*found.singles, *found.pairs], found.yardstick
     top = max(simulated, key=found.evidence)
     rivals = [one for one in (found.base, *simulated) if alike(one, top, measure)]
     if not measure.explains(best.square):
         rivals += glimpsed(found, best, simulated)
-    return [best, *(one for one in rivals if one is not best and not holds_all(one, best))]
+    every = [best, *(one for one in rivals if one is not best)]
+    return [best, *(one for one in every[1:] if not any(holds_all(one, less) for less in every))]
 
 
 def glimpsed(found: Found, best: Optimum, simulated: list[Optimum]) -> list[Optimum]:
@@ -38,10 +39,10 @@ def asserted(best: Optimum, equal: list[Optimum]) -> tuple[type[Term], ...]:
     return tuple(term for term in best.candidate.terms if all(has(one, term) for one in equal))
 
 
-def holds_all(one: Optimum, best: Optimum) -> bool:
-    """Has it all causes of the best, and more?"""
-    more = len(one.candidate.terms) > len(best.candidate.terms)
-    return more and all(has(one, term) for term in best.candidate.terms)
+def holds_all(one: Optimum, less: Optimum) -> bool:
+    """Has it all causes of another one, and more?"""
+    more = len(one.candidate.terms) > len(less.candidate.terms)
+    return more and all(has(one, term) for term in less.candidate.terms)
 
 
 def has(one: Optimum, cause: type[Term]) -> bool:

@@ -23,7 +23,7 @@ from exoid.mismatch.conclude.numbers import (
     weighed,
 )
 from exoid.mismatch.conclude.rivals import hidden, of_hidden, words
-from exoid.mismatch.conclude.twins import fewest, named_alike
+from exoid.mismatch.conclude.twins import named_alike
 from exoid.mismatch.evidence.location import Location
 from exoid.mismatch.evidence.prediction import Proof
 from exoid.mismatch.evidence.proof import proof
@@ -59,7 +59,7 @@ def concluded(
     bias = gyro_bias(best, measure)
     sure = tuple(term for term in best.candidate.terms if term in prepared.common)
     named = best.candidate.terms and not formula
-    equal = fewest(equivalents(found, best), best) if named else []
+    equal = equivalents(found, best) if named else []
     certain = asserted(best, equal) if named else sure
     repeated = included(found, certain, best, formula, seed)
     verdict, reasons = judge(found, best, shown, repeated)

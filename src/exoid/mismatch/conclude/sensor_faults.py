@@ -27,11 +27,11 @@ def with_faults_told(found: Found, best: Optimum) -> tuple[Found, Optimum]:
     prepared = found.prepared
     if not prepared.common:
         return found, best
-    plain = without(found.base.candidate, prepared.common)
+    plain = found.base.candidate.without(prepared.common)
     base = settle_free(prepared, plain)
     unneeded = [term for term in prepared.common if not matters(found, best, term)]
     if unneeded:
-        fewer = without(best.candidate, unneeded)
+        fewer = best.candidate.without(unneeded)
         best = settle_free(prepared, fewer) if fewer.terms else base
     each = [found.base, *found.singles, *found.pairs, *others(found, best)]
     each = best_of([one for one in each if one.candidate.terms != best.candidate.terms])
@@ -86,17 +86,6 @@ def in_place(mine: Hypothesis, other: type[Term]) -> Hypothesis:
 
 def swapped(mine: Hypothesis, common: list[type[Term]], others: tuple[type[Term], ...]):
     """The candidate with other errors of sensors, from none of their own size."""
-    kept = without(mine, common)
+    kept = mine.without(common)
     values = [np.zeros(len(list(declarations(term)))) for term in others]
     return replace(kept, terms=(*others, *kept.terms), values=(*values, *kept.values))
-
-
-def without(candidate: Hypothesis, some) -> Hypothesis:
-    """The candidate without some of its terms."""
-    kept = [
-        (term, value)
-        for term, value in zip(candidate.terms, candidate.values, strict=True)
-        if term not in some
-    ]
-    terms, values = tuple(term for term, _ in kept), tuple(value for _, value in kept)
-    return replace(candidate, terms=terms, values=values, linear=None)

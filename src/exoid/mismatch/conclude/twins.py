@@ -13,17 +13,6 @@ from exoid.physics.term import Term, name_of
 MOST = 8  # sets that are named: three causes that have a twin each
 
 
-def fewest(equal: list[Optimum], best: Optimum) -> list[Optimum]:
-    """The best first, then those of which no part is alike, too: what is added is not needed."""
-    sets = [{*one.candidate.terms} for one in equal]
-    rest = zip(equal, sets, strict=True)
-    return [best, *(one for one, mine in rest if one is not best and not has_part(mine, sets))]
-
-
-def has_part(mine: set[type[Term]], sets: list[set[type[Term]]]) -> bool:
-    return any(other < mine for other in sets)
-
-
 def named_alike(prepared: PreparedRecording, equal: list[Optimum]) -> list[str]:
     """Sets of causes that are alike, and each again by its exact twins: names joined by " + "."""
     known = [names(one) for one in equal]

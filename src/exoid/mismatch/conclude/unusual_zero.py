@@ -9,15 +9,14 @@ from dataclasses import replace
 
 import numpy as np
 
-from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.mismatch.conclude.numbers import CERTAIN, covariance
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
-from exoid.mismatch.screen.optimise import polished, settle_free
+from exoid.mismatch.screen.optimise import settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import Found
 from exoid.mismatch.search.rank import by_evidence
-from exoid.mismatch.search.search import REACH, applies
-from exoid.mismatch.search.several import beside
+from exoid.mismatch.search.search import applies
+from exoid.mismatch.search.several import REACH, beside, simulated
 from exoid.physics.sensing.angle_offset import AngleOffset
 
 RIVALS = 4  # of the other causes, each with and without the zero
@@ -45,7 +44,7 @@ def as_a_term(found: Found, best: Optimum) -> tuple[Found, Optimum]:
     ]
     instead = in_its_place(declared, best)
     plain += instead
-    named = [settle_free(declared, with_term(one.candidate)) for one in (best, *rivals)]
+    named = [settle_free(declared, with_zero_told(one.candidate)) for one in (best, *rivals)]
     alone = [one for one in (*named, *plain) if len(one.candidate.terms) == 1]
     joint = [one for one in (*named, *plain) if len(one.candidate.terms) > 1]
     measure = found.yardstick
@@ -65,14 +64,13 @@ def in_its_place(declared: PreparedRecording, best: Optimum) -> list[Optimum]:
     others = [one for one in declared.library if applies(declared, one) and one is not AngleOffset]
     seen = beside(declared, others, without_zero(best.candidate))
     near = [one.candidate for one in seen if one.square < REACH * best.square][:INSTEAD]
-    return side_by_side(lambda one: polished(declared, one), near)
+    return simulated(declared, near, np.inf)
 
 
 def without_zero(candidate: Hypothesis) -> Hypothesis:
     return replace(candidate, zero=np.array([candidate.zero[0], 0.0]), linear=None)
 
 
-def with_term(candidate: Hypothesis) -> Hypothesis:
+def with_zero_told(candidate: Hypothesis) -> Hypothesis:
     """The candidate with its zero as a term."""
-    start, value = without_zero(candidate), candidate.zero[1:]
-    return replace(start, terms=(*start.terms, AngleOffset), values=(*start.values, value))
+    return without_zero(candidate).with_term(AngleOffset, candidate.zero[1:])

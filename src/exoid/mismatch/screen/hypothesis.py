@@ -1,5 +1,6 @@
 """What may explain a recording: terms of the library with their values, and a leg with them."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
@@ -63,6 +64,20 @@ class Hypothesis:
     def unknowns(self) -> np.ndarray:
         """Everything a fit may change, in one row."""
         return np.concatenate([self.point, self.zero, *self.values])
+
+    def with_term(
+        self, term: type[Term], value: np.ndarray, linear: Linear | None = None
+    ) -> "Hypothesis":
+        """One term more."""
+        terms, values = (*self.terms, term), (*self.values, value)
+        return replace(self, terms=terms, values=values, linear=linear)
+
+    def without(self, some: Sequence[type[Term]]) -> "Hypothesis":
+        """None of these terms."""
+        each = zip(self.terms, self.values, strict=True)
+        kept = [(term, value) for term, value in each if term not in some]
+        terms, values = tuple(term for term, _ in kept), tuple(value for _, value in kept)
+        return replace(self, terms=terms, values=values, linear=None)
 
     def at(self, unknowns: np.ndarray) -> "Hypothesis":
         """The same terms elsewhere."""

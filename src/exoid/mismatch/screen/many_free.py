@@ -25,15 +25,7 @@ def release(
     observation = prepared.seen if observation is None else observation
     size = observation.time.shape[1]
     at = prepared.coordinates(candidate)
-    gram, shown = run(prepared, candidate, (at.own, observation, prepared.problem.known))
-    return prepared.products(candidate, gram), shown[:, :size]
-
-
-def run(prepared: PreparedRecording, candidate: Hypothesis, rows: tuple) -> tuple:
-    """The program on segments: what they own, their observation, and what is known of them."""
-    own, observation, known = rows
-    at, count = prepared.coordinates(candidate), len(observation.time)
-    every = (own, prolonged(observation, observation.time.shape[1]), known)
+    every = (at.own, prolonged(observation, size), prepared.problem.known)
     static, steps = (candidate.terms, prepared.problem.chain), np.asarray(prepared.problem.steps)
 
     def group(part):
@@ -43,7 +35,8 @@ def run(prepared: PreparedRecording, candidate: Hypothesis, rows: tuple) -> tupl
         return called("exoid.mismatch.screen.free_run:release", arguments, static, RELEASED)
 
     found = side_by_side(group, grouped(every, GROUP))
-    return tuple(np.concatenate(each)[:count] for each in zip(*found, strict=True))
+    gram, shown = (np.concatenate(each)[: prepared.segments] for each in zip(*found, strict=True))
+    return prepared.products(candidate, gram), shown[:, :size]
 
 
 def prolonged(observation: Observation, size: int) -> Observation:

@@ -7,6 +7,7 @@ from itertools import product
 import jax
 import numpy as np
 
+from exoid.fitting.data.movement import all_driven
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.data.size_of_rig import scale_of
 from exoid.fitting.misfit.neighbourhood import columns
@@ -165,8 +166,8 @@ class PreparedRecording:
         lower, upper = np.full(size, -np.inf), np.full(size, np.inf)
         inertia = self.log_inertia / float(TYPICAL.shared.log_inertia)
         free = -np.inf if self.rig else 0.0  # of the stiffness
-        driven = all(each.kind == "measured" for each in self.problem.movements)
-        pull = -np.inf if self.rig and driven else 0.0  # an axis may point anywhere
+        axis = self.rig and all_driven(self.problem.movements)  # which may point anywhere
+        pull = -np.inf if axis else 0.0
         least = Shared(*map(np.asarray, (inertia - FARTHEST, pull, free, 0.0)))
         at = np.ravel(jax.tree.leaves(self.numbers.shared))
         lower[at] = jax.tree.leaves(least)

@@ -23,7 +23,7 @@ from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.screen.race import raced
 from exoid.mismatch.search.found import Found, best_of, size, sound
 from exoid.mismatch.search.rank import by_evidence
-from exoid.mismatch.search.several import several, with_one_more
+from exoid.mismatch.search.several import REACH, several, simulated, with_one_more
 from exoid.mismatch.search.variants import (
     nested,
     pairs,
@@ -32,12 +32,10 @@ from exoid.mismatch.search.variants import (
     twins,
     unwatched,
     with_common,
-    with_term,
 )
 from exoid.physics.term import Term
 
 SHORT = 4  # candidates that run free, by what they explain pinned
-REACH = 3.0  # times the best, within which running free may change the order
 ROUNDS = 8  # of pinned steps; what is close by then is brought to its end running free
 PAIR_ROUNDS = 6
 FALSE = 0.5  # of the baseline's square, below which another valley makes it a false one
@@ -54,7 +52,7 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
     known = given(prepared, begin)
     told(f"testing {len(usable)} candidates")
     starts = [
-        with_term(begin, term, value, known) for term in usable for value in prepared.starts(term)
+        begin.with_term(term, value, known) for term in usable for value in prepared.starts(term)
     ]
     first = best_of(settle(prepared, starts, rounds=ROUNDS))
     failed = [one.candidate.terms[-1] for one in first if not sound(one)]
@@ -62,16 +60,16 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
     told("simulating the best of them")
     likely = shortlist(ranked)
     likely += unwatched(prepared, [one for one in ranked if one not in likely], base)
-    singles = simulated(prepared, likely)
+    singles = led_free(prepared, likely)
     singles += [*twins(prepared, singles, singles), *nested(prepared, singles, of_all(singles))]
     truer = truer_baseline(prepared, base, least(*singles))
     if truer is not None:
         return look(prepared, truer, told)
     measure = yardstick(prepared, least(base, *singles))
     singles = by_evidence(singles, base, measure)
-    beside = suspected_sensors(prepared, base, singles)
-    sensors = [one for one in beside if len(one.candidate.terms) > 1]
-    alone = [one for one in beside if len(one.candidate.terms) == 1]
+    suspected = suspected_sensors(prepared, base, singles)
+    sensors = [one for one in suspected if len(one.candidate.terms) > 1]
+    alone = [one for one in suspected if len(one.candidate.terms) == 1]
     singles = by_evidence([*singles, *alone], base, measure)
     found = Found(prepared, base, begin, singles, sensors, ranked, failed, measure)
     found = with_strikes(found, starts, told)
@@ -107,7 +105,7 @@ def with_sets(found: Found, usable: list[type[Term]], told: Told) -> Found:
     seconds = pairs(prepared, found.pinned, found.singles)
     both = ordered(best_of(settle(prepared, seconds, rounds=PAIR_ROUNDS)))
     told("simulating the best pairs")
-    joint = [*simulated(prepared, shortlist(both)), *found.pairs]
+    joint = [*led_free(prepared, shortlist(both)), *found.pairs]
     for best in ordered(joint)[:1]:
         if not enough(prepared, best.square):
             told("testing three causes and more")
@@ -124,9 +122,10 @@ def with_sets(found: Found, usable: list[type[Term]], told: Told) -> Found:
     return replace(found, singles=singles, pairs=joint, yardstick=measure, glimpsed=tuple(both))
 
 
-def simulated(prepared: PreparedRecording, pinned: list[Optimum]) -> list[Optimum]:
+def led_free(prepared: PreparedRecording, pinned: list[Optimum]) -> list[Optimum]:
     """Running free from where they came pinned, the best first."""
-    return side_by_side(lambda one: polished(prepared, one.candidate, pinned[0].square), pinned)
+    rival = pinned[0].square if pinned else np.inf
+    return simulated(prepared, [one.candidate for one in pinned], rival)
 
 
 def with_strikes(found: Found, starts: list[Hypothesis], told: Told) -> Found:

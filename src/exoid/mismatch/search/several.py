@@ -15,7 +15,7 @@ MOST = 4  # causes of one recording
 NEXT = 3  # further causes that run free beside those at hand
 ROUNDS = 6  # of pinned steps
 SLOTS = 2  # causes that the pinned program works out at once
-REACH = 3.0  # times what the set leaves, within which running free may change the order
+REACH = 3.0  # times the best, within which running free may change the order
 
 
 def several(prepared: PreparedRecording, usable: list[type[Term]], best: Optimum) -> list[Optimum]:
@@ -26,7 +26,7 @@ def several(prepared: PreparedRecording, usable: list[type[Term]], best: Optimum
     found, measure = [], yardstick(prepared, best)
     for steps in (with_one_more, with_another):
         while not enough(prepared, best.square):
-            wider = simulated(prepared, steps(prepared, usable, best), best)
+            wider = simulated(prepared, steps(prepared, usable, best), best.square)
             better = min([best, *wider], key=lambda one: one.square)
             measure = yardstick(prepared, better)
             if not measure.clear(best.square, better.square, max(size(better) - size(best), 1)):
@@ -35,15 +35,13 @@ def several(prepared: PreparedRecording, usable: list[type[Term]], best: Optimum
             best = better
     if not found:
         return []
-    rivals = simulated(prepared, with_another(prepared, usable, best), best)
+    rivals = simulated(prepared, with_another(prepared, usable, best), best.square)
     return [*found, *rivals, *without_one(prepared, best)]
 
 
-def simulated(
-    prepared: PreparedRecording, starts: list[Hypothesis], best: Optimum
-) -> list[Optimum]:
-    """Running free, as far as they come near the best."""
-    each = side_by_side(lambda start: polished(prepared, start, best.square), starts)
+def simulated(prepared: PreparedRecording, starts: list[Hypothesis], rival: float) -> list[Optimum]:
+    """Running free, as far as they come near what a rival leaves."""
+    each = side_by_side(lambda start: polished(prepared, start, rival), starts)
     return list(filter(sound, each))
 
 
@@ -53,7 +51,7 @@ def without_one(prepared: PreparedRecording, best: Optimum) -> list[Optimum]:
     if len(best.candidate.terms) <= SLOTS + 1:
         seen = settle(prepared, fewer, rounds=ROUNDS)
         fewer = [one.candidate for one in seen if one.square < REACH * best.square]
-    return simulated(prepared, fewer, best)
+    return simulated(prepared, fewer, best.square)
 
 
 def with_one_more(
@@ -96,7 +94,7 @@ def beside(
         return []
     effect = given(prepared, known)
     starts = [
-        replace(known, terms=(*known.terms, term), values=(*known.values, value), linear=effect)
+        known.with_term(term, value, effect)
         for term in usable
         for value in prepared.starts(term)
         if term not in known.terms
@@ -108,12 +106,4 @@ def beside(
 
 def with_one_less(candidate: Hypothesis, first: int) -> list[Hypothesis]:
     """The candidate without each of its causes in turn, from the one in place `first` on."""
-    return [
-        replace(
-            candidate,
-            terms=candidate.terms[:out] + candidate.terms[out + 1 :],
-            values=candidate.values[:out] + candidate.values[out + 1 :],
-            linear=None,
-        )
-        for out in range(first, len(candidate.terms))
-    ]
+    return [candidate.without([term]) for term in candidate.terms[first:]]

@@ -24,7 +24,7 @@ def reduced(prepared: PreparedRecording, joint: list[Optimum]) -> list[Optimum]:
     """Each term of a pair alone again, from where the pair is: is the other one needed?"""
     first = len(prepared.common)
     return [
-        polished(prepared, with_term(with_common(prepared, one.candidate), term, value), one.square)
+        polished(prepared, with_common(prepared, one.candidate).with_term(term, value), one.square)
         for one in joint
         for term, value in list(zip(one.candidate.terms, one.candidate.values, strict=True))[first:]
     ]
@@ -35,14 +35,6 @@ def with_common(prepared: PreparedRecording, candidate: Hypothesis) -> Hypothesi
     count = len(prepared.common)
     terms, values = candidate.terms[:count], candidate.values[:count]
     return replace(candidate, terms=terms, values=values, linear=None)
-
-
-def with_term(
-    candidate: Hypothesis, term: type[Term], value: np.ndarray, linear: Linear | None = None
-) -> Hypothesis:
-    """The candidate with one term more."""
-    terms, values = (*candidate.terms, term), (*candidate.values, value)
-    return replace(candidate, terms=terms, values=values, linear=linear)
 
 
 def twins(prepared: PreparedRecording, some: list[Optimum], known: list[Optimum]) -> list[Optimum]:
@@ -148,7 +140,7 @@ def pairs(
     for number, (first, known) in enumerate(zip(firsts, found, strict=True)):
         done = {one.terms[-1] for one in firsts[: number + 1]}
         made += [
-            with_term(first, second.candidate.terms[-1], value, known)
+            first.with_term(second.candidate.terms[-1], value, known)
             for second in ranked
             for value in prepared.starts(second.candidate.terms[-1])
             if second.candidate.terms[-1] not in done and known is not None

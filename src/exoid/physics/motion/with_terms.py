@@ -98,9 +98,7 @@ def whole_step(
     place: SegmentConstants, terms: Terms, motion: Motion, time: Any, step: Any, drive: Drive
 ) -> Motion:
     pushes = {0.0: drive.begin, 0.5: drive.middle, 1.0: drive.end}
-    dry = sticky(terms)
-
-    free = jnp.ones(())
+    dry, free = sticky(terms), jnp.ones(())
 
     def rate(at: Motion, part: float) -> Motion:
         return slopes(place, terms, at, time + part * step, pushes[part], free)
@@ -190,7 +188,7 @@ def observed(
 
 def errors(terms: Terms, now: Moment, memory: tuple[Array, ...]) -> Reading:
     """What the sensors show minus how the leg moves."""
-    each = (term.shown(now, own) for term, own in zip(terms, memory, strict=True))
+    each = [term.shown(now, own) for term, own in zip(terms, memory, strict=True)]
     return sum(each, reading(jnp.zeros_like(now.angle)))
 
 

@@ -176,7 +176,7 @@ def how_sure(found: Diagnosis) -> str:
 def suspected(found: Diagnosis) -> str:
     """What explains most of it, and how much."""
     first = [one for one in (*found.singles, *found.pairs) if one.terms][:SUSPECTS]
-    return ", ".join(f"{' + '.join(one.terms)}".replace("_", " ") for one in first) + "."
+    return ", ".join(" + ".join(one.terms).replace("_", " ") for one in first) + "."
 
 
 def remains(found: Diagnosis) -> str:

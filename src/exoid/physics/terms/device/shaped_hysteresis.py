@@ -5,6 +5,7 @@ import jax.numpy as jnp
 from exoid.physics.moment import Moment
 from exoid.physics.parameter import Parameter, parameter
 from exoid.physics.term import Memory, PhysicsTerm, Scalar
+from exoid.physics.terms.tissue.hysteresis import loaded
 
 FARTHEST = 1e3  # of z, where it does not yield
 
@@ -35,9 +36,7 @@ class ShapedHysteresis(PhysicsTerm):
         return -self.level * memory[0]
 
     def memory_rate(self, now: Moment, memory: Memory) -> Memory:
-        velocity, z = now.angular_velocity, memory[0]
-        yielding = (jnp.abs(velocity) * z + self.shape * velocity * jnp.abs(z)) / 2
-        return ((velocity - yielding) / self.yield_angle)[None]
+        return loaded(now.angular_velocity, memory, self.shape) / self.yield_angle
 
     def memory_within(self, now: Moment, memory: Memory) -> Memory:
         farthest = 2 / jnp.maximum(1 + self.shape, 2 / FARTHEST)

@@ -28,9 +28,12 @@ class Hysteresis(PhysicsTerm):
         return -self.level * memory[0]
 
     def memory_rate(self, now: Moment, memory: Memory) -> Memory:
-        velocity, z = now.angular_velocity, memory[0]
-        yielding = (jnp.abs(velocity) * z + velocity * jnp.abs(z)) / 2
-        return ((velocity - yielding) / self.yield_angle)[None]
+        return loaded(now.angular_velocity, memory, 1.0) / self.yield_angle
 
     def memory_within(self, now: Moment, memory: Memory) -> Memory:
         return jnp.clip(memory, -1.0, 1.0)
+
+
+def loaded(velocity: Scalar, memory: Memory, shape: Scalar | float) -> Memory:
+    """phi_y z' of a Bouc-Wen element that yields, or hardens, by its shape r."""
+    return velocity - (jnp.abs(velocity) * memory + shape * velocity * jnp.abs(memory)) / 2
