@@ -14,8 +14,10 @@ from exoid.mismatch.evidence.yardstick import Yardstick
 from exoid.mismatch.missing_physics import for_inertia, noise_alone
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum, Products
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
+from exoid.mismatch.search.challenge import as_near
 from exoid.mismatch.search.found import Found
 from exoid.physics.parameter import declarations
+from exoid.physics.terms.device.backlash import Backlash
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.physics.terms.device.cuff_compliance import CuffCompliance
 from exoid.physics.terms.device.quadratic_drag import QuadraticDrag
@@ -89,10 +91,21 @@ def test_a_cause_that_is_not_needed_takes_nothing_from_the_best():
     assert equivalents(found_of([best], [wider]), best) == [best]
 
 
-def test_where_noise_is_not_reached_what_was_only_seen_at_first_sight_counts():
+def test_where_noise_is_not_reached_what_came_as_near_at_first_sight_is_asked_again():
     best, seen = explaining(20_000.0, CoulombFriction), explaining(25_000.0, CoulombFriction)
-    rival = explaining(26_000.0, QuadraticDrag)
-    assert certain_of(found_of([best], pinned=[seen, rival]), best) == ()
+    near, far = explaining(26_000.0, QuadraticDrag), explaining(90_000.0, TorqueBias)
+    found = found_of([best], pinned=[seen, near, far])
+    assert as_near(found, best) == [near]
+    assert as_near(found_of([best, near], pinned=[seen, near, far]), best) == []
+
+
+@pytest.mark.parametrize(("friction", "certain"), [(0.2, (CoulombFriction,)), (0.0, ())])
+def test_a_frame_that_rubs_has_dry_friction_however_far_its_play_reaches(friction, certain):
+    best = explaining(1000.0, CoulombFriction)
+    value = np.array([0.03, 0.01, 1.0, friction, 0.0, 0.01, 0.7])
+    play = explaining(960.0, Backlash)  # its six parameters more are worth 41
+    play = replace(play, candidate=replace(play.candidate, values=(value,)))
+    assert certain_of(found_of([best, play]), best) == certain
 
 
 def test_nothing_is_certain_where_the_baseline_leaves_hardly_more():

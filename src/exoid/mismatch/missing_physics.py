@@ -30,6 +30,7 @@ from exoid.mismatch.prepare import prepare
 from exoid.mismatch.screen.effect import named as named_values
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import settle_free
+from exoid.mismatch.search.challenge import challenged
 from exoid.mismatch.search.found import Found, Workings, size
 from exoid.mismatch.search.search import look
 from exoid.physics.library import library
@@ -197,7 +198,7 @@ def asked(
 ) -> Diagnosis:
     """What is missing in a fit."""
     prepared, base = prepare(result, named, terms)
-    found = look(prepared, base, told)
+    found = challenged(look(prepared, base, told))
     told("proving it on held-out data")
     chosen = choose(found)
     formula = None

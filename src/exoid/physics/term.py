@@ -66,6 +66,10 @@ class Term(eqx.Module):
         """The size of the term named `same_torque` on a leg of this stiffness [N m/rad]."""
         return size
 
+    def includes(self) -> str:
+        """The name of another term that is a part of this one at these values."""
+        return ""
+
     def torque(self, now: Moment, memory: Memory) -> Scalar:
         """The missing torque [N m], extension positive."""
         return jnp.zeros(())

@@ -1,5 +1,6 @@
 """What is certain: the causes that every explanation has which this recording cannot tell apart."""
 
+from exoid.mismatch.screen.effect import named
 from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.search.found import Found
 from exoid.mismatch.search.rank import alike, simpler_form
@@ -9,29 +10,13 @@ from exoid.physics.term import Term, name_of
 def equivalents(found: Found, best: Optimum) -> list[Optimum]:
     """The explanations that this recording cannot tell from the best, itself first.
 
-    One that only adds to another what is not needed is no other. Where noise is not reached, what
-    was only seen along the measured motion counts, too.
+    One that only adds to another what is not needed is no other.
     """
     simulated, measure = [*found.singles, *found.pairs], found.yardstick
     top = max(simulated, key=found.evidence)
     rivals = [one for one in (found.base, *simulated) if alike(one, top, measure)]
-    if not measure.explains(best.square):
-        rivals += glimpsed(found, best, simulated)
     every = [best, *(one for one in rivals if one is not best)]
     return [best, *(one for one in every[1:] if not any(holds_all(one, less) for less in every))]
-
-
-def glimpsed(found: Found, best: Optimum, simulated: list[Optimum]) -> list[Optimum]:
-    """Those like the best that were not simulated, all of them along the measured motion."""
-    seen = {one.candidate.terms: one for one in (*found.pinned, *found.glimpsed)}
-    own = seen.get(best.candidate.terms)
-    if own is None:
-        return []
-    for one in simulated:
-        seen.pop(one.candidate.terms, None)
-    measure = found.yardstick
-    both = (own, best)  # a leg that sticks is smeared along a motion
-    return [one for one in seen.values() if all(alike(one, each, measure) for each in both)]
 
 
 def asserted(best: Optimum, equal: list[Optimum]) -> tuple[type[Term], ...]:
@@ -46,7 +31,12 @@ def holds_all(one: Optimum, less: Optimum) -> bool:
 
 
 def has(one: Optimum, cause: type[Term]) -> bool:
-    return any(same_cause(term, cause) for term in one.candidate.terms)
+    """Is one of its terms this cause, or does one include it at the values that it has?"""
+    each = zip(one.candidate.terms, one.candidate.values, strict=True)
+    return any(
+        same_cause(term, cause) or named(term, value).includes() == name_of(cause)
+        for term, value in each
+    )
 
 
 def same_cause(one: type[Term], other: type[Term]) -> bool:

@@ -119,3 +119,8 @@ class Optimum:
     @property
     def square(self) -> float:
         return self.products.square
+
+    @property
+    def sound(self) -> bool:
+        """Are its sum of squares and all derivatives finite?"""
+        return bool(np.isfinite(self.products.total).all())

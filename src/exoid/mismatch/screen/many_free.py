@@ -13,6 +13,7 @@ from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.screen.segment_groups import grouped
 
 GROUP = 4  # segments of a program, so that one serves every recording
+BUSY = 8  # steps within a step, from which on one segment is enough for a processor
 LEAST = 1024  # samples of it, or twice as many, and so on
 TABLE = np.zeros((1, 1, 1))
 RELEASED = jax.tree.structure((TABLE, TABLE))
@@ -26,17 +27,24 @@ def release(
     size = observation.time.shape[1]
     at = prepared.coordinates(candidate)
     every = (at.own, prolonged(observation, size), prepared.problem.known)
-    static, steps = (candidate.terms, prepared.problem.chain), np.asarray(prepared.problem.steps)
+    static = (candidate.terms, prepared.problem.chain)
+    busy = any(term.substeps > BUSY for term in candidate.terms)
 
     def group(part):
         own, *surroundings = part
-        point = replace(at, own=own)
+        point, steps = replace(at, own=own), np.asarray(last_of(surroundings[0]))
         arguments = (candidate.values, point, candidate.zero, *surroundings, steps)
         return called("exoid.mismatch.screen.free_run:release", arguments, static, RELEASED)
 
-    found = side_by_side(group, grouped(every, GROUP))
+    found = side_by_side(group, grouped(every, 1 if busy else GROUP))
     gram, shown = (np.concatenate(each)[: prepared.segments] for each in zip(*found, strict=True))
     return prepared.products(candidate, gram), shown[:, :size]
+
+
+def last_of(observation: Observation) -> int:
+    """The last sample that weighs anything: no simulation goes on behind it."""
+    weight = np.asarray(observation.angle_weight) + np.asarray(observation.velocity_weight)
+    return int(np.flatnonzero(weight.any(axis=0)).max(initial=1))
 
 
 def prolonged(observation: Observation, size: int) -> Observation:

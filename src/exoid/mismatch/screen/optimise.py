@@ -75,7 +75,7 @@ def polished(prepared: PreparedRecording, start: Hypothesis, rival: float = np.i
     and the gyro comes in by and by.
     """
     if strikes(start):
-        start = settle_free(prepared, start, by_encoder(prepared)).candidate
+        start = settle_free(prepared, start, by_encoder(prepared), rival=rival).candidate
         for share in SHARES:
             eased = by_encoder(prepared, share)
             start = settle_free(prepared, start, eased, rounds=FEWER_ROUNDS).candidate

@@ -1,33 +1,50 @@
-"""A candidate from many starts at once, where they lead into different valleys."""
+"""Candidates against each other: many of them, or many starts of one, where valleys differ."""
 
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
 
+from exoid.fitting.data.observation import Observation
 from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import ROUNDS, by_encoder, polished, settle_free, strikes
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 
-HEAT, FINALISTS = 10, 2  # rounds in which starts race, and how many of them go on
+EARLY = 1.2  # s of every segment, in which starts race: later on valleys are narrower
+HEAT, FINALISTS = 12, 2  # rounds of that race, and how many go on from it
 
 
-def raced(prepared: PreparedRecording, starts: list[Hypothesis]) -> Optimum:
-    """Running free from the best of several starts: all go a few rounds, the first of them to an
-    end, and the winner there on to the best of all.
+def raced(prepared: PreparedRecording, starts: list[Hypothesis], rival: float = np.inf) -> Optimum:
+    """Running free from the best of several starts: all race along the first instants, the first of
+    them along all that was seen, and the winner there goes on to the best of all.
 
     What strikes and sticks has many valleys, and a level that is far too low or too high leads into
-    a false one.
+    a false one. With every strike that went before, they grow narrower. `rival` is what another
+    candidate leaves.
     """
-    for rounds, left in ((HEAT, FINALISTS), (ROUNDS, 1)):
+    led = by_encoder(prepared) if any(map(strikes, starts)) else prepared.seen
+    for seen, rounds, left in ((early(led), HEAT, FINALISTS), (led, ROUNDS, 1)):
         if len(starts) > left:
-            heats = side_by_side(partial(heat, prepared, rounds), starts)
-            heats.sort(key=lambda one: one.square if np.isfinite(one.square) else np.inf)
+            heat = partial(settle_free, prepared, observation=seen, rounds=rounds, rival=rival)
+            heats = sorted(side_by_side(heat, starts), key=left_of)
             starts = [one.candidate for one in heats[:left]]
-    return polished(prepared, starts[0])
+    return polished(prepared, starts[0], rival)
 
 
-def heat(prepared: PreparedRecording, rounds: int, start: Hypothesis) -> Optimum:
-    """A few rounds from a start, led by what leads past walls."""
-    led = by_encoder(prepared) if strikes(start) else None
-    return settle_free(prepared, start, led, rounds=rounds)
+def simulated(prepared: PreparedRecording, starts: list[Hypothesis], rival: float) -> list[Optimum]:
+    """Running free, each from one start, as far as they come near what a rival leaves."""
+    each = side_by_side(lambda start: polished(prepared, start, rival), starts)
+    return [one for one in each if one.sound]
+
+
+def left_of(one: Optimum) -> float:
+    """Its sum of squares, of no use where it is not finite."""
+    return one.square if np.isfinite(one.square) else np.inf
+
+
+def early(seen: Observation) -> Observation:
+    """Its first instants."""
+    soon = seen.time < seen.time[:, :1] + EARLY
+    angle, velocity = seen.angle_weight * soon, seen.velocity_weight * soon
+    return replace(seen, angle_weight=angle, velocity_weight=velocity)

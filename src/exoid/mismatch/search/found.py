@@ -2,8 +2,6 @@
 
 from dataclasses import dataclass
 
-import numpy as np
-
 from exoid.mismatch.evidence.yardstick import Yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
@@ -49,11 +47,6 @@ class Workings:
 def size(one: Optimum) -> int:
     """How many parameters its terms have."""
     return sum(value.size for value in one.candidate.values)
-
-
-def sound(one: Optimum) -> bool:
-    """Are its sum of squares and all derivatives finite?"""
-    return bool(np.isfinite(one.products.total).all())
 
 
 def best_of(settled: list[Optimum]) -> list[Optimum]:

@@ -4,7 +4,7 @@ import numpy as np
 
 from exoid.mismatch.evidence.yardstick import APART, Yardstick
 from exoid.mismatch.screen.hypothesis import Optimum
-from exoid.mismatch.search.found import best_of, size, sound
+from exoid.mismatch.search.found import best_of, size
 from exoid.physics.parameter import declarations
 from exoid.physics.term import SensorTerm, Term
 
@@ -13,7 +13,7 @@ def by_evidence(settled: list[Optimum], base: Optimum, measure: Yardstick) -> li
     """The best first; of those that noise alone may tell apart, and of its own simpler forms that
     are alike, the simplest first.
     """
-    known = best_of(list(filter(sound, settled)))
+    known = best_of([one for one in settled if one.sound])
     known.sort(key=lambda one: measure.evidence(base.square, one.square, size(one)), reverse=True)
 
     def order(one: Optimum) -> float:

@@ -20,10 +20,10 @@ from exoid.mismatch.screen.optimise import (
     strikes,
 )
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
-from exoid.mismatch.screen.race import raced
-from exoid.mismatch.search.found import Found, best_of, size, sound
+from exoid.mismatch.screen.race import raced, simulated
+from exoid.mismatch.search.found import Found, best_of, size
 from exoid.mismatch.search.rank import by_evidence
-from exoid.mismatch.search.several import REACH, several, simulated, with_one_more
+from exoid.mismatch.search.several import REACH, several, with_one_more
 from exoid.mismatch.search.variants import (
     nested,
     pairs,
@@ -55,7 +55,7 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
         begin.with_term(term, value, known) for term in usable for value in prepared.starts(term)
     ]
     first = best_of(settle(prepared, starts, rounds=ROUNDS))
-    failed = [one.candidate.terms[-1] for one in first if not sound(one)]
+    failed = [one.candidate.terms[-1] for one in first if not one.sound]
     ranked = ordered(first)
     told("simulating the best of them")
     likely = shortlist(ranked)
@@ -132,27 +132,24 @@ def with_strikes(found: Found, starts: list[Hypothesis], told: Told) -> Found:
     """The same with what no look along a motion shows, as what strikes, unless hardly more than
     noise is left.
     """
-    prepared, base, measure = found.prepared, found.base, found.yardstick
-    if measure.explains(least(base, *found.singles).square):
+    base, measure = found.base, found.yardstick
+    best = least(base, *found.singles)
+    if measure.explains(best.square):
         return found
     told("simulating what acts for moments only")
     striking = [one for one in found.pinned if strikes(one.candidate)]
-    more = side_by_side(lambda one: found_anyhow(prepared, base, one, starts), striking)
+    more = side_by_side(lambda one: found_anyhow(found, one, starts, best.square), striking)
     return replace(found, singles=by_evidence([*found.singles, *more], base, measure))
 
 
-def found_anyhow(
-    prepared: PreparedRecording, base: Optimum, one: Optimum, starts: list[Hypothesis]
-) -> Optimum:
+def found_anyhow(found: Found, one: Optimum, starts: list[Hypothesis], rival: float) -> Optimum:
     """Running free from where it came pinned, and from all its `starts` where that led nowhere or
     may have: what acts for a few samples only, such as a stop, is not seen along a motion with
     noise, nor is a leg within the play of the frame that carries the sensors.
     """
-    led = [one.candidate] if one.square < base.square else []
-    if led and not strikes(one.candidate):
-        return polished(prepared, one.candidate)
+    led = [one.candidate] if one.square < found.base.square else []
     own = [start for start in starts if start.terms == one.candidate.terms]
-    return raced(prepared, [*led, *own])
+    return raced(found.prepared, [*led, *own], rival)
 
 
 def beginning(prepared: PreparedRecording, base: Optimum) -> Hypothesis:
@@ -190,7 +187,7 @@ def least(*settled: Optimum) -> Optimum:
 
 def ordered(settled: list[Optimum]) -> list[Optimum]:
     """The sound ones, by what they leave."""
-    return sorted(filter(sound, settled), key=lambda one: one.square)
+    return sorted((one for one in settled if one.sound), key=lambda one: one.square)
 
 
 def shortlist(ranked: list[Optimum]) -> list[Optimum]:

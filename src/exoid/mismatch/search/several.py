@@ -2,12 +2,12 @@
 
 from dataclasses import replace
 
-from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.mismatch.evidence.measure import yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
-from exoid.mismatch.screen.optimise import FLOOR, enough, given, polished, settle
+from exoid.mismatch.screen.optimise import FLOOR, enough, given, settle
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
-from exoid.mismatch.search.found import best_of, size, sound
+from exoid.mismatch.screen.race import simulated
+from exoid.mismatch.search.found import best_of, size
 from exoid.physics.library import MOST_PARAMETERS
 from exoid.physics.term import Term
 
@@ -37,12 +37,6 @@ def several(prepared: PreparedRecording, usable: list[type[Term]], best: Optimum
         return []
     rivals = simulated(prepared, with_another(prepared, usable, best), best.square)
     return [*found, *rivals, *without_one(prepared, best)]
-
-
-def simulated(prepared: PreparedRecording, starts: list[Hypothesis], rival: float) -> list[Optimum]:
-    """Running free, as far as they come near what a rival leaves."""
-    each = side_by_side(lambda start: polished(prepared, start, rival), starts)
-    return list(filter(sound, each))
 
 
 def without_one(prepared: PreparedRecording, best: Optimum) -> list[Optimum]:
@@ -99,7 +93,7 @@ def beside(
         for value in prepared.starts(term)
         if term not in known.terms
     ]
-    wider = best_of([one for one in settle(prepared, starts, rounds=ROUNDS) if sound(one)])
+    wider = best_of([one for one in settle(prepared, starts, rounds=ROUNDS) if one.sound])
     first = sorted(wider, key=lambda one: one.square)
     return [replace(one, candidate=replace(one.candidate, linear=None)) for one in first]
 

@@ -8,7 +8,7 @@ import numpy as np
 from exoid.mismatch.screen.hypothesis import Hypothesis, Linear, Optimum
 from exoid.mismatch.screen.many_pinned import linear
 from exoid.mismatch.screen.measured_motion import MeasuredMotion
-from exoid.mismatch.screen.optimise import FLOOR, as_one, polished, settle_free
+from exoid.mismatch.screen.optimise import FLOOR, as_one, polished, settle_free, strikes
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.rank import simpler_form
 from exoid.physics.library import MOST_PARAMETERS
@@ -130,9 +130,19 @@ def put(each: tuple, place: int, other: Any) -> tuple:
 def pairs(
     prepared: PreparedRecording, ranked: list[Optimum], singles: list[Optimum]
 ) -> list[Hypothesis]:
-    """The best single terms, each with every other."""
+    """The best single terms, each with every other.
+
+    Those that ran free come first as they ended there. What strikes is no first but where it is the
+    best: pinned it takes the place of much else.
+    """
     refined = {one.candidate.terms: one for one in singles}
-    best = ranked[:PAIRED]
+    place = {terms: number for number, terms in enumerate(refined)}
+
+    def order(one: Optimum) -> int:
+        return place.get(one.candidate.terms, len(place))
+
+    usable = [one for one in ranked if order(one) == 0 or not strikes(one.candidate)]
+    best = sorted(usable, key=order)[:PAIRED]
     firsts = [refined.get(one.candidate.terms, one).candidate for one in best]
     motions = [one.motion for one in best]
     found = as_given(prepared, firsts, motions)

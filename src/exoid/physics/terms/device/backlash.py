@@ -6,6 +6,7 @@ from exoid.physics.moment import Moment
 from exoid.physics.parameter import Parameter, parameter
 from exoid.physics.term import Memory, PhysicsTerm, Reading, Scalar, reading
 
+FELT = 0.01  # N m, from which on the friction of the hinge is dry friction of what moves
 DEEP = 5e-4  # rad, at which the contact's damper has its full strength
 CLINGS = 1500.0  # rad/s, of a frame that dry friction holds: within 10 urad for 20 rad/s^2
 
@@ -52,6 +53,9 @@ class Backlash(PhysicsTerm):
     damping_ratio: Parameter = parameter(
         "zeta", "1", 0.0, 1.5, "damping ratio of the contact", (0.7,)
     )
+
+    def includes(self) -> str:
+        return "coulomb_friction" if self.hinge_friction > FELT else ""
 
     @property
     def rate(self) -> Scalar:

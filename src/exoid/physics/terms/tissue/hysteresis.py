@@ -6,6 +6,8 @@ from exoid.physics.moment import Moment
 from exoid.physics.parameter import Parameter, parameter
 from exoid.physics.term import Memory, PhysicsTerm, Scalar
 
+SHARPEST = 0.009  # rad, yield angle below which it is dry friction whose contacts bend first
+
 
 class Hysteresis(PhysicsTerm):
     """tau = -F z,  z' = (phi' - (|phi'| z + phi' |z|) / 2) / phi_y."""
@@ -23,6 +25,9 @@ class Hysteresis(PhysicsTerm):
 
     level: Parameter = parameter("F", "N m", 0.0, 50.0, "torque after yielding", (0.1,))
     yield_angle: Parameter = parameter("phi_y", "rad", 0.004, 0.6, "yield angle", (0.03, 0.15))
+
+    def includes(self) -> str:
+        return "coulomb_friction" if self.yield_angle < SHARPEST else ""
 
     def torque(self, now: Moment, memory: Memory) -> Scalar:
         return -self.level * memory[0]

@@ -1,0 +1,45 @@
+"""What came as near as the best along the measured motion: is it a rival where it runs free?"""
+
+from dataclasses import replace
+
+from exoid.mismatch.screen.hypothesis import Optimum
+from exoid.mismatch.screen.optimise import strikes
+from exoid.mismatch.screen.race import simulated
+from exoid.mismatch.search.found import Found
+from exoid.mismatch.search.rank import alike, by_evidence
+
+MOST = 8  # rivals that run free, the nearest first
+
+
+def challenged(found: Found) -> Found:
+    """The same with what could be a rival of the best and was not simulated yet, running free.
+
+    A leg that sticks is smeared along a motion, where nearly everything may look alike.
+    """
+    best = max((found.base, *found.singles, *found.pairs), key=found.evidence)
+    rivals = [one.candidate for one in as_near(found, best)[:MOST]]
+    more = simulated(found.prepared, rivals, best.square)
+    alone = len(found.prepared.common) + 1
+
+    def sorted_with(known: list[Optimum], new: list[Optimum]) -> list[Optimum]:
+        return by_evidence([*known, *new], found.base, found.yardstick) if new else known
+
+    singles = [one for one in more if len(one.candidate.terms) == alone]
+    pairs = [one for one in more if len(one.candidate.terms) > alone]
+    return replace(
+        found,
+        singles=sorted_with(found.singles, singles),
+        pairs=sorted_with(found.pairs, pairs),
+    )
+
+
+def as_near(found: Found, best: Optimum) -> list[Optimum]:
+    """Those like the best along the measured motion that did not run free, the nearest first."""
+    seen = {one.candidate.terms: one for one in (*found.pinned, *found.glimpsed)}
+    own = seen.get(best.candidate.terms)
+    if own is None or found.yardstick.explains(best.square):
+        return []
+    done = {one.candidate.terms for one in (*found.singles, *found.pairs)}
+    left = [one for terms, one in seen.items() if terms not in done and not strikes(one.candidate)]
+    near = [one for one in left if alike(one, own, found.yardstick)]
+    return sorted(near, key=lambda one: one.square)
