@@ -13,10 +13,11 @@ from exoid.mismatch.conclude.numbers import CERTAIN, covariance
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
+from exoid.mismatch.screen.race import simulated
 from exoid.mismatch.search.found import Found
 from exoid.mismatch.search.rank import by_evidence
-from exoid.mismatch.search.search import applies
-from exoid.mismatch.search.several import REACH, beside, simulated
+from exoid.mismatch.search.several import REACH, beside
+from exoid.mismatch.search.variants import applies
 from exoid.physics.sensing.angle_offset import AngleOffset
 
 RIVALS = 4  # of the other causes, each with and without the zero

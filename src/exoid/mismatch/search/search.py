@@ -25,6 +25,7 @@ from exoid.mismatch.search.found import Found, best_of, size
 from exoid.mismatch.search.rank import by_evidence
 from exoid.mismatch.search.several import REACH, several, with_one_more
 from exoid.mismatch.search.variants import (
+    applies,
     nested,
     pairs,
     reduced,
@@ -160,19 +161,6 @@ def beginning(prepared: PreparedRecording, base: Optimum) -> Hypothesis:
     declared = replace(prepared, zero=0.0)
     start = replace(at, zero=at.zero * [1.0, 0.0])
     return settle_free(declared, start, rounds=FEWER_ROUNDS).candidate
-
-
-def applies(prepared: PreparedRecording, term: type[Term]) -> bool:
-    """Can it act here: a voluntary torque, or a gyro?"""
-    if term.living and prepared.rig:
-        return False
-    if term.voluntary:
-        return any(each.voluntary for each in prepared.problem.movements)
-    if term.replaces in prepared.zeros or term in prepared.common:
-        return False
-    if term.everyday:
-        return bool((prepared.seen.velocity_weight > 0).any())
-    return True
 
 
 def of_all(some: list[Optimum]) -> list[type[Term]]:

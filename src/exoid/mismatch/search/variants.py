@@ -20,6 +20,19 @@ BESIDE = 2  # of the best single terms are tried beside what the sensors surely 
 SOFTEST = 1e-3  # N m/rad, of a leg that has a rest angle
 
 
+def applies(prepared: PreparedRecording, term: type[Term]) -> bool:
+    """Can it act here: a voluntary torque, or a gyro?"""
+    if term.living and prepared.rig:
+        return False
+    if term.voluntary:
+        return any(each.voluntary for each in prepared.problem.movements)
+    if term.replaces in prepared.zeros or term in prepared.common:
+        return False
+    if term.everyday:
+        return bool((prepared.seen.velocity_weight > 0).any())
+    return True
+
+
 def reduced(prepared: PreparedRecording, joint: list[Optimum]) -> list[Optimum]:
     """Each term of a pair alone again, from where the pair is: is the other one needed?"""
     first = len(prepared.common)
