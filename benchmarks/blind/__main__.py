@@ -2,6 +2,7 @@
 
 python -m benchmarks.blind                       # all that lie in ../shared/data, where present
 python -m benchmarks.blind --own 50 --seed 0     # our own, simulated
+python -m benchmarks.blind --own 50:100          # the next of them, say on another machine
 """
 
 import argparse
@@ -24,11 +25,14 @@ HERE = Path(__file__).parent
 
 def main() -> None:
     options = parse()
-    begin = f"{options.category or OWN}-" if options.own else ""
+    first, last = options.own
+    begin = f"{options.category or OWN}-" if last else ""
+    begin += f"{first}-" if first else ""
     options.to.mkdir(parents=True, exist_ok=True)
     cases, answers = [], {}
-    cards = deal(options.own, options.seed, options.category)
-    for case, answer in diagnosed_cases(cards, options.seed) if cards else stored_ones(options):
+    cards = list(enumerate(deal(last, options.seed, options.category)))[first:]
+    made = diagnosed_cases(cards, options.seed, options.workers)
+    for case, answer in made if last else stored_ones(options):
         cases.append(case)
         answers[case.name] = answer
         tell(f"[{len(cases)}] {case.name}: {answer.words}  {answer.seconds:.1f} s\n")
@@ -36,7 +40,7 @@ def main() -> None:
         write(given, options.to / f"{begin}answers.json")  # an interrupted run is not lost
     if not cases:
         sys.exit("no case to run: name a --folder, or make some with --own N")
-    if options.own:
+    if last:
         write([case.truth for case in cases if case.truth], options.to / f"{begin}{TRUTH}")
     publish(cases, answers, options.to, begin)
 
@@ -47,7 +51,10 @@ def parse() -> argparse.Namespace:
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument("--own", type=int, default=0, metavar="N", help="run N own cases instead")
+    parser.add_argument(
+        "--own", type=span, default=(0, 0), metavar="N or A:B", help="run so many own cases instead"
+    )
+    parser.add_argument("--workers", type=int, help="processes of own cases; one a core")
     parser.add_argument("--category", choices=CATEGORIES, help="own cases of this kind only")
     parser.add_argument("--seed", type=int, default=0, help="of own cases, and of the diagnosis")
     parser.add_argument(
@@ -59,6 +66,12 @@ def parse() -> argparse.Namespace:
     parser.add_argument("--case", action="append", help="only this one (may be repeated)")
     parser.add_argument("--to", type=Path, default=HERE, help="folder of what is written")
     return parser.parse_args()
+
+
+def span(text: str) -> tuple[int, int]:
+    """N or A:B."""
+    begin, colon, end = text.rpartition(":")
+    return (int(begin or 0), int(end)) if colon else (0, int(text))
 
 
 def stored_ones(options: argparse.Namespace) -> Iterator[tuple[Blind, Answer]]:

@@ -20,7 +20,9 @@ class Answer:
     verdict: str
     ranking: tuple[str, ...] = ()
     selected: tuple[str, ...] = ()
+    equivalent: tuple[str, ...] = ()
     novel: bool = False
+    weight: float | None = None  # of all explanations, that those with what is named hold
     formula: str | None = None
     before: float | None = None  # rad, rms of the angle on data held out, by the baseline
     after: float | None = None  # rad, the same with what was found
@@ -44,6 +46,9 @@ class Answer:
         return {
             "verdict": self.verdict,
             "ranking": list(self.ranking),
+            "selected": list(self.selected),
+            "equivalent": list(self.equivalent),
+            "weight": self.weight,
             "novel": self.novel,
             "heldout_rmse_before": in_degrees(self.before),
             "heldout_rmse_after": in_degrees(self.after),
@@ -94,7 +99,9 @@ def given(document: Mapping[str, Any], seconds: float) -> Answer:
         verdict=document["verdict"],
         ranking=ranked,
         selected=selected,
+        equivalent=tuple(document["equivalent"] or ()),
         novel=bool(document["novel"]),
+        weight=document["weight"],
         formula=document["novel_formula"],
         before=document["heldout_rmse_before"],
         after=document["heldout_rmse_after"],

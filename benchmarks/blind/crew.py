@@ -14,10 +14,12 @@ from .sets import Blind, own
 TASKS = 15  # of a process: its compiled programs would fill the memory
 
 
-def diagnosed_cases(cards: list[Card], seed: int) -> Iterator[tuple[Blind, Answer]]:
-    """Every card's case and the answer to it, in order."""
-    asked = [(card, seed, number) for number, card in enumerate(cards)]
-    with get_context("spawn").Pool(initializer=set_up, maxtasksperchild=TASKS) as pool:
+def diagnosed_cases(
+    cards: list[tuple[int, Card]], seed: int, workers: int | None = None
+) -> Iterator[tuple[Blind, Answer]]:
+    """The case of every numbered card and the answer to it, in order."""
+    asked = [(card, seed, number) for number, card in cards]
+    with get_context("spawn").Pool(workers, initializer=set_up, maxtasksperchild=TASKS) as pool:
         yield from pool.imap(diagnosed, asked)
 
 

@@ -93,6 +93,8 @@ def test_what_was_selected_is_ranked_even_where_the_ranking_lacks_it():
         "verdict": "mismatch",
         "selected": ["gyro_bias"],
         "ranking": ["backlash"],
+        "equivalent": [],
+        "weight": None,
         "novel": False,
         "novel_formula": None,
         "heldout_rmse_before": 0.02,

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from exoid.fitting.result.fit_result import Estimate
-from exoid.mismatch.conclude.asserted import asserted, equivalents
+from exoid.mismatch.conclude.asserted import asserted, equivalents, weight
 from exoid.mismatch.conclude.cannot_tell import chance, unrelaxed
 from exoid.mismatch.evidence.prediction import Prediction, improves
 from exoid.mismatch.evidence.yardstick import Yardstick
@@ -106,6 +106,21 @@ def test_a_frame_that_rubs_has_dry_friction_however_far_its_play_reaches(frictio
     play = explaining(960.0, Backlash)  # its six parameters more are worth 41
     play = replace(play, candidate=replace(play.candidate, values=(value,)))
     assert certain_of(found_of([best, play]), best) == certain
+
+
+def test_explanations_weigh_by_their_evidence_and_by_what_even_the_best_leaves():
+    """Twenty better than another in units of the noise is e^10; twice as much left, where a lot is,
+    e^5; and what holds the cause among others weighs for it.
+    """
+    best = explaining(1000.0, CoulombFriction)
+    assert weight(found_of([best, explaining(1020.0, QuadraticDrag)]), (CoulombFriction,)) == (
+        pytest.approx(1 / (1 + np.exp(-10)), rel=1e-9)
+    )
+    left = explaining(11_100.0, CoulombFriction)
+    rivals = [left, explaining(21_100.0, QuadraticDrag)]
+    assert weight(found_of(rivals), (CoulombFriction,)) == pytest.approx(1 / (1 + np.exp(-5)))
+    both = explaining(21_100.0, CoulombFriction, QuadraticDrag)
+    assert weight(found_of([left], [both]), (CoulombFriction,)) == pytest.approx(1.0)
 
 
 def test_nothing_is_certain_where_the_baseline_leaves_hardly_more():

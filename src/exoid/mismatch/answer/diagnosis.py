@@ -105,6 +105,8 @@ class Diagnosis:
     sensors: list[SensorError]
     before: FitResult  # of Eq. 9 alone
     after: FitResult | None = None  # with what was found; None where nothing was
+    # share of the weight of all explanations that those hold which have what is named, or the best
+    weight: Annotated[float | None, "1"] = None
     suspected: list[Suspect] = field(default_factory=list)  # what it may be, where more than one
     advice: list[str] = field(default_factory=list)
     # None where it was read from a file

@@ -1,8 +1,10 @@
 """What is certain: the causes that every explanation has which this recording cannot tell apart."""
 
+import numpy as np
+
 from exoid.mismatch.screen.effect import named
 from exoid.mismatch.screen.hypothesis import Optimum
-from exoid.mismatch.search.found import Found
+from exoid.mismatch.search.found import Found, size
 from exoid.mismatch.search.rank import alike, simpler_form
 from exoid.physics.term import Term, name_of
 
@@ -22,6 +24,20 @@ def equivalents(found: Found, best: Optimum) -> list[Optimum]:
 def asserted(best: Optimum, equal: list[Optimum]) -> tuple[type[Term], ...]:
     """The causes of the best that all of the `equal` have, in this form or another one."""
     return tuple(term for term in best.candidate.terms if all(has(one, term) for one in equal))
+
+
+def weight(found: Found, causes: tuple[type[Term], ...]) -> float:
+    """The share of the weight of all explanations that those with all of the causes hold.
+
+    An explanation weighs exp(-a / 2), a being how much the best is better (`Yardstick.apart`): the
+    posterior odds of models by their evidence, no larger than what remains unexplained allows.
+    """
+    each = [found.base, *found.singles, *found.pairs]
+    top = max(each, key=found.evidence)
+    worse = [found.yardstick.apart(one.square, top.square, size(top) - size(one)) for one in each]
+    odds = np.exp(-np.maximum(worse, 0.0) / 2)
+    holding = [all(has(one, cause) for cause in causes) for one in each]
+    return float(odds @ holding / odds.sum())
 
 
 def holds_all(one: Optimum, less: Optimum) -> bool:

@@ -7,7 +7,7 @@ import numpy as np
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.remarks import unlike_anatomy
 from exoid.mismatch.answer.diagnosis import Diagnosis, Finding, NovelTorque, Suspect, Verdict
-from exoid.mismatch.conclude.asserted import asserted, equivalents, has
+from exoid.mismatch.conclude.asserted import asserted, equivalents, has, weight
 from exoid.mismatch.conclude.cannot_tell import chance, hands, once, too_little, unrelaxed, unsure
 from exoid.mismatch.conclude.choose import Chosen
 from exoid.mismatch.conclude.numbers import (
@@ -106,6 +106,7 @@ def concluded(
         ),
         power=measure.power(found.base.square, best.square, max(size(best), 1)),
         inclusion=repeated,
+        weight=weight(found, certain or best.candidate.terms) if named else None,
         sensors=prepared.sensors.errors,
         before=result,
         suspected=suspects(found, suspected, best),

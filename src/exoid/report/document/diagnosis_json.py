@@ -54,6 +54,7 @@ def diagnosis_document(
             "false_alarm_rate": found.false_alarm_rate,
             "power": found.power,
             "inclusion": found.inclusion,
+            "weight": found.weight,
             "sensors": [{**shown(each), "clear": each.clear} for each in found.sensors],
             "candidates": [shown(one, ["chosen"]) for one in ran],
             "excluded": found.excluded,
