@@ -5,13 +5,14 @@ and Gauss-Newton matrix in 8 numbers instead of two per sample. A joint fit of m
 becomes a small dense problem, and R and Q'r are what the standard errors need.
 """
 
+from collections.abc import Callable
 from typing import Any
 
 import equinox as eqx
 import jax
 import jax.numpy as jnp
 from jax.flatten_util import ravel_pytree
-from jaxtyping import Array, Float, Int
+from jaxtyping import Array, Float, Int, PyTree
 
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.observation import Observation
@@ -24,6 +25,7 @@ from exoid.fitting.model.coordinates import (
     by_segment,
 )
 from exoid.physics.motion.step import Drive
+from exoid.physics.state import LegState
 
 ROUNDING = 1e-13  # relative, keeps the Cholesky factor real where two columns are nearly parallel
 
@@ -53,14 +55,33 @@ def products(
 ) -> Float[Array, "row row"]:
     """(dr/dz, r)'(dr/dz, r) of a segment, where `change` is its rollout's numbers by z."""
 
-    def gather(index, rows, total):
-        return total + outer(rows)
+    def keep(index, shown, kept):
+        return kept
+
+    return products_and(keep, (), rollout, change, observation, stage, chain)[0]
+
+
+def products_and(
+    keep: Callable[[Int[Array, ""], LegState, PyTree], PyTree],
+    kept: PyTree,
+    rollout: Rollout,
+    change: Float[Array, "number column"],
+    observation: Observation,
+    stage: Stage,
+    chain: Chain,
+) -> tuple[Float[Array, "row row"], PyTree]:
+    """The same, and what `keep(index, shown, kept)` gathers of what a leg shows to its sensors."""
+
+    def gather(index, rows, shown, folded):
+        total, kept = folded
+        return total + outer(rows), keep(index, shown, kept)
 
     none = jax.tree.map(lambda leaf: jnp.zeros((0, leaf.size)), observation.cycle)
     size = change.shape[0] + 1
-    total = sweep(rollout, observation, none, stage, chain, gather, jnp.zeros((size, size)))
+    empty = jnp.zeros((size, size)), kept
+    total, kept = sweep(rollout, observation, none, stage, chain, gather, empty)
     change = jax.scipy.linalg.block_diag(change, jnp.ones((1, 1)))
-    return change.T @ total @ change
+    return change.T @ total @ change, kept
 
 
 def sense(
@@ -74,7 +95,7 @@ def sense(
     """`condense`, sample by sample; also along torques [J rad/s^2], (push, step)."""
     rollout, change = of_unknowns(unknowns, observation, known, stage)
 
-    def store(index, rows, table):
+    def store(index, rows, shown, table):
         return table.at[:, index].set(rows)
 
     size = change.shape[0]

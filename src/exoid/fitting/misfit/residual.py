@@ -115,7 +115,8 @@ def advance(
     time = observation.time[index]
     step = observation.time[index + 1] - time
     place = place_of(eq, observation, stage)
-    return extended_step(place, eq.terms, motion, time, step, drive, parts=observation.parts)
+    finer, compact = observation.parts, stage.compact
+    return extended_step(place, eq.terms, motion, time, step, drive, parts=finer, compact=compact)
 
 
 def guide(at: Int[Array, ""], observation: Observation) -> tuple[Array, Array]:

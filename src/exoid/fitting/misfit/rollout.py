@@ -89,7 +89,7 @@ def rollout_of(
 
 def sweep(rollout: Rollout, observation, pushes, stage, chain, fold, folded):
     """Simulate with sensitivities; `fold` gathers the rows (dr/db, dr/dpush, r) of every sample, b
-    being the coefficients and the map of the sensors.
+    being the coefficients and the map of the sensors, and what is shown before that map.
     """
     size, count = rollout.coefficients.size, pushes.begin.shape[0]
     directions = jnp.concatenate([jnp.eye(size), jnp.zeros((count, size))])
@@ -135,7 +135,8 @@ def sweep(rollout: Rollout, observation, pushes, stage, chain, fold, folded):
     def gather(index, carry, gathered):
         memories, folded = gathered
         (memory, shown), (by_memory, by_shown) = look(index, carry, *memories)
-        return (memory, by_memory), fold(index, rows(index, shown.motion, by_shown.motion), folded)
+        seen = rows(index, shown.motion, by_shown.motion), shown.motion
+        return (memory, by_memory), fold(index, *seen, folded)
 
     def keep(index, carry, gathered):
         memories, table = gathered
@@ -155,7 +156,7 @@ def sweep(rollout: Rollout, observation, pushes, stage, chain, fold, folded):
 
     def count_in(index, _, folded):
         now = jax.tree.map(lambda leaf: leaf[..., index], (shown, by_shown))
-        return fold(index, rows(index, *now), folded)
+        return fold(index, rows(index, *now), now[0], folded)
 
     return march(lambda index, nothing: nothing, count_in, (), folded, stage.steps)
 

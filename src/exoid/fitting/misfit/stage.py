@@ -15,3 +15,4 @@ class Stage(eqx.Module):
 
     tether: Float[Any, ""]  # rad/s, natural frequency of the spring; 0 is free
     steps: Int[Any, ""]  # of the simulation, from the first sample on
+    compact: bool = eqx.field(static=True, default=False)  # compiled sooner, and slower to run

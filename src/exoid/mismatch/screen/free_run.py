@@ -12,8 +12,7 @@ from jaxtyping import Array, Float, Int
 
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.observation import Observation
-from exoid.fitting.misfit.condense import products
-from exoid.fitting.misfit.residual import predicted
+from exoid.fitting.misfit.condense import products_and
 from exoid.fitting.misfit.rollout import numbers_of, rollout_of
 from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.coordinates import (
@@ -23,7 +22,10 @@ from exoid.fitting.model.coordinates import (
     of_segments,
 )
 from exoid.mismatch.screen.effect import named
+from exoid.physics.state import LegState
 from exoid.physics.term import Term
+
+ONCE = 1  # terms, of which a program serves many recordings; that of more is soon compiled
 
 
 class Released(eqx.Module):
@@ -48,7 +50,8 @@ def release(
     residual.
     """
     terms, chain = static
-    each: Any = partial(segment, terms, chain, Stage(jnp.zeros(()), steps), values, zero)
+    stage = Stage(jnp.zeros(()), steps, compact=len(terms) > ONCE)
+    each: Any = partial(segment, terms, chain, stage, values, zero)
     by_segment = jax.vmap(each)
     gram, shown = by_segment(of_segments(point, observation.owner), observation, known)
     return Released(gram, shown)
@@ -69,7 +72,13 @@ def segment(terms, chain, stage, values, zero, unknowns, observation, known):
     row = jnp.concatenate([base, zero, *values])
     rollout, change = rollout_of(numbers, row)
     moving = jnp.concatenate([1 - ravel_pytree(known)[0], jnp.ones(row.size - base.size)])
-    total = products(rollout, change * moving, observation, stage, chain)
-    motion = predicted(*numbers(row), observation, stage, chain)
-    shown = jnp.stack([motion.angle, motion.angular_velocity], axis=1)
-    return total, shown
+    room = jnp.zeros((observation.time.size, 2))
+    given = (rollout, change * moving, observation, stage, chain)
+    total, shown = products_and(store, room, *given)
+    zero, scale, bias = rollout.sensors
+    return total, jnp.stack([shown[:, 0] + zero, (1 + scale) * shown[:, 1] + bias], axis=1)
+
+
+def store(index, shown: LegState, table):
+    """One sample more of what is shown."""
+    return table.at[index].set(jnp.stack([shown.angle, shown.angular_velocity]))

@@ -6,7 +6,11 @@ from typing import Any
 import equinox as eqx
 import jax
 import jax.numpy as jnp
+import numpy as np
 from jaxtyping import Array, Float, Int, PyTree
+
+STAGES = np.array([0.0, 0.5, 0.5, 1.0])  # of a step
+SHARES = np.array([1.0, 2.0, 2.0, 1.0]) / 6  # of the mean slope
 
 
 class Drive(eqx.Module):
@@ -50,16 +54,30 @@ def parabola(first: PyTree, middle: PyTree, last: PyTree, at: Any) -> PyTree:
 
 
 def rk4(
-    rate: Callable[[PyTree, float], PyTree], state: PyTree, step: Float[Array, "*batch"]
+    rate: Callable[[PyTree, Any], PyTree],
+    state: PyTree,
+    step: Float[Array, "*batch"],
+    *,
+    compact: bool = False,
 ) -> PyTree:
     """One classical Runge-Kutta step of length `step` [s].
 
-    `rate(state, at)` is the time derivative, `at` 0, 1/2 or 1 of the step.
+    `rate(state, at)` is the time derivative, `at` 0, 1/2 or 1 of the step. A `compact` one goes
+    through its stages in a loop: it is compiled in half the time, and takes twice as long to run.
     """
 
     def moved(slope: PyTree, by: Float[Array, "*batch"]) -> PyTree:
         return jax.tree.map(lambda x, s: x + by * s, state, slope)
 
+    def stage(number: Int[Array, ""], slopes: tuple[PyTree, PyTree]) -> tuple[PyTree, PyTree]:
+        last, mean = slopes
+        at, share = jnp.asarray(STAGES)[number], jnp.asarray(SHARES)[number]
+        slope = rate(moved(last, at * step), at)
+        return slope, jax.tree.map(lambda all, one: all + share * one, mean, slope)
+
+    if compact:
+        none = jax.tree.map(jnp.zeros_like, state)
+        return moved(jax.lax.fori_loop(0, len(STAGES), stage, (none, none))[1], step)
     first = rate(state, 0.0)
     second = rate(moved(first, step / 2), 0.5)
     third = rate(moved(second, step / 2), 0.5)

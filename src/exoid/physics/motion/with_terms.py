@@ -75,38 +75,49 @@ def extended_step(
     drive: Drive,
     *,
     parts: int = 1,
+    compact: bool = False,
 ) -> Motion:
-    """The step from `time` on, in so many `parts` or as many as the fastest term asks for.
+    """The step from `time` on, in so many `parts` or as many as the fastest term asks for, each of
+    them `compact` (`rk4`) or not.
 
     Dry friction acts in half steps before and after the smooth rest (Strang splitting): it can
     bring the leg to rest, but never turn it round.
     """
     parts = max([parts, *(term.substeps for term in terms)])
     if parts == 1:
-        return whole_step(place, terms, motion, time, step, drive)
+        return whole_step(place, terms, motion, time, step, drive, compact=compact)
 
     def part_of(number, motion):
         begin = number / parts
         stages = (drive.begin, drive.middle, drive.end)
         pieces = Drive(*(parabola(*stages, begin + at / parts) for at in (0.0, 0.5, 1.0)))
-        return whole_step(place, terms, motion, time + begin * step, step / parts, pieces)
+        begun = time + begin * step
+        return whole_step(place, terms, motion, begun, step / parts, pieces, compact=compact)
 
     return jax.lax.fori_loop(0, parts, part_of, motion)
 
 
 def whole_step(
-    place: SegmentConstants, terms: Terms, motion: Motion, time: Any, step: Any, drive: Drive
+    place: SegmentConstants,
+    terms: Terms,
+    motion: Motion,
+    time: Any,
+    step: Any,
+    drive: Drive,
+    *,
+    compact: bool,
 ) -> Motion:
     pushes = {0.0: drive.begin, 0.5: drive.middle, 1.0: drive.end}
     dry, free = sticky(terms), jnp.ones(())
 
-    def rate(at: Motion, part: float) -> Motion:
-        return slopes(place, terms, at, time + part * step, pushes[part], free)
+    def rate(at: Motion, part: Any) -> Motion:
+        push = parabola(drive.begin, drive.middle, drive.end, part) if compact else pushes[part]
+        return slopes(place, terms, at, time + part * step, push, free)
 
     if dry:
         motion = slowed(place, terms, motion, time, step / 2, drive.begin)
         free = jnp.where(sticks(place, terms, motion, time, drive.begin), 0.0, 1.0)
-    motion = rk4(rate, motion, step)
+    motion = rk4(rate, motion, step, compact=compact)
     if dry:
         motion = slowed(place, terms, motion, time + step, step / 2, drive.end)
     now = moment(place, motion.leg, time + step, drive.end)
