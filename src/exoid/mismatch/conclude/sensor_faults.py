@@ -15,11 +15,14 @@ from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import settle_free
 from exoid.mismatch.search.found import Found, best_of
 from exoid.mismatch.search.rank import by_evidence
+from exoid.mismatch.search.several import instead
 from exoid.physics.parameter import declarations
 from exoid.physics.sensing.clock_rate import ClockRate
 from exoid.physics.sensing.encoder_gain import EncoderGain
 from exoid.physics.sensing.gyro_scale import GyroScale
 from exoid.physics.term import Term
+
+KEPT = 0.5  # share of an error that must be left where only sensors make it
 
 
 def with_faults_told(found: Found, best: Optimum) -> tuple[Found, Optimum]:
@@ -33,7 +36,8 @@ def with_faults_told(found: Found, best: Optimum) -> tuple[Found, Optimum]:
     if unneeded:
         fewer = best.candidate.without(unneeded)
         best = settle_free(prepared, fewer) if fewer.terms else base
-    each = [found.base, *found.singles, *found.pairs, *others(found, best)]
+    rivals = [*others(found, best), *without_contested(found, best)]
+    each = [found.base, *found.singles, *found.pairs, *rivals]
     each = best_of([one for one in each if one.candidate.terms != best.candidate.terms])
     if best is not base:
         each.append(best)
@@ -74,6 +78,20 @@ def others(found: Found, best: Optimum) -> list[Optimum]:
         starts += [in_place(mine, ClockRate), in_place(mine, EncoderGain)]
     ended = [settle_free(prepared, one) for one in starts]
     return [one for one in ended if one.square < UNEXPLAINED * max(best.square, 1.0)]
+
+
+def without_contested(found: Found, best: Optimum) -> list[Optimum]:
+    """The best with another cause in the place of each error of which it has less than half as much
+    as the sensors say among themselves: then the leg, too, makes them differ.
+    """
+    prepared, mine, rivals = found.prepared, best.candidate, []
+    for error in prepared.sensors.sure.errors:
+        term = error.fault.term
+        if term in mine.terms and len(mine.terms) > 1:
+            value = mine.values[mine.terms.index(term)]
+            if (value * error.values < KEPT * error.values**2).any():
+                rivals += instead(prepared, mine.without([term]), term, best.square)
+    return rivals
 
 
 def in_place(mine: Hypothesis, other: type[Term]) -> Hypothesis:

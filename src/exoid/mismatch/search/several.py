@@ -8,6 +8,7 @@ from exoid.mismatch.screen.optimise import FLOOR, enough, given, settle
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.screen.race import simulated
 from exoid.mismatch.search.found import best_of, size
+from exoid.mismatch.search.variants import applies
 from exoid.physics.library import MOST_PARAMETERS
 from exoid.physics.term import Term
 
@@ -77,6 +78,19 @@ def with_another(
     little = max(best.square, FLOOR * prepared.samples)
     near = [one for (one,) in filter(None, seen) if one.square < little]
     return [one.candidate for one in sorted(near, key=lambda one: one.square)]
+
+
+def instead(
+    prepared: PreparedRecording, fewer: Hypothesis, out: type[Term], rival: float
+) -> list[Optimum]:
+    """The set with one of the causes that explain most beside `fewer`, in the place of one that is
+    `out`, running free as far as they come near what a rival leaves.
+
+    Along a motion what is left may be far from its place without that one.
+    """
+    usable = [each for each in prepared.library if applies(prepared, each) and each is not out]
+    seen = beside(prepared, usable, fewer)[:NEXT]
+    return simulated(prepared, [one.candidate for one in seen], rival)
 
 
 def beside(
