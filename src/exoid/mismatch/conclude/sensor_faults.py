@@ -32,12 +32,14 @@ def with_faults_told(found: Found, best: Optimum) -> tuple[Found, Optimum]:
         return found, best
     plain = found.base.candidate.without(prepared.common)
     base = settle_free(prepared, plain)
-    unneeded = [term for term in prepared.common if not matters(found, best, term)]
+    rivals = [best, *without_contested(found, best)]
+    best = max(rivals, key=found.evidence)
+    common = [term for term in prepared.common if term in best.candidate.terms]
+    unneeded = [term for term in common if not matters(found, best, term)]
     if unneeded:
         fewer = best.candidate.without(unneeded)
         best = settle_free(prepared, fewer) if fewer.terms else base
-    rivals = [*others(found, best), *without_contested(found, best)]
-    each = [found.base, *found.singles, *found.pairs, *rivals]
+    each = [found.base, *found.singles, *found.pairs, *rivals, *others(found, best)]
     each = best_of([one for one in each if one.candidate.terms != best.candidate.terms])
     if best is not base:
         each.append(best)
