@@ -79,6 +79,7 @@ def found() -> Diagnosis:
         inclusion=0.95,
         sensors=[SensorError("gyro_scale", ODD, 0.001, "1")],
         before=fitted(),
+        weight=0.992,
         advice=["To tell dry friction apart: move slowly."],
     )
 

@@ -43,6 +43,7 @@ def test_what_was_missing_and_how_sure_what_it_changed_and_what_remains_come_fir
     one = found()
     said = sentences(one)
     assert list(said)[:4] == ["Missing", "How sure", "Changed", "Remains"]
+    assert "explanations with it hold 99.2% of the weight; " in said["How sure"]
     assert "95% of resampled segments" in said["How sure"]
     assert "or quadratic drag + gyro scale: this recording cannot tell;" in said["How sure"]
     # squares over the floor of 0.8 mrad: (1 - 0.64) of (400 - 0.64) mrad^2, over both segments

@@ -164,12 +164,13 @@ def how_sure(found: Diagnosis) -> str:
     """Whether other data would say the same, and what else it may be."""
     if only_sensors(found):
         return "encoder and gyro show it of each other, without any leg model."
-    share = found.inclusion
+    share, weight = found.inclusion, found.weight
+    held = "" if weight is None else f"explanations with it hold {certain(weight)} of the weight; "
     again = "" if share is None else f"the same answer in {share:.0%} of resampled segments; "
     alike = "".join(f"{one}; " for one in others(found))
     return (
-        f"{again}{alike}on noise alone {chance(found.false_alarm_rate)} false alarms, an effect of "
-        f"this size is found with a chance of {certain(found.power)}."
+        f"{held}{again}{alike}on noise alone {chance(found.false_alarm_rate)} false alarms, an "
+        f"effect of this size is found with a chance of {certain(found.power)}."
     )
 
 
