@@ -31,7 +31,8 @@ def explained(found: Diagnosis, truth: Mapping[str, Any]) -> float:
     best = workings.best.candidate
     (formula,) = (named(*each) for each in zip(best.terms, best.values, strict=True))
     rows = [
-        columns(found, workings.prepared, number) for number in range(workings.prepared.segments)
+        columns(found, workings.found.prepared, number)
+        for number in range(workings.found.prepared.segments)
     ]
     true, told = (
         np.concatenate([torque(term, each) for each in found.location.missing]) / scale
