@@ -202,7 +202,7 @@ def asked(
     told("proving it on held-out data")
     chosen = choose(found)
     formula = None
-    if chosen.best.square > REMAINS * found.yardstick.samples:
+    if chosen.best.square > REMAINS * found.yardstick.samples or causes(chosen.best) > 1:
         told("looking for a formula")
         chosen, formula = formulated(found, chosen)
     found, best = with_faults_told(found, chosen.best)
@@ -252,17 +252,30 @@ def formulated(found: Found, chosen: Chosen) -> tuple[Chosen, Formula | None]:
 
     One that a single cause of the library knows is that cause; a set may imitate what is new.
     """
-    formula = describe(found.prepared, found.begin)
-    if formula.known > KNOWN and causes(chosen.best) < 2:
+    single = causes(chosen.best) < 2
+    new = [
+        each for each in describe(found.prepared, found.begin) if each.known <= KNOWN or not single
+    ]
+    if not new:
         return chosen, None
-    term = term_of(formula)
-    start = found.begin.with_term(term, formula.values)
-    one = settle_free(found.prepared, start)
+    tried = [free(found, each) for each in new]
+    one, formula = max(zip(tried, new, strict=True), key=lambda each: found.evidence(each[0]))
     if better(found, one, chosen.best) and found.clear(found.base, one):
         after = predict(found.prepared, one)
         if improves(chosen.after, after):
             return Chosen(one, chosen.before, after), formula.at(one.candidate.values[-1])
     return chosen, None
+
+
+def free(found: Found, formula: Formula) -> Optimum:
+    """A formula as a term, running free from its size along the measured motion, where the leg may
+    be another one, and from none.
+    """
+    term, count = term_of(formula), len(formula.features)
+    sizes = formula.values, np.where(np.arange(formula.values.size) < count, 0.0, formula.values)
+    starts = [found.begin.with_term(term, each) for each in sizes]
+    ends = [settle_free(found.prepared, one) for one in starts]
+    return min(ends, key=lambda one: one.square if one.sound else np.inf)
 
 
 def better(found: Found, one: Optimum, best: Optimum) -> bool:

@@ -20,8 +20,11 @@ INDEPENDENT = 0.05  # s, after which a missing torque is a new value
 TRIES = 40  # steps of a refinement
 
 
-def describe(prepared: PreparedRecording, base: Hypothesis) -> Formula:
-    """The sparsest formula for what the baseline lacks."""
+def describe(prepared: PreparedRecording, base: Hypothesis) -> list[Formula]:
+    """Formulas for what the baseline lacks, each with a feature more, up to the sparsest good one.
+
+    Along a motion that the baseline has drifted from, a last feature may only mend the first.
+    """
     rows = [lacking(prepared, base, number) for number in range(prepared.segments)]
     basis = np.linalg.qr(baseline(prepared, rows))[0]
     target = beside(basis, np.concatenate([each.torque for each in rows])[:, None])[:, 0]
@@ -40,7 +43,8 @@ def describe(prepared: PreparedRecording, base: Hypothesis) -> Formula:
         residual = target - columns @ coefficients
         formulas.append(formula(chosen, coefficients, columns, residual, target))
     best = min(formulas, key=lambda each: cost(each, rows))
-    return next(each for each in formulas if each.explained > best.explained - WORTH)
+    enough = [each.explained > best.explained - WORTH for each in formulas]
+    return formulas[: enough.index(True) + 1]
 
 
 def formula(chosen, coefficients, columns, residual, target) -> Formula:
