@@ -15,6 +15,8 @@ import exoid
 from exoid.fitting.data.conditioning_chain import MovingAverage, Raw
 from exoid.fitting.estimate import fit
 from exoid.fitting.solve import program_cache as program
+from exoid.mismatch.novel.dictionary import dictionary
+from exoid.mismatch.novel.formula import Formula, term_of
 from fit_cases import DROP, recorded
 
 KEPT = "*.stablehlo"
@@ -64,6 +66,17 @@ def numbers(drop, folder: Path) -> np.ndarray:
     found = program.with_sound_programs(lambda: fit([("leg", drop)], multistart=2))
     each = [*found.parameters.values(), *found.ratios.values()]
     return np.array([(one.value, one.standard_error) for one in each], dtype=float)
+
+
+def test_programs_of_two_formulas_are_not_taken_for_each_other():
+    """Both are classes of the same name, with as many parameters."""
+    plain = [feature for feature in dictionary() if not feature.shape]
+    first, second = ((term_of(Formula((feature,), np.ones(1), 1.0, 0.0)),) for feature in plain[:2])
+    structure = jax.tree.structure((1.0,))
+    kept = [program.fingerprint("program", structure, (), each) for each in (first, second)]
+    assert kept[0] != kept[1]
+    again = (term_of(Formula((plain[0],), np.zeros(1), 1.0, 0.0)),)
+    assert program.fingerprint("program", structure, (), again) == kept[0]  # of another size
 
 
 def test_a_kept_program_is_found_again_and_gives_bitwise_the_same(drop, folder, monkeypatch):

@@ -74,6 +74,8 @@ def term_of(formula: Formula) -> type[PhysicsTerm]:
             **dict.fromkeys((*names, *shapes), Any),
         },
         "__module__": __name__,
+        # by which a kept program is known again: what it works out, but for the size of its parts
+        "__qualname__": "; ".join(f"{each.family.words} {each.shape!r}" for each in features),
         "formula": formula,
         "title": formula.words,
         "reference": "found by sparse regression on this recording",
