@@ -11,7 +11,7 @@ from exoid.mismatch import prepare as preparing
 from exoid.mismatch.prepare import prepare
 from exoid.mismatch.screen import many_pinned
 from exoid.mismatch.screen.hypothesis import Hypothesis
-from exoid.mismatch.screen.many_pinned import linear, together
+from exoid.mismatch.screen.many_pinned import linear
 from exoid.mismatch.screen.optimise import polished, promising, settle, settle_free
 from exoid.physics.leg import LegModel
 from exoid.physics.motion.simulate import simulate
@@ -95,11 +95,13 @@ def test_a_first_term_taken_as_linear_counts_like_itself(ready):
 def test_terms_taken_together_as_linear_count_like_themselves(ready):
     prepared, base = ready
     by_name = {name_of(each.terms[0]): each for each in candidates(prepared, base)}
-    first, second = by_name["coulomb_friction"], by_name["detent"]
-    both = Hypothesis((*first.terms, *second.terms), (*first.values, *second.values), first.point)
-    known = linear(prepared, [(each, prepared.measured_motion) for each in (first, second)])
-    eased = Hypothesis(both.terms, both.values, both.point, both.zero, together(known))
-    one, other = (at_measured(prepared, each)[0] for each in (both, eased))
+    three = [by_name[name] for name in ("coulomb_friction", "detent", "maxwell_element")]
+    terms, values = (sum((getattr(one, name) for one in three), ()) for name in ("terms", "values"))
+    whole = Hypothesis(terms, values, base.candidate.point)
+    two = Hypothesis(terms[:2], values[:2], base.candidate.point)
+    eased = linear(prepared, [(two, prepared.measured_motion)])[0]
+    eased = two.with_term(terms[2], values[2], eased)
+    one, other = (at_measured(prepared, each)[0] for each in (whole, eased))
     assert other.each == pytest.approx(one.each, rel=1e-9, abs=1e-6)
 
 

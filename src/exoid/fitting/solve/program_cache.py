@@ -14,7 +14,7 @@ import platform
 import sys
 import warnings
 from collections.abc import Callable
-from functools import cache
+from functools import cache, lru_cache
 from importlib import import_module
 from importlib.metadata import version
 from pathlib import Path
@@ -33,11 +33,9 @@ from exoid.fitting.solve.program_values import SENSED, Solved, solved_structure
 
 SHOWING = ("cli", "report")  # rooms that only say what was computed: no program imports them
 LIBRARIES = ("jax", "jaxlib", "equinox", "lineax", "optimistix")  # whose code is in a program
-# How far XLA optimises: as fast machine code as by default, and less to wait for it. One of its two
-# generators of loops takes half the time over a solver, the other one over many terms at once.
-LEAN = (("xla_backend_optimization_level", 1), ("xla_cpu_use_fusion_emitters", False))
-BROAD = (("xla_backend_optimization_level", 1), ("xla_cpu_use_fusion_emitters", True))
-OPTIONS = {"exoid.mismatch.screen.pinned:evaluate": BROAD}  # all others are LEAN
+# How far XLA optimises: as fast machine code as by default, and half as long to wait for it.
+LEAN = {"xla_backend_optimization_level": 1, "xla_cpu_use_fusion_emitters": False}
+MOST = 128  # programs in memory, each 5 MB or so; a diagnosis has 60
 DIGEST = 32  # bytes of the checksum before a kept program
 UNREADABLE = "Error reading persistent compilation cache"  # what XLA's Python side says of it
 Result = TypeVar("Result")
@@ -118,13 +116,13 @@ def called(name: str, arguments: tuple, static, structure):
     return jax.tree.unflatten(structure, [np.asarray(result) for result in results])
 
 
-@cache
+@lru_cache(MOST)
 def program(name: str, structure, shapes, static):
     """The compiled program for these shapes: loaded, or traced and kept.
 
     A class typed into a notebook has no file by which a later program could know it again.
     """
-    options = understood(OPTIONS.get(name, LEAN))
+    options = understood()
     if not _folder or None in own_sources((static, *classes(structure))):
         found = jax.jit(traceable(name, structure, static), compiler_options=options)
         return compiled(found, shapes)
@@ -146,15 +144,15 @@ def compiled(found, shapes):
 
 
 @cache
-def understood(options: tuple[tuple[str, Any], ...]) -> dict[str, Any]:
+def understood() -> dict[str, Any]:
     """The options, where they are for this machine and this version of XLA knows them."""
     if jax.default_backend() != "cpu":
         return {}
     try:
-        jax.jit(lambda: np.zeros(()), compiler_options=dict(options)).lower().compile()
+        jax.jit(lambda: np.zeros(()), compiler_options=LEAN).lower().compile()
     except jax.errors.JaxRuntimeError:
         return {}
-    return dict(options)
+    return LEAN
 
 
 def traceable(name: str, structure, static):

@@ -9,7 +9,6 @@ from jaxtyping import Array, Float
 
 from exoid.mismatch.screen.hypothesis import Effect
 from exoid.mismatch.screen.measured_motion import SegmentMotion, at_step, throughout
-from exoid.physics.library import MOST_PARAMETERS
 from exoid.physics.moment import Moment
 from exoid.physics.motion.step import Drive, march, parabola, rk4
 from exoid.physics.motion.with_terms import delayed
@@ -24,18 +23,16 @@ def named(term: type[Term], value: Float[Any, " parameter"]) -> Term:
 
 
 def columns(term: type[Term], value: Float[Array, " parameter"], motions: SegmentMotion) -> Effect:
-    """(effect, derivatives, nothing) of a term in all segments, along the first axis."""
+    """(effect, derivatives) of a term in all segments, along the first axis."""
 
     def effect(value):
         found = jax.vmap(partial(effect_of, named(term, value)))(motions)
         return found, found
 
     slopes, now = jax.jacfwd(effect, has_aux=True)(value)
-    missing = MOST_PARAMETERS - value.size
 
     def stacked(one, slope):
-        room = jnp.zeros((missing, *one.shape))
-        return jnp.concatenate([one[None], jnp.moveaxis(slope, -1, 0), room])
+        return jnp.concatenate([one[None], jnp.moveaxis(slope, -1, 0)])
 
     return jax.tree.map(stacked, now, slopes)
 

@@ -26,7 +26,7 @@ class Effect(eqx.Module):
 class Linear:
     """The first terms as they were found: what they do, linear in their parameters around `at`."""
 
-    effect: Effect
+    effect: Effect  # (1 + parameter, segment, time)
     at: np.ndarray
     count: int = 1  # of terms
 
@@ -42,23 +42,10 @@ class Hypothesis:
     linear: Linear | None = None  # in place of its first terms, while it is pinned
 
     @property
-    def pinned(self) -> tuple[np.ndarray, ...]:
-        """The values in the slots of the pinned program: those that are linear share the first."""
-        if self.linear is None:
-            return self.values
-        count = self.linear.count
-        return (np.concatenate(self.values[:count]), *self.values[count:])
-
-    @property
-    def asked(self) -> tuple[type[Term], ...]:
-        """The terms that the pinned program works out: all that are not linear."""
-        return self.terms if self.linear is None else self.terms[self.linear.count :]
-
-    @property
-    def slots(self) -> list[tuple[int, tuple[type[Term], np.ndarray]]]:
-        """The slots of those terms, each with its term and the values."""
-        first = 0 if self.linear is None else 1
-        return list(enumerate(zip(self.asked, self.pinned[first:], strict=True), first))
+    def asked(self) -> list[tuple[type[Term], np.ndarray]]:
+        """The terms that are worked out while it is pinned, with their values: no linear one."""
+        first = 0 if self.linear is None else self.linear.count
+        return list(zip(self.terms[first:], self.values[first:], strict=True))
 
     @property
     def unknowns(self) -> np.ndarray:

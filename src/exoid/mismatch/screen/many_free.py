@@ -7,10 +7,9 @@ import numpy as np
 
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.solve.program_cache import called
-from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.mismatch.screen.hypothesis import Hypothesis, Products
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
-from exoid.mismatch.screen.segment_groups import grouped
+from exoid.mismatch.screen.segment_groups import of, of_all_segments
 
 GROUP = 4  # segments of a program, so that one serves every recording
 BUSY = 8  # steps within a step, from which on one segment is enough for a processor
@@ -26,18 +25,18 @@ def release(
     observation = prepared.seen if observation is None else observation
     size = observation.time.shape[1]
     at = prepared.coordinates(candidate)
-    every = (at.own, prolonged(observation, size), prepared.problem.known)
+    whole = (prolonged(observation, size), prepared.problem.known)
     static = (candidate.terms, prepared.problem.chain)
     busy = any(term.substeps > BUSY for term in candidate.terms)
 
-    def group(part):
-        own, *surroundings = part
-        point, steps = replace(at, own=own), np.asarray(last_of(surroundings[0]))
-        arguments = (candidate.values, point, candidate.zero, *surroundings, steps)
+    def group(values, segments: np.ndarray):
+        point = replace(at, own=of(segments, at.own))
+        seen, known = of(segments, whole)
+        arguments = (values, point, candidate.zero, seen, known, np.asarray(last_of(seen)))
         return called("exoid.mismatch.screen.free_run:release", arguments, static, RELEASED)
 
-    found = side_by_side(group, grouped(every, 1 if busy else GROUP))
-    gram, shown = (np.concatenate(each)[: prepared.segments] for each in zip(*found, strict=True))
+    found = of_all_segments(group, [candidate.values], prepared.segments, 1 if busy else GROUP)
+    ((gram, shown),) = found
     return prepared.products(candidate, gram), shown[:, :size]
 
 

@@ -1,186 +1,210 @@
-"""Many candidates at once through the compiled program that pins them to the data."""
+"""Many candidates at once through the compiled programs that pin them to the data."""
 
-from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
+from typing import Any, TypeVar
 
 import jax
 import numpy as np
 
+from exoid.fitting.model.coordinates import Coordinates
 from exoid.fitting.solve.program_cache import called
-from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.mismatch.screen.hypothesis import Effect, Hypothesis, Linear, Products
-from exoid.mismatch.screen.measured_motion import MeasuredMotion
-from exoid.mismatch.screen.pinned import LinearTerms, Pinned, Requests
+from exoid.mismatch.screen.measured_motion import MeasuredMotion, behind
+from exoid.mismatch.screen.pinned import Requests
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
-from exoid.mismatch.screen.segment_groups import grouped
-from exoid.physics.library import MOST_PARAMETERS
+from exoid.mismatch.screen.segment_groups import of, of_all_segments
 from exoid.physics.motion.step import Drive
 from exoid.physics.term import Term
 
 GROUP = 2  # segments of a program, so that one serves every recording
-GIVEN = 4  # first terms that candidates may have linear, the first of them none
+AT_ONCE = 8  # candidates whose misfit a program works out
+FEW = 4  # parameters that it has room for in a candidate, or twice as many, and so on
+LARGEST = 300_000  # samples of candidates that are worked out together: some 200 MB
+SHOW = "exoid.mismatch.screen.pinned:show"
+ACT = "exoid.mismatch.screen.pinned:act"
+FOLD = "exoid.mismatch.screen.pinned:fold"
+STEPS, SAMPLES = np.zeros((1, 1, 1)), np.zeros((1, 1, 1, 2))
+ANGLE = GRAM = jax.tree.structure(STEPS)
+EFFECT = jax.tree.structure(Effect(Drive(STEPS, STEPS, STEPS), SAMPLES))
+Row = TypeVar("Row")
 Tried = tuple[Hypothesis, MeasuredMotion]  # a candidate, and the motion that it had last
-ROWS, TABLE = np.zeros((1, 1, 1)), np.zeros((1, 1, 1, 1))
-NONE = Effect(Drive(ROWS, ROWS, ROWS), ROWS)
-PINNED = jax.tree.structure(Pinned(TABLE, MeasuredMotion(ROWS, ROWS, ROWS), NONE))
 
 
 def evaluate(
     prepared: PreparedRecording, tried: Sequence[Tried], tether: float = 0.0
 ) -> list[tuple[Products, MeasuredMotion]]:
     """The products of every candidate, and the motion along which they are."""
-    results = {}
-    waiting = list(range(len(tried)))
-    while waiting:
-        batch, waiting = packed(prepared, waiting, [one for one, _ in tried])
-        found = run(prepared, [tried[number] for number in batch], tether)
-        for row, number in enumerate(batch):
-            gram = placed(prepared, tried[number][0], found.gram[row])
-            results[number] = (gram, row_of(found.motion, row))
-    return [results[number] for number in range(len(tried))]
+    most = max(1, LARGEST // prepared.seen.time.size)
+    return [each for some in parts(tried, most) for each in folded(prepared, some, tether)]
 
 
 def linear(prepared: PreparedRecording, tried: Sequence[Tried]) -> list[Linear]:
-    """What the terms of a few candidates do along their motions."""
-    found = run(prepared, tried).first
-    return [Linear(row_of(found, row), one.values[0]) for row, (one, _) in enumerate(tried)]
+    """What all terms of candidates do along their motions."""
+    seen = read(prepared, [(replace(one, linear=None), motion) for one, motion in tried])
+    return [
+        Linear(effect, np.concatenate(one.values), len(one.terms))
+        for (one, _), effect in zip(seen, effects(prepared, seen), strict=True)
+    ]
 
 
-def row_of(tree, row: int):
-    return jax.tree.map(lambda leaf: leaf[row], tree)
+def read(prepared: PreparedRecording, tried: Sequence[Tried]) -> list[Tried]:
+    """The candidates with the leg's motion behind what the sensors show, if their terms are right.
+
+    What the sensors show otherwise depends on the motion itself: it is that along the last one.
+    """
+    found = asked(prepared, tried, SHOW, ANGLE, lambda term: term.shown is not Term.shown)
+    time = prepared.seen.time
+
+    def error(row: int, one: Hypothesis) -> np.ndarray:
+        shown = [] if one.linear is None else [moved(one, one.linear).shown[0, ..., 0]]
+        return sum([*shown, *found[row].values()], np.full(time.shape, one.zero[1]))
+
+    return [
+        (one, behind(prepared.measured_motion, error(row, one), time))
+        for row, (one, _) in enumerate(tried)
+    ]
 
 
-def together(each: list[Linear]) -> Linear:
-    """Several terms that act at once, as one."""
-    values = [one.at.size for one in each]
+def effects(prepared: PreparedRecording, seen: Sequence[Tried]) -> list[Effect]:
+    """What all terms of every candidate do together: (1 + parameter, segment, time)."""
+    found = asked(prepared, seen, ACT, EFFECT)
+    segments, size = prepared.seen.time.shape
+    still = np.zeros((1, segments, size - 1))
+    nothing = Effect(Drive(still, still, still), np.zeros((1, segments, size, 2)))
 
     def joined(*leaves: np.ndarray) -> np.ndarray:
-        whole = np.zeros_like(leaves[0])
-        whole[0] = sum(leaf[0] for leaf in leaves)
-        rows = [leaf[1 : 1 + size] for leaf, size in zip(leaves, values, strict=True)]
-        whole[1 : 1 + sum(values)] = np.concatenate(rows)
-        return whole
+        together = sum(leaf[:1] for leaf in leaves)
+        return np.concatenate([together, *(leaf[1:] for leaf in leaves)])
 
-    effect = jax.tree.map(joined, *(one.effect for one in each))
-    return Linear(effect, np.concatenate([one.at for one in each]), len(each))
+    def all_of(row: int, one: Hypothesis) -> Effect:
+        known = [] if one.linear is None else [moved(one, one.linear)]
+        each = [*known, *(found[row][term] for term, _ in one.asked)]
+        return jax.tree.map(joined, nothing, *each)
 
-
-def room(prepared: PreparedRecording) -> dict[type[Term], int]:
-    """How many requests of every term the compiled program takes at once."""
-    return {term: max(2, len(prepared.starts(term))) for term in prepared.library}
+    return [all_of(row, one) for row, (one, _) in enumerate(seen)]
 
 
-def packed(
-    prepared: PreparedRecording, waiting: list[int], candidates: list[Hypothesis]
-) -> tuple[list[int], list[int]]:
-    """As many of the waiting as fit into one run, and the rest."""
-    space = room(prepared)
-    most = sum(space.values())
-    used: Counter[type[Term]] = Counter()
-    batch, rest = [], []
-    given: set[Linear] = set()
-    for number in waiting:
-        one = candidates[number]
-        wanted = Counter(one.asked)
-        needed = given | ({one.linear} if one.linear else set())
-        fits = all(used[term] + n <= space[term] for term, n in wanted.items())
-        if fits and len(batch) < most and len(needed) < GIVEN:
-            used, given = used + wanted, needed
-            batch.append(number)
-        else:
-            rest.append(number)
-    return batch, rest
+def moved(one: Hypothesis, known: Linear) -> Effect:
+    """What the linear terms of a candidate do now."""
+    change = np.concatenate(one.values[: known.count]) - known.at
+
+    def now(leaf: np.ndarray) -> np.ndarray:
+        return np.concatenate([leaf[:1] + np.tensordot(change, leaf[1:], 1), leaf[1:]])
+
+    return jax.tree.map(now, known.effect)
 
 
-def run(prepared: PreparedRecording, batch: Sequence[Tried], tether: float = 0.0) -> Pinned:
-    """The program on a batch; the last row takes the requests that nobody made."""
-    space = room(prepared)
-    spare = sum(space.values())
-    candidates, motions = zip(*batch, *[batch[0]] * (spare + 1 - len(batch)), strict=True)
-    asked = tuple(
-        requests(prepared, term, space[term], candidates[: len(batch)], spare)
-        for term in prepared.library
-    )
-    known = linear_terms(prepared, candidates)
-    points, along = stacked(map(prepared.coordinates, candidates)), stacked(motions)
-    zero = np.array([one.zero for one in candidates])
-    around = (prepared.measured_motion, prepared.seen, prepared.problem.known)
-    parts = zip(
-        grouped(known.effect, GROUP, axis=2),
-        grouped((points.own, along), GROUP, axis=1),
-        grouped(around, GROUP),
-        strict=True,
-    )
-    static = (prepared.library, prepared.problem.chain)
-    numbers = prepared.problem.steps, len(batch), float(tether)
-
-    def group(part) -> Pinned:
-        effect, (own, motion), around = part
-        rows = (asked, replace(known, effect=effect), replace(points, own=own), zero, motion)
-        arguments = (*rows, *around, *map(np.asarray, numbers))
-        return called("exoid.mismatch.screen.pinned:evaluate", arguments, static, PINNED)
-
-    return joined(side_by_side(group, parts), prepared.segments)
-
-
-def joined(parts: list[Pinned], count: int) -> Pinned:
-    """What was found of the groups, of so many segments."""
-
-    def all_of(axis: int):
-        return lambda *leaves: np.take(np.concatenate(leaves, axis), np.arange(count), axis)
-
-    return Pinned(
-        all_of(1)(*(part.gram for part in parts)),
-        jax.tree.map(all_of(1), *(part.motion for part in parts)),
-        jax.tree.map(all_of(2), *(part.first for part in parts)),
-    )
-
-
-def requests(
+def asked(
     prepared: PreparedRecording,
-    term: type[Term],
-    size: int,
-    batch: Sequence[Hypothesis],
-    spare: int,
-) -> Requests:
-    """Everything that a batch asks of a term; what it does not ask goes to the `spare` row."""
-    asked = [
-        (value, row, slot)
-        for row, one in enumerate(batch)
-        for slot, (own, value) in one.slots
-        if own is term
+    tried: Sequence[Tried],
+    program: str,
+    structure: Any,
+    wanted: Callable[[type[Term]], bool] = lambda term: True,
+) -> list[dict[type[Term], Any]]:
+    """What a program of the terms that candidates ask for finds along their motions, of each."""
+    points = [prepared.coordinates(one) for one, _ in tried]
+    requests = defaultdict(list)
+    for row, (one, _) in enumerate(tried):
+        for term, value in one.asked:
+            if wanted(term):
+                requests[term].append((row, value))
+
+    def run(batch, segments: np.ndarray):
+        term, rows, values = batch
+        motions = of(segments, stacked(tried[row][1] for row in rows), 1)
+        given = Requests(values, of_legs(segments, [points[row] for row in rows]), motions)
+        arguments = (given, of(segments, prepared.seen))
+        return called(program, arguments, term, structure)
+
+    batches = []
+    for term, each in requests.items():
+        size = max(2, len(prepared.starts(term)))
+        for some in parts(each, size):
+            rows, values = zip(*filled(some, size), strict=True)
+            batches.append((term, rows, np.array(values, float)))
+    axis = {ANGLE: 1, EFFECT: 2}[structure]
+    results: list[dict[type[Term], Any]] = [{} for _ in tried]
+    answers = of_all_segments(run, batches, prepared.segments, GROUP, axis)
+    for (term, rows, _), answer in zip(batches, answers, strict=True):
+        for place, row in enumerate(rows):
+            results[row][term] = jax.tree.map(lambda leaf, at=place: leaf[at], answer)
+    return results
+
+
+def folded(
+    prepared: PreparedRecording, tried: Sequence[Tried], tether: float
+) -> list[tuple[Products, MeasuredMotion]]:
+    """The products of as many candidates as memory has room for."""
+    seen = read(prepared, tried)
+    found = effects(prepared, seen)
+    widths = defaultdict(list)
+    for row, effect in enumerate(found):
+        widths[room(effect.shown.shape[0] - 1)].append(row)
+    batches = [
+        (width, filled(rows, AT_ONCE))
+        for width, each in widths.items()
+        for rows in parts(each, AT_ONCE)
     ]
-    asked += [(prepared.starts(term)[0], spare, 0)] * (size - len(asked))
-    values, rows, slots = zip(*asked, strict=True)
-    return Requests(np.array(values, float), np.array(rows), np.array(slots))
+
+    def run(batch, segments: np.ndarray) -> np.ndarray:
+        width, rows = batch
+        legs = [prepared.coordinates(seen[row][0]) for row in rows]
+        along = of(segments, stacked(seen[row][1] for row in rows), 1)
+        does = of(segments, stacked(widened(found[row], width) for row in rows), 2)
+        zero = np.array([seen[row][0].zero for row in rows])
+        around = (of(segments, prepared.seen), of(segments, prepared.problem.known))
+        numbers = (np.asarray(prepared.problem.steps), np.asarray(float(tether)))
+        arguments = (of_legs(segments, legs), along, does, zero, *around, *numbers)
+        return called(FOLD, arguments, prepared.problem.chain, GRAM)
+
+    grams: dict[int, np.ndarray] = {}
+    answers = of_all_segments(run, batches, prepared.segments, GROUP, 1)
+    for (_, rows), answer in zip(batches, answers, strict=True):
+        grams.update(zip(rows, answer, strict=True))
+    return [(placed(prepared, one, grams[row]), to) for row, (one, to) in enumerate(seen)]
 
 
-def linear_terms(prepared: PreparedRecording, rows: Sequence[Hypothesis]) -> LinearTerms:
-    """The first terms that are linear, each once, and whose they are."""
-    segments, size = prepared.seen.time.shape
-    push = np.zeros((1 + MOST_PARAMETERS, segments, size - 1))
-    nothing = Effect(Drive(push, push, push), np.zeros((*push.shape[:2], size, 2)))
-    known = list(dict.fromkeys(one.linear for one in rows if one.linear))
-    which, change = np.zeros(len(rows), int), np.zeros((len(rows), MOST_PARAMETERS))
-    for row, one in enumerate(rows):
-        if one.linear:
-            which[row] = 1 + known.index(one.linear)
-            moved = one.pinned[0] - one.linear.at
-            change[row, : moved.size] = moved
-    effects = [nothing, *(each.effect for each in known), *[nothing] * (GIVEN - 1 - len(known))]
-    return LinearTerms(stacked(effects), which, change)
+def room(parameters: int) -> int:
+    """How many parameters the program that serves so many has room for."""
+    width = FEW
+    while width < parameters:
+        width *= 2
+    return width
 
 
-def stacked(trees: Iterable):
+def widened(effect: Effect, width: int) -> Effect:
+    """Derivatives by so many parameters, and what all terms do behind them."""
+
+    def wide(leaf: np.ndarray) -> np.ndarray:
+        nothing = np.zeros((1 + width - leaf.shape[0], *leaf.shape[1:]))
+        return np.concatenate([leaf[1:], nothing, leaf[:1]])
+
+    return jax.tree.map(wide, effect)
+
+
+def of_legs(segments: np.ndarray, points: Iterable[Coordinates]) -> Coordinates:
+    """These segments of many legs."""
+    legs = stacked(points)
+    return replace(legs, own=of(segments, legs.own, 1))
+
+
+def parts(each: Sequence[Row], size: int) -> list[list[Row]]:
+    """So many at a time."""
+    return [list(each[first : first + size]) for first in range(0, len(each), size)]
+
+
+def filled(each: list[Row], size: int) -> list[Row]:
+    """With the first again, until there are so many."""
+    return [*each, *each[:1] * (size - len(each))]
+
+
+def stacked(trees: Iterable[Any]) -> Any:
     return jax.tree.map(lambda *leaves: np.stack(leaves), *trees)
 
 
 def placed(prepared: PreparedRecording, candidate: Hypothesis, gram: np.ndarray) -> Products:
     """The products over all unknowns of a candidate."""
-    base = prepared.places.shape[1]
-    rows = list(range(base + 2))
-    for slot, value in enumerate(candidate.pinned):
-        first = base + 2 + slot * MOST_PARAMETERS
-        rows += range(first, first + value.size)
-    return prepared.products(candidate, gram, [*rows, gram.shape[-1] - 1])
+    count = prepared.places.shape[1] + 2 + sum(value.size for value in candidate.values)
+    return prepared.products(candidate, gram, [*range(count), gram.shape[-1] - 1])

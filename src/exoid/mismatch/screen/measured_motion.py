@@ -6,6 +6,7 @@ from typing import Any
 import equinox as eqx
 import jax
 import jax.numpy as jnp
+import numpy as np
 from jaxtyping import Array, Float
 
 from exoid.fitting.data.observation import Observation
@@ -26,6 +27,26 @@ class MeasuredMotion(eqx.Module):
     angle: Float[Any, "*candidate segment time"]  # rad
     angular_velocity: Float[Any, "*candidate segment time"]  # rad/s
     angular_acceleration: Float[Any, "*candidate segment time"]  # rad/s^2
+
+
+def behind(
+    measured: MeasuredMotion, error: Float[np.ndarray, "segment time"], time: np.ndarray
+) -> MeasuredMotion:
+    """The motion of a leg whose encoder shows an error [rad], and with it a slope and a bend."""
+    slope = rate(error, time)
+    return MeasuredMotion(
+        measured.angle - error,
+        measured.angular_velocity - slope,
+        measured.angular_acceleration - rate(slope, time),
+    )
+
+
+def rate(value: np.ndarray, time: np.ndarray) -> np.ndarray:
+    """The time derivative, by the parabola through three samples."""
+    steps, rises = np.diff(time), np.diff(value)
+    slopes, before, after = rises / steps, steps[..., :-1], steps[..., 1:]
+    inner = (slopes[..., :-1] * after + slopes[..., 1:] * before) / (after + before)
+    return np.concatenate([slopes[..., :1], inner, slopes[..., -1:]], axis=-1)
 
 
 class SegmentMotion(eqx.Module):

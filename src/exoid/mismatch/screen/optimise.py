@@ -10,7 +10,6 @@ from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.mismatch.screen import many_pinned
 from exoid.mismatch.screen.hypothesis import Hypothesis, Linear, Optimum
 from exoid.mismatch.screen.many_free import release
-from exoid.mismatch.screen.measured_motion import MeasuredMotion
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.physics.term import holds
 
@@ -130,22 +129,13 @@ def nearby(prepared: PreparedRecording, at: Optimum, random: np.random.Generator
     return at.candidate.at(np.clip(unknowns + np.sqrt(rise) * away, *prepared.bounds(at.candidate)))
 
 
-def as_one(prepared: PreparedRecording, best: Hypothesis, motion: MeasuredMotion) -> Linear:
-    """What all its terms do along a motion; the pinned program itself takes no more than two."""
-    each = [
-        (replace(best, terms=(term,), values=(value,), linear=None), motion)
-        for term, value in zip(best.terms, best.values, strict=True)
-    ]
-    return many_pinned.together(many_pinned.linear(prepared, each))
-
-
 def given(prepared: PreparedRecording, begin: Hypothesis) -> Linear | None:
     """All its terms as one, along the motion that is behind what the sensors show."""
     if not begin.terms:
         return None
-    known = as_one(prepared, begin, prepared.measured_motion)
-    motion = settle(prepared, [replace(begin, linear=known)], rounds=1)[0].motion
-    return as_one(prepared, begin, motion)
+    start = replace(begin, linear=None)
+    seen = many_pinned.read(prepared, [(start, prepared.measured_motion)])
+    return many_pinned.linear(prepared, seen)[0]
 
 
 def descend(prepared, begin, evaluate, rounds, steady, rival=np.inf) -> list[Optimum]:

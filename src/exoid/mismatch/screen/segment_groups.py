@@ -1,17 +1,42 @@
 """Segments in groups of one size, so that one compiled program serves every number of them."""
 
-from collections.abc import Iterator
-from typing import TypeVar
+from collections.abc import Callable, Iterable
+from typing import Any, TypeVar
 
 import jax
 import numpy as np
 
+from exoid.fitting.solve.side_by_side import side_by_side
+
 Tree = TypeVar("Tree")
+Batch = TypeVar("Batch")
 
 
-def grouped(tree: Tree, size: int, axis: int = 0) -> Iterator[Tree]:
-    """Parts of `size` segments along an axis of every leaf; the last one fills the last part."""
-    count = jax.tree.leaves(tree)[0].shape[axis]
-    for first in range(0, count, size):
-        rows = np.minimum(np.arange(first, first + size), count - 1)
-        yield jax.tree.map(lambda leaf, rows=rows: np.take(leaf, rows, axis=axis), tree)
+def of_all_segments(
+    task: Callable[[Batch, np.ndarray], Any],
+    batches: Iterable[Batch],
+    segments: int,
+    size: int,
+    axis: int = 0,
+) -> list[Any]:
+    """`task(batch, rows)` of every batch, on all cores: for groups of `size` segments, the last of
+    which the last segment fills, joined along an axis.
+    """
+    waiting = list(batches)
+    groups = [
+        np.minimum(np.arange(first, first + size), segments - 1)
+        for first in range(0, segments, size)
+    ]
+    each = [(batch, rows) for rows in groups for batch in waiting]
+    found = side_by_side(lambda one: task(*one), each)
+
+    def joined(*leaves: np.ndarray) -> np.ndarray:
+        return np.take(np.concatenate(leaves, axis), np.arange(segments), axis)
+
+    count = len(waiting)
+    return [jax.tree.map(joined, *found[number::count]) for number in range(count)]
+
+
+def of(rows: np.ndarray, tree: Tree, axis: int = 0) -> Tree:
+    """The segments in these rows of every leaf."""
+    return jax.tree.map(lambda leaf: np.take(leaf, rows, axis), tree)

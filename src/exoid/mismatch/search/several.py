@@ -9,13 +9,11 @@ from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.screen.race import simulated
 from exoid.mismatch.search.found import best_of, size
 from exoid.mismatch.search.variants import applies
-from exoid.physics.library import MOST_PARAMETERS
 from exoid.physics.term import Term
 
 MOST = 4  # causes of one recording
 NEXT = 3  # further causes that run free beside those at hand
 ROUNDS = 6  # of pinned steps
-SLOTS = 2  # causes that the pinned program works out at once
 REACH = 3.0  # times the best, within which running free may change the order
 
 
@@ -43,10 +41,9 @@ def several(prepared: PreparedRecording, usable: list[type[Term]], best: Optimum
 def without_one(prepared: PreparedRecording, best: Optimum) -> list[Optimum]:
     """The set without each of its causes in turn, where that may do as well."""
     fewer = with_one_less(best.candidate, len(prepared.common))
-    if len(best.candidate.terms) <= SLOTS + 1:
-        seen = settle(prepared, fewer, rounds=ROUNDS)
-        fewer = [one.candidate for one in seen if one.square < REACH * best.square]
-    return simulated(prepared, fewer, best.square)
+    seen = settle(prepared, fewer, rounds=ROUNDS)
+    near = [one.candidate for one in seen if one.square < REACH * best.square]
+    return simulated(prepared, near, best.square)
 
 
 def with_one_more(
@@ -97,9 +94,6 @@ def beside(
     prepared: PreparedRecording, usable: list[type[Term]], known: Hypothesis
 ) -> list[Optimum]:
     """All sets with one cause more, pinned, the best first."""
-    size = sum(value.size for value in known.values)
-    if size > MOST_PARAMETERS:
-        return []
     effect = given(prepared, known)
     starts = [
         known.with_term(term, value, effect)

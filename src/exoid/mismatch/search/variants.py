@@ -5,13 +5,11 @@ from typing import Any
 
 import numpy as np
 
-from exoid.mismatch.screen.hypothesis import Hypothesis, Linear, Optimum
+from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.many_pinned import linear
-from exoid.mismatch.screen.measured_motion import MeasuredMotion
-from exoid.mismatch.screen.optimise import FLOOR, as_one, polished, settle_free, strikes
+from exoid.mismatch.screen.optimise import FLOOR, polished, settle_free, strikes
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.rank import simpler_form
-from exoid.physics.library import MOST_PARAMETERS
 from exoid.physics.parameter import declarations
 from exoid.physics.term import SensorTerm, Term, name_of
 
@@ -158,7 +156,7 @@ def pairs(
     best = sorted(usable, key=order)[:PAIRED]
     firsts = [refined.get(one.candidate.terms, one).candidate for one in best]
     motions = [one.motion for one in best]
-    found = as_given(prepared, firsts, motions)
+    found = linear(prepared, list(zip(firsts, motions, strict=True)))
     made = []
     for number, (first, known) in enumerate(zip(firsts, found, strict=True)):
         done = {one.terms[-1] for one in firsts[: number + 1]}
@@ -166,20 +164,6 @@ def pairs(
             first.with_term(second.candidate.terms[-1], value, known)
             for second in ranked
             for value in prepared.starts(second.candidate.terms[-1])
-            if second.candidate.terms[-1] not in done and known is not None
+            if second.candidate.terms[-1] not in done
         ]
     return made
-
-
-def as_given(
-    prepared: PreparedRecording, firsts: list[Hypothesis], motions: list[MeasuredMotion]
-) -> list[Linear | None]:
-    """What all terms of each do along its motion; None where they have too many parameters."""
-    if not prepared.common:
-        return list(linear(prepared, list(zip(firsts, motions, strict=True))))
-    return [
-        as_one(prepared, first, motion)
-        if sum(value.size for value in first.values) <= MOST_PARAMETERS
-        else None
-        for first, motion in zip(firsts, motions, strict=True)
-    ]
