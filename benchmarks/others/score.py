@@ -17,7 +17,9 @@ CERTAIN, LIKELY = 2.576, 1.960  # standard errors: 99 %, 95 %
 LEG = ("mass", "inertia", "com_distance", "damping", "stiffness")
 UNSEEN = 5.0  # noise levels: an effect that changes less than this nobody sees
 SENSORS = frozenset({"angle_offset", "gyro_scale", "gyro_bias", "sensor_skew", "encoder_gain"})
-DRIFT = frozenset({"gyro_bias", "gyro_scale", "sensor_skew", "fatigue"})
+DRIFT = frozenset({"gyro_bias", "gyro_scale", "sensor_skew", "fatigue", "zero_drift"})
+WANDER = frozenset({"gyro_bias", "zero_drift"})  # what mains folded to a standstill are
+MAINS = (50.0, 60.0)  # Hz
 SEEN_BIAS = 0.05  # of the gyro's noise: a bias that some hundred samples show
 EQUAL = {  # names that are as right, since no drop tells them apart
     "stiffness_rest_angle": {"torque_bias", "angle_offset"},
@@ -123,5 +125,12 @@ def present(truth: dict[str, Any]) -> frozenset[str]:
     return (
         (SENSORS if truth["systematic"] else frozenset())
         | (DRIFT if truth["trouble"] == "drift" else frozenset())
+        | (WANDER if stands_still(truth) else frozenset())
         | (frozenset({"gyro_bias"}) if biased else frozenset())
     )
+
+
+def stands_still(truth: dict[str, Any]) -> bool:
+    """Is a hum of the mains sampled at its own rate, or a part of it?"""
+    rate = truth["device"]["rate"]
+    return truth["trouble"] == "hum" and any(each % rate == 0 for each in MAINS)

@@ -3,7 +3,10 @@
 import numpy as np
 import pytest
 
+from exoid.mismatch.sensors.compare import compare
+from exoid.mismatch.sensors.faults import ECCENTRIC, SCALE
 from exoid.mismatch.sensors.smooth import smooth
+from exoid.mismatch.sensors.strikes import strikes
 
 ANGLE, RATE = 7e-4, 3e-3  # rad, rad/s: noise of the sensors
 
@@ -76,3 +79,50 @@ def test_a_step_that_is_much_shorter_than_others_is_no_end():
     late = np.arange(time.size) % 7 == 0
     found = smooth(time + 0.0024 * late, data, weights)
     assert np.isfinite(found.likelihood)
+
+
+def struck(seed=0, scale=0.0):
+    """A fall at 20 rad/s^2 onto a stop at -1.4 rad, again and again, each time half as fast: every
+    strike is between two samples.
+    """
+    time = np.arange(0, 2, 0.01)
+    angle, rate, at, speed, before = [], [], -0.4, 0.0, 0.0
+    strikes_at = []
+    for now in time:
+        left = now - before
+        while left > 0:
+            fall = (speed + np.sqrt(speed**2 + 40 * (at + 1.4))) / 20
+            if fall > left:
+                at, speed, left = at + speed * left - 10 * left**2, speed - 20 * left, 0.0
+            else:
+                at, speed, left = -1.4, 0.5 * np.sqrt(speed**2 + 40 * (at + 1.4)), left - fall
+                strikes_at.append(len(angle) - 1)
+            if speed < 0.3 and at <= -1.4 + 1e-12:
+                speed, left, at = 0.0, 0.0, -1.4
+        before = now
+        angle.append(at)
+        rate.append(speed)
+        if speed == 0.0 and at == -1.4:
+            break
+    time = time[: len(angle)]
+    noise = np.random.default_rng(seed).normal(size=(time.size, 2)) * [ANGLE, RATE]
+    data = np.stack([angle, (1 + scale) * np.array(rate)], axis=1) + noise
+    return time, data, np.ones_like(data) / [ANGLE, RATE], strikes_at
+
+
+def test_a_strike_between_two_samples_is_seen_and_nothing_else():
+    time, data, weights, at = struck()
+    found = np.flatnonzero(strikes(time, data, weights))
+    early = [one for one in at if one < time.size - 10]  # before they follow each other quickly
+    assert set(early) <= set(found)
+    assert all(min(abs(np.array(at) - one)) <= 2 for one in found)
+    assert not strikes(*swing()[:3]).any()
+
+
+def test_what_a_strike_does_between_samples_is_no_error_of_the_encoder():
+    segments = [struck(seed, scale=-0.014)[:3] for seed in range(4)]
+    found = compare(segments, (SCALE, ECCENTRIC))
+    for one, true in ((SCALE, [-0.014]), (ECCENTRIC, [0.0, 0.0])):
+        places = found.places((one,))
+        errors = np.sqrt(np.diag(found.covariance)[places])
+        assert (np.abs(found.values[places] - true) < 4 * errors).all(), one.name

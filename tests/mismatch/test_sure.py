@@ -1,5 +1,7 @@
 """Which errors of sensors are sure, before any leg model, by recordings that SciPy made."""
 
+from dataclasses import dataclass
+
 import numpy as np
 import pytest
 from faulty_sensors import Faults, cycles, drops
@@ -11,6 +13,7 @@ from exoid.mismatch.sensors.consistency import consistency
 from exoid.physics.sensing.encoder_second_harmonic import EncoderSecondHarmonic
 from exoid.physics.sensing.gyro_scale import GyroScale
 from exoid.physics.sensing.sensor_skew import SensorSkew
+from hands import Knee
 
 SCALE, SKEW, TWICE = GyroScale, SensorSkew, EncoderSecondHarmonic
 SECOND = (0.0105, 0.007)  # rad
@@ -60,3 +63,34 @@ def test_a_delay_of_less_than_a_millisecond_shows_in_cycles():
 
 def test_a_bias_or_a_zero_is_left_to_every_model_of_the_leg():
     assert sure_of(drops(Faults(zero=0.03, bias=0.04))) == {}
+
+
+@dataclass(frozen=True)
+class Stopped(Knee):
+    """A stop with spring and damper, beyond an angle of flexion."""
+
+    at: float = -1.75  # rad
+    spring: float = 0.0  # 1/s^2
+    damper: float = 0.0  # 1/s
+
+    def pull(self, angle, rate):
+        depth = self.at - angle
+        push = np.maximum(self.spring * depth - self.damper * rate, 0.0)
+        return super().pull(angle, rate) + np.where(depth > 0, push, 0.0)
+
+
+@pytest.mark.parametrize(
+    ("rate", "stop", "seed"),
+    [
+        (100.0, Stopped(at=-1.6, spring=4e4, damper=40.0), 0),  # within two samples
+        (100.0, Stopped(at=-1.6, spring=4e4, damper=40.0), 1),
+        (200.0, Stopped(at=-1.6, spring=600.0, damper=60.0), 1),  # of a tenth of a second
+        (400.0, Stopped(spring=9e3, damper=60.0), 0),
+    ],
+)
+def test_a_stop_is_not_taken_for_an_encoder_that_errs_where_it_is(rate, stop, seed):
+    starts = (-0.05, -0.3, -0.6, -0.7)
+    recording = drops(Faults(scale=-0.015), stop, rate=rate, seed=seed, starts=starts)
+    found = sure_of(recording)
+    assert list(found) == [SCALE]
+    assert found[SCALE][0] == pytest.approx(-0.015, abs=6e-4)

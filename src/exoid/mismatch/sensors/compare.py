@@ -14,7 +14,9 @@ from exoid.mismatch.sensors.smooth import (
     smoothed,
     smoother_of,
 )
+from exoid.mismatch.sensors.strikes import strikes
 
+DRIFTS = (0.0, 2e-3, 1e-2)  # rad/s, of a gyro's bias, to choose from
 ROUNDS = 3  # a late gyro is shifted by what the last round found
 FLAT = 1e-10  # relative curvature of what these segments do not tell
 Measured = tuple[np.ndarray, np.ndarray, np.ndarray]  # of a segment: time, data, weights
@@ -61,11 +63,15 @@ def inverse(normal: np.ndarray) -> np.ndarray:
 def compare(segments: list[Measured], faults: tuple[Fault, ...]) -> Compared:
     """The errors of encoder and gyro against each other, over all segments."""
     values = np.zeros(sum(one.parameters for one in faults))
-    motions = [smooth(time, data, weights * [1.0, 0.0]) for time, data, weights in segments]
+    struck = [strikes(*each) for each in segments]
+    motions = [
+        smooth(time, data, weights * [1.0, 0.0], own)
+        for (time, data, weights), own in zip(segments, struck, strict=True)
+    ]
     found = None
     for _ in range(ROUNDS):
         cleaned = with_right_gyros(segments, motions, faults, values)
-        found, smoothers = in_one_round(cleaned, motions, faults, values)
+        found, smoothers = in_one_round(cleaned, motions, faults, values, struck)
         values = found.values
         cleaned = with_right_gyros(segments, motions, faults, values)
         motions = [
@@ -118,18 +124,29 @@ def split(faults: tuple[Fault, ...], values: np.ndarray) -> list[np.ndarray]:
 
 
 def in_one_round(
-    cleaned: list[Measured], motions: list[Reference], faults: tuple[Fault, ...], so_far: np.ndarray
+    cleaned: list[Measured],
+    motions: list[Reference],
+    faults: tuple[Fault, ...],
+    so_far: np.ndarray,
+    struck: list[np.ndarray],
 ) -> tuple[Compared, list[Smoother]]:
-    """A Gauss-Newton step, with the scatter of the jerk that makes the data most likely."""
+    """A Gauss-Newton step, with the jerk and the gyro's drift that make the data most likely."""
     best = None
     for jerk in JERKS:
-        made = [smoother_of(time, weights, float(jerk)) for time, _, weights in cleaned]
+        made = [
+            smoother_of(time, weights, float(jerk), own)
+            for (time, _, weights), own in zip(cleaned, struck, strict=True)
+        ]
         smoothers = [each for each in made if each is not None]
-        if len(smoothers) == len(made):
-            table, scatter = products(cleaned, motions, smoothers, faults)
+        if len(smoothers) < len(made):
+            continue
+        tables = products(cleaned, motions, smoothers, faults)
+        scatter = sum(each.log_scatter for each in smoothers)
+        for drift in DRIFTS:
+            table, drifting = without_drift(tables, drift)
             change = inverse(table[1:, 1:]) @ table[1:, 0]
             left = float(table[0, 0] - table[1:, 0] @ change)
-            likelihood = scatter - left / 2
+            likelihood = scatter + drifting - left / 2
             if best is None or likelihood > best[0]:
                 best = (likelihood, change, table[1:, 1:], left, smoothers)
     assert best is not None  # there are jerks to try
@@ -143,14 +160,29 @@ def products(
     motions: list[Reference],
     smoothers: list[Smoother],
     faults: tuple[Fault, ...],
-) -> tuple[np.ndarray, float]:
-    """(data, columns)'(data, columns) of what no motion follows, and the log of the scatter."""
-    table, scatter = 0.0, 0.0
-    for (_, data, _), motion, smoother in zip(cleaned, motions, smoothers, strict=True):
-        added = [one.columns(motion) for one in faults]
-        rates = np.concatenate([data[:, 1:], *added], axis=1)
+) -> list[np.ndarray]:
+    """(data, columns, drift)'(data, columns, drift) of what no motion follows, of each segment."""
+    tables = []
+    for (time, data, _), motion, smoother in zip(cleaned, motions, smoothers, strict=True):
+        slope = np.interp(time, time[[0, -1]], [-1.0, 1.0])
+        drift = np.stack([np.ones_like(slope), slope], axis=1)
+        rates = np.concatenate(
+            [data[:, 1:], *(one.columns(motion) for one in faults), drift], axis=1
+        )
         angles = np.concatenate([data[:, :1], np.zeros_like(rates[:, 1:])], axis=1)
         rows = smoother.left(np.stack([angles, rates], axis=1))
-        table = table + rows.T @ rows
-        scatter -= float(np.sum(np.log(smoother.factor[-1]))) + 3 * smoother.log_scale
-    return np.asarray(table), scatter
+        tables.append(rows.T @ rows)
+    return tables
+
+
+def without_drift(tables: list[np.ndarray], drift: float) -> tuple[np.ndarray, float]:
+    """The sum of all segments' (data, columns)'(data, columns), where the gyro's bias scatters by
+    `drift` [rad/s] from one to the next and within each, and the log of how likely it is.
+    """
+    total, likely = 0.0, 0.0
+    for table in tables:
+        told, cross = table[:-2, :-2], drift * table[:-2, -2:]
+        own = np.eye(2) + drift**2 * table[-2:, -2:]
+        total = total + told - cross @ np.linalg.solve(own, cross.T)
+        likely -= float(np.linalg.slogdet(own).logabsdet) / 2
+    return np.asarray(total), likely

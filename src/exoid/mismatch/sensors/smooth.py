@@ -1,25 +1,28 @@
 """The motion that the sensors show, smoothed without any leg model.
 
 Angle, rate and acceleration of every sample are unknowns tied by a jerk that is white noise;
-encoder and gyro are met within their noise. The jerk scatters as makes the data most likely.
+encoder and gyro are met within their noise. The jerk scatters as makes the data most likely. What
+strikes the leg between two samples is no such jerk: nothing ties these samples together.
 """
 
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Bool, Float
 from scipy.linalg import LinAlgError, cho_solve_banded, cholesky_banded
 from scipy.sparse import coo_array, csr_array
 
 JERKS = np.logspace(1, 5, 9)  # rad/s^3, deviations to choose from
 UNKNOWN = 3  # a sample: angle, rate, acceleration
 BAND = 2 * UNKNOWN - 1  # beside the diagonal
+FREE = 1e3  # times the jerk's scatter, by which a struck step ties its samples
 SLACK = 0.05  # of a step's change by the jerk, that no quadrature need meet
 # Of the encoder's noise: where the jerk changes the angle by less in a step, rounding bends the
 # motion more than the noise does.
 ROUNDED = 5e-4
 
 Samples = Float[np.ndarray, " sample"]
+Steps = Bool[np.ndarray, " step"]
 Pairs = Float[np.ndarray, "sample 2"]  # of encoder [rad] and gyro [rad/s]
 
 
@@ -31,13 +34,14 @@ class Reference:
     angular_velocity: Samples  # rad/s
     angular_acceleration: Samples  # rad/s^2
     likelihood: float  # log, but for a constant
+    jerks: Float[np.ndarray, " step"]  # changes of the acceleration, over how far they scatter
     smoother: "Smoother"
 
 
 class Smoother:
     """The least squares problem of one segment for one scatter of the jerk."""
 
-    def __init__(self, time: Samples, weights: Pairs, jerk: float):
+    def __init__(self, time: Samples, weights: Pairs, jerk: float, struck: Steps):
         step = np.diff(time)
         size, steps = time.size, step.size
         rows, columns, values = [], [], []
@@ -49,7 +53,7 @@ class Smoother:
                 columns.append(at + offset)
                 values.append(np.broadcast_to(factor, steps) / spread)
 
-        change = jerk * step
+        change = jerk * step * np.where(struck, FREE, 1.0)
         # Hermite's and the trapezoidal rule: exact for a constant jerk within the step.
         relation(
             0,
@@ -71,6 +75,11 @@ class Smoother:
         normal[-1, 0::UNKNOWN] += weights[:, 0] ** 2
         normal[-1, 1::UNKNOWN] += weights[:, 1] ** 2
         self.factor = cholesky_banded(normal)
+
+    @property
+    def log_scatter(self) -> float:
+        """Log of how far the jerk lets data scatter, but for a constant: part of a likelihood."""
+        return -float(np.sum(np.log(self.factor[-1]))) - 3 * self.log_scale
 
     def banded(self, matrix) -> np.ndarray:
         """The upper diagonals, as SciPy's banded solvers take them."""
@@ -107,14 +116,15 @@ class Smoother:
         return float(np.sqrt(pick.reshape(-1) @ inside[:, 0]))
 
 
-def smooth(time: Samples, data: Pairs, weights: Pairs) -> Reference:
+def smooth(time: Samples, data: Pairs, weights: Pairs, struck: Steps | None = None) -> Reference:
     """The motion of greatest likelihood; rows of weight 0 were not measured."""
-    made = (smoother_of(time, weights, jerk) for jerk in JERKS)
+    known = np.zeros(time.size - 1, bool) if struck is None else struck
+    made = (smoother_of(time, weights, jerk, known) for jerk in JERKS)
     found = [smoothed(each, data) for each in made if each is not None]
     return max(found, key=lambda each: each.likelihood)
 
 
-def smoother_of(time: Samples, weights: Pairs, jerk: float) -> Smoother | None:
+def smoother_of(time: Samples, weights: Pairs, jerk: float, struck: Steps) -> Smoother | None:
     """For one scatter of the jerk [rad/s^3]; None where rounding would be larger than the noise.
 
     The largest of `JERKS` always leaves one.
@@ -123,7 +133,7 @@ def smoother_of(time: Samples, weights: Pairs, jerk: float) -> Smoother | None:
     if jerk < JERKS[-1] and jerk * step**3 * weight < ROUNDED:
         return None
     try:
-        return Smoother(time, weights, jerk)
+        return Smoother(time, weights, jerk, struck)
     except LinAlgError:  # steps that are much shorter than most
         return None
 
@@ -131,8 +141,8 @@ def smoother_of(time: Samples, weights: Pairs, jerk: float) -> Smoother | None:
 def smoothed(smoother: Smoother, data: Pairs) -> Reference:
     """The motion by a smoother."""
     motion = smoother.solve(data)
-    misfit = float(np.sum(smoother.left(data) ** 2))
-    spread = float(np.sum(np.log(smoother.factor[-1])))
-    likelihood = -misfit / 2 - spread - 3 * smoother.log_scale
+    left = smoother.left(data)
+    likelihood = smoother.log_scatter - float(np.sum(left**2)) / 2
+    jerks = left[1 - smoother.size :, 0]
     angle, velocity, acceleration = motion.T
-    return Reference(angle, velocity, acceleration, likelihood, smoother)
+    return Reference(angle, velocity, acceleration, likelihood, jerks, smoother)
