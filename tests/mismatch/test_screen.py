@@ -8,10 +8,12 @@ from diagnosis_cases import FRICTION, Detent, session
 
 from exoid.fitting.estimate import fit
 from exoid.mismatch import prepare as preparing
+from exoid.mismatch.conclude.false_alarm import above_zero, gains, turned_over
 from exoid.mismatch.prepare import prepare
 from exoid.mismatch.screen import many_pinned
+from exoid.mismatch.screen.along_motion import linear
 from exoid.mismatch.screen.hypothesis import Hypothesis
-from exoid.mismatch.screen.many_pinned import linear
+from exoid.mismatch.screen.many_pinned import with_columns
 from exoid.mismatch.screen.optimise import polished, promising, settle, settle_free
 from exoid.physics.leg import LegModel
 from exoid.physics.motion.simulate import simulate
@@ -167,3 +169,39 @@ def test_the_encoder_leads_past_the_jumps_of_the_gyro():
     samples = prepared.samples
     assert abs(found.square - samples) < 4 * np.sqrt(2 * samples)
     assert walled.square > found.square + 100  # no noise makes such a difference
+
+
+def test_chance_gains_as_many_squares_as_a_cause_has_parameters(ready):
+    prepared, base = ready
+    free = settle_free(prepared, Hypothesis((), (), base.candidate.point))
+    each = [one for one in candidates(prepared, base) if one.terms == (CoulombFriction,)][:1]
+    noise = np.random.default_rng(0).normal(size=(400, *free.motion.shape))
+    for channel, name in enumerate(("angle_weight", "velocity_weight")):
+        weight = np.asarray(getattr(prepared.seen, name))
+        noise[..., channel] *= np.where(weight > 0, 1 / np.where(weight > 0, weight, 1.0), 0.0)
+    motion = prepared.measured_motion
+    (table,) = with_columns(prepared, [(each[0], motion)], noise)
+    size = each[0].unknowns.size
+    squares = np.diag(table)[size:]
+    assert np.mean(squares) == pytest.approx(prepared.samples, rel=0.01)
+    # Chi square with one degree of freedom: a mean of 1, its deviation the root of 2 over 400.
+    assert np.mean(gains(prepared, each[0], table)) == pytest.approx(1.0, abs=4 * np.sqrt(2 / 400))
+
+
+def test_what_chance_may_do_is_that_of_the_largest_of_many():
+    largest = np.random.default_rng(1).gumbel(-10.0, 2.0, size=20_000)
+    assert above_zero(largest) == pytest.approx(np.mean(largest > 0), abs=2e-3)
+    assert above_zero(largest - 100.0) < 1e-20
+    assert above_zero(np.full(8, -1.0)) == 0.0
+
+
+def test_blocks_are_turned_over_whole_and_nothing_else_is_changed(ready):
+    prepared, base = ready
+    drawn = turned_over(prepared, base, np.random.default_rng(0))
+    data = np.stack([prepared.seen.angle, prepared.seen.angular_velocity], axis=-1)
+    known = np.stack([prepared.seen.angle_weight, prepared.seen.velocity_weight], axis=-1) > 0
+    left = np.where(known, data - base.motion, 0.0)
+    np.testing.assert_allclose(np.abs(drawn), np.broadcast_to(np.abs(left), drawn.shape))
+    signs = np.sign(drawn[:, 0][:, left[0, :, 0] != 0, 0] * left[0, left[0, :, 0] != 0, 0])
+    assert (np.abs(np.diff(signs, axis=1)).sum(axis=1) < 2 * 8).all()  # few changes of sign
+    assert len(np.unique(signs, axis=0)) > 4

@@ -15,6 +15,7 @@ QUIETEST = np.radians(12.0)  # rad, of movement: less is within straps and skin
 FEW = 1 / 3  # of the segments, in which something may have happened once
 CYCLES = 3  # that a claim about the leg needs where all are voluntary
 MOSTLY = 0.5  # of resampled segments must give the same answer
+LUCKY = 0.05  # of recordings in which chance alone may make a cause clear
 APART = 0.05  # relative, by which the slowest must be slower than the fastest
 
 
@@ -100,6 +101,16 @@ def once(prepared: PreparedRecording, best: Optimum) -> list[str]:
     return [
         f"what remains lies in segment {names} alone, and physics of the leg acts in all of them: "
         "a hand may have touched it there. Leave it out, or record it again"
+    ]
+
+
+def luck(rate: float) -> list[str]:
+    """That what is left would often enough look like a cause by chance."""
+    if rate < LUCKY:
+        return []
+    return [
+        f"what it leaves, turned over by chance, looks like a cause in {rate:.0%} of recordings: "
+        "record the same movement again"
     ]
 
 

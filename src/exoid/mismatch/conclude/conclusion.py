@@ -8,8 +8,17 @@ from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.remarks import unlike_anatomy
 from exoid.mismatch.answer.diagnosis import Diagnosis, Finding, NovelTorque, Suspect, Verdict
 from exoid.mismatch.conclude.asserted import asserted, equivalents, has, weight
-from exoid.mismatch.conclude.cannot_tell import chance, hands, once, too_little, unrelaxed, unsure
+from exoid.mismatch.conclude.cannot_tell import (
+    chance,
+    hands,
+    luck,
+    once,
+    too_little,
+    unrelaxed,
+    unsure,
+)
 from exoid.mismatch.conclude.choose import Chosen
+from exoid.mismatch.conclude.false_alarm import false_alarm_rate
 from exoid.mismatch.conclude.numbers import (
     CERTAIN,
     FORMULA,
@@ -62,7 +71,8 @@ def concluded(
     equal = equivalents(found, best) if named else []
     certain = asserted(best, equal) if named else sure
     repeated = included(found, certain, best, formula, seed)
-    verdict, reasons = judge(found, best, shown, repeated)
+    rate = false_alarm_rate(found, best, seed)
+    verdict, reasons = judge(found, best, shown, repeated, rate)
     unseen = hidden(found, result) if verdict == "none" else []
     if unseen:
         verdict, reasons = "cannot_tell", [of_hidden(found, result, unseen[0])]
@@ -101,9 +111,7 @@ def concluded(
         pairs=[weighed(found, one, best) for one in found.pairs],
         pinned=pinned(found),
         excluded=[name_of(term) for term in found.failed],
-        false_alarm_rate=measure.false_alarm_rate(
-            [size(one) for one in (*found.pinned, *found.glimpsed)]
-        ),
+        false_alarm_rate=rate,
         power=measure.power(found.base.square, best.square, max(size(best), 1)),
         inclusion=repeated,
         weight=weight(found, certain or best.candidate.terms) if named else None,
@@ -183,7 +191,7 @@ def named_terms(found: Found, best: Optimum, certain: tuple[type[Term], ...]) ->
 
 
 def judge(
-    found: Found, best: Optimum, shown: Proof, repeated: float | None
+    found: Found, best: Optimum, shown: Proof, repeated: float | None, rate: float
 ) -> tuple[Verdict, list[str]]:
     """None, mismatch, or an honest doubt."""
     prepared = found.prepared
@@ -200,7 +208,12 @@ def judge(
         doubts = hands(prepared)
         return ("cannot_tell", doubts) if doubts else ("none", [])
     explained = found.yardstick.explains(best.square)
-    doubts = [*little, *unsure(prepared, best, shown, explained=explained), *chance(repeated)]
+    doubts = [
+        *little,
+        *unsure(prepared, best, shown, explained=explained),
+        *chance(repeated),
+        *luck(rate),
+    ]
     return ("cannot_tell", doubts) if doubts else ("mismatch", [])
 
 

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.stats import chi2, ncx2
+from scipy.stats import ncx2
 
 SURE = 30.0  # evidence beyond its price that noise does not reach: with thirty terms, 1 in 10 000
 APART = 10.0  # evidence by which one candidate is better than another: odds of 150 to 1
@@ -56,11 +56,6 @@ class Yardstick:
     def followed(self, worse: float, better: float) -> float:
         """The share of the excess over the noise that is explained."""
         return 1 - (better - self.samples) / max(worse - self.samples, 1.0)
-
-    def false_alarm_rate(self, parameters: list[int]) -> float:
-        """The chance that noise alone makes any of so many terms clear."""
-        each = [chi2.sf(self.least(count), count) for count in parameters]
-        return float(min(1.0, np.sum(each)))
 
     def power(self, worse: float, better: float, parameters: int) -> float:
         """The chance that an effect as large as this becomes clear once more."""

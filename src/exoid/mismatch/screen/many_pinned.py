@@ -1,35 +1,34 @@
 """Many candidates at once through the compiled programs that pin them to the data."""
 
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any, TypeVar
 
 import jax
 import numpy as np
 
-from exoid.fitting.model.coordinates import Coordinates
 from exoid.fitting.solve.program_cache import called
-from exoid.mismatch.screen.hypothesis import Effect, Hypothesis, Linear, Products
-from exoid.mismatch.screen.measured_motion import MeasuredMotion, behind
-from exoid.mismatch.screen.pinned import Requests
+from exoid.mismatch.screen.along_motion import (
+    GROUP,
+    Tried,
+    effects,
+    filled,
+    nothing,
+    of_legs,
+    parts,
+    read,
+    stacked,
+)
+from exoid.mismatch.screen.hypothesis import Effect, Hypothesis, Products
+from exoid.mismatch.screen.measured_motion import MeasuredMotion
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.screen.segment_groups import of, of_all_segments
-from exoid.physics.motion.step import Drive
-from exoid.physics.term import Term
 
-GROUP = 2  # segments of a program, so that one serves every recording
 AT_ONCE = 8  # candidates whose misfit a program works out
 FEW = 4  # parameters that it has room for in a candidate, or twice as many, and so on
 LARGEST = 300_000  # samples of candidates that are worked out together: some 200 MB
-SHOW = "exoid.mismatch.screen.pinned:show"
-ACT = "exoid.mismatch.screen.pinned:act"
 FOLD = "exoid.mismatch.screen.pinned:fold"
-STEPS, SAMPLES = np.zeros((1, 1, 1)), np.zeros((1, 1, 1, 2))
-ANGLE = GRAM = jax.tree.structure(STEPS)
-EFFECT = jax.tree.structure(Effect(Drive(STEPS, STEPS, STEPS), SAMPLES))
-Row = TypeVar("Row")
-Tried = tuple[Hypothesis, MeasuredMotion]  # a candidate, and the motion that it had last
+GRAM = jax.tree.structure(np.zeros(()))
 
 
 def evaluate(
@@ -40,104 +39,43 @@ def evaluate(
     return [each for some in parts(tried, most) for each in folded(prepared, some, tether)]
 
 
-def linear(prepared: PreparedRecording, tried: Sequence[Tried]) -> list[Linear]:
-    """What all terms of candidates do along their motions."""
-    seen = read(prepared, [(replace(one, linear=None), motion) for one, motion in tried])
-    return [
-        Linear(effect, np.concatenate(one.values), len(one.terms))
-        for (one, _), effect in zip(seen, effects(prepared, seen), strict=True)
-    ]
-
-
-def read(prepared: PreparedRecording, tried: Sequence[Tried]) -> list[Tried]:
-    """The candidates with the leg's motion behind what the sensors show, if their terms are right.
-
-    What the sensors show otherwise depends on the motion itself: it is that along the last one.
-    """
-    found = asked(prepared, tried, SHOW, ANGLE, lambda term: term.shown is not Term.shown)
-    time = prepared.seen.time
-
-    def error(row: int, one: Hypothesis) -> np.ndarray:
-        shown = [] if one.linear is None else [moved(one, one.linear).shown[0, ..., 0]]
-        return sum([*shown, *found[row].values()], np.full(time.shape, one.zero[1]))
-
-    return [
-        (one, behind(prepared.measured_motion, error(row, one), time))
-        for row, (one, _) in enumerate(tried)
-    ]
-
-
-def effects(prepared: PreparedRecording, seen: Sequence[Tried]) -> list[Effect]:
-    """What all terms of every candidate do together: (1 + parameter, segment, time)."""
-    found = asked(prepared, seen, ACT, EFFECT)
-    segments, size = prepared.seen.time.shape
-    still = np.zeros((1, segments, size - 1))
-    nothing = Effect(Drive(still, still, still), np.zeros((1, segments, size, 2)))
-
-    def joined(*leaves: np.ndarray) -> np.ndarray:
-        together = sum(leaf[:1] for leaf in leaves)
-        return np.concatenate([together, *(leaf[1:] for leaf in leaves)])
-
-    def all_of(row: int, one: Hypothesis) -> Effect:
-        known = [] if one.linear is None else [moved(one, one.linear)]
-        each = [*known, *(found[row][term] for term, _ in one.asked)]
-        return jax.tree.map(joined, nothing, *each)
-
-    return [all_of(row, one) for row, (one, _) in enumerate(seen)]
-
-
-def moved(one: Hypothesis, known: Linear) -> Effect:
-    """What the linear terms of a candidate do now."""
-    change = np.concatenate(one.values[: known.count]) - known.at
-
-    def now(leaf: np.ndarray) -> np.ndarray:
-        return np.concatenate([leaf[:1] + np.tensordot(change, leaf[1:], 1), leaf[1:]])
-
-    return jax.tree.map(now, known.effect)
-
-
-def asked(
-    prepared: PreparedRecording,
-    tried: Sequence[Tried],
-    program: str,
-    structure: Any,
-    wanted: Callable[[type[Term]], bool] = lambda term: True,
-) -> list[dict[type[Term], Any]]:
-    """What a program of the terms that candidates ask for finds along their motions, of each."""
-    points = [prepared.coordinates(one) for one, _ in tried]
-    requests = defaultdict(list)
-    for row, (one, _) in enumerate(tried):
-        for term, value in one.asked:
-            if wanted(term):
-                requests[term].append((row, value))
-
-    def run(batch, segments: np.ndarray):
-        term, rows, values = batch
-        motions = of(segments, stacked(tried[row][1] for row in rows), 1)
-        given = Requests(values, of_legs(segments, [points[row] for row in rows]), motions)
-        arguments = (given, of(segments, prepared.seen))
-        return called(program, arguments, term, structure)
-
-    batches = []
-    for term, each in requests.items():
-        size = max(2, len(prepared.starts(term)))
-        for some in parts(each, size):
-            rows, values = zip(*filled(some, size), strict=True)
-            batches.append((term, rows, np.array(values, float)))
-    axis = {ANGLE: 1, EFFECT: 2}[structure]
-    results: list[dict[type[Term], Any]] = [{} for _ in tried]
-    answers = of_all_segments(run, batches, prepared.segments, GROUP, axis)
-    for (term, rows, _), answer in zip(batches, answers, strict=True):
-        for place, row in enumerate(rows):
-            results[row][term] = jax.tree.map(lambda leaf, at=place: leaf[at], answer)
-    return results
-
-
 def folded(
     prepared: PreparedRecording, tried: Sequence[Tried], tether: float
 ) -> list[tuple[Products, MeasuredMotion]]:
     """The products of as many candidates as memory has room for."""
     seen = read(prepared, tried)
+    grams = fold(prepared, seen, nothing(prepared, 0), tether)
+    each = zip(seen, grams, strict=True)
+    return [(placed(prepared, one, gram), motion) for (one, motion), gram in each]
+
+
+def with_columns(
+    prepared: PreparedRecording, tried: Sequence[Tried], columns: np.ndarray
+) -> list[np.ndarray]:
+    """(J, n)'(J, n) of each candidate along its motion, over all its unknowns and `columns` n of
+    what the sensors may show besides: (column, segment, time, channel) [rad, rad/s].
+    """
+    size = columns.shape[0]
+    beside = replace(nothing(prepared, size), shown=columns)
+
+    def whole(one: Hypothesis, gram: np.ndarray) -> np.ndarray:
+        count, last = own_columns(prepared, one), gram.shape[-1] - 1
+        rows = [*range(count), *range(last - size, last)]
+        total = one.unknowns.size + size
+        table = np.zeros((total, total))
+        for own, place in zip(gram, prepared.places, strict=True):
+            at = np.array([*place, *range(one.point.size, total)])
+            table[np.ix_(at, at)] += own[rows][:, rows]
+        return table
+
+    grams = fold(prepared, tried, beside)
+    return [whole(one, gram) for (one, _), gram in zip(tried, grams, strict=True)]
+
+
+def fold(
+    prepared: PreparedRecording, seen: Sequence[Tried], beside: Effect, tether: float = 0.0
+) -> list[np.ndarray]:
+    """(J, r)'(J, r) of every candidate and segment, with what else may act or be shown `beside`."""
     found = effects(prepared, seen)
     widths = defaultdict(list)
     for row, effect in enumerate(found):
@@ -152,7 +90,7 @@ def folded(
         width, rows = batch
         legs = [prepared.coordinates(seen[row][0]) for row in rows]
         along = of(segments, stacked(seen[row][1] for row in rows), 1)
-        does = of(segments, stacked(widened(found[row], width) for row in rows), 2)
+        does = of(segments, stacked(widened(found[row], width, beside) for row in rows), 2)
         zero = np.array([seen[row][0].zero for row in rows])
         around = (of(segments, prepared.seen), of(segments, prepared.problem.known))
         numbers = (np.asarray(prepared.problem.steps), np.asarray(float(tether)))
@@ -163,7 +101,7 @@ def folded(
     answers = of_all_segments(run, batches, prepared.segments, GROUP, 1)
     for (_, rows), answer in zip(batches, answers, strict=True):
         grams.update(zip(rows, answer, strict=True))
-    return [(placed(prepared, one, grams[row]), to) for row, (one, to) in enumerate(seen)]
+    return [grams[row] for row in range(len(seen))]
 
 
 def room(parameters: int) -> int:
@@ -174,37 +112,22 @@ def room(parameters: int) -> int:
     return width
 
 
-def widened(effect: Effect, width: int) -> Effect:
-    """Derivatives by so many parameters, and what all terms do behind them."""
+def widened(effect: Effect, width: int, beside: Effect) -> Effect:
+    """Derivatives by so many parameters, what is beside, and what all terms do behind them."""
 
-    def wide(leaf: np.ndarray) -> np.ndarray:
+    def wide(leaf: np.ndarray, other: np.ndarray) -> np.ndarray:
         nothing = np.zeros((1 + width - leaf.shape[0], *leaf.shape[1:]))
-        return np.concatenate([leaf[1:], nothing, leaf[:1]])
+        return np.concatenate([leaf[1:], nothing, other, leaf[:1]])
 
-    return jax.tree.map(wide, effect)
-
-
-def of_legs(segments: np.ndarray, points: Iterable[Coordinates]) -> Coordinates:
-    """These segments of many legs."""
-    legs = stacked(points)
-    return replace(legs, own=of(segments, legs.own, 1))
-
-
-def parts(each: Sequence[Row], size: int) -> list[list[Row]]:
-    """So many at a time."""
-    return [list(each[first : first + size]) for first in range(0, len(each), size)]
-
-
-def filled(each: list[Row], size: int) -> list[Row]:
-    """With the first again, until there are so many."""
-    return [*each, *each[:1] * (size - len(each))]
-
-
-def stacked(trees: Iterable[Any]) -> Any:
-    return jax.tree.map(lambda *leaves: np.stack(leaves), *trees)
+    return jax.tree.map(wide, effect, beside)
 
 
 def placed(prepared: PreparedRecording, candidate: Hypothesis, gram: np.ndarray) -> Products:
     """The products over all unknowns of a candidate."""
-    count = prepared.places.shape[1] + 2 + sum(value.size for value in candidate.values)
+    count = own_columns(prepared, candidate)
     return prepared.products(candidate, gram, [*range(count), gram.shape[-1] - 1])
+
+
+def own_columns(prepared: PreparedRecording, candidate: Hypothesis) -> int:
+    """Of a segment's derivatives: baseline unknowns, zeros and terms."""
+    return prepared.places.shape[1] + 2 + sum(value.size for value in candidate.values)

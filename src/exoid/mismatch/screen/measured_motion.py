@@ -49,6 +49,14 @@ def rate(value: np.ndarray, time: np.ndarray) -> np.ndarray:
     return np.concatenate([slopes[..., :1], inner, slopes[..., -1:]], axis=-1)
 
 
+class Requests(eqx.Module):
+    """What is asked of one term: its parameters' values, in which leg, along which motion."""
+
+    values: Float[Any, "request parameter"]
+    points: Coordinates  # (request, ...)
+    motions: MeasuredMotion  # (request, segment, time)
+
+
 class SegmentMotion(eqx.Module):
     """A segment's motion: the stages of every step, and every sample."""
 

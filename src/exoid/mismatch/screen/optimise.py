@@ -7,7 +7,7 @@ import numpy as np
 
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.solve.side_by_side import side_by_side
-from exoid.mismatch.screen import many_pinned
+from exoid.mismatch.screen import along_motion, many_pinned
 from exoid.mismatch.screen.hypothesis import Hypothesis, Linear, Optimum
 from exoid.mismatch.screen.many_free import release
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
@@ -134,8 +134,8 @@ def given(prepared: PreparedRecording, begin: Hypothesis) -> Linear | None:
     if not begin.terms:
         return None
     start = replace(begin, linear=None)
-    seen = many_pinned.read(prepared, [(start, prepared.measured_motion)])
-    return many_pinned.linear(prepared, seen)[0]
+    seen = along_motion.read(prepared, [(start, prepared.measured_motion)])
+    return along_motion.linear(prepared, seen)[0]
 
 
 def descend(prepared, begin, evaluate, rounds, steady, rival=np.inf) -> list[Optimum]:

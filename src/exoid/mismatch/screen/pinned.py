@@ -11,7 +11,6 @@ compile side by side and serve whatever set it is in.
 from functools import partial
 from typing import Any
 
-import equinox as eqx
 import jax
 from jaxtyping import Array, Float, Int
 
@@ -22,16 +21,13 @@ from exoid.fitting.model.coordinates import Coordinates, Unknowns, of_segments
 from exoid.mismatch.screen.deviation import products
 from exoid.mismatch.screen.effect import columns, named, remembered, shown
 from exoid.mismatch.screen.hypothesis import Effect
-from exoid.mismatch.screen.measured_motion import MeasuredMotion, SegmentMotion, segment_motions
+from exoid.mismatch.screen.measured_motion import (
+    MeasuredMotion,
+    Requests,
+    SegmentMotion,
+    segment_motions,
+)
 from exoid.physics.term import Term
-
-
-class Requests(eqx.Module):
-    """What is asked of one term: its parameters' values, in which leg, along which motion."""
-
-    values: Float[Any, "request parameter"]
-    points: Coordinates  # (request, ...)
-    motions: MeasuredMotion  # (request, segment, time)
 
 
 def show(

@@ -4,8 +4,8 @@ from dataclasses import replace
 
 from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.screen.optimise import strikes
-from exoid.mismatch.screen.race import simulated
 from exoid.mismatch.search.found import Found
+from exoid.mismatch.search.race import simulated
 from exoid.mismatch.search.rank import alike, by_evidence
 
 MOST = 8  # rivals that run free, the nearest first

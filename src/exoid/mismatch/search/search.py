@@ -20,8 +20,8 @@ from exoid.mismatch.screen.optimise import (
     strikes,
 )
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
-from exoid.mismatch.screen.race import raced, simulated
 from exoid.mismatch.search.found import Found, best_of, size
+from exoid.mismatch.search.race import raced, simulated
 from exoid.mismatch.search.rank import by_evidence
 from exoid.mismatch.search.several import REACH, several, with_one_more
 from exoid.mismatch.search.variants import (

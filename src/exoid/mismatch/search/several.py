@@ -6,8 +6,8 @@ from exoid.mismatch.evidence.measure import yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import FLOOR, enough, given, settle
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
-from exoid.mismatch.screen.race import simulated
 from exoid.mismatch.search.found import best_of, size
+from exoid.mismatch.search.race import simulated
 from exoid.mismatch.search.variants import applies
 from exoid.physics.term import Term
 

@@ -5,8 +5,8 @@ from typing import Any
 
 import numpy as np
 
+from exoid.mismatch.screen.along_motion import linear
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
-from exoid.mismatch.screen.many_pinned import linear
 from exoid.mismatch.screen.optimise import FLOOR, polished, settle_free, strikes
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.rank import simpler_form

@@ -169,8 +169,9 @@ def how_sure(found: Diagnosis) -> str:
     again = "" if share is None else f"the same answer in {share:.0%} of resampled segments; "
     alike = "".join(f"{one}; " for one in others(found))
     return (
-        f"{held}{again}{alike}on noise alone {chance(found.false_alarm_rate)} false alarms, an "
-        f"effect of this size is found with a chance of {certain(found.power)}."
+        f"{held}{again}{alike}by chance alone what is left would look like a cause in "
+        f"{chance(found.false_alarm_rate)} of recordings, an effect of this size is found with a "
+        f"chance of {certain(found.power)}."
     )
 
 
@@ -239,6 +240,6 @@ def sensors(found: Diagnosis) -> str:
 
 def trust(found: Diagnosis) -> str:
     return (
-        f"the {len(found.pinned)} causes that can act here were tested; noise alone makes one of "
-        f"them stand out in {chance(found.false_alarm_rate)} of recordings."
+        f"the {len(found.pinned)} causes that can act here were tested; chance makes one of them "
+        f"stand out in {chance(found.false_alarm_rate)} of recordings."
     )
