@@ -8,7 +8,7 @@ import pytest
 
 from exoid.fitting.result.fit_result import Estimate
 from exoid.mismatch.conclude.asserted import asserted, equivalents, weight
-from exoid.mismatch.conclude.cannot_tell import chance, unrelaxed
+from exoid.mismatch.conclude.cannot_tell import chance, luck, unrelaxed
 from exoid.mismatch.evidence.prediction import Prediction, improves
 from exoid.mismatch.evidence.yardstick import Yardstick
 from exoid.mismatch.missing_physics import for_inertia, noise_alone
@@ -164,6 +164,11 @@ def test_a_torque_over_j_is_given_for_the_inertia_of_the_diagnosis_with_its_whol
 )
 def test_what_other_segments_would_contradict_is_not_asserted(share, doubted):
     assert bool(chance(share)) == doubted
+
+
+@pytest.mark.parametrize(("rate", "doubted"), [(1e-9, False), (0.03, False), (0.4, True)])
+def test_what_chance_makes_often_enough_is_not_asserted(rate, doubted):
+    assert bool(luck(rate)) == doubted
 
 
 @pytest.mark.parametrize(

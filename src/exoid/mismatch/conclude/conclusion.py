@@ -14,6 +14,7 @@ from exoid.mismatch.conclude.cannot_tell import (
     luck,
     once,
     too_little,
+    unheld,
     unrelaxed,
     unsure,
 )
@@ -213,6 +214,7 @@ def judge(
         *unsure(prepared, best, shown, explained=explained),
         *chance(repeated),
         *luck(rate),
+        *unheld(prepared, found.base, best),
     ]
     return ("cannot_tell", doubts) if doubts else ("mismatch", [])
 
