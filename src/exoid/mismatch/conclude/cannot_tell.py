@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from exoid.fitting.data.observation import Observation
 from exoid.mismatch.evidence.prediction import Proof
 from exoid.mismatch.evidence.proof import masked
 from exoid.mismatch.evidence.yardstick import UNEXPLAINED
@@ -16,7 +15,6 @@ QUIETEST = np.radians(12.0)  # rad, of movement: less is within straps and skin
 FEW = 1 / 3  # of the segments, in which something may have happened once
 CYCLES = 3  # that a claim about the leg needs where all are voluntary
 MOSTLY = 0.5  # of resampled segments must give the same answer
-BEGIN = 0.3  # s, of a movement that nobody saw held
 LUCKY = 0.05  # of recordings in which chance alone may make a cause clear
 APART = 0.05  # relative, by which the slowest must be slower than the fastest
 
@@ -104,30 +102,6 @@ def once(prepared: PreparedRecording, best: Optimum) -> list[str]:
         f"what remains lies in segment {names} alone, and physics of the leg acts in all of them: "
         "a hand may have touched it there. Leave it out, or record it again"
     ]
-
-
-def unheld(prepared: PreparedRecording, base: Optimum, best: Optimum) -> list[str]:
-    """That what was found acts as the recording begins, where a hand may still have been."""
-    seen, movements = prepared.seen, prepared.problem.movements
-    unseen = [one.extent is not None and one.extent.held_until is None for one in movements]
-    gained = squares(seen, base.motion) - squares(seen, best.motion)
-    weighed = np.maximum(seen.angle_weight, seen.velocity_weight) > 0
-    first = np.min(np.where(weighed, seen.time, np.inf), axis=1, keepdims=True)
-    early = (seen.time < first + BEGIN) & np.array(unseen)[:, None]
-    if gained[early].sum() < MOSTLY * gained.sum() or not any(unseen):
-        return []
-    names = ", ".join(one.name for one, free in zip(movements, unseen, strict=True) if free)
-    return [
-        f"it explains little but the first {BEGIN:.1f} s of segment {names}, where nobody can see "
-        "whether a hand was still there: record from 0.3 s before the release on"
-    ]
-
-
-def squares(seen: Observation, shown: np.ndarray) -> np.ndarray:
-    """What is left of both channels at every sample of every segment, over the noise."""
-    angle = seen.angle_weight * (shown[..., 0] - seen.angle)
-    velocity = seen.velocity_weight * (shown[..., 1] - seen.angular_velocity)
-    return np.square(angle) + np.square(velocity)
 
 
 def luck(rate: float) -> list[str]:

@@ -14,7 +14,6 @@ from exoid.mismatch.conclude.cannot_tell import (
     luck,
     once,
     too_little,
-    unheld,
     unrelaxed,
     unsure,
 )
@@ -214,7 +213,6 @@ def judge(
         *unsure(prepared, best, shown, explained=explained),
         *chance(repeated),
         *luck(rate),
-        *unheld(prepared, found.base, best),
     ]
     return ("cannot_tell", doubts) if doubts else ("mismatch", [])
 
