@@ -9,6 +9,7 @@ import pytest
 from exoid.fitting.result.fit_result import Estimate
 from exoid.mismatch.conclude.asserted import asserted, equivalents, weight
 from exoid.mismatch.conclude.cannot_tell import chance, luck, unrelaxed
+from exoid.mismatch.conclude.false_alarm import Chance
 from exoid.mismatch.evidence.prediction import Prediction, improves
 from exoid.mismatch.evidence.yardstick import Yardstick
 from exoid.mismatch.missing_physics import for_inertia, noise_alone
@@ -166,9 +167,12 @@ def test_what_other_segments_would_contradict_is_not_asserted(share, doubted):
     assert bool(chance(share)) == doubted
 
 
-@pytest.mark.parametrize(("rate", "doubted"), [(1e-9, False), (0.03, False), (0.4, True)])
-def test_what_chance_makes_often_enough_is_not_asserted(rate, doubted):
-    assert bool(luck(rate)) == doubted
+@pytest.mark.parametrize(
+    ("usual", "claimed", "doubted"),
+    [(-20.0, 5.0, False), (30.0, 100.0, True), (30.0, 5000.0, False), (30.0, 0.0, False)],
+)
+def test_what_chance_makes_nearly_as_clear_is_not_asserted(usual, claimed, doubted):
+    assert bool(luck(Chance(0.01, usual, claimed))) == doubted
 
 
 @pytest.mark.parametrize(

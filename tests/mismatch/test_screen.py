@@ -8,7 +8,7 @@ from diagnosis_cases import FRICTION, Detent, session
 
 from exoid.fitting.estimate import fit
 from exoid.mismatch import prepare as preparing
-from exoid.mismatch.conclude.false_alarm import above_zero, gains, turned_over
+from exoid.mismatch.conclude.false_alarm import above, gains, gumbel, turned_over
 from exoid.mismatch.prepare import prepare
 from exoid.mismatch.screen import many_pinned
 from exoid.mismatch.screen.along_motion import linear
@@ -190,9 +190,10 @@ def test_chance_gains_as_many_squares_as_a_cause_has_parameters(ready):
 
 def test_what_chance_may_do_is_that_of_the_largest_of_many():
     largest = np.random.default_rng(1).gumbel(-10.0, 2.0, size=20_000)
-    assert above_zero(largest) == pytest.approx(np.mean(largest > 0), abs=2e-3)
-    assert above_zero(largest - 100.0) < 1e-20
-    assert above_zero(np.full(8, -1.0)) == 0.0
+    law = gumbel(largest)
+    assert above(0.0, *law) == pytest.approx(np.mean(largest > 0), abs=2e-3)
+    assert above(100.0, *law) < 1e-20
+    assert above(0.0, *gumbel(np.full(8, -1.0))) == 0.0
 
 
 def test_blocks_are_turned_over_whole_and_nothing_else_is_changed(ready):

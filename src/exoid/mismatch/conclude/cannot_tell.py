@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from exoid.mismatch.conclude.false_alarm import Chance
 from exoid.mismatch.evidence.prediction import Proof
 from exoid.mismatch.evidence.proof import masked
 from exoid.mismatch.evidence.yardstick import UNEXPLAINED
@@ -15,7 +16,6 @@ QUIETEST = np.radians(12.0)  # rad, of movement: less is within straps and skin
 FEW = 1 / 3  # of the segments, in which something may have happened once
 CYCLES = 3  # that a claim about the leg needs where all are voluntary
 MOSTLY = 0.5  # of resampled segments must give the same answer
-LUCKY = 0.05  # of recordings in which chance alone may make a cause clear
 APART = 0.05  # relative, by which the slowest must be slower than the fastest
 
 
@@ -104,13 +104,13 @@ def once(prepared: PreparedRecording, best: Optimum) -> list[str]:
     ]
 
 
-def luck(rate: float) -> list[str]:
+def luck(lucky: Chance) -> list[str]:
     """That what is left would often enough look like a cause by chance."""
-    if rate < LUCKY:
+    if not lucky.doubtful:
         return []
     return [
-        f"what it leaves, turned over by chance, looks like a cause in {rate:.0%} of recordings: "
-        "record the same movement again"
+        "what it leaves would, turned over by chance, look like a cause, too, and not by far less "
+        "clearly: record the same movement again"
     ]
 
 

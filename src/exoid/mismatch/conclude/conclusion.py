@@ -18,7 +18,7 @@ from exoid.mismatch.conclude.cannot_tell import (
     unsure,
 )
 from exoid.mismatch.conclude.choose import Chosen
-from exoid.mismatch.conclude.false_alarm import false_alarm_rate
+from exoid.mismatch.conclude.false_alarm import Chance, by_chance
 from exoid.mismatch.conclude.numbers import (
     CERTAIN,
     FORMULA,
@@ -71,8 +71,8 @@ def concluded(
     equal = equivalents(found, best) if named else []
     certain = asserted(best, equal) if named else sure
     repeated = included(found, certain, best, formula, seed)
-    rate = false_alarm_rate(found, best, seed)
-    verdict, reasons = judge(found, best, shown, repeated, rate)
+    lucky = by_chance(found, best, seed)
+    verdict, reasons = judge(found, best, shown, repeated, lucky)
     unseen = hidden(found, result) if verdict == "none" else []
     if unseen:
         verdict, reasons = "cannot_tell", [of_hidden(found, result, unseen[0])]
@@ -111,7 +111,7 @@ def concluded(
         pairs=[weighed(found, one, best) for one in found.pairs],
         pinned=pinned(found),
         excluded=[name_of(term) for term in found.failed],
-        false_alarm_rate=rate,
+        false_alarm_rate=lucky.rate,
         power=measure.power(found.base.square, best.square, max(size(best), 1)),
         inclusion=repeated,
         weight=weight(found, certain or best.candidate.terms) if named else None,
@@ -191,7 +191,7 @@ def named_terms(found: Found, best: Optimum, certain: tuple[type[Term], ...]) ->
 
 
 def judge(
-    found: Found, best: Optimum, shown: Proof, repeated: float | None, rate: float
+    found: Found, best: Optimum, shown: Proof, repeated: float | None, lucky: Chance
 ) -> tuple[Verdict, list[str]]:
     """None, mismatch, or an honest doubt."""
     prepared = found.prepared
@@ -212,7 +212,7 @@ def judge(
         *little,
         *unsure(prepared, best, shown, explained=explained),
         *chance(repeated),
-        *luck(rate),
+        *luck(lucky),
     ]
     return ("cannot_tell", doubts) if doubts else ("mismatch", [])
 

@@ -7,7 +7,7 @@ simulation like this. What a cause gains on it follows to first order from its d
 that simulation.
 """
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -21,28 +21,47 @@ from exoid.mismatch.sensors.compare import inverse
 
 DRAWS = 64
 FEWEST = 4  # blocks of a segment
+LUCKY = 0.05  # of recordings in which chance may make a cause clear
+FAR = 10.0  # times what chance makes in so many, that what is found there must be clearer
 
 
-def false_alarm_rate(found: Found, best: Optimum, seed: int) -> float:
-    """The chance that any cause or pair that was tested is clear where nothing is missing.
+@dataclass(frozen=True)
+class Chance:
+    """What chance makes of a recording in which nothing is missing."""
+
+    rate: float  # chance that a cause is as clear as what was found; clear at all where nothing was
+    usual: float  # gain beyond what is clear that one of twenty recordings has
+    claimed: float  # that of what was found
+
+    @property
+    def doubtful(self) -> bool:
+        """May chance make a cause clear, and not by far less than what was found is?"""
+        return self.usual > 0 and 0 < self.claimed < FAR * self.usual
+
+
+def by_chance(found: Found, best: Optimum, seed: int) -> Chance:
+    """How clear the clearest of all causes and pairs that were tested is by chance.
 
     The largest gain of all of them is distributed as Gumbel's law has it, which tells how rare
     what none of the draws reached is.
     """
-    tested = [*found.pinned, *found.glimpsed]
+    measure, tested = found.yardstick, [*found.pinned, *found.glimpsed]
+    gained = (found.base.square - best.square) / measure.scale
+    claimed = max(gained - measure.least(size(best)), 0.0)
     if not tested:
-        return 0.0
+        return Chance(0.0, 0.0, claimed)
     prepared, (angle, velocity) = found.prepared, np.moveaxis(best.motion, -1, 0)
     columns = turned_over(prepared, best, np.random.default_rng(seed))
     simulated = MeasuredMotion(angle, velocity, rate(velocity, prepared.seen.time))
     each = [(replace(one.candidate, linear=None), simulated) for one in tested]
     tables = with_columns(prepared, each, columns)
     beyond = [
-        gains(prepared, one.candidate, table) / found.yardstick.scale
-        - found.yardstick.least(size(one))
+        gains(prepared, one.candidate, table) / measure.scale - measure.least(size(one))
         for one, table in zip(tested, tables, strict=True)
     ]
-    return above_zero(np.max(beyond, axis=0))
+    place, width = gumbel(np.max(beyond, axis=0))
+    usual = place - width * float(np.log(-np.log(1 - LUCKY)))
+    return Chance(above(claimed, place, width), usual, claimed)
 
 
 def turned_over(
@@ -75,8 +94,12 @@ def gains(prepared: PreparedRecording, one: Hypothesis, table: np.ndarray) -> np
     return explained(total) - explained(leg)
 
 
-def above_zero(largest: np.ndarray) -> float:
-    """The chance that the largest of many is above zero."""
-    width = np.sqrt(6) / np.pi * np.std(largest)
-    place = np.mean(largest) - np.euler_gamma * width
-    return float(-np.expm1(-np.exp(place / width))) if width > 0 else float(place > 0)
+def gumbel(largest: np.ndarray) -> tuple[float, float]:
+    """Place and width of the law that the largest of many follow, by their mean and scatter."""
+    width = float(np.sqrt(6) / np.pi * np.std(largest))
+    return float(np.mean(largest)) - np.euler_gamma * width, width
+
+
+def above(level: float, place: float, width: float) -> float:
+    """The chance of more than a level."""
+    return float(-np.expm1(-np.exp((place - level) / width))) if width > 0 else 0.0

@@ -169,7 +169,7 @@ def how_sure(found: Diagnosis) -> str:
     again = "" if share is None else f"the same answer in {share:.0%} of resampled segments; "
     alike = "".join(f"{one}; " for one in others(found))
     return (
-        f"{held}{again}{alike}by chance alone what is left would look like a cause in "
+        f"{held}{again}{alike}chance alone would look like it in "
         f"{chance(found.false_alarm_rate)} of recordings, an effect of this size is found with a "
         f"chance of {certain(found.power)}."
     )
