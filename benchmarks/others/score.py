@@ -132,5 +132,6 @@ def present(truth: dict[str, Any]) -> frozenset[str]:
 
 def stands_still(truth: dict[str, Any]) -> bool:
     """Is a hum of the mains sampled at its own rate, or a part of it?"""
-    rate = truth["device"]["rate"]
-    return truth["trouble"] == "hum" and any(each % rate == 0 for each in MAINS)
+    if truth["trouble"] != "hum":
+        return False
+    return any(each % truth["device"]["rate"] == 0 for each in MAINS)

@@ -197,3 +197,9 @@ def test_answers_are_those_of_the_command_line(tmp_path):
         assert bool(here.said) == (here.code != 0)
     assert here.code == 2
     assert "absent.csv" in here.said
+
+
+@pytest.mark.parametrize(("rate", "mark"), [(50.0, "sensor"), (60.0, "sensor"), (100.0, "alarm")])
+def test_a_hum_sampled_at_its_own_rate_is_a_zero_that_wanders(rate, mark):
+    truth = TRUTH | {"trouble": "hum", "device": {"kind": "imu_angle", "rate": rate}}
+    assert mark_diagnosis(truth, diagnosis("mismatch", "zero_drift")).word == mark
