@@ -35,7 +35,7 @@ SHOWING = ("cli", "report")  # rooms that only say what was computed: no program
 LIBRARIES = ("jax", "jaxlib", "equinox", "lineax", "optimistix")  # whose code is in a program
 # How far XLA optimises: as fast machine code as by default, and half as long to wait for it.
 LEAN = {"xla_backend_optimization_level": 1, "xla_cpu_use_fusion_emitters": False}
-MOST = 128  # programs in memory, each 5 MB or so; a diagnosis has 60
+MOST = 128  # programs in memory, each 10 to 20 MB; a diagnosis has 50 to 90
 DIGEST = 32  # bytes of the checksum before a kept program
 UNREADABLE = "Error reading persistent compilation cache"  # what XLA's Python side says of it
 Result = TypeVar("Result")
