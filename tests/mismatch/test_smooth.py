@@ -121,7 +121,7 @@ def test_a_strike_between_two_samples_is_seen_and_nothing_else():
 
 def test_what_a_strike_does_between_samples_is_no_error_of_the_encoder():
     segments = [struck(seed, scale=-0.014)[:3] for seed in range(4)]
-    found = compare(segments, (SCALE, ECCENTRIC))
+    found = compare(segments, [strikes(*each) for each in segments], (SCALE, ECCENTRIC))
     for one, true in ((SCALE, [-0.014]), (ECCENTRIC, [0.0, 0.0])):
         places = found.places((one,))
         errors = np.sqrt(np.diag(found.covariance)[places])

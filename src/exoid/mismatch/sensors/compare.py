@@ -14,7 +14,6 @@ from exoid.mismatch.sensors.smooth import (
     smoothed,
     smoother_of,
 )
-from exoid.mismatch.sensors.strikes import strikes
 
 DRIFTS = (0.0, 2e-3, 1e-2)  # rad/s, of a gyro's bias, to choose from
 ROUNDS = 3  # a late gyro is shifted by what the last round found
@@ -60,10 +59,13 @@ def inverse(normal: np.ndarray) -> np.ndarray:
     return np.linalg.pinv(normal / units, rcond=FLAT, hermitian=True) / units
 
 
-def compare(segments: list[Measured], faults: tuple[Fault, ...]) -> Compared:
-    """The errors of encoder and gyro against each other, over all segments."""
+def compare(
+    segments: list[Measured], struck: list[np.ndarray], faults: tuple[Fault, ...]
+) -> Compared:
+    """The errors of encoder and gyro against each other, over all segments; steps that are `struck`
+    tell nothing of them.
+    """
     values = np.zeros(sum(one.parameters for one in faults))
-    struck = [strikes(*each) for each in segments]
     motions = [
         smooth(time, data, weights * [1.0, 0.0], own)
         for (time, data, weights), own in zip(segments, struck, strict=True)

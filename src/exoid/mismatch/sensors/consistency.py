@@ -10,6 +10,7 @@ from exoid.mismatch.sensors.agreement import Consistency, SensorError
 from exoid.mismatch.sensors.compare import Compared, Measured, compare, with_right_gyros
 from exoid.mismatch.sensors.faults import USUAL, Fault
 from exoid.mismatch.sensors.smooth import Reference, smooth
+from exoid.mismatch.sensors.strikes import strikes
 from exoid.mismatch.sensors.sure import Measuring, surely
 
 UNITS = dict(zip(USUAL, ("1", "rad/s", "s"), strict=True))
@@ -24,10 +25,11 @@ def consistency(seen: Observation, measuring: Measuring) -> Consistency:
     segments = [segment(seen, number) for number in range(seen.time.shape[0])]
     if not any(weights[:, 1].any() for _, _, weights in segments):
         return Consistency([], [smooth(*each) for each in segments])
-    usual = compare(segments, USUAL)
-    sure = surely(segments, usual, measuring)
+    struck = [strikes(*each) for each in segments]
+    usual = compare(segments, struck, USUAL)
+    sure = surely(segments, struck, usual, measuring)
     others = tuple(one for one in sure.faults if one not in USUAL)
-    found = compare(segments, (*USUAL, *others)) if others else usual
+    found = compare(segments, struck, (*USUAL, *others)) if others else usual
     errors = [error_of(found, one) for one in USUAL]
     return Consistency(errors, references(segments, found, errors), sure)
 

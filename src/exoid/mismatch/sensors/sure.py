@@ -35,9 +35,11 @@ class Measure(Protocol):
 Measuring = Callable[[int, float], Measure]  # of a number of samples, and their scale
 
 
-def surely(segments: list[Measured], usual: Compared, measuring: Measuring) -> Sure:
+def surely(
+    segments: list[Measured], struck: list[np.ndarray], usual: Compared, measuring: Measuring
+) -> Sure:
     """What encoder and gyro surely say of each other; nothing where more is between them."""
-    every = compare(segments, (*USUAL, *OTHERS))
+    every = compare(segments, struck, (*USUAL, *OTHERS))
     measure = measuring(every.samples, max(1.0, every.misfit))
     sets = [each for count in range(MOST + 1) for each in combinations(ASKED, count)]
     costs = [cost(every, each, measure) for each in sets]
@@ -53,7 +55,7 @@ def surely(segments: list[Measured], usual: Compared, measuring: Measuring) -> S
         and needed(every, each, measure) == each
     ]
     known = set(chosen) <= set(USUAL)
-    found = usual if known else compare(segments, (BIAS, *chosen))
+    found = usual if known else compare(segments, struck, (BIAS, *chosen))
     errors = tuple(SureError(one, found.of(one)) for one in chosen)
     return Sure(errors, tuple(alike)) if all(each.possible for each in errors) else Sure()
 
