@@ -209,8 +209,9 @@ def test_a_program_with_a_class_typed_into_a_notebook_is_not_kept(tmp_path, monk
 
 
 def test_options_that_xla_does_not_know_cost_nothing_but_time(monkeypatch):
-    assert program.understood() == program.LEAN
+    assert program.understood(brief=False) == program.LEAN
+    assert program.understood(brief=True) == program.BRIEF
     program.understood.cache_clear()
     monkeypatch.setattr(program, "LEAN", {"no_such_option": 1})
-    assert program.understood() == {}
+    assert program.understood(brief=False) == {}
     program.understood.cache_clear()

@@ -22,6 +22,7 @@ MODULES = [
 ]
 NAMES = {
     "coulomb_friction",
+    "load_friction",
     "stribeck_friction",
     "quadratic_drag",
     "stiffness_rest_angle",

@@ -215,6 +215,7 @@ ABSENT = {
     "end_range_stiffening": {"extension": 0.0, "flexion": 0.0},
     "fatigue": {"damping_drift": 0.0, "fade": 0.0},
     "hard_stop": {"contact_time": np.inf},  # the longer a bounce, the softer the stop
+    "load_friction": {"share": 0.0, "level": 0.0},
     "stribeck_friction": {"excess": 0.0, "level": 0.0},
 }
 LIMITS = {
@@ -461,6 +462,7 @@ JUMPS = {
     "coulomb_friction": 1e-3,  # F h / J = 0.05 * 0.01 / 0.45 rad/s, for 1 s
     "hard_stop": 1e-3,  # (h / 8) of the contact's 0.02 s, on the way of a bounce
     "hysteresis": 1e-5,  # a kink, no jump
+    "load_friction": 5e-3,  # as Coulomb's, with 5 N m
     "shaped_hysteresis": 1e-5,  # as hysteresis
     "sticking_backlash": 5e-4,  # the frame stops at a sample, not at the turn: phi'' h^2 / 8
     "stribeck_friction": 1e-3,  # as Coulomb's, with 0.08 N m
@@ -548,15 +550,21 @@ def test_a_conservative_term_keeps_the_energy_of_leg_and_term(name):
     assert constant(energy, 1e-4 if name == "hard_stop" else 1e-11)
 
 
-def stribeck_level(term, speed):
+def stribeck_level(term, _, speed):
     return term.level + term.excess * np.exp(-((speed / term.speed) ** 2))
+
+
+def load_level(term, angle, _):
+    carried = WEIGHT * np.cos(angle + THIGH) + LEG["stiffness"] * angle
+    return term.level + term.share * np.abs(carried)
 
 
 # The torque that brakes [N m], and a size that is large.
 BRAKES = {
-    "coulomb_friction": (lambda term, speed: term.level, {"level": 2.0}),
+    "coulomb_friction": (lambda term, *_: term.level, {"level": 2.0}),
+    "load_friction": (load_level, {"share": 0.5}),
     "stribeck_friction": (stribeck_level, {"excess": 2.0}),
-    "quadratic_drag": (lambda term, speed: term.coefficient * speed**2, {"coefficient": 1.0}),
+    "quadratic_drag": (lambda term, _, speed: term.coefficient * speed**2, {"coefficient": 1.0}),
 }
 brakes = pytest.mark.parametrize("name", BRAKES)
 sizes = pytest.mark.parametrize("size", ["where a search begins", "large"])
@@ -581,8 +589,9 @@ def test_a_term_that_brakes_takes_its_torque_times_the_way_from_the_energy(name,
     rows = braked(name, size)
     found = free(name, rows)
     energy = leg_energy(found.angle, found.angular_velocity)
-    for row, speed, left in zip(rows, np.abs(found.angular_velocity), energy, strict=True):
-        power = speed * BRAKES[name][0](TERMS[name](*row), speed)
+    moved = zip(rows, found.angle, np.abs(found.angular_velocity), energy, strict=True)
+    for row, angle, speed, left in moved:
+        power = speed * BRAKES[name][0](TERMS[name](*row), angle, speed)
         lost = trapezoid(power, dx=1 / FINE)
         # trapezoids and half steps: h^2; in the step of a turn or a stop, F v h
         assert left[0] - left[-1] == pytest.approx(lost, rel=2e-3)

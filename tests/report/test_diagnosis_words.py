@@ -10,7 +10,7 @@ from exoid.report.words.diagnosis import headline, parameter, sentences
 
 def test_a_parameter_without_an_error_is_no_measurement():
     stop = Parameter("hard_stop.extension_angle", 1.2, "rad", None)
-    assert parameter(stop) == "extension angle not determined (at 68.8 deg)"
+    assert parameter(stop) == "extension angle not determined (at 68.8 deg, its limit)"
     assert parameter(Parameter("coulomb_friction.level", 0.1, "N m", 0.002)) == (
         "level 0.1000 ± 0.0020 N m"
     )
@@ -32,6 +32,13 @@ def test_what_the_fit_estimates_anyway_is_told_as_an_error_of_a_sensor():
     assert "chance of" in sentences(one)["How sure"]
 
 
+def test_what_leaves_more_than_noise_is_a_part_of_what_is_missing():
+    one = found()
+    assert headline(replace(one, best=replace(one.best, mean_square=8.0))) == (
+        "Something is missing, and a part of it has a name."
+    )
+
+
 def test_where_no_model_follows_it_is_said_that_the_leg_has_no_numbers():
     one = found()
     astray = replace(one.before, astray="it misses the angle")
@@ -44,8 +51,8 @@ def test_what_was_missing_and_how_sure_what_it_changed_and_what_remains_come_fir
     said = sentences(one)
     assert list(said)[:4] == ["Missing", "How sure", "Changed", "Remains"]
     assert "explanations with it hold 99.2% of the weight; " in said["How sure"]
-    assert "95% of resampled segments" in said["How sure"]
-    assert "or quadratic drag + gyro scale: this recording cannot tell;" in said["How sure"]
+    assert "with segments drawn anew, 95% say the same" in said["How sure"]
+    assert "or instead quadratic drag + gyro scale: this recording cannot tell;" in said["How sure"]
     # squares over the floor of 0.8 mrad: (1 - 0.64) of (400 - 0.64) mrad^2, over both segments
     assert "0% of the squares that were missing" in said["Remains"]
     assert "-> 0.0" in said["Remains"]
@@ -55,8 +62,10 @@ def test_what_may_act_besides_is_apart_from_what_it_may_be_instead():
     two = ["coulomb_friction + gyro_scale", "coulomb_friction + encoder_gain"]
     one = replace(found(), equivalent=[*two, "stribeck_friction"])
     said = sentences(one)["How sure"]
-    assert "besides it perhaps gyro scale, or encoder gain: this recording cannot tell;" in said
-    assert "or stribeck friction: this recording cannot tell;" in said
+    assert (
+        "besides it perhaps gyro scale, or encoder gain; or instead stribeck friction: this "
+        "recording cannot tell;"
+    ) in said
 
 
 def test_a_number_that_is_smaller_than_its_error_is_no_size():

@@ -280,6 +280,7 @@ def free(found: Found, formula: Formula) -> Optimum:
 
 def better(found: Found, one: Optimum, best: Optimum) -> bool:
     """Does a formula explain so much more than the library that it must be something else?"""
-    if not found.yardstick.explains(best.square):
-        return one.square < LEFT * best.square
-    return found.evidence(one) > found.evidence(best) + SURE
+    rival = max((best, *found.singles, *found.pairs), key=found.evidence)
+    if not found.yardstick.explains(rival.square):
+        return one.square < LEFT * rival.square
+    return found.evidence(one) > found.evidence(rival) + SURE

@@ -10,6 +10,7 @@ from jaxtyping import Array, Float
 
 from exoid.physics.moment import Moment
 
+BUSY = 8  # steps within a step, from which on running takes longer than compiling
 Memory = Float[Array, " memory"]
 Scalar = Float[Array, ""]
 
@@ -128,6 +129,11 @@ class SensorTerm(Term):
 def holds(term: type[Term]) -> bool:
     """Does it hold a leg at rest?"""
     return term.dry_friction is not Term.dry_friction
+
+
+def busy(term: type[Term]) -> bool:
+    """Is it so much faster than the leg that it costs far more than other terms?"""
+    return term.substeps > BUSY
 
 
 def name_of(term: type[Term]) -> str:

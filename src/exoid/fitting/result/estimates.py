@@ -11,6 +11,7 @@ from exoid.fitting.model.belief import NAMES, Belief
 from exoid.fitting.model.term_parameters import ratio_name, ratio_unit
 from exoid.fitting.model.user_values import DECLARED, Means
 from exoid.fitting.result.fit_result import Basis, Estimate
+from exoid.fitting.result.remarks import NO_RIG, upside_down
 from exoid.physics.parameter import Declaration, declarations
 from exoid.physics.term import name_of
 from exoid.physics.torque import CycleTorque
@@ -183,6 +184,9 @@ def estimate_ratios(basis: Basis, at_bound: set[str]) -> dict[str, Estimate]:
         found, parameter = mean_of(basis, wanted, set()), name.removesuffix("_over_inertia")
         if parameter in problem.absent:
             estimates[name] = none_of(label)
+            continue
+        if parameter in ("gravity", "stiffness") and upside_down(basis.problem, basis.ended):
+            estimates[name] = Estimate(*label, value=None, standard_error=None, reason=NO_RIG)
             continue
         at_zero = abs(found.value) < NO_RATIO
         if parameter in at_bound:

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from exoid.fitting.data.movement import all_driven
 from exoid.fitting.misfit.disturbance import CORRELATED
 from exoid.fitting.misfit.missed import NOISY, Disturbance, Missed
 from exoid.fitting.model.belief import Belief
@@ -18,6 +19,10 @@ UPWARDS = (
     "positive in this file? Then say --flip angle (--flip all with a gyro of the same sign). Is 0 "
     "the hanging leg? Then say --zero hanging."
 )
+NO_RIG = (
+    "gravity would pull upwards: of this rig a spring and gravity are not told apart. Where no "
+    'spring is, say [subject] spring = "none"'
+)
 RULES = ("m l^2 <= J", "J <= reach m l")
 STRANGE = 3.29  # standard deviations from what anatomy expects: one leg in a thousand
 INCOMPLETE = "no error bar of a model that misses something is complete"
@@ -28,6 +33,7 @@ def remarks(problem: Problem, ended: SearchResult, at_bound: set[str]) -> list[s
     said = []
     guessed = [each for each in problem.movements if not each.kind_said]
     rig = problem.belief.rig
+    said += of_impossible(problem, ended)
     if guessed:
         each = ", ".join(f"{one.name} {one.kind}" for one in guessed)
         said.append(f"the sidecar does not say how the leg was moved; by its motion: {each}.")
@@ -62,6 +68,11 @@ def remarks(problem: Problem, ended: SearchResult, at_bound: set[str]) -> list[s
             "tau and tau / J are means over the voluntary segments, each with its own effort."
         )
     return said
+
+
+def of_impossible(problem: Problem, ended: SearchResult) -> list[str]:
+    """That no rig falls like this."""
+    return [f"m l g / J and c / J: {NO_RIG}."] if upside_down(problem, ended) else []
 
 
 def of_memory(problem: Problem) -> list[str]:
@@ -141,6 +152,12 @@ def upwards(problem: Problem, ended: SearchResult) -> bool:
         and not problem.belief.rig
         and all(each.kind == "passive" for each in problem.movements)
     )
+
+
+def upside_down(problem: Problem, ended: SearchResult) -> bool:
+    """Does gravity come out upwards, of a rig that was not driven all the time?"""
+    gravity = float(ended.best.coordinates.shared.gravity[0])
+    return problem.belief.rig and not all_driven(problem.movements) and gravity < 0
 
 
 def of_astray(why: str | None, belief: Belief, several: bool) -> list[str]:

@@ -35,6 +35,7 @@ SHOWING = ("cli", "report")  # rooms that only say what was computed: no program
 LIBRARIES = ("jax", "jaxlib", "equinox", "lineax", "optimistix")  # whose code is in a program
 # How far XLA optimises: as fast machine code as by default, and half as long to wait for it.
 LEAN = {"xla_backend_optimization_level": 1, "xla_cpu_use_fusion_emitters": False}
+BRIEF = LEAN | {"xla_backend_optimization_level": 0}  # half as long again, for what hardly runs
 MOST = 128  # programs in memory, each 10 to 20 MB; a diagnosis has 50 to 90
 DIGEST = 32  # bytes of the checksum before a kept program
 UNREADABLE = "Error reading persistent compilation cache"  # what XLA's Python side says of it
@@ -101,14 +102,15 @@ def run_sense(point, observation, known, pushes, stage, chain: Chain) -> Sensed:
     )
 
 
-def called(name: str, arguments: tuple, static, structure):
+def called(name: str, arguments: tuple, static, structure, *, brief: bool = False):
     """The function `module:name`, in float64 whatever JAX's default.
 
-    `static` is its last argument, hashable and part of the program.
+    `static` is its last argument, hashable and part of the program. What is `brief` is worth less
+    optimising than it takes.
     """
     leaves, given = jax.tree.flatten(arguments)
     shapes = tuple(jax.ShapeDtypeStruct(np.shape(leaf), np.result_type(leaf)) for leaf in leaves)
-    wanted = (name, given, shapes, static)
+    wanted = (name, given, shapes, static, brief)
     with jax.enable_x64(True):  # a fit in float32 would stop short of its optimum
         with _locks.setdefault(wanted, Lock()):  # of two threads that want it, one compiles it
             code = program(*wanted)
@@ -117,12 +119,12 @@ def called(name: str, arguments: tuple, static, structure):
 
 
 @lru_cache(MOST)
-def program(name: str, structure, shapes, static):
+def program(name: str, structure, shapes, static, brief: bool = False):
     """The compiled program for these shapes: loaded, or traced and kept.
 
     A class typed into a notebook has no file by which a later program could know it again.
     """
-    options = understood()
+    options = understood(brief=brief)
     if not _folder or None in own_sources((static, *classes(structure))):
         found = jax.jit(traceable(name, structure, static), compiler_options=options)
         return compiled(found, shapes)
@@ -144,15 +146,16 @@ def compiled(found, shapes):
 
 
 @cache
-def understood() -> dict[str, Any]:
+def understood(*, brief: bool) -> dict[str, Any]:
     """The options, where they are for this machine and this version of XLA knows them."""
     if jax.default_backend() != "cpu":
         return {}
+    options = BRIEF if brief else LEAN
     try:
-        jax.jit(lambda: np.zeros(()), compiler_options=LEAN).lower().compile()
+        jax.jit(lambda: np.zeros(()), compiler_options=options).lower().compile()
     except jax.errors.JaxRuntimeError:
         return {}
-    return LEAN
+    return options
 
 
 def traceable(name: str, structure, static):

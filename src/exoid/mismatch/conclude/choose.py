@@ -9,6 +9,8 @@ from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.search.found import Found
 from exoid.mismatch.search.rank import alike, by_evidence
 
+FURTHER = 2.0  # times as far apart must a set be from one with fewer causes: it is one of many
+
 
 @dataclass(frozen=True, eq=False)
 class Chosen:
@@ -31,7 +33,7 @@ def choose(found: Found) -> Chosen:
         first = chosen.best is found.base
         if not found.clear(chosen.best, better):
             continue
-        if not first and alike(chosen.best, better, found.yardstick):
+        if not first and alike(chosen.best, better, found.yardstick, FURTHER):
             continue
         after = predict(found.prepared, better)
         if first or improves(chosen.after, after):

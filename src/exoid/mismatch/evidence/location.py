@@ -49,10 +49,7 @@ class Location:
         """In one sentence."""
         angle, speed = f"{self.by_angle:.0%}", f"{self.by_speed:.0%}"
         if max(self.by_angle, self.by_speed) < 0.3:
-            return (
-                f"it follows neither angle ({angle}) nor speed ({speed}) alone: time, memory or "
-                "both together"
-            )
+            return f"neither angle ({angle} of its variance) nor speed ({speed}) alone explains it"
         if self.by_speed > self.by_angle + 0.1:
             return f"it goes with speed and direction ({speed} of its variance, angle {angle})"
         if self.by_angle > self.by_speed + 0.1:

@@ -91,7 +91,7 @@ def started(
     def there(products: Products) -> Products:
         return Products(products.each[[number]] * np.outer(asked, asked), 0.0 * products.usual)
 
-    return descend(prepared, [(candidate, None)], evaluate, LOOKS, STEADY)[0]
+    return descend(prepared, [(candidate, None)], evaluate, [LOOKS], STEADY)[0]
 
 
 def prediction(

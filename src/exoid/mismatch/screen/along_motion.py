@@ -11,15 +11,23 @@ import numpy as np
 from exoid.fitting.model.coordinates import Coordinates
 from exoid.fitting.solve.program_cache import called
 from exoid.mismatch.screen.hypothesis import Effect, Hypothesis, Linear
-from exoid.mismatch.screen.measured_motion import MeasuredMotion, Requests, behind
+from exoid.mismatch.screen.measured_motion import MeasuredMotion, SegmentMotion, behind
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.screen.segment_groups import of, of_all_segments
+from exoid.physics.moment import Cycle, Moment, SegmentConstants
 from exoid.physics.motion.step import Drive
-from exoid.physics.term import Term
+from exoid.physics.ratios import Ratios
+from exoid.physics.term import Term, busy
 
 GROUP = 2  # segments of a program, so that one serves every recording
+AT_ONCE = 8  # candidates of a program that serves all terms
+ALONG = "exoid.mismatch.screen.pinned:along"
 SHOW = "exoid.mismatch.screen.pinned:show"
 ACT = "exoid.mismatch.screen.pinned:act"
+NUMBER, ROW = np.zeros(()), np.zeros(1)
+PLACE = SegmentConstants(Ratios(*[NUMBER] * 3), NUMBER, Cycle(*[NUMBER] * 4), NUMBER)
+MOMENT = Moment(*[NUMBER] * 4, PLACE)
+MOTION = jax.tree.structure(SegmentMotion(*[MOMENT] * 4, ROW, ROW))
 STEPS, SAMPLES = np.zeros((1, 1, 1)), np.zeros((1, 1, 1, 2))
 ANGLE = jax.tree.structure(STEPS)
 EFFECT = jax.tree.structure(Effect(Drive(STEPS, STEPS, STEPS), SAMPLES))
@@ -96,19 +104,18 @@ def asked(
     wanted: Callable[[type[Term]], bool] = lambda term: True,
 ) -> list[dict[type[Term], Any]]:
     """What a program of the terms that candidates ask for finds along their motions, of each."""
-    points = [prepared.coordinates(one) for one, _ in tried]
     requests = defaultdict(list)
     for row, (one, _) in enumerate(tried):
         for term, value in one.asked:
             if wanted(term):
                 requests[term].append((row, value))
+    asking = sorted({row for each in requests.values() for row, _ in each})
+    motions = dict(zip(asking, motions_of(prepared, [tried[row] for row in asking]), strict=True))
 
     def run(batch, segments: np.ndarray):
         term, rows, values = batch
-        motions = of(segments, stacked(tried[row][1] for row in rows), 1)
-        given = Requests(values, of_legs(segments, [points[row] for row in rows]), motions)
-        arguments = (given, of(segments, prepared.seen))
-        return called(program, arguments, term, structure)
+        along = of(segments, stacked(motions[row] for row in rows), 1)
+        return called(program, (values, along), term, structure, brief=not busy(term))
 
     batches = []
     for term, each in requests.items():
@@ -123,6 +130,21 @@ def asked(
         for place, row in enumerate(rows):
             results[row][term] = jax.tree.map(lambda leaf, at=place: leaf[at], answer)
     return results
+
+
+def motions_of(prepared: PreparedRecording, tried: Sequence[Tried]) -> list[SegmentMotion]:
+    """What terms see of every candidate's motion, (segment, ...)."""
+
+    def run(some: list[Tried], segments: np.ndarray) -> SegmentMotion:
+        legs = of_legs(segments, [prepared.coordinates(one) for one, _ in some])
+        measured = of(segments, stacked(motion for _, motion in some), 1)
+        given = (legs, measured, of(segments, prepared.seen))
+        return called(ALONG, given, None, MOTION, brief=True)
+
+    batches = [filled(some, AT_ONCE) for some in parts(tried, AT_ONCE)]
+    answers = of_all_segments(run, batches, prepared.segments, GROUP, 1)
+    each = [jax.tree.map(lambda leaf, k=k: leaf[k], one) for one in answers for k in range(AT_ONCE)]
+    return each[: len(tried)]
 
 
 def of_legs(segments: np.ndarray, points: Iterable[Coordinates]) -> Coordinates:

@@ -13,7 +13,7 @@ from exoid.physics.moment import Moment
 from exoid.physics.motion.step import Drive, march, parabola, rk4
 from exoid.physics.motion.with_terms import delayed
 from exoid.physics.parameter import declarations
-from exoid.physics.term import Reading, Term, holds
+from exoid.physics.term import Reading, Term, busy, holds
 
 
 def named(term: type[Term], value: Float[Any, " parameter"]) -> Term:
@@ -45,10 +45,19 @@ def effect_of(term: Term, motion: SegmentMotion) -> Effect:
     pulled = Drive(*map(partial(throughout, term.torque), stages(motion), memories))
     inertia = motion.begin.place.inertia
     push = jax.tree.map(lambda one, two: (one + two) / inertia, pulled, rubbing(term, motion))
-    velocity = motion.sample.angular_velocity
+    return Effect(push, wrongly_shown(term, motion, memory))
+
+
+def wrongly_shown(
+    term: Term, motion: SegmentMotion, memory: Float[Array, "time memory"]
+) -> Float[Array, "time channel"]:
+    """What encoder and gyro show at every sample minus how the leg moves, with the gyro's delay."""
+    time, velocity = motion.sample.time, motion.sample.angular_velocity
+    if type(term).shown is Term.shown:
+        return jnp.zeros((time.size, 2))
     error = shown(term, motion, memory)
-    late = delayed(motion.sample.time, velocity, motion.acceleration, error.delay) - velocity
-    return Effect(push, jnp.stack([error.angle, error.angular_velocity + late], axis=-1))
+    late = delayed(time, velocity, motion.acceleration, error.delay) - velocity
+    return jnp.stack([error.angle, error.angular_velocity + late], axis=-1)
 
 
 def shown(term: Term, motion: SegmentMotion, memory: Float[Array, "time memory"]) -> Reading:
@@ -71,7 +80,9 @@ def remembered(term: Term, motion: SegmentMotion) -> Float[Array, "time memory"]
                 now = parabola(first, middle, last, (number + part) / term.substeps)
                 return term.memory_rate(now, memory)
 
-            return rk4(rate, memory, motion.step[index] / term.substeps)
+            return rk4(
+                rate, memory, motion.step[index] / term.substeps, compact=not busy(type(term))
+            )
 
         memory = jax.lax.fori_loop(0, term.substeps, part_of, memory)
         return term.memory_within(last, memory)

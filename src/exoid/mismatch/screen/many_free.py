@@ -10,9 +10,9 @@ from exoid.fitting.solve.program_cache import called
 from exoid.mismatch.screen.hypothesis import Hypothesis, Products
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.screen.segment_groups import of, of_all_segments
+from exoid.physics.term import busy
 
 GROUP = 4  # segments of a program, so that one serves every recording
-BUSY = 8  # steps within a step, from which on one segment is enough for a processor
 LEAST = 1024  # samples of it, or twice as many, and so on
 TABLE = np.zeros((1, 1, 1))
 RELEASED = jax.tree.structure((TABLE, TABLE))
@@ -27,7 +27,7 @@ def release(
     at = prepared.coordinates(candidate)
     whole = (prolonged(observation, size), prepared.problem.known)
     static = (candidate.terms, prepared.problem.chain)
-    busy = any(term.substeps > BUSY for term in candidate.terms)
+    together = 1 if any(map(busy, candidate.terms)) else GROUP
 
     def group(values, segments: np.ndarray):
         point = replace(at, own=of(segments, at.own))
@@ -35,8 +35,7 @@ def release(
         arguments = (values, point, candidate.zero, seen, known, np.asarray(last_of(seen)))
         return called("exoid.mismatch.screen.free_run:release", arguments, static, RELEASED)
 
-    found = of_all_segments(group, [candidate.values], prepared.segments, 1 if busy else GROUP)
-    ((gram, shown),) = found
+    ((gram, shown),) = of_all_segments(group, [candidate.values], prepared.segments, together)
     return prepared.products(candidate, gram), shown[:, :size]
 
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from exoid.fitting.solve.program_cache import called
 from exoid.mismatch.screen.along_motion import (
+    AT_ONCE,
     GROUP,
     Tried,
     effects,
@@ -24,7 +25,6 @@ from exoid.mismatch.screen.measured_motion import MeasuredMotion
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.screen.segment_groups import of, of_all_segments
 
-AT_ONCE = 8  # candidates whose misfit a program works out
 FEW = 4  # parameters that it has room for in a candidate, or twice as many, and so on
 LARGEST = 300_000  # samples of candidates that are worked out together: some 200 MB
 FOLD = "exoid.mismatch.screen.pinned:fold"

@@ -10,9 +10,8 @@ import numpy as np
 from jaxtyping import Array, Float
 
 from exoid.fitting.data.observation import Observation
-from exoid.fitting.misfit.residual import Equation, equation, place_of
+from exoid.fitting.misfit.residual import Equation, place_of
 from exoid.fitting.misfit.stage import Stage
-from exoid.fitting.model.coordinates import Coordinates, of_segments
 from exoid.physics.moment import Moment
 from exoid.physics.motion.step import Drive
 from exoid.physics.motion.with_terms import moment
@@ -49,14 +48,6 @@ def rate(value: np.ndarray, time: np.ndarray) -> np.ndarray:
     return np.concatenate([slopes[..., :1], inner, slopes[..., -1:]], axis=-1)
 
 
-class Requests(eqx.Module):
-    """What is asked of one term: its parameters' values, in which leg, along which motion."""
-
-    values: Float[Any, "request parameter"]
-    points: Coordinates  # (request, ...)
-    motions: MeasuredMotion  # (request, segment, time)
-
-
 class SegmentMotion(eqx.Module):
     """A segment's motion: the stages of every step, and every sample."""
 
@@ -66,18 +57,6 @@ class SegmentMotion(eqx.Module):
     sample: Moment
     acceleration: Float[Any, "*batch time"]  # rad/s^2, measured at every sample
     step: Float[Any, "*batch step"]  # s
-
-
-def segment_motions(
-    point: Coordinates, measured: MeasuredMotion, observation: Observation
-) -> SegmentMotion:
-    """Every segment's."""
-
-    def one(unknowns, measured, observation):
-        return segment_motion(equation(unknowns, observation, FREE), measured, observation)
-
-    each = of_segments(point, observation.owner)
-    return jax.vmap(one)(each, measured, observation)
 
 
 def segment_motion(

@@ -11,9 +11,10 @@ from exoid.mismatch.screen import along_motion, many_pinned
 from exoid.mismatch.screen.hypothesis import Hypothesis, Linear, Optimum
 from exoid.mismatch.screen.many_free import release
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
-from exoid.physics.term import holds
+from exoid.physics.term import busy, holds
 
 ROUNDS, FEWER_ROUNDS = 60, 12  # of steps at most
+GLANCES = 2  # steps along the motion of what costs most, and shows itself only running free
 LONG = 25  # rounds, from which on only what still falls goes on, as along a narrow valley
 FALLING, LAST = 0.9, 10  # to what share of itself a sum of squares must fall in how many rounds
 EARLY, FAR, FAST = 12, 3.0, 0.6  # rounds, times a rival's square, share in half as many rounds
@@ -43,10 +44,11 @@ def settle(
     a torque explains shows before it is lost in what the motion has drifted since.
     """
     ended = [(one, prepared.measured_motion) for one in candidates]
+    most = [GLANCES if any(busy(term) for term, _ in one.asked) else rounds for one in candidates]
     found = []
     for tether in prepared.tethers or (0.0,):
         evaluate = partial(many_pinned.evaluate, tether=tether)
-        found = descend(prepared, ended, evaluate, rounds, NEARLY)
+        found = descend(prepared, ended, evaluate, most, NEARLY)
         ended = [(one.candidate, one.motion) for one in found]
     return found
 
@@ -64,7 +66,7 @@ def settle_free(
     def evaluate(prepared, tried):
         return [release(prepared, one, observation) for one, _ in tried]
 
-    return descend(prepared, [(candidate, None)], evaluate, rounds, STEADY, rival)[0]
+    return descend(prepared, [(candidate, None)], evaluate, [rounds], STEADY, rival)[0]
 
 
 def polished(prepared: PreparedRecording, start: Hypothesis, rival: float = np.inf) -> Optimum:
@@ -139,17 +141,19 @@ def given(prepared: PreparedRecording, begin: Hypothesis) -> Linear | None:
 
 
 def descend(prepared, begin, evaluate, rounds, steady, rival=np.inf) -> list[Optimum]:
-    """Steps of all candidates together, until each expects to gain less than `steady`, or falls too
-    slowly to come near what a `rival` leaves.
+    """Steps of all candidates together, of each so many `rounds` or until it expects to gain less
+    than `steady`, or falls too slowly to come near what a `rival` leaves.
 
     `evaluate` takes candidates with the motions that they had, and gives products with new ones.
     """
     found = evaluate(prepared, begin)
     at = [Optimum(one, *each) for (one, _), each in zip(begin, found, strict=True)]
     squares = [[each.square] for each in at]
-    for _ in range(rounds):
+    for done in range(max(rounds, default=0)):
         moving = [
-            n for n, each in enumerate(at) if not each.resting and promising(squares[n], rival)
+            n
+            for n, each in enumerate(at)
+            if done < rounds[n] and not each.resting and promising(squares[n], rival)
         ]
         if not moving:
             break

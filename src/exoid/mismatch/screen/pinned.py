@@ -16,50 +16,58 @@ from jaxtyping import Array, Float, Int
 
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.observation import Observation
+from exoid.fitting.misfit.residual import equation
 from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.coordinates import Coordinates, Unknowns, of_segments
 from exoid.mismatch.screen.deviation import products
 from exoid.mismatch.screen.effect import columns, named, remembered, shown
 from exoid.mismatch.screen.hypothesis import Effect
 from exoid.mismatch.screen.measured_motion import (
+    FREE,
     MeasuredMotion,
-    Requests,
     SegmentMotion,
-    segment_motions,
+    segment_motion,
 )
 from exoid.physics.term import Term
 
 
+def along(
+    points: Coordinates, motions: MeasuredMotion, observation: Observation, _: None
+) -> SegmentMotion:
+    """What terms see of every candidate's motion: (candidate, segment, ...)."""
+
+    def one(unknowns, measured, observation):
+        return segment_motion(equation(unknowns, observation, FREE), measured, observation)
+
+    def each(point: Coordinates, motion: MeasuredMotion) -> SegmentMotion:
+        return jax.vmap(one)(of_segments(point, observation.owner), motion, observation)
+
+    return jax.vmap(each)(points, motions)
+
+
 def show(
-    requests: Requests, observation: Observation, term: type[Term]
+    values: Float[Array, "request parameter"], motions: SegmentMotion, term: type[Term]
 ) -> Float[Array, "request segment time"]:
     """The encoder's error that a term makes [rad]."""
 
-    def one(request: Requests):
-        own = named(term, request.values)
+    def one(value: Float[Array, " parameter"], motions: SegmentMotion):
+        own = named(term, value)
 
         def error(motion: SegmentMotion):
             return shown(own, motion, remembered(own, motion)).angle
 
-        return jax.vmap(error)(along(request, observation))
+        return jax.vmap(error)(motions)
 
-    return jax.vmap(one)(requests)
+    return jax.vmap(one)(values, motions)
 
 
-def act(requests: Requests, observation: Observation, term: type[Term]) -> Effect:
+def act(
+    values: Float[Array, "request parameter"], motions: SegmentMotion, term: type[Term]
+) -> Effect:
     """What a term does, and the derivatives by its parameters: (request, 1 + parameter, segment,
     time).
     """
-
-    def one(request: Requests):
-        return columns(term, request.values, along(request, observation))
-
-    return jax.vmap(one)(requests)
-
-
-def along(request: Requests, observation: Observation) -> SegmentMotion:
-    """The motion of every segment."""
-    return segment_motions(request.points, request.motions, observation)
+    return jax.vmap(partial(columns, term))(values, motions)
 
 
 def fold(

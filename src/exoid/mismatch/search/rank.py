@@ -32,9 +32,11 @@ def simpler(one: Optimum, best: Optimum) -> bool:
     return same and all(few is many or simpler_form(few, many) for few, many in pairs)
 
 
-def alike(one: Optimum, best: Optimum, measure: Yardstick) -> bool:
-    """Can noise, or what even the best does not explain, be all that tells them apart?"""
-    return measure.apart(one.square, best.square, size(best) - size(one)) < APART
+def alike(one: Optimum, best: Optimum, measure: Yardstick, times: float = 1.0) -> bool:
+    """Can noise, or what even the best does not explain, be all that tells them apart? So many
+    `times` over they may have to be.
+    """
+    return measure.apart(one.square, best.square, size(best) - size(one)) < times * APART
 
 
 def simpler_form(simple: type[Term], rich: type[Term]) -> bool:

@@ -34,11 +34,12 @@ from exoid.mismatch.search.variants import (
     unwatched,
     with_common,
 )
-from exoid.physics.term import Term
+from exoid.physics.term import Term, holds
 
 SHORT = 4  # candidates that run free, by what they explain pinned
 ROUNDS = 8  # of pinned steps; what is close by then is brought to its end running free
 PAIR_ROUNDS = 6
+WORSE = 0.1  # of the noise's square, by which what is true does not come short along the motion
 FALSE = 0.5  # of the baseline's square, below which another valley makes it a false one
 
 Told = Callable[[str], None]
@@ -59,7 +60,7 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
     failed = [one.candidate.terms[-1] for one in first if not one.sound]
     ranked = ordered(first)
     told("simulating the best of them")
-    likely = shortlist(ranked)
+    likely = likeliest(prepared, shortlist(ranked))
     likely += unwatched(prepared, [one for one in ranked if one not in likely], base)
     singles = led_free(prepared, likely)
     singles += [*twins(prepared, singles, singles), *nested(prepared, singles, of_all(singles))]
@@ -130,23 +131,25 @@ def led_free(prepared: PreparedRecording, pinned: list[Optimum]) -> list[Optimum
 
 
 def with_strikes(found: Found, starts: list[Hypothesis], told: Told) -> Found:
-    """The same with what no look along a motion shows, as what strikes, unless hardly more than
-    noise is left.
+    """The same with what no look along a motion shows, as what strikes or sticks, unless hardly
+    more than noise is left.
     """
     base, measure = found.base, found.yardstick
     best = least(base, *found.singles)
     if measure.explains(best.square):
         return found
     told("simulating what acts for moments only")
-    striking = [one for one in found.pinned if strikes(one.candidate)]
-    more = side_by_side(lambda one: found_anyhow(found, one, starts, best.square), striking)
+    done = {one.candidate.terms for one in found.singles if not strikes(one.candidate)}
+    hidden = [one for one in found.pinned if smeared(one.candidate)]
+    left = [one for one in hidden if one.candidate.terms not in done]
+    more = side_by_side(lambda one: found_anyhow(found, one, starts, best.square), left)
     return replace(found, singles=by_evidence([*found.singles, *more], base, measure))
 
 
 def found_anyhow(found: Found, one: Optimum, starts: list[Hypothesis], rival: float) -> Optimum:
     """Running free from where it came pinned, and from all its `starts` where that led nowhere or
     may have: what acts for a few samples only, such as a stop, is not seen along a motion with
-    noise, nor is a leg within the play of the frame that carries the sensors.
+    noise, nor is a leg that sticks, or one within the play of the frame that carries the sensors.
     """
     led = [one.candidate] if one.square < found.base.square else []
     own = [start for start in starts if start.terms == one.candidate.terms]
@@ -176,6 +179,22 @@ def least(*settled: Optimum) -> Optimum:
 def ordered(settled: list[Optimum]) -> list[Optimum]:
     """The sound ones, by what they leave."""
     return sorted((one for one in settled if one.sound), key=lambda one: one.square)
+
+
+def likeliest(prepared: PreparedRecording, some: list[Optimum]) -> list[Optimum]:
+    """Those that may be true: where some explain all but noise along the motion, brought to their
+    end there, they and what is smeared there, as dry friction.
+    """
+    if len(some) < 2 or not enough(prepared, some[0].square):
+        return some
+    ended = ordered(settle(prepared, [one.candidate for one in some]))
+    most = min(one.square for one in ended) + WORSE * prepared.samples
+    return [one for one in ended if one.square < most or smeared(one.candidate)]
+
+
+def smeared(candidate: Hypothesis) -> bool:
+    """Does one of its terms act in moments between samples?"""
+    return strikes(candidate) or any(map(holds, candidate.terms))
 
 
 def shortlist(ranked: list[Optimum]) -> list[Optimum]:

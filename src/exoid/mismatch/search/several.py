@@ -12,6 +12,7 @@ from exoid.mismatch.search.variants import applies
 from exoid.physics.term import Term
 
 MOST = 4  # causes of one recording
+OTHERS = 2  # causes that are tried in the place of one
 NEXT = 3  # further causes that run free beside those at hand
 ROUNDS = 6  # of pinned steps
 REACH = 3.0  # times the best, within which running free may change the order
@@ -69,12 +70,12 @@ def with_another(
     common = len(prepared.common)
     less = with_one_less(best.candidate, common)
     seen = [
-        beside(prepared, [each for each in usable if each is not out], fewer)[:1]
+        beside(prepared, [each for each in usable if each is not out], fewer)[:OTHERS]
         for out, fewer in zip(best.candidate.terms[common:], less, strict=True)
     ]
     little = max(best.square, FLOOR * prepared.samples)
-    near = [one for (one,) in filter(None, seen) if one.square < little]
-    return [one.candidate for one in sorted(near, key=lambda one: one.square)]
+    near = [one for each in seen for one in each if one.square < little]
+    return [one.candidate for one in sorted(near, key=lambda one: one.square)[:MOST]]
 
 
 def instead(

@@ -31,7 +31,8 @@ def print_diagnosis(found: Diagnosis, console: Console) -> None:
     say(
         console,
         "left: mean square of what is left over the noise, 1.00 is the noise itself; evidence: log "
-        "odds times two against the baseline, after the price of the parameters.",
+        "odds times two against the baseline, after the price of the parameters; "
+        "chosen: the simplest that is not clearly worse than the best.",
     )
     console.print()
 

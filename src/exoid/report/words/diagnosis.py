@@ -2,10 +2,11 @@
 
 from math import degrees
 
-from exoid.fitting.model.term_parameters import RATIO_UNITS
+from exoid.fitting.model.term_parameters import RATIO_UNITS, parameters_of
 from exoid.fitting.result.fit_result import FitResult
 from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter
 from exoid.mismatch.sensors.agreement import BIAS, SensorError
+from exoid.physics.library import library
 from exoid.report.words.text import DIMENSIONLESS, in_degrees, quantity_words, with_error
 
 SEEN = 0.01  # share of a number, from which on its change is worth a word
@@ -20,6 +21,7 @@ NO_LEG = (
     "recording, and no error says how wrong they are."
 )
 SUSPECTS = 3  # that are named
+NEAR = 1e-6  # share of a parameter's range, within which it is at its limit
 CERTAIN = 0.001  # below this share a chance is written as "below"
 
 
@@ -33,6 +35,8 @@ def headline(found: Diagnosis) -> str:
         return "Something is missing that the library does not know."
     if only_sensors(found):
         return "A sensor errs; of the leg's motion nothing is missing."
+    if not found.explained:
+        return "Something is missing, and a part of it has a name."
     return "Something is missing."
 
 
@@ -123,10 +127,20 @@ def value(each: Parameter | SensorError) -> str:
     if each.unit in DIMENSIONLESS:
         unit = ""
     if error is None:
-        return f"not determined (at {number:.3g}{unit})"
+        limit = ", its limit" if at_limit(each) else ""
+        return f"not determined (at {number:.3g}{unit}{limit})"
     if error > abs(number):
         return f"not determined (± {error:.2g}{unit})"
     return f"{with_error(number, error)}{unit}"
+
+
+def at_limit(each: Parameter | SensorError) -> bool:
+    """Is it as large, or as small, as its term lets it be?"""
+    declared = dict(parameters_of(library())).get(each.name)
+    if declared is None:
+        return False
+    near = NEAR * (declared.upper - declared.lower)
+    return min(abs(each.value - declared.lower), abs(each.value - declared.upper)) < near
 
 
 def explanations(found: Diagnosis) -> list[str]:
@@ -148,8 +162,8 @@ def others(found: Diagnosis) -> list[str]:
     beside = [" + ".join(x for x in one if x not in named) for one in each if mine <= {*one}]
     instead = [" + ".join(one) for one in each if not mine <= {*one}]
     said = [f"besides it perhaps {', or '.join(filter(None, beside))}"] if any(beside) else []
-    said += [f"or {', or '.join(instead)}"] if instead else []
-    return [f"{one.replace('_', ' ')}: this recording cannot tell" for one in said]
+    said += [f"or instead {', or '.join(instead)}"] if instead else []
+    return [f"{'; '.join(said).replace('_', ' ')}: this recording cannot tell"] if said else []
 
 
 def where(found: Diagnosis) -> str:
@@ -166,7 +180,7 @@ def how_sure(found: Diagnosis) -> str:
         return "encoder and gyro show it of each other, without any leg model."
     share, weight = found.inclusion, found.weight
     held = "" if weight is None else f"explanations with it hold {certain(weight)} of the weight; "
-    again = "" if share is None else f"the same answer in {share:.0%} of resampled segments; "
+    again = "" if share is None else f"with segments drawn anew, {share:.0%} say the same; "
     alike = "".join(f"{one}; " for one in others(found))
     return (
         f"{held}{again}{alike}chance alone would look like it in "

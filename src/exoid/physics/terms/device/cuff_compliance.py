@@ -24,6 +24,7 @@ class CuffCompliance(PhysicsTerm):
     isolate = "a second IMU taped to the shin, or a tap on the frame at rest"
     memory_size = 2
     substeps = 4
+    living = True
 
     compliance: Parameter = parameter(
         "C", "rad/(N m)", 2e-3, 0.3, "compliance of the cuffs", (0.02, 0.08)

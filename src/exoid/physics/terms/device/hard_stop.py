@@ -26,7 +26,7 @@ class HardStop(PhysicsTerm):
     substeps = 8
     jumps = True
 
-    contact_time: Parameter = parameter("t_c", "s", 0.008, 0.4, "how long a bounce lasts", (0.03,))
+    contact_time: Parameter = parameter("t_c", "s", 0.008, 0.8, "how long a bounce lasts", (0.03,))
     extension_angle: Parameter = parameter(
         "phi_e", "rad", -2.5, 1.2, "stop of extension", lambda low, high: (high - INSIDE, FAR[0])
     )
