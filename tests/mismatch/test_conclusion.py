@@ -12,11 +12,12 @@ from exoid.mismatch.conclude.cannot_tell import chance, luck, unrelaxed
 from exoid.mismatch.conclude.false_alarm import Chance
 from exoid.mismatch.evidence.prediction import Prediction, improves
 from exoid.mismatch.evidence.yardstick import Yardstick
-from exoid.mismatch.missing_physics import for_inertia, noise_alone
+from exoid.mismatch.missing_physics import noise_alone
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum, Products
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.challenge import as_near
 from exoid.mismatch.search.found import Found
+from exoid.mismatch.with_model import for_inertia
 from exoid.physics.parameter import declarations
 from exoid.physics.terms.device.backlash import Backlash
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction

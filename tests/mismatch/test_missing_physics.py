@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 from diagnosis_cases import DROPS, FRICTION, Broken, Detent, Release, session
 
-from exoid.mismatch import missing_physics
 from exoid.mismatch import prepare as preparing
 from exoid.mismatch.missing_physics import diagnose
 from exoid.physics.sensing.angle_offset import AngleOffset
@@ -215,7 +214,6 @@ def test_one_voluntary_cycle_never_claims_physics_of_the_leg():
 
 def test_the_phases_are_told(of_friction, heard):
     assert heard[0] == "fitting the baseline"
-    assert missing_physics.__doc__
     assert len(heard) == len(set(heard)) >= 4
 
 

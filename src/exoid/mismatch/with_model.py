@@ -1,0 +1,128 @@
+"""The fit of the model that has what was found, and the answer with its numbers."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import jax
+import numpy as np
+
+from exoid.fitting.estimate import fit
+from exoid.fitting.model import term_parameters
+from exoid.fitting.model.coordinates import leg_parameters, torque_amplitudes
+from exoid.fitting.result.fit_result import Estimate, FitResult
+from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter
+from exoid.mismatch.conclude.rivals import by_the_fits, with_rivals
+from exoid.mismatch.novel.formula import fitted_words
+from exoid.mismatch.screen.effect import named as named_values
+from exoid.mismatch.screen.hypothesis import Hypothesis
+from exoid.mismatch.search.found import Workings
+from exoid.physics.library import library
+from exoid.physics.parameter import Declaration
+from exoid.physics.term import Term, name_of
+from exoid.recordings.recording import Recording
+
+STARTS = 8  # masses and inertias of the fit with what was found
+
+
+def with_model(
+    found: Diagnosis,
+    named: list[tuple[str, Recording]],
+    options: dict[str, Any],
+    told: Callable[[str], None],
+) -> Diagnosis:
+    """The same, with the fit of the model that has what was found.
+
+    It begins where the search for what is missing ended. Where none can begin, or it follows the
+    recording no better than the baseline does, the baseline stays the only one.
+    """
+    work = just_made(found)
+    wanted = extended(found, work.best.candidate)
+    if not wanted:
+        before = with_rivals(found.before, work, work.found.base)
+        said = before.notes[: len(before.notes) - len(found.before.notes)]
+        reasons = [*found.reasons, *(each.rstrip(".") for each in said)]
+        booked, suspected = by_the_fits(found, None)
+        return replace(found, before=before, reasons=reasons, booked=booked, suspected=suspected)
+    told("fitting the model with what was found")
+    try:
+        after = fit(named, multistart=STARTS, terms=wanted, near=leg_of(work), **options)
+    except ArithmeticError:
+        return found
+    before = found.before
+    if not after.follows and (before.follows or after.angle_rmse >= before.angle_rmse):
+        return found
+    return told_by(found, with_rivals(after, work, work.best))
+
+
+def told_by(found: Diagnosis, after: FitResult) -> Diagnosis:
+    """The same with the numbers of the fit that has what was found.
+
+    What that fit only tells over J is given for the inertia that goes with the diagnosis.
+    """
+    inertia = after.parameters["inertia"].value or found.inertia
+    known = after.of_terms
+    for name, declared in term_parameters.parameters_of(
+        [type(term) for term in after.fitted_terms]
+    ):
+        if declared.inertia_power and known[name].value is None:
+            known[name] = for_inertia(
+                known[term_parameters.ratio_name(name, declared)], declared, inertia
+            )
+
+    def told(each: Parameter) -> Parameter:
+        fitted = known.get(each.name)
+        if fitted is None or fitted.value is None:
+            return each
+        return replace(each, value=fitted.value, standard_error=fitted.standard_error)
+
+    parameters = [told(each) for each in found.parameters]
+    booked, suspected = by_the_fits(found, after)
+    more: dict[str, Any] = {"booked": booked, "suspected": suspected}
+    if found.formula is not None:
+        more["formula"] = replace(found.formula, words=fitted_words(after.fitted_terms[0]))
+    return replace(found, after=after, parameters=parameters, inertia=inertia, **more)
+
+
+def for_inertia(ratio: Estimate, declared: Declaration, inertia: float) -> Estimate:
+    """A parameter over J, or times J, as that of a leg with this inertia."""
+    scale = inertia**declared.inertia_power
+    value, error = (
+        None if each is None else each * scale for each in (ratio.value, ratio.standard_error)
+    )
+    return replace(ratio, value=value, standard_error=error)
+
+
+def just_made(found: Diagnosis) -> Workings:
+    """What a diagnosis rests on that was not read from a file."""
+    assert found.workings is not None
+    return found.workings
+
+
+def extended(found: Diagnosis, best: Hypothesis) -> tuple[Term, ...]:
+    """The terms of the model that was concluded, where they were found; none where it is Eq. 9."""
+    if found.verdict != "mismatch":
+        return ()
+    having = [named_values(*each) for each in zip(best.terms, best.values, strict=True)]
+    return (*having, *told_by_sensors(found, best.terms))
+
+
+def leg_of(work: Workings) -> np.ndarray:
+    """(m, J, l, d, c, tau) of the model that was concluded."""
+    at = work.found.prepared.coordinates(work.best.candidate)
+    torques = torque_amplitudes(at, np)
+    moved = torques[[each.voluntary for each in work.found.prepared.problem.movements]]
+    torque = moved.mean() if moved.size else 0.0
+    return np.array([*jax.tree.leaves(leg_parameters(at, np)), torque], dtype=float)
+
+
+def told_by_sensors(found: Diagnosis, having: tuple[type[Term], ...]) -> list[Term]:
+    """What was found of the sensors although every candidate has it, as a gyro's bias."""
+    values = {each.name: each.value for each in found.parameters}
+    others = [each for each in library() if each not in having]
+    return [
+        term_parameters.term_of(each, lambda name, _: values[name])
+        for each in others
+        if name_of(each) in found.selected
+        and all(name in values for name, _ in term_parameters.parameters_of((each,)))
+    ]
