@@ -43,7 +43,7 @@ def task(
     own = [name for name, _ in parameters_of(problem.terms)]
     first = np.where(np.isin(problem.constraints, own), STRICT, 1.0)
     return Task(
-        stage=Stage(np.asarray(float(tether)), np.asarray(steps)),
+        stage=Stage(np.asarray(float(tether)), np.asarray(steps), compact=bool(problem.terms)),
         bounded=np.asarray(float(bounded)),
         tolerance=np.asarray(tolerance),
         rounds=np.asarray(rounds if bounded or problem.terms else 1),

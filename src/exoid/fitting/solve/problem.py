@@ -41,7 +41,7 @@ class Problem:
     @property
     def free(self) -> Stage:
         """The whole of every segment, tied to nothing."""
-        return Stage(np.asarray(0.0), np.asarray(self.steps))
+        return Stage(np.asarray(0.0), np.asarray(self.steps), compact=bool(self.terms))
 
     @property
     def samples(self) -> np.ndarray:

@@ -1,5 +1,6 @@
 """The compiled program: every start of a block at once, from a tied simulation to a bounded fit."""
 
+from dataclasses import replace
 from functools import partial
 
 import jax
@@ -74,7 +75,7 @@ def solve(
     )
     condensed, data, belief = outcome.detail
     end = unscaled(unravel(outcome.point))
-    free = Stage(jnp.zeros_like(task.stage.tether), task.stage.steps)
+    free = replace(task.stage, tether=jnp.zeros_like(task.stage.tether))
     simulated = jax.vmap(partial(predict, stage=free, chain=chain))(
         of_segments(end, observation.owner), observation
     )

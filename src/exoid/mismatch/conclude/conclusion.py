@@ -83,8 +83,8 @@ def concluded(
     if verdict == "none":
         reasons = [*of_zeros(result, prepared), *of_what_hides(result)]
     likely = unseen or [one for one in found.singles if found.followed(one) > SUSPECT]
-    left = not measure.explains(best.square) and found.followed(best) < FOLLOWED
-    doubts = (once(prepared, best) or unrelaxed(prepared, best)) if left or formula else []
+    left = not explains_it(found, best) or formula
+    doubts = (once(prepared, best) or unrelaxed(prepared, best)) if left else []
     if verdict == "mismatch" and doubts:
         verdict, reasons = "cannot_tell", doubts
     novel = verdict == "mismatch" and formula is not None
@@ -207,7 +207,7 @@ def judge(
             ]
         doubts = hands(prepared)
         return ("cannot_tell", doubts) if doubts else ("none", [])
-    explained = found.yardstick.explains(best.square)
+    explained = explains_it(found, best)
     doubts = [
         *little,
         *unsure(prepared, best, shown, explained=explained),
@@ -215,6 +215,11 @@ def judge(
         *luck(lucky),
     ]
     return ("cannot_tell", doubts) if doubts else ("mismatch", [])
+
+
+def explains_it(found: Found, best: Optimum) -> bool:
+    """Does it leave hardly more than noise, or hardly anything of what was missing?"""
+    return found.yardstick.explains(best.square) or found.followed(best) >= FOLLOWED
 
 
 def undecided(found: Found, equal: list[Optimum]) -> list[str]:

@@ -25,8 +25,6 @@ from exoid.mismatch.screen.effect import named
 from exoid.physics.state import LegState
 from exoid.physics.term import Term
 
-ONCE = 1  # terms, of which a program serves many recordings; that of more is soon compiled
-
 
 class Released(eqx.Module):
     """(J, r)'(J, r) of every segment, and what the sensors would show."""
@@ -50,7 +48,7 @@ def release(
     residual.
     """
     terms, chain = static
-    stage = Stage(jnp.zeros(()), steps, compact=len(terms) > ONCE)
+    stage = Stage(jnp.zeros(()), steps, compact=True)
     each: Any = partial(segment, terms, chain, stage, values, zero)
     by_segment = jax.vmap(each)
     gram, shown = by_segment(of_segments(point, observation.owner), observation, known)

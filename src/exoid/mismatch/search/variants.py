@@ -7,7 +7,7 @@ import numpy as np
 
 from exoid.mismatch.screen.along_motion import linear
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
-from exoid.mismatch.screen.optimise import FLOOR, polished, settle_free, strikes
+from exoid.mismatch.screen.optimise import FLOOR, enough, polished, settle_free, strikes
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.rank import simpler_form
 from exoid.physics.parameter import declarations
@@ -83,8 +83,8 @@ def renamed(
 def suspected_sensors(
     prepared: PreparedRecording, base: Optimum, singles: list[Optimum]
 ) -> list[Optimum]:
-    """Everything at once that the sensors seem to say of each other, alone and with each of the
-    best single terms, where it is not sure enough to be in every candidate.
+    """Everything at once that the sensors seem to say of each other, where it is not sure enough to
+    be in every candidate: alone, and while noise is not reached with each of the best single terms.
     """
     known = {name_of(term): term for term in prepared.library}
     told = [each for each in prepared.sensors.errors if each.clear and each.name in known]
@@ -93,7 +93,9 @@ def suspected_sensors(
         return []
     terms = tuple(known[each.name] for each in told)
     values = tuple(np.array([each.value]) for each in told)
-    best = [one.candidate for one in singles[:BESIDE] if one.candidate.terms[0] not in terms]
+    reached = any(enough(prepared, one.square) for one in singles)
+    first = [] if reached else singles[:BESIDE]
+    best = [one.candidate for one in first if one.candidate.terms[0] not in terms]
     starts = [
         replace(one, terms=(*terms, *one.terms), values=(*values, *one.values), linear=None)
         for one in (base.candidate, *best)

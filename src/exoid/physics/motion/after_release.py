@@ -43,13 +43,14 @@ def after_release(
         step, released = lasted / STEPS, time - lasted
 
         def part(number, motion):
-            return extended_step(place, terms, motion, released + number * step, step, drive)
+            begun = released + number * step
+            return extended_step(place, terms, motion, begun, step, drive, compact=True)
 
         held = LegState(begin, jnp.zeros_like(begin))
         return jax.lax.fori_loop(0, STEPS, part, at_rest(place, terms, held, released, push))
 
     def corrected(_, fall):
-        begin, lasted = fall
+        begin, lasted, _ = fall
         motion = fallen(begin, lasted)
         reached = motion.leg
         pulled = acceleration(place, terms, motion, time, push)
@@ -57,10 +58,10 @@ def after_release(
         faster = (leg.angular_velocity - reached.angular_velocity) / slope
         after = jnp.clip(lasted + faster, 0.0, LONGEST)
         begin = begin + leg.angle - reached.angle - (after - lasted) * reached.angular_velocity
-        return begin, after
+        return begin, after, motion
 
-    at_once = leg.angle, jnp.zeros_like(leg.angle)
-    motion = fallen(*jax.lax.fori_loop(0, CORRECTIONS, corrected, at_once))
+    at_once = leg.angle, jnp.zeros_like(leg.angle), standing
+    motion = jax.lax.fori_loop(0, CORRECTIONS + 1, corrected, at_once)[-1]
     near = jax.tree.map(lambda one, other: jnp.abs(one - other) < REACHED, motion.leg, leg)
     there = near.angle & near.angular_velocity
     memory = jax.tree.map(

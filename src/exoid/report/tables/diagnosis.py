@@ -32,7 +32,7 @@ def print_diagnosis(found: Diagnosis, console: Console) -> None:
         console,
         "left: mean square of what is left over the noise, 1.00 is the noise itself; evidence: log "
         "odds times two against the baseline, after the price of the parameters; "
-        "chosen: the simplest that is not clearly worse than the best.",
+        "chosen: more causes only where they leave less than a third as much.",
     )
     console.print()
 
@@ -56,7 +56,7 @@ def suspects(found: Diagnosis) -> Table:
 def candidates(found: Diagnosis) -> Table:
     """Those that ran free, the most evident first."""
     ran = sorted([*found.pairs, *found.singles], key=evidence, reverse=True)[:MOST]
-    ran += [found.best] if found.formula is not None else []
+    ran += [] if not found.changed or any(one.chosen for one in ran) else [found.best]
     chosen = ["", *("chosen" if one.chosen else "" for one in ran)]
     columns = {
         "cause": ["baseline, Eq. 9", *(" + ".join(map(in_words, one.terms)) for one in ran)],
