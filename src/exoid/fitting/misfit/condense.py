@@ -6,6 +6,7 @@ becomes a small dense problem, and R and Q'r are what the standard errors need.
 """
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import equinox as eqx
@@ -30,6 +31,7 @@ from exoid.physics.state import LegState
 ROUNDING = 1e-13  # relative, keeps the Cholesky factor real where two columns are nearly parallel
 
 
+@partial(jax.jit, static_argnames="chain")  # traced once, though a solver asks for it twice
 def condense(
     unknowns: Unknowns, observation: Observation, known: Unknowns, stage: Stage, chain: Chain
 ) -> Condensed:

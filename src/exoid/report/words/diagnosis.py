@@ -171,7 +171,9 @@ def where(found: Diagnosis) -> str:
                for each in found.location.regions[:3]]  # fmt: skip
     if not regions:
         return "no torque stands out of the noise: the sensors differ, or it is spread thinly."
-    return "; ".join(regions) + f". Over all of it, {found.location.pattern}."
+    told = found.fit.parameters["inertia"].value is not None
+    scale = "" if told else f" (for J = {found.inertia:.3g} kg m^2)"
+    return f"{'; '.join(regions)}{scale}. Over all of it, {found.location.pattern}."
 
 
 def how_sure(found: Diagnosis) -> str:
