@@ -8,7 +8,7 @@ from exoid.mismatch.search.found import Found
 from exoid.mismatch.search.race import simulated
 from exoid.mismatch.search.rank import alike, by_evidence
 
-MOST = 8  # rivals that run free, the nearest first
+MOST = 4  # rivals that run free, the nearest first
 
 
 def challenged(found: Found) -> Found:
