@@ -56,7 +56,7 @@ def test_the_page_begins_with_it_and_calls_nothing_good(lost):
     assert page[first:].startswith('class="card open">')
     assert "No. Do not use the numbers below." in page[first : first + 400]
     cards = page[first : page.index("</section>", first)]
-    assert "Is the recording good?" not in cards
+    assert 'class="card good"' not in cards
 
 
 def test_a_saved_one_still_says_so(command, lost, tmp_path):

@@ -50,7 +50,7 @@ INCOMPLETE = "measured, but with a model that misses something: ± is not comple
 
 @section("summary", "Summary")
 def summary(case: Case) -> Iterator[Block]:
-    """Is the recording good, does the model follow it, what is missing, and the leg's numbers."""
+    """Is the recording whole, does the model follow it, what is missing, and the leg's numbers."""
     asked = () if case.diagnosis is None else (missing(case.diagnosis),)
     read = (recording(case),) if case.sources else ()
     told = (*read, agreement(case))
@@ -86,11 +86,10 @@ def recording(case: Case) -> Group:
         f"{counted(len(each), 'segment')}, {sum(one.samples for one in each)} samples in "
         f"{sum(one.duration for one in each):.1f} s"
     )
-    answer = "Parts of it are missing." if lost else "Nothing is missing in it."
+    answer = "No, parts of it are missing." if lost else "Yes, nothing is missing in it."
     because = f"{amount}: {'; '.join(lost)}." if lost else f"{amount}."
-    if not case.fit.follows:  # whole it may be, but not good
-        return card("Is the recording whole?", "care" if lost else "open", answer, because)
-    return card("Is the recording good?", "care" if lost else "good", answer, because)
+    whole: State = "good" if case.fit.follows else "open"  # whole it may be, but not good
+    return card("Is the recording whole?", "care" if lost else whole, answer, because)
 
 
 def agreement(case: Case) -> Group:
