@@ -116,7 +116,7 @@ class Information:
         if not np.isfinite(self.standard_error(gradient)) or self.standard_error(gradient) == 0.0:
             return {}
         values, vectors = self.posterior
-        root = self.free @ vectors / np.sqrt(values)
+        root = self.free @ vectors / np.sqrt(np.where(values > 0, values, np.nan))
         if not np.isfinite(root).all():  # rounding left a direction without any information
             return {}
         along, found = root.T @ gradient, {}
@@ -207,7 +207,7 @@ def inverse_times(decomposed, vector):
 
 def whitening(normal: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Directions along which `normal` is the identity, over the units of its diagonal."""
-    diagonal = np.sqrt(np.diag(normal))
+    diagonal = np.sqrt(np.maximum(np.diag(normal), 0.0))
     unit = np.where(diagonal > 0, diagonal, 1.0)
     values, vectors = np.linalg.eigh(normal / np.outer(unit, unit))
     known = values > ROUNDING

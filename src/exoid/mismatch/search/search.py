@@ -64,7 +64,7 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
     likely += unwatched(prepared, [one for one in ranked if one not in likely], base)
     singles = led_free(prepared, likely)
     singles += [*twins(prepared, singles, singles), *nested(prepared, singles, of_all(singles))]
-    truer = truer_baseline(prepared, base, least(*singles))
+    truer = truer_baseline(prepared, base, least(base, *singles))
     if truer is not None:
         return look(prepared, truer, told)
     measure = yardstick(prepared, least(base, *singles))
