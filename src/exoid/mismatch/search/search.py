@@ -20,10 +20,11 @@ from exoid.mismatch.screen.optimise import (
     strikes,
 )
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
-from exoid.mismatch.search.found import Found, best_of, size
+from exoid.mismatch.search.found import Found, best_of
+from exoid.mismatch.search.likely import likeliest, ordered, shortlist, smeared
 from exoid.mismatch.search.race import raced, simulated
 from exoid.mismatch.search.rank import by_evidence
-from exoid.mismatch.search.several import REACH, several, with_one_more
+from exoid.mismatch.search.several import several, with_one_more
 from exoid.mismatch.search.variants import (
     applies,
     nested,
@@ -34,12 +35,10 @@ from exoid.mismatch.search.variants import (
     unwatched,
     with_common,
 )
-from exoid.physics.term import Term, holds
+from exoid.physics.term import Term
 
-SHORT = 4  # candidates that run free, by what they explain pinned
 ROUNDS = 8  # of pinned steps; what is close by then is brought to its end running free
 PAIR_ROUNDS = 6
-WORSE = 0.1  # of the noise's square, by which what is true does not come short along the motion
 FALSE = 0.5  # of the baseline's square, below which another valley makes it a false one
 
 Told = Callable[[str], None]
@@ -107,7 +106,7 @@ def with_sets(found: Found, usable: list[type[Term]], told: Told) -> Found:
     seconds = pairs(prepared, found.pinned, found.singles)
     both = ordered(best_of(settle(prepared, seconds, rounds=PAIR_ROUNDS)))
     told("simulating the best pairs")
-    joint = [*led_free(prepared, shortlist(both)), *found.pairs]
+    joint = [*led_free(prepared, likeliest(prepared, shortlist(both))), *found.pairs]
     for best in ordered(joint)[:1]:
         if not enough(prepared, best.square):
             told("testing three causes and more")
@@ -174,34 +173,3 @@ def of_all(some: list[Optimum]) -> list[type[Term]]:
 def least(*settled: Optimum) -> Optimum:
     """What leaves least."""
     return min(settled, key=lambda one: one.square if np.isfinite(one.square) else np.inf)
-
-
-def ordered(settled: list[Optimum]) -> list[Optimum]:
-    """The sound ones, by what they leave."""
-    return sorted((one for one in settled if one.sound), key=lambda one: one.square)
-
-
-def likeliest(prepared: PreparedRecording, some: list[Optimum]) -> list[Optimum]:
-    """Those that may be true: where some explain all but noise along the motion, brought to their
-    end there, they and what is smeared there, as dry friction.
-    """
-    if len(some) < 2 or not enough(prepared, some[0].square):
-        return some
-    ended = ordered(settle(prepared, [one.candidate for one in some]))
-    most = min(one.square for one in ended) + WORSE * prepared.samples
-    return [one for one in ended if one.square < most or smeared(one.candidate)]
-
-
-def smeared(candidate: Hypothesis) -> bool:
-    """Does one of its terms act in moments between samples?"""
-    return strikes(candidate) or any(map(holds, candidate.terms))
-
-
-def shortlist(ranked: list[Optimum]) -> list[Optimum]:
-    """Those of the best whose order may change running free. What is simpler than the best one is
-    always among them: with more parameters a wrong cause comes near sooner.
-    """
-    first = ranked[:SHORT]
-    return [
-        one for one in first if one.square < REACH * first[0].square or size(one) < size(first[0])
-    ]

@@ -7,6 +7,7 @@ from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import FLOOR, enough, given, settle
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import best_of, size
+from exoid.mismatch.search.likely import REACH, likeliest, ordered
 from exoid.mismatch.search.race import simulated
 from exoid.mismatch.search.variants import applies
 from exoid.physics.term import Term
@@ -15,7 +16,6 @@ MOST = 4  # causes of one recording
 OTHERS = 2  # causes that are tried in the place of one
 NEXT = 3  # further causes that run free beside those at hand
 ROUNDS = 6  # of pinned steps
-REACH = 3.0  # times the best, within which running free may change the order
 
 
 def several(prepared: PreparedRecording, usable: list[type[Term]], best: Optimum) -> list[Optimum]:
@@ -54,7 +54,8 @@ def with_one_more(
     if len(best.candidate.terms) >= MOST + len(prepared.common):
         return []
     wider = beside(prepared, usable, best.candidate)
-    return [one.candidate for one in wider if gains(prepared, best, one)][:NEXT]
+    first = [one for one in wider if gains(prepared, best, one)][:NEXT]
+    return [one.candidate for one in likeliest(prepared, first)]
 
 
 def gains(prepared: PreparedRecording, best: Optimum, one: Optimum) -> bool:
@@ -74,8 +75,8 @@ def with_another(
         for out, fewer in zip(best.candidate.terms[common:], less, strict=True)
     ]
     little = max(best.square, FLOOR * prepared.samples)
-    near = [one for each in seen for one in each if one.square < little]
-    return [one.candidate for one in sorted(near, key=lambda one: one.square)[:MOST]]
+    near = ordered([one for each in seen for one in each if one.square < little])[:MOST]
+    return [one.candidate for one in likeliest(prepared, near)]
 
 
 def instead(
