@@ -43,8 +43,15 @@ def without_one(prepared: PreparedRecording, best: Optimum) -> list[Optimum]:
     """The set without each of its causes in turn, where that may do as well."""
     fewer = with_one_less(best.candidate, len(prepared.common))
     seen = settle(prepared, fewer, rounds=ROUNDS)
-    near = [one.candidate for one in seen if one.square < REACH * best.square]
+    most = REACH * along_the_motion(prepared, best)
+    near = [one.candidate for one in seen if one.square < most]
     return simulated(prepared, near, best.square)
+
+
+def along_the_motion(prepared: PreparedRecording, best: Optimum) -> float:
+    """What the best leaves along the motion, by which others are measured there, or free."""
+    (seen,) = settle(prepared, [best.candidate], rounds=ROUNDS)
+    return max(best.square, seen.square)
 
 
 def with_one_more(
@@ -54,14 +61,17 @@ def with_one_more(
     if len(best.candidate.terms) >= MOST + len(prepared.common):
         return []
     wider = beside(prepared, usable, best.candidate)
-    first = [one for one in wider if gains(prepared, best, one)][:NEXT]
+    seen = along_the_motion(prepared, best)
+    first = [one for one in wider if gains(prepared, best, one, seen)][:NEXT]
     return [one.candidate for one in likeliest(prepared, first)]
 
 
-def gains(prepared: PreparedRecording, best: Optimum, one: Optimum) -> bool:
-    """Is it clear at first sight that a set explains more than the best?"""
+def gains(prepared: PreparedRecording, best: Optimum, one: Optimum, seen: float) -> bool:
+    """Is it clear at first sight that a set explains more than the best, which leaves what is
+    `seen` there?
+    """
     more = max(size(one) - size(best), 1)
-    return yardstick(prepared, best).clear(best.square, one.square, more)
+    return yardstick(prepared, best).clear(seen, one.square, more)
 
 
 def with_another(
@@ -74,7 +84,7 @@ def with_another(
         beside(prepared, [each for each in usable if each is not out], fewer)[:OTHERS]
         for out, fewer in zip(best.candidate.terms[common:], less, strict=True)
     ]
-    little = max(best.square, FLOOR * prepared.samples)
+    little = max(along_the_motion(prepared, best), FLOOR * prepared.samples)
     near = ordered([one for each in seen for one in each if one.square < little])[:MOST]
     return [one.candidate for one in likeliest(prepared, near)]
 
@@ -82,14 +92,15 @@ def with_another(
 def instead(
     prepared: PreparedRecording, fewer: Hypothesis, out: type[Term], rival: float
 ) -> list[Optimum]:
-    """The set with one of the causes that explain most beside `fewer`, in the place of one that is
-    `out`, running free as far as they come near what a rival leaves.
+    """The set `fewer`, and with one of the causes that explain most beside it, in the place of one
+    that is `out`, running free as far as they come near what a rival leaves.
 
     Along a motion what is left may be far from its place without that one.
     """
     usable = [each for each in prepared.library if applies(prepared, each) and each is not out]
     seen = beside(prepared, usable, fewer)[:NEXT]
-    return simulated(prepared, [one.candidate for one in seen], rival)
+    plain = [fewer] if fewer.terms else []
+    return simulated(prepared, [*plain, *(one.candidate for one in seen)], rival)
 
 
 def beside(
