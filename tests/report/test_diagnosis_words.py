@@ -34,9 +34,11 @@ def test_what_the_fit_estimates_anyway_is_told_as_an_error_of_a_sensor():
 
 def test_what_leaves_more_than_noise_is_a_part_of_what_is_missing():
     one = found()
-    assert headline(replace(one, best=replace(one.best, mean_square=8.0))) == (
-        "Something is missing, and a part of it has a name."
-    )
+    unlike = replace(one, best=replace(one.best, mean_square=8.0))
+    assert headline(unlike) == "Something is missing."  # what is left of it is next to nothing
+    half = replace(one.proof, after=replace(one.proof.after, rmse=one.proof.before.rmse / 2))
+    partly = "Something is missing, and a part of it has a name."
+    assert headline(replace(unlike, proof=half)) == partly
 
 
 def test_where_no_model_follows_it_is_said_that_the_leg_has_no_numbers():

@@ -21,6 +21,7 @@ NO_LEG = (
     "recording, and no error says how wrong they are."
 )
 SUSPECTS = 3  # that are named
+LITTLE = 0.03  # share of what was missing that is worth no word
 NEAR = 1e-6  # share of a parameter's range, within which it is at its limit
 CERTAIN = 0.001  # below this share a chance is written as "below"
 
@@ -35,7 +36,7 @@ def headline(found: Diagnosis) -> str:
         return "Something is missing that the library does not know."
     if only_sensors(found):
         return "A sensor errs; of the leg's motion nothing is missing."
-    if not found.explained:
+    if not found.explained and (share_left(found) or 0.0) > LITTLE:
         return "Something is missing, and a part of it has a name."
     return "Something is missing."
 
@@ -212,13 +213,17 @@ def remains(found: Diagnosis) -> str:
 
 
 def left_over(found: Diagnosis) -> str:
+    share = share_left(found)
+    return "" if share is None else f"{share:.0%} of the squares that were missing; "
+
+
+def share_left(found: Diagnosis) -> float | None:
     """The share of what was missing over the noise, in squares, that still is."""
     shown = found.proof
     missing = shown.before.total**2 - shown.noise_floor**2
     if missing <= 0:
-        return ""
-    share = max(shown.after.total**2 - shown.noise_floor**2, 0.0) / missing
-    return f"{share:.0%} of the squares that were missing; "
+        return None
+    return max(shown.after.total**2 - shown.noise_floor**2, 0.0) / missing
 
 
 def chance(share: float) -> str:
