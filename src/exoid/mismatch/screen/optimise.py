@@ -11,10 +11,11 @@ from exoid.mismatch.screen import along_motion, many_pinned
 from exoid.mismatch.screen.hypothesis import Hypothesis, Linear, Optimum
 from exoid.mismatch.screen.many_free import release
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
-from exoid.physics.term import busy, holds
+from exoid.physics.term import Term, busy, holds
 
 ROUNDS, FEWER_ROUNDS = 60, 12  # of steps at most
 GLANCES = 2  # steps along the motion of what costs most, and shows itself only running free
+HEAT = 3  # rounds of all starts; from then on the best start of the same terms
 LONG = 25  # rounds, from which on only what still falls goes on, as along a narrow valley
 FALLING, LAST = 0.9, 10  # to what share of itself a sum of squares must fall in how many rounds
 EARLY, FAR, FAST = 12, 3.0, 0.6  # rounds, times a rival's square, share in half as many rounds
@@ -142,7 +143,7 @@ def given(prepared: PreparedRecording, begin: Hypothesis) -> Linear | None:
 
 def descend(prepared, begin, evaluate, rounds, steady, rival=np.inf) -> list[Optimum]:
     """Steps of all candidates together, of each so many `rounds` or until it expects to gain less
-    than `steady`, or falls too slowly to come near what a `rival` leaves.
+    than `steady`, falls too slowly to come near a `rival`, or lies behind another start.
 
     `evaluate` takes candidates with the motions that they had, and gives products with new ones.
     """
@@ -152,8 +153,8 @@ def descend(prepared, begin, evaluate, rounds, steady, rival=np.inf) -> list[Opt
     for done in range(max(rounds, default=0)):
         moving = [
             n
-            for n, each in enumerate(at)
-            if done < rounds[n] and not each.resting and promising(squares[n], rival)
+            for n in (range(len(at)) if done < HEAT else leading(at))
+            if done < rounds[n] and not at[n].resting and promising(squares[n], rival)
         ]
         if not moving:
             break
@@ -164,6 +165,16 @@ def descend(prepared, begin, evaluate, rounds, steady, rival=np.inf) -> list[Opt
             at[number] = judged(at[number], Optimum(to, products, motion), gain < steady, steady)
             squares[number].append(at[number].square)
     return at
+
+
+def leading(at: list[Optimum]) -> list[int]:
+    """The numbers of the best of the same terms."""
+    best: dict[tuple[type[Term], ...], int] = {}
+    for number, one in enumerate(at):
+        first = best.setdefault(one.candidate.terms, number)
+        if one.square < at[first].square or not np.isfinite(at[first].square):
+            best[one.candidate.terms] = number
+    return list(best.values())
 
 
 def promising(squares: list[float], rival: float) -> bool:
