@@ -136,6 +136,11 @@ def busy(term: type[Term]) -> bool:
     return term.substeps > BUSY
 
 
+def brief(term: type[Term]) -> bool:
+    """Is it sooner worked out along a motion than a program for it is optimised?"""
+    return term.memory_size < 2
+
+
 def name_of(term: type[Term]) -> str:
     """coulomb_friction for CoulombFriction."""
     letters = (f"_{each.lower()}" if each.isupper() else each for each in term.__name__)

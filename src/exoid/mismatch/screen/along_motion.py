@@ -17,7 +17,7 @@ from exoid.mismatch.screen.segment_groups import of, of_all_segments
 from exoid.physics.moment import Cycle, Moment, SegmentConstants
 from exoid.physics.motion.step import Drive
 from exoid.physics.ratios import Ratios
-from exoid.physics.term import Term, busy
+from exoid.physics.term import Term, brief
 
 GROUP = 2  # segments of a program, so that one serves every recording
 AT_ONCE = 8  # candidates of a program that serves all terms
@@ -116,7 +116,7 @@ def asked(
     def run(batch, segments: np.ndarray):
         term, rows, values = batch
         along = of(segments, stacked(motions[row] for row in rows), 1)
-        return called(program, (values, along), term, structure, brief=not busy(term))
+        return called(program, (values, along), term, structure, brief=brief(term))
 
     batches = []
     for term, each in requests.items():

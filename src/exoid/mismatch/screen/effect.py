@@ -13,7 +13,7 @@ from exoid.physics.moment import Moment
 from exoid.physics.motion.step import Drive, march, parabola, rk4
 from exoid.physics.motion.with_terms import delayed
 from exoid.physics.parameter import declarations
-from exoid.physics.term import Reading, Term, busy, holds
+from exoid.physics.term import Reading, Term, brief, holds
 
 
 def named(term: type[Term], value: Float[Any, " parameter"]) -> Term:
@@ -80,9 +80,7 @@ def remembered(term: Term, motion: SegmentMotion) -> Float[Array, "time memory"]
                 now = parabola(first, middle, last, (number + part) / term.substeps)
                 return term.memory_rate(now, memory)
 
-            return rk4(
-                rate, memory, motion.step[index] / term.substeps, compact=not busy(type(term))
-            )
+            return rk4(rate, memory, motion.step[index] / term.substeps, compact=brief(type(term)))
 
         memory = jax.lax.fori_loop(0, term.substeps, part_of, memory)
         return term.memory_within(last, memory)
