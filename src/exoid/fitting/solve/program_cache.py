@@ -35,7 +35,7 @@ SHOWING = ("cli", "report")  # rooms that only say what was computed: no program
 LIBRARIES = ("jax", "jaxlib", "equinox", "lineax", "optimistix")  # whose code is in a program
 # How far XLA optimises: as fast machine code as by default, and half as long to wait for it.
 LEAN = {"xla_backend_optimization_level": 1, "xla_cpu_use_fusion_emitters": False}
-BRIEF = LEAN | {"xla_backend_optimization_level": 0}  # half as long again, for what hardly runs
+BRIEF = LEAN | {"xla_backend_optimization_level": 0}  # compiled twice as soon, for what hardly runs
 MOST = 64  # programs in memory, 10 to 20 MB each: of the 50 to 90 of a diagnosis many run once
 DIGEST = 32  # bytes of the checksum before a kept program
 UNREADABLE = "Error reading persistent compilation cache"  # what XLA's Python side says of it

@@ -9,6 +9,11 @@ from exoid.report.words.diagnosis import headline, sentences
 from exoid.report.words.text import capital, heading, in_words, quantity_words, say
 
 IN_ERRORS = "The errors of the leg's numbers hold how far these are apart, each by its odds."
+LEGEND = (
+    "left: mean square of what is left over the noise, 1.00 is the noise itself. evidence: log "
+    "odds times two against the baseline, after the price of the parameters. chosen: more causes "
+    "only where they leave less than a third as much."
+)
 MOST = 8  # candidates that are listed
 MARGIN = 15  # characters, as wide as the longest heading
 
@@ -28,12 +33,7 @@ def print_diagnosis(found: Diagnosis, console: Console) -> None:
         print_table(suspects(found), console)
         say(console, IN_ERRORS)
     print_table(candidates(found), console)
-    say(
-        console,
-        "left: mean square of what is left over the noise, 1.00 is the noise itself; evidence: log "
-        "odds times two against the baseline, after the price of the parameters; "
-        "chosen: more causes only where they leave less than a third as much.",
-    )
+    say(console, LEGEND)
     console.print()
 
 

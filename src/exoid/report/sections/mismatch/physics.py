@@ -8,7 +8,7 @@ from exoid.mismatch.answer.diagnosis import Parameter
 from exoid.report.parts.case import Case
 from exoid.report.pictures.mismatch.causes import show_causes
 from exoid.report.sections.section import Block, element, section
-from exoid.report.tables.diagnosis import candidates, suspects
+from exoid.report.tables.diagnosis import LEGEND, candidates, suspects
 from exoid.report.tables.leg import before_and_after
 from exoid.report.tables.table import Table
 from exoid.report.words.diagnosis import sentences, value, verdict
@@ -25,10 +25,6 @@ SAID = (
     "Trust",
 )  # others have their place
 EFFECT = Markup("<p>{} <cite>{}</cite></p>")
-LEGEND = (
-    "left: mean square of what is left over the noise, 1.00 is the noise itself. evidence: log "
-    "odds times two against the baseline, after the price of the parameters."
-)
 
 
 @section("physics", "Which physics was left out")
