@@ -11,7 +11,7 @@ from exoid.fitting.model.systematics import DECLARED_NOTHING, Systematics
 from exoid.recordings.motion.extent import Extent
 from exoid.recordings.recording import Segment
 from exoid.recordings.samples import Samples
-from exoid.recordings.signal.condition import local_line
+from exoid.recordings.signal.local_line import local_line
 from exoid.recordings.signal.noise import Noise
 
 

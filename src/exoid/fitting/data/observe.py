@@ -11,7 +11,8 @@ from exoid.fitting.model.systematics import SOMEWHERE, beside_unplaced
 from exoid.physics.cycle_shape import cycle_shape
 from exoid.physics.motion.step import Drive
 from exoid.recordings.samples import Samples
-from exoid.recordings.signal.condition import interpolated, local_line, torque_frequencies
+from exoid.recordings.signal.condition import torque_frequencies
+from exoid.recordings.signal.local_line import interpolated, local_line
 
 LONGEST_STEP = 0.02  # s; a gap or slow sampling is bridged by samples that weigh nothing
 SPLINE = 5  # order of a smooth torque's spline

@@ -8,7 +8,8 @@ from exoid.fitting.model.systematics import systematics
 from exoid.recordings.recording import Recording, Segment
 from exoid.recordings.samples import Samples
 from exoid.recordings.signal.clean import clean
-from exoid.recordings.signal.condition import SMOOTHING, classify, cut, local_line
+from exoid.recordings.signal.condition import SMOOTHING, classify, cut
+from exoid.recordings.signal.local_line import local_line
 
 REVERSED = -0.5  # of the angle's own slope: below it a gyro turns the other way
 

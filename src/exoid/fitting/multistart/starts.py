@@ -21,7 +21,7 @@ from exoid.physics.parameter import declarations
 from exoid.physics.scale import AS_A_LEG, Scale, ranged
 from exoid.physics.term import Term
 from exoid.recordings.recording import Subject
-from exoid.recordings.signal.condition import local_line
+from exoid.recordings.signal.local_line import local_line
 
 FROM_NONE = 1e-3  # of the upper limit: where a draw begins whose lower limit is zero
 SLOPE_WIDTH = 0.08  # s, over which the acceleration is taken for inverse dynamics

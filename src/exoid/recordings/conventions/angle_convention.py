@@ -13,7 +13,8 @@ from exoid.recordings.conventions.balance import Balance, balance
 from exoid.recordings.conventions.file_clock import measured
 from exoid.recordings.conventions.gyro_agreement import agreement
 from exoid.recordings.recording import Recording
-from exoid.recordings.signal.condition import SMOOTHING, classify, local_line
+from exoid.recordings.signal.condition import SMOOTHING, classify
+from exoid.recordings.signal.local_line import local_line
 
 HIGHEST = 0.6  # rad; a knee overextends by 0.25, and a zero may be somewhat off
 LOWEST = -0.4  # rad, that every drop passes

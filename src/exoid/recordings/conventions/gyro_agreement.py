@@ -5,7 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from exoid.recordings.recording import Recording, Segment, known
-from exoid.recordings.signal.condition import SMOOTHING, local_line
+from exoid.recordings.signal.condition import SMOOTHING
+from exoid.recordings.signal.local_line import local_line
 
 PAIRS = (("raw_angle", "raw_angular_velocity"), ("angle", "angular_velocity"))
 FAST = 0.3  # of the greatest slope, from where on the noise of a slope does not matter

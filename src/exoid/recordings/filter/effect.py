@@ -7,7 +7,8 @@ from jaxtyping import Bool
 
 from exoid.recordings.recording import Segment
 from exoid.recordings.samples import Samples
-from exoid.recordings.signal.condition import MOTION_SPEED, SMOOTHING, local_line
+from exoid.recordings.signal.condition import MOTION_SPEED, SMOOTHING
+from exoid.recordings.signal.local_line import local_line
 
 FEWEST = 50  # moving samples; with fewer a lag cannot be told
 LONGEST = 0.5  # s; no filter is later

@@ -6,7 +6,8 @@ import numpy as np
 
 from exoid.recordings.landmarks.measure import NotAllowed
 from exoid.recordings.landmarks.track import SURE, Peak, Track, nearest
-from exoid.recordings.signal.condition import SMOOTHING, local_line
+from exoid.recordings.signal.condition import SMOOTHING
+from exoid.recordings.signal.local_line import local_line
 
 BAND = np.radians(2.0)  # rad to either side of the resting angle within which a leg is at rest
 SHORTEST = 1.0  # s at rest by which a record must end, about one swing

@@ -7,7 +7,8 @@ import numpy as np
 from exoid.recordings.landmarks.release import Release
 from exoid.recordings.landmarks.track import HALF, Peak, Track, local, peak
 from exoid.recordings.samples import Samples
-from exoid.recordings.signal.condition import local_line, reversals
+from exoid.recordings.signal.condition import reversals
+from exoid.recordings.signal.local_line import local_line
 
 SMALLEST = np.radians(1.0)  # rad, of a swing that counts as one
 CLEAR = 8.0  # times the noise of the smoothed angle, which at rest spans six

@@ -24,7 +24,7 @@ from exoid.recordings.motion.thresholds import (
     USUAL,
 )
 from exoid.recordings.samples import Samples
-from exoid.recordings.signal.condition import local_line
+from exoid.recordings.signal.local_line import local_line
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from exoid.recordings.motion.thresholds import QUIET, SPEED_ERROR, WIDTHS
 from exoid.recordings.recording import Segment, Sensors
 from exoid.recordings.samples import Samples
-from exoid.recordings.signal.condition import local_line
+from exoid.recordings.signal.local_line import local_line
 from exoid.recordings.signal.noise import declared_angle_noise, find_spikes, noise_of
 
 

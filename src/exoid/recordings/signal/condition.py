@@ -2,21 +2,18 @@
 driving torque (Eq. 4).
 """
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
 from exoid.recordings.recording import Kind, Segment
 from exoid.recordings.samples import Samples
+from exoid.recordings.signal.local_line import Signal, interpolated, local_line
 
 MOTION_SPEED = np.radians(20.0)  # rad/s, the paper's criterion of significant motion
 SMOOTHING = 0.05  # s, of the velocity that decides what moves; half a leg's swing takes 0.5 s
 FREE, SHRINKS = 3, 0.9  # swings that no muscle makes, and to what share each shrinks
 RINGING = 0.1  # of its travel: the least that a swing goes
 NEAR = 0.35  # of the range of a movement; a drop ends at 0.5 (no damping) to 1 of it, lower
-
-Signal = Any  # a NumPy or a JAX array, time first
 
 
 def moving_average(samples: Signal, window: int) -> Signal:
@@ -64,33 +61,6 @@ def best_velocity(segment: Segment) -> Samples:
     if segment.raw_angular_velocity is not None:
         return local_line(segment.time, segment.raw_angular_velocity, SMOOTHING)[0]
     return local_line(segment.time, segment.best_angle, SMOOTHING)[1]
-
-
-def local_line(time: Samples, samples: Samples, width: float) -> tuple[Samples, Samples]:
-    """Value and slope at every sample of the straight line fitted to the `width` s around it.
-
-    Missing samples are bridged; sums run over the window, so uneven sampling does no harm.
-    """
-    filled = interpolated(time, samples)
-    first = np.searchsorted(time, time - width / 2)
-    last = np.searchsorted(time, time + width / 2, side="right")
-    first = np.minimum(first, np.maximum(last - 3, 0))  # three samples carry a line and a check
-    last = np.minimum(np.maximum(last, first + 3), time.size)
-
-    def window_sum(of: Samples) -> Samples:
-        total = np.concatenate([[0.0], np.cumsum(of)])
-        return total[last] - total[first]
-
-    count = last - first
-    middle, mean = window_sum(time) / count, window_sum(filled) / count
-    spread = window_sum(time**2) / count - middle**2
-    slope = (window_sum(time * filled) / count - middle * mean) / spread
-    return mean + slope * (time - middle), slope
-
-
-def interpolated(time: Signal, samples: Signal) -> Samples:
-    known = ~np.isnan(samples)
-    return np.interp(time, time[known], samples[known])
 
 
 def torque_frequencies(period: float) -> dict[str, float]:
