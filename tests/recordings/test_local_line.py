@@ -37,7 +37,8 @@ def test_a_gap_does_not_spoil_the_slopes_beside_it(gap):
     true = 3 * np.radians(30) * np.cos(3 * time)
     inner = np.arange(600) % 300
     inner = (inner >= 5) & (inner < 295)  # windows at an edge lean away from it
-    assert np.abs(slope - true)[inner].max() < 0.01  # a line through 0.1 s of a sine of 3 rad/s
+    # A window gains or loses a sample at its edge by rounding: half a step's turn of 4.7 rad/s^2.
+    assert np.abs(slope - true)[inner].max() < 0.005 * 9 * np.radians(30) + 0.01
 
 
 def test_a_leg_at_rest_has_the_slope_of_its_noise_after_a_day():
