@@ -6,11 +6,12 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.recordings.landmarks.landmarks import Landmarks
+from exoid.recordings.landmarks.local_polynomial import local
 from exoid.recordings.landmarks.measure import Found, NotAllowed
 from exoid.recordings.landmarks.release import Release, find_release
 from exoid.recordings.landmarks.rest import Rest, find_rest
 from exoid.recordings.landmarks.swing import curve, turned, turns
-from exoid.recordings.landmarks.track import FEWEST, HALF, SURE, Peak, Track, local
+from exoid.recordings.landmarks.track import FEWEST, HALF, SURE, Peak, Track
 from exoid.recordings.motion.acceleration import Law
 from exoid.recordings.motion.extent import Extent, Motionless
 from exoid.recordings.motion.find_free import find_free
@@ -83,17 +84,17 @@ def held(track: Track, release: Release, found: list[Peak]) -> NotAllowed | None
     rows = np.flatnonzero((track.time > begin + HALF) & (track.time < end))
     if not rows.size:
         return None
-    early = local(track, begin + HALF, begin).derivative(2)
-    each = [local(track, float(track.time[row]), begin).derivative(2) for row in rows]
-    late = min(each)
-    if early[0] - SURE * early[1] < SHARE * (late[0] + SURE * late[1]):
+    times = np.array([begin + HALF, *track.time[rows]])
+    acceleration, error = local(track, times, begin).derivative(2)
+    late = 1 + int(np.argmin(acceleration[1:]))
+    least, most = acceleration[0] - SURE * error[0], acceleration[late] + SURE * error[late]
+    if least < SHARE * most:
         return None
-    after = float(track.time[rows[each.index(late)]]) - begin
     return NotAllowed(
-        f"no free fall: {after:.2f} s after it began to move the leg accelerates by "
-        f"{np.degrees(-late[0]):.0f} deg/s^2, just after the beginning by "
-        f"{np.degrees(-early[0]):.0f}. A hand was still on it, a muscle held it, or the thigh gave "
-        "way. Let go at once, without a push"
+        f"no free fall: {times[late] - begin:.2f} s after it began to move the leg accelerates by "
+        f"{np.degrees(-acceleration[late]):.0f} deg/s^2, just after the beginning by "
+        f"{np.degrees(-acceleration[0]):.0f}. A hand was still on it, a muscle held it, or the "
+        "thigh gave way. Let go at once, without a push"
     )
 
 

@@ -4,11 +4,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from exoid.recordings.landmarks.local_polynomial import local
 from exoid.recordings.landmarks.measure import NotAllowed, given, ordinal
 from exoid.recordings.landmarks.release import Release
 from exoid.recordings.landmarks.rest import Rest
 from exoid.recordings.landmarks.swing import Curve, back
-from exoid.recordings.landmarks.track import HALF, Peak, Track, local, nearest
+from exoid.recordings.landmarks.track import HALF, Peak, Track, nearest
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,7 +66,8 @@ class Landmarks:
         inside = self.curve.time[(self.curve.time >= begin) & (self.curve.time <= end)]
         if not inside.size:
             raise NotAllowed("that part of the swing was not recorded")
-        wide = [local(track, each, first, 2 * HALF).derivative(order)[0] for each in inside]
-        time = float(inside[np.argmax(sign * np.array(wide))])
-        value, error = local(track, time, first).derivative(order)
-        return Peak(nearest(track, time), time, HALF, value, error)
+        wide = local(track, inside, first, 2 * HALF).derivative(order)[0]
+        at = np.argmax(sign * wide)
+        time = float(inside[at])
+        value, error = local(track, inside[[at]], first).derivative(order)
+        return Peak(nearest(track, time), time, HALF, float(value[0]), float(error[0]))

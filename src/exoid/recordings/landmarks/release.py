@@ -10,8 +10,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from exoid.recordings.landmarks.local_polynomial import local
 from exoid.recordings.landmarks.measure import NotAllowed
-from exoid.recordings.landmarks.track import HALF, SURE, Peak, Track, local, nearest
+from exoid.recordings.landmarks.track import HALF, SURE, Peak, Track, nearest
 from exoid.recordings.motion.extent import Extent
 from exoid.recordings.samples import Samples
 from exoid.recordings.signal.condition import MOTION_SPEED
@@ -67,7 +68,7 @@ def about(track: Track, extent: Extent) -> tuple[float, float, float]:
     first = float(track.time[0])
     if extent.held_until is not None:
         return extent.release, first, NEAR + SURE * extent.release_error
-    begun, error = local(track, first).derivative(1)
+    begun, error = (float(each[0]) for each in local(track, track.time[[0]]).derivative(1))
     if abs(begun) > MOTION_SPEED + SURE * error:
         raise NotAllowed(
             f"begins in motion, at {abs(np.degrees(begun)):.0f} deg/s: the release was not "

@@ -4,8 +4,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from exoid.recordings.landmarks.local_polynomial import local
+from exoid.recordings.landmarks.peak import peak
 from exoid.recordings.landmarks.release import Release
-from exoid.recordings.landmarks.track import HALF, Peak, Track, local, peak
+from exoid.recordings.landmarks.track import HALF, Peak, Track
 from exoid.recordings.samples import Samples
 from exoid.recordings.signal.condition import reversals
 from exoid.recordings.signal.local_line import local_line
@@ -48,8 +50,8 @@ def curve(track: Track, release: Release | None) -> Curve:
     """The drop and its derivatives; right after a release, those of the fall from rest."""
     begin = track.time[0] if release is None else release.start.time
     time = track.time[track.time >= begin]
-    rows = [local(track, each, begin) for each in time.tolist()]
-    orders = [np.array([row.derivative(order)[0] for row in rows]) for order in range(3)]
+    each = local(track, time, begin)
+    orders = [each.derivative(order)[0] for order in range(3)]
     if release is not None:
         fresh = np.flatnonzero(time < begin + HALF)
         for order, values in enumerate(orders):

@@ -6,6 +6,7 @@ a hand is on the leg.
 """
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -142,10 +143,13 @@ class Derivatives:
         return bool(self.error < PUSH * np.ptp(self.acceleration) / 2 / ROUGH)
 
 
+@lru_cache(maxsize=32)  # who looks for a hand asks several times
 def derivatives(signal: Signal) -> Derivatives:
     """Over the shortest window through which a hand would be seen, else the longest."""
-    found = [smoothed_over(signal, width) for width in BLUR]
-    return next((each for each in found if each.clear), found[-1])
+    *shorter, longest = BLUR
+    each = (smoothed_over(signal, width) for width in shorter)
+    clear = next((one for one in each if one.clear), None)
+    return smoothed_over(signal, longest) if clear is None else clear
 
 
 def smoothed_over(signal: Signal, width: float) -> Derivatives:

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from exoid.recordings.motion.fall import Swing, falling
+from exoid.recordings.motion.fall import Swing, Swings, falling
 from exoid.recordings.motion.signal import Signal
 from exoid.recordings.motion.thresholds import (
     COARSE,
@@ -53,21 +53,21 @@ class ReleaseWindow:
     signal: Signal
     pull: float  # rad/s^2, about the first acceleration
     room: tuple[float, ...] = ODD  # rad, of b, c, e
-    legs: tuple[Swing, ...] = tuple(Swing(*each) for each in LEGS)
+    legs: Swings = tuple(Swing(*each) for each in LEGS)
 
 
 def let_go(case: ReleaseWindow, low: float, high: float) -> LettingGo:
     """The release between `low` and `high` s: first roughly and of many legs, then finely."""
     rough = np.arange(low, high + COARSE, COARSE)
     widths = WINDOWS[:: WINDOWS.size // 2]
-    every = np.stack([table_of(case, leg, rough, widths) for leg in case.legs])
+    every = table_of(case, case.legs, rough, widths)
     leg = case.legs[int(np.argmin(every.min(axis=(1, 2))))]
     scale = spread(case, every)
     weight = np.exp(-(every.min(axis=0) - every.min()) / 2 / scale).sum(axis=0)
     kept = rough[weight > weight.max() * 1e-4]
     step = np.clip((kept[-1] - kept[0]) / 60, *TRIED)
     tried = np.arange(max(low, kept[0] - COARSE), min(high, kept[-1] + COARSE) + step, step)
-    square = table_of(case, leg, tried, WINDOWS)
+    square = table_of(case, (leg,), tried, WINDOWS)[0]
     found = summed(tried, square, spread(case, square), case)
     return replace(found, error=max(found.error, wobble(rough, widths, every, scale)))
 
@@ -80,9 +80,9 @@ def wobble(tried: Samples, widths: Samples, square: Table, scale: float) -> floa
     return float(np.sqrt(np.average((effective - mean) ** 2, weights=weight)))
 
 
-def table_of(case: ReleaseWindow, leg: Swing, tried: Samples, widths: Samples) -> Table:
-    """Chi-square of every duration and instant."""
-    return np.stack([misfits(case, leg, tried, width) for width in widths.tolist()])
+def table_of(case: ReleaseWindow, legs: Swings, tried: Samples, widths: Samples) -> Table:
+    """Chi-square of every leg, duration and instant."""
+    return np.stack([misfits(case, legs, tried, width) for width in widths.tolist()], axis=1)
 
 
 def spread(case: ReleaseWindow, square: Table) -> float:
@@ -114,60 +114,70 @@ def samples_within(case: ReleaseWindow) -> int:
     return sum(int(np.sum(~np.isnan(one))) for one in each if one is not None)
 
 
-def misfits(case: ReleaseWindow, leg: Swing, tried: Samples, width: float) -> Samples:
-    """Chi-square of every tried instant, its amplitudes at their best."""
-    since = case.signal.time[None, :] - tried[:, None]
-    table, data = rows(case, [columns(since, leg, width, order) for order in (0, 1)])
-    believed = np.zeros((tried.size, len(POWERS), table.shape[2]))
+def misfits(case: ReleaseWindow, legs: Swings, tried: Samples, width: float) -> Table:
+    """Chi-square of every leg and tried instant, all amplitudes at their best."""
+    since = case.signal.time - tried[:, None]
+    x = np.maximum(since - width / 2, 0) / FALL
+    fall = measured(case, [falling(since, width, legs, order) for order in (0, 1)])
+    other = [measured(case, [power_of(x, n, order) for order in (0, 1)]) for n in POWERS]
     room = np.array(case.room) * np.clip(case.pull / GREATEST, 0.02, 1.0)
-    believed[:, range(len(POWERS)), range(1, 1 + len(POWERS))] = 1 / room
-    table = np.concatenate([table, believed], axis=1)
-    return least_squares(table, np.concatenate([data, np.zeros(believed.shape[:2])], axis=1))
+    believed = np.broadcast_to(np.diag(1 / room), (tried.size, len(POWERS), len(POWERS)))
+    shared = np.concatenate([np.stack(other, axis=-1), believed], axis=1)
+    return left_of(case, np.pad(fall, [(0, 0), (0, 0), (0, len(POWERS))]), shared)
 
 
 def begun_free(case: ReleaseWindow) -> float:
     """Chi-square of a leg that is free from the first sample on, at rest or in motion."""
     since = case.signal.time[None, :] - case.signal.time[0]
+    at_rest, moving = (
+        measured(case, [falling(since, 0.0, case.legs, order + begun) for order in (0, 1)])
+        for begun in (0, 1)
+    )
+    legs = zip(at_rest[:, None], moving[..., None], strict=True)
+    return min(float(left_of(case, rest, begun)[0, 0]) for rest, begun in legs)
 
-    def motion(leg: Swing, order: int) -> Table:
-        each = [falling(since, 0.0, leg, order), falling(since, 0.0, leg, order + 1)]
-        return beside_levels(each, order)
 
-    each = [rows(case, [motion(leg, 0), motion(leg, 1)]) for leg in case.legs]
-    return min(float(least_squares(*one)[0]) for one in each)
+def power_of(x: Table, power: int, order: int) -> Table:
+    """x^power, or its derivative by time; by products, which take a tenth of a power's time."""
+    found = x
+    for _ in range(power - 1 - order):
+        found = found * x
+    return power / FALL * found if order else found
 
 
-def rows(case: ReleaseWindow, tables: list[Table]) -> tuple[Table, Table]:
-    """Columns and data of angle and gyro, where they were measured, over their noise."""
-    signal, found, data = case.signal, [], []
+def measured(case: ReleaseWindow, tables: list[Table]) -> Table:
+    """What is told of angle and velocity (last axis: time) at the samples of encoder and gyro, over
+    their noise.
+    """
+    signal, found = case.signal, []
     channels = ((signal.angle, signal.angle_noise), (signal.velocity, signal.velocity_noise))
     for table, (samples, noise) in zip(tables, channels, strict=True):
         if samples is not None:
-            seen = ~np.isnan(samples)
-            found.append(table[:, seen] / noise)
-            data.append(np.broadcast_to(samples[seen] / noise, found[-1].shape[:2]))
-    return np.concatenate(found, axis=1), np.concatenate(data, axis=1)
+            found.append(table[..., ~np.isnan(samples)] / noise)
+    return np.concatenate(found, axis=-1)
 
 
-def least_squares(table: Table, data: Table) -> Samples:
-    """The sum of squares that is left of every row of `data` (try, sample)."""
-    size = np.maximum(np.sqrt((table**2).sum(axis=1, keepdims=True)), 1e-12)
-    table = table / size
-    normal = np.swapaxes(table, 1, 2) @ table + 1e-10 * np.eye(table.shape[2])
-    right = (np.swapaxes(table, 1, 2) @ data[:, :, None])[:, :, 0]
-    found = np.linalg.solve(normal, right[:, :, None])[:, :, 0]
-    left = data - (table @ found[:, :, None])[:, :, 0]
-    return (left**2).sum(axis=1)
+def left_of(case: ReleaseWindow, fall: Table, shared: Table) -> Table:
+    """The sum of squares that is left of the data for every leg and instant.
 
+    `fall` is (leg, instant, row), what all legs share (instant, row, column); the level of the
+    angle and the gyro's bias are free, too. Columns that are shared are taken out once for all.
+    """
+    signal = case.signal
+    channels = [signal.angle] if signal.velocity is None else [signal.angle, signal.velocity]
+    ones, none = np.ones(signal.time.size), np.zeros(signal.time.size)
+    levels = [measured(case, [ones, none]), measured(case, [none, ones])][: len(channels)]
+    known = np.stack([measured(case, [*channels, none][:2]), *levels], axis=-1)
+    known = np.pad(known, [(0, fall.shape[-1] - known.shape[0]), (0, 0)])
+    known = np.broadcast_to(known, (*shared.shape[:1], *known.shape))
+    basis = np.linalg.qr(np.concatenate([shared, known[..., 1:]], axis=-1))[0]
 
-def columns(since: Table, leg: Swing, width: float, order: int) -> Table:
-    """What unit amplitudes add to the angle (order 0) or the velocity (order 1)."""
-    x = np.maximum(since - width / 2, 0) / FALL
-    rest = [x**power if order == 0 else power * x ** (power - 1) / FALL for power in POWERS]
-    return beside_levels([falling(since, width, leg, order), *rest], order)
+    def beyond(each: Table) -> Table:  # (..., instant, row)
+        along = each[..., None, :] @ basis
+        return each - (along @ np.swapaxes(basis, 1, 2))[..., 0, :]
 
-
-def beside_levels(each: list[Table], order: int) -> Table:
-    """With two more columns: the level of the angle and the gyro's bias."""
-    level, none = np.ones_like(each[0]), np.zeros_like(each[0])
-    return np.stack([*each, *((level, none) if order == 0 else (none, level))], axis=-1)
+    data, falls = beyond(known[..., 0]), beyond(fall)
+    size = (falls**2).sum(axis=-1)
+    tells = size > 1e-10 * (fall**2).sum(axis=-1)  # an instant after the last sample tells nothing
+    gained = np.where(tells, (falls * data).sum(axis=-1) ** 2 / np.where(tells, size, 1.0), 0.0)
+    return (data**2).sum(axis=-1) - gained

@@ -1,6 +1,7 @@
 """A segment as the search for its movement sees it: angle and gyro, each with its noise."""
 
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -79,11 +80,13 @@ def credible(
     return kept, noise_of([time], [kept], declared, angle=angle).level
 
 
+@lru_cache(maxsize=32)  # every step of the search asks for it
 def speed_of(signal: Signal) -> Speed:
     """The gyro's mean, else the slope of the angle, over the shortest window that is clear."""
-    found = [windowed(signal, width) for width in WIDTHS]
-    clear = [each for each in found if each.error <= SPEED_ERROR]
-    return clear[0] if clear else found[-1]
+    *shorter, longest = WIDTHS
+    each = (windowed(signal, width) for width in shorter)
+    clear = next((one for one in each if one.error <= SPEED_ERROR), None)
+    return windowed(signal, longest) if clear is None else clear
 
 
 def windowed(signal: Signal, width: float) -> Speed:
