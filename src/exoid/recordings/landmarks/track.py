@@ -6,8 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exoid.recordings.landmarks.measure import Mark, NotAllowed
+from exoid.recordings.motion.thresholds import FINE
 from exoid.recordings.recording import Segment
-from exoid.recordings.samples import Samples
+from exoid.recordings.samples import Samples, block_means
 
 HALF = 0.1  # s to either side that a polynomial follows, a tenth of a leg's swing
 DEGREE = 4  # the middle of a swing is then followed to 1 in 2000, its acceleration included
@@ -46,7 +47,8 @@ class Track:
 
 
 def track_of(segment: Segment, noise: float) -> Track:
-    """The encoder's angle, or the filtered one where there is no other.
+    """The encoder's angle, or the filtered one where there is no other; means over a few samples
+    where they are many.
 
     **Raises** `NotAllowed` where it is sampled too slowly, or interrupted.
     """
@@ -64,7 +66,10 @@ def track_of(segment: Segment, noise: float) -> Track:
         raise NotAllowed(
             f"interrupted: no angle was measured from {time[at]:.2f} to {time[at + 1]:.2f} s"
         )
-    return Track(sample, time, segment.best_angle[sample], noise)
+    count = max(int(FINE / np.median(steps)), 1)
+    middle = sample[count // 2 :: count][: sample.size // count]
+    angle = block_means(segment.best_angle[sample], count)
+    return Track(middle, block_means(time, count), angle, noise / np.sqrt(count))
 
 
 def nearest(track: Track, time: float) -> int:

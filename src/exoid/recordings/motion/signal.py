@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from exoid.recordings.motion.thresholds import QUIET, SPEED_ERROR, WIDTHS
 from exoid.recordings.recording import Segment, Sensors
-from exoid.recordings.samples import Samples
+from exoid.recordings.samples import Samples, block_means
 from exoid.recordings.signal.local_line import local_line
 from exoid.recordings.signal.noise import declared_angle_noise, find_spikes, noise_of
 
@@ -31,6 +31,18 @@ class Signal:
         """The samples that are `inside`."""
         velocity = None if self.velocity is None else self.velocity[inside]
         return replace(self, time=self.time[inside], angle=self.angle[inside], velocity=velocity)
+
+    def averaged(self, step: float) -> "Signal":
+        """Means over as many samples as fit into `step` s, where that is more than one."""
+        count = max(int(step / self.step), 1)
+        less = np.sqrt(count)
+        return Signal(
+            block_means(self.time, count),
+            block_means(self.angle, count),
+            self.angle_noise / less,
+            None if self.velocity is None else block_means(self.velocity, count),
+            self.velocity_noise / less,
+        )
 
     def count(self, width: float) -> int:
         """The samples of a window of `width` s; three carry a line and a check."""

@@ -12,6 +12,7 @@ WIDTHS = (0.05, 0.075, 0.1, 0.15, 0.2, 0.3)  # s; a leg's half swing takes 0.5 s
 WINDOWS = np.linspace(0.0, 0.12, 9)  # s, tried durations of letting go
 FALL = 0.25  # s after the release that are followed
 HELD = 0.5  # s of the hold in front that are compared with it
+FINE = 0.003  # s over which faster samples are averaged; a leg bends by 1e-5 rad in it
 COARSE = 0.008  # s between the instants that are tried at first
 TRIED = (5e-4, 4e-3)  # s between them in the end, a sixtieth of those that remain within
 LEGS = [(k, d) for k in (2.0, 20.0, 45.0, 75.0) for d in (0.0, 2.5, 6.0, 10.0)]  # 1/s^2, 1/s:

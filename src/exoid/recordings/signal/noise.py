@@ -20,6 +20,7 @@ AGREE = 2.0  # factor between measured and declared noise, from which on it is w
 MORE = 1.5  # times the declared noise: samples that scatter by more are believed; jumps make 1.4
 SHARED = 2.0  # times white noise and motion, that wider neighbourhoods must show
 CLOSE, WIDEST = 0.051, 0.1  # s between neighbours: where smoothing shows at last, and motion does
+STRIDES = 60  # neighbourhoods that are tried at most
 SWING, QUICK = 0.2, 8.0  # rad, rad/s: how much, and how fast, a leg swings most of the time
 FEWEST = 30  # samples that tell a noise to 15 %
 HEAVY = 1.15  # root mean square over robust deviation, from which on tails are worth a word
@@ -108,7 +109,7 @@ def smoothed(times: list[Samples], signals: list[Samples], white: float) -> tupl
     """
     step = float(np.median(np.diff(times[0])))
     level, width = white, 0.0
-    for stride in range(2, int(WIDEST / step) + 1):
+    for stride in np.unique(np.geomspace(2, max(WIDEST / step, 2), STRIDES).astype(int)).tolist():
         if not width and stride * step > CLOSE:
             break
         errors = [interpolation_errors(*each, stride) for each in zip(times, signals, strict=True)]
