@@ -26,6 +26,8 @@ STEADY = 0.4  # of its size, that a tone has in three of four pieces
 SURGES = 2.0  # of its size, that it exceeds in no more than one of four: a frame that strikes does
 IN_PHASE = 0.6  # of its size, that is left of the middle of its pieces: noise has any phase
 PIECE, FEW = 0.3, 24  # s, and samples, of a piece at least
+STRETCH = 20_000  # samples of one spline
+PAUSE = 1.0  # s without a sample
 FEWEST = 64  # samples of a segment that can tell a tone
 
 
@@ -41,13 +43,10 @@ def find_tone(times: list[Samples], signals: list[Samples], noise: float = 0.0) 
     """The strongest tone that all segments share, None where noise shows as much.
 
     The power at every frequency over the median of those around it: a line, not a hill. Every
-    segment has the phase to itself.
+    segment, and what follows a pause in it, has the phase to itself.
     """
-    parts = [
-        (time[known], signal[known])
-        for time, signal in zip(times, signals, strict=True)
-        if (known := ~np.isnan(signal)).sum() >= FEWEST
-    ]
+    each = (unbroken(*one) for one in zip(times, signals, strict=True))
+    parts = [part for parts in each for part in parts if part[0].size >= FEWEST]
     if not parts:
         return None
     rest = [(time - time[0], signal - motion(time, signal)) for time, signal in parts]
@@ -76,6 +75,14 @@ def find_tone(times: list[Samples], signals: list[Samples], noise: float = 0.0) 
     one = np.average(in_phase, weights=[len(each) for each in pieces]) > IN_PHASE * size
     loud = size > max(SMALLEST, MATTERS * noise)
     return Tone(frequency, size) if steady and one and loud else None
+
+
+def unbroken(time: Samples, signal: Samples) -> list[tuple[Samples, Samples]]:
+    """The known samples between pauses."""
+    known = ~np.isnan(signal)
+    time, signal = time[known], signal[known]
+    begins = np.flatnonzero(np.diff(time) > PAUSE) + 1
+    return list(zip(np.split(time, begins), np.split(signal, begins), strict=True))
 
 
 def piecewise(time: Samples, signal: Samples, frequency: float) -> NDArray[np.float64]:
@@ -138,7 +145,14 @@ def powers(time: Samples, left: Samples, grid: Samples) -> Samples:
 
 
 def motion(time: Samples, signal: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The part of the signal (time first) that a cubic spline with a knot each 0.1 s follows."""
+    """The part of the signal (time first) that a cubic spline with a knot each 0.1 s follows; anew
+    after so many samples, for its cost grows with their square.
+    """
+    parts = np.array_split(np.arange(time.size), -(-time.size // STRETCH))
+    return np.concatenate([spline(time[part], signal[part]) for part in parts])
+
+
+def spline(time: Samples, signal: NDArray[np.float64]) -> NDArray[np.float64]:
     count = max(int((time[-1] - time[0]) / KNOT), 1)
     places = np.linspace(0, time.size - 1, count + 1)[1:-1]  # as dense as the samples, gaps too
     inner = np.interp(places, np.arange(time.size), time)
