@@ -3,36 +3,48 @@
 #include <Arduino.h>
 
 #include "src/as5600.h"
+#include "src/can_timing.h"
 #include "src/lsm6ds3.h"
-#include "src/mcp2515_can.h"
+#include "src/mcp2515.h"
 #include "src/node.h"
+#include "src/spi_link.h"
 #include "src/timer_samd21.h"
 #include "src/uplink.h"
+#include "src/usb_port.h"
+#include "src/watchdog_samd21.h"
 #include "src/wire_bus.h"
 
-using exoid::Mcp2515Can;
+namespace config = exoid::config;
 using exoid::SamplingTimer;
+using exoid::SpiLink;
+using exoid::UsbPort;
 using exoid::WireBus;
+using CanTiming = exoid::CanTiming<config::CAN_CRYSTAL, config::CAN_BIT_RATE>;
+using Can = exoid::Mcp2515<SpiLink, CanTiming, config::CanUnderstood>;
 using Encoder = exoid::As5600<WireBus>;
 using Imu = exoid::Lsm6ds3<WireBus>;
-using UsbOrCan = exoid::Uplink<Mcp2515Can, decltype(Serial)>;
+using UsbAndCan = exoid::Uplink<Can, UsbPort>;
 
 WireBus bus;
 Encoder encoder(bus);
 Imu imu(bus);
-Mcp2515Can can;
-UsbOrCan uplink(can, Serial);
+SpiLink spi;
+Can can(spi);
+UsbPort usb;
+UsbAndCan uplink(can, usb);
 SamplingTimer timer;
-exoid::Node<Encoder, Imu, UsbOrCan, SamplingTimer> node(encoder, imu, uplink, timer);
+exoid::Watchdog watchdog;
+exoid::Node<Encoder, Imu, UsbAndCan, SamplingTimer> node(encoder, imu, uplink, timer);
 
 void setup() {
-  Serial.begin(115200);
+  usb.begin();
   bus.begin();
   uplink.begin();
+  watchdog.begin();
   timer.begin();
 }
 
 void loop() {
-  if (uplink.poll()) node.restart();
-  node.run();
+  if (uplink.poll(millis())) node.restart();
+  if (node.run()) watchdog.feed();
 }

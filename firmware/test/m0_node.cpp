@@ -15,9 +15,10 @@ constexpr uint32_t WARM_UP = 20;  // ticks before a host is heard; the gyro is t
 constexpr uint32_t NAP = 1000 * exoid::SYSTICK_PER_US;  // counts between looks at clock and host
 
 struct NoCan {
-  bool begin() { return false; }
-  bool send(const exoid::Frame&) { return false; }
-  void poll() {}
+  void begin() {}
+  void poll(uint32_t) {}
+  bool is_up() const { return false; }
+  bool send(const exoid::Frame&) { return true; }
 };
 
 /// What the sensors are exposed to at each tick.
@@ -70,7 +71,7 @@ int main() {
       board.expose(stream.next());
     }
     node.run();
-    if (tick >= WARM_UP && uplink.poll()) {
+    if (tick >= WARM_UP && uplink.poll(tick * exoid::TICK_US / 1000)) {
       node.restart();
       stream.start();
     }

@@ -17,17 +17,18 @@ void power_on() { setup(); }
 
 void run_ms(uint32_t time) {
   constexpr uint32_t PASS_US = 5;  // the rest of a pass of the loop
-  const uint64_t end = world.now_us + time * 1000ULL;
-  while (world.now_us < end) {
+  const uint64_t end = board.now_us + time * 1000ULL;
+  while (board.now_us < end) {
     loop();
-    world.now_us += PASS_US;
+    check(!board.watchdog.barks(), "the watchdog is fed in time");
+    board.now_us += PASS_US;
   }
 }
 
 void check(bool holds, const char* sentence, int line) {
   if (holds) return;
   std::fprintf(stderr, "line %d, %.3f s: it does not hold that %s\n", line,
-               static_cast<double>(world.now_us) * 1e-6, sentence);
+               static_cast<double>(board.now_us) * 1e-6, sentence);
   std::exit(1);
 }
 

@@ -43,7 +43,7 @@ void motion() {
   run_ms(SETTLED_MS);
   const std::vector<Frame> states = states_of(300);
   check(states.size() == 300, "every tick has a STATE");
-  check(world.board.encoder.is_fast(), "the encoder's fast filter is set");
+  check(board.chips.encoder.is_fast(), "the encoder's fast filter is set");
   for (const Frame& state : states) {
     const uint32_t tick = field(state, 48, 8);
     check(field(state, 56, 8) == 0, "no status bit is set while nothing is wrong");
@@ -97,13 +97,13 @@ void imu_reset() {
 void stuck_bus() {
   power_on();
   run_ms(SETTLED_MS);
-  world.data_held_for = 5;
+  board.i2c.data_held_for = 5;
   for (const Frame& state : states_of(20)) check(faults(state) == 0, "pulses free the data line");
-  world.clock_held = true;
+  board.i2c.clock_held = true;
   for (const Frame& state : states_of(10)) {
     check(faults(state) == ((1U << ENCODER_FAULT) | (1U << IMU_FAULT)), "nothing was measured");
   }
-  world.clock_held = false;
+  board.i2c.clock_held = false;
   check(faults(states_of(20).back()) == 0, "the sensors come back with the bus");
 }
 

@@ -1,4 +1,4 @@
-/// The world around the sketch: time, the leg, the wires, the CAN bus and the host on USB.
+/// The world around the sketch: the board, the leg, and who listens on CAN and on USB.
 
 #pragma once
 
@@ -6,33 +6,19 @@
 #include <string>
 #include <vector>
 
-#include "chips.h"
+#include "board/board.h"
 #include "exo_can.h"
 
 struct World {
-  uint64_t now_us = 0;
-
   // The leg: what the sensors are exposed to at each tick.
   std::function<chips::Exposure(uint32_t tick)> leg;
-  chips::Board board;
 
-  // I2C: clock pulses until the device that holds the data line lets it go.
-  int data_held_for = 0;
-  bool clock_held = false;
-  uint32_t i2c_frequency = 0;
-
-  // CAN.
-  bool has_controller = true;
-  bool acknowledged = true;
-  std::vector<exoid::Frame> on_bus;
-
-  // The host on USB.
-  bool plugged = true;
-  bool host_reads = true;
-  std::string from_host, to_host;
+  std::vector<exoid::Frame> on_bus;  // CAN frames
+  std::string to_host;               // on USB
 };
 
 extern World world;
+using simulated::board;
 
 /// Runs the sketch's setup, once in a process.
 void power_on();

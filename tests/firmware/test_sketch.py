@@ -22,6 +22,7 @@ SCENARIOS = (
     "can_without_acknowledgement",
     "slcan_fallback",
     "host_that_does_not_read",
+    "port_that_loses",
     "host_that_comes_back",
 )
 

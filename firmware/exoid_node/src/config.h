@@ -4,6 +4,8 @@
 
 #include <stdint.h>
 
+#include "can_ids.h"
+
 namespace exoid {
 namespace config {
 
@@ -15,6 +17,7 @@ constexpr uint32_t I2C_FREQUENCY = 400000;  // Hz
 constexpr uint8_t CAN_SELECT_PIN = 10;      // CS of the MCP2515
 constexpr uint32_t CAN_CRYSTAL = 8000000;   // Hz, as stamped on the module's crystal
 constexpr uint32_t CAN_BIT_RATE = 500000;   // bit/s
+using CanUnderstood = CanIds<>;             // identifiers that the node listens to, six at most
 
 }  // namespace config
 }  // namespace exoid

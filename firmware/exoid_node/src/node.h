@@ -14,14 +14,17 @@ class Node {
   Node(Encoder& encoder, Imu& imu, Uplink& uplink, const Clock& clock)
       : encoder_(encoder), imu_(imu), uplink_(uplink), clock_(clock) {}
 
-  /// Does what is due. Call it as often as possible.
-  void run() {
+  /// Does what is due; returns whether that was a sample. Call it as often as possible.
+  bool run() {
     const uint32_t now = clock_.ticks();
     if (now != tick_) {
       sample(now);
-    } else if (tick_ > 0 && tick_ - told_ >= TICKS_PER_TIME && clock_.age_us() >= TICK_US / 2) {
+      return true;
+    }
+    if (tick_ > 0 && tick_ - told_ >= TICKS_PER_TIME && clock_.age_us() >= TICK_US / 2) {
       tell_time();
     }
+    return false;
   }
 
   /// Starts the filter again at the next tick: whoever now begins to listen hears all of it.

@@ -12,9 +12,11 @@ namespace exoid {
 /// frames while the host does not read. Nothing here waits.
 class Slcan {
  public:
-  /// Queues a frame. Returns false, and remembers for F, where there is no room for it; a frame
-  /// that nobody listens to is not lost.
+  /// Queues a frame. Returns false, and remembers for F, where a frame was lost: this one, for
+  /// which there is no room, or one since the last call. What nobody listens to is not lost.
   bool send(const Frame& frame) {
+    const bool lost = lost_;
+    lost_ = false;
     if (!open_) return true;
     if (SIZE - (head_ - tail_) < FRAME_LENGTH + RESERVE) {
       dropped_ = true;
@@ -26,7 +28,7 @@ class Slcan {
     put('8');
     for (uint8_t byte : frame.data) put_byte(byte);
     put(RETURN);
-    return true;
+    return !lost;
   }
 
   /// Takes one character from the host.
@@ -40,6 +42,8 @@ class Slcan {
     length_ = 0;
   }
 
+  bool is_open() const { return open_; }
+
   /// Whether the host has opened the channel since the last call.
   bool opened() {
     const bool opened = just_opened_;
@@ -49,13 +53,31 @@ class Slcan {
 
   /// The bytes to send next, and how many lie there in one piece.
   size_t pending(const uint8_t*& bytes) const {
+    static const uint8_t line_end = RETURN;
+    if (torn_) {
+      bytes = &line_end;
+      return 1;
+    }
     const size_t from = tail_ % SIZE, queued = head_ - tail_;
     bytes = ring_ + from;
     return queued < SIZE - from ? queued : SIZE - from;
   }
 
-  /// Takes away the first `count` bytes, which were sent.
-  void sent(size_t count) { tail_ += count; }
+  /// Takes away the first `count` bytes, which the port took.
+  void sent(size_t count) {
+    if (torn_) {
+      torn_ = count == 0;
+    } else {
+      tail_ += count;
+    }
+  }
+
+  /// The port lost bytes that it had taken: ends the line of which the host may have a piece, and
+  /// goes on with the next whole one. Else two pieces could look like a frame.
+  void lose() {
+    tail_ = end_of_line();
+    torn_ = dropped_ = lost_ = true;
+  }
 
  private:
   static constexpr size_t SIZE = 1024;  // bytes; frames of 150 ms
@@ -92,13 +114,16 @@ class Slcan {
   }
 
   /// Drops what is queued, but for the rest of a line that is half sent.
-  void forget_frames() {
+  void forget_frames() { head_ = end_of_line(); }
+
+  /// Where the line ends that is half sent; where the next begins if none is.
+  size_t end_of_line() const {
     size_t end = tail_;
     if (end > 0 && !ends_line(ring_[(end - 1) % SIZE])) {
       while (end < head_ && !ends_line(ring_[end++ % SIZE])) {
       }
     }
-    head_ = end;
+    return end;
   }
 
   static bool ends_line(uint8_t byte) { return byte == RETURN || byte == BELL; }
@@ -132,19 +157,32 @@ class Slcan {
   size_t length_ = 0;
   bool open_ = false;
   bool just_opened_ = false;
-  bool dropped_ = false;
+  bool dropped_ = false;  // a frame, since the host last asked
+  bool lost_ = false;     // a frame, since the last one was queued
+  bool torn_ = false;     // the host may have a piece of a line
 };
 
-/// Moves bytes between `slcan` and a port with the four functions of Arduino's serial ports.
+constexpr int LONGEST_INPUT = 64;  // bytes taken at once: a host that floods must not stop a sample
+
+/// Moves bytes between `slcan` and a port with the four functions of Arduino's serial ports. The
+/// port's `write` returns how much it took, or more where it lost what it had.
 template <class Port>
 void exchange(Slcan& slcan, Port& port) {
-  while (port.available() > 0) slcan.receive(static_cast<char>(port.read()));
+  for (int taken = 0; taken < LONGEST_INPUT && port.available() > 0; ++taken) {
+    slcan.receive(static_cast<char>(port.read()));
+  }
   const int room = port.availableForWrite();
   const uint8_t* bytes = nullptr;
   const size_t pending = slcan.pending(bytes);
   const size_t count = static_cast<int>(pending) < room ? pending : static_cast<size_t>(room);
+  if (room <= 0 || count == 0) return;
   // In one piece: every write is a packet on USB.
-  if (room > 0 && count > 0) slcan.sent(port.write(bytes, count));
+  const size_t taken = port.write(bytes, count);
+  if (taken <= count) {
+    slcan.sent(taken);
+  } else {
+    slcan.lose();
+  }
 }
 
 }  // namespace exoid

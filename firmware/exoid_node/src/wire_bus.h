@@ -1,4 +1,5 @@
-/// The I2C bus of both sensors on Arduino's Wire, which waits for ever on a line that is held down.
+/// The I2C bus of both sensors. Whatever fails, the bus is let go afterwards, and the next transfer
+/// finds it idle or is refused.
 
 #pragma once
 
@@ -6,6 +7,7 @@
 #include <Wire.h>
 
 #include "config.h"
+#include "i2c_samd21.h"
 
 namespace exoid {
 
@@ -14,38 +16,48 @@ class WireBus {
   void begin() {
     Wire.begin();
     Wire.setClock(config::I2C_FREQUENCY);
+    master_.begin();
   }
 
   /// Writes one register. Returns false where the device did not take it.
   bool write(uint8_t device, uint8_t to, uint8_t value) {
-    if (!idle() && !release()) return false;
-    Wire.beginTransmission(device);
-    Wire.write(to);
-    Wire.write(value);
-    return Wire.endTransmission() == 0;
+    if (!is_free() && !release()) return false;
+    const uint8_t bytes[] = {to, value};
+    return or_released(master_.write(device, bytes, sizeof bytes) && master_.stop());
   }
 
   /// Reads `count` registers from `first` on. Returns false where not all of them came.
   bool read(uint8_t device, uint8_t first, uint8_t* bytes, uint8_t count) {
-    if (!idle() && !release()) return false;
-    Wire.beginTransmission(device);
-    Wire.write(first);
-    if (Wire.endTransmission(false) != 0) return false;
-    if (Wire.requestFrom(device, count) != count) return false;
-    for (uint8_t at = 0; at < count; ++at) bytes[at] = static_cast<uint8_t>(Wire.read());
-    return true;
+    if (!is_free() && !release()) return false;
+    return or_released(master_.write(device, &first, 1) && master_.read(device, bytes, count));
   }
 
  private:
   static constexpr uint8_t PULSES = 9;  // eight bits and their acknowledgement
   static constexpr uint32_t HALF_PULSE_US = 5;
+  static constexpr uint32_t LONGEST_STOP_US = 50;  // from its command until both lines are high
 
-  static bool idle() {
+  static bool is_idle() {
     return digitalRead(PIN_WIRE_SDA) == HIGH && digitalRead(PIN_WIRE_SCL) == HIGH;
   }
 
-  /// Clocks a device that holds the data line through the byte it believes it sends, and ends with
-  /// a stop. Returns whether both lines are free.
+  /// Whether both lines are high, after the last stop at the latest.
+  static bool is_free() {
+    const uint32_t began_us = micros();
+    while (!is_idle()) {
+      if (micros() - began_us > LONGEST_STOP_US) return false;
+    }
+    return true;
+  }
+
+  /// A transfer that failed may have left the SERCOM or a device in the middle of one.
+  bool or_released(bool done) {
+    if (!done) release();
+    return done;
+  }
+
+  /// Clocks a device that holds the data line through the byte it believes it sends, ends with a
+  /// stop and sets the SERCOM up again. Returns whether both lines are free.
   bool release() {
     Wire.end();
     let_go(PIN_WIRE_SCL);
@@ -56,7 +68,7 @@ class WireBus {
     }
     pull_down(PIN_WIRE_SDA);
     let_go(PIN_WIRE_SDA);
-    const bool freed = idle();
+    const bool freed = is_idle();
     begin();
     return freed;
   }
@@ -71,6 +83,8 @@ class WireBus {
     pinMode(pin, INPUT_PULLUP);
     delayMicroseconds(HALF_PULSE_US);
   }
+
+  I2cMaster master_;
 };
 
 }  // namespace exoid

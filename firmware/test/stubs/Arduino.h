@@ -1,4 +1,4 @@
-/// What the sketch uses of Arduino, on a machine that simulates the board: see world.h.
+/// What the sketch uses of Arduino, on a machine that simulates the board: see board/board.h.
 
 #pragma once
 
@@ -18,14 +18,18 @@
 #define constrain(...)
 #endif
 
+#include "samd21.h"
+
 constexpr uint8_t LOW = 0, HIGH = 1;
 constexpr uint8_t INPUT = 0, OUTPUT = 1, INPUT_PULLUP = 2;
-constexpr uint8_t PIN_WIRE_SDA = 18, PIN_WIRE_SCL = 19;
+constexpr uint8_t CAN_SELECT = 10, PIN_WIRE_SDA = 18, PIN_WIRE_SCL = 19;
 
 void pinMode(uint8_t pin, uint8_t mode);
 void digitalWrite(uint8_t pin, uint8_t level);
 int digitalRead(uint8_t pin);
 void delayMicroseconds(uint32_t time);
+uint32_t micros();
+uint32_t millis();
 
 /// The serial port on USB. Like the board's, it always claims room for a packet.
 class UsbSerial {

@@ -1,4 +1,4 @@
-/// Arduino's I2C bus, on which the register models of chips.h answer.
+/// Arduino's I2C bus as far as it sets the SERCOM up.
 
 #pragma once
 
@@ -9,18 +9,6 @@ class TwoWire {
   void begin();
   void end();
   void setClock(uint32_t frequency);
-  void beginTransmission(uint8_t device);
-  size_t write(uint8_t byte);
-  uint8_t endTransmission(bool stop = true);
-  uint8_t requestFrom(uint8_t device, size_t count);
-  int read();
-
- private:
-  uint8_t device_ = 0;
-  uint8_t sent_[4] = {};
-  size_t sent_count_ = 0;
-  uint8_t received_[32] = {};
-  size_t received_count_ = 0, taken_ = 0;
 };
 
 extern TwoWire Wire;

@@ -1,0 +1,189 @@
+/// MCP2515, the CAN controller, by its registers. Nothing here waits: what takes time is looked at
+/// again at the next poll, and a controller that does not answer as it should is started again.
+
+#pragma once
+
+#include "can_ids.h"
+#include "frame.h"
+#include "frame_queue.h"
+
+namespace exoid {
+
+/// `Spi` has `begin()` and `exchange(bytes, count)`, which sends bytes and puts in their place
+/// what came back. `Timing` has the registers CNF1 to CNF3, `Ids` the frames to listen to.
+template <class Spi, class Timing, class Ids>
+class Mcp2515 {
+ public:
+  explicit Mcp2515(Spi& spi) : spi_(spi) {}
+
+  void begin() { spi_.begin(); }
+
+  /// Whether the controller is on the bus.
+  bool is_up() const { return state_ == UP; }
+
+  /// Queues a frame. Returns false where a frame was lost, this one or one since the last call;
+  /// before a controller was ever there, nobody listens and none is lost.
+  bool send(const Frame& frame) {
+    const bool lost = lost_;
+    lost_ = false;
+    if (!is_up()) return !was_up_;
+    return queue_.push(frame) && !lost;
+  }
+
+  /// Takes the next frame that came and is of those the node understands.
+  bool receive(Frame& frame) {
+    if (Ids::COUNT == 0 || !is_up()) return false;
+    const uint8_t full = status() & (RECEIVED_0 | RECEIVED_1);
+    if (full == 0) return false;
+    uint8_t bytes[1 + HEAD + sizeof frame.data] = {};
+    bytes[0] = full & RECEIVED_0 ? READ_BUFFER_0 : READ_BUFFER_1;
+    spi_.exchange(bytes, sizeof bytes);  // which frees the buffer
+    const uint8_t *head = bytes + 1, *data = head + HEAD;
+    const bool plain = (head[1] & (EXTENDED | REMOTE)) == 0 && (head[4] & LENGTH) == FRAME_BYTES;
+    frame.id = static_cast<uint16_t>(head[0] << 3 | head[1] >> 5);
+    for (uint8_t at = 0; at < sizeof frame.data; ++at) frame.data[at] = data[at];
+    return plain && Ids::has(frame.id);
+  }
+
+  /// Does what is due; `now_ms` may wrap.
+  void poll(uint32_t now_ms) {
+    const uint32_t since = now_ms - since_ms_;
+    switch (state_) {
+      case DOWN:
+        if (!tried_ || since >= RETRY_MS) reset(now_ms);
+        return;
+      case RESETTING:
+        if (since >= START_UP_MS) enter(configure() ? STARTING : DOWN, now_ms);
+        return;
+      case STARTING:
+        if ((read(CANSTAT) & MODE) == NORMAL) return come_up(now_ms);
+        if (since >= JOIN_MS) enter(DOWN, now_ms);
+        return;
+      case UP:
+        if (since >= CHECK_MS && !check(now_ms)) return;
+        send_next();
+    }
+  }
+
+ private:
+  enum State : uint8_t { DOWN, RESETTING, STARTING, UP };
+
+  static constexpr uint32_t RETRY_MS = 20;
+  static constexpr uint32_t START_UP_MS = 3;  // of the oscillator: 128 clocks, and a ms begun
+  static constexpr uint32_t JOIN_MS = 20;     // for eleven recessive bits among a bus's frames
+  static constexpr uint32_t CHECK_MS = 10;
+  static constexpr uint8_t LONGEST_OFF = 20;  // checks; rejoining takes 128 * 11 bits
+
+  static constexpr uint8_t RESET = 0xC0, WRITE = 0x02, READ = 0x03, READ_STATUS = 0xA0;
+  static constexpr uint8_t LOAD_BUFFER_0 = 0x40, REQUEST_0 = 0x81;
+  static constexpr uint8_t READ_BUFFER_0 = 0x90, READ_BUFFER_1 = 0x94;
+
+  static constexpr uint8_t CANSTAT = 0x0E, CANCTRL = 0x0F, CNF3 = 0x28;
+  static constexpr uint8_t RXB0CTRL = 0x60, RXB1CTRL = 0x70;
+  static constexpr uint8_t FILTERS = 0x00, MORE_FILTERS = 0x10, MASKS = 0x20;
+  static constexpr uint8_t MODE = 0xE0, NORMAL = 0x00, ROLL_OVER = 0x04, BUS_OFF = 0x20;
+  static constexpr uint8_t RECEIVED_0 = 0x01, RECEIVED_1 = 0x02, REQUESTED_0 = 0x04;
+  static constexpr uint8_t EXTENDED = 0x08, REMOTE = 0x10, LENGTH = 0x0F;
+  static constexpr uint8_t HEAD = 5, FRAME_BYTES = 8;  // SIDH SIDL EID8 EID0 DLC, then data
+
+  void enter(State state, uint32_t now_ms) {
+    state_ = state;
+    since_ms_ = now_ms;
+  }
+
+  void reset(uint32_t now_ms) {
+    uint8_t bytes[] = {RESET};
+    spi_.exchange(bytes, sizeof bytes);
+    tried_ = true;
+    enter(RESETTING, now_ms);
+  }
+
+  /// Writes the settings of a controller that was reset. Returns whether it keeps them.
+  bool configure() {
+    for (uint8_t at = 0; at < 6; ++at) {
+      const uint8_t block = at < 3 ? FILTERS : MORE_FILTERS;
+      write_id(static_cast<uint8_t>(block + at % 3 * 4), Ids::filter(at));
+    }
+    write_id(MASKS, NO_CAN_ID);
+    write_id(MASKS + 4, NO_CAN_ID);
+    write(RXB0CTRL, ROLL_OVER);
+    write(RXB1CTRL, 0);
+    uint8_t timing[] = {WRITE, CNF3, Timing::CNF3, Timing::CNF2, Timing::CNF1, 0, 0};
+    spi_.exchange(timing, sizeof timing);
+    uint8_t now[2 + 3] = {READ, CNF3};
+    spi_.exchange(now, sizeof now);
+    write(CANCTRL, NORMAL);
+    return keeps_timing(now + 2);
+  }
+
+  static bool keeps_timing(const uint8_t* from_cnf3) {
+    const uint8_t cnf3 = Timing::CNF3, cnf2 = Timing::CNF2, cnf1 = Timing::CNF1;
+    return from_cnf3[0] == cnf3 && from_cnf3[1] == cnf2 && from_cnf3[2] == cnf1;
+  }
+
+  void come_up(uint32_t now_ms) {
+    was_up_ = true;
+    off_ = 0;
+    enter(UP, now_ms);
+  }
+
+  /// Whether the controller still is as it was set up; what it had to send is lost where not.
+  bool check(uint32_t now_ms) {
+    uint8_t now[2 + 8] = {READ, CNF3};  // CNF3 CNF2 CNF1 CANINTE CANINTF EFLG CANSTAT CANCTRL
+    spi_.exchange(now, sizeof now);
+    off_ = static_cast<uint8_t>(now[7] & BUS_OFF ? off_ + 1 : 0);
+    since_ms_ = now_ms;
+    if (keeps_timing(now + 2) && (now[8] & MODE) == NORMAL && off_ <= LONGEST_OFF) return true;
+    queue_.clear();
+    lost_ = true;
+    reset(now_ms);
+    return false;
+  }
+
+  /// Only one of the three transmit buffers is used: so frames leave in their order.
+  void send_next() {
+    if (queue_.is_empty() || (status() & REQUESTED_0) != 0) return;
+    const Frame& frame = queue_.front();
+    uint8_t bytes[1 + HEAD + FRAME_BYTES] = {LOAD_BUFFER_0, static_cast<uint8_t>(frame.id >> 3),
+                                             static_cast<uint8_t>(frame.id << 5), 0, 0,
+                                             FRAME_BYTES};
+    for (uint8_t at = 0; at < FRAME_BYTES; ++at) bytes[1 + HEAD + at] = frame.data[at];
+    spi_.exchange(bytes, sizeof bytes);
+    uint8_t request[] = {REQUEST_0};
+    spi_.exchange(request, sizeof request);
+    queue_.pop();
+  }
+
+  uint8_t status() {
+    uint8_t bytes[] = {READ_STATUS, 0};
+    spi_.exchange(bytes, sizeof bytes);
+    return bytes[1];
+  }
+
+  uint8_t read(uint8_t from) {
+    uint8_t bytes[] = {READ, from, 0};
+    spi_.exchange(bytes, sizeof bytes);
+    return bytes[2];
+  }
+
+  void write(uint8_t to, uint8_t value) {
+    uint8_t bytes[] = {WRITE, to, value};
+    spi_.exchange(bytes, sizeof bytes);
+  }
+
+  void write_id(uint8_t to, uint16_t id) {
+    uint8_t bytes[] = {WRITE, to, static_cast<uint8_t>(id >> 3), static_cast<uint8_t>(id << 5), 0, 0};
+    spi_.exchange(bytes, sizeof bytes);
+  }
+
+  Spi& spi_;
+  FrameQueue queue_;
+  uint32_t since_ms_ = 0;  // of the state, or of the last check
+  State state_ = DOWN;
+  uint8_t off_ = 0;  // checks that found it off the bus, one after the other
+  bool tried_ = false;
+  bool was_up_ = false;
+  bool lost_ = false;
+};
+
+}  // namespace exoid
