@@ -15,6 +15,7 @@ struct World {
 
   std::vector<exoid::Frame> on_bus;  // CAN frames
   std::string to_host;               // on USB
+  uint64_t longest_pass_us = 0;      // of the sketch's loop
 };
 
 extern World world;
@@ -53,3 +54,5 @@ struct Scenario {
 
 std::vector<Scenario> sensor_scenarios();
 std::vector<Scenario> uplink_scenarios();
+std::vector<Scenario> bus_fault_scenarios();
+std::vector<Scenario> can_fault_scenarios();

@@ -3,6 +3,7 @@
 import subprocess
 
 import pytest
+from firmware_tools import FIRMWARE, need
 
 SCENARIOS = (
     "motion",
@@ -24,6 +25,21 @@ SCENARIOS = (
     "host_that_does_not_read",
     "port_that_loses",
     "host_that_comes_back",
+    "clock_held_in_a_transfer",
+    "clock_held_for_minutes",
+    "busy_with_both_lines_high",
+    "data_held_in_a_transfer",
+    "stop_in_progress",
+    "one_byte_and_more",
+    "sensors_that_brown_out",
+    "controller_that_dies",
+    "controller_that_comes_late",
+    "controller_that_forgets",
+    "bus_that_is_shorted",
+    "cable_that_is_pulled",
+    "foreign_frames",
+    "frames_that_are_understood",
+    "timing",
 )
 
 
@@ -47,3 +63,26 @@ def test_the_sketch_does_what_the_scenario_asks(played, scenario):
 
 def test_the_timer_is_set_to_a_hundred_ticks_a_second(build):
     subprocess.run([build("host_timer")], check=True, timeout=10)
+
+
+@pytest.mark.parametrize(
+    ("crystal", "rate", "is_possible"),
+    [
+        (8_000_000, 500_000, True),
+        (16_000_000, 1_000_000, True),
+        (8_000_000, 1_000_000, False),  # four quanta; the chip needs five
+        (8_000_000, 300_000, False),  # not a whole number of quanta
+    ],
+)
+def test_a_bit_rate_that_the_crystal_cannot_do_does_not_compile(crystal, rate, is_possible, tmp_path):
+    need("g++")
+    source = tmp_path / "timing.cpp"
+    source.write_text(
+        f'#include "can_timing.h"\nauto cnf1 = exoid::CanTiming<{crystal}, {rate}>::CNF1;\n'
+    )
+    sources = FIRMWARE / "exoid_node" / "src"
+    command = ["g++", "-std=c++11", "-fsyntax-only", f"-I{sources}", source]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60)
+    assert (done.returncode == 0) == is_possible
+    if not is_possible:
+        assert "the crystal of the MCP2515 cannot do this bit rate" in done.stderr

@@ -76,7 +76,8 @@ class Slcan {
   /// goes on with the next whole one. Else two pieces could look like a frame.
   void lose() {
     tail_ = end_of_line();
-    torn_ = dropped_ = lost_ = true;
+    if (!torn_) dropped_ = lost_ = true;  // else it had taken nothing since
+    torn_ = true;
   }
 
  private:

@@ -13,6 +13,7 @@ constexpr uint8_t LONGEST = 32;  // bytes of a transfer
 }  // namespace
 
 void Sercom::set_up(uint32_t frequency) {
+  ++set_ups;
   enabled_ = true;
   settings_ = 0;
   operation_ = NONE;
@@ -45,7 +46,6 @@ void Sercom::write(SercomRegister to, uint32_t value) {
     case ADDR:
       address_ = static_cast<uint8_t>(value);
       errors_ = 0;
-      ++transfers;
       begin(ADDRESS);
       break;
     case DATA:
@@ -79,6 +79,12 @@ void Sercom::begin(Operation operation) {
   operation_ = allowed ? operation : NONE;  // a start on a busy bus waits, and nobody ends that
   if (allowed) state_ = OWNER;
   done_us_ = now_us_ + byte_us_;
+  count_byte();
+}
+
+void Sercom::count_byte() {
+  if (clock_in_ > 0 && --clock_in_ == 0) clock_held = true;
+  if (data_in_ > 0 && --data_in_ == 0) data_held_for = pulses_;
 }
 
 void Sercom::command(uint32_t value) {

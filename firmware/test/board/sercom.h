@@ -20,10 +20,17 @@ class Sercom {
   bool clock_held = false;     // by a device
   bool slow_clock = false;     // of the time-outs, as the program started it
   bool has_timeouts = true;    // false: as if their clock stood still
-  uint32_t transfers = 0;      // that were started
+  uint32_t set_ups = 0;        // by Wire
 
   /// A start without a stop was seen: the bus looks busy, though both lines are high.
   void glitch() { become_busy(); }
+
+  /// So many bytes from now a device holds a line; 0 is never.
+  void hold_clock_after(uint32_t bytes) { clock_in_ = bytes; }
+  void hold_data_after(uint32_t bytes, int pulses) {
+    data_in_ = bytes;
+    pulses_ = pulses;
+  }
 
   /// What Wire does at its begin, and at each new frequency.
   void set_up(uint32_t frequency);
@@ -45,6 +52,7 @@ class Sercom {
   void become_busy();
   void begin(Operation operation);
   void settle();
+  void count_byte();
   void finish();
   void finish_address();
   void time_out();
@@ -61,6 +69,8 @@ class Sercom {
   Operation operation_ = NONE;
   State state_ = UNKNOWN;
   uint64_t done_us_ = 0, busy_us_ = 0;
+  uint32_t clock_in_ = 0, data_in_ = 0;
+  int pulses_ = 0;
 };
 
 }  // namespace simulated
