@@ -74,7 +74,9 @@ def test_the_timer_is_set_to_a_hundred_ticks_a_second(build):
         (8_000_000, 300_000, False),  # not a whole number of quanta
     ],
 )
-def test_a_bit_rate_that_the_crystal_cannot_do_does_not_compile(crystal, rate, is_possible, tmp_path):
+def test_a_bit_rate_that_the_crystal_cannot_do_does_not_compile(
+    crystal, rate, is_possible, tmp_path
+):
     need("g++")
     source = tmp_path / "timing.cpp"
     source.write_text(
