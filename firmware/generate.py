@@ -145,14 +145,16 @@ def snake(name: str) -> str:
 
 def constants_header(database: Database) -> str:
     state, time = (database.get_message_by_name(name) for name in ("EXO_STATE", "EXO_TIME"))
-    raw = database.get_message_by_name("EXO_RAW")
+    raw, health = (database.get_message_by_name(name) for name in ("EXO_RAW", "EXO_HEALTH"))
     assert state.cycle_time
     assert time.cycle_time
+    assert health.cycle_time
     acc = database.get_message_by_name("EXO_ACC")
     title = "Times, scales, and the constants of the Kalman filter."
     body = f"""
 constexpr uint32_t TICK_US = {state.cycle_time * 1000};  // us between samples
 constexpr uint32_t TICKS_PER_TIME = {time.cycle_time // state.cycle_time};  // one EXO_TIME
+constexpr uint32_t TICKS_PER_HEALTH = {health.cycle_time // state.cycle_time};  // one EXO_HEALTH
 constexpr uint32_t AGE_STEP_US = {acc.get_signal_by_name("SampleAge").scale};  // us per count
 constexpr float TIME_STEP = {single(state.cycle_time / 1000)};  // s
 constexpr float ENCODER_STEP = {single(raw.get_signal_by_name("Angle").scale)};  // rad per count

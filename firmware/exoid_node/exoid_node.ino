@@ -4,6 +4,7 @@
 
 #include "src/as5600.h"
 #include "src/can_timing.h"
+#include "src/condition.h"
 #include "src/lsm6ds3.h"
 #include "src/mcp2515.h"
 #include "src/node.h"
@@ -24,6 +25,8 @@ using Can = exoid::Mcp2515<SpiLink, CanTiming, config::CanUnderstood>;
 using Encoder = exoid::As5600<WireBus>;
 using Imu = exoid::Lsm6ds3<WireBus>;
 using UsbAndCan = exoid::Uplink<Can, UsbPort>;
+using Condition = exoid::Condition<exoid::Watchdog, WireBus, Can>;
+using Node = exoid::Node<Encoder, Imu, UsbAndCan, SamplingTimer, Condition>;
 
 WireBus bus;
 Encoder encoder(bus);
@@ -34,7 +37,8 @@ UsbPort usb;
 UsbAndCan uplink(can, usb);
 SamplingTimer timer;
 exoid::Watchdog watchdog;
-exoid::Node<Encoder, Imu, UsbAndCan, SamplingTimer> node(encoder, imu, uplink, timer);
+Condition condition(watchdog, bus, can);
+Node node(encoder, imu, uplink, timer, condition);
 
 void setup() {
   usb.begin();

@@ -37,6 +37,9 @@ exoid::Frame packed(const Words& w) {
     case exoid::ACC_ID:
       return pack(exoid::Acc{w.signed_count(1), w.signed_count(2), w.signed_count(3), w.count(4),
                              w.count(5)});
+    case exoid::HEALTH_ID:
+      return pack(exoid::Health{w.count(1), w.flag(2), w.flag(3), w.flag(4), w.flag(5), w.count(6),
+                                w.count(7)});
     default: {
       exoid::State filled = state(w);
       filled.state_saturated = !fits(filled);

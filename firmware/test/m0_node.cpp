@@ -21,6 +21,10 @@ struct NoCan {
   bool send(const exoid::Frame&) { return true; }
 };
 
+struct Well {
+  void describe(exoid::Health&) const {}
+};
+
 /// What the sensors are exposed to at each tick.
 class Stream {
  public:
@@ -53,7 +57,8 @@ NoCan no_can;
 exoid::Nrf51Uart uart;
 Link uplink(no_can, uart);
 exoid::Nrf51Clock timer;
-exoid::Node<Encoder, Imu, Link, exoid::Nrf51Clock> node(encoder, imu, uplink, timer);
+Well well;
+exoid::Node<Encoder, Imu, Link, exoid::Nrf51Clock, Well> node(encoder, imu, uplink, timer, well);
 
 }  // namespace
 

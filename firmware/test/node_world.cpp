@@ -35,12 +35,12 @@ void build_anew() {
   new (&imu) Imu(bus);
   new (&can) Can(spi);
   new (&uplink) UsbAndCan(can, usb);
-  new (&node) decltype(node)(encoder, imu, uplink, timer);
+  new (&node) Node(encoder, imu, uplink, timer, condition);
 }
 
-void restart(uint32_t dark_us) {
-  const uint8_t fed = board.watchdog.barks() ? 1 : 0;
-  report->write(board.now_us, world_events::RESTARTED, board.ticks, &fed, 1);
+void restart(uint8_t cause, uint32_t dark_us) {
+  board.reset_cause = cause;
+  report->write(board.now_us, world_events::RESTARTED, board.ticks, &cause, 1);
   board.watchdog.enable(false);
   board.i2c.disable();
   board.i2c.slow_clock = false;
@@ -55,7 +55,7 @@ void brown_out(uint32_t dark_us) {
   chips::Exposure dark = {};
   dark.faults = chips::IMU_RESET;
   board.chips.expose(dark);
-  restart(dark_us);
+  restart(PM_RCAUSE_BOD33, dark_us);
 }
 
 void type(uint16_t letter) {
@@ -126,7 +126,7 @@ void run_until(uint64_t end_us) {
     loop();
     if (board.now_us - began_us > longest_pass_us) longest_pass_us = board.now_us - began_us;
     board.now_us += pass_us;
-    if (board.watchdog.barks()) restart(0);
+    if (board.watchdog.barks()) restart(PM_RCAUSE_WDT, 0);
   }
 }
 

@@ -139,6 +139,10 @@ void frames_that_are_understood() {
   }
   board.can.hear(0x110, false, 8);
   check(can.receive(frame), "and stands in no other's way");
+  board.can.hears_all = true;
+  board.can.hear(0x111, false, 8);
+  board.can.hear(0x110U << 18, true, 8);
+  check(!can.receive(frame) && !can.receive(frame), "a foreign frame is refused by the node, too");
 }
 
 template <uint32_t CRYSTAL, uint32_t RATE>

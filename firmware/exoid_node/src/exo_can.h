@@ -8,7 +8,7 @@
 namespace exoid {
 
 /// CRC of exoid.dbc and of the filter's constants.
-constexpr uint16_t CONFIG_CRC = 0x99CA;
+constexpr uint16_t CONFIG_CRC = 0x8B6D;
 
 constexpr uint16_t TIME_ID = 0x100;
 
@@ -112,6 +112,32 @@ inline Frame pack(const Acc& acc) {
   put(frame, 32, 16, within(acc.accel_z, -32768, 32767));
   put(frame, 48, 8, at_most(acc.counter, 255U));
   put(frame, 56, 8, at_most(acc.sample_age, 255U));
+  return frame;
+}
+
+constexpr uint16_t HEALTH_ID = 0x10F;
+
+/// Once a second, half a period after a tick: why the node started, and what it had to set up
+/// again.
+struct Health {
+  uint32_t counter;
+  bool watchdog_reset;
+  bool brown_out_reset;
+  bool can_passive;
+  bool can_off;
+  uint32_t bus_releases;
+  uint32_t can_starts;
+};
+
+inline Frame pack(const Health& health) {
+  Frame frame = {HEALTH_ID, {0, 0, 0, 0, 0, 0, 0, 0}};
+  put(frame, 0, 8, at_most(health.counter, 255U));
+  put(frame, 8, 1, health.watchdog_reset ? 1U : 0U);
+  put(frame, 9, 1, health.brown_out_reset ? 1U : 0U);
+  put(frame, 10, 1, health.can_passive ? 1U : 0U);
+  put(frame, 11, 1, health.can_off ? 1U : 0U);
+  put(frame, 16, 16, at_most(health.bus_releases, 65535U));
+  put(frame, 32, 16, at_most(health.can_starts, 65535U));
   return frame;
 }
 

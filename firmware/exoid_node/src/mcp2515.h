@@ -21,12 +21,17 @@ class Mcp2515 {
   /// Whether the controller is on the bus.
   bool is_up() const { return state_ == UP; }
 
+  /// Times it was set up, whether it counts many errors, and whether it has left the bus for them.
+  uint32_t starts() const { return starts_; }
+  bool is_passive() const { return is_up() && (flags_ & PASSIVE) != 0; }
+  bool is_off() const { return is_up() && (flags_ & BUS_OFF) != 0; }
+
   /// Queues a frame. Returns false where a frame was lost, this one or one since the last call;
   /// before a controller was ever there, nobody listens and none is lost.
   bool send(const Frame& frame) {
     const bool lost = lost_;
     lost_ = false;
-    if (!is_up()) return !was_up_;
+    if (!is_up()) return starts_ == 0;
     return queue_.push(frame) && !lost;
   }
 
@@ -81,7 +86,7 @@ class Mcp2515 {
   static constexpr uint8_t CANSTAT = 0x0E, CANCTRL = 0x0F, CNF3 = 0x28;
   static constexpr uint8_t RXB0CTRL = 0x60, RXB1CTRL = 0x70;
   static constexpr uint8_t FILTERS = 0x00, MORE_FILTERS = 0x10, MASKS = 0x20;
-  static constexpr uint8_t MODE = 0xE0, NORMAL = 0x00, ROLL_OVER = 0x04, BUS_OFF = 0x20;
+  static constexpr uint8_t MODE = 0xE0, NORMAL = 0x00, ROLL_OVER = 0x04, BUS_OFF = 0x20, PASSIVE = 0x18;
   static constexpr uint8_t RECEIVED_0 = 0x01, RECEIVED_1 = 0x02, REQUESTED_0 = 0x04;
   static constexpr uint8_t EXTENDED = 0x08, REMOTE = 0x10, LENGTH = 0x0F;
   static constexpr uint8_t HEAD = 5, FRAME_BYTES = 8;  // SIDH SIDL EID8 EID0 DLC, then data
@@ -122,8 +127,8 @@ class Mcp2515 {
   }
 
   void come_up(uint32_t now_ms) {
-    was_up_ = true;
-    off_ = 0;
+    ++starts_;
+    flags_ = off_ = 0;
     enter(UP, now_ms);
   }
 
@@ -131,7 +136,8 @@ class Mcp2515 {
   bool check(uint32_t now_ms) {
     uint8_t now[2 + 8] = {READ, CNF3};  // CNF3 CNF2 CNF1 CANINTE CANINTF EFLG CANSTAT CANCTRL
     spi_.exchange(now, sizeof now);
-    off_ = static_cast<uint8_t>(now[7] & BUS_OFF ? off_ + 1 : 0);
+    flags_ = now[7];
+    off_ = static_cast<uint8_t>(flags_ & BUS_OFF ? off_ + 1 : 0);
     since_ms_ = now_ms;
     if (keeps_timing(now + 2) && (now[8] & MODE) == NORMAL && off_ <= LONGEST_OFF) return true;
     queue_.clear();
@@ -179,10 +185,11 @@ class Mcp2515 {
   Spi& spi_;
   FrameQueue queue_;
   uint32_t since_ms_ = 0;  // of the state, or of the last check
+  uint32_t starts_ = 0;
   State state_ = DOWN;
+  uint8_t flags_ = 0;  // of errors, at the last check
   uint8_t off_ = 0;  // checks that found it off the bus, one after the other
   bool tried_ = false;
-  bool was_up_ = false;
   bool lost_ = false;
 };
 

@@ -1,4 +1,4 @@
-/// The node's work: one sample per tick of the timer, three frames per sample, and the clock.
+/// The node's work: one sample per tick of the timer, three frames per sample, clock and health.
 
 #pragma once
 
@@ -8,11 +8,12 @@ namespace exoid {
 
 /// `Uplink` has `bool send(const Frame&)`, false where a frame was lost. `Clock` has `ticks()`,
 /// the ticks of the sampling timer since its start, and `age_us()`, the time since the last.
-template <class Encoder, class Imu, class Uplink, class Clock>
+/// `Condition` has `describe(Health&)`.
+template <class Encoder, class Imu, class Uplink, class Clock, class Condition>
 class Node {
  public:
-  Node(Encoder& encoder, Imu& imu, Uplink& uplink, const Clock& clock)
-      : encoder_(encoder), imu_(imu), uplink_(uplink), clock_(clock) {}
+  Node(Encoder& encoder, Imu& imu, Uplink& uplink, const Clock& clock, const Condition& condition)
+      : encoder_(encoder), imu_(imu), uplink_(uplink), clock_(clock), condition_(condition) {}
 
   /// Does what is due; returns whether that was a sample. Call it as often as possible.
   bool run() {
@@ -21,8 +22,12 @@ class Node {
       sample(now);
       return true;
     }
-    if (tick_ > 0 && tick_ - told_ >= TICKS_PER_TIME && clock_.age_us() >= TICK_US / 2) {
-      tell_time();
+    if (tick_ > 0 && clock_.age_us() >= TICK_US / 2) {
+      if (tick_ - told_ >= TICKS_PER_TIME) {
+        tell_time();
+      } else if (tick_ - described_ >= TICKS_PER_HEALTH) {
+        tell_health();
+      }
     }
     return false;
   }
@@ -83,6 +88,14 @@ class Node {
     send(pack(time));
   }
 
+  void tell_health() {
+    described_ = tick_;
+    Health health = {};
+    health.counter = tick_ & 255U;
+    condition_.describe(health);
+    send(pack(health));
+  }
+
   void send(const Frame& frame) {
     const bool sent = uplink_.send(frame);
     lossy_ = lossy_ || !sent;
@@ -92,9 +105,11 @@ class Node {
   Imu& imu_;
   Uplink& uplink_;
   const Clock& clock_;
+  const Condition& condition_;
   Estimator estimator_;
   uint32_t tick_ = 0;                     // of the last sample; 0 before the first
   uint32_t told_ = 0U - TICKS_PER_TIME;  // tick of the last TIME
+  uint32_t described_ = 0;               // tick of the last HEALTH
   uint32_t missed_ = 0;
   bool lossy_ = false;  // late, or a frame lost, since the last STATE that was sent
 };

@@ -44,6 +44,12 @@ void Watchdog::feed() {
   if (!WDT->STATUS.bit.SYNCBUSY) WDT->CLEAR.reg = KEY;
 }
 
+bool Watchdog::has_reset() const { return (PM->RCAUSE.reg & PM_RCAUSE_WDT) != 0; }
+
+bool Watchdog::supply_dipped() const {
+  return (PM->RCAUSE.reg & (PM_RCAUSE_BOD12 | PM_RCAUSE_BOD33)) != 0;
+}
+
 }  // namespace exoid
 
 #endif

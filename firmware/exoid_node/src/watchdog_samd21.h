@@ -1,4 +1,4 @@
-/// The watchdog: resets a node that has taken no sample for 125 ms.
+/// The watchdog, which resets a node that has taken no sample for 125 ms; and why the node started.
 
 #pragma once
 
@@ -11,6 +11,10 @@ class Watchdog {
   void begin();
   /// A sample was taken. Never waits.
   void feed();
+  /// Whether it has started the node.
+  bool has_reset() const;
+  /// Whether a dip of the supply has.
+  bool supply_dipped() const;
 };
 
 }  // namespace exoid

@@ -21,16 +21,17 @@ class WireBus {
 
   /// Writes one register. Returns false where the device did not take it.
   bool write(uint8_t device, uint8_t to, uint8_t value) {
-    if (!is_free() && !release()) return false;
     const uint8_t bytes[] = {to, value};
-    return or_released(master_.write(device, bytes, sizeof bytes) && master_.stop());
+    return or_released(is_ready() && master_.write(device, bytes, sizeof bytes) && master_.stop());
   }
 
   /// Reads `count` registers from `first` on. Returns false where not all of them came.
   bool read(uint8_t device, uint8_t first, uint8_t* bytes, uint8_t count) {
-    if (!is_free() && !release()) return false;
-    return or_released(master_.write(device, &first, 1) && master_.read(device, bytes, count));
+    return or_released(is_ready() && master_.write(device, &first, 1) && master_.read(device, bytes, count));
   }
+
+  /// Transfers that failed.
+  uint32_t releases() const { return releases_; }
 
  private:
   static constexpr uint8_t PULSES = 9;  // eight bits and their acknowledgement
@@ -50,9 +51,14 @@ class WireBus {
     return true;
   }
 
+  bool is_ready() { return is_free() || release(); }
+
   /// A transfer that failed may have left the SERCOM or a device in the middle of one.
   bool or_released(bool done) {
-    if (!done) release();
+    if (!done) {
+      ++releases_;
+      release();
+    }
     return done;
   }
 
@@ -85,6 +91,7 @@ class WireBus {
   }
 
   I2cMaster master_;
+  uint32_t releases_ = 0;
 };
 
 }  // namespace exoid

@@ -17,6 +17,7 @@ GenericClock generic_clock;
 Sercom4 sercom4;
 WatchdogTimer watchdog_timer;
 UsbRegisters usb_registers;
+PowerManager power_manager;
 
 namespace simulated {
 
@@ -46,6 +47,7 @@ uint32_t read(Where where, uint8_t at) {
     case IN_WATCHDOG_STATUS:
       board.now_us += 1;
       return board.watchdog.is_busy();
+    case IN_RESET_CAUSE: return board.reset_cause;
     default: return 0;
   }
 }

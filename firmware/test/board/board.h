@@ -16,6 +16,7 @@ struct Board {
   Mcp2515Model can{now_us};
   UsbModel usb{now_us};
   WatchdogModel watchdog{now_us};
+  uint8_t reset_cause = 1;    // bits of RCAUSE: its supply was turned on
   bool timer_stands = false;  // the sampling timer ticks no more, until it is begun again
 
   /// The sampling timer begins.

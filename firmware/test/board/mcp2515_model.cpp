@@ -147,7 +147,7 @@ void Mcp2515Model::hear(uint32_t id, bool extended, uint8_t length) {
 }
 
 bool Mcp2515Model::accepts(uint8_t buffer, uint32_t id, bool extended) const {
-  if ((registers_[RXB[buffer]] & 0x60) == 0x60) return true;
+  if (hears_all || (registers_[RXB[buffer]] & 0x60) == 0x60) return true;
   const uint8_t* mask = registers_ + 0x20 + 4 * buffer;
   const uint32_t relevant = static_cast<uint32_t>(mask[0] << 3 | mask[1] >> 5);
   const uint32_t standard = extended ? id >> 18 : id;

@@ -17,6 +17,7 @@ class Mcp2515Model {
   // What others do.
   bool acknowledged = true;  // somebody else is on the bus
   bool shorted = false;      // the bus
+  bool hears_all = false;    // its filters let in what they should not
   bool stays_off = false;    // once off the bus, as some copies of the chip do
 
   /// Unpowered, or its MISO torn off: what the program then reads is the level of the line.

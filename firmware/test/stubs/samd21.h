@@ -9,7 +9,7 @@ namespace simulated {
 
 enum Where : uint8_t {
   NOWHERE, IN_SERCOM, IN_USB, IN_WATCHDOG_STATUS, IN_WATCHDOG_CONTROL, IN_WATCHDOG_CLEAR,
-  IN_CLOCK_CONTROL,
+  IN_CLOCK_CONTROL, IN_RESET_CAUSE,
 };
 
 uint32_t read(Where where, uint8_t at);
@@ -70,15 +70,21 @@ struct UsbRegisters {
   } DEVICE;
 };
 
+struct PowerManager {
+  simulated::Register<simulated::IN_RESET_CAUSE> RCAUSE;
+};
+
 extern Sercom4 sercom4;
 extern GenericClock generic_clock;
 extern WatchdogTimer watchdog_timer;
 extern UsbRegisters usb_registers;
+extern PowerManager power_manager;
 
 static Sercom4* const SERCOM4 = &sercom4;
 static GenericClock* const GCLK = &generic_clock;
 static WatchdogTimer* const WDT = &watchdog_timer;
 static UsbRegisters* const USB = &usb_registers;
+static PowerManager* const PM = &power_manager;
 
 constexpr uint32_t SERCOM_I2CM_CTRLA_ENABLE = 1U << 1, SERCOM_I2CM_CTRLA_MEXTTOEN = 1U << 22;
 constexpr uint32_t SERCOM_I2CM_CTRLA_SEXTTOEN = 1U << 23, SERCOM_I2CM_CTRLA_LOWTOUTEN = 1U << 30;
@@ -102,3 +108,4 @@ constexpr uint32_t GCLK_GENCTRL_SRC_OSCULP32K = 3U << 8, GCLK_GENCTRL_GENEN = 1U
 constexpr uint32_t GCLK_GENCTRL_DIVSEL = 1U << 20;
 constexpr uint32_t WDT_CONFIG_PER_128 = 4, WDT_CTRL_ENABLE = 2;
 constexpr uint32_t USB_DEVICE_EPSTATUS_BK1RDY = 128;
+constexpr uint8_t PM_RCAUSE_POR = 1, PM_RCAUSE_BOD12 = 2, PM_RCAUSE_BOD33 = 4, PM_RCAUSE_WDT = 32;

@@ -11,6 +11,7 @@ import numpy as np
 
 from exoid.recordings.can.dbc import exoid_messages
 from exoid.recordings.can.decode import MessagePlan, SignalPlan
+from exoid.recordings.can.node.health import CONDITIONS, HEALTH
 from exoid.recordings.can.node.rows import SAMPLED, STATE, TIME
 from exoid.recordings.can.node.samples import STATUS
 from exoid.recordings.live.second_node import Alternation
@@ -95,6 +96,10 @@ class Watch:
             self.ticks.clock(counter, unsigned(data, told["DeviceTime"]), host)
             self.check_config(unsigned(data, told["ConfigCrc"]))
             return
+        if plan.name == HEALTH:
+            for bit in (bit for bit in CONDITIONS if unsigned(data, told[bit])):
+                self.once(bit, f"{CONDITIONS[bit]}.")
+            return
         reset = False
         if plan.name == STATE:
             self.state = data
@@ -134,7 +139,7 @@ class Watch:
             return "it has fallen silent. Is it still powered, and on the bus?"
         if self.frames > self.errors:
             return (
-                "others come and are recorded, but none of 0x100 to 0x103. Is this its bus, and is "
+                "others come and are recorded, but none of 0x100 to 0x103 or 0x10F. Is this its bus, and is "
                 "it powered? Frames of another device need its DBC to be read."
             )
         if bad:

@@ -8,6 +8,7 @@ from exoid.recordings.can.dbc import exoid_messages
 from exoid.recordings.can.device_clock import PERIOD, fitted_line, skew_ppm
 from exoid.recordings.can.frames import CanLogError, Log
 from exoid.recordings.can.node.config_crc import config_crc
+from exoid.recordings.can.node.health import HEALTH, health_lines
 from exoid.recordings.can.node.rows import MISSING, SAMPLED, TIME, Rows, runs
 from exoid.recordings.can.node.samples import Samples, samples_of
 from exoid.recordings.can.quality import LogQuality, MessageCount, gaps_in
@@ -101,6 +102,7 @@ def quality_of(log: Log, ordered: SortedFrames, found: list[Rows], samples: Samp
         announced=log.announced,
         found=log.found,
         stopped=log.stopped,
+        notes=health_lines(messages[HEALTH]),
     )
 
 

@@ -1,0 +1,28 @@
+"""What EXO_HEALTH tells: why the node started, and what it had to set up again."""
+
+from exoid.recordings.can.sort import MessageFrames
+
+HEALTH = "EXO_HEALTH"
+CONDITIONS = {  # by the bit that is set
+    "WatchdogReset": "the node's watchdog has reset it (WatchdogReset): it had taken no sample for "
+    "125 ms",
+    "BrownOutReset": "the node's supply has dipped and reset it (BrownOutReset). Check battery and "
+    "cable",
+    "CanPassive": "the node's CAN controller counts many errors (CanPassive). Check the bit rate, "
+    "the wiring, and that both ends of the bus carry 120 ohm",
+    "CanOff": "the node's CAN controller has left the bus for its errors (CanOff). Check "
+    "whether its lines are shorted",
+}
+
+
+def health_lines(health: MessageFrames) -> tuple[str, ...]:
+    """What a person should know of the node's health over a whole log."""
+    if not health.order.size:
+        return ()
+    lines = [line for bit, line in CONDITIONS.items() if health.values(bit).any()]
+    releases, starts = (int(health.values(name).max()) for name in ("BusReleases", "CanStarts"))
+    if releases:
+        lines.append(f"the node released its sensors' bus {releases} time(s) after a failed transfer")
+    if starts > 1:
+        lines.append(f"the node set its CAN controller up {starts} times")
+    return tuple(lines)
