@@ -1,4 +1,4 @@
-"""The sketch on the simulated board, here or on an emulated Cortex-M0: what befalls it, what it says."""
+"""The sketch on the simulated board, here or on an emulated Cortex-M0: its fates and its words."""
 
 import atexit
 import shutil

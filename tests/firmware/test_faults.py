@@ -1,4 +1,4 @@
-"""Faults of wires, chips, supply and hosts: no pass of the node takes two ticks, every fault is told."""
+"""Faults of wires, chips, supply and hosts: no pass takes two ticks, every fault is told."""
 
 from itertools import pairwise
 

@@ -1,4 +1,4 @@
-"""Hours of the node's life with a fault every two minutes: outside them no tick and no frame is lost."""
+"""Hours with a fault every two minutes: outside them no tick and no frame is lost."""
 
 import numpy as np
 import pytest
@@ -8,7 +8,7 @@ HOUR = 3_600_000  # ms
 EVERY, WATCHED = 120_000, 1000  # ms between the begins of faults; after an end until all is well
 LONGEST = 20_000  # ms of a fault
 TICK = 0.01  # s
-# What befalls it, its value and the one that ends it. The cable may be pulled while the host stalls.
+# What befalls it, its value and the one that ends it.
 FAULTS = (
     *(("SENSORS", value, 0) for value in (1, 2, 3, 4, 8, 32, 35)),
     *(("CLOCK_HELD", 1, 0), ("GLITCH", 0, 1), ("GLITCH", 1, 1)),

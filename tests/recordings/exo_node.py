@@ -103,6 +103,12 @@ STATUS = (
 )
 
 
+def health(timestamp, **told) -> can.Message:
+    """EXO_HEALTH of a node that is well but for what is told."""
+    well = dict(Counter=0, WatchdogReset=0, BrownOutReset=0, CanPassive=0, CanOff=0)
+    return message("EXO_HEALTH", well | dict(BusReleases=0, CanStarts=1) | told, timestamp)
+
+
 def message(name, values, timestamp) -> can.Message:
     definition = codec().get_message_by_name(name)
     return can.Message(

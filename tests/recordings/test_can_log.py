@@ -8,7 +8,7 @@ from pathlib import Path
 import can
 import numpy as np
 import pytest
-from exo_node import EPOCH, GYRO, Node, knee_angle, knee_velocity, message, write_log
+from exo_node import EPOCH, GYRO, Node, health, knee_angle, knee_velocity, message, write_log
 
 from exoid.recordings.can.blf import read_blf
 from exoid.recordings.can.frames import CanLogError
@@ -236,6 +236,31 @@ def test_a_fault_takes_its_own_channels_out_and_is_counted(tmp_path, bit, missin
         assert np.flatnonzero(np.isnan(samples)).tolist() == gone, name
     assert dict(quality.faults)[bit] == 5
     assert f"{bit}: 5 sample(s)" in quality.lines()
+
+
+@pytest.mark.parametrize(
+    ("told", "line"),
+    [
+        ({}, None),
+        ({"WatchdogReset": 1}, "watchdog"),
+        ({"BrownOutReset": 1}, "supply has dipped"),
+        ({"CanPassive": 1}, "counts many errors"),
+        ({"CanOff": 1}, "left the bus"),
+        ({"BusReleases": 3}, "released its sensors' bus 3 time"),
+        ({"CanStarts": 2}, "set its CAN controller up 2 times"),
+    ],
+)
+def test_what_the_node_says_of_its_health_is_reported_and_moves_no_sample(
+    tmp_path, messages, told, line
+):
+    _, before = read(tmp_path, messages)
+    middle = [*messages[:900], health(messages[899].timestamp, **told), *messages[900:]]
+    segment, quality = read(tmp_path, middle, strict=True)
+    motion_is_right(segment)
+    said = set(quality.lines()) - set(before.lines())
+    said = {each for each in said if "frames" not in each}  # there is one frame more
+    assert len(said) == (line is not None)
+    assert all(line in each for each in said)
 
 
 def test_the_raw_angle_is_unwrapped_onto_the_turn_of_the_filtered_one(tmp_path):

@@ -5,7 +5,7 @@ from itertools import count
 import can
 import numpy as np
 import pytest
-from exo_node import EPOCH, Node
+from exo_node import EPOCH, Node, health
 
 from exoid.recordings.can.node.config_crc import config_crc
 from exoid.recordings.live import watch as watch_module
@@ -125,3 +125,12 @@ def test_errors_on_the_bus_are_named(said):
     assert watch.errors == 3
     assert len(said) == 1
     assert "Check the bit rate" in said[0]
+
+
+def test_what_the_node_says_of_its_health_is_told_once_and_is_no_loss(said):
+    sent = Node().messages(300)
+    for at in (250, 500, 750):
+        sent.insert(at, health(sent[at].timestamp, WatchdogReset=1, CanStarts=5))
+    assert watched(sent, said).ticks.lost == 0
+    assert len(said) == 1
+    assert "watchdog has reset it" in said[0]

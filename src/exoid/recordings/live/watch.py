@@ -139,7 +139,7 @@ class Watch:
             return "it has fallen silent. Is it still powered, and on the bus?"
         if self.frames > self.errors:
             return (
-                "others come and are recorded, but none of 0x100 to 0x103 or 0x10F. Is this its bus, and is "
+                "others come and are recorded, but none of 0x100 to 0x103. Is this its bus, and is "
                 "it powered? Frames of another device need its DBC to be read."
             )
         if bad:

@@ -22,7 +22,9 @@ def health_lines(health: MessageFrames) -> tuple[str, ...]:
     lines = [line for bit, line in CONDITIONS.items() if health.values(bit).any()]
     releases, starts = (int(health.values(name).max()) for name in ("BusReleases", "CanStarts"))
     if releases:
-        lines.append(f"the node released its sensors' bus {releases} time(s) after a failed transfer")
+        lines.append(
+            f"the node released its sensors' bus {releases} time(s) after a failed transfer"
+        )
     if starts > 1:
         lines.append(f"the node set its CAN controller up {starts} times")
     return tuple(lines)
