@@ -3,7 +3,6 @@
 #include <cstdlib>
 
 #include "constants.h"
-#include "slcan.h"
 #include "world.h"
 
 namespace {
@@ -40,13 +39,18 @@ std::string answer_to(const std::string& command) {
   return world.to_host;
 }
 
-/// A bare node whose channel a host has opened.
-void open_usb() {
-  board.can.set_answer(DEAD);
+/// A settled node whose channel a host has opened.
+void open_channel() {
   power_on();
   run_ms(302);
   check(answer_to("C\rS6\r\rO\r") == "\a\r\r\r", "the channel opens as python-can opens it");
   world.to_host.clear();
+}
+
+/// The same without a CAN controller.
+void open_usb() {
+  board.can.set_answer(DEAD);
+  open_channel();
 }
 
 void check_in_order(const std::vector<Frame>& frames, uint32_t ticks) {
@@ -151,58 +155,6 @@ void host_that_does_not_read() {
   check(answer_to("F\r").find("F02\r") != std::string::npos, "the host can ask for the loss");
 }
 
-/// A port that, like the board's core, loses a packet of any size and returns SIZE_MAX.
-struct LosingPort {
-  std::string got;
-  uint32_t writes = 0;
-  uint32_t lost_at = 0;
-  size_t room = 63;
-
-  int available() { return 0; }
-  int read() { return -1; }
-  int availableForWrite() { return static_cast<int>(room); }
-  size_t write(const uint8_t* bytes, size_t count) {
-    if (++writes == lost_at) {
-      got.resize(got.size() - last);
-      return SIZE_MAX;
-    }
-    last = count;
-    got.append(reinterpret_cast<const char*>(bytes), count);
-    return count;
-  }
-  size_t last = 0;
-};
-
-void port_that_loses() {
-  for (size_t room = 1; room < 64; ++room) {
-    for (uint32_t lost_at = 2; lost_at < 40; ++lost_at) {
-      exoid::Slcan slcan;
-      slcan.receive('O');
-      slcan.receive('\r');
-      LosingPort port;
-      port.room = room;
-      port.lost_at = lost_at;
-      uint32_t told = 0;
-      for (uint8_t at = 0; at < 40; ++at) {
-        told += !slcan.send(Frame{0x101, {at, at, at, at, at, at, at, at}});
-        for (int poll = 0; poll < 30; ++poll) exchange(slcan, port);
-      }
-      size_t whole = 0;
-      for (size_t at = 0, end; (end = port.got.find('\r', at)) != std::string::npos; at = end + 1) {
-        const std::string line = port.got.substr(at, end - at);
-        check(line.size() <= 21, "no piece of a line runs into the next");
-        if (line.size() < 21) continue;
-        ++whole;
-        for (size_t byte = 5; byte < 21; byte += 2) {
-          check(line.substr(byte, 2) == line.substr(5, 2), "a whole line is one frame");
-        }
-      }
-      check(told == 1, "the loss is told, once");
-      check(whole + (room + 21) / 22 + 2 >= 40, "no more is lost than the port lost, and a line");
-    }
-  }
-}
-
 void host_that_comes_back() {
   open_usb();
   run_ms(100);
@@ -218,6 +170,25 @@ void host_that_comes_back() {
   check(status(only(frames, exoid::STATE_ID).front(), FILTER_RESET), "a new recording begins anew");
 }
 
+/// A host on USB beside one on CAN: it hears the same, and the other is not disturbed.
+void usb_beside_can() {
+  open_channel();
+  world.on_bus.clear();
+  run_ms(1000);
+  check_in_order(world.on_bus, 100);
+  check_in_order(frames_in(world.to_host), 100);
+  for (const Frame& state : only(world.on_bus, exoid::STATE_ID)) {
+    check(field(state, 56, 8) == 0, "the filter goes on for who listened before");
+  }
+  board.can.acknowledged = false;
+  run_ms(500);
+  world.to_host.clear();
+  run_ms(500);
+  for (const Frame& state : only(frames_in(world.to_host), exoid::STATE_ID)) {
+    check(!status(state, OVERRUN), "a bus without listeners is no loss to a host on USB");
+  }
+}
+
 }  // namespace
 
 std::vector<Scenario> uplink_scenarios() {
@@ -227,7 +198,7 @@ std::vector<Scenario> uplink_scenarios() {
       {"can_without_acknowledgement", can_without_acknowledgement},
       {"slcan_fallback", slcan_fallback},
       {"host_that_does_not_read", host_that_does_not_read},
-      {"port_that_loses", port_that_loses},
       {"host_that_comes_back", host_that_comes_back},
+      {"usb_beside_can", usb_beside_can},
   };
 }

@@ -54,5 +54,6 @@ struct Scenario {
 
 std::vector<Scenario> sensor_scenarios();
 std::vector<Scenario> uplink_scenarios();
+std::vector<Scenario> port_scenarios();
 std::vector<Scenario> bus_fault_scenarios();
 std::vector<Scenario> can_fault_scenarios();
