@@ -1,7 +1,5 @@
 // How the frames leave the node: on CAN, on USB, and when nobody takes them.
 
-#include <cstdlib>
-
 #include "constants.h"
 #include "world.h"
 
@@ -10,26 +8,6 @@ namespace {
 using exoid::Frame;
 
 constexpr auto DEAD = simulated::Mcp2515Model::DEAD_HIGH;
-
-/// The frames of a text of slcan lines, all of which must be whole.
-std::vector<Frame> frames_in(const std::string& text) {
-  std::vector<Frame> found;
-  for (size_t at = 0; at < text.size();) {
-    const size_t end = text.find('\r', at);
-    check(end != std::string::npos, "every line ends");
-    const std::string line = text.substr(at, end - at);
-    at = end + 1;
-    if (line.empty()) continue;
-    check(line.size() == 21 && line[0] == 't' && line[4] == '8', "every line is a frame");
-    Frame frame = {static_cast<uint16_t>(std::strtoul(line.substr(1, 3).c_str(), nullptr, 16)), {}};
-    for (int byte = 0; byte < 8; ++byte) {
-      const std::string digits = line.substr(static_cast<size_t>(5 + 2 * byte), 2);
-      frame.data[byte] = static_cast<uint8_t>(std::strtoul(digits.c_str(), nullptr, 16));
-    }
-    found.push_back(frame);
-  }
-  return found;
-}
 
 /// What the node says to a command.
 std::string answer_to(const std::string& command) {

@@ -35,6 +35,9 @@ uint32_t field(const exoid::Frame& frame, uint32_t start, uint32_t length);
 int32_t signed_field(const exoid::Frame& frame, uint32_t start);
 bool status(const exoid::Frame& state, uint32_t bit);
 
+/// The frames of a text of slcan lines, all of which must be whole.
+std::vector<exoid::Frame> frames_in(const std::string& text);
+
 /// The frames of one identifier.
 std::vector<exoid::Frame> only(const std::vector<exoid::Frame>& frames, uint16_t id);
 
