@@ -1,0 +1,93 @@
+// What a whole tick costs but for the waiting: sensors, filter, frames, CAN controller and USB.
+// in.bin: a byte for each tick, 1 where a host has opened the channel on USB from then on. Out: the
+// counts of SysTick, at 62.5 instructions each with -icount shift=0.
+
+#include "can_timing.h"
+#include "chips.h"
+#include "mcp2515.h"
+#include "node.h"
+#include "semihosting.h"
+#include "systick.h"
+#include "uplink.h"
+
+namespace {
+
+using Timing = exoid::CanTiming<8000000, 500000>;
+
+/// An MCP2515 that has always sent the last frame.
+struct WillingSpi {
+  void begin() {}
+  void exchange(uint8_t* bytes, uint8_t count) {
+    const bool from_cnf3 = bytes[0] == 0x03 && bytes[1] == 0x28;
+    for (uint8_t at = 1; at < count; ++at) bytes[at] = 0;
+    if (!from_cnf3) return;
+    bytes[2] = Timing::CNF3;
+    bytes[3] = Timing::CNF2;
+    bytes[4] = Timing::CNF1;
+  }
+};
+
+/// A host that takes every packet, and opens the channel when told to.
+struct WillingPort {
+  const char* typed = "";
+  int available() const { return *typed != '\0' ? 1 : 0; }
+  int read() { return *typed++; }
+  int availableForWrite() const { return 63; }
+  size_t write(const uint8_t*, size_t count) { return count; }
+};
+
+struct SetClock {
+  uint32_t now = 0, age = 0;
+  uint32_t ticks() const { return now; }
+  uint32_t age_us() const { return age; }
+};
+
+struct Well {
+  void describe(exoid::Health&) const {}
+};
+
+using Encoder = exoid::As5600<chips::Board>;
+using Imu = exoid::Lsm6ds3<chips::Board>;
+using Can = exoid::Mcp2515<WillingSpi, Timing, exoid::CanIds<>>;
+using Link = exoid::Uplink<Can, WillingPort>;
+
+chips::Board board;
+Encoder encoder(board);
+Imu imu(board);
+WillingSpi spi;
+Can can(spi);
+WillingPort port;
+Link uplink(can, port);
+SetClock timer;
+Well well;
+exoid::Node<Encoder, Imu, Link, SetClock, Well> node(encoder, imu, uplink, timer, well);
+
+/// The passes of a loop that have something to do: at the tick, and in the middle between two.
+void tick() {
+  constexpr uint32_t PASSES = 6;  // as many frames and packets as there are
+  for (timer.age = 0; timer.age < exoid::TICK_US; timer.age += exoid::TICK_US / 2) {
+    node.run();
+    for (uint32_t pass = 0; pass < PASSES; ++pass) uplink.poll(10 * timer.now);
+  }
+}
+
+}  // namespace
+
+int main() {
+  semihosting::File input("in.bin", 6, semihosting::READ_BINARY);
+  semihosting::File output("out.bin", 7, semihosting::WRITE_BINARY);
+  exoid::systick_begin(exoid::SYSTICK_LONGEST);
+  uint8_t opens = 0;
+  while (input.read(&opens, sizeof opens)) {
+    if (opens) port.typed = "O\r";
+    chips::Exposure now = {};
+    now.count = static_cast<uint16_t>(1500 + timer.now % 50);
+    board.expose(now);
+    const uint32_t before = exoid::systick_left();
+    ++timer.now;
+    tick();
+    const uint32_t counts = before - exoid::systick_left();
+    if (!output.write(&counts, sizeof counts)) return 1;
+  }
+  return 0;
+}
