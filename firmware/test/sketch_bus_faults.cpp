@@ -1,5 +1,7 @@
 // What the sensors' bus may do, and what the node makes of it: it never stops for it.
 
+#include <Arduino.h>
+
 #include "constants.h"
 #include "wire_bus.h"
 #include "world.h"
@@ -65,11 +67,16 @@ void clock_held_for_minutes() {
 void busy_with_both_lines_high() {
   begin();
   for (const bool has_timeouts : {true, false}) {
+    run_ms(3);  // between two ticks
     board.i2c.has_timeouts = has_timeouts;
     board.i2c.glitch();
     uint32_t told = 0;
     for (const Frame& state : states_of(10)) told += faults(state) != 0;
+    check(!has_timeouts || told == 0, "the time-outs end it before it costs a reading");
     check(told <= 1, "the bus is released after one transfer that failed, without time-outs too");
+    const uint32_t timeouts = SERCOM_I2CM_CTRLA_LOWTOUTEN | SERCOM_I2CM_CTRLA_MEXTTOEN |
+                              SERCOM_I2CM_CTRLA_SEXTTOEN | SERCOM_I2CM_CTRLA_INACTOUT(1);
+    check((SERCOM4->I2CM.CTRLA.reg & timeouts) == timeouts, "they are on, after a release too");
   }
   check_no_tick_was_missed();
 }
