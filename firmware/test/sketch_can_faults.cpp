@@ -72,6 +72,9 @@ void controller_that_forgets() {
   board.can.set_answer(Mcp2515Model::DEAD_LOW);
   board.can.set_answer(Mcp2515Model::ANSWERS);
   check_gap_is_told(states_of(60), last);
+  const uint32_t later = counter(states_of(60).back());
+  board.can.fall_out();
+  check_gap_is_told(states_of(60), later);
   check_no_tick_was_missed();
 }
 
@@ -120,8 +123,9 @@ void foreign_frames() {
 
 /// A node that understands two identifiers hears these alone, whole and in order.
 void frames_that_are_understood() {
+  using Timing = exoid::CanTiming<8000000, 500000>;
   exoid::SpiLink spi;
-  exoid::Mcp2515<exoid::SpiLink, exoid::CanTiming<8000000, 500000>, exoid::CanIds<0x110, 0x7>> can(spi);
+  exoid::Mcp2515<exoid::SpiLink, Timing, exoid::CanIds<0x110, 0x7>> can(spi);
   Frame frame = {};
   can.begin();
   for (uint32_t time = 0; time < 20; ++time) {

@@ -16,7 +16,8 @@ std::vector<exoid::Frame> frames_in(const std::string& text) {
     at = end + 1;
     if (line.empty()) continue;
     check(line.size() == 21 && line[0] == 't' && line[4] == '8', "every line is a frame");
-    exoid::Frame frame = {static_cast<uint16_t>(std::strtoul(line.substr(1, 3).c_str(), nullptr, 16)), {}};
+    const unsigned long id = std::strtoul(line.substr(1, 3).c_str(), nullptr, 16);
+    exoid::Frame frame = {static_cast<uint16_t>(id), {}};
     for (int byte = 0; byte < 8; ++byte) {
       const std::string digits = line.substr(static_cast<size_t>(5 + 2 * byte), 2);
       frame.data[byte] = static_cast<uint8_t>(std::strtoul(digits.c_str(), nullptr, 16));

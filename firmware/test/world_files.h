@@ -48,7 +48,9 @@ class File {
 
 [[noreturn]] inline void end(int code) { std::exit(code); }
 
-inline void tell(const char* sentence) { std::fprintf(stderr, "it does not hold that %s\n", sentence); }
+inline void tell(const char* sentence) {
+  std::fprintf(stderr, "it does not hold that %s\n", sentence);
+}
 
 }  // namespace world_files
 

@@ -60,7 +60,8 @@ struct CanTiming {
   static constexpr uint32_t JUMP = PHASE_2 - 1 < 4 ? PHASE_2 - 1 : 4;  // less than PHASE_2
 
   static constexpr uint8_t CNF1 = static_cast<uint8_t>((JUMP - 1) << 6 | (PRESCALER - 1));
-  static constexpr uint8_t CNF2 = static_cast<uint8_t>(0x80 | (PHASE_1 - 1) << 3 | (PROPAGATION - 1));
+  static constexpr uint8_t CNF2 =
+      static_cast<uint8_t>(0x80 | (PHASE_1 - 1) << 3 | (PROPAGATION - 1));
   static constexpr uint8_t CNF3 = static_cast<uint8_t>(PHASE_2 - 1);
 };
 

@@ -11,8 +11,9 @@ constexpr uint32_t IDLE = 1, OWNER = 2;
 constexpr uint32_t READ_ON = 2, STOP = 3;
 constexpr uint32_t IDLE_AFTER_55_US = 1;  // of a bus that a glitch made look busy
 constexpr uint8_t DONE = SERCOM_I2CM_INTFLAG_MB | SERCOM_I2CM_INTFLAG_SB;
-constexpr uint32_t BAD = SERCOM_I2CM_STATUS_RXNACK | SERCOM_I2CM_STATUS_ARBLOST |
-                         SERCOM_I2CM_STATUS_BUSERR | SERCOM_I2CM_STATUS_LOWTOUT;
+constexpr uint32_t LOST = SERCOM_I2CM_STATUS_ARBLOST | SERCOM_I2CM_STATUS_BUSERR |
+                          SERCOM_I2CM_STATUS_LOWTOUT;
+constexpr uint32_t BAD = LOST | SERCOM_I2CM_STATUS_RXNACK;
 
 /// The Nano 33 IoT's Wire is on SERCOM4.
 SercomI2cm& i2c() { return SERCOM4->I2CM; }
@@ -62,7 +63,7 @@ bool I2cMaster::read(uint8_t device, uint8_t* bytes, uint8_t count) {
   began_us_ = micros();
   if (!start(static_cast<uint8_t>(device << 1 | 1), SERCOM_I2CM_INTFLAG_SB)) return false;
   for (uint8_t at = 0; at < count; ++at) {
-    if (!wait_for(DONE) || (i2c().STATUS.reg & (BAD & ~SERCOM_I2CM_STATUS_RXNACK)) != 0) return false;
+    if (!wait_for(DONE) || (i2c().STATUS.reg & LOST) != 0) return false;
     bytes[at] = static_cast<uint8_t>(i2c().DATA.reg);
     const bool last = at + 1 == count;
     if (!command(last ? STOP : READ_ON, last ? SERCOM_I2CM_CTRLB_ACKACT : 0)) return false;

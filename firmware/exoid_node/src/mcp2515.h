@@ -86,7 +86,8 @@ class Mcp2515 {
   static constexpr uint8_t CANSTAT = 0x0E, CANCTRL = 0x0F, CNF3 = 0x28;
   static constexpr uint8_t RXB0CTRL = 0x60, RXB1CTRL = 0x70;
   static constexpr uint8_t FILTERS = 0x00, MORE_FILTERS = 0x10, MASKS = 0x20;
-  static constexpr uint8_t MODE = 0xE0, NORMAL = 0x00, ROLL_OVER = 0x04, BUS_OFF = 0x20, PASSIVE = 0x18;
+  static constexpr uint8_t MODE = 0xE0, NORMAL = 0x00, ROLL_OVER = 0x04;
+  static constexpr uint8_t BUS_OFF = 0x20, PASSIVE = 0x18;  // of EFLG
   static constexpr uint8_t RECEIVED_0 = 0x01, RECEIVED_1 = 0x02, REQUESTED_0 = 0x04;
   static constexpr uint8_t EXTENDED = 0x08, REMOTE = 0x10, LENGTH = 0x0F;
   static constexpr uint8_t HEAD = 5, FRAME_BYTES = 8;  // SIDH SIDL EID8 EID0 DLC, then data
@@ -150,9 +151,9 @@ class Mcp2515 {
   void send_next() {
     if (queue_.is_empty() || (status() & REQUESTED_0) != 0) return;
     const Frame& frame = queue_.front();
-    uint8_t bytes[1 + HEAD + FRAME_BYTES] = {LOAD_BUFFER_0, static_cast<uint8_t>(frame.id >> 3),
-                                             static_cast<uint8_t>(frame.id << 5), 0, 0,
-                                             FRAME_BYTES};
+    const uint8_t high = static_cast<uint8_t>(frame.id >> 3);
+    const uint8_t low = static_cast<uint8_t>(frame.id << 5);
+    uint8_t bytes[1 + HEAD + FRAME_BYTES] = {LOAD_BUFFER_0, high, low, 0, 0, FRAME_BYTES};
     for (uint8_t at = 0; at < FRAME_BYTES; ++at) bytes[1 + HEAD + at] = frame.data[at];
     spi_.exchange(bytes, sizeof bytes);
     uint8_t request[] = {REQUEST_0};
@@ -178,7 +179,8 @@ class Mcp2515 {
   }
 
   void write_id(uint8_t to, uint16_t id) {
-    uint8_t bytes[] = {WRITE, to, static_cast<uint8_t>(id >> 3), static_cast<uint8_t>(id << 5), 0, 0};
+    const uint8_t high = static_cast<uint8_t>(id >> 3), low = static_cast<uint8_t>(id << 5);
+    uint8_t bytes[] = {WRITE, to, high, low, 0, 0};
     spi_.exchange(bytes, sizeof bytes);
   }
 

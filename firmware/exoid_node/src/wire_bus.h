@@ -27,7 +27,8 @@ class WireBus {
 
   /// Reads `count` registers from `first` on. Returns false where not all of them came.
   bool read(uint8_t device, uint8_t first, uint8_t* bytes, uint8_t count) {
-    return or_released(is_ready() && master_.write(device, &first, 1) && master_.read(device, bytes, count));
+    return or_released(is_ready() && master_.write(device, &first, 1) &&
+                       master_.read(device, bytes, count));
   }
 
   /// Transfers that failed.

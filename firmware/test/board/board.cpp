@@ -115,7 +115,9 @@ int UsbSerial::available() { return board.usb.available(); }
 
 int UsbSerial::read() { return board.usb.read(); }
 
-size_t UsbSerial::write(const uint8_t* bytes, size_t count) { return board.usb.write(bytes, count); }
+size_t UsbSerial::write(const uint8_t* bytes, size_t count) {
+  return board.usb.write(bytes, count);
+}
 
 namespace exoid {
 

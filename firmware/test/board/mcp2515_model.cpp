@@ -60,13 +60,18 @@ uint8_t Mcp2515Model::transfer(uint8_t byte) {
       return 0;
     case 0x03:
       if (count_ == 2) at_ = byte & 127U;
-      return count_ == 2 ? 0 : registers_[at_++ & 127U];
+      return count_ == 2 ? 0 : stored(at_++ & 127U);
     case 0xA0: return status();
     case 0x40: registers_[at_++ & 127U] = byte; return 0;
     case 0x90:
     case 0x94: return registers_[at_++ & 127U];
     default: violated("every SPI command is one of the MCP2515");
   }
+}
+
+/// Mode and control are seen at the end of every row.
+uint8_t Mcp2515Model::stored(uint8_t at) const {
+  return registers_[(at & 15U) < CANSTAT ? at : at & 15U];
 }
 
 /// The first byte of a command.

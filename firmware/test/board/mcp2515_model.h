@@ -23,6 +23,12 @@ class Mcp2515Model {
   /// Unpowered, or its MISO torn off: what the program then reads is the level of the line.
   void set_answer(Answer answer);
 
+  /// A disturbance puts it back into configuration; its settings stay.
+  void fall_out() {
+    registers_[0x0E] = 0x80;
+    registers_[0x0F] = 0x87;
+  }
+
   /// A frame of another node.
   void hear(uint32_t id, bool extended, uint8_t length);
 
@@ -45,6 +51,7 @@ class Mcp2515Model {
   void keep(uint8_t buffer, uint32_t id, bool extended, uint8_t length);
   void put(uint8_t at, uint8_t value);
   uint8_t command(uint8_t byte);
+  uint8_t stored(uint8_t at) const;
   uint8_t status() const;
 
   uint64_t& now_us_;

@@ -135,8 +135,9 @@ void Sercom::finish() {
   }
   flags_ = MASTER_ON_BUS;
   const uint8_t device = address_ >> 1;
-  const bool taken = sent_ == 0 ? chips_.read(device, 0, nullptr, 0)
-                                : chips_.write(device, static_cast<uint8_t>(first_ + sent_ - 1), data_);
+  const uint8_t to = static_cast<uint8_t>(first_ + sent_ - 1);
+  const bool taken =
+      sent_ == 0 ? chips_.read(device, 0, nullptr, 0) : chips_.write(device, to, data_);
   if (sent_ == 0) first_ = data_;
   ++sent_;
   if (!taken) errors_ |= NOT_ACKNOWLEDGED;

@@ -1,5 +1,5 @@
-/// The serial port on USB as the core of the board has it: it always claims room for a packet, waits
-/// for a host that does not read, loses what it had taken then, and returns SIZE_MAX.
+/// The serial port on USB as the board's core has it: it always claims room for a packet, waits for a
+/// host that does not read, loses what it had taken then, and returns SIZE_MAX.
 
 #pragma once
 
