@@ -92,7 +92,7 @@ void befall_can(const Event& event) {
       board.can.stays_off = value == 2 || (value == 0 && board.can.stays_off);
       break;
     case world_events::FOREIGN:
-      for (uint8_t length = 0; length < 16; ++length) {
+      for (uint8_t length = 15; length > 0; --length) {
         board.can.hear(value, false, length);
         board.can.hear(value << 18, true, length);
       }

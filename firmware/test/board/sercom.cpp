@@ -89,7 +89,7 @@ void Sercom::count_byte() {
 
 void Sercom::command(uint32_t value) {
   const uint32_t command = value >> 16 & 3U;
-  if (!enabled_ || command < 2) return;
+  if (!enabled_ || state_ != OWNER || command < 2) return;
   flags_ = 0;
   if (command == 2) return begin(FETCH);
   operation_ = NONE;
