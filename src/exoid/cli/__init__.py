@@ -2,16 +2,13 @@
 
 import os
 import sys
-from traceback import walk_tb
+
+from exoid.cli.terminal.faults import INTERRUPTED, explain
 
 # Small matrices only: threads of the linear algebra library cost more than they bring.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 # XLA writes about its own affairs to stderr, past Python.
 os.environ.setdefault("TF_CPP_MIN_LOG_LEVEL", "3")
-
-# Those that compute. What they say of arrays is not for users.
-LIBRARIES = ("numpy", "scipy", "jax", "jaxlib", "equinox", "optimistix", "lineax", "diffrax")
-INTERRUPTED = 130  # as shells have it: 128 and the number of the signal
 
 
 def main() -> None:
@@ -38,63 +35,3 @@ def silence_libraries() -> None:
     logging.getLogger().addHandler(logging.NullHandler())
     if not sys.warnoptions:
         warnings.simplefilter("ignore")
-
-
-def explain(fault: BaseException) -> int:
-    """Say what went wrong, in one line; the exit code."""
-    from typer import Abort
-
-    if isinstance(fault, SystemExit | BrokenPipeError):  # the reader of our output has seen enough
-        return 0
-    if isinstance(fault, Abort | KeyboardInterrupt):
-        return complain("interrupted", INTERRUPTED)
-    if isinstance(fault, ArithmeticError) and not isinstance(fault, ZeroDivisionError):
-        return complain(fault, 1)
-    if isinstance(fault, MemoryError) or "RESOURCE_EXHAUSTED" in str(fault):
-        return complain("out of memory: use fewer starts, or shorter recordings.", 1)
-    if isinstance(fault, ValueError) and foreign(fault):
-        return complain(
-            "the computation broke down on this recording, which is a fault of exoid. Check its "
-            "units and marks, and report it with the recording.",
-            1,
-        )
-    if isinstance(fault, ValueError | OSError):
-        return complain(one_line(fault), 2)
-    return explain_usage(fault)
-
-
-def foreign(fault: BaseException) -> bool:
-    """Did a library raise it, so that its words are not for users? Names in front do not count."""
-    while fault.__cause__ is not None and str(fault).endswith(str(fault.__cause__)):
-        fault = fault.__cause__
-    frames = list(walk_tb(fault.__traceback__))
-    if not frames:
-        return False
-    return frames[-1][0].f_globals.get("__name__", "").partition(".")[0] in LIBRARIES
-
-
-def explain_usage(fault: BaseException) -> int:
-    """What is wrong in the command line itself; anything else is a fault of ours, and is raised."""
-    from typer.exceptions import TyperException
-
-    if not isinstance(fault, TyperException):
-        raise fault
-    message = " ".join(fault.format_message().replace("Value error, ", "").split())
-    context = getattr(fault, "ctx", None)
-    if context is None:
-        return complain(message, 2)
-    return complain(f"{message.rstrip('.')}. Try '{context.command_path} --help'.", 2)
-
-
-def complain(message: object, code: int) -> int:
-    print(f"exoid: {message}", file=sys.stderr, flush=True)
-    return code
-
-
-def one_line(fault: Exception) -> str:
-    """The message; an error of the operating system as "FILE: reason. What to do."."""
-    if not isinstance(fault, OSError) or not fault.strerror:
-        return " ".join(str(fault).split())
-    hint = " Check the name." if isinstance(fault, FileNotFoundError) else ""
-    said = f"{fault.strerror}.{hint}"
-    return f"{fault.filename}: {said}" if fault.filename else said

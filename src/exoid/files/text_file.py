@@ -1,7 +1,6 @@
-"""Text files: read with a reason where they cannot be, and written in full or not at all."""
+"""Text files: read with a reason where they cannot be."""
 
-import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -52,20 +51,3 @@ def near(name: str, names: Iterable[str], likeness: float = 0.6) -> str:
 
     alike = difflib.get_close_matches(name.lower(), sorted(names), 1, likeness)
     return f" Did you mean {alike[0]}?" if alike else ""
-
-
-def replace_files(contents: Mapping[Path, Iterable[str] | bytes]) -> None:
-    """Writes every file beside its target, and only when all are complete puts them in place."""
-    beside = {path: path.with_name(f".{path.name}.{os.getpid()}.part") for path in contents}
-    try:
-        for path, parts in contents.items():
-            with beside[path].open("wb") as file:
-                binary = isinstance(parts, bytes)
-                file.writelines([parts] if binary else (each.encode() for each in parts))
-                file.flush()
-                os.fsync(file.fileno())
-        for path, part in beside.items():
-            part.replace(path)
-    finally:
-        for part in beside.values():
-            part.unlink(missing_ok=True)

@@ -8,7 +8,8 @@ from typing import Any, get_args, get_origin
 
 import numpy as np
 
-from exoid.files.text_file import Notes, naming, near, read_text, replace_files
+from exoid.files.replacing import replace_files
+from exoid.files.text_file import Notes, naming, near, read_text
 from exoid.recordings.recording import Protocol, Sensors, Subject, check_entry, known
 
 TABLES = {"subject": Subject, "protocol": Protocol, "sensors": Sensors}

@@ -8,7 +8,7 @@ from pathlib import Path
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from plotly.offline import get_plotlyjs
 
-from exoid.report.document.replacing import replacing
+from exoid.files.replacing import replacing
 from exoid.report.figures.draw import draw
 from exoid.report.parts.case import Case
 from exoid.report.sections.advice import advice

@@ -69,9 +69,9 @@ def check_posterior(each: bool) -> None:
 
 def write_posterior(result, seed: int, path: Path) -> str:
     """Draws from the fit in a file, and how far to trust them."""
+    from exoid.files.replacing import replacing
     from exoid.fitting.errors.posterior import r_hat, sample, to_netcdf
     from exoid.fitting.solve.program_cache import with_sound_programs
-    from exoid.report.document.replacing import replacing
 
     drawn = with_sound_programs(lambda: sample(result, seed=seed))
     with replacing(path) as part:

@@ -6,8 +6,9 @@ from typing import Annotated
 import typer
 
 from exoid.cli.inputs.terms import OwnTerms, loaded, own_terms
-from exoid.cli.outputs.destination import Json, check_outputs
-from exoid.cli.outputs.results import put_document, show
+from exoid.cli.outputs.destination import Force, Json, check_outputs
+from exoid.cli.outputs.results import show
+from exoid.cli.outputs.written import Outputs
 from exoid.cli.terminal.waiting import patiently
 
 
@@ -18,6 +19,7 @@ def compare(
     second: Annotated[Path, typer.Argument(help="Another one.")],
     terms: OwnTerms = None,
     json: Json = None,
+    force: Force = False,
 ) -> None:
     """Show two saved results side by side: two days, two sides, or two settings.
 
@@ -31,7 +33,7 @@ def compare(
       exoid diagnose right.csv --save why.nc
       exoid compare left.nc why.nc
     """
-    check_outputs((json, ()), inputs=[first, second])
+    check_outputs((json, ()), force=force, inputs=[first, second])
     own = own_terms(terms)
     sides = [
         patiently(lambda path=path: loaded(path, own), f"reading {path}")
@@ -42,4 +44,6 @@ def compare(
 
     found = compared(*sides)
     show(lambda console: print_comparison(found, sides, console))
-    put_document(json, lambda: comparison_document(found, sides))
+    files = Outputs()
+    files.put_document(json, lambda: comparison_document(found, sides))
+    files.end()

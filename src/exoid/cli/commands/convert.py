@@ -7,7 +7,7 @@ import typer
 
 from exoid.cli.inputs.choices import FlipOption, ZeroOption
 from exoid.cli.inputs.reading import Columns, Dbc, Signals, Strict, take
-from exoid.cli.outputs.destination import Force, check_absent, check_outputs
+from exoid.cli.outputs.destination import Force, check_outputs
 from exoid.cli.terminal.waiting import patiently
 
 
@@ -48,8 +48,7 @@ def convert(
       exoid convert log.asc -o knee.csv --dbc my.dbc --signal raw_angle=Knee.Angle
     """
     sidecar = output.with_suffix(".toml")
-    check_outputs((output, ("csv", "parquet")), (sidecar, ()), inputs=[recording])
-    check_absent((output, sidecar), force)
+    check_outputs((output, ("csv", "parquet")), (sidecar, ()), force=force, inputs=[recording])
     told = {"column": column, "dbc": dbc, "signal": signal, "flip": flip, "zero": zero}
     loaded = take(recording, strict=strict, whole=whole, **told).recording
     from exoid.recordings.formats.own_table import write_table

@@ -11,11 +11,20 @@ from exoid.cli.inputs.body import BodyMass, Height, given_body
 from exoid.cli.inputs.choices import FlipOption, Seed, ZeroOption
 from exoid.cli.inputs.reading import EXAMPLE, Columns, Dbc, Signals, as_told, take_all
 from exoid.cli.inputs.terms import OwnTerms, own_terms, rivals_in
-from exoid.cli.outputs.destination import FIGURES, PAGES, SAVED, Json, Report, check_outputs
+from exoid.cli.outputs.destination import (
+    FIGURES,
+    PAGES,
+    SAVED,
+    Force,
+    Json,
+    Report,
+    check_outputs,
+)
 from exoid.cli.outputs.origin import inputs, origin_of
 from exoid.cli.outputs.page import planned, sources_of, write_report
-from exoid.cli.outputs.results import end, introduce, keep, put, put_document, show, traced
-from exoid.cli.terminal.waiting import in_phases, patiently
+from exoid.cli.outputs.results import introduce, keep, show, traced
+from exoid.cli.outputs.written import Outputs
+from exoid.cli.terminal.waiting import in_phases
 
 
 def diagnose(
@@ -47,6 +56,7 @@ def diagnose(
         typer.Option(help="All of it (.nc), for exoid compare and exoid report.", metavar="FILE"),
     ] = None,
     report: Report = None,
+    force: Force = False,
 ) -> None:
     """Say where simulation and recording part, which physics was left out, and prove it.
 
@@ -59,7 +69,8 @@ def diagnose(
       exoid diagnose drops.csv --terms my_terms.py   with terms of your own
     """
     paths = recordings or [EXAMPLE]
-    check_outputs((plot, FIGURES), (json, ()), (save, SAVED), (report, PAGES), inputs=paths)
+    wanted = (plot, FIGURES), (json, ()), (save, SAVED), (report, PAGES)
+    check_outputs(*wanted, force=force, inputs=paths)
     body = given_body(body_mass=body_mass, height=height)
     options = {"seed": seed, **assumed(prior, bounds, fix, bound)}
     own = own_terms(terms)
@@ -77,27 +88,30 @@ def diagnose(
     if len(rivals) > 1:
         recorded, names = " ".join(map(str, paths)), ",".join(rivals)
         typer.echo(f"Which recording tells them apart: exoid plan {recorded} --between {names}\n")
-    files = list(zip(paths, named, strict=True))
+    outputs, files = Outputs(), list(zip(paths, named, strict=True))
     settings = {**options, "terms": terms}
-    put(plot, lambda path: draw(found, path), "drawing")
-    put_document(
+    outputs.put(plot, lambda path: draw(found, path), "drawing")
+    outputs.put_document(
         json,
         lambda: diagnosis_document(found, **traced(files), settings=settings | as_told(flip, zero)),
     )
     if save is None and report is None:
-        end(found.follows)
+        outputs.end(found.follows)
         return
     asked = {**settings, **body, "signal": signal, "dbc": dbc and str(dbc)}
     asked |= {**as_told(flip, zero), "column": column}
     origin = origin_of(inputs(paths, dbc, Path(terms) if terms else None), asked)
-    more = patiently(lambda: further(found, named[0][1].subject), "planning what to record next")
-    put(save, lambda path: keep(found.fit, files, asked, path, origin=origin, **more), "saving")
-    put(
+    subject, planning = named[0][1].subject, "planning what to record next"
+    more = outputs.attempt(lambda: further(found, subject), planning, {"diagnosis": found})
+    outputs.put(
+        save, lambda path: keep(found.fit, files, asked, path, origin=origin, **more), "saving"
+    )
+    outputs.put(
         report,
         lambda path: write_report(path, sources_of(taken, named), found.fit, origin, **more),
         "writing the page",
     )
-    end(found.follows)
+    outputs.end(found.follows)
 
 
 def draw(found, path: Path) -> None:

@@ -7,8 +7,9 @@ import typer
 
 from exoid.cli.inputs.choices import FlipOption, ZeroOption
 from exoid.cli.inputs.reading import EXAMPLE, Columns, Dbc, Signals, take_all
-from exoid.cli.outputs.destination import FIGURES, Json, check_outputs
-from exoid.cli.outputs.results import introduce, put, put_document, show, traced
+from exoid.cli.outputs.destination import FIGURES, Force, Json, check_outputs
+from exoid.cli.outputs.results import introduce, show, traced
+from exoid.cli.outputs.written import Outputs
 from exoid.cli.terminal.waiting import patiently
 
 
@@ -28,6 +29,7 @@ def drops(
         Path | None, typer.Option(help="Figure: every measure on its curve.", metavar="FILE")
     ] = None,
     json: Json = None,
+    force: Force = False,
 ) -> None:
     """Read the pendulum-test measures off every passive drop: no model, no fit, no diagnosis.
 
@@ -42,7 +44,7 @@ def drops(
       exoid drops monday.csv friday.csv --json a.json
     """
     paths = recordings or [EXAMPLE]
-    check_outputs((plot, FIGURES), (json, ()), inputs=paths)
+    check_outputs((plot, FIGURES), (json, ()), force=force, inputs=paths)
     if not recordings:
         typer.echo("No recording given: this is the example that comes with exoid.")
     told = {"column": column, "dbc": dbc, "signal": signal, "flip": flip, "zero": zero}
@@ -54,11 +56,14 @@ def drops(
     test = patiently(lambda: measure_drops(named), "reading the drops")
     introduce(named)
     show(lambda console: print_drops(test, console))
-    put_document(json, lambda: drops_document(test, **traced(zip(paths, named, strict=True))))
+    files = Outputs()
+    recorded = list(zip(paths, named, strict=True))
+    files.put_document(json, lambda: drops_document(test, **traced(recorded)))
     if plot is not None and all(each.reason for each in test.drops):
         typer.echo(f"exoid: no segment could be read: {plot} was not drawn.", err=True)
     else:
-        put(plot, lambda path: draw(test, path), "drawing")
+        files.put(plot, lambda path: draw(test, path), "drawing")
+    files.end()
 
 
 def draw(test, path: Path) -> None:

@@ -8,7 +8,7 @@ import typer
 
 from exoid.cli.inputs.reading import EXAMPLE
 from exoid.cli.outputs.destination import check_absent
-from exoid.files.text_file import replace_files
+from exoid.files.replacing import replace_files
 
 FILES = (EXAMPLE, EXAMPLE.with_suffix(".toml"))
 NEXT = """

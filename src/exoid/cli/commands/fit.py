@@ -22,10 +22,19 @@ from exoid.cli.inputs.terms import (
     terms_asked,
     undecided_in,
 )
-from exoid.cli.outputs.destination import FIGURES, PAGES, SAVED, Json, Report, check_outputs
+from exoid.cli.outputs.destination import (
+    FIGURES,
+    PAGES,
+    SAVED,
+    Force,
+    Json,
+    Report,
+    check_outputs,
+)
 from exoid.cli.outputs.origin import inputs, origin_of
 from exoid.cli.outputs.page import sources_of, write_report
-from exoid.cli.outputs.results import end, introduce, keep, put, put_document, show, traced
+from exoid.cli.outputs.results import introduce, keep, show, traced
+from exoid.cli.outputs.written import Outputs
 from exoid.cli.terminal.waiting import patiently
 
 HEAVIEST_PRIOR = 1e6  # it decides alone long before
@@ -93,6 +102,7 @@ def fit(
         typer.Option(help="The fit (.nc), for exoid compare and report.", metavar="FILE"),
     ] = None,
     report: Report = None,
+    force: Force = False,
 ) -> None:
     """Find mass, inertia, COM distance, damping, stiffness and torque of a leg.
 
@@ -109,7 +119,7 @@ def fit(
     """
     paths = recordings or [EXAMPLE]
     outputs = (plot, FIGURES), (json, ()), (posterior, SAVED), (save, SAVED), (report, PAGES)
-    check_outputs(*outputs, inputs=[*paths, *([model] if model else [])])
+    check_outputs(*outputs, force=force, inputs=[*paths, *([model] if model else [])])
     if posterior is not None:
         check_posterior(each)
     body = given_body(body_mass=body_mass, height=height)
@@ -142,7 +152,9 @@ def fit(
     undecided = undecided_in(saved, model) if model else None
     if undecided:
         result = replace(result, notes=[undecided, *result.notes])
-    told = None if each else patiently(lambda: ask(result), "asking what the recording told")
+    files = Outputs()
+    asking = "asking what the recording told"
+    told = None if each else files.attempt(lambda: ask(result), asking, None)
     from exoid.report.document.fit_json import fit_document
     from exoid.report.tables.fit import print_fit
 
@@ -159,24 +171,26 @@ def fit(
         "column": column,
         "dbc": dbc and str(dbc),
     }
-    files = [Path(terms)] if terms and terms.endswith(".py") else []
-    files += [model] if model else []
-    origin = origin_of(inputs(paths, dbc, *files), asked) if save or report else None
+    others = [Path(terms)] if terms and terms.endswith(".py") else []
+    others += [model] if model else []
+    origin = origin_of(inputs(paths, dbc, *others), asked) if save or report else None
     wanted = (plot is not None or json is not None) and not each
-    profiles = patiently(lambda: profiled(result), "profiling") if wanted else None
+    profiles = files.attempt(lambda: profiled(result), "profiling", None) if wanted else None
     sources, more = list(zip(paths, named, strict=True)), {"told": told, "profiles": profiles}
-    put(save, lambda path: keep(result, sources, asked, path, origin=origin, **more), "saving")
-    put(plot, lambda path: draw(result, profiles, path), "drawing")
-    put_document(json, lambda: fit_document(result, **traced(sources), settings=settings, **more))
-    put(
+    files.put(
+        save, lambda path: keep(result, sources, asked, path, origin=origin, **more), "saving"
+    )
+    files.put(plot, lambda path: draw(result, profiles, path), "drawing")
+    files.put_document(
+        json, lambda: fit_document(result, **traced(sources), settings=settings, **more)
+    )
+    files.put(
         report,
         lambda path: write_report(path, sources_of(taken, named), result, origin, told=told),
         "writing the page",
     )
-    if posterior is not None:
-        drawn = patiently(lambda: write_posterior(result, seed, posterior), "drawing from the fit")
-        typer.echo(f"wrote {posterior}: {drawn}", err=True)
-    end(result.follows)
+    files.put(posterior, lambda path: write_posterior(result, seed, path), "drawing from the fit")
+    files.end(result.follows)
 
 
 def draw(result, profiles, path: Path) -> None:

@@ -22,8 +22,9 @@ from exoid.cli.inputs.terms import (
     suspected_in,
     terms_asked,
 )
-from exoid.cli.outputs.destination import Json, check_outputs
-from exoid.cli.outputs.results import end, introduce, put_document, show
+from exoid.cli.outputs.destination import Force, Json, check_outputs
+from exoid.cli.outputs.results import introduce, show
+from exoid.cli.outputs.written import Outputs
 from exoid.cli.terminal.waiting import patiently
 
 INERTIA = "inertia"
@@ -71,6 +72,7 @@ def plan(
     flip: FlipOption = None,
     zero: ZeroOption = None,
     json: Json = None,
+    force: Force = False,
 ) -> None:
     """Say which recording would narrow a quantity most, or tell rival causes apart.
 
@@ -83,7 +85,8 @@ def plan(
       exoid plan drop.csv --model why.nc          after 'exoid diagnose drop.csv --save why.nc'
       exoid plan drop.csv --between coulomb_friction,hysteresis    to tell which of them acts
     """
-    check_outputs((json, ()), inputs=[*(recordings or []), *([model] if model else [])])
+    read = [*(recordings or []), *([model] if model else [])]
+    check_outputs((json, ()), force=force, inputs=read)
     own = own_terms(terms)
     rivals, chosen = asked(between, goal, with_term, own, model)
     if (rivals or chosen) and not recordings:
@@ -115,8 +118,9 @@ def plan(
     ]
     same = "".join(f" {option} {value}" for option, value in again if value)
     show(lambda console: print_plan(found, console, same))
-    put_document(json, lambda: plan_document(found, result, subject))
-    end(result is None or result.follows)
+    files = Outputs()
+    files.put_document(json, lambda: plan_document(found, result, subject))
+    files.end(result is None or result.follows)
 
 
 def asked(
@@ -169,8 +173,9 @@ def tell_apart(named, subject, rivals: tuple, options: dict, json: Path | None) 
     fits, found = patiently(work, "planning; the first run of a new shape compiles for a minute")
     introduce(named)
     show(lambda console: print_contrast(found, console))
-    put_document(json, lambda: contrast_document(found, subject))
-    end(any(each.follows for each in fits))
+    files = Outputs()
+    files.put_document(json, lambda: contrast_document(found, subject))
+    files.end(any(each.follows for each in fits))
 
 
 def planned(named, subject, goal: str, options: dict):

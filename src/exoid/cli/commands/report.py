@@ -11,11 +11,11 @@ from exoid.cli.inputs.body import BodyMass, Height, given_body
 from exoid.cli.inputs.choices import FlipOption, Seed, ZeroOption
 from exoid.cli.inputs.reading import EXAMPLE, Columns, Dbc, Signals, as_told, take_all
 from exoid.cli.inputs.terms import OwnTerms, own_terms
-from exoid.cli.outputs.destination import PAGES, SAVED, check_outputs
+from exoid.cli.outputs.destination import PAGES, SAVED, Force, check_outputs
 from exoid.cli.outputs.origin import inputs, origin_of
 from exoid.cli.outputs.page import planned, sources_of, write_report
-from exoid.cli.outputs.results import end, put
 from exoid.cli.outputs.saved_page import retell
+from exoid.cli.outputs.written import Outputs
 from exoid.cli.terminal.waiting import in_phases
 
 STARTS = 64
@@ -49,6 +49,7 @@ def report(
     signal: Signals = None,
     flip: FlipOption = None,
     zero: ZeroOption = None,
+    force: Force = False,
 ) -> None:
     """Fit and diagnose a leg and write one page about it, to look at, print and pass on.
 
@@ -63,7 +64,7 @@ def report(
       exoid report why.nc -o why.html                what --save kept, without computing it again
     """
     paths = recordings or [EXAMPLE]
-    check_outputs((output, PAGES), inputs=paths)
+    check_outputs((output, PAGES), force=force, inputs=paths)
     if terms is not None and not diagnosis:
         raise ValueError("--terms are causes for the diagnosis: leave out --no-diagnosis.")
     own = own_terms(terms)
@@ -100,12 +101,13 @@ def report(
     settings |= {"dbc": dbc and str(dbc), **as_told(flip, zero), "column": column}
     origin = origin_of(inputs(paths, dbc, script), settings)
     sources = sources_of(taken, named)
-    put(
+    written = Outputs()
+    written.put(
         output,
         lambda path: write_report(path, sources, result, origin, **found),
         "writing the page",
     )
-    end((found.get("diagnosis") or result).follows)
+    written.end((found.get("diagnosis") or result).follows)
 
 
 def analysed(named, options: dict, own, told) -> tuple[Any, dict[str, Any]]:

@@ -16,13 +16,14 @@ Force = Annotated[bool, typer.Option("--force", help="Replace what is there.")]
 
 
 def check_outputs(
-    *wanted: tuple[Path | None, tuple[str, ...]], inputs: Iterable[Path] = ()
+    *wanted: tuple[Path | None, tuple[str, ...]], force: bool, inputs: Iterable[Path] = ()
 ) -> None:
     """Refuse outputs, each with the kinds that it can be of, that cannot be written, or that would
-    write over an input or each other."""
+    write over an input or each other, or over a file that is there and not to be replaced."""
     for path, kinds in wanted:
         check_destination(path, kinds)
     check_apart([path for path, _ in wanted], inputs)
+    check_absent([path for path, _ in wanted if path is not None], force)
 
 
 def check_destination(path: Path | None, kinds: tuple[str, ...] = ()) -> None:
@@ -50,9 +51,9 @@ def check_destination(path: Path | None, kinds: tuple[str, ...] = ()) -> None:
 
 
 def check_absent(paths: Iterable[Path], force: bool) -> None:
-    """Refuse to replace a result that is there, unless the user said so."""
+    """Refuse to replace a file that is there, unless the user said so; a pipe or device is none."""
     for path in paths:
-        if path.exists() and not force:
+        if path.is_file() and not force:
             raise ValueError(f"{path} exists. Name another file, or replace it with --force.")
 
 

@@ -1,6 +1,6 @@
 """Results as the user gets them: tables, documents and files."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -8,7 +8,6 @@ from typing import Any
 import typer
 
 from exoid.cli.outputs.origin import sha256_of
-from exoid.cli.terminal.waiting import patiently
 
 
 def show(table: Callable[[Any], None]) -> None:
@@ -25,20 +24,6 @@ def introduce(named) -> None:
 
     if who := people(recording.subject for _, recording in named):
         typer.echo(who)
-
-
-def put(path: Path | None, write: Callable[[Path], Any], what: str = "writing") -> None:
-    """Write a file that was asked for, and say so."""
-    if path is not None:
-        patiently(lambda: write(path), what)
-        typer.echo(f"wrote {path}", err=True)
-
-
-def put_document(path: Path | None, document: Callable[[], Mapping]) -> None:
-    """Write a document for machines that was asked for, and say so."""
-    from exoid.report.document.plain_json import write_json
-
-    put(path, lambda path: write_json(document(), path))
 
 
 def traced(files) -> dict[str, Any]:
@@ -83,9 +68,3 @@ def describe(path: Path, recording) -> dict:
         "segments": len(recording.segments),
         "subject": identity(recording.subject),
     }
-
-
-def end(follows: bool) -> None:
-    """Leave with exit code 1 where no simulation follows the recording; all files are written."""
-    if not follows:
-        raise typer.Exit(1)

@@ -9,7 +9,8 @@ from exoid.cli.inputs.reading import take
 from exoid.cli.inputs.terms import loaded
 from exoid.cli.outputs.origin import origin_of, sha256_of
 from exoid.cli.outputs.page import sources_of, write_report
-from exoid.cli.outputs.results import end, put, sidecar_hash
+from exoid.cli.outputs.results import sidecar_hash
+from exoid.cli.outputs.written import Outputs
 from exoid.cli.terminal.waiting import patiently
 
 
@@ -30,8 +31,9 @@ def retell(paths: list[Path], output: Path, given: list[str], own) -> None:
         origin = saved.origin or origin_of([path], saved.settings)
         write_report(page, sources, saved.result, origin, **found)
 
-    put(output, write, "writing the page")
-    end((saved.diagnosis or saved.result).follows)
+    written = Outputs()
+    written.put(output, write, "writing the page")
+    written.end((saved.diagnosis or saved.result).follows)
 
 
 def name_of(recording) -> str:

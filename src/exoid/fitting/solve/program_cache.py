@@ -9,11 +9,12 @@ import ctypes
 import hashlib
 import inspect
 import logging
-import os
 import platform
 import sys
+import time
 import warnings
 from collections.abc import Callable
+from contextlib import suppress
 from functools import cache, lru_cache
 from importlib import import_module
 from importlib.metadata import version
@@ -27,6 +28,7 @@ import jax.export
 import numpy as np
 from platformdirs import user_cache_path
 
+from exoid.files.replacing import begun
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.misfit.condensed import Sensed
 from exoid.fitting.solve.program_values import SENSED, Solved, solved_structure
@@ -37,6 +39,7 @@ LIBRARIES = ("jax", "jaxlib", "equinox", "lineax", "optimistix")  # whose code i
 LEAN = {"xla_backend_optimization_level": 1, "xla_cpu_use_fusion_emitters": False}
 BRIEF = LEAN | {"xla_backend_optimization_level": 0}  # compiled twice as soon, for what hardly runs
 MOST = 64  # programs in memory, 10 to 20 MB each: of the 50 to 90 of a diagnosis many run once
+ABANDONED = 3600.0  # s after which nobody writes a part any more
 DIGEST = 32  # bytes of the checksum before a kept program
 UNREADABLE = "Error reading persistent compilation cache"  # what XLA's Python side says of it
 Result = TypeVar("Result")
@@ -63,6 +66,10 @@ def keep_programs_in(folder: Path | None = None) -> None:
     jax.config.update("jax_persistent_cache_min_compile_time_secs", 0.0)
     jax.config.update("jax_persistent_cache_min_entry_size_bytes", -1)
     _folder[:] = [folder]
+    for part in folder.glob(".*.part"):  # of a process that was killed while it wrote
+        with suppress(OSError):
+            if part.stat().st_mtime < time.time() - ABANDONED:
+                part.unlink()
 
 
 def with_sound_programs(task: Callable[[], Result]) -> Result:
@@ -226,9 +233,12 @@ def load(path: Path) -> jax.export.Exported | None:
 
 def store(path: Path, content: bytes | bytearray) -> None:
     """Write in one piece, so that two processes at once do not disturb each other."""
-    part = path.with_suffix(f".{os.getpid()}.part")
     try:
-        part.write_bytes(hashlib.sha256(content).digest() + content)
-        part.replace(path)
+        part = begun(path)
+        try:
+            part.write_bytes(hashlib.sha256(content).digest() + content)
+            part.replace(path)
+        finally:
+            part.unlink(missing_ok=True)
     except OSError as fault:  # a full disk: the next process traces anew
         LOG.warning("a program is not kept: %s", fault)

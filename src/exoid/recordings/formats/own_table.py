@@ -16,7 +16,8 @@ from typing import Any
 import numpy as np
 
 from exoid.files.extras import require
-from exoid.files.text_file import Notes, naming, replace_files
+from exoid.files.replacing import replace_files
+from exoid.files.text_file import Notes, naming
 from exoid.recordings.columns import CHANNELS, IN_DEGREES, NUMERIC
 from exoid.recordings.conventions.file_clock import SINCE
 from exoid.recordings.flat_table import flat

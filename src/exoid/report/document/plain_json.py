@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from exoid.report.document.replacing import replacing
+from exoid.files.replacing import replacing
 
 
 def shown(one: Any, without: Collection[str] = (), **names: str) -> dict[str, Any]:

@@ -9,9 +9,9 @@ from matplotlib import rc_context
 from matplotlib.figure import Figure, SubFigure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 
+from exoid.files.replacing import replacing
 from exoid.fitting.errors.profile import Profile
 from exoid.fitting.result.fit_result import FitResult
-from exoid.report.document.replacing import replacing
 from exoid.report.pictures.determined import shares_of
 from exoid.report.pictures.motion import chosen_segments, motion_of
 from exoid.report.pictures.profiles import profile_of, rows_of

@@ -8,7 +8,7 @@ from io import BytesIO
 from pathlib import Path
 from typing import Any, TypeVar
 
-from exoid.report.document.replacing import replacing
+from exoid.files.replacing import replacing
 from exoid.report.saved.node import DocumentError, OtherLayout, in_json, text
 from exoid.report.saved.pack import pack
 from exoid.report.saved.read_groups import read_group

@@ -1,0 +1,70 @@
+"""Files that are put in place when they are whole."""
+
+import os
+import stat
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import ExitStack, contextmanager
+from pathlib import Path
+from secrets import token_hex
+
+FOR_ALL = 0o666  # less what the user's mask takes away
+
+
+@contextmanager
+def replacing(path: str | Path) -> Iterator[Path]:
+    """A file to write beside `path`, moved into its place when the block has succeeded.
+
+    What was there before survives any failure, and gives its mode to what takes its place; a link
+    stays a link. A pipe or a device is written to directly.
+
+    **Raises** `OSError` that names `path`, whatever the name of the file beside it.
+    """
+    path = Path(path)
+    if path.is_dir():
+        raise ValueError(f"{path}: this is a directory. Name the file to write in it.")
+    if not path.parent.is_dir():
+        raise ValueError(f"{path}: the folder {path.parent} does not exist. Make it first.")
+    if path.exists() and not path.is_file():
+        with called(path):
+            yield path
+        return
+    target = path.resolve()
+    with called(path):
+        part = begun(target)
+    try:
+        with called(path, part):
+            yield part
+            with part.open("rb+") as file:
+                os.fsync(file.fileno())
+            part.replace(target)
+    finally:
+        part.unlink(missing_ok=True)
+
+
+def replace_files(contents: Mapping[Path, Iterable[str] | bytes]) -> None:
+    """Writes every file beside its target, and only when all are complete puts them in place."""
+    with ExitStack() as whole:
+        for path, content in contents.items():
+            with whole.enter_context(replacing(path)).open("wb") as file:
+                binary = isinstance(content, bytes)
+                file.writelines([content] if binary else (each.encode() for each in content))
+
+
+def begun(target: Path) -> Path:
+    """A new file beside `target` whose name nobody foresees, as open to others as `target` is."""
+    part = target.with_name(f".{target.name[:100]}.{token_hex(8)}.part")
+    os.close(os.open(part, os.O_WRONLY | os.O_CREAT | os.O_EXCL, FOR_ALL))
+    if target.exists():
+        part.chmod(stat.S_IMODE(target.stat().st_mode))
+    return part
+
+
+@contextmanager
+def called(path: Path, part: Path | None = None) -> Iterator[None]:
+    """Errors of the operating system over `part` or no file by the name that the user gave."""
+    try:
+        yield
+    except OSError as fault:
+        if fault.filename not in (None, str(part)):
+            raise
+        raise OSError(fault.errno, fault.strerror or str(fault), str(path)) from fault
