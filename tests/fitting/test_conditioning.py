@@ -1,5 +1,7 @@
 """What was done to the data is done to the simulation: the choice of the chain, and its limits."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -8,7 +10,7 @@ from exoid.fitting.data.conditioning_chain import MovingAverage, Raw, SteadyKalm
 from exoid.fitting.data.segment import movement
 from exoid.physics.leg import LegModel
 from exoid.physics.torque import NoTorque
-from exoid.recordings.recording import Segment
+from exoid.recordings.recording import Segment, Sensors
 from fit_cases import exact, leg, one, state
 
 STEP = 0.01
@@ -88,3 +90,13 @@ def test_filtered_segments_of_different_sample_times_are_refused():
     slow = drop(np.arange(120) * 0.02)
     with pytest.raises(ValueError, match=r"every 0\.01 s and every 0\.02 s"):
         conditioned([moved(filtered(drop())), moved(filtered(slow))], 1)
+
+
+def test_a_filter_is_simulated_by_the_clock_it_reckoned_with():
+    """Times were corrected by 2 % since; the node took its steps for 10 ms."""
+    slow = filtered(drop(TIME * 1.02))
+    declared = replace(one(slow), sensors=Sensors(filter_step=STEP))
+    chain, _ = conditioned([movement(declared, 0, "0")], 1)
+    assert chain == SteadyKalman(STEP)
+    chain, _ = conditioned([moved(slow)], 1)
+    assert chain == SteadyKalman(0.0102)

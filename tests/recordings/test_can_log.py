@@ -78,14 +78,6 @@ def test_blf_is_read_as_python_can_reads_it(tmp_path, messages):
         np.testing.assert_array_equal(getattr(ours.frames, name), getattr(theirs, name))
 
 
-def test_skew_of_the_device_clock_is_measured(tmp_path):
-    segment, quality = read(tmp_path, Node(skew=1.0025).messages(3000))
-    assert segment.time[-1] == pytest.approx(29.99, abs=CLOCK)
-    # 300 host times with 1.5 ms of scatter over 30 s: 1.5e-3 * sqrt(12 / 300) / 30 = 10 ppm.
-    # Five of these standard errors.
-    assert quality.skew_ppm == pytest.approx(2500, abs=50)
-
-
 def test_the_device_clock_may_wrap_in_the_middle(tmp_path):
     segment, quality = read(tmp_path, Node(device_start=2**32 / 1e6 - 3.0).messages(TICKS))
     np.testing.assert_allclose(segment.time, np.arange(TICKS) * 0.01, rtol=0, atol=CLOCK)

@@ -33,14 +33,23 @@ def conditioned(movements: list[Movement], smooth: int) -> tuple[Chain, list[Mov
 
 
 def common_step(movements: list[Movement]) -> float:
-    """The sample time [s] that all movements share: the filter is one for all."""
-    steps = [even_step(each) for each in movements]
+    """What the filter takes for its step [s] in all movements: it is one for all.
+
+    A node's filter reckons with its own clock, and times may have been corrected since.
+    """
+    steps = [filter_step(each) for each in movements]
     if max(steps) - min(steps) > EVEN * min(steps):
         raise ValueError(
             f"filtered channels were sampled every {min(steps):.3g} s and every {max(steps):.3g} "
             "s, but one filter is simulated for all. Record the raw channels, or fit them apart."
         )
     return float(np.median(steps))
+
+
+def filter_step(movement: Movement) -> float:
+    """What its filter took for the time between two samples [s]."""
+    step = even_step(movement)
+    return step if movement.filter_step is None else movement.filter_step
 
 
 def even_step(movement: Movement) -> float:

@@ -40,6 +40,7 @@ class Movement:
     gain_known: bool = True  # of the measured torque; else its unit is any
     late: int = 0  # samples from the first that weigh nothing, though nobody was seen to hold it
     kept: int | None = None  # samples after which a hand holds it that only a fit has seen
+    filter_step: float | None = None  # s, by the filter's own clock; None: the time between samples
     divisor: float | None = None  # rad, of the angle's residuals; None: its noise
 
     @property

@@ -58,6 +58,7 @@ def movement(
         systematics=systematics(recording, number),
         absent=recording.absent,
         gain_known=recording.protocol.torque_known is not False,
+        filter_step=recording.sensors.filter_step,
     )
     return weightless(whole, np.arange(angle.size) < part.free - part.start)
 

@@ -6,6 +6,7 @@ from typing import Literal
 import numpy as np
 from jaxtyping import Float, Int
 
+from exoid.recordings.can.clock_rate import ClockRate, clock_lines
 from exoid.recordings.can.frames import CanLogError
 from exoid.recordings.filter.effect import FilterEffect
 
@@ -66,8 +67,8 @@ class LogQuality:
     messages: tuple[MessageCount, ...] = ()
     gaps: tuple[Gap, ...] = ()
     resets: tuple[float, ...] = ()  # s of the recording at which the node had started again
-    skew_ppm: float | None = None  # device clock against host clock, positive: device runs fast
-    host_jitter: float | None = None  # s, median distance of a frame's host time from its sample
+    clock_rate: ClockRate | None = None  # of the node's clock; None where no host time tells it
+    host_jitter: float | None = None  # s, of the host times that make up the time themselves
     faults: tuple[tuple[str, int], ...] = ()  # status bit, samples that carry it
     missed_ticks: int = 0  # ticks the node itself reports as missed
     config_crc: int | None = None
@@ -76,6 +77,11 @@ class LogQuality:
     found: int | None = None
     stopped: str | None = None  # what of the file could not be read, and why
     notes: tuple[str, ...] = ()
+
+    @property
+    def skew_ppm(self) -> float | None:
+        """How much faster than the host's the node's clock runs [ppm]; None where none can tell."""
+        return None if self.clock_rate is None else self.clock_rate.excess * 1e6
 
     def losses(self) -> list[str]:
         """What of the log is missing; strict reading refuses all of it."""
@@ -131,8 +137,8 @@ class LogQuality:
             f"{self.samples} samples from {frames.used} of {frames.read} frames",
             f"time from the {CLOCKS[self.clock]}",
         ]
-        if self.skew_ppm is not None:
-            lines.append(f"device clock {self.skew_ppm:+.0f} ppm against the recording computer")
+        if self.clock != "host":
+            lines += clock_lines(self.clock_rate)
         if self.host_jitter is not None:
             lines.append(f"host time jitters by {self.host_jitter * 1e3:.2f} ms (not used)")
         lines += self.losses()

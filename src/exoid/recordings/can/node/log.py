@@ -5,10 +5,18 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.recordings.can.dbc import exoid_messages
-from exoid.recordings.can.device_clock import PERIOD, fitted_line, skew_ppm
+from exoid.recordings.can.device_clock import PERIOD
 from exoid.recordings.can.frames import CanLogError, Log
 from exoid.recordings.can.node.config_crc import config_crc
-from exoid.recordings.can.node.rows import MISSING, SAMPLED, TIME, Rows, runs
+from exoid.recordings.can.node.rows import (
+    MISSING,
+    SAMPLED,
+    TIME,
+    Rows,
+    on_one_clock,
+    rate_of,
+    runs,
+)
 from exoid.recordings.can.node.samples import Samples, samples_of
 from exoid.recordings.can.quality import LogQuality, MessageCount, gaps_in
 from exoid.recordings.can.sort import MessageFrames, SortedFrames, sort_frames
@@ -31,8 +39,10 @@ def read_exo(log: Log) -> tuple[Segment, LogQuality]:
     found = runs(ordered.messages)
     if sum(rows.tick.size for rows in found) < FEWEST_SAMPLES:
         raise CanLogError(f"{log.path} holds fewer than {FEWEST_SAMPLES} samples of the node.")
+    rate = rate_of(found)
+    found = on_one_clock(found, rate.factor if rate is not None else 1.0)
     samples = samples_of(ordered.messages, found)
-    quality = quality_of(log, ordered, found, samples)
+    quality = replace(quality_of(log, ordered, found, samples), clock_rate=rate)
     refuse_other_firmware(log, quality.config_crc)
     if "angle" not in samples.channels and "raw_angle" not in samples.channels:
         raise CanLogError(
@@ -80,7 +90,6 @@ def quality_of(log: Log, ordered: SortedFrames, found: list[Rows], samples: Samp
     messages = ordered.messages
     duplicate = sum(rows.duplicate for rows in found)
     strayed = sum(rows.astray for rows in found)
-    clock, skew, jitter = clock_of(found, messages[TIME].order.size > 0)
     return LogQuality(
         path=str(log.path),
         frames=replace(
@@ -89,29 +98,17 @@ def quality_of(log: Log, ordered: SortedFrames, found: list[Rows], samples: Samp
             duplicate=duplicate,
             astray=strayed,
         ),
-        clock=clock,
+        clock="device" if messages[TIME].order.size else "counter",
         samples=sum(rows.tick.size for rows in found),
         messages=message_counts(found, messages),
         gaps=tuple(gap for rows in found for gap in gaps_in(rows.time, np.diff(rows.tick))),
         resets=tuple(float(rows.time[0]) for rows in found[1:]),
-        skew_ppm=skew,
-        host_jitter=jitter,
         faults=samples.faults,
         **told_by_time(messages[TIME], found),
         announced=log.announced,
         found=log.found,
         stopped=log.stopped,
     )
-
-
-def clock_of(found: list[Rows], has_time: bool):
-    """Which clock told the time, and how it and the host's compare in the longest run."""
-    anchors = max(found, key=lambda rows: rows.tick.size).anchors
-    skew = skew_ppm(anchors.device, anchors.host)
-    jitter = None
-    if skew is not None:
-        _, _, jitter = fitted_line(anchors.device, anchors.host - anchors.host[0])
-    return ("device" if has_time else "counter"), skew, jitter
 
 
 def message_counts(found: list[Rows], messages: dict[str, MessageFrames]):
