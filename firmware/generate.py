@@ -18,7 +18,9 @@ from cantools.database.can import Database, Message, Signal
 from exoid.recordings.can.dbc import EXOID_DBC
 from exoid.recordings.can.node.config_crc import config_crc
 from exoid.recordings.filter.kalman import MEASUREMENT_NOISE, PROCESS_NOISE, START_VARIANCE
+from exoid.twin.sensors import OUTPUT_RATE
 
+IMU_RATE_CODES = {104: 0x40, 208: 0x50, 416: 0x60, 833: 0x70}  # LSM6DS3, CTRL1_XL and CTRL2_G
 SOURCES = Path(__file__).parent / "exoid_node" / "src"
 WIDEST_VALUE = 16  # bits of a quantised value; float32 holds its limits and a half exactly
 
@@ -154,6 +156,7 @@ def constants_header(database: Database) -> str:
 constexpr uint32_t TICK_US = {state.cycle_time * 1000};  // us between samples
 constexpr uint32_t TICKS_PER_TIME = {time.cycle_time // state.cycle_time};  // one EXO_TIME
 constexpr uint32_t AGE_STEP_US = {acc.get_signal_by_name("SampleAge").scale};  // us per count
+constexpr uint8_t IMU_RATE = 0x{IMU_RATE_CODES[OUTPUT_RATE]:02X};  // LSM6DS3: {OUTPUT_RATE} Hz
 constexpr float TIME_STEP = {single(state.cycle_time / 1000)};  // s
 constexpr float ENCODER_STEP = {single(raw.get_signal_by_name("Angle").scale)};  // rad per count
 constexpr float GYRO_STEP = {single(raw.get_signal_by_name("GyroY").scale)};  // rad/s per count

@@ -10,6 +10,7 @@ namespace exoid {
 constexpr uint32_t TICK_US = 10000;  // us between samples
 constexpr uint32_t TICKS_PER_TIME = 10;  // one EXO_TIME
 constexpr uint32_t AGE_STEP_US = 50;  // us per count
+constexpr uint8_t IMU_RATE = 0x70;  // LSM6DS3: 833 Hz
 constexpr float TIME_STEP = 1.0e-02F;  // s
 constexpr float ENCODER_STEP = 1.5339808e-03F;  // rad per count
 constexpr float GYRO_STEP = 1.2217305e-03F;  // rad/s per count

@@ -12,9 +12,8 @@ from exoid.recordings.filter import kalman
 from exoid.recordings.motion.split import split
 from exoid.recordings.recording import Kind, Protocol, Recording, Segment, Sensors, Subject
 from exoid.twin.motion import FrequencyReading, Movement, perform
-from exoid.twin.sensors import SensorKit, ShownMotion, measure
+from exoid.twin.sensors import TICK, SensorKit, ShownMotion, measure
 
-TICK = 0.01  # s, the firmware's sample time
 NOBODY = Subject()
 
 
