@@ -151,8 +151,8 @@ class SensorKit(eqx.Module):
     accelerometer: Accelerometer = Accelerometer()
 
 
-# As the firmware sets the chips up: noise of 833 Hz, samples up to 1.2 ms old, and a zero-rate level
-# within the data sheet's 10 deg/s.
+# As the firmware sets the chips up: noise of 833 Hz, samples up to 1.2 ms old, a zero-rate level
+# within the 10 deg/s of the data sheet.
 AS_BUILT = SensorKit(
     gyroscope=Gyroscope(bandwidth=OUTPUT_RATE / 2, renewal=1 / OUTPUT_RATE, bias=0.05),
     accelerometer=Accelerometer(bandwidth=OUTPUT_RATE / 2),
