@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+import jax.numpy as jnp
 import numpy as np
 import pytest
 
@@ -9,8 +10,11 @@ from exoid.fitting.data.conditioning import SETTLING_SAMPLES, conditioned
 from exoid.fitting.data.conditioning_chain import MovingAverage, Raw, SteadyKalman
 from exoid.fitting.data.segment import movement
 from exoid.physics.leg import LegModel
+from exoid.physics.state import LegState
 from exoid.physics.torque import NoTorque
-from exoid.recordings.recording import Segment, Sensors
+from exoid.recordings.filter import kalman
+from exoid.recordings.filter.constants import DESIGNS
+from exoid.recordings.recording import FILTERS, Segment, Sensors
 from fit_cases import exact, leg, one, state
 
 STEP = 0.01
@@ -40,7 +44,7 @@ def test_raw_channels_are_fitted_as_they_are():
 
 def test_filtered_channels_are_met_by_the_same_filter_once_it_has_settled():
     chain, (after,) = conditioned([moved(filtered(drop()))], 1)
-    assert chain == SteadyKalman(STEP)
+    assert chain == SteadyKalman(STEP, "3 states")  # of a file that does not say
     assert np.isnan(after.angle[:SETTLING_SAMPLES]).all()
     assert np.isfinite(after.angle[SETTLING_SAMPLES:]).all()
     assert np.isnan(after.angular_velocity).sum() == SETTLING_SAMPLES
@@ -100,3 +104,41 @@ def test_a_filter_is_simulated_by_the_clock_it_reckoned_with():
     assert chain == SteadyKalman(STEP)
     chain, _ = conditioned([moved(slow)], 1)
     assert chain == SteadyKalman(0.0102)
+
+
+@pytest.mark.parametrize("name", FILTERS)
+@pytest.mark.parametrize("bias", [0.0, 0.05])
+def test_what_the_simulation_passes_is_what_the_node_did(name, bias):
+    """Of a log that began 20 s before the movement, so that the node has learned its gyro's bias.
+
+    A filter that knows of no bias leaves it in the velocity, and lets it pull at the angle.
+    """
+    swing = exact(LegModel(leg(), NoTorque()), state(-0.2, 0.0), TIME)
+    held = np.full(2000, swing.raw_angle[0]), np.zeros(2000)
+    pairs = zip(held, (swing.raw_angle, swing.raw_angular_velocity), strict=True)
+    angle, rate = (np.concatenate(pair) for pair in pairs)
+    steps = np.full(angle.size - 1, STEP)
+    sent = np.asarray(kalman.filter(steps, angle, rate + bias, DESIGNS[name]).state)[2000:]
+    said = 0.0 if name == "4 states" else bias  # what is left of it in the log
+    chain, shown = SteadyKalman(STEP, name), []
+    readings = [LegState(*map(jnp.asarray, now)) for now in zip(angle, rate + said, strict=True)]
+    memory = chain.begin(readings[2000])
+    for now in readings[2000:]:
+        memory, out = chain.push(memory, now)
+        shown.append([float(out.angle), float(out.angular_velocity)])
+    off = np.abs(np.array(shown) - sent[:, :2])[SETTLING_SAMPLES:]
+    # An eighth of the encoder's last bit, which the bias has left at the angle of three states, and
+    # a twentieth of the gyro's.
+    assert (off.max(axis=0) < (2e-4, 6e-5)).all(), off.max(axis=0)
+
+
+def test_a_recording_says_which_filter_it_went_through():
+    declared = replace(one(filtered(drop())), sensors=Sensors(filter="4 states"))
+    chain, _ = conditioned([movement(declared, 0, "0")], 1)
+    assert chain == SteadyKalman(STEP, "4 states")
+
+
+def test_movements_of_two_filters_are_refused():
+    declared = replace(one(filtered(drop())), sensors=Sensors(filter="4 states"))
+    with pytest.raises(ValueError, match="filters of 3 states and of 4 states"):
+        conditioned([movement(declared, 0, "0"), moved(filtered(drop()))], 1)

@@ -575,3 +575,16 @@ def test_a_real_log_is_read_through_its_own_dbc():
 def test_a_node_of_another_firmware_is_refused(tmp_path):
     with pytest.raises(CanLogError, match=r"ConfigCrc 0xBEEF, here 0x.*Flash this version"):
         read(tmp_path, Node(config_crc=0xBEEF).messages(50))
+
+
+@pytest.mark.parametrize(
+    ("told", "filter"), [(config_crc(), "4 states"), (0x99CA, "3 states"), (0, None)]
+)
+def test_a_log_tells_by_its_config_crc_which_filter_the_node_ran(tmp_path, told, filter):
+    node = Node(config_crc=told).messages(300)
+    recording, quality = read_can_log(write_log(tmp_path / "leg.blf", node))
+    assert recording.sensors.filter == quality.design == filter
+    filtered = [each for each in node if each.arbitration_id != 0x102]
+    _, quality = read_can_log(write_log(tmp_path / "filtered.blf", filtered))
+    said = [line for line in quality.lines() if "which filter made the channels" in line]
+    assert len(said) == (filter is None)

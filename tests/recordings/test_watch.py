@@ -77,6 +77,11 @@ def test_faults_are_counted_and_the_last_motion_is_shown(said):
     assert now.angular_velocity == pytest.approx(-2.7 * np.sin(3.0 * 0.59), abs=2**-11)
 
 
+def test_firmware_of_before_whose_frames_mean_the_same_is_no_other(said):
+    watched(Node(config_crc=0x99CA).messages(100), said)
+    assert said == []
+
+
 def test_another_configuration_is_named_once_and_the_frames_count(said):
     watch = watched(Node(config_crc=0xBEEF).messages(100), said)
     (sentence,) = said

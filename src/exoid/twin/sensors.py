@@ -91,7 +91,7 @@ class Gyroscope(eqx.Module):
 
         The chip samples by an oscillator of its own, so that the age wanders from tick to tick.
         """
-        off, phase = jax.random.uniform(key, 2)
+        off, phase = jax.random.uniform(key, (2,))
         period = self.renewal * (1 + OFF_RATE * (2 * off - 1))
         return (phase * period + TICK * jnp.arange(samples)) % period
 

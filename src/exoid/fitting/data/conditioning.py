@@ -29,7 +29,19 @@ def conditioned(movements: list[Movement], smooth: int) -> tuple[Chain, list[Mov
         return MovingAverage(smooth), [averaged(each, smooth) for each in movements]
     if not all(filtered) or any(each.angular_velocity is None for each in movements):
         return Raw(), movements
-    return SteadyKalman(round(common_step(movements), 6)), [settled(each) for each in movements]
+    chain = SteadyKalman(round(common_step(movements), 6), common_filter(movements))
+    return chain, [settled(each) for each in movements]
+
+
+def common_filter(movements: list[Movement]) -> str:
+    """Which of the node's filters all movements went through."""
+    filters = sorted({each.filter for each in movements})
+    if len(filters) > 1:
+        raise ValueError(
+            f"filtered channels went through filters of {' and of '.join(filters)}, but one is "
+            "simulated for all. Record the raw channels, or fit them apart."
+        )
+    return filters[0]
 
 
 def common_step(movements: list[Movement]) -> float:

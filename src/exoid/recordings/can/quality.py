@@ -8,6 +8,7 @@ from jaxtyping import Float, Int
 
 from exoid.recordings.can.clock_rate import ClockRate, clock_lines
 from exoid.recordings.can.frames import CanLogError
+from exoid.recordings.filter.constants import UNTOLD
 from exoid.recordings.filter.effect import FilterEffect
 
 SHOWN = 5  # gaps and resets that are listed one by one
@@ -72,6 +73,7 @@ class LogQuality:
     faults: tuple[tuple[str, int], ...] = ()  # status bit, samples that carry it
     missed_ticks: int = 0  # ticks the node itself reports as missed
     config_crc: int | None = None
+    design: str | None = None  # which of the node's filters ran, as [sensors] filter has it
     filter: FilterEffect | None = None
     announced: int | None = None
     found: int | None = None
@@ -147,8 +149,15 @@ class LogQuality:
         lines += [f"{frames.duplicate} duplicate frame(s) left out"] if frames.duplicate else []
         lines += [f"{name}: {count} sample(s)" for name, count in self.faults if count]
         lines += [f"the node missed {self.missed_ticks} tick(s)"] if self.missed_ticks else []
-        lines += self.filter.lines() if self.filter is not None else []
+        lines += self.filter_lines()
         return lines + [note for note in self.notes if note not in lines]
+
+    def filter_lines(self) -> list[str]:
+        """What the filter did, and that it is not known where it matters which one it was."""
+        if self.filter is None:
+            return []
+        unknown = self.design is None and self.filter.fitted
+        return self.filter.lines() + ([f"no ConfigCrc says {UNKNOWN_FILTER}"] if unknown else [])
 
     def require_complete(self) -> None:
         """**Raises** `CanLogError` when anything is missing."""
@@ -159,6 +168,10 @@ class LogQuality:
             )
 
 
+UNKNOWN_FILTER = (
+    f"which filter made the channels that are fitted: a fit takes it for that of {UNTOLD}. Say "
+    "which in [sensors] filter"
+)
 CLOCKS = {
     "device": "node's clock (EXO_TIME and counter)",
     "counter": "node's counter alone: no EXO_TIME frame, so its period is taken as 10 ms",

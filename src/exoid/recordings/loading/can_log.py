@@ -48,7 +48,7 @@ def read_can_log(
             segment, quality = read_signals(log, Path(dbc), signals)
         else:
             segment, quality = read_exo(log)
-            sensors = sensors_of(sensors, quality.clock_rate)
+            sensors = sensors_of(sensors, quality)
             protocol = on_times(protocol, quality.clock_rate)
         if strict:
             quality.require_complete()
@@ -64,8 +64,9 @@ def read_can_log(
     return recording, quality
 
 
-def sensors_of(said: Sensors | None, rate: ClockRate | None) -> Sensors:
+def sensors_of(said: Sensors | None, quality: LogQuality) -> Sensors:
     """The node's own where nothing is said of any, and how well its times are known."""
+    rate = quality.clock_rate
     factor, uncertainty = (1.0, CRYSTALLESS) if rate is None else (rate.factor, rate.uncertainty)
     sensors = EXO_SENSORS if said in (None, Sensors()) else said
     if sensors is EXO_SENSORS:
@@ -74,6 +75,7 @@ def sensors_of(said: Sensors | None, rate: ClockRate | None) -> Sensors:
     return replace(
         sensors,
         clock_uncertainty=uncertainty if own is None else own,
+        filter=quality.design if sensors.filter is None else sensors.filter,
         filter_step=PERIOD if sensors.filter_step is None else sensors.filter_step,
     )
 

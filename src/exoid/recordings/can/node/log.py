@@ -7,7 +7,7 @@ import numpy as np
 from exoid.recordings.can.dbc import exoid_messages
 from exoid.recordings.can.device_clock import PERIOD
 from exoid.recordings.can.frames import CanLogError, Log
-from exoid.recordings.can.node.config_crc import config_crc
+from exoid.recordings.can.node.config_crc import config_crc, filter_of
 from exoid.recordings.can.node.rows import (
     MISSING,
     SAMPLED,
@@ -43,6 +43,7 @@ def read_exo(log: Log) -> tuple[Segment, LogQuality]:
     found = on_one_clock(found, rate.factor if rate is not None else 1.0)
     samples = samples_of(ordered.messages, found)
     quality = replace(quality_of(log, ordered, found, samples), clock_rate=rate)
+    quality = replace(quality, design=filter_of(quality.config_crc))
     refuse_other_firmware(log, quality.config_crc)
     if "angle" not in samples.channels and "raw_angle" not in samples.channels:
         raise CanLogError(
@@ -76,8 +77,8 @@ def require_exo_frames(log: Log, ordered: SortedFrames) -> None:
 
 
 def refuse_other_firmware(log: Log, told: int | None) -> None:
-    """Where the node says what it was built from, it must be what this exoid reads by."""
-    if told and told != config_crc():
+    """Where the node says what it was built from, it must be what this exoid can read."""
+    if told and filter_of(told) is None:
         raise CanLogError(
             f"{log.path}: the node was built with another exoid.dbc or other filter constants "
             f"(ConfigCrc 0x{told:04X}, here 0x{config_crc():04X}), so that its numbers may mean "
