@@ -16,7 +16,7 @@ constexpr float ENCODER_STEP = 1.5339808e-03F;  // rad per count
 constexpr float GYRO_STEP = 1.2217305e-03F;  // rad/s per count
 
 /// Q per step [rad^2, (rad/s)^2, (rad/s^2)^2, bias (rad/s)^2].
-constexpr float PROCESS_NOISE[4] = {1.0e-08F, 1.0e-05F, 6.0e-01F, 1.0e-10F};
+constexpr float PROCESS_NOISE[4] = {1.0e-08F, 1.0e-05F, 6.0e-01F, 1.0e-09F};
 /// R of encoder [rad^2] and gyro [(rad/s)^2].
 constexpr float MEASUREMENT_NOISE[2] = {8.0e-07F, 1.2e-05F};
 /// P before anything was measured, units of Q.

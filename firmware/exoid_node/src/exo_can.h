@@ -8,7 +8,7 @@
 namespace exoid {
 
 /// CRC of exoid.dbc and of the filter's constants.
-constexpr uint16_t CONFIG_CRC = 0xE214;
+constexpr uint16_t CONFIG_CRC = 0xF683;
 
 constexpr uint16_t TIME_ID = 0x100;
 

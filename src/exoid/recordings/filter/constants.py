@@ -1,13 +1,14 @@
 """The numbers of the firmware's Kalman filter, and of the one before it.
 
 The gyro's bias is a random walk that starts anywhere within the zero-rate level of the data sheet,
-10 deg/s. It walks with the chip's temperature, by 0.05 deg/s per degree: a board that warms by a
-degree a minute goes 9e-4 rad/s in 6000 steps, whose square is 1.3e-10 a step.
+10 deg/s. It walks with the chip's temperature, by 0.05 deg/s per degree: a board that warms by
+three degrees a minute, as one that was just switched on, goes 2.6e-3 rad/s in 6000 steps, whose
+square is 1.1e-9 a step.
 """
 
 from dataclasses import dataclass
 
-PROCESS_NOISE = (1e-8, 1e-5, 0.6, 1e-10)  # Q per step of 10 ms: rad, rad/s, rad/s^2, rad/s squared
+PROCESS_NOISE = (1e-8, 1e-5, 0.6, 1e-9)  # Q per step of 10 ms: rad, rad/s, rad/s^2, rad/s squared
 MEASUREMENT_NOISE = (8e-7, 1.2e-5)  # R: encoder rad^2, gyro (rad/s)^2
 START_VARIANCE = (10.0, 100.0, 100.0, 0.03)  # P before anything was measured, units of Q
 
