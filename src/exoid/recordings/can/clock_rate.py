@@ -38,9 +38,14 @@ class ClockRate:
 
     @property
     def uncertainty(self) -> float:
-        """Of the times as they are given, corrected or not; one standard deviation, of 1."""
-        left = self.error if self.applied else hypot(self.excess, self.error)
-        return min(left, CRYSTALLESS)
+        """Of the times as they are given, corrected or not; one standard deviation, of 1.
+
+        Where they are not, what the host tells and what is usual of a node count by their errors.
+        """
+        if self.applied:
+            return self.error
+        weight = CRYSTALLESS**2 / (CRYSTALLESS**2 + self.error**2)
+        return hypot(weight * self.excess, weight**0.5 * self.error)
 
     @property
     def factor(self) -> float:
@@ -78,7 +83,7 @@ def clock_lines(rate: ClockRate | None) -> list[str]:
         ]
     told = (
         f"the node's clock runs {percent(rate.excess)} against the recording computer's "
-        f"(± {100 * rate.error:.2f} %, which jitters by {rate.jitter * 1e3:.2f} ms)"
+        f"(± {100 * rate.error:.2f} %; its times jitter by {rate.jitter * 1e3:.2f} ms)"
     )
     if rate.applied:
         return [
@@ -87,9 +92,7 @@ def clock_lines(rate: ClockRate | None) -> list[str]:
             "is the gyro's"
         ]
     if rate.error <= SURE:
-        return [
-            f"{told}: no more than {SEEN:g} times what that is sure to, so times are the node's"
-        ]
+        return [f"{told}: less than {SEEN:g} such errors, so times are left as the node tells them"]
     return [f"{told}: too unsure to correct the times by. {consequences(rate.uncertainty)}"]
 
 
