@@ -17,8 +17,10 @@ from cantools.database.can import Database, Message, Signal
 
 from exoid.recordings.can.dbc import EXOID_DBC
 from exoid.recordings.can.node.config_crc import config_crc
-from exoid.recordings.filter.kalman import MEASUREMENT_NOISE, PROCESS_NOISE, START_VARIANCE
+from exoid.recordings.filter.constants import MEASUREMENT_NOISE, PROCESS_NOISE, START_VARIANCE
+from exoid.twin.sensors import OUTPUT_RATE
 
+IMU_RATE_CODES = {104: 0x40, 208: 0x50, 416: 0x60, 833: 0x70}  # LSM6DS3, CTRL1_XL and CTRL2_G
 SOURCES = Path(__file__).parent / "exoid_node" / "src"
 WIDEST_VALUE = 16  # bits of a quantised value; float32 holds its limits and a half exactly
 
@@ -156,16 +158,17 @@ constexpr uint32_t TICK_US = {state.cycle_time * 1000};  // us between samples
 constexpr uint32_t TICKS_PER_TIME = {time.cycle_time // state.cycle_time};  // one EXO_TIME
 constexpr uint32_t TICKS_PER_HEALTH = {health.cycle_time // state.cycle_time};  // one EXO_HEALTH
 constexpr uint32_t AGE_STEP_US = {acc.get_signal_by_name("SampleAge").scale};  // us per count
+constexpr uint8_t IMU_RATE = 0x{IMU_RATE_CODES[OUTPUT_RATE]:02X};  // LSM6DS3: {OUTPUT_RATE} Hz
 constexpr float TIME_STEP = {single(state.cycle_time / 1000)};  // s
 constexpr float ENCODER_STEP = {single(raw.get_signal_by_name("Angle").scale)};  // rad per count
 constexpr float GYRO_STEP = {single(raw.get_signal_by_name("GyroY").scale)};  // rad/s per count
 
-/// Q per step [rad^2, (rad/s)^2, (rad/s^2)^2].
-constexpr float PROCESS_NOISE[3] = {singles(PROCESS_NOISE)};
+/// Q per step [rad^2, (rad/s)^2, (rad/s^2)^2, bias (rad/s)^2].
+constexpr float PROCESS_NOISE[4] = {singles(PROCESS_NOISE)};
 /// R of encoder [rad^2] and gyro [(rad/s)^2].
 constexpr float MEASUREMENT_NOISE[2] = {singles(MEASUREMENT_NOISE)};
 /// P before anything was measured, units of Q.
-constexpr float START_VARIANCE[3] = {singles(START_VARIANCE)};
+constexpr float START_VARIANCE[4] = {singles(START_VARIANCE)};
 """
     return PREAMBLE.format(title=title, include="<stdint.h>", body=body)
 

@@ -1,4 +1,4 @@
-"""The node's filter, from its equations: three states, constant acceleration, single precision.
+"""The node's filter of three states from its equations: constant acceleration, single precision.
 
 x = (angle, rate, acceleration); F of a constant acceleration over one step; Q and R are diagonal;
 angle and rate are taken in one after the other. The first sample is taken as it is.

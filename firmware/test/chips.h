@@ -37,7 +37,7 @@ class As5600Model {
 
   bool write(uint8_t to, uint8_t value) {
     if (silent_) return false;
-    if (to == 0x07) filter_ = value & 0x03;
+    if (to == 0x07 || to == 0x08) conf_[to - 0x07] = value;
     return true;
   }
 
@@ -52,10 +52,12 @@ class As5600Model {
     return true;
   }
 
-  bool is_fast() const { return filter_ == 0x03; }
+  /// Fast filter, always on, and what a maker left there untouched.
+  bool is_set_up() const { return conf_[0] == 0xC3 && conf_[1] == 0xA0; }
 
  private:
   uint8_t value(uint8_t at) const {
+    if (at == 0x07 || at == 0x08) return conf_[at - 0x07];
     if (at == 0x0B) return status_;
     if (at == 0x0C || at == 0x0E) return static_cast<uint8_t>(count_ >> 8);
     return at == 0x0D || at == 0x0F ? static_cast<uint8_t>(count_) : 0;
@@ -63,7 +65,7 @@ class As5600Model {
 
   bool silent_ = false;
   uint8_t status_ = 0x20;
-  uint8_t filter_ = 0;
+  uint8_t conf_[2] = {0xE4, 0xAD};  // as made: reserved bits, watchdog, PWM, low power
   uint16_t count_ = 0;
 };
 
@@ -109,7 +111,7 @@ class Lsm6ds3Model {
     registers_[0x12] = 0x04;
   }
 
-  bool runs() const { return registers_[0x10] == 0x68 && registers_[0x11] == 0x6C; }
+  bool runs() const { return registers_[0x10] == 0x78 && registers_[0x11] == 0x7C; }
 
   void put(int at, int16_t value) {
     registers_[at] = static_cast<uint8_t>(value);

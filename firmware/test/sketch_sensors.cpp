@@ -43,7 +43,7 @@ void motion() {
   run_ms(SETTLED_MS);
   const std::vector<Frame> states = states_of(300);
   check(states.size() == 300, "every tick has a STATE");
-  check(board.chips.encoder.is_fast(), "the encoder's fast filter is set");
+  check(board.chips.encoder.is_set_up(), "the encoder's fast filter is set, and nothing else");
   for (const Frame& state : states) {
     const uint32_t tick = field(state, 48, 8);
     check(field(state, 56, 8) == 0, "no status bit is set while nothing is wrong");

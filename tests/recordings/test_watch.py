@@ -45,7 +45,7 @@ def test_lost_ticks_are_counted_by_every_frame_that_carries_them(said, where):
 
 
 @pytest.mark.parametrize("silence", [0.0, 0.8, 30.0, 700.0])
-def test_the_live_clock_is_that_of_the_log(tmp_path, said, silence):
+def test_the_live_clock_is_the_nodes_as_the_log_has_it(tmp_path, said, silence):
     node = Node(skew=1.02, jitter=0.0)
     sent = node.messages(round(300 + 100 * silence))
     heard = [m for m in sent if not 0 <= m.timestamp - EPOCH - 1.5 < silence / 1.02]
@@ -54,8 +54,9 @@ def test_the_live_clock_is_that_of_the_log(tmp_path, said, silence):
     with can.BLFWriter(path) as writer:
         for message in heard:
             writer.on_message_received(message)
-    recording, _ = read_can_log(path)
-    assert watch.seconds == pytest.approx(recording.segments[0].time[-1], abs=1e-6)
+    recording, quality = read_can_log(path)
+    nodes = recording.segments[0].time[-1] / quality.clock_rate.factor
+    assert watch.seconds == pytest.approx(nodes, abs=1e-6)
 
 
 def test_the_clock_runs_on_over_a_restart_of_the_node(said):
@@ -74,6 +75,11 @@ def test_faults_are_counted_and_the_last_motion_is_shown(said):
     assert now.bad == 4
     assert now.angle == pytest.approx(-np.pi / 2 + 0.9 * np.cos(3.0 * 0.59), abs=2**-13)
     assert now.angular_velocity == pytest.approx(-2.7 * np.sin(3.0 * 0.59), abs=2**-11)
+
+
+def test_firmware_of_before_whose_frames_mean_the_same_is_no_other(said):
+    watched(Node(config_crc=0x99CA).messages(100), said)
+    assert said == []
 
 
 def test_another_configuration_is_named_once_and_the_frames_count(said):

@@ -42,7 +42,10 @@ class As5600 {
   static constexpr uint8_t CONF_LOW = 0x08;
   static constexpr uint8_t STATUS = 0x0B;
   static constexpr uint8_t RAW_ANGLE = 0x0C;
+  // Of CONF the node owns what touches an angle; output stage, PWM and reserved bits stay.
+  static constexpr uint8_t OWNED_HIGH = 0x3F;   // watchdog, fast threshold, slow filter
   static constexpr uint8_t FAST_FILTER = 0x03;  // settles in 0.29 ms in place of 2.2 ms
+  static constexpr uint8_t OWNED_LOW = 0x0F;    // hysteresis, power mode
   static constexpr uint8_t ALWAYS_ON = 0x00;
   static constexpr uint8_t MAGNET_STRONG = 0x08;
   static constexpr uint8_t MAGNET_WEAK = 0x10;
@@ -50,8 +53,16 @@ class As5600 {
   static constexpr uint8_t HIGHEST = 0x0F;  // high byte of a count; a bus let go reads 0xFF
 
   bool configure() {
-    return bus_.write(ADDRESS, CONF_HIGH, FAST_FILTER) &&
-           bus_.write(ADDRESS, CONF_LOW, ALWAYS_ON);
+    uint8_t high = 0;
+    uint8_t low = 0;
+    return bus_.read(ADDRESS, CONF_HIGH, &high, 1) && bus_.read(ADDRESS, CONF_LOW, &low, 1) &&
+           bus_.write(ADDRESS, CONF_HIGH, with(high, OWNED_HIGH, FAST_FILTER)) &&
+           bus_.write(ADDRESS, CONF_LOW, with(low, OWNED_LOW, ALWAYS_ON));
+  }
+
+  /// The register's byte with the bits of `mask` replaced.
+  static constexpr uint8_t with(uint8_t before, uint8_t mask, uint8_t bits) {
+    return static_cast<uint8_t>((before & ~mask) | bits);
   }
 
   Bus& bus_;

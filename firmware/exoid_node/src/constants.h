@@ -11,15 +11,16 @@ constexpr uint32_t TICK_US = 10000;  // us between samples
 constexpr uint32_t TICKS_PER_TIME = 10;  // one EXO_TIME
 constexpr uint32_t TICKS_PER_HEALTH = 100;  // one EXO_HEALTH
 constexpr uint32_t AGE_STEP_US = 50;  // us per count
+constexpr uint8_t IMU_RATE = 0x70;  // LSM6DS3: 833 Hz
 constexpr float TIME_STEP = 1.0e-02F;  // s
 constexpr float ENCODER_STEP = 1.5339808e-03F;  // rad per count
 constexpr float GYRO_STEP = 1.2217305e-03F;  // rad/s per count
 
-/// Q per step [rad^2, (rad/s)^2, (rad/s^2)^2].
-constexpr float PROCESS_NOISE[3] = {1.0e-08F, 1.0e-05F, 6.0e-01F};
+/// Q per step [rad^2, (rad/s)^2, (rad/s^2)^2, bias (rad/s)^2].
+constexpr float PROCESS_NOISE[4] = {1.0e-08F, 1.0e-05F, 6.0e-01F, 1.0e-09F};
 /// R of encoder [rad^2] and gyro [(rad/s)^2].
 constexpr float MEASUREMENT_NOISE[2] = {8.0e-07F, 1.2e-05F};
 /// P before anything was measured, units of Q.
-constexpr float START_VARIANCE[3] = {1.0e+01F, 1.0e+02F, 1.0e+02F};
+constexpr float START_VARIANCE[4] = {1.0e+01F, 1.0e+02F, 1.0e+02F, 3.0e-02F};
 
 }  // namespace exoid

@@ -8,7 +8,7 @@
 namespace exoid {
 
 /// CRC of exoid.dbc and of the filter's constants.
-constexpr uint16_t CONFIG_CRC = 0x8B6D;
+constexpr uint16_t CONFIG_CRC = 0xA6BB;
 
 constexpr uint16_t TIME_ID = 0x100;
 

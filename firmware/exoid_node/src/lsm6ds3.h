@@ -1,8 +1,13 @@
-/// LSM6DS3, the inertial sensor of the shank: 2000 deg/s and 4 g at 416 Hz.
+/// LSM6DS3, the inertial sensor of the shank: 2000 deg/s and 4 g.
+///
+/// It samples by its own clock, and a tick reads the newest sample: at 833 Hz that is up to 1.2 ms
+/// old, which at 14 rad/s^2 (1 Hz, 0.5 rad) is 10 mrad/s rms; at 416 Hz it would be 19.
 
 #pragma once
 
 #include <stdint.h>
+
+#include "constants.h"
 
 namespace exoid {
 
@@ -47,23 +52,23 @@ class Lsm6ds3 {
   static constexpr uint8_t BURST = 12;
 
   static constexpr uint8_t BLOCK_UPDATE_AND_INCREMENT = 0x44;
-  static constexpr uint8_t ACCEL_416_HZ_4_G = 0x68;
-  static constexpr uint8_t GYRO_416_HZ_2000_DPS = 0x6C;
+  static constexpr uint8_t ACCEL_4_G = IMU_RATE | 0x08;
+  static constexpr uint8_t GYRO_2000_DPS = IMU_RATE | 0x0C;
   static constexpr uint8_t RENEWED = 0x03;  // gyro and accelerometer data available
   static constexpr uint8_t SETTLING = 8;    // reads; the gyro needs 80 ms to start
 
   bool keeps_settings() {
     uint8_t now[3] = {0, 0, 0};
-    return bus_.read(ADDRESS, CTRL1_XL, now, 3) && now[0] == ACCEL_416_HZ_4_G &&
-           now[1] == GYRO_416_HZ_2000_DPS && now[2] == BLOCK_UPDATE_AND_INCREMENT;
+    return bus_.read(ADDRESS, CTRL1_XL, now, 3) && now[0] == ACCEL_4_G &&
+           now[1] == GYRO_2000_DPS && now[2] == BLOCK_UPDATE_AND_INCREMENT;
   }
 
   bool configure() {
     uint8_t name = 0;
     const bool done = bus_.read(ADDRESS, WHO_AM_I, &name, 1) && is_known(name) &&
                       bus_.write(ADDRESS, CTRL3_C, BLOCK_UPDATE_AND_INCREMENT) &&
-                      bus_.write(ADDRESS, CTRL1_XL, ACCEL_416_HZ_4_G) &&
-                      bus_.write(ADDRESS, CTRL2_G, GYRO_416_HZ_2000_DPS);
+                      bus_.write(ADDRESS, CTRL1_XL, ACCEL_4_G) &&
+                      bus_.write(ADDRESS, CTRL2_G, GYRO_2000_DPS);
     if (done) settling_ = SETTLING;
     return done;
   }

@@ -22,6 +22,7 @@ SIDES = ("left", "right")
 ABSENT = ("none",)  # what a rig can be said to have of gravity or of a spring
 FLIPS = ("angle", "gyro", "all")  # channels whose sign is the other one
 ZEROS = ("extended", "hanging", "unknown")  # what the encoder calls 0
+FILTERS = ("3 states", "4 states")  # of the node: of the motion; and of the gyro's bias
 KNEE_ANGLE_LIMIT = 3.6  # rad; a knee spans about -2.7 (heel at the thigh) to +0.3
 
 
@@ -122,6 +123,8 @@ class Sensors:
     angle_zero_uncertainty: float | None = ranged("angle_zero_uncertainty_rad", "rad", 0.0, 3.2)
     gyro_scale_uncertainty: float | None = ranged("gyro_scale_uncertainty", "of 1", 0.0, 0.5)
     clock_uncertainty: float | None = ranged("clock_uncertainty", "of 1", 0.0, 0.5)
+    filter: str | None = text("filter", FILTERS)
+    filter_step: float | None = ranged("filter_step_s", "s", 1e-5, 1.0)
     extra_keys: Mapping[str, Any] = extra()
 
 

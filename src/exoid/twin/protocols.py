@@ -9,12 +9,12 @@ from jaxtyping import PRNGKeyArray
 
 from exoid.physics.leg import LegModel
 from exoid.recordings.filter import kalman
+from exoid.recordings.filter.constants import CURRENT
 from exoid.recordings.motion.split import split
 from exoid.recordings.recording import Kind, Protocol, Recording, Segment, Sensors, Subject
 from exoid.twin.motion import FrequencyReading, Movement, perform
-from exoid.twin.sensors import SensorKit, ShownMotion, measure
+from exoid.twin.sensors import TICK, SensorKit, ShownMotion, measure
 
-TICK = 0.01  # s, the firmware's sample time
 NOBODY = Subject()
 
 
@@ -116,4 +116,5 @@ def describe_sensors(kit: SensorKit) -> Sensors:
         velocity_noise=float(kit.gyroscope.noise),
         gyro_range=2000.0,
         sample_rate=1 / TICK,
+        filter=CURRENT,
     )

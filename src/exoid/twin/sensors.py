@@ -1,7 +1,7 @@
 """What the node's AS5600 encoder and LSM6DS3 inertial sensor report of a true motion.
 
 Noise comes before quantisation, as in the parts. Every sensor is good by default; its faults are
-fields that are zero. One key gives one outcome.
+fields that are zero, and `AS_BUILT` has those of every node. One key gives one outcome.
 """
 
 import equinox as eqx
@@ -14,6 +14,9 @@ from exoid.physics.leg import GRAVITY
 DEGREE = jnp.pi / 180  # rad
 STANDARD_GRAVITY = 9.80665  # m/s^2, in which the accelerometer's mg are counted
 FULL_SCALE = 2**15  # counts of a signed 16-bit word
+TICK = 0.01  # s, the firmware's sample time
+OUTPUT_RATE = 833  # Hz, at which the firmware has the LSM6DS3 renew its samples
+OFF_RATE = 0.03  # by which the chip's own oscillator may be off
 
 Samples = Float[Array, " time"]
 Counts = Int[Array, " time"]
@@ -72,7 +75,8 @@ class Gyroscope(eqx.Module):
     """
 
     noise_density: float = 7e-3 * DEGREE  # rad/s per root hertz
-    bandwidth: float = 208.0  # Hz, half the output data rate of 416 Hz
+    bandwidth: float = 208.0  # Hz; the noise of an output data rate of twice that
+    renewal: float = 0.0  # s between the chip's own samples, or 0 where each is taken at its tick
     step: float = 70e-3 * DEGREE  # rad/s, one count
     bias: float = 0.0  # rad/s; a new part may have 10 deg/s
     scale: float = 1.0
@@ -81,6 +85,22 @@ class Gyroscope(eqx.Module):
     def noise(self) -> float:
         """Standard deviation before quantisation [rad/s]."""
         return self.noise_density * self.bandwidth**0.5
+
+    def age(self, samples: int, key: PRNGKeyArray) -> Samples:
+        """How old the chip's newest sample is when the node reads it [s], 0 to `renewal`.
+
+        The chip samples by an oscillator of its own, so that the age wanders from tick to tick.
+        """
+        off, phase = jax.random.uniform(key, (2,))
+        period = self.renewal * (1 + OFF_RATE * (2 * off - 1))
+        return (phase * period + TICK * jnp.arange(samples)) % period
+
+    def sampled(self, motion: ShownMotion, key: PRNGKeyArray) -> Samples:
+        """The rate [rad/s] with which the chip turned when it took what the node reads."""
+        if self.renewal == 0:
+            return motion.angular_velocity
+        age = self.age(motion.angle.size, key)
+        return motion.angular_velocity - age * motion.angular_acceleration
 
     def measure(self, angular_velocity: Samples, key: PRNGKeyArray) -> Samples:
         """The rate [rad/s] as it is logged."""
@@ -131,6 +151,14 @@ class SensorKit(eqx.Module):
     accelerometer: Accelerometer = Accelerometer()
 
 
+# As the firmware sets the chips up: noise of 833 Hz, samples up to 1.2 ms old, a zero-rate level
+# within the 10 deg/s of the data sheet.
+AS_BUILT = SensorKit(
+    gyroscope=Gyroscope(bandwidth=OUTPUT_RATE / 2, renewal=1 / OUTPUT_RATE, bias=0.05),
+    accelerometer=Accelerometer(bandwidth=OUTPUT_RATE / 2),
+)
+
+
 class Readings(eqx.Module):
     """What the sensors report of a motion, sample by sample."""
 
@@ -143,9 +171,10 @@ class Readings(eqx.Module):
 def measure(kit: SensorKit, motion: ShownMotion, key: PRNGKeyArray) -> Readings:
     """The readings of every sensor; the noise of each is independent."""
     encoder_key, gyro_key, force_key = jax.random.split(key, 3)
+    rate = kit.gyroscope.sampled(motion, jax.random.fold_in(gyro_key, 1))
     return Readings(
         kit.encoder.measure(motion.angle, encoder_key),
-        kit.gyroscope.measure(motion.angular_velocity, gyro_key),
+        kit.gyroscope.measure(rate, gyro_key),
         *kit.accelerometer.measure(motion, force_key),
     )
 

@@ -29,18 +29,39 @@ def conditioned(movements: list[Movement], smooth: int) -> tuple[Chain, list[Mov
         return MovingAverage(smooth), [averaged(each, smooth) for each in movements]
     if not all(filtered) or any(each.angular_velocity is None for each in movements):
         return Raw(), movements
-    return SteadyKalman(round(common_step(movements), 6)), [settled(each) for each in movements]
+    chain = SteadyKalman(round(common_step(movements), 6), common_filter(movements))
+    return chain, [settled(each) for each in movements]
+
+
+def common_filter(movements: list[Movement]) -> str:
+    """Which of the node's filters all movements went through."""
+    filters = sorted({each.filter for each in movements})
+    if len(filters) > 1:
+        raise ValueError(
+            f"filtered channels went through filters of {' and of '.join(filters)}, but one is "
+            "simulated for all. Record the raw channels, or fit them apart."
+        )
+    return filters[0]
 
 
 def common_step(movements: list[Movement]) -> float:
-    """The sample time [s] that all movements share: the filter is one for all."""
-    steps = [even_step(each) for each in movements]
+    """What the filter takes for its step [s] in all movements: it is one for all.
+
+    A node's filter reckons with its own clock, and times may have been corrected since.
+    """
+    steps = [filter_step(each) for each in movements]
     if max(steps) - min(steps) > EVEN * min(steps):
         raise ValueError(
             f"filtered channels were sampled every {min(steps):.3g} s and every {max(steps):.3g} "
             "s, but one filter is simulated for all. Record the raw channels, or fit them apart."
         )
     return float(np.median(steps))
+
+
+def filter_step(movement: Movement) -> float:
+    """What its filter took for the time between two samples [s]."""
+    step = even_step(movement)
+    return step if movement.filter_step is None else movement.filter_step
 
 
 def even_step(movement: Movement) -> float:

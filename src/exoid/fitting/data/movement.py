@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exoid.fitting.model.systematics import DECLARED_NOTHING, Systematics
+from exoid.recordings.filter.constants import UNTOLD
 from exoid.recordings.motion.extent import Extent
 from exoid.recordings.recording import Segment
 from exoid.recordings.samples import Samples
@@ -40,6 +41,9 @@ class Movement:
     gain_known: bool = True  # of the measured torque; else its unit is any
     late: int = 0  # samples from the first that weigh nothing, though nobody was seen to hold it
     kept: int | None = None  # samples after which a hand holds it that only a fit has seen
+    filter: str = UNTOLD  # which filter its filtered channels went through
+    filter_told: bool = True  # and does the recording say so?
+    filter_step: float | None = None  # s, by the filter's own clock; None: the time between samples
     divisor: float | None = None  # rad, of the angle's residuals; None: its noise
 
     @property

@@ -5,6 +5,7 @@ import numpy as np
 from exoid.fitting.data.fitted_samples import Clip, portion
 from exoid.fitting.data.movement import Movement, weightless
 from exoid.fitting.model.systematics import systematics
+from exoid.recordings.filter.constants import UNTOLD
 from exoid.recordings.recording import Recording, Segment
 from exoid.recordings.samples import Samples
 from exoid.recordings.signal.clean import clean
@@ -59,6 +60,9 @@ def movement(
         systematics=systematics(recording, number),
         absent=recording.absent,
         gain_known=recording.protocol.torque_known is not False,
+        filter=recording.sensors.filter or UNTOLD,
+        filter_told=recording.sensors.filter is not None,
+        filter_step=recording.sensors.filter_step,
     )
     return weightless(whole, np.arange(angle.size) < part.free - part.start)
 

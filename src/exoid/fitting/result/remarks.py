@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from exoid.fitting.data.conditioning_chain import SteadyKalman
 from exoid.fitting.data.movement import all_driven
 from exoid.fitting.misfit.disturbance import CORRELATED
 from exoid.fitting.misfit.missed import NOISY, Disturbance, Missed
@@ -37,6 +38,7 @@ def remarks(problem: Problem, ended: SearchResult, at_bound: set[str]) -> list[s
     if guessed:
         each = ", ".join(f"{one.name} {one.kind}" for one in guessed)
         said.append(f"the sidecar does not say how the leg was moved; by its motion: {each}.")
+    said += of_filter(problem)
     said += of_memory(problem)
     said += of_late(problem)
     said += of_kept(problem)
@@ -73,6 +75,18 @@ def remarks(problem: Problem, ended: SearchResult, at_bound: set[str]) -> list[s
 def of_impossible(problem: Problem, ended: SearchResult) -> list[str]:
     """That no rig falls like this."""
     return [f"m l g / J and c / J: {NO_RIG}."] if upside_down(problem, ended) else []
+
+
+def of_filter(problem: Problem) -> list[str]:
+    """A filter that the simulation passes, though nobody said that it was that one."""
+    untold = [each.name for each in problem.movements if not each.filter_told]
+    if not (untold and isinstance(problem.chain, SteadyKalman)):
+        return []
+    return [
+        f"segment {', '.join(untold)}: which filter angle and velocity went through is not told. "
+        f"The simulation passes the node's of {problem.chain.design}; [sensors] filter says "
+        "another."
+    ]
 
 
 def of_memory(problem: Problem) -> list[str]:

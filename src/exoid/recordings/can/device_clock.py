@@ -17,9 +17,7 @@ PERIOD = 0.01  # s; the sampling tick of the node
 MICROSECOND = 1e-6
 CLOCK_WRAP = 2**32  # us; the device clock starts again after 71.6 minutes
 COUNTER = 256  # values of an 8-bit counter
-SHORTEST_FIT = 2.0  # s of log from which a clock can be compared with another
 SPIKE = 5  # frames; a host time that stands out among so many is not believed
-WORST_HOST = 0.1  # s; a host whose times scatter more was set while it recorded
 AGREED = PERIOD / 4  # s within which clock and counter tell of the same tick
 RESET_SLACK = 1.0  # s by which host and device may differ over a silence ...
 RESET_SKEW = 0.02  # ... and this share of it: a node without a crystal is percents off
@@ -180,30 +178,3 @@ def astray(tick: Ticks) -> Shaped[np.ndarray, " frame"]:
         before, here, after = tick[:-2], tick[1:-1], tick[2:]
         found[1:-1] = (before <= after) & ((here > after) | (here < before))
     return found
-
-
-def fitted_line(x: Seconds, y: Seconds) -> tuple[float, float, float]:
-    """Slope, value at x = 0 and scatter of y over x: least squares, outliers left out twice."""
-    keep = np.ones(x.size, dtype=bool)
-    for _ in range(2):
-        distance = np.abs(y - np.polynomial.polynomial.polyval(x, line(x[keep], y[keep])))
-        # Four times the middle distance; no log resolves time finer than a microsecond.
-        keep = distance <= 4 * np.median(distance) + MICROSECOND
-    level, slope = line(x[keep], y[keep])
-    return slope, level, float(np.median(np.abs(y - level - slope * x)))
-
-
-def line(x: Seconds, y: Seconds) -> tuple[float, float]:
-    """Level and slope by least squares."""
-    offset = x - x.mean()
-    slope = float(offset @ (y - y.mean()) / (offset @ offset))
-    return float(y.mean() - slope * x.mean()), slope
-
-
-def skew_ppm(device: Seconds, host: Seconds) -> float | None:
-    """How much faster the device clock runs than the host's [ppm]; None where none can tell."""
-    if device.size < 3 or np.ptp(device) < SHORTEST_FIT:
-        return None
-    slope, _, scatter = fitted_line(device, host - host[0])
-    usable = scatter < WORST_HOST and slope > 0
-    return (1 / slope - 1) * 1e6 if usable else None

@@ -6,7 +6,9 @@ from typing import Literal
 import numpy as np
 from jaxtyping import Float, Int
 
+from exoid.recordings.can.clock_rate import ClockRate, clock_lines
 from exoid.recordings.can.frames import CanLogError
+from exoid.recordings.filter.constants import UNTOLD
 from exoid.recordings.filter.effect import FilterEffect
 
 SHOWN = 5  # gaps and resets that are listed one by one
@@ -66,16 +68,22 @@ class LogQuality:
     messages: tuple[MessageCount, ...] = ()
     gaps: tuple[Gap, ...] = ()
     resets: tuple[float, ...] = ()  # s of the recording at which the node had started again
-    skew_ppm: float | None = None  # device clock against host clock, positive: device runs fast
-    host_jitter: float | None = None  # s, median distance of a frame's host time from its sample
+    clock_rate: ClockRate | None = None  # of the node's clock; None where no host time tells it
+    host_jitter: float | None = None  # s, of the host times that make up the time themselves
     faults: tuple[tuple[str, int], ...] = ()  # status bit, samples that carry it
     missed_ticks: int = 0  # ticks the node itself reports as missed
     config_crc: int | None = None
+    design: str | None = None  # which of the node's filters ran, as [sensors] filter has it
     filter: FilterEffect | None = None
     announced: int | None = None
     found: int | None = None
     stopped: str | None = None  # what of the file could not be read, and why
     notes: tuple[str, ...] = ()
+
+    @property
+    def skew_ppm(self) -> float | None:
+        """How much faster than the host's the node's clock runs [ppm]; None where none can tell."""
+        return None if self.clock_rate is None else self.clock_rate.excess * 1e6
 
     def losses(self) -> list[str]:
         """What of the log is missing; strict reading refuses all of it."""
@@ -131,8 +139,8 @@ class LogQuality:
             f"{self.samples} samples from {frames.used} of {frames.read} frames",
             f"time from the {CLOCKS[self.clock]}",
         ]
-        if self.skew_ppm is not None:
-            lines.append(f"device clock {self.skew_ppm:+.0f} ppm against the recording computer")
+        if self.clock != "host":
+            lines += clock_lines(self.clock_rate)
         if self.host_jitter is not None:
             lines.append(f"host time jitters by {self.host_jitter * 1e3:.2f} ms (not used)")
         lines += self.losses()
@@ -141,8 +149,15 @@ class LogQuality:
         lines += [f"{frames.duplicate} duplicate frame(s) left out"] if frames.duplicate else []
         lines += [f"{name}: {count} sample(s)" for name, count in self.faults if count]
         lines += [f"the node missed {self.missed_ticks} tick(s)"] if self.missed_ticks else []
-        lines += self.filter.lines() if self.filter is not None else []
+        lines += self.filter_lines()
         return lines + [note for note in self.notes if note not in lines]
+
+    def filter_lines(self) -> list[str]:
+        """What the filter did, and that it is not known where it matters which one it was."""
+        if self.filter is None:
+            return []
+        unknown = self.design is None and self.filter.fitted
+        return self.filter.lines() + ([f"no ConfigCrc says {UNKNOWN_FILTER}"] if unknown else [])
 
     def require_complete(self) -> None:
         """**Raises** `CanLogError` when anything is missing."""
@@ -153,6 +168,10 @@ class LogQuality:
             )
 
 
+UNKNOWN_FILTER = (
+    f"which filter made the channels that are fitted: a fit takes it for that of {UNTOLD}. Say "
+    "which in [sensors] filter"
+)
 CLOCKS = {
     "device": "node's clock (EXO_TIME and counter)",
     "counter": "node's counter alone: no EXO_TIME frame, so its period is taken as 10 ms",

@@ -8,8 +8,9 @@ from pathlib import Path
 import numpy as np
 from jaxtyping import Float, Int
 
+from exoid.recordings.can.clock_rate import fitted_line
 from exoid.recordings.can.dbc import plan_message, read_dbc
-from exoid.recordings.can.device_clock import fitted_line, without_spikes
+from exoid.recordings.can.device_clock import without_spikes
 from exoid.recordings.can.frames import CanLogError, Log
 from exoid.recordings.can.quality import LogQuality, MessageCount, gaps_in
 from exoid.recordings.can.sort import MessageFrames, SortedFrames, sort_frames

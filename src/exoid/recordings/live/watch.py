@@ -11,6 +11,7 @@ import numpy as np
 
 from exoid.recordings.can.dbc import exoid_messages
 from exoid.recordings.can.decode import MessagePlan, SignalPlan
+from exoid.recordings.can.node.config_crc import filter_of
 from exoid.recordings.can.node.health import CONDITIONS, HEALTH
 from exoid.recordings.can.node.rows import SAMPLED, STATE, TIME
 from exoid.recordings.can.node.samples import STATUS
@@ -110,7 +111,7 @@ class Watch:
         self.ticks.sample(plan.name, counter, SAMPLED[plan.name], host, reset)
 
     def check_config(self, told: int) -> None:
-        if told != self.config_crc:
+        if told != self.config_crc and filter_of(told) is None:
             self.once(
                 "config",
                 f"the node was built with another exoid.dbc or other filter constants (ConfigCrc "

@@ -1,8 +1,11 @@
 """From a CAN log file to a `Recording`: one continuous segment on one clock, and a report."""
 
+from dataclasses import replace
 from pathlib import Path
 
+from exoid.recordings.can.clock_rate import CRYSTALLESS, ClockRate
 from exoid.recordings.can.dbc import DbcError
+from exoid.recordings.can.device_clock import PERIOD
 from exoid.recordings.can.frames import CanLogError
 from exoid.recordings.can.log_files import read_log
 from exoid.recordings.can.node.log import EXO_SENSORS, read_exo
@@ -45,7 +48,8 @@ def read_can_log(
             segment, quality = read_signals(log, Path(dbc), signals)
         else:
             segment, quality = read_exo(log)
-            sensors = EXO_SENSORS if sensors in (None, Sensors()) else sensors
+            sensors = sensors_of(sensors, quality)
+            protocol = on_times(protocol, quality.clock_rate)
         if strict:
             quality.require_complete()
         recording = Recording(
@@ -58,3 +62,31 @@ def read_can_log(
     except ValueError as fault:
         raise CanLogError(f"{path}: {fault}") from fault
     return recording, quality
+
+
+def sensors_of(said: Sensors | None, quality: LogQuality) -> Sensors:
+    """The node's own where nothing is said of any, and how well its times are known."""
+    rate = quality.clock_rate
+    factor, uncertainty = (1.0, CRYSTALLESS) if rate is None else (rate.factor, rate.uncertainty)
+    sensors = EXO_SENSORS if said in (None, Sensors()) else said
+    if sensors is EXO_SENSORS:
+        sensors = replace(sensors, sample_rate=1 / (PERIOD * factor))
+    own = sensors.clock_uncertainty
+    return replace(
+        sensors,
+        clock_uncertainty=uncertainty if own is None else own,
+        filter=quality.design if sensors.filter is None else sensors.filter,
+        filter_step=PERIOD if sensors.filter_step is None else sensors.filter_step,
+    )
+
+
+def on_times(protocol: Protocol | None, rate: ClockRate | None) -> Protocol | None:
+    """Marks were made by the node's seconds, as it runs; they move with the times."""
+    if protocol is None or rate is None:
+        return protocol
+
+    def moved(marks: tuple[float, ...] | None) -> tuple[float, ...] | None:
+        return None if marks is None else tuple(each * rate.factor for each in marks)
+
+    starts, ends = moved(protocol.segment_start), moved(protocol.segment_end)
+    return replace(protocol, segment_start=starts, segment_end=ends)

@@ -3,8 +3,15 @@
 from binascii import crc_hqx
 
 from exoid.recordings.can.dbc import EXOID_DBC
-from exoid.recordings.filter.constants import MEASUREMENT_NOISE, PROCESS_NOISE, START_VARIANCE
+from exoid.recordings.filter.constants import (
+    CURRENT,
+    MEASUREMENT_NOISE,
+    PROCESS_NOISE,
+    START_VARIANCE,
+)
 
+# What firmware of before ran, whose frames mean the same: the filter by its ConfigCrc.
+EARLIER = {0x99CA: "3 states"}
 SEED = 0xFFFF  # of CRC-16/CCITT-FALSE
 
 
@@ -16,3 +23,8 @@ def config_crc() -> int:
     layout = EXOID_DBC.read_text(encoding="utf-8")
     constants = (PROCESS_NOISE, MEASUREMENT_NOISE, START_VARIANCE)
     return crc_hqx(f"{layout}{constants!r}".encode(), SEED)
+
+
+def filter_of(told: int | None) -> str | None:
+    """Which of the node's filters a ConfigCrc stands for; None where that is not known."""
+    return ({config_crc(): CURRENT} | EARLIER).get(told or 0)

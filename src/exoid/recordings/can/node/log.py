@@ -5,11 +5,19 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.recordings.can.dbc import exoid_messages
-from exoid.recordings.can.device_clock import PERIOD, fitted_line, skew_ppm
+from exoid.recordings.can.device_clock import PERIOD
 from exoid.recordings.can.frames import CanLogError, Log
-from exoid.recordings.can.node.config_crc import config_crc
+from exoid.recordings.can.node.config_crc import config_crc, filter_of
 from exoid.recordings.can.node.health import HEALTH, health_lines
-from exoid.recordings.can.node.rows import MISSING, SAMPLED, TIME, Rows, runs
+from exoid.recordings.can.node.rows import (
+    MISSING,
+    SAMPLED,
+    TIME,
+    Rows,
+    on_one_clock,
+    rate_of,
+    runs,
+)
 from exoid.recordings.can.node.samples import Samples, samples_of
 from exoid.recordings.can.quality import LogQuality, MessageCount, gaps_in
 from exoid.recordings.can.sort import MessageFrames, SortedFrames, sort_frames
@@ -32,8 +40,11 @@ def read_exo(log: Log) -> tuple[Segment, LogQuality]:
     found = runs(ordered.messages)
     if sum(rows.tick.size for rows in found) < FEWEST_SAMPLES:
         raise CanLogError(f"{log.path} holds fewer than {FEWEST_SAMPLES} samples of the node.")
+    rate = rate_of(found)
+    found = on_one_clock(found, rate.factor if rate is not None else 1.0)
     samples = samples_of(ordered.messages, found)
-    quality = quality_of(log, ordered, found, samples)
+    quality = replace(quality_of(log, ordered, found, samples), clock_rate=rate)
+    quality = replace(quality, design=filter_of(quality.config_crc))
     refuse_other_firmware(log, quality.config_crc)
     if "angle" not in samples.channels and "raw_angle" not in samples.channels:
         raise CanLogError(
@@ -67,8 +78,8 @@ def require_exo_frames(log: Log, ordered: SortedFrames) -> None:
 
 
 def refuse_other_firmware(log: Log, told: int | None) -> None:
-    """Where the node says what it was built from, it must be what this exoid reads by."""
-    if told and told != config_crc():
+    """Where the node says what it was built from, it must be what this exoid can read."""
+    if told and filter_of(told) is None:
         raise CanLogError(
             f"{log.path}: the node was built with another exoid.dbc or other filter constants "
             f"(ConfigCrc 0x{told:04X}, here 0x{config_crc():04X}), so that its numbers may mean "
@@ -81,7 +92,6 @@ def quality_of(log: Log, ordered: SortedFrames, found: list[Rows], samples: Samp
     messages = ordered.messages
     duplicate = sum(rows.duplicate for rows in found)
     strayed = sum(rows.astray for rows in found)
-    clock, skew, jitter = clock_of(found, messages[TIME].order.size > 0)
     return LogQuality(
         path=str(log.path),
         frames=replace(
@@ -90,13 +100,11 @@ def quality_of(log: Log, ordered: SortedFrames, found: list[Rows], samples: Samp
             duplicate=duplicate,
             astray=strayed,
         ),
-        clock=clock,
+        clock="device" if messages[TIME].order.size else "counter",
         samples=sum(rows.tick.size for rows in found),
         messages=message_counts(found, messages),
         gaps=tuple(gap for rows in found for gap in gaps_in(rows.time, np.diff(rows.tick))),
         resets=tuple(float(rows.time[0]) for rows in found[1:]),
-        skew_ppm=skew,
-        host_jitter=jitter,
         faults=samples.faults,
         **told_by_time(messages[TIME], found),
         announced=log.announced,
@@ -104,16 +112,6 @@ def quality_of(log: Log, ordered: SortedFrames, found: list[Rows], samples: Samp
         stopped=log.stopped,
         notes=health_lines(messages[HEALTH]),
     )
-
-
-def clock_of(found: list[Rows], has_time: bool):
-    """Which clock told the time, and how it and the host's compare in the longest run."""
-    anchors = max(found, key=lambda rows: rows.tick.size).anchors
-    skew = skew_ppm(anchors.device, anchors.host)
-    jitter = None
-    if skew is not None:
-        _, _, jitter = fitted_line(anchors.device, anchors.host - anchors.host[0])
-    return ("device" if has_time else "counter"), skew, jitter
 
 
 def message_counts(found: list[Rows], messages: dict[str, MessageFrames]):

@@ -10,6 +10,7 @@ from itertools import pairwise
 import numpy as np
 from jaxtyping import Float, Int
 
+from exoid.recordings.can.clock_rate import ClockRate, clock_rate
 from exoid.recordings.can.device_clock import (
     COUNTER,
     PERIOD,
@@ -37,6 +38,7 @@ class Rows:
     time: Float[np.ndarray, " row"]  # s on the device clock, later on the recording's
     frame: dict[str, Int[np.ndarray, " row"]]  # which frame of each message; MISSING for none
     anchors: Anchors
+    heard: Anchors  # every frame of the message that came most often
     duplicate: int
     astray: int
 
@@ -58,7 +60,7 @@ def stamps_of(messages: dict[str, MessageFrames]) -> dict[str, Stamps]:
 
 
 def runs(messages: dict[str, MessageFrames]) -> list[Rows]:
-    """The samples of the log, run by run: a run ends where the node starts again."""
+    """The samples of the log on the node's clock, run by run: it ends where the node restarts."""
     stamps = stamps_of(messages)
     restart = messages[STATE].values("FilterReset") > 0  # the filter has just started
     restart_orders = stamps[STATE].order[restart]
@@ -71,7 +73,7 @@ def runs(messages: dict[str, MessageFrames]) -> list[Rows]:
         rows_of(within(stamps, begin, end), part)
         for part, begin, end in zip(anchors, begins, ends, strict=True)
     ]
-    return on_one_clock([rows for rows in found if rows.tick.size])
+    return [rows for rows in found if rows.tick.size]
 
 
 def anchors_of(time: MessageFrames, stamps: dict[str, Stamps], restart) -> list[Anchors]:
@@ -112,12 +114,14 @@ def rows_of(stamps: dict[str, Stamps], anchors: Anchors) -> Rows:
     ticks: dict[str, np.ndarray] = {}
     frames: dict[str, np.ndarray] = {}
     duplicate = strayed = 0
-    known = anchors
+    known = heard = anchors
     for name, modulus in SAMPLED.items():
         tick = ticks_of(stamps[name], known if modulus < COUNTER else anchors, modulus)
         stray = astray(tick)
         kept = np.flatnonzero(~stray)
-        known = with_anchors(known, stamps[name].where(kept), tick[kept], anchors)
+        told = told_by(stamps[name].where(kept), tick[kept], anchors)
+        known = merged(known, told)
+        heard = max(heard, told, key=lambda each: each.order.size)
         ticks[name], first = np.unique(tick[kept], return_index=True)
         frames[name] = stamps[name].order[kept[first]]
         strayed += int(stray.sum())
@@ -129,16 +133,21 @@ def rows_of(stamps: dict[str, Stamps], anchors: Anchors) -> Rows:
         anchors.device_time(tick),
         {name: placed(frames[name], ticks[name], tick) for name in SAMPLED},
         anchors,
+        heard,
         duplicate,
         strayed,
     )
 
 
-def with_anchors(known: Anchors, stamps: Stamps, tick, clock: Anchors) -> Anchors:
-    """The anchors, and with them frames whose tick they have told."""
-    found = Anchors(stamps.order, stamps.host, tick, clock.device_time(tick))
-    merged = known.followed_by(found)
-    return merged.where(np.argsort(merged.order, kind="stable"))
+def told_by(stamps: Stamps, tick, clock: Anchors) -> Anchors:
+    """Frames whose tick is known, as anchors of others."""
+    return Anchors(stamps.order, stamps.host, tick, clock.device_time(tick))
+
+
+def merged(known: Anchors, more: Anchors) -> Anchors:
+    """Both, in the order of the log."""
+    both = known.followed_by(more)
+    return both.where(np.argsort(both.order, kind="stable"))
 
 
 def placed(order, ticks, rows) -> Int[np.ndarray, " row"]:
@@ -148,20 +157,27 @@ def placed(order, ticks, rows) -> Int[np.ndarray, " row"]:
     return at
 
 
-def on_one_clock(found: list[Rows]) -> list[Rows]:
-    """All runs on the recording's clock, which is 0 at the first sample.
+def rate_of(found: list[Rows]) -> ClockRate | None:
+    """How fast the node's clock runs, by its longest run."""
+    heard = max(found, key=lambda rows: rows.tick.size).heard
+    return clock_rate(heard.device, heard.host)
+
+
+def on_one_clock(found: list[Rows], factor: float) -> list[Rows]:
+    """All runs on the recording's clock: 0 at the first sample, the node's seconds times `factor`.
 
     Only host time tells how long a restart took: it is known to the host's jitter, no better.
     """
     moved: list[Rows] = []
     for rows in found:
-        shift = -rows.time[0]
+        device, time = rows.anchors.device * factor, rows.time * factor
+        shift = -time[0]
         if moved:
             before = moved[-1]
             host_before = np.median((before.anchors.host - before.anchors.device)[-NEIGHBOURS:])
-            host_after = np.median((rows.anchors.host - rows.anchors.device)[:NEIGHBOURS])
-            earliest = before.time[-1] + PERIOD - rows.time[0]
+            host_after = np.median((rows.anchors.host - device)[:NEIGHBOURS])
+            earliest = before.time[-1] + PERIOD * factor - time[0]
             shift = max(float(host_after - host_before), earliest)
-        anchors = replace(rows.anchors, device=rows.anchors.device + shift)
-        moved.append(replace(rows, time=rows.time + shift, anchors=anchors))
+        anchors = replace(rows.anchors, device=device + shift)
+        moved.append(replace(rows, time=time + shift, anchors=anchors))
     return moved
