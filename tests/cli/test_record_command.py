@@ -209,3 +209,70 @@ def test_a_full_disk_is_named_in_the_last_line(start, cable, sent, tmp_path):
     said, told = process.communicate(timeout=LIMIT)
     assert (process.returncode, said) == (2, "")
     assert "No space left on device" in told.splitlines()[-1]
+
+
+def test_a_terminal_that_goes_away_does_not_end_a_recording(start, cable, sent, tmp_path):
+    with terminal() as (person, program, read_until):
+        process = start(
+            "leg.blf", *BODY, "--segment", stdin=program, stderr=program, start_new_session=True
+        )
+        read_until("Mass added")
+        os.write(person, b"\n")
+        read_until("keys: d")
+        cable.stream(sent[:310], NODE).join()
+        read_until("deg/s")
+    process.send_signal(signal.SIGHUP)  # what a kernel sends when the connection drops
+    time.sleep(0.5)
+    cable.stream(sent[310:620], NODE).join()
+    time.sleep(HEARD)
+    assert process.poll() is None
+    process.send_signal(signal.SIGTERM)
+    assert process.wait(timeout=LIMIT) == 0
+    assert len(read_log(tmp_path / "leg.blf").frames) == 620
+
+
+def test_a_pipe_that_nobody_reads_any_more_does_not_end_a_recording(start, cable, sent, tmp_path):
+    process = start("leg.blf", *BODY)
+    cable.heard()
+    process.stderr.close()
+    process.stdout.close()
+    cable.stream(sent[:310], NODE).join()
+    cable.pull_out()  # which would be told
+    cable.plug_in()
+    cable.heard()
+    cable.stream(sent[310:620], NODE).join()
+    time.sleep(HEARD)
+    process.send_signal(signal.SIGINT)
+    assert process.wait(timeout=LIMIT) == 0
+    assert len(read_log(tmp_path / "leg.blf").frames) == 620
+
+
+def test_a_sidecar_that_appeared_meanwhile_is_told_and_stays(start, cable, sent, tmp_path):
+    process = start("leg.blf", *BODY)
+    cable.heard()
+    (tmp_path / "leg.toml").write_text("# another's\n")
+    cable.stream(sent[:310], NODE).join()
+    time.sleep(HEARD)
+    process.send_signal(signal.SIGINT)
+    said, told = process.communicate(timeout=LIMIT)
+    assert process.returncode == 0, told
+    assert f"{tmp_path / 'leg.toml'} was written by another meanwhile and stays" in told
+    assert (tmp_path / "leg.toml").read_text() == "# another's\n"
+    beside = tomllib.loads((tmp_path / "leg.recorded.toml").read_text())
+    assert beside["subject"]["body_mass_kg"] == 74
+    assert "leg.recorded.toml" in said
+
+
+def test_a_sidecar_that_cannot_be_written_is_told_and_the_recording_goes_on(
+    start, cable, sent, tmp_path
+):
+    process = start("leg.blf", *BODY)
+    cable.heard()
+    (tmp_path / "leg.toml").mkdir()
+    cable.stream(sent[:310], NODE).join()
+    time.sleep(HEARD)
+    process.send_signal(signal.SIGINT)
+    _, told = process.communicate(timeout=LIMIT)
+    assert process.returncode == 0, told
+    assert f"the sidecar cannot be written: {tmp_path / 'leg.toml'}" in told
+    assert len(read_log(tmp_path / "leg.blf").frames) == 310

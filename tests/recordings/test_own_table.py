@@ -419,7 +419,7 @@ def test_a_failure_leaves_the_files_that_were_there(tmp_path, monkeypatch):
     def full(*_):
         raise OSError("no space left on device")
 
-    monkeypatch.setattr("exoid.files.text_file.os.fsync", full)
+    monkeypatch.setattr("exoid.files.replacing.os.fsync", full)
     with pytest.raises(OSError, match="no space left"):
         write_table(drop(), path)
     assert {file: file.read_bytes() for file in tmp_path.iterdir()} == before

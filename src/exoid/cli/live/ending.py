@@ -9,12 +9,19 @@ from exoid.recordings.loading.can_log import read_can_log
 
 def conclude(session: Session) -> None:
     """What was recorded, as `exoid fit` will read it, and what to do with it."""
-    path, watch = session.log.path, session.watch
+    watch = session.watch
     if not watch.frames:
         raise CanBusError(
             f"nothing was recorded from {session.bus.address}: {watch.silence(session.bus.bad)}"
         )
-    marked = session.marks.closed
+    try:
+        tell(session)
+    except OSError:  # nobody is there to read it: the terminal is gone
+        return
+
+
+def tell(session: Session) -> None:
+    path, watch, marked = session.log.path, session.watch, session.marks.closed
     typer.echo(f"{path}: {watch.seconds:.1f} s, {watch.frames} frames; sidecar {session.sidecar}")
     if session.bus.bad:
         typer.echo(f"{session.bus.bad} bad line(s) were no frames and are left out")

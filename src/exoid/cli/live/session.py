@@ -5,6 +5,7 @@ from collections.abc import Callable
 from math import degrees, inf
 from pathlib import Path
 
+from exoid.cli.terminal.faults import one_line
 from exoid.cli.terminal.screen import Screen
 from exoid.recordings.can.node.config_crc import config_crc
 from exoid.recordings.live.bus import BusAddress, LiveBus
@@ -19,6 +20,7 @@ LOOKED_EVERY = 0.1  # s, at keys and clock
 KEYS: dict[str, Kind] = {"d": "passive", "c": "active"}
 NAMES = {"passive": "drop", "active": "cycle"}
 END = " "
+BESIDE = ".recorded.toml"
 HELP = "keys: d a drop begins, c a cycle begins, space it ends; Ctrl-C ends the recording."
 
 
@@ -35,12 +37,13 @@ class Session:
         self.log, self.subject, self.screen, self.pressed = log, subject, screen, pressed
         self.watch = Watch(screen.tell, config_crc())
         self.marks = Marks()
-        self.described = False
+        self.described: bytes | None = None  # what the sidecar says, as it was written
+        self.beside = False  # another wrote the sidecar meanwhile
         self.looked = 0.0
 
     @property
     def sidecar(self) -> Path:
-        return self.log.path.with_suffix(".toml")
+        return self.log.path.with_suffix(BESIDE if self.beside else ".toml")
 
     def run(self, address: BusAddress, stopped: Callable[[], bool], duration: float | None) -> None:
         """Record from the bus; whatever ends it, the files are complete."""
@@ -69,8 +72,8 @@ class Session:
 
     def look(self) -> None:
         """At what was typed, and show how it goes."""
-        if not self.described and self.log.frames:
-            self.described = True
+        if self.described is None and self.log.frames:
+            self.described = b""
             self.describe()
         for key in self.pressed() if self.pressed is not None else "":
             if self.log.frames:
@@ -91,11 +94,27 @@ class Session:
         return "" if self.marks.open is None else f"  [{NAMES[self.marks.open[0]]} {number}]"
 
     def describe(self) -> None:
-        """Write the sidecar; a disk that takes it not must not end the recording."""
+        """Write the sidecar, none that is another's; nothing about it may end the recording."""
+        if not self.beside and self.is_of_another():
+            there, self.beside = self.sidecar, True
+            self.screen.tell(
+                f"{there} was written by another meanwhile and stays. What is known of this "
+                f"recording goes to {self.sidecar}: bring the two together before a fit."
+            )
         try:
             write_sidecar(self.subject, self.marks.protocol(), Sensors(), self.sidecar)
-        except OSError as fault:
-            self.screen.tell(f"{self.sidecar} cannot be written: {fault.strerror}. Make room.")
+            self.described = self.sidecar.read_bytes()
+        except (OSError, ValueError) as fault:
+            self.screen.tell(f"the sidecar cannot be written: {one_line(fault)}")
+
+    def is_of_another(self) -> bool:
+        """Is there a sidecar that this recording has not written, and was not told to replace?"""
+        if not self.described and self.log.replace:
+            return False
+        try:
+            return self.sidecar.read_bytes() != (self.described or b"")
+        except OSError:
+            return False
 
 
 def live_line(now: Status) -> str:

@@ -1,6 +1,7 @@
 """What went wrong, in one line for a person, and the exit code of it."""
 
 import sys
+from contextlib import suppress
 from traceback import walk_tb
 
 # Those that compute. What they say of arrays is not for users.
@@ -55,7 +56,8 @@ def explain_usage(fault: BaseException) -> int:
 
 
 def complain(message: object, code: int) -> int:
-    print(f"exoid: {message}", file=sys.stderr, flush=True)
+    with suppress(OSError):  # nobody is there to read it
+        print(f"exoid: {message}", file=sys.stderr, flush=True)
     return code
 
 

@@ -4,7 +4,7 @@ import os
 import select
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from importlib.util import find_spec
 
 LONGEST = 64  # bytes looked at in one go
@@ -36,9 +36,12 @@ def keyboard(wanted: bool) -> Iterator[Callable[[], str]]:
     try:
         yield lambda: pressed(terminal)
     finally:
-        termios.tcsetattr(terminal, termios.TCSADRAIN, before)
+        with suppress(termios.error):  # it may be gone
+            termios.tcsetattr(terminal, termios.TCSADRAIN, before)
 
 
 def pressed(terminal: int) -> str:
-    ready, _, _ = select.select([terminal], [], [], 0)
-    return os.read(terminal, LONGEST).decode(errors="replace") if ready else ""
+    with suppress(OSError):  # a terminal that is gone
+        ready, _, _ = select.select([terminal], [], [], 0)
+        return os.read(terminal, LONGEST).decode(errors="replace") if ready else ""
+    return ""

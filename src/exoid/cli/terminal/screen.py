@@ -1,9 +1,15 @@
-"""What a person sees while something is recorded: a live line on a terminal, and sentences."""
+"""What a person sees while something is recorded: a live line on a terminal, and sentences.
+
+Where nobody can be told any more, because the terminal or the pipe is gone, what runs goes on.
+"""
 
 import sys
+from contextlib import suppress
 from typing import Any
 
 import typer
+
+NOBODY = (OSError, SystemExit)  # how streams, and rich, say that a terminal or a pipe is gone
 
 
 class Screen:
@@ -23,18 +29,21 @@ class Screen:
 
     def __exit__(self, *_) -> None:
         if self.live is not None:
-            self.live.stop()
+            with suppress(*NOBODY):
+                self.live.stop()
 
     def tell(self, sentence: str) -> None:
         """Say something that stays."""
-        if self.live is None:
-            typer.echo(f"exoid: {sentence}", err=True)
-        else:
-            self.live.console.print(f"exoid: {sentence}", markup=False, highlight=False)
+        with suppress(*NOBODY):
+            if self.live is None:
+                typer.echo(f"exoid: {sentence}", err=True)
+            else:
+                self.live.console.print(f"exoid: {sentence}", markup=False, highlight=False)
 
     def show(self, line: str) -> None:
         """Replace the live line."""
         if self.live is not None:
             from rich.text import Text
 
-            self.live.update(Text(line, no_wrap=True, overflow="ellipsis"), refresh=True)
+            with suppress(*NOBODY):
+                self.live.update(Text(line, no_wrap=True, overflow="ellipsis"), refresh=True)

@@ -1,10 +1,13 @@
-"""Ctrl-C as a wish: what runs ends by itself, with everything in order."""
+"""Ctrl-C as a wish: what runs ends by itself, with everything in order; a terminal that goes away
+wishes nothing.
+"""
 
 import signal
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
-SIGNALS = ("SIGINT", "SIGTERM", "SIGHUP")  # Windows lacks the last
+SIGNALS = ("SIGINT", "SIGTERM")
+GONE = "SIGHUP"  # the terminal was closed, or the connection to it dropped; Windows lacks it
 
 
 @contextmanager
@@ -16,8 +19,10 @@ def stoppable() -> Iterator[Callable[[], bool]]:
         wished.append(number)
         signal.signal(number, before[number])
 
-    numbers = [getattr(signal, name) for name in SIGNALS if hasattr(signal, name)]
+    numbers = [getattr(signal, name) for name in SIGNALS]
     before = {number: signal.signal(number, wish) for number in numbers}
+    if hasattr(signal, GONE):
+        before[signal.SIGHUP] = signal.signal(signal.SIGHUP, signal.SIG_IGN)
     try:
         yield lambda: bool(wished)
     finally:
