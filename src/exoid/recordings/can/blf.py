@@ -27,6 +27,7 @@ from exoid.recordings.can.frames import (
 FILE_HEADER = struct.Struct("<4sL8B2Q2L8H8H")  # as python-can; the fields used are named below
 OBJECT_HEADER = struct.Struct("<4sHHLL")  # signature, header size, header version, size, type
 CONTAINER_HEADER = 32  # bytes before a block's content, the object header included
+PACKING = struct.Struct("<H6xL")  # behind a block's object header: method, size when unpacked
 CONTAINER = 10
 SIGNATURE = b"LOBJ"
 MESSAGE_TYPES = (1, 86)  # CAN_MESSAGE, CAN_MESSAGE2
@@ -37,6 +38,8 @@ REMOTE_BIT = 0x80
 TEN_MICROSECONDS = 1  # the object flag for times in 10 us instead of 1 ns
 LONGEST_READ = 64  # bytes of an object that are looked at
 LONGEST_PADDING = 3  # bytes between two blocks
+# What a file may unpack to [bytes]: more would be no log, whose frames shrink to a tenth at best.
+MOST_UNPACKED, MOST_PER_BYTE = 1 << 26, 30
 
 
 def read_blf(path: Path) -> Log:
@@ -78,6 +81,7 @@ def unbroken_pieces(content: bytes, begin: int) -> tuple[list[bytes], list[str]]
     """The content of all blocks, parted where one is missing, and what is wrong with the file."""
     pieces: list[list[bytes]] = [[]]
     faults: list[str] = []
+    room = MOST_UNPACKED + MOST_PER_BYTE * len(content)
     while (at := content.find(SIGNATURE, begin)) >= 0 and at + CONTAINER_HEADER <= len(content):
         if at > begin + LONGEST_PADDING:
             faults.append(f"{at - begin} unknown bytes at byte {begin}")
@@ -86,22 +90,41 @@ def unbroken_pieces(content: bytes, begin: int) -> tuple[list[bytes], list[str]]
         begin = at + max(size, CONTAINER_HEADER)
         if begin > len(content):
             faults.append(f"the file ends inside the block at byte {at}")
-        if kind == CONTAINER:
-            try:
-                pieces[-1].append(unpacked(content[at:begin]))
-            except zlib.error as fault:
-                faults.append(f"the block at byte {at} is damaged and left out ({fault})")
-                pieces.append([])
+        if kind != CONTAINER:
+            continue
+        try:
+            pieces[-1].append(unpacked(content[at:begin], begin > len(content), room))
+            room -= len(pieces[-1][-1])
+        except (zlib.error, DamagedBlock) as fault:
+            faults.append(f"the block at byte {at} is damaged and left out ({fault})")
+            pieces.append([])
     if at < 0 and len(content) > begin + LONGEST_PADDING:
         faults.append(f"{len(content) - begin} unknown bytes at byte {begin}")
     return [b"".join(piece) for piece in pieces], faults
 
 
-def unpacked(block: bytes) -> bytes:
-    """The content of one block; of a block that was cut, as much as is there."""
-    method = struct.unpack_from("<H", block, OBJECT_HEADER.size)[0]
-    body = block[CONTAINER_HEADER:]
-    return zlib.decompressobj().decompress(body) if method else body
+class DamagedBlock(ValueError):
+    """A block that is not as long as it says, or whose checksum is not there."""
+
+
+def unpacked(block: bytes, cut: bool, room: int) -> bytes:
+    """The content of one block, never more than it declares; of one that was cut, what is there.
+
+    zlib compares its checksum when it comes to it. A block that ends before was never compared.
+    """
+    method, declared = PACKING.unpack_from(block, OBJECT_HEADER.size)
+    if declared > room:
+        raise DamagedBlock(f"it declares {declared} bytes, more than such a file can hold")
+    body, complete = block[CONTAINER_HEADER:], True
+    if method:
+        stream = zlib.decompressobj()
+        body = stream.decompress(body, declared + 1)
+        complete = stream.eof
+    if not cut and not complete:
+        raise DamagedBlock("its checksum is missing")
+    if len(body) > declared if cut or not method else len(body) != declared:
+        raise DamagedBlock(f"it declares {declared} bytes and holds others")
+    return body
 
 
 def object_positions(stream: bytes):

@@ -16,7 +16,7 @@ INDEX = "__index_level_"  # pandas' numbers of rows
 
 def read_parquet(path: Path) -> Sheet:
     """The columns of numbers, dates and words."""
-    arrays = unpacked(read_apart(columns, path, "Write it again."))
+    arrays = unpacked(read_apart(columns, path, "Write it again.", library="pyarrow.parquet"))
     found = [column for name, each in arrays.items() for column in columns_of(name, each)]
     if not found:
         raise ValueError("holds no column of numbers with two rows or more.")
