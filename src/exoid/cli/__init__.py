@@ -87,7 +87,9 @@ def explain_usage(fault: BaseException) -> int:
 
 
 def complain(message: object, code: int) -> int:
-    print(f"exoid: {message}", file=sys.stderr, flush=True)
+    from exoid.files.visible import visible
+
+    print(visible(f"exoid: {message}"), file=sys.stderr, flush=True)
     return code
 
 

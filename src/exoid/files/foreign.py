@@ -42,9 +42,9 @@ def read_apart(
 ) -> Arrays:
     """What `reader(path)` gives, from a process of its own; it starts in the time of its imports.
 
-    `reader` is a function of a module, which imports the `library` inside, and no more of exoid than
-    it needs: the process imports it anew. Its arrays hold no Python objects, so texts have a fixed
-    length. `advice` says what to do with a file that is damaged.
+    `reader` is a function of a module, which imports the `library` inside, and no more of exoid
+    than it needs: the process imports it anew. Its arrays hold no Python objects, so texts have a
+    fixed length. `advice` says what to do with a file that is damaged.
 
     **Raises** `ForeignError` where the reader fails, is not done in time, or runs out of memory;
     `OSError` when the file cannot be opened.

@@ -5,6 +5,8 @@ from collections.abc import Iterable, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
+from exoid.files.visible import visible
+
 Notes = tuple[str, ...]
 
 
@@ -14,7 +16,7 @@ def naming(path: Path):
     try:
         yield
     except ValueError as error:
-        raise ValueError(f"{path}: {error}") from error
+        raise ValueError(visible(f"{path}: {error}")) from error
 
 
 def read_text(path: Path) -> str:

@@ -9,6 +9,7 @@ from exoid.cli.inputs.choices import FlipOption, ZeroOption
 from exoid.cli.inputs.reading import EXAMPLE, Columns, Dbc, Signals, take_all
 from exoid.cli.outputs.destination import FIGURES, Json, check_outputs
 from exoid.cli.outputs.results import introduce, put, put_document, show, traced
+from exoid.cli.terminal.say import say
 from exoid.cli.terminal.waiting import patiently
 
 
@@ -44,7 +45,7 @@ def drops(
     paths = recordings or [EXAMPLE]
     check_outputs((plot, FIGURES), (json, ()), inputs=paths)
     if not recordings:
-        typer.echo("No recording given: this is the example that comes with exoid.")
+        say("No recording given: this is the example that comes with exoid.")
     told = {"column": column, "dbc": dbc, "signal": signal, "flip": flip, "zero": zero}
     named, _ = take_all(paths, {}, **told)
     from exoid.pendulum.drops import measure_drops
@@ -56,7 +57,7 @@ def drops(
     show(lambda console: print_drops(test, console))
     put_document(json, lambda: drops_document(test, **traced(zip(paths, named, strict=True))))
     if plot is not None and all(each.reason for each in test.drops):
-        typer.echo(f"exoid: no segment could be read: {plot} was not drawn.", err=True)
+        say(f"exoid: no segment could be read: {plot} was not drawn.", err=True)
     else:
         put(plot, lambda path: draw(test, path), "drawing")
 

@@ -24,6 +24,7 @@ from exoid.cli.inputs.terms import (
 )
 from exoid.cli.outputs.destination import Json, check_outputs
 from exoid.cli.outputs.results import end, introduce, put_document, show
+from exoid.cli.terminal.say import say
 from exoid.cli.terminal.waiting import patiently
 
 INERTIA = "inertia"
@@ -105,7 +106,7 @@ def plan(
     )
     introduce(named)
     if result is not None and not result.follows:
-        typer.echo(f"{result.notes[0]}\n")
+        say(result.notes[0], "")
     from exoid.report.tables.plan import plan_document, print_plan
 
     again = [

@@ -7,6 +7,7 @@ from typing import Annotated
 import typer
 
 from exoid.cli.inputs.choices import Flip, Zero
+from exoid.cli.terminal.say import say
 from exoid.cli.terminal.waiting import patiently
 
 Dbc = Annotated[Path | None, typer.Option(help="Your own DBC, with --signal.")]
@@ -59,7 +60,7 @@ def take(
     loaded = patiently(lambda: load(path, **options), f"reading {path.name}")
     noticed = loaded.quality.lines() if loaded.quality is not None else []
     for line in (*(f"exoid: {note}" for note in loaded.notes), *noticed):
-        typer.echo(line, err=True)
+        say(line, err=True)
     return loaded
 
 

@@ -8,6 +8,7 @@ from typing import Any
 import typer
 
 from exoid.cli.outputs.origin import sha256_of
+from exoid.cli.terminal.say import say
 from exoid.cli.terminal.waiting import patiently
 
 
@@ -24,14 +25,14 @@ def introduce(named) -> None:
     from exoid.report.words.person import people
 
     if who := people(recording.subject for _, recording in named):
-        typer.echo(who)
+        say(who)
 
 
 def put(path: Path | None, write: Callable[[Path], Any], what: str = "writing") -> None:
     """Write a file that was asked for, and say so."""
     if path is not None:
         patiently(lambda: write(path), what)
-        typer.echo(f"wrote {path}", err=True)
+        say(f"wrote {path}", err=True)
 
 
 def put_document(path: Path | None, document: Callable[[], Mapping]) -> None:

@@ -3,7 +3,8 @@
 import sys
 from typing import Any
 
-import typer
+from exoid.cli.terminal.say import say
+from exoid.files.visible import visible
 
 
 class Screen:
@@ -28,13 +29,13 @@ class Screen:
     def tell(self, sentence: str) -> None:
         """Say something that stays."""
         if self.live is None:
-            typer.echo(f"exoid: {sentence}", err=True)
+            say(f"exoid: {sentence}", err=True)
         else:
-            self.live.console.print(f"exoid: {sentence}", markup=False, highlight=False)
+            self.live.console.print(visible(f"exoid: {sentence}"), markup=False, highlight=False)
 
     def show(self, line: str) -> None:
         """Replace the live line."""
         if self.live is not None:
             from rich.text import Text
 
-            self.live.update(Text(line, no_wrap=True, overflow="ellipsis"), refresh=True)
+            self.live.update(Text(visible(line), no_wrap=True, overflow="ellipsis"), refresh=True)

@@ -65,7 +65,9 @@ def read_mf4(path: Path) -> Log:
     if find_spec("asammdf") is None:
         raise CanLogError(f'{path}: MF4 needs asammdf: pip install "exoid[mf4]"')
     try:
-        columns = read_apart(read_frames, path, "Export it again, as MF4 or as BLF.", library="asammdf")
+        columns = read_apart(
+            read_frames, path, "Export it again, as MF4 or as BLF.", library="asammdf"
+        )
     except ForeignError as fault:
         raise CanLogError(str(fault)) from fault
     stopped = str(columns.pop("stopped")) or None

@@ -67,4 +67,3 @@ def told(damaged: list[str], cut: str | None) -> str | None:
     if len(damaged) >= MOST_DAMAGED:
         faults.append("and what follows them not read")
     return "; ".join([*faults, *([cut] if cut else [])]) or None
-

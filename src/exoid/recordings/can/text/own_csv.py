@@ -28,7 +28,7 @@ def csv_check(_lines: Iterable[str]) -> Sound:
             data = b64decode(found["data"], validate=True)
         except Error:
             return False
-        # Of the last letter before the `=` not every bit counts: it must be the one that is written.
+        # Not every bit of the last letter before a `=` counts: it must be the one that is written.
         same = b64encode(data).decode() == found["data"]
         return same and (found["remote"] == "1" or len(data) == int(found["length"]))
 
