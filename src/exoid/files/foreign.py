@@ -68,6 +68,10 @@ def read_apart(
         raise too_slow(path, seconds, advice)
     broken = {FAULT: np.array(f"its reader broke down ({done.returncode})")}
     arrays = broken if done.returncode else unpacked(done.stdout)
+    return sound(arrays, path, advice)
+
+
+def sound(arrays: Arrays, path: Path, advice: str) -> Arrays:
     if FAULT in arrays:
         raise ForeignError(f"{path} cannot be read: {arrays[FAULT]}. {advice}")
     return arrays
@@ -99,19 +103,27 @@ def serve(places: list[str], path: str, seconds: float, memory: int) -> None:
     output = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # what the library prints must not come between
     limit(seconds + WAITING, memory)
-    try:
+
+    def reader(file: Path) -> Arrays:
         library, module, name = places
         import_module(library)
-        reader = getattr(import_module(module), name)
+        found = getattr(import_module(module), name)
         limit_processor(seconds)
-        content = packed(reader(Path(path)))
+        return found(file)
+
+    with output:
+        output.write(tried(reader, Path(path), memory))
+
+
+def tried(reader: Callable[[Path], Arrays], path: Path, memory: int) -> bytes:
+    """What the reader gives, packed, or why it fails."""
+    try:
+        return packed(reader(path))
     except MemoryError:
-        content = packed({FAULT: np.array(f"it takes more than {memory / 1e9:.1f} GB of memory")})
+        return packed({FAULT: np.array(f"it takes more than {memory / 1e9:.1f} GB of memory")})
     except Exception as fault:  # a library may raise anything over a file that is damaged
         words = plain(str(fault)) if is_ours(fault) else "it is damaged, or not what its name says"
-        content = packed({FAULT: np.array(words)})
-    with output:
-        output.write(content)
+        return packed({FAULT: np.array(words)})
 
 
 def limit(seconds: float, memory: int) -> None:

@@ -56,6 +56,9 @@ def read_blf(path: Path) -> Log:
     header_size, announced, start = header[1], header[12], header[14:22]
     pieces, faults = unbroken_pieces(content, header_size)
     positions = [object_positions(piece) for piece in pieces]
+    if not faults and (odd := sum(map(misfits, pieces, positions))):
+        faults.append(f"{odd} object(s) are not as long as they say")
+    positions = [within(piece, at) for piece, at in zip(pieces, positions, strict=True)]
     begin = start_time(start)
     first, *others = (frames_at(*pair, begin) for pair in zip(pieces, positions, strict=True))
     return Log(
@@ -81,12 +84,12 @@ def unbroken_pieces(content: bytes, begin: int) -> tuple[list[bytes], list[str]]
     """The content of all blocks, parted where one is missing, and what is wrong with the file."""
     pieces: list[list[bytes]] = [[]]
     faults: list[str] = []
-    room = MOST_UNPACKED + MOST_PER_BYTE * len(content)
+    room, padding = MOST_UNPACKED + MOST_PER_BYTE * len(content), 0
     while (at := content.find(SIGNATURE, begin)) >= 0 and at + CONTAINER_HEADER <= len(content):
-        if at > begin + LONGEST_PADDING:
+        if at > begin + padding:
             faults.append(f"{at - begin} unknown bytes at byte {begin}")
             pieces.append([])
-        *_, size, kind = OBJECT_HEADER.unpack_from(content, at)
+        padding, (*_, size, kind) = LONGEST_PADDING, OBJECT_HEADER.unpack_from(content, at)
         begin = at + max(size, CONTAINER_HEADER)
         if begin > len(content):
             faults.append(f"the file ends inside the block at byte {at}")
@@ -139,8 +142,24 @@ def object_positions(stream: bytes):
     slack = np.diff(at) - words[at // 4 + 2][:-1].astype(np.int64)
     if not ((slack >= 0) & (slack < 4)).all() or (at.size and at[0] > 0):
         at = np.array(list(walk(stream)), dtype=np.int64)
-    sizes = np.array([], dtype=np.int64) if not at.size else gather(stream, at + 8, "<u4")
-    return at[at + sizes.astype(np.int64) <= len(stream)]
+    return at
+
+
+def ends_of(stream: bytes, at):
+    """Where objects end, as they say."""
+    sizes = gather(stream, at + 8, "<u4") if at.size else at
+    return at + sizes.astype(np.int64)
+
+
+def within(stream: bytes, at):
+    """Those of the objects that are whole."""
+    return at[ends_of(stream, at) <= len(stream)]
+
+
+def misfits(stream: bytes, at) -> int:
+    """How many objects end elsewhere than the next begins, or the stream ends."""
+    gaps = np.append(at, len(stream)) - np.append(0, ends_of(stream, at))
+    return int(((gaps < 0) | (gaps > LONGEST_PADDING)).sum())
 
 
 def walk(stream: bytes) -> Iterator[int]:
