@@ -59,7 +59,7 @@ def mat_samples() -> tuple[Sample, ...]:
 
     packed = saved(".mat", lambda path: savemat(path, COLUMNS, do_compression=True))
     plain = saved(".mat", lambda path: savemat(path, {"trial": COLUMNS, "fs": 100.0}))
-    return tuple(undated(each) for each in (packed, plain)) + (saved(".mat", hdf5),)
+    return undated(packed), undated(plain), saved(".mat", hdf5)
 
 
 def undated(sample: Sample) -> Sample:

@@ -115,6 +115,8 @@ def beside_formats() -> dict[str, Format]:
 
 def saved_formats() -> dict[str, Format]:
     return {
-        f"saved {suffix}": Format(f".{suffix}", (kept_sample(f".{suffix}"),), read_kept, checked=True)
+        f"saved {suffix}": Format(
+            f".{suffix}", (kept_sample(f".{suffix}"),), read_kept, checked=True
+        )
         for suffix in ("nc", "json")
     }

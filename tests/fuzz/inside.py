@@ -59,4 +59,3 @@ def in_mat(draw: random.Random, content: bytes, _others: Sequence[bytes]) -> byt
     inner = zlib.decompress(content[begin:end])
     body = zlib.compress(mutated(draw, inner, [inner]), 1)
     return content[:MAT_HEAD] + struct.pack("<LL", 15, len(body)) + body + content[end:]
-

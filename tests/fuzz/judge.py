@@ -135,7 +135,12 @@ def judged(name: str, seed: int, number: int, folder: Path) -> Verdict:
 def refusal(fault: Exception) -> tuple[str, str]:
     """One line of our own, or a fault of ours."""
     said = str(fault)
-    if isinstance(fault, ValueError | OSError) and not foreign(fault) and said.isprintable() and said:
+    if (
+        isinstance(fault, ValueError | OSError)
+        and not foreign(fault)
+        and said.isprintable()
+        and said
+    ):
         return REFUSED, said
     return FAULT, "".join(traceback.format_exception(fault))
 

@@ -34,7 +34,9 @@ class Tally:
         self.next += 1
 
 
-def fuzz(names: list[str], seed: int, seconds: float, told=lambda tallies: None) -> dict[str, Tally]:
+def fuzz(
+    names: list[str], seed: int, seconds: float, told=lambda tallies: None
+) -> dict[str, Tally]:
     """Every format in turns until the time is over; `told` hears how far it is after each."""
     tallies = {name: Tally() for name in names}
     end = time.monotonic() + seconds
@@ -100,9 +102,13 @@ def table(tallies: dict[str, Tally]) -> str:
     )
     heads = ["format", "mutants", *CLASSES, "per s"]
     rows = [
-        [name, each.next, *(each.counts[kind] for kind in CLASSES), round(each.next / max(each.seconds, 1e-9))]
+        [
+            name,
+            each.next,
+            *(each.counts[kind] for kind in CLASSES),
+            round(each.next / max(each.seconds, 1e-9)),
+        ]
         for name, each in {**tallies, "all": total}.items()
     ]
     lines = [f"{row[0]:<11}" + "".join(f"{cell:>9}" for cell in row[1:]) for row in [heads, *rows]]
     return "\n".join(lines)
-

@@ -46,9 +46,15 @@ def own_by_csv(path: Path, _sample: Sample) -> Rows:
     text = path.read_text(encoding="utf-8-sig")
     names, *rows = csv.reader(io.StringIO(text), strict=True, skipinitialspace=True)
     cells = zip(*rows, strict=True)
-    found = {n.strip(): [*map(number, c)] for n, c in zip(names, cells, strict=True) if n.strip() in NUMERIC}
+    found = {
+        n.strip(): [*map(number, c)]
+        for n, c in zip(names, cells, strict=True)
+        if n.strip() in NUMERIC
+    }
     arrays = {name: np.array(each) for name, each in found.items()}
-    arrays = {IN_DEGREES.get(n, n): np.radians(a) if n in IN_DEGREES else a for n, a in arrays.items()}
+    arrays = {
+        IN_DEGREES.get(n, n): np.radians(a) if n in IN_DEGREES else a for n, a in arrays.items()
+    }
     segment = arrays.pop("segment", np.zeros(len(rows))).astype(int)
     measured = {n: a for n, a in arrays.items() if n != "time_s" and not np.isnan(a).all()}
     order = [name for name in NUMERIC if name in measured]

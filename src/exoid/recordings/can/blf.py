@@ -6,13 +6,18 @@ is read. The layout is that of python-can's `can.io.blf`, whose reader the tests
 """
 
 import struct
-import zlib
 from collections.abc import Iterator
 from datetime import UTC, datetime
 from pathlib import Path
 
 import numpy as np
 
+from exoid.recordings.can.blf_blocks import (
+    LONGEST_PADDING,
+    OBJECT_HEADER,
+    SIGNATURE,
+    unbroken_pieces,
+)
 from exoid.recordings.can.frames import (
     ERROR,
     EXTENDED,
@@ -25,11 +30,7 @@ from exoid.recordings.can.frames import (
 )
 
 FILE_HEADER = struct.Struct("<4sL8B2Q2L8H8H")  # as python-can; the fields used are named below
-OBJECT_HEADER = struct.Struct("<4sHHLL")  # signature, header size, header version, size, type
-CONTAINER_HEADER = 32  # bytes before a block's content, the object header included
-PACKING = struct.Struct("<H6xL")  # behind a block's object header: method, size when unpacked
-CONTAINER = 10
-SIGNATURE = b"LOBJ"
+VERSIONS = (1, 2)  # of an object's head
 MESSAGE_TYPES = (1, 86)  # CAN_MESSAGE, CAN_MESSAGE2
 ERROR_TYPE = 73  # CAN_ERROR_EXT
 FD_TYPES = (100, 101)  # CAN_FD_MESSAGE, CAN_FD_MESSAGE_64
@@ -37,9 +38,6 @@ EXTENDED_BIT = 0x80000000
 REMOTE_BIT = 0x80
 TEN_MICROSECONDS = 1  # the object flag for times in 10 us instead of 1 ns
 LONGEST_READ = 64  # bytes of an object that are looked at
-LONGEST_PADDING = 3  # bytes between two blocks
-# What a file may unpack to [bytes]: more would be no log, whose frames shrink to a tenth at best.
-MOST_UNPACKED, MOST_PER_BYTE = 1 << 26, 30
 
 
 def read_blf(path: Path) -> Log:
@@ -57,7 +55,7 @@ def read_blf(path: Path) -> Log:
     pieces, faults = unbroken_pieces(content, header_size)
     positions = [object_positions(piece) for piece in pieces]
     if not faults and (odd := sum(map(misfits, pieces, positions))):
-        faults.append(f"{odd} object(s) are not as long as they say")
+        faults.append(f"{odd} object(s) in the blocks are damaged")
     positions = [within(piece, at) for piece, at in zip(pieces, positions, strict=True)]
     begin = start_time(start)
     first, *others = (frames_at(*pair, begin) for pair in zip(pieces, positions, strict=True))
@@ -78,56 +76,6 @@ def start_time(system_time: tuple[int, ...]) -> float:
     except ValueError:
         return 0.0
     return moment.timestamp()
-
-
-def unbroken_pieces(content: bytes, begin: int) -> tuple[list[bytes], list[str]]:
-    """The content of all blocks, parted where one is missing, and what is wrong with the file."""
-    pieces: list[list[bytes]] = [[]]
-    faults: list[str] = []
-    room, padding = MOST_UNPACKED + MOST_PER_BYTE * len(content), 0
-    while (at := content.find(SIGNATURE, begin)) >= 0 and at + CONTAINER_HEADER <= len(content):
-        if at > begin + padding:
-            faults.append(f"{at - begin} unknown bytes at byte {begin}")
-            pieces.append([])
-        padding, (*_, size, kind) = LONGEST_PADDING, OBJECT_HEADER.unpack_from(content, at)
-        begin = at + max(size, CONTAINER_HEADER)
-        if begin > len(content):
-            faults.append(f"the file ends inside the block at byte {at}")
-        if kind != CONTAINER:
-            continue
-        try:
-            pieces[-1].append(unpacked(content[at:begin], begin > len(content), room))
-            room -= len(pieces[-1][-1])
-        except (zlib.error, DamagedBlock) as fault:
-            faults.append(f"the block at byte {at} is damaged and left out ({fault})")
-            pieces.append([])
-    if at < 0 and len(content) > begin + LONGEST_PADDING:
-        faults.append(f"{len(content) - begin} unknown bytes at byte {begin}")
-    return [b"".join(piece) for piece in pieces], faults
-
-
-class DamagedBlock(ValueError):
-    """A block that is not as long as it says, or whose checksum is not there."""
-
-
-def unpacked(block: bytes, cut: bool, room: int) -> bytes:
-    """The content of one block, never more than it declares; of one that was cut, what is there.
-
-    zlib compares its checksum when it comes to it. A block that ends before was never compared.
-    """
-    method, declared = PACKING.unpack_from(block, OBJECT_HEADER.size)
-    if declared > room:
-        raise DamagedBlock(f"it declares {declared} bytes, more than such a file can hold")
-    body, complete = block[CONTAINER_HEADER:], True
-    if method:
-        stream = zlib.decompressobj()
-        body = stream.decompress(body, declared + 1)
-        complete = stream.eof
-    if not cut and not complete:
-        raise DamagedBlock("its checksum is missing")
-    if len(body) > declared if cut or not method else len(body) != declared:
-        raise DamagedBlock(f"it declares {declared} bytes and holds others")
-    return body
 
 
 def object_positions(stream: bytes):
@@ -157,9 +105,17 @@ def within(stream: bytes, at):
 
 
 def misfits(stream: bytes, at) -> int:
-    """How many objects end elsewhere than the next begins, or the stream ends."""
+    """How many objects end elsewhere than the next begins, or the stream ends, or have heads of a
+    version that nobody knows.
+    """
     gaps = np.append(at, len(stream)) - np.append(0, ends_of(stream, at))
-    return int(((gaps < 0) | (gaps > LONGEST_PADDING)).sum())
+    strange = ~is_known(stream, at) if at.size else np.zeros(0, bool)
+    return int(((gaps < 0) | (gaps > LONGEST_PADDING)).sum() + strange.sum())
+
+
+def is_known(stream: bytes, at):
+    """Are the heads of these objects of a version that is known?"""
+    return np.isin(gather(stream, at + 6, "<u2"), VERSIONS)
 
 
 def walk(stream: bytes) -> Iterator[int]:
@@ -182,7 +138,7 @@ def frames_at(stream: bytes, at, start: float) -> Frames:
     """The objects that are frames, in their order."""
     padded = stream + bytes(LONGEST_READ)  # so that a short last object can be read like the rest
     kinds = gather(padded, at + 12, "<u4")
-    frames = np.isin(kinds, (*MESSAGE_TYPES, ERROR_TYPE, *FD_TYPES))
+    frames = np.isin(kinds, (*MESSAGE_TYPES, ERROR_TYPE, *FD_TYPES)) & is_known(padded, at)
     at, kinds = at[frames], kinds[frames]
     ticks = gather(padded, at + 24, "<u8")
     unit = np.where(gather(padded, at + 16, "<u4") == TEN_MICROSECONDS, 1e-5, 1e-9)
