@@ -138,7 +138,7 @@ def refusal(fault: Exception) -> tuple[str, str]:
     if (
         isinstance(fault, ValueError | OSError)
         and not foreign(fault)
-        and said.isprintable()
+        and visible(said) == said
         and said
     ):
         return REFUSED, said

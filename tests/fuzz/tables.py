@@ -113,10 +113,10 @@ def by_csv(path: Path, sample: Sample) -> Rows:
 
 
 def plain_text(path: Path, sample: Sample) -> str:
-    """As it was written, or else in Windows' western letters."""
+    """As it was written, or else in UTF-8 or Windows' western letters."""
     content = path.read_bytes()
     try:
-        text = content.decode(sample.told[2:])
+        text = content.decode(sample.told[2:].replace("cp1252", "utf-8"))
     except UnicodeDecodeError:
         text = content.decode("cp1252", errors="replace")
     return text.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
@@ -134,11 +134,23 @@ def below_header(path: Path, _sample: Sample) -> Rows:
 
 
 def lines_of_numbers(lines: list[str], separator: str, decimal: str) -> np.ndarray:
-    """**Raises** `ValueError` where a line behind the first of them is another."""
+    """**Raises** `ValueError` where a line behind the first of them is another.
+
+    Tabs that do not make lines of one length are blanks among others.
+    """
+    try:
+        return np.array(rows_of(lines, separator, decimal)).T
+    except ValueError:
+        if separator != "\t":
+            raise
+        return np.array(rows_of(lines, " ", decimal)).T
+
+
+def rows_of(lines: list[str], separator: str, decimal: str) -> list[list[float]]:
     rows: list[list[float]] = []
     for line in lines:
-        apart = " " if separator == "\t" and " " in line else separator
-        cells = line.split() if apart == " " else next(csv.reader([line], delimiter=apart), [])
+        cells = next(csv.reader([line], delimiter=separator), [])
+        cells = line.split() if separator == " " else cells
         if not any(cell.strip() for cell in cells):
             if rows:
                 break  # another block
@@ -148,7 +160,7 @@ def lines_of_numbers(lines: list[str], separator: str, decimal: str) -> np.ndarr
         except ValueError:
             if rows:
                 raise
-    return np.array(rows).T
+    return rows
 
 
 def opensim_samples() -> tuple[Sample, ...]:

@@ -9,7 +9,7 @@ import numpy as np
 
 from exoid.files.foreign import MEMORY, MEMORY_PER_BYTE
 from exoid.recordings.tables.arrays import sheet_of_arrays
-from exoid.recordings.tables.sheet import Place, Sheet
+from exoid.recordings.tables.sheet import Place, Sheet, printable
 
 
 def read_npz(path: Path) -> Sheet:
@@ -45,9 +45,13 @@ def check_archive(stream: BinaryIO) -> None:
 
 
 def opened(file: np.lib.npyio.NpzFile, name: str) -> np.ndarray:
+    """One array. NumPy hands over whatever else an archive holds as bytes."""
     try:
-        return file[name]
+        found = file[name]
     except ValueError as error:
         if "pickle" in str(error):
             return np.empty(0)  # objects: named among what is not read
         raise
+    if not isinstance(found, np.ndarray):
+        raise ValueError(f"holds {printable(name)}, which is no array. Save it again.")
+    return found
