@@ -14,6 +14,7 @@ from unittest.mock import patch
 
 from exoid.cli import foreign
 from exoid.files.foreign import MEMORY, sound, tried, unpacked
+from exoid.files.visible import visible
 
 from .mutate import mutated
 from .reading import Format, Reading, alike, same
