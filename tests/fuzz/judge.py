@@ -5,15 +5,13 @@ import signal
 import traceback
 import warnings
 from collections.abc import Iterator
-from contextlib import ExitStack, contextmanager
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
 from importlib import import_module
 from pathlib import Path
-from unittest.mock import patch
 
 from exoid.cli import foreign
-from exoid.files.foreign import MEMORY, sound, tried, unpacked
 from exoid.files.visible import visible
 
 from .mutate import mutated
@@ -30,9 +28,7 @@ HOMES = {
 NAMES = tuple(name for names in HOMES.values() for name in names)
 MAKERS = {"logs": "logs", "tables": "tables", "archives": "archives", "beside": "beside",
           "saved": "beside"}  # fmt: skip
-APART = (
-    "can.log_files", "formats.c3d", "formats.matlab", "formats.parquet", "formats.excel",
-)  # fmt: skip
+OVER = ("took longer than", "broke down", "of memory")  # where a library was ended
 INSIDE = 0.3  # the share of mutants that are damaged below their checksum
 
 REFUSED, TOLD, SAME, PLAIN, ENDED = "refused", "told", "same", "plain", "ended"
@@ -90,19 +86,6 @@ def mutant(name: str, seed: int, number: int) -> tuple[bytes, int]:
     return mutated(draw, content, others), which
 
 
-@contextmanager
-def in_this_process() -> Iterator[None]:
-    """Readers of other libraries without a process of their own, which takes 0.3 s to start."""
-
-    def here(reader, path, advice, *, library="numpy"):
-        return sound(unpacked(tried(reader, path, MEMORY)), path, advice)
-
-    with ExitStack() as patches:
-        for each in APART:
-            patches.enter_context(patch(f"exoid.recordings.{each}.read_apart", here))
-        yield
-
-
 @cache
 def original(name: str, which: int, folder: Path) -> Reading:
     """What is read of the sound file."""
@@ -142,7 +125,7 @@ def refusal(fault: Exception) -> tuple[str, str]:
         and visible(said) == said
         and said
     ):
-        return REFUSED, said
+        return (ENDED if any(word in said for word in OVER) else REFUSED), said
     return FAULT, "".join(traceback.format_exception(fault))
 
 

@@ -1,6 +1,8 @@
 """Mutants of every format by turns, in processes that are watched, and the table of what came."""
 
 import json
+import os
+import signal
 import subprocess
 import sys
 import time
@@ -13,7 +15,7 @@ from .judge import CLASSES, FAILED, FAULT, HANG
 from .worker import LETTERS
 
 TURN = 30.0  # s of one format, beside which the start of its process is short
-STANDING = 15.0  # s in which a mutant must be read, on a machine that has other things to do
+STANDING = 40.0  # s in which a mutant must be read, on a machine that has other things to do
 STARTING = 60.0  # s until the first
 LONGEST = 150.0  # s of one mutant as a command reads it: above the limits of other libraries
 
@@ -57,7 +59,8 @@ def take_turn(name: str, seed: int, seconds: float, tally: Tally) -> None:
         letters.touch()
         begin = time.monotonic()
         task = json.dumps([name, seed, tally.next, seconds, str(letters)])
-        process = subprocess.Popen([sys.executable, "-m", f"{__package__}.worker", task])
+        call = [sys.executable, "-m", f"{__package__}.worker", task]
+        process = subprocess.Popen(call, start_new_session=True)
         done = watched(process, letters)
         tally.seconds += time.monotonic() - begin
         for letter in letters.read_text():
@@ -75,7 +78,7 @@ def watched(process: subprocess.Popen, letters: Path) -> bool:
         if now != size:
             size, moved, allowed = now, time.monotonic(), STANDING
         elif time.monotonic() - moved > allowed:
-            process.kill()
+            os.killpg(process.pid, signal.SIGKILL)
             process.wait()
             return False
     return process.returncode == 0

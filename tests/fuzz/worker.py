@@ -1,48 +1,81 @@
-"""One process that reads mutants of one format, and writes a letter of what it thinks of each."""
+"""A process that reads mutants of one format, and writes a letter of what it thinks of each."""
 
 import json
 import os
 import resource
+import signal
 import sys
 import time
+from contextlib import nullcontext
+from mmap import mmap
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from .judge import CLASSES, ENDED, Verdict, in_this_process, judged
+from .here import in_this_process
+from .judge import CLASSES, ENDED, FAULT, HANG, Verdict, format_of, judged, original
 
 LETTERS = "rtspeWFH"  # of the classes, in their order
 MEMORY = 3 << 30  # bytes
+SECONDS = 2.0  # of the processor for one mutant: a hundred times what a file of a few kB takes
 QUICK = "/dev/shm" if Path("/dev/shm").is_dir() else None  # a folder in memory
 
 
 def work(name: str, seed: int, begin: int, seconds: float, letters: str) -> None:
-    """Until the time is over; the length of the file of letters says how far it is."""
+    """Until the time is over. A copy of this process reads; another goes on where it ends.
+
+    The length of the file of letters says how far it is.
+    """
     resource.setrlimit(resource.RLIMIT_DATA, (MEMORY, MEMORY))
     silent = os.open(os.devnull, os.O_WRONLY)
     os.dup2(silent, 1)
     os.dup2(silent, 2)  # libraries in C write there
+    mark, end = mmap(-1, 1), time.monotonic() + seconds
     with (
         TemporaryDirectory(dir=QUICK) as folder,
-        in_this_process(),
+        in_this_process(mark),
         Path(letters).open("ab", buffering=0) as file,
     ):
-        end, number = time.monotonic() + seconds, begin
+        for which in range(len(format_of(name).samples)):
+            original(name, which, Path(folder))  # loads the libraries
         while time.monotonic() < end:
-            kind = judged(name, seed, number, Path(folder)).kind
-            file.write(LETTERS[CLASSES.index(kind)].encode())
-            number += 1
+            child = os.fork()
+            if child == 0:
+                read_on(name, seed, begin + file.tell(), end, Path(folder), file)
+            status = os.waitpid(child, 0)[1]
+            file.seek(0, os.SEEK_END)
+            if status:
+                file.write(letter(ended(status, bool(mark[0]))))
+                mark[0] = 0
     os._exit(0)  # a library may fail once more as it is freed
+
+
+def read_on(name: str, seed: int, number: int, end: float, folder: Path, file) -> None:
+    """Mutants from this number on; the system ends the process that takes too long over one."""
+    signal.signal(signal.SIGPROF, signal.SIG_DFL)
+    while time.monotonic() < end:
+        signal.setitimer(signal.ITIMER_PROF, SECONDS)
+        file.write(letter(judged(name, seed, number, folder).kind))
+        number += 1
+    os._exit(0)
+
+
+def ended(status: int, in_library: bool) -> str:
+    """What to think of a mutant over which the process ended."""
+    if in_library:
+        return ENDED
+    late = os.WIFSIGNALED(status) and os.WTERMSIG(status) in (signal.SIGPROF, signal.SIGKILL)
+    return HANG if late else FAULT
+
+
+def letter(kind: str) -> bytes:
+    return LETTERS[CLASSES.index(kind)].encode()
 
 
 def alone(name: str, seed: int, number: int, *, apart: bool) -> Verdict:
     """One mutant; `apart` as a command reads it, other libraries in processes of their own."""
-    with TemporaryDirectory(dir=QUICK) as folder:
-        if not apart:
-            with in_this_process():
-                return judged(name, seed, number, Path(folder))
-        found = judged(name, seed, number, Path(folder))
-        over = "took longer than" in found.why or "broke down" in found.why
-        return Verdict(ENDED, found.why) if over else found
+    within = nullcontext() if apart else in_this_process(mmap(-1, 1))
+    with TemporaryDirectory() as folder, within:
+        return judged(name, seed, number, Path(folder))
 
 
 if __name__ == "__main__":

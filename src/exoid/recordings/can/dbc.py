@@ -88,13 +88,21 @@ def plan_message(message, names: tuple[str, ...] | None = None) -> MessagePlan:
         identifier=message.frame_id,
         extended=message.is_extended_frame,
         length=message.length,
-        period=message.cycle_time / 1000 if message.cycle_time else None,
+        period=period_of(message),
         signals=tuple(
             plan_signal(message.name, signal)
             for signal in message.signals
             if names is None or signal.name in names
         ),
     )
+
+
+def period_of(message) -> float | None:
+    """How often a message is sent [s], where its DBC says so."""
+    cycle = message.cycle_time
+    if cycle is not None and not (isinstance(cycle, int | float) and 0 <= cycle < float("inf")):
+        raise DbcError(f"{message.name} has the cycle time {cycle!r:.20}; it must be in ms.")
+    return cycle / 1000 if cycle else None
 
 
 def plan_signal(message: str, signal) -> SignalPlan:
