@@ -141,3 +141,10 @@ def timed(call, argument) -> float:
     begin = perf_counter()
     call(argument)
     return perf_counter() - begin
+
+
+@pytest.mark.parametrize("cycle", ["often", float("nan"), -20])
+def test_a_cycle_time_that_is_none_is_refused(cycle):
+    message = Message(1, "Knee", 8, [], cycle_time=cycle)
+    with pytest.raises(DbcError, match="Knee has the cycle time .* it must be in ms"):
+        plan_message(message)
