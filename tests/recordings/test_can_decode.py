@@ -146,5 +146,5 @@ def timed(call, argument) -> float:
 @pytest.mark.parametrize("cycle", ["often", float("nan"), -20])
 def test_a_cycle_time_that_is_none_is_refused(cycle):
     message = Message(1, "Knee", 8, [], cycle_time=cycle)
-    with pytest.raises(DbcError, match="Knee has the cycle time .* it must be in ms"):
+    with pytest.raises(DbcError, match=r"Knee has the cycle time .* it must be in ms"):
         plan_message(message)

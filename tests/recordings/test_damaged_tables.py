@@ -1,4 +1,4 @@
-"""What a damaged table or sidecar says is refused or right, and never more than a machine can hold."""
+"""What a damaged table or sidecar says is refused or right, and no more than a machine can hold."""
 
 import subprocess
 from io import BytesIO
