@@ -47,7 +47,8 @@ def in_blf(draw: random.Random, content: bytes, _others: Sequence[bytes]) -> byt
     head = bytearray(content[BLF_HEAD:begin])
     struct.pack_into("<L", head, 8, BLOCK_HEAD + len(body))
     struct.pack_into("<L", head, 24, len(damaged))
-    return content[:BLF_HEAD] + head + body + bytes(-size % 4 and (len(body) % 4)) + content[end:]
+    new = bytes(head) + body
+    return content[:BLF_HEAD] + new + bytes(len(new) % 4) + content[end + size % 4 :]
 
 
 def in_mat(draw: random.Random, content: bytes, _others: Sequence[bytes]) -> bytes:

@@ -24,6 +24,7 @@ BYTES = {
     10: (re.compile(r"\d{1,3}", re.ASCII), re.compile(r"\d{1,3}", re.ASCII)),
 }  # a byte as it is written, and what could have been one
 LONGEST = 8
+EVENT = re.compile(r"\s*\d+\.\d+\s", re.ASCII)
 
 
 def base_of(lines: Iterable[str]) -> str:
@@ -31,7 +32,7 @@ def base_of(lines: Iterable[str]) -> str:
     for line in lines:
         if found := BASE.match(line):
             return found[1].lower()
-        if ALIKE.search(line):
+        if is_event(line):
             break
     return "hex"
 
@@ -39,6 +40,11 @@ def base_of(lines: Iterable[str]) -> str:
 def is_alike(line: str) -> bool:
     """Is this a frame, or was it one?"""
     return bool(ALIKE.search(line)) and not OTHERS.search(line)
+
+
+def is_event(line: str) -> bool:
+    """Does a time stand at its begin, as in no line of a header?"""
+    return EVENT.match(line) is not None
 
 
 def asc_check(lines: Iterable[str]) -> Sound:

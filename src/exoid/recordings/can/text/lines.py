@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from exoid.recordings.can.text.asc import asc_check, is_alike
+from exoid.recordings.can.text.asc import asc_check, is_event
 from exoid.recordings.can.text.candump import candump_check
 from exoid.recordings.can.text.own_csv import csv_check
 from exoid.recordings.can.text.sound import Sound
@@ -43,7 +43,7 @@ class Lines:
             return "\n"
         while self.number < len(self.lines) and len(self.damaged) < MOST_DAMAGED:
             line = self.lines[self.number]
-            if not self.begun and is_alike(line):
+            if not self.begun and is_event(line):
                 self.begun = True
                 return "\n"
             self.number += 1
