@@ -5,7 +5,7 @@ import sys
 from pathlib import Path
 
 from .judge import FAILED, NAMES, mutant
-from .run import Tally, fuzz, table
+from .run import Plan, Tally, fuzz, table
 from .worker import alone
 
 
@@ -13,6 +13,7 @@ def main() -> int:
     """The exit code: 1 where a mutant failed."""
     parser = argparse.ArgumentParser(prog="python -m tests.fuzz", description=__doc__)
     parser.add_argument("--minutes", type=float, default=1.0)
+    parser.add_argument("--mutants", type=int, default=10**12, help="of each format, at most")
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--format", action="append", choices=NAMES, help="only this one; repeat")
     parser.add_argument("--failures", type=Path, default=Path("fuzz-failures.txt"))
@@ -22,7 +23,7 @@ def main() -> int:
     given = parser.parse_args()
     if given.replay:
         return replay(given.replay, given.apart, given.write)
-    names = given.format or [*NAMES]
+    names = tuple(given.format or NAMES)
 
     def keep(tallies: dict[str, Tally]) -> None:
         recipes = [
@@ -32,7 +33,7 @@ def main() -> int:
         ]
         given.failures.write_text("\n".join([table(tallies), "", *recipes, ""]))
 
-    tallies = fuzz(names, given.seed, 60 * given.minutes, keep)
+    tallies = fuzz(Plan(names, given.seed, 60 * given.minutes, given.mutants), keep)
     print(table(tallies))
     failed = sum(len(each.failures) for each in tallies.values())
     if failed:

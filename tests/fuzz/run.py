@@ -36,29 +36,40 @@ class Tally:
         self.next += 1
 
 
-def fuzz(
-    names: list[str], seed: int, seconds: float, told=lambda tallies: None
-) -> dict[str, Tally]:
-    """Every format in turns until the time is over; `told` hears how far it is after each."""
-    tallies = {name: Tally() for name in names}
-    end = time.monotonic() + seconds
-    turn = min(TURN, seconds / len(names))
-    while time.monotonic() < end:
-        for name in names:
+@dataclass(frozen=True)
+class Plan:
+    """What is damaged, how, and for how long."""
+
+    names: tuple[str, ...]
+    seed: int = 0
+    seconds: float = 60.0
+    most: int = 10**12  # mutants of each format
+
+
+def fuzz(plan: Plan, told=lambda tallies: None) -> dict[str, Tally]:
+    """Every format in turns until the time is over, or all mutants are read; `told` hears how far
+    it is after each turn.
+    """
+    tallies = {name: Tally() for name in plan.names}
+    end = time.monotonic() + plan.seconds
+    turn = min(TURN, plan.seconds / len(plan.names))
+    while any(each.next < plan.most for each in tallies.values()):
+        for name in plan.names:
             left = end - time.monotonic()
-            if left > 0:
-                take_turn(name, seed, min(turn, left), tallies[name])
-                told(tallies)
+            if left <= 0:
+                return tallies
+            take_turn(name, plan, min(turn, left), tallies[name])
+            told(tallies)
     return tallies
 
 
-def take_turn(name: str, seed: int, seconds: float, tally: Tally) -> None:
+def take_turn(name: str, plan: Plan, seconds: float, tally: Tally) -> None:
     """Mutants for so long; one that its process does not survive is read once more as it should."""
     with TemporaryDirectory() as folder:
         letters = Path(folder) / "letters"
         letters.touch()
         begin = time.monotonic()
-        task = json.dumps([name, seed, tally.next, seconds, str(letters)])
+        task = json.dumps([name, plan.seed, tally.next, [seconds, plan.most], str(letters)])
         call = [sys.executable, "-m", f"{__package__}.worker", task]
         process = subprocess.Popen(call, start_new_session=True)
         done = watched(process, letters)
@@ -66,7 +77,7 @@ def take_turn(name: str, seed: int, seconds: float, tally: Tally) -> None:
         for letter in letters.read_text():
             tally.add(CLASSES[LETTERS.index(letter)])
         if not done:
-            tally.add(read_apart(name, seed, tally.next))
+            tally.add(read_apart(name, plan.seed, tally.next))
 
 
 def watched(process: subprocess.Popen, letters: Path) -> bool:

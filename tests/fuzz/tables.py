@@ -75,20 +75,22 @@ DIALECTS = {";,utf-8": (";", ","), "\t.utf-8": ("\t", "."), "|.utf-8": ("|", "."
             " .utf-8": (" ", "."), ";.cp1252": (";", "."), ",.utf-16": (",", ".")}  # fmt: skip
 
 
+def dialect_table(told: str, *columns: np.ndarray) -> bytes:
+    """Time, angle and gyro as another program writes them: a title, units below the names."""
+    separator, decimal = DIALECTS[told]
+    rows = [
+        separator.join(f"{each:.4f}".replace(".", decimal) for each in row)
+        for row in zip(*columns, strict=True)
+    ]
+    names = separator.join(["Zeit", "Knie-Winkel", "gyro"])
+    units = [separator.join(["s", "deg", "deg/s"])] if separator != " " else []
+    title = ["Messung von heute", ""] if separator == ";" else []
+    return "\n".join([*title, names, *units, *rows, ""]).encode(told[2:])
+
+
 def dialect_samples() -> tuple[Sample, ...]:
-    """Tables of other programs: titles, units below the names, a remark."""
-    found = []
-    for told, (separator, decimal) in DIALECTS.items():
-        rows = [
-            separator.join(f"{each:.4f}".replace(".", decimal) for each in row)
-            for row in zip(TIME, ANGLE, np.gradient(ANGLE), strict=True)
-        ]
-        names = separator.join(["Zeit", "Knie-Winkel", "gyro"])
-        units = separator.join(["s", "deg", "deg/s"])
-        title = ["Messung von heute", ""] if separator == ";" else []
-        text = "\n".join([*title, names, *([units] if separator != " " else []), *rows, ""])
-        found.append(Sample(text.encode(told[2:]), told))
-    return tuple(found)
+    gyro = np.gradient(ANGLE)
+    return tuple(Sample(dialect_table(told, TIME, ANGLE, gyro), told) for told in DIALECTS)
 
 
 def read_columns_of(path: Path) -> Reading:

@@ -20,11 +20,13 @@ SECONDS = 2.0  # of the processor for one mutant: a hundred times what a file of
 QUICK = "/dev/shm" if Path("/dev/shm").is_dir() else None  # a folder in memory
 
 
-def work(name: str, seed: int, begin: int, seconds: float, letters: str) -> None:
-    """Until the time is over. A copy of this process reads; another goes on where it ends.
+def work(name: str, seed: int, begin: int, until: list[float], letters: str) -> None:
+    """Until the time is over, or a number is reached. A copy of this process reads; another goes on
+    where it ends.
 
     The length of the file of letters says how far it is.
     """
+    seconds, most = until
     resource.setrlimit(resource.RLIMIT_DATA, (MEMORY, MEMORY))
     silent = os.open(os.devnull, os.O_WRONLY)
     os.dup2(silent, 1)
@@ -37,10 +39,11 @@ def work(name: str, seed: int, begin: int, seconds: float, letters: str) -> None
     ):
         for which in range(len(format_of(name).samples)):
             original(name, which, Path(folder))  # loads the libraries
-        while time.monotonic() < end:
+        while time.monotonic() < end and begin + file.tell() < most:
             child = os.fork()
             if child == 0:
-                read_on(name, seed, begin + file.tell(), end, Path(folder), file)
+                numbers = range(begin + file.tell(), int(most))
+                read_on(name, seed, numbers, end, Path(folder), file)
             status = os.waitpid(child, 0)[1]
             file.seek(0, os.SEEK_END)
             if status:
@@ -49,14 +52,19 @@ def work(name: str, seed: int, begin: int, seconds: float, letters: str) -> None
     os._exit(0)  # a library may fail once more as it is freed
 
 
-def read_on(name: str, seed: int, number: int, end: float, folder: Path, file) -> None:
-    """Mutants from this number on; the system ends the process that takes too long over one."""
+def read_on(name: str, seed: int, numbers: range, end: float, folder: Path, file) -> None:
+    """These mutants; the system ends the process that takes too long over one."""
     signal.signal(signal.SIGPROF, signal.SIG_DFL)
-    while time.monotonic() < end:
-        signal.setitimer(signal.ITIMER_PROF, SECONDS)
-        file.write(letter(judged(name, seed, number, folder).kind))
-        number += 1
-    os._exit(0)
+    code = 1
+    try:
+        for number in numbers:
+            signal.setitimer(signal.ITIMER_PROF, SECONDS)
+            file.write(letter(judged(name, seed, number, folder).kind))
+            if time.monotonic() > end:
+                break
+        code = 0
+    finally:  # what is around it belongs to the other process
+        os._exit(code)
 
 
 def ended(status: int, in_library: bool) -> str:
