@@ -5,13 +5,11 @@ import zlib
 
 import numpy as np
 import pytest
-from exo_node import Node, mf4_writer, write_log
+from exo_node import Node, write_log
 
 from exoid.recordings.can.blf import read_blf
 from exoid.recordings.can.blf_blocks import MOST_UNPACKED
-from exoid.recordings.can.frames import CanLogError
 from exoid.recordings.can.log_files import read_log
-from exoid.recordings.can.mf4 import frames_of
 
 HEADER, BLOCK = 144, 32  # bytes of a BLF's own head and of a block's
 SIZE, DECLARED = HEADER + 8, HEADER + 24  # where a block says how long it is, packed and not
@@ -56,6 +54,13 @@ def test_a_block_that_declares_another_length_is_left_out(blf, change):
     struct.pack_into("<L", content, DECLARED, declared + change)
     blf.write_bytes(content)
     assert "bytes and holds others" in str(read_blf(blf).stopped)
+
+
+def test_a_block_that_is_packed_in_an_unknown_way_is_left_out(blf):
+    content = bytearray(blf.read_bytes())
+    content[HEADER + 16] = 9
+    blf.write_bytes(content)
+    assert "packed in a way 9 that nobody knows" in str(read_blf(blf).stopped)
 
 
 def bomb(blf, declared: int, unpacked: int) -> None:
@@ -176,24 +181,3 @@ def test_decimal_bytes_stay_decimal_where_the_header_was_damaged(tmp_path):
     log = read_log(path)
     assert log.frames.data[:, :2].tolist() == [[10, n] for n in range(4)]
     assert log.frames.identifier.tolist() == [100] * 4
-
-
-def test_an_mf4_group_that_links_to_itself_is_ended_within_seconds(tmp_path, messages):
-    path = tmp_path / "leg.mf4"
-    writer = mf4_writer(path)
-    for each in messages:
-        writer.on_message_received(each)
-    writer.stop()
-    content = bytearray(path.read_bytes())
-    at = content.index(b"##CG")
-    struct.pack_into("<Q", content, at + 24, at)  # its first link: the next group
-    path.write_bytes(content)
-    # 3 s of the processor and 14 kB of the file, wherever else the machine spends its time
-    with pytest.raises(CanLogError, match=r"leg\.mf4: reading it took longer than 3 s"):
-        read_log(path)
-
-
-def test_mf4_records_without_their_identifier_are_no_frames():
-    samples = np.zeros(3, [("CAN_DataFrame.DataLength", "u1"), ("CAN_DataFrame.DataBytes", "8u1")])
-    with pytest.raises(ValueError, match="its frames have no ID"):
-        frames_of(np.zeros(3), "CAN_DataFrame", samples)

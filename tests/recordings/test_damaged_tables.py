@@ -13,6 +13,7 @@ from exoid.files.text_file import naming
 from exoid.files.visible import visible
 from exoid.recordings.formats import npz
 from exoid.recordings.formats.own_table import read_table
+from exoid.recordings.formats.parquet import as_parquet
 from exoid.recordings.sidecar import DEEPEST, read_keys
 
 
@@ -50,6 +51,17 @@ def test_an_archive_that_unpacks_to_too_much_is_not_unpacked(tmp_path, monkeypat
     monkeypatch.setattr(npz, "MEMORY", 1 << 20)
     path = archive(tmp_path / "leg.npz", gyro=lambda _: bytes(200 << 20))
     with pytest.raises(ValueError, match=r"unpacks to 0\.2 GB, more than a recording can be"):
+        read_table(path)
+
+
+def test_a_changed_byte_of_exoids_own_parquet_is_noticed(tmp_path):
+    path = tmp_path / "leg.parquet"
+    whole = as_parquet({"time_s": TIME, "raw_angle_rad": np.radians(ANGLE)})
+    path.write_bytes(whole)
+    assert len(read_table(path)[0].segments[0].time) == TIME.size
+    at = whole.index(np.radians(ANGLE)[30].tobytes()[:6])  # packed, its bytes stay as they are
+    path.write_bytes(whole[:at] + bytes([whole[at] ^ 1]) + whole[at + 1 :])
+    with pytest.raises(ValueError, match=r"leg\.parquet: cannot be read: it is damaged"):
         read_table(path)
 
 

@@ -9,6 +9,7 @@ import zlib
 OBJECT_HEADER = struct.Struct("<4sHHLL")  # signature, header size, header version, size, type
 CONTAINER_HEADER = 32  # bytes before a block's content, the object header included
 PACKING = struct.Struct("<H6xL")  # behind a block's object header: method, size when unpacked
+METHODS = (0, 2)  # as it is, and by zlib
 CONTAINER = 10
 SIGNATURE = b"LOBJ"
 LONGEST_PADDING = 3  # bytes between two blocks
@@ -54,6 +55,8 @@ def unpacked(block: bytes, cut: bool, room: int) -> bytes:
     method, declared = PACKING.unpack_from(block, OBJECT_HEADER.size)
     if declared > room:
         raise DamagedBlock(f"it declares {declared} bytes, more than such a file can hold")
+    if method not in METHODS:
+        raise DamagedBlock(f"it is packed in a way {method} that nobody knows")
     body, complete = block[CONTAINER_HEADER:], True
     if method:
         stream = zlib.decompressobj()
