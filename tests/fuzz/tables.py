@@ -2,6 +2,7 @@
 
 import csv
 import io
+from contextlib import suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -108,18 +109,27 @@ def numbers_of(sheet: Sheet) -> Rows:
 
 
 def by_csv(path: Path, sample: Sample) -> Rows:
-    """The lines of numbers in the dialect in which the table was written."""
-    separator, decimal = DIALECTS[sample.told]
-    time, angle, gyro = lines_of_numbers(plain_text(path, sample).split("\n"), separator, decimal)
+    """The lines of numbers in the dialect in which the table was written, or in one that damage
+    has made of it: tables of two dialects may have been joined.
+    """
+    for told in (sample.told, *DIALECTS):
+        with suppress(ValueError):
+            return in_dialect(path.read_bytes(), told)
+    raise ValueError("no dialect")
+
+
+def in_dialect(content: bytes, told: str) -> Rows:
+    separator, decimal = DIALECTS[told]
+    lines = plain_text(content, told[2:]).split("\n")
+    time, angle, gyro = lines_of_numbers(lines, separator, decimal)
     unit = 1.0 if separator == " " else DEGREE  # without a row of units
     return motion(time, angle) | {"raw_velocity_rad_s": gyro * unit}
 
 
-def plain_text(path: Path, sample: Sample) -> str:
+def plain_text(content: bytes, encoding: str) -> str:
     """As it was written, or else in UTF-8 or Windows' western letters."""
-    content = path.read_bytes()
     try:
-        text = content.decode(sample.told[2:].replace("cp1252", "utf-8"))
+        text = content.decode(encoding.replace("cp1252", "utf-8"))
     except UnicodeDecodeError:
         text = content.decode("cp1252", errors="replace")
     return text.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
