@@ -120,9 +120,9 @@ def by_csv(path: Path, sample: Sample) -> Rows:
 
 def in_dialect(content: bytes, told: str) -> Rows:
     separator, decimal = DIALECTS[told]
-    lines = plain_text(content, told[2:]).split("\n")
-    time, angle, gyro = lines_of_numbers(lines, separator, decimal)
-    unit = 1.0 if separator == " " else DEGREE  # without a row of units
+    text = plain_text(content, told[2:])
+    time, angle, gyro = lines_of_numbers(text.split("\n"), separator, decimal)
+    unit = DEGREE if "deg/s" in text else 1.0  # without a row of units
     return motion(time, angle) | {"raw_velocity_rad_s": gyro * unit}
 
 

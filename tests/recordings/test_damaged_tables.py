@@ -89,6 +89,17 @@ def test_only_what_every_program_takes_for_a_number_is_one(tmp_path, cell, separ
         read_table(path)
 
 
+def test_a_damaged_cell_of_a_column_that_is_not_read_is_told(tmp_path):
+    """Lines that were joined in it are a sample of two others."""
+    path = tmp_path / "leg.csv"
+    rows = [f"{t:.2f};0.5;{a:.3f}" for t, a in zip(TIME, ANGLE, strict=True)]
+    path.write_text("\n".join(["time;pelvis;knee angle", *rows]))
+    whole = read_table(path)[1]
+    path.write_text("\n".join(["time;pelvis;knee angle", *rows[:7], "0.07;0.50.5;-31", *rows[8:]]))
+    (said,) = {*read_table(path)[1]} - {*whole}
+    assert "line 9, column pelvis holds '0.50.5', where the other lines hold numbers" in said
+
+
 NESTED = {
     "lists": "x = " + "[" * 100_000,
     "closed lists": "x = " + "[" * 400 + "]" * 400,

@@ -59,11 +59,22 @@ def sheet_of_rows(rows: list[Row], place: Place) -> Sheet:
         if name or not is_empty(list(cells))
     ]
     columns = [named(column, number) for number, column in enumerate(columns, 1)]
-    return Sheet(
-        tuple(columns),
-        Place(place.word, place.first + layout.first),
-        notes=remains(rows, layout, place),
-    )
+    where = Place(place.word, place.first + layout.first)
+    odd = [
+        f"{where(row)}, column {printable(name) or number} holds {samples[number - 1][row]!r:.40}, where the "
+        "other lines hold numbers. Is the line damaged?"
+        for number, (name, row) in enumerate(zip(names, odd_rows(samples, layout), strict=True), 1)
+        if row is not None
+    ]
+    return Sheet(tuple(columns), where, notes=(*odd, *remains(rows, layout, place)))
+
+
+def odd_rows(samples: list[tuple[Cell, ...]], layout: Layout) -> list[int | None]:
+    """Of every column of numbers the first row that holds words, where there is one."""
+    return [
+        next((row for row, cell in enumerate(cells) if numeric and isinstance(cell, str)), None)
+        for cells, numeric in zip(samples, layout.numeric, strict=True)
+    ]
 
 
 def find_layout(rows: list[Row]) -> Layout:
