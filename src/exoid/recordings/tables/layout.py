@@ -61,9 +61,9 @@ def sheet_of_rows(rows: list[Row], place: Place) -> Sheet:
     columns = [named(column, number) for number, column in enumerate(columns, 1)]
     where = Place(place.word, place.first + layout.first)
     odd = [
-        f"{where(row)}, column {printable(name) or number} holds {samples[number - 1][row]!r:.40}, where the "
-        "other lines hold numbers. Is the line damaged?"
-        for number, (name, row) in enumerate(zip(names, odd_rows(samples, layout), strict=True), 1)
+        f"{where(row)}, column {printable(name) or at} holds {samples[at - 1][row]!r:.40}, where "
+        "the other lines hold numbers. Is the line damaged?"
+        for at, (name, row) in enumerate(zip(names, odd_rows(samples, layout), strict=True), 1)
         if row is not None
     ]
     return Sheet(tuple(columns), where, notes=(*odd, *remains(rows, layout, place)))
