@@ -14,7 +14,7 @@ from tempfile import TemporaryDirectory
 from .judge import CLASSES, FAILED, FAULT, HANG
 from .worker import LETTERS
 
-TURN = 45.0  # s of one format, beside which the start of its process is short
+TURN = 20.0  # s of one format, beside which the start of its process is short
 STANDING = 40.0  # s in which a mutant must be read, on a machine that has other things to do
 STARTING = 60.0  # s until the first
 LONGEST = 150.0  # s of one mutant as a command reads it: above the limits of other libraries
