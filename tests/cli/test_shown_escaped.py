@@ -10,9 +10,11 @@ from command_line import refusal
 from rich.console import Console
 
 import exoid.cli
+from exoid.cli.inputs.reading import take_all
 from exoid.cli.terminal.screen import Screen
 from exoid.files.visible import visible
 from exoid.recordings.formats.own_table import write_table
+from exoid.recordings.loading.named import named_recordings
 from exoid.recordings.recording import Subject
 from exoid.report.tables.table import Column, Table, print_table
 from exoid.report.words.text import aligned, heading, note
@@ -80,6 +82,14 @@ def test_who_it_is_and_what_is_unknown_is_shown_in_all_that_people_read(command,
     again = tmp_path / "again.csv"
     done = command("convert", path, "-o", again)
     assert plain(done.stdout + done.stderr)
+
+
+def test_a_recording_has_a_name_that_figures_and_tables_can_show(tmp_path):
+    path = tmp_path / f"{STRANGE}.csv"
+    write_table(recording(drop(duration=4.0)), path)
+    ((name, _),), _ = take_all([path], {})
+    assert name == f"{SHOWN}.csv"
+    assert named_recordings(path)[0][0] == name
 
 
 def test_tables_titles_and_lists_of_a_terminal_are_plain():
