@@ -2,6 +2,7 @@
 
 import csv
 import io
+import re
 from contextlib import suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -68,7 +69,12 @@ def number(cell: str, decimal: str = ".") -> float:
     cell = cell.strip()
     if cell.lower() in MISSING:
         return float("nan")
-    if not cell.isascii() or "_" in cell or cell.lower().lstrip("+-")[:1] in ("i", "n"):
+    if (
+        not cell.isascii()
+        or "_" in cell
+        or (decimal == "," and "." in cell)
+        or cell.lower().lstrip("+-")[:1] in ("i", "n")
+    ):
         raise ValueError(cell)
     return float(cell.replace(decimal, "."))
 
@@ -122,7 +128,7 @@ def in_dialect(content: bytes, told: str) -> Rows:
     separator, decimal = DIALECTS[told]
     text = plain_text(content, told[2:])
     time, angle, gyro = lines_of_numbers(text.split("\n"), separator, decimal)
-    unit = DEGREE if "deg/s" in text else 1.0  # without a row of units
+    unit = DEGREE if "deg/s" in text.lower() else 1.0  # without a row of units
     return motion(time, angle) | {"raw_velocity_rad_s": gyro * unit}
 
 
@@ -141,7 +147,7 @@ def motion(time: np.ndarray, angle: np.ndarray) -> dict[str, np.ndarray]:
 
 def below_header(path: Path, _sample: Sample) -> Rows:
     """The lines of numbers below `endheader`."""
-    text = path.read_text(encoding="utf-8-sig").partition("endheader")[2]
+    text = re.split("(?i)endheader", path.read_text(encoding="utf-8-sig"), maxsplit=1)[-1]
     time, _, angle = lines_of_numbers(text.split("\n"), "\t", ".")
     return motion(time, angle)
 

@@ -63,17 +63,19 @@ def sheet_of_rows(rows: list[Row], place: Place) -> Sheet:
     odd = [
         f"{where(row)}, column {printable(name) or at} holds {samples[at - 1][row]!r:.40}, where "
         "the other lines hold numbers. Is the line damaged?"
-        for at, (name, row) in enumerate(zip(names, odd_rows(samples, layout), strict=True), 1)
+        for at, (name, row) in enumerate(zip(names, odd_rows(samples), strict=True), 1)
         if row is not None
     ]
     return Sheet(tuple(columns), where, notes=(*odd, *remains(rows, layout, place)))
 
 
-def odd_rows(samples: list[tuple[Cell, ...]], layout: Layout) -> list[int | None]:
-    """Of every column of numbers the first row that holds words, where there is one."""
+def odd_rows(samples: list[tuple[Cell, ...]]) -> list[int | None]:
+    """Of every column that is half of numbers the first row that holds words, if there is one."""
+    words = [[row for row, cell in enumerate(cells) if isinstance(cell, str)] for cells in samples]
+    numbers = [sum(map(is_number, cells)) for cells in samples]
     return [
-        next((row for row, cell in enumerate(cells) if numeric and isinstance(cell, str)), None)
-        for cells, numeric in zip(samples, layout.numeric, strict=True)
+        rows[0] if 0 < len(rows) <= count else None
+        for rows, count in zip(words, numbers, strict=True)
     ]
 
 
