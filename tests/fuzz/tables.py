@@ -147,7 +147,8 @@ def motion(time: np.ndarray, angle: np.ndarray) -> dict[str, np.ndarray]:
 
 def below_header(path: Path, _sample: Sample) -> Rows:
     """The lines of numbers below `endheader`."""
-    text = re.split("(?i)endheader", path.read_text(encoding="utf-8-sig"), maxsplit=1)[-1]
+    text = path.read_text(encoding="utf-8-sig")
+    text = re.split(r"(?im)^\s*endheader\s*$", text, maxsplit=1)[-1]
     time, _, angle = lines_of_numbers(text.split("\n"), "\t", ".")
     return motion(time, angle)
 

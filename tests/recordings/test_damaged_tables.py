@@ -6,7 +6,7 @@ from zipfile import ZIP_DEFLATED, ZipFile
 
 import numpy as np
 import pytest
-from test_formats import ANGLE, TIME, sound
+from test_formats import ANGLE, TIME, mot, sound
 
 from exoid.files import foreign
 from exoid.files.text_file import naming
@@ -98,6 +98,15 @@ def test_a_damaged_cell_of_a_column_that_is_not_read_is_told(tmp_path):
     path.write_text("\n".join(["time;pelvis;knee angle", *rows[:7], "0.07;0.50.5;-31", *rows[8:]]))
     (said,) = {*read_table(path)[1]} - {*whole}
     assert "line 9, column pelvis holds '0.50.5', where the other lines hold numbers" in said
+
+
+def test_a_motion_that_was_cut_says_how_many_rows_are_missing(tmp_path):
+    path = mot(tmp_path)
+    whole = read_table(path)[1]
+    lines = path.read_text().splitlines(keepends=True)
+    path.write_text("".join(lines[:-20]))
+    (said,) = {*read_table(path)[1]} - {*whole}
+    assert said.endswith("its header announces 60 rows, and it holds 40.")
 
 
 NESTED = {

@@ -14,9 +14,7 @@ from exoid.recordings.recording import Protocol, Sensors, Subject, check_entry, 
 TABLES = {"subject": Subject, "protocol": Protocol, "sensors": Sensors}
 FOR_FITS = "fit"  # the table of what is fixed, bounded or expected; a fit reads and checks it
 DEEPEST = 50  # tables and lists within each other; exoid's own keys need two
-TOO_DEEP = (
-    f"nests tables or lists more than {DEEPEST} deep. Leave out what is not of this recording."
-)
+TOO_DEEP = f"nests tables or lists more than {DEEPEST} deep. Leave out what exoid does not know."
 COLUMNS = "columns"  # what the columns of the table beside it are called: [columns]
 
 
