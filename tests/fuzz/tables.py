@@ -46,8 +46,9 @@ def read_own(path: Path) -> Reading:
 def own_by_csv(path: Path, _sample: Sample) -> Rows:
     """The columns that exoid knows, by the csv module."""
     text = path.read_text(encoding="utf-8-sig", errors="replace")
-    lines = csv.reader(io.StringIO(text), strict=True, skipinitialspace=True)
-    names, *rows = (line for line in lines if line)
+    head, _, body = text.lstrip("\r\n").partition("\n")
+    names = next(csv.reader([head], skipinitialspace=True))
+    rows = [row for row in csv.reader(io.StringIO(body), strict=True) if row]
     cells = zip(*rows, strict=True)
     found = {
         n.strip(): [*map(number, c)]

@@ -85,3 +85,14 @@ def test_mf4_records_without_their_identifier_are_no_frames():
     samples = np.zeros(3, [("CAN_DataFrame.DataLength", "u1"), ("CAN_DataFrame.DataBytes", "8u1")])
     with pytest.raises(ValueError, match="its frames have no ID"):
         mf4.frames_of(np.zeros(3), "CAN_DataFrame", samples)
+
+
+def test_a_channel_that_lies_outside_of_its_record_is_told(tmp_path):
+    """asammdf gives for it whatever stands in the memory behind the records."""
+    path = write_log(tmp_path / "leg.mf4", Node().messages(20))
+    content = bytearray(path.read_bytes())
+    at = content.index(b"##CN", content.index(b"##CN") + 4)  # the first is the time
+    links = struct.unpack_from("<Q", content, at + 16)[0]
+    struct.pack_into("<L", content, at + 24 + 8 * links + 4, 60_000)  # its place in a record
+    path.write_bytes(content)
+    assert "lies outside of its records" in str(read_frames(path)["stopped"])

@@ -46,6 +46,10 @@ def parts_of(path: Path) -> Iterator[tuple[Frames, np.ndarray]]:
     begin = file.header.start_time.timestamp()
     for number, group in enumerate(file.groups):
         kind = kind_of(group)
+        if kind and any(
+            map(partial(is_outside, group.channel_group.samples_byte_nr), group.channels)
+        ):
+            raise ValueError("a channel of the file lies outside of its records")
         latest, announced = -np.inf, group.channel_group.cycles_nr if kind else 0
         for at in range(0, announced, CHUNK):
             found = file.get(kind, number, raw=False, record_offset=at, record_count=CHUNK)
@@ -55,6 +59,11 @@ def parts_of(path: Path) -> Iterator[tuple[Frames, np.ndarray]]:
             key = np.maximum.accumulate(np.r_[latest, frames.time])
             latest = key[-1]
             yield frames, key[1:]
+
+
+def is_outside(channel: Any, size: int) -> bool:
+    """Would asammdf read a channel from beyond its record [bytes], where anything may stand?"""
+    return 8 * channel.byte_offset + channel.bit_offset + channel.bit_count > 8 * size
 
 
 def kind_of(group: Any) -> str:
