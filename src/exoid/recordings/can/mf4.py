@@ -46,9 +46,8 @@ def parts_of(path: Path) -> Iterator[tuple[Frames, np.ndarray]]:
     begin = file.header.start_time.timestamp()
     for number, group in enumerate(file.groups):
         kind = kind_of(group)
-        if kind and any(
-            map(partial(is_outside, group.channel_group.samples_byte_nr), group.channels)
-        ):
+        size = group.channel_group.samples_byte_nr
+        if kind and any(is_outside(each, size) for each in group.channels):
             raise ValueError("a channel of the file lies outside of its records")
         latest, announced = -np.inf, group.channel_group.cycles_nr if kind else 0
         for at in range(0, announced, CHUNK):
