@@ -151,7 +151,5 @@ def test_a_cycle_time_that_is_none_is_refused(cycle):
 
 
 def test_an_offset_that_no_number_holds_is_refused():
-    with pytest.raises(
-        DbcError, match=r"Knee\.S has a factor or an offset that no number can hold"
-    ):
+    with pytest.raises(DbcError, match=r"Knee\.S has a factor or an offset that no number"):
         plan_signal("Knee", signal_at(0, 8, "little_endian", False, 1, 10**400))

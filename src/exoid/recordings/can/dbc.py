@@ -131,7 +131,7 @@ def plan_signal(message: str, signal) -> SignalPlan:
     )
 
 
-def as_float(where: str, number: float) -> float:
+def as_float(where: str, number: int | float) -> float:
     """A factor or an offset; a DBC may write one of any length."""
     try:
         return float(number)
