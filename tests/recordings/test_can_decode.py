@@ -142,3 +142,15 @@ def timed(call, argument) -> float:
     begin = perf_counter()
     call(argument)
     return perf_counter() - begin
+
+
+@pytest.mark.parametrize("cycle", ["often", float("nan"), -20, 10**400])
+def test_a_cycle_time_that_is_none_is_refused(cycle):
+    message = Message(1, "Knee", 8, [], cycle_time=cycle)
+    with pytest.raises(DbcError, match=r"Knee has the cycle time .* it must be in ms"):
+        plan_message(message)
+
+
+def test_an_offset_that_no_number_holds_is_refused():
+    with pytest.raises(DbcError, match=r"Knee\.S has a factor or an offset that no number"):
+        plan_signal("Knee", signal_at(0, 8, "little_endian", False, 1, 10**400))

@@ -1,14 +1,16 @@
 """The columns of an MF4 file hold what python-can's reader finds in it, one frame at a time."""
 
+import struct
+
 import can
 import numpy as np
 import pytest
-from exo_node import EPOCH, mf4_writer
+from exo_node import EPOCH, Node, mf4_writer, write_log
 
 from exoid.files.foreign import read_apart
 from exoid.recordings.can import mf4
-from exoid.recordings.can.frames import Frames
-from exoid.recordings.can.log_files import frames_of, row_of
+from exoid.recordings.can.frames import CanLogError, Frames
+from exoid.recordings.can.log_files import frames_of, read_log, row_of
 from exoid.recordings.can.mf4 import read_frames
 
 REAL = (
@@ -66,3 +68,31 @@ def test_a_file_that_asammdf_cannot_parse_says_why(tmp_path):
     columns = read_apart(read_frames, path, "")  # here asammdf fails once more as it is freed
     assert len(columns["time"]) == 0
     assert str(columns["stopped"]) != ""
+
+
+def test_an_mf4_group_that_links_to_itself_is_ended_within_seconds(tmp_path):
+    path = write_log(tmp_path / "leg.mf4", Node().messages(20))
+    content = bytearray(path.read_bytes())
+    at = content.index(b"##CG")
+    struct.pack_into("<Q", content, at + 24, at)  # its first link: the next group
+    path.write_bytes(content)
+    # 3 s of the processor and 14 kB of the file, wherever else the machine spends its time
+    with pytest.raises(CanLogError, match=r"leg\.mf4: reading it took longer than 3 s"):
+        read_log(path)
+
+
+def test_mf4_records_without_their_identifier_are_no_frames():
+    samples = np.zeros(3, [("CAN_DataFrame.DataLength", "u1"), ("CAN_DataFrame.DataBytes", "8u1")])
+    with pytest.raises(ValueError, match="its frames have no ID"):
+        mf4.frames_of(np.zeros(3), "CAN_DataFrame", samples)
+
+
+def test_a_channel_that_lies_outside_of_its_record_is_told(tmp_path):
+    """asammdf gives for it whatever stands in the memory behind the records."""
+    path = write_log(tmp_path / "leg.mf4", Node().messages(20))
+    content = bytearray(path.read_bytes())
+    at = content.index(b"##CN", content.index(b"##CN") + 4)  # the first is the time
+    links = struct.unpack_from("<Q", content, at + 16)[0]
+    struct.pack_into("<L", content, at + 24 + 8 * links + 4, 60_000)  # its place in a record
+    path.write_bytes(content)
+    assert "lies outside of its records" in str(read_frames(path)["stopped"])

@@ -13,6 +13,7 @@ from html_tree import parse, rows
 from page_cases import made_up, of_friction, of_length, of_nothing
 from test_saved_result import check_same
 
+from exoid.files.visible import visible
 from exoid.fitting.misfit.uncertainty import Shares
 from exoid.pendulum.drops import measure_drops
 from exoid.report.document.diagnosis_json import diagnosis_document
@@ -152,6 +153,13 @@ def test_text_of_a_file_stays_text(place, quick):
     for tag in ("script", "img"):
         assert len(page.all(tag)) == len(quick[1].all(tag))
     assert HOSTILE in page.all("body")[0].text
+
+
+@pytest.mark.parametrize("place", ["notes", "name"])
+def test_control_characters_of_a_file_are_shown_on_the_page(place):
+    page = build_page(made_up(**{place: "red \x1b[31m, backwards \u202e"}))
+    assert visible(page, "\n\t") == page
+    assert r"red \u001b[31m, backwards \u202e" in page
 
 
 def test_nothing_is_loaded_from_anywhere(diagnosed):

@@ -4,6 +4,8 @@ from collections.abc import Iterable
 from contextlib import contextmanager
 from pathlib import Path
 
+from exoid.files.visible import visible
+
 Notes = tuple[str, ...]
 
 
@@ -13,7 +15,7 @@ def naming(path: Path):
     try:
         yield
     except ValueError as error:
-        raise ValueError(f"{path}: {error}") from error
+        raise ValueError(visible(f"{path}: {error}")) from error
 
 
 def read_text(path: Path) -> str:

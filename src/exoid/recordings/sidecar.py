@@ -14,6 +14,8 @@ from exoid.recordings.recording import Protocol, Sensors, Subject, check_entry, 
 
 TABLES = {"subject": Subject, "protocol": Protocol, "sensors": Sensors}
 FOR_FITS = "fit"  # the table of what is fixed, bounded or expected; a fit reads and checks it
+DEEPEST = 50  # tables and lists within each other; exoid's own keys need two
+TOO_DEEP = f"nests tables or lists more than {DEEPEST} deep. Leave out what exoid does not know."
 COLUMNS = "columns"  # what the columns of the table beside it are called: [columns]
 
 
@@ -70,9 +72,23 @@ def read_keys(path: Path) -> tuple[dict[str, Any], dict[str, Any], Notes]:
 
 def parse_toml(path: Path) -> dict[str, Any]:
     try:
-        return tomllib.loads(read_text(path))
+        document = tomllib.loads(read_text(path))
     except tomllib.TOMLDecodeError as error:
         raise ValueError(f"is not valid TOML: {error}.") from error
+    except RecursionError as error:
+        raise ValueError(TOO_DEEP) from error
+    check_depth(document)
+    return document
+
+
+def check_depth(document: dict[str, Any]) -> None:
+    """Refuse tables and lists within each other that nothing else could walk or write again."""
+    inner: list[Any] = [document]
+    for _ in range(DEEPEST):
+        inner = [each for one in inner for each in (one.values() if isinstance(one, dict) else one)]
+        inner = [each for each in inner if isinstance(each, dict | list)]
+    if inner:
+        raise ValueError(TOO_DEEP)
 
 
 def read_columns(path: Path) -> dict[str, str]:

@@ -9,6 +9,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from plotly.offline import get_plotlyjs
 
 from exoid.files.replacing import replacing
+from exoid.files.visible import visible
 from exoid.report.figures.draw import draw
 from exoid.report.parts.case import Case
 from exoid.report.sections.advice import advice
@@ -55,7 +56,8 @@ def build_page(case: Case) -> str:
     """The page: every section that has something to say of this case, in the order above."""
     found = [(each, blocks) for each in SECTIONS if (blocks := list(each.blocks(case)))]
     template = templates().get_template("page.html")
-    return template.render(case=case, sections=found, library=packed_library())
+    text = template.render(case=case, sections=found, library=packed_library())
+    return visible(text, "\n\t")
 
 
 @cache

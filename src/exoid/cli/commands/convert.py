@@ -8,6 +8,7 @@ import typer
 from exoid.cli.inputs.choices import FlipOption, ZeroOption
 from exoid.cli.inputs.reading import Columns, Dbc, Signals, Strict, take
 from exoid.cli.outputs.destination import Force, check_outputs
+from exoid.cli.terminal.say import say
 from exoid.cli.terminal.waiting import patiently
 
 
@@ -55,4 +56,4 @@ def convert(
     from exoid.report.words.text import counted
 
     patiently(lambda: write_table(loaded, output), f"writing {output.name}")
-    typer.echo(f"{output}: {counted(len(loaded.segments), 'segment')}, and {sidecar}")
+    say(f"{output}: {counted(len(loaded.segments), 'segment')}, and {sidecar}")

@@ -24,6 +24,7 @@ from exoid.cli.outputs.origin import inputs, origin_of
 from exoid.cli.outputs.page import planned, sources_of, write_report
 from exoid.cli.outputs.results import introduce, keep, show, traced
 from exoid.cli.outputs.written import Outputs
+from exoid.cli.terminal.say import say
 from exoid.cli.terminal.waiting import in_phases
 
 
@@ -75,7 +76,7 @@ def diagnose(
     options = {"seed": seed, **assumed(prior, bounds, fix, bound)}
     own = own_terms(terms)
     if not recordings:
-        typer.echo("No recording given: this is the example that comes with exoid.")
+        say("No recording given: this is the example that comes with exoid.")
     told = {"column": column, "dbc": dbc, "signal": signal, "flip": flip, "zero": zero}
     named, taken = take_all(paths, body, **told)
     from exoid.report.document.diagnosis_json import diagnosis_document
@@ -87,7 +88,7 @@ def diagnose(
     rivals = rivals_in(found)
     if len(rivals) > 1:
         recorded, names = " ".join(map(str, paths)), ",".join(rivals)
-        typer.echo(f"Which recording tells them apart: exoid plan {recorded} --between {names}\n")
+        say(f"Which recording tells them apart: exoid plan {recorded} --between {names}", "")
     outputs, files = Outputs(), list(zip(paths, named, strict=True))
     settings = {**options, "terms": terms}
     outputs.put(plot, lambda path: draw(found, path), "drawing")

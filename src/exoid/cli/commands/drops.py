@@ -10,6 +10,7 @@ from exoid.cli.inputs.reading import EXAMPLE, Columns, Dbc, Signals, take_all
 from exoid.cli.outputs.destination import FIGURES, Force, Json, check_outputs
 from exoid.cli.outputs.results import introduce, show, traced
 from exoid.cli.outputs.written import Outputs
+from exoid.cli.terminal.say import say
 from exoid.cli.terminal.waiting import patiently
 
 
@@ -46,7 +47,7 @@ def drops(
     paths = recordings or [EXAMPLE]
     check_outputs((plot, FIGURES), (json, ()), force=force, inputs=paths)
     if not recordings:
-        typer.echo("No recording given: this is the example that comes with exoid.")
+        say("No recording given: this is the example that comes with exoid.")
     told = {"column": column, "dbc": dbc, "signal": signal, "flip": flip, "zero": zero}
     named, _ = take_all(paths, {}, **told)
     from exoid.pendulum.drops import measure_drops
@@ -60,7 +61,7 @@ def drops(
     recorded = list(zip(paths, named, strict=True))
     files.put_document(json, lambda: drops_document(test, **traced(recorded)))
     if plot is not None and all(each.reason for each in test.drops):
-        typer.echo(f"exoid: no segment could be read: {plot} was not drawn.", err=True)
+        say(f"exoid: no segment could be read: {plot} was not drawn.", err=True)
     else:
         files.put(plot, lambda path: draw(test, path), "drawing")
     files.end()

@@ -8,6 +8,7 @@ import typer
 
 from exoid.cli.inputs.reading import EXAMPLE
 from exoid.cli.outputs.destination import check_absent
+from exoid.cli.terminal.say import say
 from exoid.files.replacing import replace_files
 
 FILES = (EXAMPLE, EXAMPLE.with_suffix(".toml"))
@@ -46,5 +47,5 @@ def example(
     folder.mkdir(parents=True, exist_ok=True)
     replace_files({to: each.read_bytes() for to, each in zip(targets, FILES, strict=True)})
     recording, sidecar = targets
-    typer.echo(f"wrote {recording} and {sidecar}")
-    typer.echo(NEXT.format(shlex.quote(str(recording)), sidecar.name))
+    say(f"wrote {recording} and {sidecar}")
+    say(*NEXT.format(shlex.quote(str(recording)), sidecar.name).splitlines())

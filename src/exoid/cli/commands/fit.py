@@ -35,6 +35,7 @@ from exoid.cli.outputs.origin import inputs, origin_of
 from exoid.cli.outputs.page import sources_of, write_report
 from exoid.cli.outputs.results import introduce, keep, show, traced
 from exoid.cli.outputs.written import Outputs
+from exoid.cli.terminal.say import say
 from exoid.cli.terminal.waiting import patiently
 
 HEAVIEST_PRIOR = 1e6  # it decides alone long before
@@ -128,9 +129,7 @@ def fit(
     saved = loaded(model, own) if model else None
     chosen = terms_asked(with_term, own, model_in(saved, model).terms if model else ())
     if not recordings:
-        typer.echo(
-            "No recording given: this is the example that comes with exoid, a simulated leg."
-        )
+        say("No recording given: this is the example that comes with exoid, a simulated leg.")
     reading = {"column": column, "dbc": dbc, "signal": signal, "flip": flip, "zero": zero}
     known = {"torque_frequency": torque_frequency} if torque_frequency else {}
     named, taken = take_all(paths, body, known, strict=strict, **reading)

@@ -25,6 +25,7 @@ from exoid.cli.inputs.terms import (
 from exoid.cli.outputs.destination import Force, Json, check_outputs
 from exoid.cli.outputs.results import introduce, show
 from exoid.cli.outputs.written import Outputs
+from exoid.cli.terminal.say import say
 from exoid.cli.terminal.waiting import patiently
 
 INERTIA = "inertia"
@@ -108,7 +109,7 @@ def plan(
     )
     introduce(named)
     if result is not None and not result.follows:
-        typer.echo(f"{result.notes[0]}\n")
+        say(result.notes[0], "")
     from exoid.report.tables.plan import plan_document, print_plan
 
     again = [

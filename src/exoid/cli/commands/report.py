@@ -16,6 +16,7 @@ from exoid.cli.outputs.origin import inputs, origin_of
 from exoid.cli.outputs.page import planned, sources_of, write_report
 from exoid.cli.outputs.saved_page import retell
 from exoid.cli.outputs.written import Outputs
+from exoid.cli.terminal.say import say
 from exoid.cli.terminal.waiting import in_phases
 
 STARTS = 64
@@ -90,7 +91,7 @@ def report(
     body = given_body(body_mass=body_mass, height=height)
     by_hand = assumed(prior, bounds, fix, bound)
     if not recordings:
-        typer.echo("No recording given: this is the example that comes with exoid.")
+        say("No recording given: this is the example that comes with exoid.")
     told = {"column": column, "dbc": dbc, "signal": signal, "flip": flip, "zero": zero}
     named, taken = take_all(paths, body, **told)
     options = {"multistart": multistart, "seed": seed, **by_hand}

@@ -10,6 +10,7 @@ import typer
 from exoid.cli.inputs.body import given_body
 from exoid.cli.inputs.terms import OwnTerms, With, body_in, loaded, model_in, own_terms, terms_asked
 from exoid.cli.outputs.destination import Force, check_absent, check_destination
+from exoid.cli.terminal.say import say
 from exoid.cli.terminal.waiting import patiently
 
 LEG = {"mass": 4.5, "inertia": 0.44, "com_distance": 0.265, "damping": 0.35, "stiffness": 2.8}
@@ -124,7 +125,7 @@ def simulate(
     )
     write_table(recording, output)
     segments = counted(len(recording.segments), "segment")
-    typer.echo(f"{output}: {segments}, and {output.with_suffix('.toml')}")
+    say(f"{output}: {segments}, and {output.with_suffix('.toml')}")
 
 
 def numbers_of(leg) -> dict[str, float]:

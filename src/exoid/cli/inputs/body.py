@@ -5,6 +5,8 @@ from typing import Annotated
 
 import typer
 
+from exoid.cli.terminal.say import say
+
 BodyMass = Annotated[float | None, typer.Option(help="kg; replaces the sidecar's.", metavar="KG")]
 Height = Annotated[float | None, typer.Option(help="m; replaces the sidecar's.", metavar="M")]
 
@@ -53,4 +55,4 @@ def answer(name: str, question: str) -> dict[str, float]:
         try:
             return given_body(**{name: float(said)})
         except ValueError as fault:
-            typer.echo(f"exoid: {fault}", err=True)
+            say(f"exoid: {fault}", err=True)

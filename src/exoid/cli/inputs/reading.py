@@ -7,7 +7,9 @@ from typing import Annotated
 import typer
 
 from exoid.cli.inputs.choices import Flip, Zero
+from exoid.cli.terminal.say import say
 from exoid.cli.terminal.waiting import patiently
+from exoid.files.visible import visible
 
 Dbc = Annotated[Path | None, typer.Option(help="Your own DBC, with --signal.")]
 Signals = Annotated[
@@ -37,7 +39,7 @@ def take_all(paths: list[Path], body: dict, protocol: dict | None = None, **opti
     for path, each in zip(paths, (loaded.recording for loaded in taken), strict=True):
         subject = replace(each.subject, **body)
         protocol_told = replace(each.protocol, **(protocol or {}))
-        named.append((path.name, replace(each, subject=subject, protocol=protocol_told)))
+        named.append((visible(path.name), replace(each, subject=subject, protocol=protocol_told)))
     return named, taken
 
 
@@ -59,7 +61,7 @@ def take(
     loaded = patiently(lambda: load(path, **options), f"reading {path.name}")
     noticed = loaded.quality.lines() if loaded.quality is not None else []
     for line in (*(f"exoid: {note}" for note in loaded.notes), *noticed):
-        typer.echo(line, err=True)
+        say(line, err=True)
     return loaded
 
 

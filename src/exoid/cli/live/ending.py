@@ -1,8 +1,7 @@
 """What `exoid record` says at its end."""
 
-import typer
-
 from exoid.cli.live.session import NAMES, Session
+from exoid.cli.terminal.say import say
 from exoid.recordings.live.bus import CanBusError
 from exoid.recordings.loading.can_log import read_can_log
 
@@ -22,17 +21,17 @@ def conclude(session: Session) -> None:
 
 def tell(session: Session) -> None:
     path, watch, marked = session.log.path, session.watch, session.marks.closed
-    typer.echo(f"{path}: {watch.seconds:.1f} s, {watch.frames} frames; sidecar {session.sidecar}")
+    say(f"{path}: {watch.seconds:.1f} s, {watch.frames} frames; sidecar {session.sidecar}")
     if session.bus.bad:
-        typer.echo(f"{session.bus.bad} bad line(s) were no frames and are left out")
+        say(f"{session.bus.bad} bad line(s) were no frames and are left out")
     if marked:
-        typer.echo(", ".join(f"{NAMES[kind]} {a:.1f} to {b:.1f} s" for kind, a, b in marked))
+        say(", ".join(f"{NAMES[kind]} {a:.1f} to {b:.1f} s" for kind, a, b in marked))
     try:
         _, quality = read_can_log(path)
     except ValueError as fault:
-        typer.echo(str(fault))
+        say(str(fault))
         return
     for line in quality.lines():
-        typer.echo(line)
+        say(line)
     options = "" if session.subject.body_mass else " --body-mass KG --height M"
-    typer.echo(f"next: exoid fit {path}{options}")
+    say(f"next: exoid fit {path}{options}")

@@ -5,9 +5,8 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-import typer
-
 from exoid.cli.outputs.origin import sha256_of
+from exoid.cli.terminal.say import say
 
 
 def show(table: Callable[[Any], None]) -> None:
@@ -23,7 +22,7 @@ def introduce(named) -> None:
     from exoid.report.words.person import people
 
     if who := people(recording.subject for _, recording in named):
-        typer.echo(who)
+        say(who)
 
 
 def traced(files) -> dict[str, Any]:

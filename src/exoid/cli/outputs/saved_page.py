@@ -3,14 +3,13 @@
 from dataclasses import replace
 from pathlib import Path, PurePath
 
-import typer
-
 from exoid.cli.inputs.reading import take
 from exoid.cli.inputs.terms import loaded
 from exoid.cli.outputs.origin import origin_of, sha256_of
 from exoid.cli.outputs.page import sources_of, write_report
 from exoid.cli.outputs.results import sidecar_hash
 from exoid.cli.outputs.written import Outputs
+from exoid.cli.terminal.say import say
 from exoid.cli.terminal.waiting import patiently
 
 
@@ -68,7 +67,7 @@ def at_hand(saved, path: Path) -> tuple:
         changed.append(dbc)
     if changed or not each:
         why = f"{', '.join(changed)} is not there, or has changed" if changed else "it names none"
-        typer.echo(f"exoid: {path}: without what only the recordings show: {why}.", err=True)
+        say(f"exoid: {path}: without what only the recordings show: {why}.", err=True)
         return ()
     told = {name: settings.get(name) for name in ("flip", "zero", "column", "signal")}
     taken = [take(place, dbc=dbc, **told) for place, _ in each]

@@ -7,6 +7,7 @@ from typing import Any, TypeVar
 import typer
 
 from exoid.cli.terminal.faults import explain
+from exoid.cli.terminal.say import say
 from exoid.cli.terminal.waiting import patiently
 
 Result = TypeVar("Result")
@@ -27,7 +28,7 @@ class Outputs:
         if with_words is not None:
             (said,) = with_words
             more = f": {said}" if isinstance(said, str) else ""
-            typer.echo(f"wrote {path}{more}", err=True)
+            say(f"wrote {path}{more}", err=True)
 
     def put_document(self, path: Path | None, document: Callable[[], Mapping]) -> None:
         """Write a document for machines that was asked for, and say so."""

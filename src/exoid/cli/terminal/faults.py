@@ -56,8 +56,10 @@ def explain_usage(fault: BaseException) -> int:
 
 
 def complain(message: object, code: int) -> int:
+    from exoid.files.visible import visible
+
     with suppress(OSError):  # nobody is there to read it
-        print(f"exoid: {message}", file=sys.stderr, flush=True)
+        print(visible(f"exoid: {message}"), file=sys.stderr, flush=True)
     return code
 
 

@@ -7,7 +7,8 @@ import sys
 from contextlib import suppress
 from typing import Any
 
-import typer
+from exoid.cli.terminal.say import say
+from exoid.files.visible import visible
 
 NOBODY = (OSError, SystemExit)  # how streams, and rich, say that a terminal or a pipe is gone
 
@@ -36,9 +37,11 @@ class Screen:
         """Say something that stays."""
         with suppress(*NOBODY):
             if self.live is None:
-                typer.echo(f"exoid: {sentence}", err=True)
+                say(f"exoid: {sentence}", err=True)
             else:
-                self.live.console.print(f"exoid: {sentence}", markup=False, highlight=False)
+                self.live.console.print(
+                    visible(f"exoid: {sentence}"), markup=False, highlight=False
+                )
 
     def show(self, line: str) -> None:
         """Replace the live line."""
@@ -46,4 +49,6 @@ class Screen:
             from rich.text import Text
 
             with suppress(*NOBODY):
-                self.live.update(Text(line, no_wrap=True, overflow="ellipsis"), refresh=True)
+                self.live.update(
+                    Text(visible(line), no_wrap=True, overflow="ellipsis"), refresh=True
+                )

@@ -5,6 +5,8 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor, wait
 from typing import Any, TypeVar
 
+from exoid.files.visible import visible
+
 SLOW = 2.0  # s, after which a person wants to see that something happens
 
 Result = TypeVar("Result")
@@ -26,14 +28,16 @@ def in_phases(task: Callable[[Callable[[str], None]], Result], what: str = "star
     def told(name: str) -> None:
         phase[:] = [name]
         if status:
-            status[0].update(name)
+            from rich.text import Text
+
+            status[0].update(Text(visible(name)))
 
     running = ThreadPoolExecutor(1).submit(lambda: task(told))
     wait([running], SLOW)
     if not running.done() and sys.stderr.isatty():
         from rich.console import Console
 
-        with Console(stderr=True).status(phase[0]) as shown:
+        with Console(stderr=True).status("") as shown:
             status.append(shown)
             told(phase[0])
             wait([running])

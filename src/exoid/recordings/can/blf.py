@@ -6,13 +6,18 @@ is read. The layout is that of python-can's `can.io.blf`, whose reader the tests
 """
 
 import struct
-import zlib
 from collections.abc import Iterator
 from datetime import UTC, datetime
 from pathlib import Path
 
 import numpy as np
 
+from exoid.recordings.can.blf_blocks import (
+    LONGEST_PADDING,
+    OBJECT_HEADER,
+    SIGNATURE,
+    unbroken_pieces,
+)
 from exoid.recordings.can.frames import (
     ERROR,
     EXTENDED,
@@ -25,10 +30,7 @@ from exoid.recordings.can.frames import (
 )
 
 FILE_HEADER = struct.Struct("<4sL8B2Q2L8H8H")  # as python-can; the fields used are named below
-OBJECT_HEADER = struct.Struct("<4sHHLL")  # signature, header size, header version, size, type
-CONTAINER_HEADER = 32  # bytes before a block's content, the object header included
-CONTAINER = 10
-SIGNATURE = b"LOBJ"
+VERSIONS = (1, 2)  # of an object's head
 MESSAGE_TYPES = (1, 86)  # CAN_MESSAGE, CAN_MESSAGE2
 ERROR_TYPE = 73  # CAN_ERROR_EXT
 FD_TYPES = (100, 101)  # CAN_FD_MESSAGE, CAN_FD_MESSAGE_64
@@ -36,7 +38,6 @@ EXTENDED_BIT = 0x80000000
 REMOTE_BIT = 0x80
 TEN_MICROSECONDS = 1  # the object flag for times in 10 us instead of 1 ns
 LONGEST_READ = 64  # bytes of an object that are looked at
-LONGEST_PADDING = 3  # bytes between two blocks
 
 
 def read_blf(path: Path) -> Log:
@@ -53,6 +54,9 @@ def read_blf(path: Path) -> Log:
     header_size, announced, start = header[1], header[12], header[14:22]
     pieces, faults = unbroken_pieces(content, header_size)
     positions = [object_positions(piece) for piece in pieces]
+    if not faults and (odd := sum(map(misfits, pieces, positions))):
+        faults.append(f"{odd} object(s) in the blocks are damaged")
+    positions = [within(piece, at) for piece, at in zip(pieces, positions, strict=True)]
     begin = start_time(start)
     first, *others = (frames_at(*pair, begin) for pair in zip(pieces, positions, strict=True))
     return Log(
@@ -74,36 +78,6 @@ def start_time(system_time: tuple[int, ...]) -> float:
     return moment.timestamp()
 
 
-def unbroken_pieces(content: bytes, begin: int) -> tuple[list[bytes], list[str]]:
-    """The content of all blocks, parted where one is missing, and what is wrong with the file."""
-    pieces: list[list[bytes]] = [[]]
-    faults: list[str] = []
-    while (at := content.find(SIGNATURE, begin)) >= 0 and at + CONTAINER_HEADER <= len(content):
-        if at > begin + LONGEST_PADDING:
-            faults.append(f"{at - begin} unknown bytes at byte {begin}")
-            pieces.append([])
-        *_, size, kind = OBJECT_HEADER.unpack_from(content, at)
-        begin = at + max(size, CONTAINER_HEADER)
-        if begin > len(content):
-            faults.append(f"the file ends inside the block at byte {at}")
-        if kind == CONTAINER:
-            try:
-                pieces[-1].append(unpacked(content[at:begin]))
-            except zlib.error as fault:
-                faults.append(f"the block at byte {at} is damaged and left out ({fault})")
-                pieces.append([])
-    if at < 0 and len(content) > begin + LONGEST_PADDING:
-        faults.append(f"{len(content) - begin} unknown bytes at byte {begin}")
-    return [b"".join(piece) for piece in pieces], faults
-
-
-def unpacked(block: bytes) -> bytes:
-    """The content of one block; of a block that was cut, as much as is there."""
-    method = struct.unpack_from("<H", block, OBJECT_HEADER.size)[0]
-    body = block[CONTAINER_HEADER:]
-    return zlib.decompressobj().decompress(body) if method else body
-
-
 def object_positions(stream: bytes):
     """Where the objects begin.
 
@@ -116,8 +90,32 @@ def object_positions(stream: bytes):
     slack = np.diff(at) - words[at // 4 + 2][:-1].astype(np.int64)
     if not ((slack >= 0) & (slack < 4)).all() or (at.size and at[0] > 0):
         at = np.array(list(walk(stream)), dtype=np.int64)
-    sizes = np.array([], dtype=np.int64) if not at.size else gather(stream, at + 8, "<u4")
-    return at[at + sizes.astype(np.int64) <= len(stream)]
+    return at
+
+
+def ends_of(stream: bytes, at):
+    """Where objects end, as they say."""
+    sizes = gather(stream, at + 8, "<u4") if at.size else at
+    return at + sizes.astype(np.int64)
+
+
+def within(stream: bytes, at):
+    """Those of the objects that are whole."""
+    return at[ends_of(stream, at) <= len(stream)]
+
+
+def misfits(stream: bytes, at) -> int:
+    """How many objects end elsewhere than the next begins, or the stream ends, or have heads of a
+    version that nobody knows.
+    """
+    gaps = np.append(at, len(stream)) - np.append(0, ends_of(stream, at))
+    strange = ~is_known(stream, at) if at.size else np.zeros(0, bool)
+    return int(((gaps < 0) | (gaps > LONGEST_PADDING)).sum() + strange.sum())
+
+
+def is_known(stream: bytes, at):
+    """Are the heads of these objects of a version that is known?"""
+    return np.isin(gather(stream, at + 6, "<u2"), VERSIONS)
 
 
 def walk(stream: bytes) -> Iterator[int]:
@@ -140,7 +138,7 @@ def frames_at(stream: bytes, at, start: float) -> Frames:
     """The objects that are frames, in their order."""
     padded = stream + bytes(LONGEST_READ)  # so that a short last object can be read like the rest
     kinds = gather(padded, at + 12, "<u4")
-    frames = np.isin(kinds, (*MESSAGE_TYPES, ERROR_TYPE, *FD_TYPES))
+    frames = np.isin(kinds, (*MESSAGE_TYPES, ERROR_TYPE, *FD_TYPES)) & is_known(padded, at)
     at, kinds = at[frames], kinds[frames]
     ticks = gather(padded, at + 24, "<u8")
     unit = np.where(gather(padded, at + 16, "<u4") == TEN_MICROSECONDS, 1e-5, 1e-9)

@@ -12,6 +12,7 @@ from exoid.files.library_faults import plain, quiet
 from exoid.recordings.can.decode import WORD, MessagePlan, SignalPlan
 
 EXOID_DBC = Path(__file__).with_name("exoid.dbc")
+LONGEST_CYCLE = 1e9  # ms
 FLOAT_LENGTHS = (16, 32, 64)
 
 MESSAGE = re.compile(r"^BO_ (\d+) (\w+): (\d+) \w+$((?:\n SG_ .*)*)", re.MULTILINE)
@@ -88,13 +89,21 @@ def plan_message(message, names: tuple[str, ...] | None = None) -> MessagePlan:
         identifier=message.frame_id,
         extended=message.is_extended_frame,
         length=message.length,
-        period=message.cycle_time / 1000 if message.cycle_time else None,
+        period=period_of(message),
         signals=tuple(
             plan_signal(message.name, signal)
             for signal in message.signals
             if names is None or signal.name in names
         ),
     )
+
+
+def period_of(message) -> float | None:
+    """How often a message is sent [s], where its DBC says so."""
+    cycle = message.cycle_time
+    if cycle is not None and not (isinstance(cycle, int | float) and 0 <= cycle < LONGEST_CYCLE):
+        raise DbcError(f"{message.name} has the cycle time {cycle!r:.20}; it must be in ms.")
+    return cycle / 1000 if cycle else None
 
 
 def plan_signal(message: str, signal) -> SignalPlan:
@@ -116,7 +125,15 @@ def plan_signal(message: str, signal) -> SignalPlan:
         big_endian=big_endian,
         signed=signal.is_signed,
         floating=signal.is_float,
-        scale=float(signal.conversion.scale),
-        offset=float(signal.conversion.offset),
+        scale=as_float(where, signal.conversion.scale),
+        offset=as_float(where, signal.conversion.offset),
         unit=signal.unit or "",
     )
+
+
+def as_float(where: str, number: int | float) -> float:
+    """A factor or an offset; a DBC may write one of any length."""
+    try:
+        return float(number)
+    except OverflowError as fault:
+        raise DbcError(f"{where} has a factor or an offset that no number can hold.") from fault

@@ -26,13 +26,14 @@ from exoid.recordings.can.frames import (
     Log,
 )
 from exoid.recordings.can.mf4 import read_frames
+from exoid.recordings.can.text.asc import base_of
+from exoid.recordings.can.text.lines import Lines, told
+from exoid.recordings.can.text.own_csv import HEADER
 
 Row = tuple[float, int, int, int, bytes]  # time, id, flags, length, data of one frame
 
 FORMATS = (".blf", ".mf4", ".asc", ".csv", ".log", ".trc")
 SKIP_FIRST = (".asc", ".csv", ".log")  # what these readers lose when they begin again: a line
-MOST_DAMAGED = 1000  # lines; a file with more is another kind of file
-CSV_COLUMNS = "timestamp,arbitration_id,extended,remote,error,dlc,data"
 
 
 def read_log(path: Path) -> Log:
@@ -64,7 +65,9 @@ def read_mf4(path: Path) -> Log:
     if find_spec("asammdf") is None:
         raise CanLogError(f'{path}: MF4 needs asammdf: pip install "exoid[mf4]"')
     try:
-        columns = read_apart(read_frames, path, "Export it again, as MF4 or as BLF.")
+        columns = read_apart(
+            read_frames, path, "Export it again, as MF4 or as BLF.", library="asammdf"
+        )
     except ForeignError as fault:
         raise CanLogError(str(fault)) from fault
     stopped = str(columns.pop("stopped")) or None
@@ -75,28 +78,19 @@ def read_text(path: Path, kind: str) -> Log:
     """The frames of a text log; a line that cannot be read is left out."""
     from can.io.player import MESSAGE_READERS
 
-    lines = Lines(path)
-    if kind == ".csv" and lines.first != CSV_COLUMNS:
+    lines = Lines(path, kind)
+    if kind == ".csv" and lines.first != HEADER:
         raise CanLogError(
             f"{path}: line 1 is {plain(lines.first[:60])}, not the header of python-can's CSV "
-            f"({CSV_COLUMNS}). Export the log as BLF, ASC or candump."
+            f"({HEADER}). Export the log as BLF, ASC or candump."
         )
-    reader: Any = MESSAGE_READERS[kind](lines)  # pyright: ignore[reportArgumentType]
+    base = {"base": base_of(lines.lines)} if kind == ".asc" else {}
+    reader: Any = MESSAGE_READERS[kind](lines, **base)  # pyright: ignore[reportArgumentType]
     rows: list[Row] = []
-    damaged: list[str] = []
     with quiet("can"):
-        while (fault := collect(reader, rows)) and len(damaged) < MOST_DAMAGED:
-            damaged.append(f"line {lines.number} ({fault})")
+        while (fault := collect(reader, rows)) and lines.leave_out(fault):
             lines.blank_first = kind in SKIP_FIRST
-    return Log(path, frames_of(rows), told(damaged, lines.cut))
-
-
-def told(damaged: list[str], cut: str | None) -> str | None:
-    """What was left out of a text log, in words."""
-    faults = [f"{len(damaged)} damaged line(s) left out, first {damaged[0]}"] if damaged else []
-    if len(damaged) == MOST_DAMAGED:
-        faults.append("and what follows them not read")
-    return "; ".join([*faults, *([cut] if cut else [])]) or None
+    return Log(path, frames_of(rows), told(lines.damaged, lines.cut))
 
 
 def collect(reader: Iterable[Any], rows: list[Row]) -> str | None:
@@ -110,39 +104,6 @@ def collect(reader: Iterable[Any], rows: list[Row]) -> str | None:
             # python-can's readers have no family of exceptions: a bad file raises anything.
             return plain(str(fault)) if is_ours(fault) else "no frame of this format"
     return None
-
-
-class Lines:
-    """The lines of a text log, as python-can's readers take them, with the number of the last.
-
-    A last line without its end was cut inside a frame, and the readers would take what is left of
-    it for a whole one: it is left out.
-    """
-
-    def __init__(self, path: Path):
-        text = path.read_text(encoding="utf-8", errors="replace")
-        complete = text.rfind("\n") + 1
-        self.lines = text[:complete].split("\n")[:-1]
-        self.first = self.lines[0] if self.lines else text
-        self.number = 0
-        self.blank_first = False
-        rest = text[complete:].strip()
-        self.cut = f"line {len(self.lines) + 1} is cut short and left out" if rest else None
-
-    def __iter__(self) -> "Lines":
-        return self
-
-    def __next__(self) -> str:
-        if self.blank_first:
-            self.blank_first = False
-            return "\n"
-        if self.number == len(self.lines):
-            raise StopIteration
-        self.number += 1
-        return self.lines[self.number - 1] + "\n"
-
-    def close(self) -> None:
-        """The readers close what they have read; there is nothing to close."""
 
 
 def row_of(message: Any) -> Row:

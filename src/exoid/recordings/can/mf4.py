@@ -11,6 +11,11 @@ from exoid.files.library_faults import is_ours, plain
 from exoid.recordings.can.frames import ERROR, EXTENDED, FD, REMOTE, Frames
 
 KINDS = {"CAN_DataFrame": 0, "CAN_ErrorFrame": ERROR, "CAN_RemoteFrame": REMOTE}
+NEEDED = {
+    "CAN_DataFrame": ("ID", "DataLength", "DataBytes"),
+    "CAN_RemoteFrame": ("ID",),
+    "CAN_ErrorFrame": (),
+}  # without which a record is no frame
 CHUNK = 100_000  # frames; more at once take longer, and as much more memory
 IDENTIFIER = 0x1FFFFFFF  # the bits that an id may have
 KEPT = 8  # bytes of a frame, as of the other formats
@@ -41,13 +46,23 @@ def parts_of(path: Path) -> Iterator[tuple[Frames, np.ndarray]]:
     begin = file.header.start_time.timestamp()
     for number, group in enumerate(file.groups):
         kind = kind_of(group)
-        latest = -np.inf
-        for at in range(0, group.channel_group.cycles_nr if kind else 0, CHUNK):
+        size = group.channel_group.samples_byte_nr
+        if kind and any(is_outside(each, size) for each in group.channels):
+            raise ValueError("a channel of the file lies outside of its records")
+        latest, announced = -np.inf, group.channel_group.cycles_nr if kind else 0
+        for at in range(0, announced, CHUNK):
             found = file.get(kind, number, raw=False, record_offset=at, record_count=CHUNK)
+            if found.timestamps.size < min(CHUNK, announced - at):
+                raise ValueError("a group of the file holds fewer frames than it announces")
             frames = frames_of(found.timestamps + begin, kind, found.samples)
             key = np.maximum.accumulate(np.r_[latest, frames.time])
             latest = key[-1]
             yield frames, key[1:]
+
+
+def is_outside(channel: Any, size: int) -> bool:
+    """Would asammdf read a channel from beyond its record [bytes], where anything may stand?"""
+    return 8 * channel.byte_offset + channel.bit_offset + channel.bit_count > 8 * size
 
 
 def kind_of(group: Any) -> str:
@@ -69,6 +84,9 @@ def frames_of(time: np.ndarray, kind: str, samples: np.ndarray) -> Frames:
         field = f"{kind}.{name}"
         return samples[field] if field in (samples.dtype.names or ()) else usual
 
+    for name in NEEDED.get(kind, ()):
+        if f"{kind}.{name}" not in (samples.dtype.names or ()):
+            raise ValueError(f"its frames have no {name}")
     none, one = np.zeros(time.size, np.uint32), np.ones(time.size, np.uint32)
     content = column("DataBytes", np.zeros((time.size, 0), np.uint8))
     length = np.clip(column("DataLength", none), 0, content.shape[1])

@@ -23,7 +23,7 @@ def read_c3d(path: Path, wanted: Collection[str] = ()) -> Sheet:
 
     **Raises** `ValueError` that says what is in the file where nothing tells which is the angle.
     """
-    content = read_apart(channels, path, "Export it again.")
+    content = read_apart(channels, path, "Export it again.", library="ezc3d")
     points, analogs = point_columns(content), analog_columns(content)
     if not points and not analogs:
         raise ValueError("holds neither points nor analog channels.")

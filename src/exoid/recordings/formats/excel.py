@@ -1,10 +1,14 @@
 """Excel's .xlsx, by openpyxl: of its sheets, the first that holds samples."""
 
+import json
 from dataclasses import replace
 from datetime import date, datetime, time, timedelta
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
+from exoid.files.foreign import Arrays, read_apart
 from exoid.recordings.tables.dialect import value_of
 from exoid.recordings.tables.layout import Cell, Row, is_number, sheet_of_rows
 from exoid.recordings.tables.sheet import Place, Sheet, printable
@@ -17,22 +21,31 @@ def read_excel(path: Path) -> Sheet:
 
     **Raises** `ValueError` where there is none.
     """
+    kept = read_apart(content, path, "Export it again.", library="openpyxl")
+    book = json.loads(kept["book"].tobytes())
+    names, rows = [printable(name) for name in book["names"]], book["rows"]
+    if not rows:
+        raise ValueError(f"holds no table of numbers in its sheets: {', '.join(names)}.")
+    found = sheet_of_rows(squared(rows), Place("row", 1))
+    said = f"sheet {names[book['taken']]} of {len(names)} is read."
+    return found if len(names) == 1 else replace(found, notes=(*found.notes, said))
+
+
+def content(path: Path) -> Arrays:
+    """The names of the sheets, which of them is taken, and its rows, as JSON; in a process of its
+    own.
+    """
     import openpyxl
 
     book = openpyxl.load_workbook(path, read_only=True, data_only=True)
-    try:
-        names = [sheet.title for sheet in book.worksheets]
-        for sheet in book.worksheets:
-            rows = [[*map(cell_of, cells)] for cells in sheet.iter_rows(values_only=True)]
-            if sum(any(map(is_number, row)) for row in rows) > 1:
-                found = sheet_of_rows(squared(rows), Place("row", 1))
-                said = f"sheet {printable(sheet.title)} of {len(names)} is read."
-                return found if len(names) == 1 else replace(found, notes=(*found.notes, said))
-    finally:
-        book.close()
-    raise ValueError(
-        f"holds no table of numbers in its sheets: {', '.join(map(printable, names))}."
-    )
+    names = [sheet.title for sheet in book.worksheets]
+    found: dict[str, Any] = {"names": names, "taken": None, "rows": []}
+    for taken, sheet in enumerate(book.worksheets):
+        rows = [[*map(cell_of, cells)] for cells in sheet.iter_rows(values_only=True)]
+        if sum(any(map(is_number, row)) for row in rows) > 1:
+            found |= {"taken": taken, "rows": rows}
+            break
+    return {"book": np.frombuffer(json.dumps(found).encode(), np.uint8)}
 
 
 def cell_of(cell: Any) -> Cell:

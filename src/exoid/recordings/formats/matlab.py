@@ -22,7 +22,7 @@ def read_matlab(path: Path) -> Sheet:
 
     **Raises** `ValueError` where there are none; a `table` or `timetable` of MATLAB cannot be read.
     """
-    arrays = unpacked(read_apart(variables, path, "Save it again from MATLAB."))
+    arrays = unpacked(read_apart(variables, path, "Save it again from MATLAB.", library="scipy.io"))
     plain = {name: each for name, each in arrays.items() if name[:1] not in "_#"}
     if any(name.startswith(OPAQUE) for name in arrays) and not any(
         each.size > 1 for each in plain.values()

@@ -16,6 +16,7 @@ from exoid.recordings.tables.sheet import Place, Sheet
 
 END = re.compile(r"^\s*endheader\s*$", re.IGNORECASE | re.MULTILINE)
 IN_DEGREES = re.compile(r"^\s*inDegrees\s*=\s*(\w+)", re.IGNORECASE | re.MULTILINE)
+ROWS = re.compile(r"^\s*nRows\s*=\s*(\d{1,12})\s*$", re.IGNORECASE | re.MULTILINE)
 DIALECTS = {True: Dialect("\t", "."), False: Dialect(BLANK, ".")}
 
 
@@ -32,6 +33,10 @@ def read_opensim(path: Path) -> Sheet:
     line = head.count("\n") + 2  # the first below endheader
     rows = rows_in(body.rstrip("\n").split("\n"), DIALECTS["\t" in body])
     sheet = sheet_of_rows(rows, Place("line", line))
+    announced, found = ROWS.search(head), len(sheet.columns[0].cells)
+    if announced is not None and announced[1] != str(found):
+        note = f"its header announces {announced[1]} rows, and it holds {found}."
+        sheet = replace(sheet, notes=(*sheet.notes, note))
     told = IN_DEGREES.search(head)
     if told is None:
         return sheet

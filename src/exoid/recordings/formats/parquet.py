@@ -16,7 +16,7 @@ INDEX = "__index_level_"  # pandas' numbers of rows
 
 def read_parquet(path: Path) -> Sheet:
     """The columns of numbers, dates and words."""
-    arrays = unpacked(read_apart(columns, path, "Write it again."))
+    arrays = unpacked(read_apart(columns, path, "Write it again.", library="pyarrow.parquet"))
     found = [column for name, each in arrays.items() for column in columns_of(name, each)]
     if not found:
         raise ValueError("holds no column of numbers with two rows or more.")
@@ -27,7 +27,7 @@ def columns(path: Path) -> Arrays:
     """Every flat column as an array; in a process of its own."""
     import pyarrow.parquet
 
-    table = pyarrow.parquet.read_table(path)
+    table = pyarrow.parquet.read_table(path, page_checksum_verification=True)
     names = [name for name in dict.fromkeys(table.column_names) if not name.startswith(INDEX)]
     return packed({name: as_array(table.column(name)) for name in names})
 
@@ -57,5 +57,5 @@ def as_parquet(columns: Mapping[str, Any]) -> bytes:
 
     table = pyarrow.table({name: pyarrow.array(cells) for name, cells in columns.items()})
     content = pyarrow.BufferOutputStream()
-    pyarrow.parquet.write_table(table, content)
+    pyarrow.parquet.write_table(table, content, write_page_checksum=True)
     return content.getvalue().to_pybytes()

@@ -5,6 +5,7 @@ from os import PathLike
 from pathlib import Path
 from typing import Any
 
+from exoid.files.visible import visible
 from exoid.recordings.loading.load import Loaded, load
 from exoid.recordings.loading.warn_user import tell
 from exoid.recordings.recording import Recording
@@ -52,4 +53,4 @@ def pair(each: Any, name: str) -> tuple[str, Recording]:
         )
     loaded = load(each if isinstance(each, str) else Path(each))
     tell(loaded.notes)
-    return Path(each).name, loaded.recording
+    return visible(Path(each).name), loaded.recording

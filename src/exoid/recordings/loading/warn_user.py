@@ -4,6 +4,8 @@ import sys
 import warnings
 from collections.abc import Iterable
 
+from exoid.files.visible import visible
+
 
 def tell(notes: Iterable[str]) -> None:
     """A warning for each, at the line that called exoid."""
@@ -11,4 +13,4 @@ def tell(notes: Iterable[str]) -> None:
     while frame.f_back is not None and str(frame.f_globals.get("__name__")).startswith("exoid."):
         frame, level = frame.f_back, level + 1
     for note in notes:
-        warnings.warn(note, stacklevel=level)
+        warnings.warn(visible(note), stacklevel=level)

@@ -10,6 +10,7 @@ import numpy as np
 
 from exoid.files.text_file import Notes, near
 from exoid.recordings.columns import ANGLES, NUMERIC, SEGMENT, TARGETS, UNITS, Target
+from exoid.recordings.tables.dialect import NUMBERS
 from exoid.recordings.tables.names import recognised
 from exoid.recordings.tables.sheet import Cells, Column, Place, Sheet, listed
 from exoid.recordings.tables.times_of_day import seconds
@@ -171,11 +172,8 @@ def in_numbers(column: Column, place: Place) -> np.ndarray:
 
 
 def is_float(cell: str) -> bool:
-    try:
-        float(cell)
-    except ValueError:
-        return False
-    return True
+    """Not what only Python takes for a number, such as 1_000."""
+    return NUMBERS["."].fullmatch(cell) is not None
 
 
 def found_size(match: Match, numbers: np.ndarray) -> tuple[float, str]:

@@ -59,11 +59,24 @@ def sheet_of_rows(rows: list[Row], place: Place) -> Sheet:
         if name or not is_empty(list(cells))
     ]
     columns = [named(column, number) for number, column in enumerate(columns, 1)]
-    return Sheet(
-        tuple(columns),
-        Place(place.word, place.first + layout.first),
-        notes=remains(rows, layout, place),
-    )
+    where = Place(place.word, place.first + layout.first)
+    odd = [
+        f"{where(row)}, column {printable(name) or at} holds {samples[at - 1][row]!r:.40}, where "
+        "the other lines hold numbers. Is the line damaged?"
+        for at, (name, row) in enumerate(zip(names, odd_rows(samples), strict=True), 1)
+        if row is not None
+    ]
+    return Sheet(tuple(columns), where, notes=(*odd, *remains(rows, layout, place)))
+
+
+def odd_rows(samples: list[tuple[Cell, ...]]) -> list[int | None]:
+    """Of every column that is half of numbers the first row that holds words, if there is one."""
+    words = [[row for row, cell in enumerate(cells) if isinstance(cell, str)] for cells in samples]
+    numbers = [sum(map(is_number, cells)) for cells in samples]
+    return [
+        rows[0] if 0 < len(rows) <= count else None
+        for rows, count in zip(words, numbers, strict=True)
+    ]
 
 
 def find_layout(rows: list[Row]) -> Layout:

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from exoid.files.text_file import Notes
+from exoid.files.visible import visible
 
 Cells = np.ndarray | tuple[str, ...]  # numbers, NaN where one is missing; or what a cell says
 
@@ -60,9 +61,8 @@ class Sheet:
 
 
 def printable(name: object) -> str:
-    """A name on one line, without what would steer a terminal."""
-    plain = " ".join(str(name).split())
-    return "".join(each if each.isprintable() else "?" for each in plain)
+    """A name on one line, with nothing in it that would steer a terminal."""
+    return visible(" ".join(str(name).split()))
 
 
 def listed(names: list[str], most: int = 12) -> str:

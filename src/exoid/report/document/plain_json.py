@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from exoid.files.replacing import replacing
+from exoid.files.visible import visible
 
 
 def shown(one: Any, without: Collection[str] = (), **names: str) -> dict[str, Any]:
@@ -42,5 +43,5 @@ def write_json(document: Mapping[str, Any], path: str | Path) -> None:
     **Raises** `ValueError` or `OSError` (what to do) where the file cannot be written.
     """
     text = json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
-    with replacing(path) as part:
-        part.write_text(text, encoding="utf-8")
+    with replacing(path) as part:  # people read it, too
+        part.write_text(visible(text, "\n"), encoding="utf-8")

@@ -10,6 +10,7 @@ from rich.console import Console
 from rich.table import Table as Grid
 from rich.text import Text
 
+from exoid.files.visible import visible
 from exoid.report.words.text import DIMENSIONLESS, NOT_DETERMINED, heading, shortened
 from exoid.report.words.typeset import formula
 
@@ -93,9 +94,9 @@ def print_table(table: Table, console: Console) -> None:
     columns = fitted(table, console.width)
     drawn = Grid(box=SIMPLE_HEAD, show_edge=False, padding=(0, 1, 0, 0), header_style="bold")
     for head in columns:
-        drawn.add_column(Text(head), overflow="fold")
+        drawn.add_column(Text(visible(head, "\n")), overflow="fold")
     for row in zip(*columns.values(), strict=True):
-        drawn.add_row(*(Text(cell) for cell in row))
+        drawn.add_row(*(Text(visible(cell, "\n")) for cell in row))
     if table.title:
         heading(console, table.title)
     console.print(drawn)

@@ -8,6 +8,7 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
+from exoid.files.visible import visible
 from exoid.fitting.result.fit_result import Estimate
 
 NOT_DETERMINED = "not determined"
@@ -92,12 +93,12 @@ def shortened(name: str, widest: int) -> str:
 
 def heading(console: Console, title: str) -> None:
     console.print()
-    console.print(Text(title, style="bold"))
+    console.print(Text(visible(title), style="bold"))
 
 
 def say(console: Console, sentence: str, hanging: int = 0) -> None:
     """A sentence, broken between words; a hanging indent for lists."""
-    lines = Text(sentence).wrap(console, max(console.width - hanging, 20))
+    lines = Text(visible(sentence, "\n")).wrap(console, max(console.width - hanging, 20))
     for number, line in enumerate(lines):
         line.rstrip()
         console.print(Padding.indent(line, hanging) if number and hanging else line)
@@ -127,5 +128,5 @@ def aligned(console: Console, lines: dict[str, str]) -> None:
     grid.add_column(no_wrap=True)
     grid.add_column()
     for name, what in lines.items():
-        grid.add_row(Text(name), Text(what))
+        grid.add_row(Text(visible(name)), Text(visible(what, "\n")))
     console.print(grid)

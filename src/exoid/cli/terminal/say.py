@@ -1,0 +1,11 @@
+"""What a command says in lines of its own: they may quote a file, and are shown, never obeyed."""
+
+import typer
+
+from exoid.files.visible import visible
+
+
+def say(*lines: object, err: bool = False) -> None:
+    """Each on a line of its own, on stdout or stderr."""
+    for line in lines:
+        typer.echo(visible(str(line)), err=err)

@@ -1,0 +1,181 @@
+"""Damaged files of every format end in one sentence, a report or their own rows; and a reader that
+does otherwise is found.
+"""
+
+import os
+import subprocess
+import sys
+import time
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from tests.fuzz import judge, worker
+from tests.fuzz.judge import FAULT, HANG, NAMES, PLAIN, SAME, TOLD, WRONG, format_of, mutant
+from tests.fuzz.reading import Reading, Sample, alike
+from tests.fuzz.tables import DIALECTS, by_csv, dialect_table, own_by_csv, read_own
+
+ROOT = Path(__file__).parents[2]
+EACH = 150  # mutants of each format, which take half a minute together
+
+numbers = st.floats(-1e6, 1e6, allow_subnormal=False).map(lambda each: round(each, 4))
+motions = st.lists(st.tuples(numbers, numbers), min_size=4, max_size=12)
+
+
+def run(*arguments: str, folder: Path) -> subprocess.CompletedProcess[str]:
+    places = os.pathsep.join([str(ROOT), *sys.path])
+    call = [sys.executable, "-m", "tests.fuzz", *arguments]
+    return subprocess.run(
+        call, cwd=folder, env=os.environ | {"PYTHONPATH": places}, capture_output=True, text=True
+    )
+
+
+@pytest.mark.slow
+def test_damaged_files_of_every_format_are_read_as_they_should_be(tmp_path):
+    done = run("--mutants", str(EACH), "--minutes", "10", folder=tmp_path)
+    kept = (tmp_path / "fuzz-failures.txt").read_text()
+    assert done.returncode == 0, kept
+    rows = {line[:11].strip(): line[11:].split() for line in done.stdout.strip().split("\n")[1:]}
+    assert rows.keys() == {*NAMES, "all"}
+    assert {int(rows[name][0]) for name in NAMES} == {EACH}
+    assert [*map(int, rows["all"][-4:-1])] == [0, 0, 0]
+
+
+def test_a_recipe_is_the_same_file_in_another_process(tmp_path):
+    for name in ("can blf", "can asc", "xlsx"):
+        path = tmp_path / "mutant"
+        run("--replay", f"{name}:3:41", "--write", str(path), folder=tmp_path)
+        assert path.read_bytes() == mutant(name, 3, 41)[0]
+
+
+# A reader that does what none should is found
+
+
+@pytest.fixture
+def reader(monkeypatch):
+    """Puts another reader in the place of that of python-can's CSV."""
+    made = format_of("can csv")
+    rows = {"a": np.arange(3.0)}
+
+    def put(read, **changes):
+        first = []
+
+        def sound_first(path):
+            if not first:
+                first.append(path)
+                return Reading(rows, ())
+            return read(path)
+
+        changed = replace(made, samples=made.samples[:1], read=sound_first, **changes)
+        monkeypatch.setattr(judge, "format_of", lambda _: changed)
+        judge.original.cache_clear()
+
+    yield put
+    judge.original.cache_clear()
+
+
+def broken(path):
+    raise KeyError("no such block")
+
+
+def talkative(path):
+    raise ValueError("two\nlines")
+
+
+def exhausted(path):
+    raise MemoryError
+
+
+def other_rows(path):
+    return Reading({"a": np.arange(4.0)}, ())
+
+
+def told_rows(path):
+    return Reading({"a": np.arange(4.0)}, ("one is missing",))
+
+
+@pytest.mark.parametrize(
+    ("read", "kind"),
+    [
+        (broken, FAULT),
+        (talkative, FAULT),
+        (exhausted, HANG),
+        (other_rows, WRONG),
+        (told_rows, TOLD),
+    ],
+)
+def test_what_a_reader_should_not_do_is_found(reader, tmp_path, read, kind):
+    reader(read, oracle=lambda path, sample: {"a": np.arange(5.0)})
+    assert judge.judged("can csv", 0, 1, tmp_path).kind == kind
+
+
+def test_rows_that_an_oracle_reads_too_are_what_nobody_can_tell(reader, tmp_path):
+    reader(other_rows, oracle=lambda path, sample: {"a": np.arange(4.0)})
+    assert judge.judged("can csv", 0, 1, tmp_path).kind == PLAIN
+    reader(lambda path: Reading({"a": np.arange(3.0)}, ()), oracle=None)
+    assert judge.judged("can csv", 0, 1, tmp_path).kind == SAME
+
+
+def looping(path):
+    while True:
+        pass
+
+
+def dying(path):
+    os._exit(3)
+
+
+@pytest.mark.filterwarnings("ignore:.*fork")  # the copy reads two files and ends
+@pytest.mark.parametrize(("read", "letter"), [(looping, b"H"), (dying, b"F")])
+def test_a_reader_that_loops_or_dies_is_found_and_the_next_file_read(
+    reader, tmp_path, monkeypatch, read, letter
+):
+    reader(read)
+    monkeypatch.setattr(worker, "SECONDS", 0.1)
+    letters = tmp_path / "letters"
+    child = os.fork()
+    if child == 0:
+        monkeypatch.setattr(worker, "format_of", judge.format_of)
+        worker.work("can csv", 0, 0, [60.0, 2], str(letters))
+    assert os.waitpid(child, 0)[1] == 0
+    assert letters.read_bytes() == 2 * letter
+
+
+# The oracles are of another hand, and agree where nothing is damaged
+
+
+@given(motions, st.sampled_from([*DIALECTS]))
+def test_a_table_in_any_dialect_holds_what_the_csv_module_reads(tmp_path_factory, rows, told):
+    path = tmp_path_factory.mktemp("dialect") / "leg.csv"
+    time, (angle, gyro) = np.arange(len(rows)) * 0.01, np.array(rows).T
+    path.write_bytes(dialect_table(told, time, angle % 90 + 10, gyro % 90 + 10))
+    assert alike(read_own(path).rows, by_csv(path, Sample(b"", told)))
+
+
+@given(motions)
+def test_an_own_table_holds_what_the_csv_module_reads(tmp_path_factory, rows):
+    path = tmp_path_factory.mktemp("own") / "leg.csv"
+    lines = [f"{n / 100},{a % 90},{g % 90}" for n, (a, g) in enumerate(rows)]
+    path.write_text("\n".join(["time_s,raw_angle_deg,raw_velocity_rad_s", *lines, ""]))
+    assert alike(read_own(path).rows, own_by_csv(path, Sample(b"")))
+
+
+@pytest.mark.parametrize("name", [name for name in NAMES if format_of(name).oracle is not None])
+def test_an_oracle_reads_every_sound_file_as_exoid_does(name, tmp_path):
+    made = format_of(name)
+    for which, sample in enumerate(made.samples):
+        path = tmp_path / f"sound{made.suffix}"
+        path.write_bytes(sample.content)
+        assert made.oracle is not None
+        found = judge.original.__wrapped__(name, which, tmp_path)
+        assert alike(found.rows, made.oracle(path, sample))
+
+
+def test_an_oracle_that_loops_is_ended():
+    begin = time.monotonic()
+    with pytest.raises(TimeoutError), judge.within(0.1):
+        looping(None)
+    assert time.monotonic() - begin < 30
