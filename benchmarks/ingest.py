@@ -12,10 +12,10 @@ from pathlib import Path
 import can
 import numpy as np
 
-from exoid.recordings.can.blf import read_blf
 from exoid.recordings.can.dbc import exoid_messages
 from exoid.recordings.can.decode import MessagePlan
 from exoid.recordings.can.device_clock import PERIOD
+from exoid.recordings.can.logs.blf import read_blf
 from exoid.recordings.can.node.log import read_exo
 from exoid.recordings.loading.can_log import read_can_log
 from exoid.recordings.loading.load import load

@@ -92,7 +92,7 @@ def run(command: str, table: Path, target: Path) -> tuple[int, str]:
 
 def explained(fault: BaseException) -> int:
     """The exit code; what the command line does not expect is a crash."""
-    from exoid.cli import explain
+    from exoid.cli.terminal.faults import explain
 
     try:
         return explain(fault)

@@ -30,8 +30,8 @@ class Command:
 
     def __call__(self, *arguments, cwd=".") -> subprocess.CompletedProcess[str]:
         """Run a command in this process, where all is loaded."""
-        from exoid.cli import explain
         from exoid.cli.app import app
+        from exoid.cli.terminal.faults import explain
 
         given = list(map(str, arguments))
         out, err = StringIO(), StringIO()

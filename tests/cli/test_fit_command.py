@@ -104,9 +104,10 @@ def test_the_same_seed_gives_the_same_bytes_and_another_the_same_leg(
     command, recordings, fitted, tmp_path
 ):
     texts = []
-    for seed in (0, 0, 1):
-        command("fit", recordings / "drop.csv", "--seed", seed, "--json", tmp_path / "fit.json")
-        texts.append((tmp_path / "fit.json").read_bytes())
+    for number, seed in enumerate((0, 0, 1)):
+        path = tmp_path / f"{number}.json"
+        command("fit", recordings / "drop.csv", "--seed", seed, "--json", path)
+        texts.append(path.read_bytes())
     assert texts[0] == texts[1]
     other = json.loads(texts[2])
     assert other["settings"]["seed"] == 1

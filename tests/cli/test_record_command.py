@@ -17,7 +17,7 @@ import pytest
 from command_line import HEEDING, LIMIT, SCRIPT
 from sessions import EPOCH, RATIOS, TWO_DROPS, session
 
-from exoid.recordings.can.log_files import read_log
+from exoid.recordings.can.logs.log_files import read_log
 from exoid.recordings.can.node.config_crc import config_crc
 from exoid.recordings.loading.can_log import read_can_log
 from live_node import Cable

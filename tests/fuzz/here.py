@@ -7,7 +7,13 @@ from unittest.mock import patch
 
 from exoid.files.foreign import MEMORY, Arrays, sound, tried, unpacked
 
-HOLDERS = ("can.log_files", "formats.c3d", "formats.matlab", "formats.parquet", "formats.excel")
+HOLDERS = (
+    "can.logs.log_files",
+    "formats.c3d",
+    "formats.matlab",
+    "formats.parquet",
+    "formats.excel",
+)
 
 
 @contextmanager

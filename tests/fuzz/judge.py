@@ -11,7 +11,7 @@ from functools import cache
 from importlib import import_module
 from pathlib import Path
 
-from exoid.cli import foreign
+from exoid.cli.terminal.faults import foreign
 from exoid.files.visible import visible
 
 from .mutate import mutated

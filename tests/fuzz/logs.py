@@ -12,7 +12,7 @@ from can.io.player import MESSAGE_READERS
 from tests.recordings.exo_node import EPOCH, Node, write_log
 
 from exoid.recordings.can.frames import ERROR, FD, REMOTE, UNEVEN, Log
-from exoid.recordings.can.log_files import frames_of, read_log, row_of
+from exoid.recordings.can.logs.log_files import frames_of, read_log, row_of
 from exoid.recordings.loading.can_log import read_can_log
 
 from .inside import in_blf

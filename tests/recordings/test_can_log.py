@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 from exo_node import EPOCH, GYRO, Node, health, knee_angle, knee_velocity, message, write_log
 
-from exoid.recordings.can.blf import read_blf
 from exoid.recordings.can.frames import CanLogError
-from exoid.recordings.can.log_files import frames_of, row_of
+from exoid.recordings.can.logs.blf import read_blf
+from exoid.recordings.can.logs.log_files import frames_of, row_of
 from exoid.recordings.can.node.config_crc import config_crc
 from exoid.recordings.loading.can_log import read_can_log
 from exoid.recordings.recording import Subject
@@ -430,7 +430,7 @@ def test_an_unknown_format_names_the_known_ones(tmp_path):
 def test_mf4_without_asammdf_says_what_to_install(tmp_path, monkeypatch):
     path = tmp_path / "leg.mf4"
     path.write_bytes(b"MDF")
-    monkeypatch.setattr("exoid.recordings.can.log_files.find_spec", lambda name: None)
+    monkeypatch.setattr("exoid.recordings.can.logs.log_files.find_spec", lambda name: None)
     with pytest.raises(CanLogError, match=r'pip install "exoid\[mf4\]"'):
         read_can_log(path)
 

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 from exo_node import Node, write_log
 
-from exoid.recordings.can.blf import read_blf
-from exoid.recordings.can.blf_blocks import MOST_UNPACKED
-from exoid.recordings.can.log_files import read_log
+from exoid.recordings.can.logs.blf import read_blf
+from exoid.recordings.can.logs.blf_blocks import MOST_UNPACKED
+from exoid.recordings.can.logs.log_files import read_log
 
 HEADER, BLOCK = 144, 32  # bytes of a BLF's own head and of a block's
 SIZE, DECLARED = HEADER + 8, HEADER + 24  # where a block says how long it is, packed and not

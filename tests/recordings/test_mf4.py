@@ -8,10 +8,10 @@ import pytest
 from exo_node import EPOCH, Node, mf4_writer, write_log
 
 from exoid.files.foreign import read_apart
-from exoid.recordings.can import mf4
 from exoid.recordings.can.frames import CanLogError, Frames
-from exoid.recordings.can.log_files import frames_of, read_log, row_of
-from exoid.recordings.can.mf4 import read_frames
+from exoid.recordings.can.logs import mf4
+from exoid.recordings.can.logs.log_files import frames_of, read_log, row_of
+from exoid.recordings.can.logs.mf4 import read_frames
 
 REAL = (
     "css_LOG_17BD1DB7_00000006_00000170.MF4",

@@ -7,7 +7,7 @@ from exoid.recordings.can.clock_rate import CRYSTALLESS, ClockRate
 from exoid.recordings.can.dbc import DbcError
 from exoid.recordings.can.device_clock import PERIOD
 from exoid.recordings.can.frames import CanLogError
-from exoid.recordings.can.log_files import read_log
+from exoid.recordings.can.logs.log_files import read_log
 from exoid.recordings.can.node.log import EXO_SENSORS, read_exo
 from exoid.recordings.can.quality import LogQuality
 from exoid.recordings.can.signals import read_signals

@@ -5,7 +5,7 @@ from base64 import b64decode, b64encode
 from binascii import Error
 from collections.abc import Iterable
 
-from exoid.recordings.can.text.sound import Sound, sound_identifier
+from exoid.recordings.can.logs.text.sound import Sound, sound_identifier
 
 HEADER = "timestamp,arbitration_id,extended,remote,error,dlc,data"
 FRAME = re.compile(

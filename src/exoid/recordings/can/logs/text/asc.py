@@ -3,7 +3,7 @@
 import re
 from collections.abc import Iterable
 
-from exoid.recordings.can.text.sound import Sound, sound_identifier
+from exoid.recordings.can.logs.text.sound import Sound, sound_identifier
 
 BASE = re.compile(r"\s*base\s+(hex|dec)\b", re.IGNORECASE)
 # What a frame may look like with one of its letters damaged; other events are no frames.

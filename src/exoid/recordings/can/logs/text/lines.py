@@ -2,11 +2,11 @@
 
 from pathlib import Path
 
-from exoid.recordings.can.text.asc import asc_check, is_event
-from exoid.recordings.can.text.candump import candump_check
-from exoid.recordings.can.text.own_csv import csv_check
-from exoid.recordings.can.text.sound import Sound
-from exoid.recordings.can.text.trc import trc_check
+from exoid.recordings.can.logs.text.asc import asc_check, is_event
+from exoid.recordings.can.logs.text.candump import candump_check
+from exoid.recordings.can.logs.text.own_csv import csv_check
+from exoid.recordings.can.logs.text.sound import Sound
+from exoid.recordings.can.logs.text.trc import trc_check
 
 CHECKS = {".asc": asc_check, ".log": candump_check, ".csv": csv_check, ".trc": trc_check}
 MOST_DAMAGED = 1000  # lines; a file with more is another kind of file

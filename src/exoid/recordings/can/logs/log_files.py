@@ -14,7 +14,6 @@ import numpy as np
 
 from exoid.files.foreign import ForeignError, read_apart
 from exoid.files.library_faults import is_ours, plain, quiet
-from exoid.recordings.can.blf import read_blf
 from exoid.recordings.can.frames import (
     ERROR,
     EXTENDED,
@@ -25,10 +24,11 @@ from exoid.recordings.can.frames import (
     Frames,
     Log,
 )
-from exoid.recordings.can.mf4 import read_frames
-from exoid.recordings.can.text.asc import base_of
-from exoid.recordings.can.text.lines import Lines, told
-from exoid.recordings.can.text.own_csv import HEADER
+from exoid.recordings.can.logs.blf import read_blf
+from exoid.recordings.can.logs.mf4 import read_frames
+from exoid.recordings.can.logs.text.asc import base_of
+from exoid.recordings.can.logs.text.lines import Lines, told
+from exoid.recordings.can.logs.text.own_csv import HEADER
 
 Row = tuple[float, int, int, int, bytes]  # time, id, flags, length, data of one frame
 

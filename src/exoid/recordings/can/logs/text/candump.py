@@ -3,7 +3,7 @@
 import re
 from collections.abc import Iterable
 
-from exoid.recordings.can.text.sound import Sound, sound_identifier
+from exoid.recordings.can.logs.text.sound import Sound, sound_identifier
 
 FRAME = re.compile(
     r"\s*\(\d+\.\d+\)\s+\S+\s+(?P<id>[0-9A-F]{3}|[0-9A-F]{8})#"

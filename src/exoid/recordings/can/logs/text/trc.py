@@ -3,7 +3,7 @@
 import re
 from collections.abc import Iterable
 
-from exoid.recordings.can.text.sound import HEX_BYTES, Sound, sound_identifier
+from exoid.recordings.can.logs.text.sound import HEX_BYTES, Sound, sound_identifier
 
 VERSION = re.compile(r"\s*;\$FILEVERSION=(\S+)\s*")
 COLUMNS = re.compile(r"\s*;\$COLUMNS=(\S+)\s*")

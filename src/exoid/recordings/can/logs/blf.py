@@ -12,12 +12,6 @@ from pathlib import Path
 
 import numpy as np
 
-from exoid.recordings.can.blf_blocks import (
-    LONGEST_PADDING,
-    OBJECT_HEADER,
-    SIGNATURE,
-    unbroken_pieces,
-)
 from exoid.recordings.can.frames import (
     ERROR,
     EXTENDED,
@@ -27,6 +21,12 @@ from exoid.recordings.can.frames import (
     CanLogError,
     Frames,
     Log,
+)
+from exoid.recordings.can.logs.blf_blocks import (
+    LONGEST_PADDING,
+    OBJECT_HEADER,
+    SIGNATURE,
+    unbroken_pieces,
 )
 
 FILE_HEADER = struct.Struct("<4sL8B2Q2L8H8H")  # as python-can; the fields used are named below

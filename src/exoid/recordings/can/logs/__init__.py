@@ -1,0 +1,1 @@
+"""Files of frames, as loggers write them."""
