@@ -6,6 +6,11 @@ from numpy.typing import NDArray
 Samples = NDArray[np.float64]  # one value per sample; jaxtyping here would cost 0.1 s at start
 
 
+def block_size(step: float, width: float) -> int:
+    """How many samples, `step` s apart, fit into `width` s; one at least."""
+    return max(int(width / step * (1 + 1e-6)), 1)  # a step of 1 ms is one of 1.0000000001 ms too
+
+
 def block_means(samples: Samples, count: int) -> Samples:
     """Means of the known samples in every `count`; the last that fill no block are left out."""
     if count == 1:

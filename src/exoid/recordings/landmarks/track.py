@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from exoid.recordings.landmarks.measure import Mark, NotAllowed
 from exoid.recordings.motion.thresholds import FINE
 from exoid.recordings.recording import Segment
-from exoid.recordings.samples import Samples, block_means
+from exoid.recordings.samples import Samples, block_means, block_size
 
 HALF = 0.1  # s to either side that a polynomial follows, a tenth of a leg's swing
 DEGREE = 4  # the middle of a swing is then followed to 1 in 2000, its acceleration included
@@ -66,7 +66,7 @@ def track_of(segment: Segment, noise: float) -> Track:
         raise NotAllowed(
             f"interrupted: no angle was measured from {time[at]:.2f} to {time[at + 1]:.2f} s"
         )
-    count = max(int(FINE / np.median(steps)), 1)
+    count = block_size(float(np.median(steps)), FINE)
     middle = sample[count // 2 :: count][: sample.size // count]
     angle = block_means(segment.best_angle[sample], count)
     return Track(middle, block_means(time, count), angle, noise / np.sqrt(count))

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from exoid.recordings.motion.thresholds import QUIET, SPEED_ERROR, WIDTHS
 from exoid.recordings.recording import Segment, Sensors
-from exoid.recordings.samples import Samples, block_means
+from exoid.recordings.samples import Samples, block_means, block_size
 from exoid.recordings.signal.local_line import local_line
 from exoid.recordings.signal.noise import declared_angle_noise, find_spikes, noise_of
 
@@ -34,7 +34,7 @@ class Signal:
 
     def averaged(self, step: float) -> "Signal":
         """Means over as many samples as fit into `step` s, where that is more than one."""
-        count = max(int(step / self.step), 1)
+        count = block_size(self.step, step)
         less = np.sqrt(count)
         return Signal(
             block_means(self.time, count),
