@@ -5,6 +5,7 @@ import tracemalloc
 import numpy as np
 import pytest
 
+from exoid.recordings.loading.load import load
 from exoid.recordings.motion.signal import Signal
 from exoid.recordings.recording import Recording, Segment, Subject
 from exoid.recordings.samples import block_means
@@ -68,3 +69,32 @@ def test_a_signal_that_is_averaged_has_less_noise_at_the_same_times():
     assert mean.time.size == 3_000
     assert mean.angle_noise == pytest.approx(NOISE / np.sqrt(3))
     assert np.array_equal(mean.time, (time / 10).reshape(-1, 3).mean(axis=1))
+
+
+def fast(rate, tmp_path):
+    """A drop at so many samples a second, as a table."""
+    time = np.arange(0, 4, 1 / rate)
+    since = np.maximum(time - 0.5, 0)
+    angle = -1.25 + 1.25 * np.exp(-0.5 * since) * np.cos(5.7 * since)
+    angle = angle + np.random.default_rng(2).normal(0, NOISE, time.size)
+    path = tmp_path / f"{rate}.csv"
+    table = np.column_stack([time, angle])
+    np.savetxt(path, table, delimiter=",", header="time_s,angle_rad", comments="", fmt="%.9g")
+    return path
+
+
+def test_what_is_sampled_faster_than_a_leg_moves_is_averaged_and_said(tmp_path):
+    path = fast(20_000, tmp_path)
+    loaded = load(path)
+    (segment,) = loaded.recording.segments
+    assert np.median(np.diff(segment.time)) == pytest.approx(1e-3)
+    assert any("means over 20 samples" in each for each in loaded.notes)
+    assert load(path, whole=True).recording.segments[0].time.size == 80_000
+    # 4000 samples tell a standard deviation to 1.1 %.
+    assert clean(loaded.recording).angle.level == pytest.approx(NOISE / np.sqrt(20), rel=0.05)
+
+
+def test_a_thousand_samples_a_second_are_used_as_they_are(tmp_path):
+    loaded = load(fast(1_000, tmp_path))
+    assert loaded.recording.segments[0].time.size == 4_000
+    assert not any("means over" in each for each in loaded.notes)

@@ -19,6 +19,7 @@ from exoid.recordings.conventions.file_clock import (
 from exoid.recordings.conventions.gyro_agreement import wrong_sign, wrong_unit
 from exoid.recordings.conventions.mounting import settled, turned
 from exoid.recordings.conventions.other_leg import another_leg
+from exoid.recordings.conventions.thin import thinned
 from exoid.recordings.motion.split import Split
 from exoid.recordings.recording import Recording
 
@@ -44,13 +45,17 @@ def understand(
     recording = from_first_sample(recording)
     recording, notes = turned(told(recording, flip, zero))
     refuse(tiny(recording) or wrong_unit(recording))
+    notes = (*unlike_rate(recording), *notes)
+    if not whole:
+        recording, averaged = thinned(recording)
+        notes = (*notes, *averaged)
     found = cut_up(recording, cut, whole=whole)
     movements = found.recording
     refuse(wrong_convention(movements, cut=movements is not recording or not whole))
     refuse(wrong_sign(recording))
     noticed = () if whole else (*found.notes, *another_leg(movements))
     recording, more = settled(recording if whole else movements, movements)
-    return recording, (*unlike_rate(recording), *notes, *more, *noticed)
+    return recording, (*notes, *more, *noticed)
 
 
 def cut_up(recording: Recording, cut: Callable[[Recording], Split], *, whole: bool) -> Split:
