@@ -25,6 +25,9 @@ from exoid.physics.motion.step import Drive
 ROUNDS = 10  # of multipliers; two digits a round
 BATCH = 16  # lanes of start and segment at once: more leave the fast path of the compiled loop
 PAIR = 2  # starts at once of a leg with many segments
+# Segments from which on a start is alone: jaxlib factorises several large matrices on XLA's own
+# threads and waits for them on one of these, for ever where two programs run beside each other.
+CROWD = 16
 
 
 def task(
@@ -64,7 +67,8 @@ def advance(
     start by itself.
     """
     count = starts.log_mass.shape[0]
-    lanes = 1 if problem.terms else max(PAIR, BATCH // len(problem.movements))
+    few = not problem.terms and len(problem.movements) <= CROWD
+    lanes = max(PAIR, BATCH // len(problem.movements)) if few else 1
     if request is None:
         request = plain_request(problem, np.broadcast_to(scale, (count, len(problem.movements))))
 
