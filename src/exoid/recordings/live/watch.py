@@ -11,6 +11,7 @@ import numpy as np
 
 from exoid.recordings.can.dbc import exoid_messages
 from exoid.recordings.can.decode import MessagePlan, SignalPlan
+from exoid.recordings.can.node.config_crc import meaning_of
 from exoid.recordings.can.node.rows import SAMPLED, STATE, TIME
 from exoid.recordings.can.node.samples import STATUS
 from exoid.recordings.live.second_node import Alternation
@@ -105,7 +106,7 @@ class Watch:
         self.ticks.sample(plan.name, counter, SAMPLED[plan.name], host, reset)
 
     def check_config(self, told: int) -> None:
-        if told != self.config_crc:
+        if meaning_of(told) != self.config_crc:
             self.once(
                 "config",
                 f"the node was built with another exoid.dbc or other filter constants (ConfigCrc "

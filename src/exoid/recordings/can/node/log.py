@@ -7,7 +7,7 @@ import numpy as np
 from exoid.recordings.can.dbc import exoid_messages
 from exoid.recordings.can.device_clock import PERIOD, fitted_line, skew_ppm
 from exoid.recordings.can.frames import CanLogError, Log
-from exoid.recordings.can.node.config_crc import config_crc
+from exoid.recordings.can.node.config_crc import config_crc, meaning_of
 from exoid.recordings.can.node.rows import MISSING, SAMPLED, TIME, Rows, runs
 from exoid.recordings.can.node.samples import Samples, samples_of
 from exoid.recordings.can.quality import LogQuality, MessageCount, gaps_in
@@ -67,7 +67,7 @@ def require_exo_frames(log: Log, ordered: SortedFrames) -> None:
 
 def refuse_other_firmware(log: Log, told: int | None) -> None:
     """Where the node says what it was built from, it must be what this exoid reads by."""
-    if told and told != config_crc():
+    if told and meaning_of(told) != config_crc():
         raise CanLogError(
             f"{log.path}: the node was built with another exoid.dbc or other filter constants "
             f"(ConfigCrc 0x{told:04X}, here 0x{config_crc():04X}), so that its numbers may mean "
