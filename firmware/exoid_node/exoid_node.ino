@@ -3,9 +3,11 @@
 #include <Arduino.h>
 
 #include "src/as5600.h"
+#include "src/board_samd21.h"
+#include "src/flash_samd21.h"
 #include "src/lsm6ds3.h"
 #include "src/mcp2515_can.h"
-#include "src/node.h"
+#include "src/tended_node.h"
 #include "src/timer_samd21.h"
 #include "src/uplink.h"
 #include "src/wire_bus.h"
@@ -13,26 +15,31 @@
 using exoid::Mcp2515Can;
 using exoid::SamplingTimer;
 using exoid::WireBus;
-using Encoder = exoid::As5600<WireBus>;
-using Imu = exoid::Lsm6ds3<WireBus>;
-using UsbOrCan = exoid::Uplink<Mcp2515Can, decltype(Serial)>;
+
+struct Parts {
+  using Encoder = exoid::As5600<WireBus>;
+  using Imu = exoid::Lsm6ds3<WireBus>;
+  using Link = exoid::Uplink<Mcp2515Can, decltype(Serial)>;
+  using Flash = exoid::ProcessorFlash;
+  using Board = exoid::Board;
+  using Clock = SamplingTimer;
+};
 
 WireBus bus;
-Encoder encoder(bus);
-Imu imu(bus);
+Parts::Encoder encoder(bus);
+Parts::Imu imu(bus);
 Mcp2515Can can;
-UsbOrCan uplink(can, Serial);
+Parts::Link uplink(can, Serial);
+Parts::Flash flash;
+Parts::Board board;
 SamplingTimer timer;
-exoid::Node<Encoder, Imu, UsbOrCan, SamplingTimer> node(encoder, imu, uplink, timer);
+exoid::TendedNode<Parts> node(encoder, imu, uplink, flash, board, timer);
 
 void setup() {
   Serial.begin(115200);
   bus.begin();
-  uplink.begin();
+  node.begin();
   timer.begin();
 }
 
-void loop() {
-  if (uplink.poll()) node.restart();
-  node.run();
-}
+void loop() { node.run(); }

@@ -122,12 +122,34 @@ size_t UsbSerial::write(const uint8_t* bytes, size_t count) {
   return count;
 }
 
-uint16_t ACAN2515::begin(const ACAN2515Settings& settings, void (*service)()) {
+uint16_t ACAN2515::begin(const ACAN2515Settings& settings, void (*service)(), ACAN2515Mask mask,
+                         const ACAN2515AcceptanceFilter filters[], uint8_t filter_count) {
   check(select_ == 10 && interrupt_ == 255 && service == nullptr, "the controller is polled");
-  check(settings.bit_rate == 500000, "the CAN bus runs at 500 kbit/s");
+  check(filter_count == 1, "one filter suits the mask");
+  mask_ = mask.identifier;
+  filter_ = filters[0].mMask.identifier;
+  world.bit_rate = settings.bit_rate;
   queue_size_ = settings.mTransmitBuffer0Size;
   return world.has_controller ? 0 : 1;
 }
+
+bool ACAN2515::receive(CANMessage& message) {
+  while (!world.to_node.empty()) {
+    const exoid::Frame frame = world.to_node.front();
+    world.to_node.erase(world.to_node.begin());
+    if ((frame.id & mask_) != (filter_ & mask_)) continue;
+    message = {};
+    message.id = frame.id;
+    message.len = 8;
+    for (int at = 0; at < 8; ++at) message.data[at] = frame.data[at];
+    return true;
+  }
+  return false;
+}
+
+uint8_t ACAN2515::transmitErrorCounter() { return world.transmit_errors; }
+
+uint8_t ACAN2515::errorFlagRegister() { return world.bus_off ? 0x20 : 0; }
 
 bool ACAN2515::tryToSend(const CANMessage& message) {
   check(message.len == 8 && !message.ext && !message.rtr, "every frame is classic, of 8 bytes");

@@ -26,6 +26,18 @@ struct World {
   bool acknowledged = true;
   std::vector<exoid::Frame> on_bus;
 
+  // Commands of a host that are on the bus and not yet taken, in order.
+  std::vector<exoid::Frame> to_node;
+  uint32_t bit_rate = 0;
+  uint8_t transmit_errors = 0;
+  bool bus_off = false;
+
+  // The board: its flash, and what of it works.
+  uint8_t slots[2][64];
+  bool flash_works = true;
+  int bytes_until_cut = -1;  // of a write, after which the power goes; -1: it stays
+  bool lit = false;
+
   // The host on USB.
   bool plugged = true;
   bool host_reads = true;
@@ -67,3 +79,4 @@ struct Scenario {
 
 std::vector<Scenario> sensor_scenarios();
 std::vector<Scenario> uplink_scenarios();
+std::vector<Scenario> command_scenarios();

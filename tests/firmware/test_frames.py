@@ -48,7 +48,8 @@ def nearest_counts(values, scale):
     return (whole + np.sign(counts) * (np.abs(counts - whole) >= 0.5)).astype(int)
 
 
-def test_the_headers_are_what_their_sources_make():
+def test_the_headers_are_what_their_sources_make(monkeypatch):
+    monkeypatch.syspath_prepend(str(FIRMWARE))
     specification = importlib.util.spec_from_file_location("generate", FIRMWARE / "generate.py")
     generate = importlib.util.module_from_spec(specification)
     specification.loader.exec_module(generate)

@@ -23,6 +23,17 @@ SCENARIOS = (
     "slcan_fallback",
     "host_that_does_not_read",
     "host_that_comes_back",
+    "told_once_a_second",
+    "errors_told",
+    "zero_here",
+    "zero_at_an_angle",
+    "zero_without_an_angle",
+    "not_a_command",
+    "node_id",
+    "bit_rate",
+    "flash_that_fails",
+    "blinks",
+    "over_usb",
 )
 
 
@@ -46,3 +57,11 @@ def test_the_sketch_does_what_the_scenario_asks(played, scenario):
 
 def test_the_timer_is_set_to_a_hundred_ticks_a_second(build):
     subprocess.run([build("host_timer")], check=True, timeout=10)
+
+
+def test_settings_survive_a_power_cut_at_every_byte(build):
+    subprocess.run([build("host_settings")], check=True, timeout=60)
+
+
+def test_the_flash_is_written_as_its_controller_wants_it(build):
+    subprocess.run([build("host_flash")], check=True, timeout=10)

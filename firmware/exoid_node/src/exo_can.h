@@ -7,8 +7,8 @@
 
 namespace exoid {
 
-/// CRC of exoid.dbc and of the filter's constants.
-constexpr uint16_t CONFIG_CRC = 0x99CA;
+/// CRC of what the frames of a recording mean and of the filter's constants.
+constexpr uint16_t CONFIG_CRC = 0xC281;
 
 constexpr uint16_t TIME_ID = 0x100;
 
@@ -112,6 +112,81 @@ inline Frame pack(const Acc& acc) {
   put(frame, 32, 16, within(acc.accel_z, -32768, 32767));
   put(frame, 48, 8, at_most(acc.counter, 255U));
   put(frame, 56, 8, at_most(acc.sample_age, 255U));
+  return frame;
+}
+
+constexpr uint16_t SETTINGS_ID = 0x104;
+
+/// Once a second, and after every command: how the node was commissioned.
+struct Settings {
+  uint32_t serial;
+  uint32_t zero;
+  bool reversed;
+  bool commissioned;
+  uint32_t bit_rate;  // counts of 125000 bit/s
+  uint32_t changes;
+};
+
+inline Frame pack(const Settings& settings) {
+  Frame frame = {SETTINGS_ID, {0, 0, 0, 0, 0, 0, 0, 0}};
+  put(frame, 0, 32, settings.serial);
+  put(frame, 32, 12, at_most(settings.zero, 4095U));
+  put(frame, 44, 1, settings.reversed ? 1U : 0U);
+  put(frame, 45, 1, settings.commissioned ? 1U : 0U);
+  put(frame, 48, 8, at_most(settings.bit_rate, 255U));
+  put(frame, 56, 8, at_most(settings.changes, 255U));
+  return frame;
+}
+
+constexpr uint16_t HEARTBEAT_ID = 0x105;
+
+/// Once a second: the health of the node.
+struct Heartbeat {
+  uint32_t version_major;
+  uint32_t version_minor;
+  uint32_t version_patch;
+  uint32_t supply_voltage;  // counts of 0.02 V
+  uint32_t transmit_errors;
+  uint32_t receive_errors;
+  uint32_t lost_frames;
+  bool sensor_fault;
+  bool bus_off;
+  bool on_can;
+};
+
+inline Frame pack(const Heartbeat& heartbeat) {
+  Frame frame = {HEARTBEAT_ID, {0, 0, 0, 0, 0, 0, 0, 0}};
+  put(frame, 0, 8, at_most(heartbeat.version_major, 255U));
+  put(frame, 8, 8, at_most(heartbeat.version_minor, 255U));
+  put(frame, 16, 8, at_most(heartbeat.version_patch, 255U));
+  put(frame, 24, 8, at_most(heartbeat.supply_voltage, 255U));
+  put(frame, 32, 8, at_most(heartbeat.transmit_errors, 255U));
+  put(frame, 40, 8, at_most(heartbeat.receive_errors, 255U));
+  put(frame, 48, 8, at_most(heartbeat.lost_frames, 255U));
+  put(frame, 56, 1, heartbeat.sensor_fault ? 1U : 0U);
+  put(frame, 57, 1, heartbeat.bus_off ? 1U : 0U);
+  put(frame, 58, 1, heartbeat.on_can ? 1U : 0U);
+  return frame;
+}
+
+constexpr uint16_t REPLY_ID = 0x106;
+
+/// After a command to this node: what became of it.
+struct Reply {
+  uint32_t serial;
+  uint32_t command;
+  bool no_angle;
+  bool not_possible;
+  bool not_stored;
+};
+
+inline Frame pack(const Reply& reply) {
+  Frame frame = {REPLY_ID, {0, 0, 0, 0, 0, 0, 0, 0}};
+  put(frame, 0, 32, reply.serial);
+  put(frame, 32, 11, at_most(reply.command, 2047U));
+  put(frame, 43, 1, reply.no_angle ? 1U : 0U);
+  put(frame, 44, 1, reply.not_possible ? 1U : 0U);
+  put(frame, 45, 1, reply.not_stored ? 1U : 0U);
   return frame;
 }
 

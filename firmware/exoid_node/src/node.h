@@ -6,8 +6,9 @@
 
 namespace exoid {
 
-/// `Uplink` has `bool send(const Frame&)`, false where a frame was lost. `Clock` has `ticks()`,
-/// the ticks of the sampling timer since its start, and `age_us()`, the time since the last.
+/// `Encoder` reads ZERO_COUNT where the knee is extended, and more in extension. `Uplink` has
+/// `bool send(const Frame&)`, false where a frame was lost. `Clock` has `ticks()`, the ticks of the
+/// sampling timer since its start, and `age_us()`, the time since the last.
 template <class Encoder, class Imu, class Uplink, class Clock>
 class Node {
  public:
@@ -27,6 +28,9 @@ class Node {
   /// Starts the filter again at the next tick: whoever now begins to listen hears all of it.
   void restart() { estimator_.restart(); }
 
+  /// Whether the last sample had both an angle and a rate.
+  bool healthy() const { return healthy_; }
+
  private:
   void sample(uint32_t now) {
     const uint32_t missed = now - tick_ - 1;
@@ -38,6 +42,7 @@ class Node {
     read_encoder(sample);
     read_imu(sample);
     const uint32_t age = clock_.age_us();
+    healthy_ = !(sample.encoder_fault || sample.magnet_missing || sample.imu_fault);
 
     State state = estimator_.update(sample, missed);
     state.counter = tick_ & 255U;
@@ -49,7 +54,7 @@ class Node {
   void read_encoder(Sample& sample) {
     EncoderReading reading = {};
     sample.encoder_fault = !encoder_.read(reading);
-    sample.count = sample.encoder_fault ? ZERO_COUNT : mounted(reading.count);
+    sample.count = sample.encoder_fault ? ZERO_COUNT : reading.count;
     sample.magnet_missing = reading.magnet_missing;
     sample.magnet_strength = reading.magnet_strength;
   }
@@ -93,6 +98,7 @@ class Node {
   uint32_t tick_ = 0;                     // of the last sample; 0 before the first
   uint32_t told_ = 0U - TICKS_PER_TIME;  // tick of the last TIME
   uint32_t missed_ = 0;
+  bool healthy_ = true;
   bool lossy_ = false;  // late, or a frame lost, since the last STATE that was sent
 };
 

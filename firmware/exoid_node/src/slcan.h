@@ -4,12 +4,12 @@
 
 #include <stddef.h>
 
-#include "frame.h"
+#include "slcan_frame.h"
 
 namespace exoid {
 
-/// Answers the commands C, O, S, V, N and F, is silent until the host opens the channel, and drops
-/// frames while the host does not read. Nothing here waits.
+/// Answers the commands C, O, S, V, N and F, takes frames by t, is silent until the host opens the
+/// channel, and drops frames while the host does not read. Nothing here waits.
 class Slcan {
  public:
   /// Queues a frame. Returns false, and remembers for F, where there is no room for it; a frame
@@ -47,6 +47,14 @@ class Slcan {
     return opened;
   }
 
+  /// Takes away the frame that the host has sent; returns false where there is none.
+  bool received(Frame& frame) {
+    if (!has_frame_) return false;
+    frame = frame_;
+    has_frame_ = false;
+    return true;
+  }
+
   /// The bytes to send next, and how many lie there in one piece.
   size_t pending(const uint8_t*& bytes) const {
     const size_t from = tail_ % SIZE, queued = head_ - tail_;
@@ -74,8 +82,16 @@ class Slcan {
       case 'V': return put_text("V0101\r");
       case 'N': return put_text("NEXO1\r");
       case 'F': return put_flags();
+      case 't': return take_frame();
       default: return put(BELL);
     }
+  }
+
+  /// One at a time: who sends a second before the first was looked at is refused.
+  void take_frame() {
+    const bool taken = open_ && !has_frame_ && read_frame(line_, length_, frame_);
+    has_frame_ = has_frame_ || taken;
+    put(taken ? RETURN : BELL);
   }
 
   void open() {
@@ -133,6 +149,8 @@ class Slcan {
   bool open_ = false;
   bool just_opened_ = false;
   bool dropped_ = false;
+  Frame frame_ = {};  // from the host
+  bool has_frame_ = false;
 };
 
 /// Moves bytes between `slcan` and a port with the four functions of Arduino's serial ports.
