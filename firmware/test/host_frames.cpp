@@ -37,6 +37,14 @@ exoid::Frame packed(const Words& w) {
     case exoid::ACC_ID:
       return pack(exoid::Acc{w.signed_count(1), w.signed_count(2), w.signed_count(3), w.count(4),
                              w.count(5)});
+    case exoid::SETTINGS_ID:
+      return pack(exoid::Settings{w.count(1), w.count(2), w.flag(3), w.flag(4), w.count(5),
+                                  w.count(6)});
+    case exoid::HEARTBEAT_ID:
+      return pack(exoid::Heartbeat{w.count(1), w.count(2), w.count(3), w.count(4), w.count(5),
+                                   w.count(6), w.count(7), w.flag(8), w.flag(9), w.flag(10)});
+    case exoid::REPLY_ID:
+      return pack(exoid::Reply{w.count(1), w.count(2), w.flag(3), w.flag(4), w.flag(5)});
     default: {
       exoid::State filled = state(w);
       filled.state_saturated = !fits(filled);

@@ -82,7 +82,9 @@ def test_state_is_packed_as_cantools_packs_it(pack, database):
         assert data == message.encode(given, scaling=False), given
 
 
-@pytest.mark.parametrize("name", ["EXO_TIME", "EXO_RAW", "EXO_ACC"])
+@pytest.mark.parametrize(
+    "name", ["EXO_TIME", "EXO_RAW", "EXO_ACC", "EXO_SETTINGS", "EXO_HEARTBEAT", "EXO_REPLY"]
+)
 def test_counts_are_packed_as_cantools_packs_them(pack, database, name):
     """A count beyond its signal's range is sent as the limit."""
     rng = np.random.default_rng(1)

@@ -71,6 +71,7 @@ class LogQuality:
     faults: tuple[tuple[str, int], ...] = ()  # status bit, samples that carry it
     missed_ticks: int = 0  # ticks the node itself reports as missed
     config_crc: int | None = None
+    commissioned: tuple[str, ...] = ()  # zero, direction and firmware, and what changed of them
     filter: FilterEffect | None = None
     announced: int | None = None
     found: int | None = None
@@ -135,6 +136,7 @@ class LogQuality:
             lines.append(f"device clock {self.skew_ppm:+.0f} ppm against the recording computer")
         if self.host_jitter is not None:
             lines.append(f"host time jitters by {self.host_jitter * 1e3:.2f} ms (not used)")
+        lines += self.commissioned
         lines += self.losses()
         lines += [f"{frames.foreign} frame(s) of other nodes"] if frames.foreign else []
         lines += [f"{frames.error} error frame(s) on the bus"] if frames.error else []

@@ -9,16 +9,19 @@ from typing import Any
 import can
 import numpy as np
 
-from exoid.recordings.can.dbc import exoid_messages
 from exoid.recordings.can.decode import MessagePlan, SignalPlan
+from exoid.recordings.can.node.commissioned import SETTINGS
 from exoid.recordings.can.node.config_crc import meaning_of
 from exoid.recordings.can.node.rows import SAMPLED, STATE, TIME
 from exoid.recordings.can.node.samples import STATUS
+from exoid.recordings.can.node.which import MEASURED, messages_of, senders
+from exoid.recordings.live.mounting_watch import MountingWatch
 from exoid.recordings.live.second_node import Alternation
 from exoid.recordings.live.tick_count import TickCount
 
 SILENCE = 2.0  # s without a frame of the node, after which a person should know
 RATED_OVER = 1.0  # s
+SEEN = (*MEASURED, SETTINGS)
 START_BIT = "FilterReset"  # a status bit that is no fault
 
 
@@ -38,13 +41,16 @@ class Status:
 class Watch:
     """Looks at every frame that is recorded, and at the silence between them."""
 
-    def __init__(self, tell: Callable[[str], Any], config_crc: int):
-        self.plans = {plan.identifier: plan for plan in exoid_messages().values()}
+    def __init__(self, tell: Callable[[str], Any], config_crc: int, only: int | None = None):
+        node = only or 0
+        self.plans = {messages_of(node)[name].identifier: messages_of(node)[name] for name in SEEN}
+        self.node, self.only = node, only  # the id of the node; whether to leave out others
         self.tell = tell
         self.told: set[str] = set()
         self.config_crc = config_crc
         self.ticks = TickCount()
         self.alternation = Alternation()
+        self.mounting = MountingWatch()
         self.faults: Counter[str] = Counter()
         self.state: bytes | None = None  # of the last EXO_STATE
         self.frames = self.errors = self.ours = 0
@@ -60,6 +66,11 @@ class Watch:
         if self.ticks.tick is not None:
             return self.ticks.seconds
         return 0.0 if self.first is None else self.latest - self.first
+
+    def is_wanted(self, message: can.Message) -> bool:
+        """Whether it belongs into the log: where one of several nodes is recorded, not others'."""
+        sender = None if self.only is None else senders().get(message.arbitration_id)
+        return sender is None or sender[0] == self.only
 
     def see(self, message: can.Message) -> None:
         """A frame that was recorded."""
@@ -90,6 +101,11 @@ class Watch:
         )
 
     def see_ours(self, plan: MessagePlan, data: bytes, host: float) -> None:
+        if plan.name == SETTINGS:
+            change = self.mounting.see(plan, data)
+            if change is not None:
+                self.tell(change)
+            return
         told = {each.name: each for each in plan.signals}
         counter = unsigned(data, told["Counter"])
         if plan.name == TIME:
@@ -135,8 +151,9 @@ class Watch:
             return "it has fallen silent. Is it still powered, and on the bus?"
         if self.frames > self.errors:
             return (
-                "others come and are recorded, but none of 0x100 to 0x103. Is this its bus, and is "
-                "it powered? Frames of another device need its DBC to be read."
+                f"others come and are recorded, but none of {self.ids}. Is this its bus, is it "
+                "powered, and is that its id (exoid node find, --node)? Frames of another device "
+                "need its DBC to be read."
             )
         if bad:
             return (
@@ -147,6 +164,11 @@ class Watch:
             "the bus is silent. Check that the node is powered, the bit rate, the wiring and the "
             "termination."
         )
+
+    @property
+    def ids(self) -> str:
+        plans = messages_of(self.node)
+        return " to ".join(f"0x{plans[name].identifier:X}" for name in (MEASURED[0], MEASURED[-1]))
 
     def once(self, key: str, sentence: str) -> None:
         if key not in self.told:
@@ -170,7 +192,10 @@ class Watch:
         """Angle [rad] and rate [rad/s] of the last EXO_STATE."""
         if self.state is None:
             return float("nan"), float("nan")
-        plan, frame = exoid_messages()[STATE], np.frombuffer(self.state, np.uint8).reshape(1, -1)
+        plan, frame = (
+            messages_of(self.node)[STATE],
+            np.frombuffer(self.state, np.uint8).reshape(1, -1),
+        )
         angle, velocity = (plan.values(frame, name) for name in ("Angle", "AngularVelocity"))
         return float(angle[0]), float(velocity[0])
 
