@@ -20,7 +20,6 @@ node = typer.Typer(
       exoid node zero --channel /dev/ttyACM0 --angle -90
       exoid node set --channel can0 --interface socketcan --id 2
     """,
-    no_args_is_help=True,
     add_completion=False,
     rich_markup_mode=None,
     pretty_exceptions_enable=False,

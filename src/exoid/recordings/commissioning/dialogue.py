@@ -10,7 +10,7 @@ from exoid.recordings.commissioning.node_state import NodeState
 from exoid.recordings.live.bus import CanBusError, LiveBus
 
 ROUNDS = 3  # a frame may be lost: how often a question is asked
-PATIENCE = 0.6  # s for an answer, which takes a node 20 ms
+PATIENCE = 0.4  # s for an answer, which takes a node 20 ms
 STILLNESS = 0.3  # s for which a knee must be still before its angle is taken
 STILL = 0.05  # rad/s, a few times the noise of the filtered rate
 

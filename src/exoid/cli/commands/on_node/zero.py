@@ -32,7 +32,7 @@ def zero(
 ) -> None:
     """Take the angle at which the knee is held now as known: fully extended, or --angle.
 
-    A node whose direction is set as well is to be given its direction first.
+    Set a direction before the zero: with --angle it counts. The knee has to be still.
 
     \b
     Examples:
