@@ -18,8 +18,8 @@ from exoid.recordings.can.dbc import (
     plan_signal,
     read_dbc,
 )
-from exoid.recordings.can.encode import encoded
 from exoid.recordings.can.node.which import messages_of, node_count
+from exoid.recordings.can.one_frame import encoded
 from exoid.recordings.commissioning.commands import COMMANDS
 
 

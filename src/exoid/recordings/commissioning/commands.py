@@ -5,8 +5,8 @@ from binascii import crc_hqx
 import can
 
 from exoid.recordings.can.dbc import exoid_messages
-from exoid.recordings.can.encode import encoded
 from exoid.recordings.can.node.config_crc import SEED
+from exoid.recordings.can.one_frame import encoded
 
 TELL = "EXO_TELL"
 SET_ZERO = "EXO_SET_ZERO"

@@ -5,21 +5,24 @@ import numpy as np
 from exoid.recordings.can.decode import MessagePlan
 from exoid.recordings.can.node.commissioned import Mounting, changed
 
+READ = ("Serial", "Zero", "Reversed")
+
 
 class MountingWatch:
     """The node's settings, frame by frame."""
 
     def __init__(self):
-        self.last: Mounting | None = None
+        self.last: dict[int, Mounting] = {}  # by serial: two nodes may share an id
 
     def see(self, plan: MessagePlan, data: bytes) -> str | None:
         """What changed since the last EXO_SETTINGS, in a sentence."""
         frame = np.frombuffer(data, np.uint8).reshape(1, -1)
-        zero, turned = (int(plan.values(frame, name)[0]) for name in ("Zero", "Reversed"))
-        before, self.last = self.last, Mounting(zero, bool(turned))
-        if before is None or before == self.last:
+        serial, zero, turned = (int(plan.values(frame, name)[0]) for name in READ)
+        now = Mounting(zero, bool(turned))
+        before, self.last[serial] = self.last.get(serial, now), now
+        if before == now:
             return None
         return (
-            f"{changed(before, self.last)} was changed: angles before and after it do not mean the "
+            f"{changed(before, now)} was changed: angles before and after it do not mean the "
             "same. End this recording and begin another one."
         )

@@ -9,14 +9,16 @@ from typing import Any
 import can
 import numpy as np
 
-from exoid.recordings.can.decode import MessagePlan, SignalPlan
+from exoid.recordings.can.decode import MessagePlan
 from exoid.recordings.can.node.commissioned import SETTINGS
 from exoid.recordings.can.node.config_crc import meaning_of
 from exoid.recordings.can.node.rows import SAMPLED, STATE, TIME
 from exoid.recordings.can.node.samples import STATUS
 from exoid.recordings.can.node.which import MEASURED, messages_of, senders
+from exoid.recordings.can.one_frame import unsigned
 from exoid.recordings.live.mounting_watch import MountingWatch
 from exoid.recordings.live.second_node import Alternation
+from exoid.recordings.live.silence import SILENT_SINCE, why_silent
 from exoid.recordings.live.tick_count import TickCount
 
 SILENCE = 2.0  # s without a frame of the node, after which a person should know
@@ -51,6 +53,7 @@ class Watch:
         self.ticks = TickCount()
         self.alternation = Alternation()
         self.mounting = MountingWatch()
+        self.told_crc: int | None = None  # by the last EXO_TIME
         self.faults: Counter[str] = Counter()
         self.state: bytes | None = None  # of the last EXO_STATE
         self.frames = self.errors = self.ours = 0
@@ -102,15 +105,14 @@ class Watch:
 
     def see_ours(self, plan: MessagePlan, data: bytes, host: float) -> None:
         if plan.name == SETTINGS:
-            change = self.mounting.see(plan, data)
-            if change is not None:
-                self.tell(change)
+            self.check_mounting(plan, data)
             return
         told = {each.name: each for each in plan.signals}
         counter = unsigned(data, told["Counter"])
         if plan.name == TIME:
             self.ticks.clock(counter, unsigned(data, told["DeviceTime"]), host)
-            self.check_config(unsigned(data, told["ConfigCrc"]))
+            self.told_crc = unsigned(data, told["ConfigCrc"])
+            self.check_config(self.told_crc)
             return
         reset = False
         if plan.name == STATE:
@@ -120,6 +122,12 @@ class Watch:
             self.faults.update(name for name in bits if name != START_BIT)
             self.check_alone(counter, data)
         self.ticks.sample(plan.name, counter, SAMPLED[plan.name], host, reset)
+
+    def check_mounting(self, plan: MessagePlan, data: bytes) -> None:
+        """Only a node that is known to send settings is believed to be their sender."""
+        change = self.mounting.see(plan, data) if self.told_crc == self.config_crc else None
+        if change is not None:
+            self.tell(change)
 
     def check_config(self, told: int) -> None:
         if meaning_of(told) != self.config_crc:
@@ -148,27 +156,8 @@ class Watch:
     def silence(self, bad: int) -> str:
         """Why nothing may come of the node."""
         if self.ours:
-            return "it has fallen silent. Is it still powered, and on the bus?"
-        if self.frames > self.errors:
-            return (
-                f"others come and are recorded, but none of {self.ids}. Is this its bus, is it "
-                "powered, and is that its id (exoid node find, --node)? Frames of another device "
-                "need its DBC to be read."
-            )
-        if bad:
-            return (
-                f"{bad} line(s) came that are no frames. Is this the right channel, with an slcan "
-                "adapter on it?"
-            )
-        return (
-            "the bus is silent. Check that the node is powered, the bit rate, the wiring and the "
-            "termination."
-        )
-
-    @property
-    def ids(self) -> str:
-        plans = messages_of(self.node)
-        return " to ".join(f"0x{plans[name].identifier:X}" for name in (MEASURED[0], MEASURED[-1]))
+            return SILENT_SINCE
+        return why_silent(self.frames > self.errors, bad, self.node)
 
     def once(self, key: str, sentence: str) -> None:
         if key not in self.told:
@@ -206,8 +195,3 @@ class Watch:
             rate = (self.frames - before) / (now - since)
             self.rated = (now, self.frames, rate)
         return rate
-
-
-def unsigned(data: bytes, signal: SignalPlan) -> int:
-    """A little-endian unsigned signal of one frame, as it was sent."""
-    return int.from_bytes(data, "little") >> signal.start & ((1 << signal.length) - 1)

@@ -47,6 +47,8 @@ def commissioned_lines(
     settings = messages.get(SETTINGS)
     if settings is None or not settings.order.size:
         return ()
+    serials, which = np.unique(settings.values("Serial").astype(int), return_inverse=True)
+    settings = settings.where(which == np.bincount(which).argmax())
     time = times_of(settings.order, found)
     zero, turned, stored = (
         settings.values(name).astype(int) for name in ("Zero", "Reversed", "Commissioned")
@@ -59,7 +61,19 @@ def commissioned_lines(
     return (
         f"node {node}: {mountings[0][1]}{firmware}{built_in}",
         *(change_line(at, before, after) for (_, before), (at, after) in pairwise(mountings)),
+        *several_lines(node, serials.tolist()),
     )
+
+
+def several_lines(node: int, serials: list[int]) -> list[str]:
+    """What to say where nodes share an id."""
+    if len(serials) < 2:
+        return []
+    names = ", ".join(f"{serial:08X}" for serial in serials)
+    return [
+        f"{len(serials)} nodes with the id {node} sent (serials {names}): nobody can tell their "
+        "samples apart. Give each its own id (exoid node set) and record again."
+    ]
 
 
 def change_line(at: float, before: Mounting, after: Mounting) -> str:

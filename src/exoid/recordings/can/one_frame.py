@@ -1,4 +1,4 @@
-"""From numbers to the bits of one frame: what `decode` undoes."""
+"""The bits of one frame: from numbers, and to those that are unsigned and little-endian."""
 
 from collections.abc import Mapping
 
@@ -25,3 +25,8 @@ def counts(message: str, signal: SignalPlan, value: float | int) -> int:
     if not lowest <= count < lowest + (1 << signal.length):
         raise ValueError(f"{message}.{signal.name} cannot be {value:g} {signal.unit}".rstrip())
     return count
+
+
+def unsigned(data: bytes, signal: SignalPlan) -> int:
+    """A little-endian unsigned signal of one frame, as it was sent."""
+    return int.from_bytes(data, "little") >> signal.start & ((1 << signal.length) - 1)
