@@ -5,7 +5,8 @@ from binascii import crc_hqx
 from dataclasses import dataclass
 
 import can
-import cantools
+from cantools.database import load_file
+from cantools.database.can import Database
 
 from exoid.recordings.can.dbc import EXOID_DBC
 
@@ -93,7 +94,9 @@ class FakeBus:
     """Nodes on a virtual bus, each with a STATE a hundred times a second."""
 
     def __init__(self, channel: str, *nodes: FakeNode):
-        self.database = cantools.database.load_file(EXOID_DBC)
+        database = load_file(EXOID_DBC)
+        assert isinstance(database, Database)
+        self.database = database
         self.nodes = nodes
         self.heard: list[str] = []
         self.bus = can.Bus(interface="virtual", channel=channel)
