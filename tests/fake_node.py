@@ -2,7 +2,7 @@
 
 import threading
 from binascii import crc_hqx
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import can
 from cantools.database import load_file
@@ -29,7 +29,7 @@ class FakeNode:
     changes: int = 0
     velocity: float = 0.0  # rad/s
     fails: str | None = None
-    deaf_for: int = 0  # commands that it misses
+    deaf: dict[str, int] = field(default_factory=dict)  # how many of a command it misses
     blinks: int = 0  # s
     answers: bool = True  # else it only measures, as older firmware does
     errors: int = 0
@@ -38,8 +38,8 @@ class FakeNode:
         """Whether it was for this node."""
         if values["Serial"] not in (self.serial, *([0] if name == "EXO_TELL" else [])):
             return False
-        if self.deaf_for:
-            self.deaf_for -= 1
+        if self.deaf.get(name):
+            self.deaf[name] -= 1
             return False
         if not self.fails:
             self.change(name, values)

@@ -124,8 +124,9 @@ def test_one_of_several_nodes_is_meant_by_its_id_or_its_serial(command, on_bus):
     assert [node.node for node in nodes] == [0, 1, 5]
 
 
-def test_an_answer_that_is_lost_is_asked_for_again(command, on_bus):
-    node = FakeNode(SERIAL, deaf_for=2)
+@pytest.mark.parametrize("lost", ["EXO_TELL", "EXO_SET_ZERO"])
+def test_what_is_lost_is_sent_again(command, on_bus, lost):
+    node = FakeNode(SERIAL, deaf={lost: 2})
     done = command("node", "zero", *on_bus(node))
     assert done.returncode == 0, done.stderr
     assert node.zero == 1000
