@@ -56,7 +56,7 @@ void fresh_flash_holds_nothing() {
   for (int byte = 0; byte < 256; ++byte) {
     Flash flash = filled(static_cast<uint8_t>(byte));
     const exoid::SettingsStore<Flash> store = started(flash);
-    check(!store.stored() && store.settings() == exoid::BUILT_IN, "no filler is taken for settings");
+    check(!store.stored() && store.settings() == exoid::BUILT_IN, "no filler is a record");
   }
 }
 

@@ -78,7 +78,8 @@ int play(const Scenario& scenario) {
 int main(int count, char** names) {
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
   int failed = 0, played = 0;
-  for (const auto& scenarios : {sensor_scenarios(), uplink_scenarios(), command_scenarios()}) {
+  for (const auto& scenarios :
+       {sensor_scenarios(), uplink_scenarios(), command_scenarios(), state_scenarios()}) {
     for (const Scenario& each : scenarios) {
       if (count > 1 && std::strcmp(names[1], each.name) != 0) continue;
       failed += play(each);

@@ -1,101 +1,10 @@
-// What commands do to a node, and what it tells of itself.
+// What commands do to a node on CAN.
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <cstring>
+#include <cstdlib>
 
-#include "blink.h"
-#include "checksum.h"
-#include "constants.h"
-#include "world.h"
+#include "command_frames.h"
 
 namespace {
-
-using exoid::Frame;
-
-constexpr uint32_t SERIAL = 0xC0FFEE01;
-constexpr uint32_t SETTLED_MS = 300;
-constexpr uint32_t ZERO_PLACE = 32, ZERO_BITS = 12, REVERSED = 44, COMMISSIONED = 45, CHANGES = 56;
-
-/// A command with its check.
-Frame command(uint16_t id, uint32_t serial, uint32_t value, uint32_t bits) {
-  Frame frame = {id, {}};
-  put(frame, 0, 32, serial);
-  put(frame, 32, bits, value);
-  put(frame, 56, 8, exoid::checksum(frame.data, exoid::CHECKED_BYTES) & 255U);
-  return frame;
-}
-
-/// The frames that the node sends within 100 ms of a command.
-std::vector<Frame> after(const Frame& frame) {
-  world.on_bus.clear();
-  world.to_node.push_back(frame);
-  run_ms(100);
-  return world.on_bus;
-}
-
-std::vector<Frame> set(uint16_t id, uint32_t value, uint32_t bits) {
-  return after(command(id, SERIAL, value, bits));
-}
-
-Frame one(const std::vector<Frame>& frames, uint16_t id) {
-  const std::vector<Frame> found = only(frames, id);
-  check(found.size() == 1, "there is one such frame");
-  return found.front();
-}
-
-uint32_t count_of(const std::vector<Frame>& frames) {
-  return field(only(frames, exoid::RAW_ID).back(), 0, 12);
-}
-
-/// A leg that stands still at this count of the encoder.
-void hold(uint16_t count) {
-  world.leg = [=](uint32_t) {
-    chips::Exposure now = {};
-    now.count = count;
-    return now;
-  };
-}
-
-void still_node(uint16_t count) {
-  hold(count);
-  power_on();
-  run_ms(SETTLED_MS);
-}
-
-void told_once_a_second() {
-  power_on();
-  run_ms(5000);
-  const std::vector<Frame> settings = only(world.on_bus, exoid::SETTINGS_ID);
-  const std::vector<Frame> beats = only(world.on_bus, exoid::HEARTBEAT_ID);
-  check(settings.size() == 5 && beats.size() == 5, "it tells how it is once a second");
-  check(field(settings[0], 0, 32) == SERIAL, "it tells its serial number");
-  check(field(settings[0], ZERO_PLACE, ZERO_BITS) == 2048, "and the zero it was built with");
-  check(field(settings[0], COMMISSIONED, 1) == 0, "and that nobody has commissioned it");
-  check(field(settings[0], 48, 8) * 125000 == world.bit_rate, "and the bit rate");
-  for (uint32_t part = 0; part < 3; ++part) {
-    check(field(beats[0], 8 * part, 8) == exoid::FIRMWARE_VERSION[part], "and its version");
-  }
-  check(field(beats[0], 24, 8) * 20 == 3260, "and its supply");
-  check(field(beats[4], 56, 3) == 4, "and that it is well and on CAN");
-}
-
-void errors_told() {
-  power_on();
-  run_ms(SETTLED_MS);
-  world.transmit_errors = 130;
-  world.bus_off = true;
-  world.leg = [](uint32_t tick) {
-    chips::Exposure now = swinging(tick);
-    now.faults = chips::MAGNET_MISSING;
-    return now;
-  };
-  run_ms(1000);
-  const Frame beat = only(world.on_bus, exoid::HEARTBEAT_ID).back();
-  check(field(beat, 32, 8) == 130 && field(beat, 40, 8) == 0, "it tells the error counters");
-  check(field(beat, 56, 2) == 3, "and the missing magnet, and that it is off the bus");
-}
 
 void zero_here() {
   still_node(1000);
@@ -206,68 +115,10 @@ void flash_that_fails() {
   check(field(one(again, exoid::SETTINGS_ID), COMMISSIONED, 1) == 1, "and then it is kept");
 }
 
-void blinks() {
-  still_node(1000);
-  const auto flashes = [] {
-    uint32_t count = 0;
-    for (int pass = 0; pass < 1000; ++pass) {
-      const bool before = world.lit;
-      run_ms(1);
-      count += world.lit && !before;
-    }
-    return count;
-  };
-  check(flashes() == 1, "half a second on, half a second off");
-  set(exoid::IDENTIFY_ID, 2, 8);
-  check(flashes() == 10, "somebody who looks for it finds it");
-  run_ms(2000);
-  check(flashes() == 1, "for as long as it was told");
-  world.leg = [](uint32_t) {
-    chips::Exposure now = {};
-    now.faults = chips::ENCODER_SILENT;
-    return now;
-  };
-  run_ms(100);
-  check(flashes() == 2, "two flashes: a sensor");
-  world.bus_off = true;
-  run_ms(1000);
-  check(flashes() == 3, "three flashes: the bus");
-}
-
-/// A line that sends this frame.
-std::string line_of(const Frame& frame) {
-  char text[32];
-  std::snprintf(text, sizeof text, "t%03X8", frame.id);
-  std::string line = text;
-  for (uint8_t byte : frame.data) {
-    std::snprintf(text, sizeof text, "%02x", byte);
-    line += text;
-  }
-  return line + "\r";
-}
-
-void over_usb() {
-  world.has_controller = false;
-  still_node(1000);
-  world.from_host = line_of(command(exoid::SET_ZERO_ID, SERIAL, 0, 16));
-  run_ms(50);
-  check(world.to_host == "\a", "a closed channel takes no command");
-  world.from_host = "O\r";
-  run_ms(1000);
-  check(world.to_host.find("t1048") != std::string::npos, "who listens is told the settings");
-  world.to_host.clear();
-  world.from_host = line_of(command(exoid::SET_ZERO_ID, SERIAL, 0, 16));
-  run_ms(50);
-  check(world.to_host.find("t106801EEFFC00102") != std::string::npos, "it replies");
-  check(world.to_host.find("t104801EEFFC0E823") != std::string::npos, "and tells the new zero");
-}
-
 }  // namespace
 
 std::vector<Scenario> command_scenarios() {
   return {
-      {"told_once_a_second", told_once_a_second},
-      {"errors_told", errors_told},
       {"zero_here", zero_here},
       {"zero_at_an_angle", zero_at_an_angle},
       {"zero_without_an_angle", zero_without_an_angle},
@@ -275,7 +126,5 @@ std::vector<Scenario> command_scenarios() {
       {"node_id", node_id},
       {"bit_rate", bit_rate},
       {"flash_that_fails", flash_that_fails},
-      {"blinks", blinks},
-      {"over_usb", over_usb},
   };
 }

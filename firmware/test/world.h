@@ -80,3 +80,4 @@ struct Scenario {
 std::vector<Scenario> sensor_scenarios();
 std::vector<Scenario> uplink_scenarios();
 std::vector<Scenario> command_scenarios();
+std::vector<Scenario> state_scenarios();

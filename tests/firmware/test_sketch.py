@@ -23,8 +23,6 @@ SCENARIOS = (
     "slcan_fallback",
     "host_that_does_not_read",
     "host_that_comes_back",
-    "told_once_a_second",
-    "errors_told",
     "zero_here",
     "zero_at_an_angle",
     "zero_without_an_angle",
@@ -32,6 +30,8 @@ SCENARIOS = (
     "node_id",
     "bit_rate",
     "flash_that_fails",
+    "told_once_a_second",
+    "errors_told",
     "blinks",
     "over_usb",
 )
