@@ -129,7 +129,8 @@ void slcan_fallback() {
   run_ms(3000);
   const std::vector<Frame> frames = frames_in(world.to_host);
   check_in_order(frames, 300);
-  check(status(only(frames, exoid::STATE_ID).front(), FILTER_RESET), "who begins to listen hears the filter's start");
+  const Frame first = only(frames, exoid::STATE_ID).front();
+  check(status(first, FILTER_RESET), "who begins to listen hears the filter's start");
   check(answer_to("C\r") == "\r", "the channel closes");
   run_ms(100);
   check(world.to_host == "\r", "and is silent then");
