@@ -45,6 +45,16 @@ void zero_here() {
   check(count_of(world.on_bus) == 1948, "the angle is measured from there");
 }
 
+/// A command at any moment of a tick.
+void flash_at_any_time() {
+  still_node(1000);
+  for (uint32_t at = 0; at < 20; ++at) {
+    run_ms(1);
+    check_flash_held_up_nothing(set(exoid::SET_BIT_RATE_ID, at % 2 == 0 ? 2 : 4, 8));
+  }
+  check(field(one(set(exoid::TELL_ID, 0, 8), exoid::SETTINGS_ID), CHANGES, 8) == 20, "all are kept");
+}
+
 void zero_at_an_angle() {
   still_node(10);
   const int32_t hanging = -1024;  // a quarter of a turn
@@ -142,6 +152,7 @@ void flash_that_fails() {
 std::vector<Scenario> command_scenarios() {
   return {
       {"zero_here", zero_here},
+      {"flash_at_any_time", flash_at_any_time},
       {"zero_at_an_angle", zero_at_an_angle},
       {"zero_without_an_angle", zero_without_an_angle},
       {"not_a_command", not_a_command},

@@ -42,6 +42,7 @@ SCENARIOS = (
     "frames_that_are_understood",
     "timing",
     "zero_here",
+    "flash_at_any_time",
     "zero_at_an_angle",
     "zero_without_an_angle",
     "not_a_command",
