@@ -81,7 +81,7 @@ def test_the_settings_of_two_nodes_of_one_id_are_no_change(tmp_path):
     assert watched(messages)[1] == []
 
 
-def test_a_log_of_a_node_of_old_is_read_and_frames_of_others_are_not_its_settings(tmp_path):
+def test_a_log_of_a_node_of_old_is_read_and_frames_of_others_are_not_its_words(tmp_path):
     old = Node(config_crc=OF_OLD, jitter=0.0)
     others = [
         can.Message(
@@ -90,11 +90,15 @@ def test_a_log_of_a_node_of_old_is_read_and_frames_of_others_are_not_its_setting
             is_extended_id=False,
             data=bytes([7, 7, 7, 7, at, at, at, at][:length]),  # as if the zero of one node moved
         )
-        for at, (identifier, length) in enumerate([(0x104, 8), (0x104, 8), (0x105, 3), (0x200, 2)])
+        for at, (identifier, length) in enumerate(
+            [(0x104, 8), (0x104, 8), (0x105, 3), (0x10F, 8), (0x200, 2)]
+        )
     ]
     segment, quality = read(tmp_path, by_time(old.messages(TICKS), others), strict=True)
     assert segment.time.size == TICKS
+    assert quality.design == EARLIER[OF_OLD]
     assert quality.commissioned == ()
+    assert not any("WatchdogReset" in line for line in quality.lines())
     assert quality.frames.foreign == len(others)
     assert watched(by_time(old.messages(TICKS), others))[1] == []
 
