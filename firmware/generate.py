@@ -2,27 +2,27 @@
 
     python firmware/generate.py
 
-The same sources give the same bytes. A signal whose scale is a power of two is packed from its
-value, because that product is exact in float32; every other signal is packed from its count.
+The same sources give the same bytes.
 """
 
-import math
-import re
 import textwrap
+import tomllib
 from pathlib import Path
 
 import numpy as np
 from cantools.database import load_file
-from cantools.database.can import Database, Message, Signal
+from cantools.database.can import Database, Message
+from cpp_messages import command_code, message_code
 
 from exoid.recordings.can.dbc import EXOID_DBC
-from exoid.recordings.can.node.config_crc import config_crc
+from exoid.recordings.can.node.config_crc import POLYNOMIAL, SEED, config_crc
 from exoid.recordings.filter.constants import MEASUREMENT_NOISE, PROCESS_NOISE, START_VARIANCE
 from exoid.twin.sensors import OUTPUT_RATE
 
 IMU_RATE_CODES = {104: 0x40, 208: 0x50, 416: 0x60, 833: 0x70}  # LSM6DS3, CTRL1_XL and CTRL2_G
 SOURCES = Path(__file__).parent / "exoid_node" / "src"
-WIDEST_VALUE = 16  # bits of a quantised value; float32 holds its limits and a half exactly
+PROJECT = Path(__file__).parents[1] / "pyproject.toml"
+NODE, HOST = ["EXO"], ["HOST"]  # who sends
 
 PREAMBLE = """\
 /// {title}
@@ -49,100 +49,46 @@ def headers() -> dict[Path, str]:
     assert isinstance(database, Database)
     return {
         SOURCES / "exo_can.h": frames_header(database),
+        SOURCES / "exo_commands.h": commands_header(database),
         SOURCES / "constants.h": constants_header(database),
     }
 
 
 def frames_header(database: Database) -> str:
-    messages = sorted(database.messages, key=lambda message: message.frame_id)
     crc = (
-        "\n/// CRC of exoid.dbc and of the filter's constants.\n"
+        "\n/// CRC of what the frames of a recording mean and of the filter's constants.\n"
         f"constexpr uint16_t CONFIG_CRC = 0x{config_crc():04X};\n"
     )
-    body = crc + "".join(message_code(each) for each in messages)
+    body = crc + "".join(message_code(each) for each in sent_by(NODE, database))
     return PREAMBLE.format(title="The node's CAN frames.", include='"frame.h"', body=body)
 
 
-def message_code(message: Message) -> str:
-    """Identifier, content, packing, and the check of its ranges where values are quantised."""
-    name = message.name.removeprefix("EXO_")
-    struct, variable = name.capitalize(), name.lower()
-    fields = "".join(
-        f"  {kind(each)} {snake(each.name)};{note(each)}\n" for each in message.signals
-    )
-    puts = "".join(
-        f"  put(frame, {each.start}, {each.length}, {bits(each, variable)});\n"
-        for each in message.signals
-    )
-    code = (
-        f"\nconstexpr uint16_t {name}_ID = 0x{message.frame_id:03X};\n"
-        f"\n{about(message)}\nstruct {struct} {{\n{fields}}};\n"
-        f"\ninline Frame pack(const {struct}& {variable}) {{\n"
-        f"  Frame frame = {{{name}_ID, {{0, 0, 0, 0, 0, 0, 0, 0}}}};\n{puts}  return frame;\n}}\n"
-    )
-    checks = [check(each, variable) for each in message.signals if quantised(each)]
-    if not checks:
-        return code
-    every = " &&\n         ".join(checks)
-    return code + (
-        "\n/// Whether no value is cut off when it is packed.\n"
-        f"inline bool fits(const {struct}& {variable}) {{\n  return {every};\n}}\n"
-    )
+def commands_header(database: Database) -> str:
+    messages = sent_by(HOST, database)
+    names = ", ".join(f"{each.name.removeprefix('EXO_')}_ID" for each in messages)
+    (start, length), *others = {
+        (signal.start, signal.length)
+        for signal in (each.get_signal_by_name("Check") for each in messages)
+    }
+    assert not others, "every command has its check at the same place"
+    assert start % 8 == 0
+    shared = f"""
+constexpr uint32_t CHECKED_BYTES = {start // 8};  // of a command, before its check
+constexpr uint32_t CHECK_LENGTH = {length};  // bits
+
+/// Of CRC-16/CCITT-FALSE.
+constexpr uint16_t CRC_SEED = 0x{SEED:04X};
+constexpr uint16_t CRC_POLYNOMIAL = 0x{POLYNOMIAL:04X};
+"""
+    known = textwrap.fill(f"using CommandIds = CanIds<{names}>;", 100, subsequent_indent=" " * 26)
+    body = shared + "".join(command_code(each) for each in messages) + f"\n{known}\n"
+    include = '"can_ids.h"\n#include "frame.h"'
+    return PREAMBLE.format(title="The commands to a node.", include=include, body=body)
 
 
-def about(message: Message) -> str:
-    lines = textwrap.wrap(message.comment or "", width=95)
-    return "\n".join(f"/// {line}" for line in lines)
-
-
-def kind(signal: Signal) -> str:
-    if quantised(signal):
-        return "float"
-    if signal.length == 1:
-        return "bool"
-    return "int32_t" if signal.is_signed else "uint32_t"
-
-
-def note(signal: Signal) -> str:
-    """The comment of a field: its unit, or what one count stands for."""
-    if quantised(signal):
-        return f"  // {signal.unit}"
-    if signal.scale == 1:
-        return f"  // {signal.unit}" if signal.unit else ""
-    return f"  // counts of {signal.scale:.8g} {signal.unit}"
-
-
-def bits(signal: Signal, variable: str) -> str:
-    """The expression of the bits that are sent, limited to what the signal can hold."""
-    value = f"{variable}.{snake(signal.name)}"
-    if quantised(signal):
-        return f"quantise({counts(signal, variable)}, {limits(signal)})"
-    if signal.length == 1:
-        return f"{value} ? 1U : 0U"
-    if signal.is_signed:
-        return f"within({value}, {limits(signal)})"
-    return value if signal.length == 32 else f"at_most({value}, {2**signal.length - 1}U)"
-
-
-def check(signal: Signal, variable: str) -> str:
-    return f"fits({counts(signal, variable)}, {limits(signal)})"
-
-
-def counts(signal: Signal, variable: str) -> str:
-    return f"{variable}.{snake(signal.name)} * {1 / signal.scale:.1f}F"
-
-
-def limits(signal: Signal) -> str:
-    return f"{-(2 ** (signal.length - 1))}, {2 ** (signal.length - 1) - 1}"
-
-
-def quantised(signal: Signal) -> bool:
-    power = math.frexp(signal.scale)[0] == 0.5 and signal.scale != 1 and signal.offset == 0
-    return power and signal.is_signed and signal.length <= WIDEST_VALUE
-
-
-def snake(name: str) -> str:
-    return re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name).lower()
+def sent_by(whom: list[str], database: Database) -> list[Message]:
+    sent = [message for message in database.messages if message.senders == whom]
+    return sorted(sent, key=lambda message: message.frame_id)
 
 
 def constants_header(database: Database) -> str:
@@ -150,14 +96,22 @@ def constants_header(database: Database) -> str:
     raw, health = (database.get_message_by_name(name) for name in ("EXO_RAW", "EXO_HEALTH"))
     assert state.cycle_time
     assert time.cycle_time
-    assert health.cycle_time
-    acc = database.get_message_by_name("EXO_ACC")
+    acc, beat = (database.get_message_by_name(name) for name in ("EXO_ACC", "EXO_HEARTBEAT"))
+    settings = database.get_message_by_name("EXO_SETTINGS")
+    assert beat.cycle_time
+    assert beat.cycle_time == settings.cycle_time == health.cycle_time, "they are told together"
+    bit_rate = settings.get_signal_by_name("BitRate")
+    heartbeat = beat.cycle_time // state.cycle_time
     title = "Times, scales, and the constants of the Kalman filter."
     body = f"""
 constexpr uint32_t TICK_US = {state.cycle_time * 1000};  // us between samples
 constexpr uint32_t TICKS_PER_TIME = {time.cycle_time // state.cycle_time};  // one EXO_TIME
-constexpr uint32_t TICKS_PER_HEALTH = {health.cycle_time // state.cycle_time};  // one EXO_HEALTH
+constexpr uint32_t TICKS_PER_HEARTBEAT = {heartbeat};  // one EXO_HEARTBEAT, SETTINGS and HEALTH
 constexpr uint32_t AGE_STEP_US = {acc.get_signal_by_name("SampleAge").scale};  // us per count
+constexpr uint32_t BIT_RATE_STEP = {bit_rate.scale};  // bit/s per count
+constexpr uint32_t SUPPLY_STEP_MV = {supply_step_mv(beat)};  // mV per count
+constexpr uint16_t NODE_STRIDE = {stride(database)};  // between the identifiers of nodes
+constexpr uint8_t FIRMWARE_VERSION[3] = {{{version()}}};
 constexpr uint8_t IMU_RATE = 0x{IMU_RATE_CODES[OUTPUT_RATE]:02X};  // LSM6DS3: {OUTPUT_RATE} Hz
 constexpr float TIME_STEP = {single(state.cycle_time / 1000)};  // s
 constexpr float ENCODER_STEP = {single(raw.get_signal_by_name("Angle").scale)};  // rad per count
@@ -171,6 +125,22 @@ constexpr float MEASUREMENT_NOISE[2] = {singles(MEASUREMENT_NOISE)};
 constexpr float START_VARIANCE[4] = {singles(START_VARIANCE)};
 """
     return PREAMBLE.format(title=title, include="<stdint.h>", body=body)
+
+
+def supply_step_mv(heartbeat: Message) -> int:
+    return round(heartbeat.get_signal_by_name("SupplyVoltage").scale * 1000)
+
+
+def stride(database: Database) -> int:
+    assert database.dbc is not None
+    return int(database.dbc.attributes["NodeStride"].value)
+
+
+def version() -> str:
+    """The project's version, as its three numbers."""
+    project = tomllib.loads(PROJECT.read_text(encoding="utf-8"))["project"]
+    major, minor, patch = (int(number) for number in project["version"].split("."))
+    return f"{major}, {minor}, {patch}"
 
 
 def single(value: float) -> str:

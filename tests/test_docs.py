@@ -90,7 +90,7 @@ class Reader:
     def look_up(self, text: str) -> None:
         """Commands of exoid parse, with all their options and values."""
         for arguments in commands(text):
-            COMMANDS[arguments[0]].make_context(arguments[0], arguments[1:])
+            parse(COMMANDS[arguments[0]], *arguments)
 
     def read_sidecar(self, text: str) -> None:
         path = self.folder / "block.toml"
@@ -107,6 +107,15 @@ class Reader:
             assert any(np.allclose(one, shown, rtol=SHOWN_WITHIN) for one in said), (
                 f"{line!r} is not in\n{self.answer}"
             )
+
+
+def parse(command, name: str, *arguments: str) -> None:
+    """A command, or one of a group, with its options."""
+    below = getattr(command, "commands", {})
+    if below:
+        parse(below[arguments[0]], *arguments)
+    else:
+        command.make_context(name, list(arguments))
 
 
 def commands(text: str) -> list[list[str]]:

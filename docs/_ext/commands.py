@@ -15,7 +15,17 @@ class Commands(SphinxDirective):
 
 
 def section(name: str, command) -> str:
-    """What the command does, how it is called, its options, examples."""
+    """What the command does, how it is called, its options, examples; then those below it."""
+    below = [section(f"{name} {each}", one) for each, one in members(command)]
+    return "\n\n".join([alone(name, command), *below])
+
+
+def members(command) -> list[tuple]:
+    """The commands of a group, by name."""
+    return list(getattr(command, "commands", {}).items())
+
+
+def alone(name: str, command) -> str:
     what, _, examples = command.help.partition("\b\nExamples:\n")
     context = command.make_context(f"exoid {name}", [], resilient_parsing=True)
     usage = command.get_usage(context).removeprefix("Usage: ")

@@ -37,9 +37,17 @@ exoid::Frame packed(const Words& w) {
     case exoid::ACC_ID:
       return pack(exoid::Acc{w.signed_count(1), w.signed_count(2), w.signed_count(3), w.count(4),
                              w.count(5)});
+    case exoid::SETTINGS_ID:
+      return pack(exoid::Settings{w.count(1), w.count(2), w.flag(3), w.flag(4), w.count(5),
+                                  w.count(6)});
+    case exoid::HEARTBEAT_ID:
+      return pack(exoid::Heartbeat{w.count(1), w.count(2), w.count(3), w.count(4), w.count(5),
+                                   w.flag(6)});
+    case exoid::REPLY_ID:
+      return pack(exoid::Reply{w.count(1), w.count(2), w.flag(3), w.flag(4), w.flag(5)});
     case exoid::HEALTH_ID:
       return pack(exoid::Health{w.count(1), w.flag(2), w.flag(3), w.flag(4), w.flag(5), w.count(6),
-                                w.count(7)});
+                                w.count(7), w.count(8), w.count(9)});
     default: {
       exoid::State filled = state(w);
       filled.state_saturated = !fits(filled);

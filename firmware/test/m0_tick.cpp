@@ -2,17 +2,17 @@
 // in.bin: a byte for each tick, 1 where a host has opened the channel on USB from then on. Out: the
 // counts of SysTick, at 62.5 instructions each with -icount shift=0.
 
-#include "can_timing.h"
 #include "chips.h"
 #include "mcp2515.h"
-#include "node.h"
 #include "semihosting.h"
 #include "systick.h"
+#include "tended_node.h"
 #include "uplink.h"
 
 namespace {
 
-using Timing = exoid::CanTiming<8000000, 500000>;
+constexpr uint32_t CRYSTAL = 8000000;  // Hz
+constexpr exoid::CanRegisters TIMING = exoid::can_registers(CRYSTAL, 500000);
 
 /// An MCP2515 that has always sent the last frame.
 struct WillingSpi {
@@ -21,9 +21,9 @@ struct WillingSpi {
     const bool from_cnf3 = bytes[0] == 0x03 && bytes[1] == 0x28;
     for (uint8_t at = 1; at < count; ++at) bytes[at] = 0;
     if (!from_cnf3) return;
-    bytes[2] = Timing::CNF3;
-    bytes[3] = Timing::CNF2;
-    bytes[4] = Timing::CNF1;
+    bytes[2] = TIMING.cnf3;
+    bytes[3] = TIMING.cnf2;
+    bytes[4] = TIMING.cnf1;
   }
 };
 
@@ -46,28 +46,47 @@ struct Well {
   void describe(exoid::Health&) const {}
 };
 
-using Encoder = exoid::As5600<chips::Board>;
-using Imu = exoid::Lsm6ds3<chips::Board>;
-using Can = exoid::Mcp2515<WillingSpi, Timing, exoid::CanIds<>>;
-using Link = exoid::Uplink<Can, WillingPort>;
+/// A board on which nothing was ever stored, and whose supply is known at once.
+struct PlainBoard {
+  void read(uint8_t, uint8_t* bytes, uint32_t count) const {
+    for (uint32_t at = 0; at < count; ++at) bytes[at] = 0xFF;
+  }
+  bool write(uint8_t, const uint8_t*, uint32_t) { return false; }
+  static void begin() {}
+  static uint32_t serial() { return 1; }
+  static uint32_t supply_mv() { return 3300; }
+  static void light(bool) {}
+};
 
-chips::Board board;
-Encoder encoder(board);
-Imu imu(board);
+using Can = exoid::Mcp2515<WillingSpi, CRYSTAL, exoid::CommandIds>;
+
+struct Kinds {
+  using Encoder = exoid::As5600<chips::Board>;
+  using Imu = exoid::Lsm6ds3<chips::Board>;
+  using Link = exoid::Uplink<Can, WillingPort>;
+  using Flash = PlainBoard;
+  using Board = PlainBoard;
+  using Clock = SetClock;
+  using Condition = Well;
+};
+
+chips::Board chips_on_bus;
+Kinds::Encoder encoder(chips_on_bus);
+Kinds::Imu imu(chips_on_bus);
 WillingSpi spi;
 Can can(spi);
 WillingPort port;
-Link uplink(can, port);
+Kinds::Link uplink(can, port);
+PlainBoard plain;
 SetClock timer;
 Well well;
-exoid::Node<Encoder, Imu, Link, SetClock, Well> node(encoder, imu, uplink, timer, well);
+exoid::TendedNode<Kinds> node({encoder, imu, uplink, plain, plain, timer, well});
 
 /// The passes of a loop that have something to do: at the tick, and in the middle between two.
 void tick() {
   constexpr uint32_t PASSES = 6;  // as many frames and packets as there are
   for (timer.age = 0; timer.age < exoid::TICK_US; timer.age += exoid::TICK_US / 2) {
-    node.run();
-    for (uint32_t pass = 0; pass < PASSES; ++pass) uplink.poll(10 * timer.now);
+    for (uint32_t pass = 0; pass < PASSES; ++pass) node.run(10 * timer.now);
   }
 }
 
@@ -76,13 +95,14 @@ void tick() {
 int main() {
   semihosting::File input("in.bin", 6, semihosting::READ_BINARY);
   semihosting::File output("out.bin", 7, semihosting::WRITE_BINARY);
+  node.begin();
   exoid::systick_begin(exoid::SYSTICK_LONGEST);
   uint8_t opens = 0;
   while (input.read(&opens, sizeof opens)) {
     if (opens) port.typed = "O\r";
     chips::Exposure now = {};
     now.count = static_cast<uint16_t>(1500 + timer.now % 50);
-    board.expose(now);
+    chips_on_bus.expose(now);
     const uint32_t before = exoid::systick_left();
     ++timer.now;
     tick();

@@ -9,11 +9,7 @@
 
 #include "../exoid_node/exoid_node.ino"
 
-#if defined(__arm__)
-inline void* operator new(size_t, void* place) { return place; }
-#else
-#include <new>
-#endif
+#include "fresh_start.h"
 
 using simulated::board;
 using world_events::Event;
@@ -27,16 +23,6 @@ world_events::Report* report = nullptr;
 uint16_t sensor_faults = 0;
 uint32_t pass_us = 20;
 uint64_t longest_pass_us = 0;
-
-/// Memory is as after a reset.
-void build_anew() {
-  new (&bus) WireBus();
-  new (&encoder) Encoder(bus);
-  new (&imu) Imu(bus);
-  new (&can) Can(spi);
-  new (&uplink) UsbAndCan(can, usb);
-  new (&node) Node(encoder, imu, uplink, timer, condition);
-}
 
 void restart(uint8_t cause, uint32_t dark_us) {
   board.reset_cause = cause;

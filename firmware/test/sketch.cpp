@@ -14,7 +14,18 @@
 
 #include "../exoid_node/exoid_node.ino"
 
+#include "fresh_start.h"
+
 void power_on() { setup(); }
+
+void power_cycle() {
+  board.watchdog.enable(false);
+  board.i2c.disable();
+  board.can.set_answer(simulated::Mcp2515Model::DEAD_LOW);
+  board.can.set_answer(simulated::Mcp2515Model::ANSWERS);
+  build_anew();
+  setup();
+}
 
 void run_ms(uint32_t time) {
   constexpr uint32_t PASS_US = 5;  // the rest of a pass of the loop
@@ -82,8 +93,9 @@ int play(const Scenario& scenario) {
 int main(int count, char** names) {
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
   int failed = 0, played = 0;
-  for (const auto& scenarios : {sensor_scenarios(), uplink_scenarios(), port_scenarios(),
-                                bus_fault_scenarios(), can_fault_scenarios()}) {
+  for (const auto& scenarios :
+       {sensor_scenarios(), uplink_scenarios(), port_scenarios(), bus_fault_scenarios(),
+        can_fault_scenarios(), command_scenarios(), state_scenarios()}) {
     for (const Scenario& each : scenarios) {
       if (count > 1 && std::strcmp(names[1], each.name) != 0) continue;
       failed += play(each);

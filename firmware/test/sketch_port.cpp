@@ -1,6 +1,6 @@
 // A serial port that, as the board's core does, loses what it had taken and says SIZE_MAX.
 
-#include "slcan.h"
+#include "slcan_port.h"
 #include "world.h"
 
 namespace {

@@ -21,7 +21,7 @@ std::string answer_to(const std::string& command) {
 void open_channel() {
   power_on();
   run_ms(302);
-  check(answer_to("C\rS6\r\rO\r") == "\a\r\r\r", "the channel opens as python-can opens it");
+  check(answer_to("C\rS6\r\rO\r").find("\a\r\r\r") == 0, "it opens as python-can opens it");
   world.to_host.clear();
 }
 
@@ -31,12 +31,15 @@ void open_usb() {
   open_channel();
 }
 
-void check_in_order(const std::vector<Frame>& frames, uint32_t ticks) {
+void check_in_order(const std::vector<Frame>& all, uint32_t ticks) {
+  std::vector<Frame> frames;
+  for (const Frame& frame : all) {
+    if (frame.id >= exoid::STATE_ID && frame.id <= exoid::ACC_ID) frames.push_back(frame);
+  }
   const std::vector<Frame> states = only(frames, exoid::STATE_ID);
   check(states.size() >= ticks - 1 && states.size() <= ticks, "every tick has its frames");
-  uint16_t expected = frames.front().id == exoid::TIME_ID ? frames[1].id : frames.front().id;
+  uint16_t expected = frames.front().id;
   for (const Frame& frame : frames) {
-    if (frame.id == exoid::TIME_ID || frame.id == exoid::HEALTH_ID) continue;
     check(frame.id == expected, "STATE, RAW and ACC come in this order");
     expected = expected == exoid::ACC_ID ? exoid::STATE_ID : static_cast<uint16_t>(expected + 1);
   }
@@ -106,12 +109,13 @@ void slcan_fallback() {
   check(answer_to("F\r") == "F00\r" && answer_to("\r") == "\r", "it says how it is");
   check(answer_to("t1008\r") == "\a" && answer_to("x\r") == "\a", "it refuses what it cannot do");
   check(answer_to(std::string(100, 'V') + "\r") == "\a", "an endless command does no harm");
-  check(answer_to("C\rS6\r\rO\rO\r") == "\a\r\r\r\a", "a host opens the channel once");
+  check(answer_to("C\rS6\r\rO\rO\r").find("\a\r\r\r\a") == 0, "a host opens the channel once");
   world.to_host.clear();
   run_ms(3000);
   const std::vector<Frame> frames = frames_in(world.to_host);
   check_in_order(frames, 300);
-  check(status(frames.front(), FILTER_RESET), "who begins to listen hears the filter's start");
+  const Frame first = only(frames, exoid::STATE_ID).front();
+  check(status(first, FILTER_RESET), "who begins to listen hears the filter's start");
   check(answer_to("C\r") == "\r", "the channel closes");
   run_ms(100);
   check(world.to_host == "\r", "and is silent then");

@@ -24,6 +24,9 @@ using simulated::board;
 /// Runs the sketch's setup, once in a process.
 void power_on();
 
+/// Takes the supply away and gives it back; what is in flash stays.
+void power_cycle();
+
 /// Runs the sketch's loop for so long.
 void run_ms(uint32_t time);
 
@@ -60,3 +63,5 @@ std::vector<Scenario> uplink_scenarios();
 std::vector<Scenario> port_scenarios();
 std::vector<Scenario> bus_fault_scenarios();
 std::vector<Scenario> can_fault_scenarios();
+std::vector<Scenario> command_scenarios();
+std::vector<Scenario> state_scenarios();

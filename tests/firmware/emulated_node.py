@@ -20,6 +20,7 @@ from exoid.recordings.recording import Segment
 
 TURN = 4096  # counts
 FULL_SCALE = (-32768, 32767)  # counts of a 16-bit register
+SERIAL = 0xC0FFEE02  # of the emulated board
 STARTING = 10.0  # s within which QEMU names its pty
 PTY = re.compile(rb"char device redirected to (\S+)")
 
@@ -64,16 +65,20 @@ def counts(message: str, signal: str, values) -> np.ndarray:
 
 
 @contextmanager
-def emulated_node(samples: Samples) -> Iterator[str]:
+def emulated_node(samples: Samples, flash: Path | None = None) -> Iterator[str]:
     """Runs the firmware at 100 Hz of real time; gives the pty on which it talks slcan.
 
     The motion begins when the host opens the channel, with the filter at its start, and stays at
     its last sample. QEMU may take a second to notice a host. Leaving ends the emulator, which the
-    host sees as a device that is unplugged.
+    host sees as a device that is unplugged. Settings are kept in the folder `flash`.
     """
     need("qemu-system-arm")
-    with tempfile.TemporaryDirectory() as folder:
+    with tempfile.TemporaryDirectory() as own:
+        folder = str(flash or own)
         Path(folder, "samples.bin").write_bytes(samples.stream())
+        Path(folder, "board.bin").write_bytes(SERIAL.to_bytes(4, "little"))
+        for slot in ("slot0.bin", "slot1.bin"):
+            Path(folder, slot).touch()
         with Path(folder, "qemu.log").open("wb") as said:
             command = [*QEMU, "-serial", "pty", "-kernel", image()]
             emulator = subprocess.Popen(

@@ -74,6 +74,8 @@ def sorted_out(frames):
     assert all(len(frame.data) == 8 for frame in frames)
     found = {}
     for name, plan in exoid_messages().items():
+        if not any(frame.arbitration_id == plan.identifier for frame in frames):
+            continue
         data = [frame.data for frame in frames if frame.arbitration_id == plan.identifier]
         table = np.frombuffer(b"".join(data), np.uint8).reshape(-1, 8)
         found[name] = {each.name: raw_values(table, each).astype(int) for each in plan.signals}

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from node_world import STATE, Event, Life, live
 
+from exoid.recordings.can.node.health import PASSIVE
 from exoid.recordings.loading.can_log import read_can_log
 
 WORLDS = ("node_world", "node_world.elf")
@@ -15,6 +16,7 @@ SETTLED = 500  # ms
 ENCODER_SILENT, IMU_SILENT, NO_MAGNET, WEAK_MAGNET, _, IMU_RESET = (1 << bit for bit in range(6))
 SENSORS = {"EncoderFault", "ImuFault"}
 DEAD_LOW, DEAD_HIGH = 1, 2
+CAN_OFF = 1 << 3  # of the second byte of EXO_HEALTH
 
 # What befalls it, its value, how long [ms] and with what value it ends, and the bits that tell it.
 FAULTS = {
@@ -37,6 +39,7 @@ FAULTS = {
     "the bus is shorted": ("SHORTED", 1, 500, 0, {"Overrun"}),
     "the bus is shorted and the controller stays off": ("SHORTED", 2, 500, 0, {"Overrun"}),
     "another node sends what nobody knows": ("FOREIGN", 0x123, 10, 0x7FF, set()),
+    "another node sends what is nearly a command": ("FOREIGN", 0x201, 10, 0x7FF, set()),
     "another node sends with our identifier": ("FOREIGN", STATE, 10, TICK, set()),
 }
 
@@ -173,7 +176,7 @@ def test_a_host_on_usb_hears_of_a_bus_without_listeners_and_of_one_that_is_short
         (12_000, "END", 0),
     ]
     text = live("node_world", events, tmp_path).text
-    bits = [int(line[7:9], 16) for line in text.split("\r") if line.startswith("t10F8")]
-    passive, off = 1 << 2, 1 << 3
-    assert {bit & (passive | off) for bit in bits} == {0, passive, off}
-    assert bits[-1] & (passive | off) == 0
+    told = [bytes.fromhex(line[5:]) for line in text.split("\r") if line.startswith("t10F8")]
+    states = [(health[6] >= PASSIVE, bool(health[1] & CAN_OFF)) for health in told]
+    assert {*states} == {(False, False), (True, False), (False, True)}
+    assert states[-1] == (False, False)

@@ -41,6 +41,20 @@ SCENARIOS = (
     "foreign_frames",
     "frames_that_are_understood",
     "timing",
+    "zero_here",
+    "flash_at_any_time",
+    "zero_at_an_angle",
+    "zero_without_an_angle",
+    "not_a_command",
+    "node_id",
+    "bit_rate",
+    "flash_that_fails",
+    "told_once_a_second",
+    "errors_told",
+    "blinks",
+    "over_usb",
+    "commands_by_both",
+    "loss_of_what_is_told_beside",
 )
 
 
@@ -81,7 +95,7 @@ def test_a_bit_rate_that_the_crystal_cannot_do_does_not_compile(
     need("g++")
     source = tmp_path / "timing.cpp"
     source.write_text(
-        f'#include "can_timing.h"\nauto cnf1 = exoid::CanTiming<{crystal}, {rate}>::CNF1;\n'
+        f'#include "can_timing.h"\nauto quanta = exoid::CanTiming<{crystal}, {rate}>::QUANTA;\n'
     )
     sources = FIRMWARE / "exoid_node" / "src"
     command = ["g++", "-std=c++11", "-fsyntax-only", f"-I{sources}", source]
@@ -89,3 +103,11 @@ def test_a_bit_rate_that_the_crystal_cannot_do_does_not_compile(
     assert (done.returncode == 0) == is_possible
     if not is_possible:
         assert "the crystal of the MCP2515 cannot do this bit rate" in done.stderr
+
+
+def test_settings_survive_a_power_cut_at_every_byte(build):
+    subprocess.run([build("host_settings")], check=True, timeout=60)
+
+
+def test_the_flash_is_written_as_its_controller_wants_it(build):
+    subprocess.run([build("host_flash")], check=True, timeout=10)

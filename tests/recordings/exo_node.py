@@ -45,6 +45,10 @@ class Node:
     config_crc: int = field(default_factory=config_crc)
     jitter: float = 0.0015  # s, mean of the exponential delay of the host
     status: dict[int, dict[str, int]] = field(default_factory=dict)
+    mountings: dict[int, tuple[int, int]] = field(default_factory=dict)  # by tick: zero, reversed
+    node: int = 0
+    serial: int = 0xC0FFEE01
+    commissioned: int = 1
 
     def messages(self, ticks: int, begin: float = 0.0, seed: int = 0) -> list[can.Message]:
         """All frames of so many ticks, from `begin` seconds of host time."""
@@ -55,7 +59,7 @@ class Node:
                 on_bus = begin + tick * 0.01 / self.skew + place * FRAME
                 on_bus += 0.005 if name == "EXO_TIME" else 0.0
                 delay = rng.exponential(self.jitter) if self.jitter else 0.0
-                found.append(message(name, values, EPOCH + on_bus + delay))
+                found.append(message(name, values, EPOCH + on_bus + delay, self.node))
         return found
 
     def frames(self, tick: int):
@@ -93,6 +97,26 @@ class Node:
                 "EXO_TIME",
                 dict(DeviceTime=device, Counter=counter, MissedTicks=0, ConfigCrc=self.config_crc),
             )
+        if tick in self.mountings or (self.mountings and tick % 100 == 0):
+            yield from self.told(tick)
+
+    def told(self, tick: int):
+        """How it was commissioned, and how it is; nodes without `mountings` do not tell."""
+        zero, reversed = self.mountings[max(each for each in self.mountings if each <= tick)]
+        yield (
+            "EXO_SETTINGS",
+            dict(
+                Serial=self.serial,
+                Zero=zero,
+                Reversed=reversed,
+                Commissioned=self.commissioned,
+                BitRate=500_000,
+                Changes=1,
+            ),
+        )
+        version = dict(VersionMajor=1, VersionMinor=2, VersionPatch=3)
+        yield "EXO_HEARTBEAT", dict(**version, SupplyVoltage=3.3, LostFrames=0, SensorFault=0)
+        yield "EXO_HEALTH", WELL
 
 
 STATUS = (
@@ -105,19 +129,29 @@ STATUS = (
     "FilterReset",
     "Overrun",
 )
+WELL = {  # EXO_HEALTH
+    "Counter": 0,
+    "WatchdogReset": 0,
+    "BrownOutReset": 0,
+    "OnCan": 1,
+    "CanOff": 0,
+    "BusReleases": 0,
+    "CanStarts": 1,
+    "TransmitErrors": 0,
+    "ReceiveErrors": 0,
+}
 
 
 def health(timestamp, **told) -> can.Message:
     """EXO_HEALTH of a node that is well but for what is told."""
-    well = dict(Counter=0, WatchdogReset=0, BrownOutReset=0, CanPassive=0, CanOff=0)
-    return message("EXO_HEALTH", well | dict(BusReleases=0, CanStarts=1) | told, timestamp)
+    return message("EXO_HEALTH", WELL | told, timestamp)
 
 
-def message(name, values, timestamp) -> can.Message:
+def message(name, values, timestamp, node=0) -> can.Message:
     definition = codec().get_message_by_name(name)
     return can.Message(
         timestamp=timestamp,
-        arbitration_id=definition.frame_id,
+        arbitration_id=definition.frame_id + 16 * node,
         is_extended_id=False,
         data=definition.encode(values, strict=False),
     )

@@ -18,6 +18,9 @@ from exoid.recordings.can.dbc import (
     plan_signal,
     read_dbc,
 )
+from exoid.recordings.can.node.one_frame import encoded
+from exoid.recordings.can.node.which import messages_of, node_count
+from exoid.recordings.commissioning.commands import COMMANDS
 
 
 def signal_at(start, length, order, signed, scale, offset, floating=False):
@@ -105,9 +108,41 @@ def test_each_message_of_the_node_names_its_sender_and_its_period():
         "EXO_STATE": 10,
         "EXO_RAW": 10,
         "EXO_ACC": 10,
+        "EXO_SETTINGS": 1000,
+        "EXO_HEARTBEAT": 1000,
         "EXO_HEALTH": 1000,
+        "EXO_REPLY": None,
+        **dict.fromkeys(COMMANDS),
     }
-    assert all(message.senders == ["EXO"] for message in messages)
+    senders = {message.name: message.senders for message in messages}
+    assert {name for name, who in senders.items() if who == ["HOST"]} == {*COMMANDS}
+    assert all(who == ["EXO"] for name, who in senders.items() if name not in COMMANDS)
+
+
+def test_no_frame_of_any_node_has_the_identifier_of_another_frame():
+    identifiers = [
+        plan.identifier for node in range(node_count()) for plan in messages_of(node).values()
+    ]
+    identifiers += [exoid_messages()[name].identifier for name in COMMANDS]
+    assert node_count() == 16
+    assert len(set(identifiers)) == len(identifiers) == 16 * 8 + len(COMMANDS)
+    node_id = cantools.database.load_file(EXOID_DBC).get_message_by_name("EXO_SET_NODE_ID")
+    assert node_id.get_signal_by_name("NodeId").maximum == node_count() - 1
+
+
+@given(st.integers(-2048, 2048))
+def test_what_is_encoded_decodes_to_the_same(count):
+    plan = exoid_messages()["EXO_SET_ZERO"]
+    angle = count * plan.signal("Angle").scale
+    data = encoded(plan, {"Serial": 0xFFFFFFFF, "Angle": angle})
+    read = plan.decode(np.frombuffer(data, np.uint8).reshape(1, 8))
+    assert (read["Serial"][0], read["Angle"][0], read["Check"][0]) == (0xFFFFFFFF, angle, 0)
+
+
+@pytest.mark.parametrize("value", [-1, 256, 1e9])
+def test_a_value_that_a_signal_cannot_hold_is_refused(value):
+    with pytest.raises(ValueError, match=r"EXO_IDENTIFY.Duration cannot be -?[\de+]+ s"):
+        encoded(exoid_messages()["EXO_IDENTIFY"], {"Duration": value})
 
 
 def test_a_multiplexed_signal_is_refused_by_name():

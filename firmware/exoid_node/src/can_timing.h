@@ -1,5 +1,5 @@
-/// How an MCP2515 divides a bit into quanta: computed where the program is compiled, and refused
-/// there where the crystal cannot do the bit rate exactly.
+/// How an MCP2515 divides a bit into quanta. The built-in bit rate is refused where the program is
+/// compiled if the crystal cannot do it exactly, and one of a command where that is heard.
 
 #pragma once
 
@@ -48,21 +48,36 @@ constexpr uint32_t best_quanta(uint32_t crystal, uint32_t rate, uint32_t quanta 
                              best_quanta(crystal, rate, quanta + 1));
 }
 
-/// The registers CNF1 to CNF3.
+constexpr uint32_t phase_1_of(uint32_t quanta) { return quanta_before(quanta) / 2; }
+
+/// Quanta by which the chip may shift a bit's end: less than those after the sample point.
+constexpr uint32_t jump_of(uint32_t quanta) {
+  return quanta_after(quanta) - 1 < 4 ? quanta_after(quanta) - 1 : 4;
+}
+
+/// The registers CNF3 to CNF1, in the order of their addresses.
+struct CanRegisters {
+  uint8_t cnf3, cnf2, cnf1;
+};
+
+constexpr CanRegisters registers_of(uint32_t prescaler, uint32_t quanta) {
+  return {static_cast<uint8_t>(quanta_after(quanta) - 1),
+          static_cast<uint8_t>(0x80 | (phase_1_of(quanta) - 1) << 3 |
+                               (quanta_before(quanta) - phase_1_of(quanta) - 1)),
+          static_cast<uint8_t>((jump_of(quanta) - 1) << 6 | (prescaler - 1))};
+}
+
+/// Those of a bit rate that the crystal can do.
+constexpr CanRegisters can_registers(uint32_t crystal, uint32_t rate) {
+  return registers_of(crystal / (2 * rate * best_quanta(crystal, rate)),
+                      best_quanta(crystal, rate));
+}
+
+/// A bit rate that is known where the program is compiled.
 template <uint32_t CRYSTAL, uint32_t RATE>
 struct CanTiming {
   static constexpr uint32_t QUANTA = best_quanta(CRYSTAL, RATE);
   static_assert(QUANTA != 0, "the crystal of the MCP2515 cannot do this bit rate");
-  static constexpr uint32_t PRESCALER = CRYSTAL / (2 * RATE * (QUANTA ? QUANTA : 1));
-  static constexpr uint32_t PHASE_1 = quanta_before(QUANTA) / 2;
-  static constexpr uint32_t PROPAGATION = quanta_before(QUANTA) - PHASE_1;
-  static constexpr uint32_t PHASE_2 = quanta_after(QUANTA);
-  static constexpr uint32_t JUMP = PHASE_2 - 1 < 4 ? PHASE_2 - 1 : 4;  // less than PHASE_2
-
-  static constexpr uint8_t CNF1 = static_cast<uint8_t>((JUMP - 1) << 6 | (PRESCALER - 1));
-  static constexpr uint8_t CNF2 =
-      static_cast<uint8_t>(0x80 | (PHASE_1 - 1) << 3 | (PROPAGATION - 1));
-  static constexpr uint8_t CNF3 = static_cast<uint8_t>(PHASE_2 - 1);
 };
 
 }  // namespace exoid

@@ -1,4 +1,4 @@
-/// How the node fares: why it started, and what it had to set up again.
+/// How the node fares: why it started, what it had to set up again, and its CAN controller.
 
 #pragma once
 
@@ -7,7 +7,7 @@
 namespace exoid {
 
 /// `Watchdog` has `has_reset()` and `supply_dipped()`, `Bus` has `releases()`, and `Can` has
-/// `starts()`, `is_passive()` and `is_off()`.
+/// `is_up()`, `starts()`, `is_off()`, `transmit_errors()` and `receive_errors()`.
 template <class Watchdog, class Bus, class Can>
 class Condition {
  public:
@@ -17,10 +17,12 @@ class Condition {
   void describe(Health& health) const {
     health.watchdog_reset = watchdog_.has_reset();
     health.brown_out_reset = watchdog_.supply_dipped();
-    health.can_passive = can_.is_passive();
+    health.on_can = can_.is_up();
     health.can_off = can_.is_off();
     health.bus_releases = bus_.releases();
     health.can_starts = can_.starts();
+    health.transmit_errors = can_.transmit_errors();
+    health.receive_errors = can_.receive_errors();
   }
 
  private:
@@ -28,5 +30,14 @@ class Condition {
   const Bus& bus_;
   const Can& can_;
 };
+
+constexpr uint32_t ERROR_PASSIVE = 127;  // above it a controller no longer stops others' frames
+
+/// Whether a CAN controller that was there is gone, off the bus, or nearly.
+inline bool is_bus_ill(const Health& health) {
+  const bool gone = health.can_starts > 0 && !health.on_can;
+  return gone || health.can_off || health.transmit_errors > ERROR_PASSIVE ||
+         health.receive_errors > ERROR_PASSIVE;
+}
 
 }  // namespace exoid

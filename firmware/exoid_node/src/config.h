@@ -1,10 +1,8 @@
-/// What differs from one exoskeleton to the next: mounting and wiring.
+/// The wiring, and how a node is mounted that was not commissioned.
 
 #pragma once
 
 #include <stdint.h>
-
-#include "can_ids.h"
 
 namespace exoid {
 namespace config {
@@ -17,7 +15,8 @@ constexpr uint32_t I2C_FREQUENCY = 400000;  // Hz
 constexpr uint8_t CAN_SELECT_PIN = 10;      // CS of the MCP2515
 constexpr uint32_t CAN_CRYSTAL = 8000000;   // Hz, as stamped on the module's crystal
 constexpr uint32_t CAN_BIT_RATE = 500000;   // bit/s
-using CanUnderstood = CanIds<>;             // identifiers that the node listens to, six at most
+
+constexpr uint8_t STATUS_LED_PIN = 2;  // the board's own LED is the clock of the MCP2515
 
 }  // namespace config
 }  // namespace exoid

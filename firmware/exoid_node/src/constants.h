@@ -9,8 +9,12 @@ namespace exoid {
 
 constexpr uint32_t TICK_US = 10000;  // us between samples
 constexpr uint32_t TICKS_PER_TIME = 10;  // one EXO_TIME
-constexpr uint32_t TICKS_PER_HEALTH = 100;  // one EXO_HEALTH
+constexpr uint32_t TICKS_PER_HEARTBEAT = 100;  // one EXO_HEARTBEAT, SETTINGS and HEALTH
 constexpr uint32_t AGE_STEP_US = 50;  // us per count
+constexpr uint32_t BIT_RATE_STEP = 125000;  // bit/s per count
+constexpr uint32_t SUPPLY_STEP_MV = 20;  // mV per count
+constexpr uint16_t NODE_STRIDE = 16;  // between the identifiers of nodes
+constexpr uint8_t FIRMWARE_VERSION[3] = {0, 1, 0};
 constexpr uint8_t IMU_RATE = 0x70;  // LSM6DS3: 833 Hz
 constexpr float TIME_STEP = 1.0e-02F;  // s
 constexpr float ENCODER_STEP = 1.5339808e-03F;  // rad per count

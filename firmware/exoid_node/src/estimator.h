@@ -3,7 +3,6 @@
 #pragma once
 
 #include "as5600.h"
-#include "config.h"
 #include "exo_can.h"
 #include "kalman.h"
 #include "lsm6ds3.h"
@@ -25,12 +24,6 @@ struct Sample {
   int32_t gyro[3];  // to the foot, in extension, across the shank
   int32_t accel[3];
 };
-
-/// An encoder's count less the mounting zero, modulo one turn.
-inline int32_t mounted(int32_t count) {
-  const int32_t turned = config::ENCODER_SIGN * (count - config::ENCODER_ZERO) + ZERO_COUNT;
-  return turned & (TURN - 1);
-}
 
 /// The count that shows `next` and is nearest to `before`: no step is longer than half a turn.
 inline int32_t unwrap(int32_t before, int32_t next) {

@@ -7,8 +7,8 @@
 
 namespace exoid {
 
-/// CRC of exoid.dbc and of the filter's constants.
-constexpr uint16_t CONFIG_CRC = 0xA6BB;
+/// CRC of what the frames of a recording mean and of the filter's constants.
+constexpr uint16_t CONFIG_CRC = 0x26D9;
 
 constexpr uint16_t TIME_ID = 0x100;
 
@@ -115,18 +115,86 @@ inline Frame pack(const Acc& acc) {
   return frame;
 }
 
+constexpr uint16_t SETTINGS_ID = 0x104;
+
+/// Once a second, and after every command: how the node was commissioned.
+struct Settings {
+  uint32_t serial;
+  uint32_t zero;
+  bool reversed;
+  bool commissioned;
+  uint32_t bit_rate;  // counts of 125000 bit/s
+  uint32_t changes;
+};
+
+inline Frame pack(const Settings& settings) {
+  Frame frame = {SETTINGS_ID, {0, 0, 0, 0, 0, 0, 0, 0}};
+  put(frame, 0, 32, settings.serial);
+  put(frame, 32, 12, at_most(settings.zero, 4095U));
+  put(frame, 44, 1, settings.reversed ? 1U : 0U);
+  put(frame, 45, 1, settings.commissioned ? 1U : 0U);
+  put(frame, 48, 8, at_most(settings.bit_rate, 255U));
+  put(frame, 56, 8, at_most(settings.changes, 255U));
+  return frame;
+}
+
+constexpr uint16_t HEARTBEAT_ID = 0x105;
+
+/// Once a second, and after every command: what runs on the node, and whether it measures.
+struct Heartbeat {
+  uint32_t version_major;
+  uint32_t version_minor;
+  uint32_t version_patch;
+  uint32_t supply_voltage;  // counts of 0.02 V
+  uint32_t lost_frames;
+  bool sensor_fault;
+};
+
+inline Frame pack(const Heartbeat& heartbeat) {
+  Frame frame = {HEARTBEAT_ID, {0, 0, 0, 0, 0, 0, 0, 0}};
+  put(frame, 0, 8, at_most(heartbeat.version_major, 255U));
+  put(frame, 8, 8, at_most(heartbeat.version_minor, 255U));
+  put(frame, 16, 8, at_most(heartbeat.version_patch, 255U));
+  put(frame, 24, 8, at_most(heartbeat.supply_voltage, 255U));
+  put(frame, 32, 8, at_most(heartbeat.lost_frames, 255U));
+  put(frame, 40, 1, heartbeat.sensor_fault ? 1U : 0U);
+  return frame;
+}
+
+constexpr uint16_t REPLY_ID = 0x106;
+
+/// After a command to this node: what became of it.
+struct Reply {
+  uint32_t serial;
+  uint32_t command;
+  bool no_angle;
+  bool not_possible;
+  bool not_stored;
+};
+
+inline Frame pack(const Reply& reply) {
+  Frame frame = {REPLY_ID, {0, 0, 0, 0, 0, 0, 0, 0}};
+  put(frame, 0, 32, reply.serial);
+  put(frame, 32, 11, at_most(reply.command, 2047U));
+  put(frame, 43, 1, reply.no_angle ? 1U : 0U);
+  put(frame, 44, 1, reply.not_possible ? 1U : 0U);
+  put(frame, 45, 1, reply.not_stored ? 1U : 0U);
+  return frame;
+}
+
 constexpr uint16_t HEALTH_ID = 0x10F;
 
-/// Once a second, half a period after a tick: why the node started, and what it had to set up
-/// again.
+/// Once a second, and after every command: why the node started, and what it had to set up again.
 struct Health {
   uint32_t counter;
   bool watchdog_reset;
   bool brown_out_reset;
-  bool can_passive;
+  bool on_can;
   bool can_off;
   uint32_t bus_releases;
   uint32_t can_starts;
+  uint32_t transmit_errors;
+  uint32_t receive_errors;
 };
 
 inline Frame pack(const Health& health) {
@@ -134,10 +202,12 @@ inline Frame pack(const Health& health) {
   put(frame, 0, 8, at_most(health.counter, 255U));
   put(frame, 8, 1, health.watchdog_reset ? 1U : 0U);
   put(frame, 9, 1, health.brown_out_reset ? 1U : 0U);
-  put(frame, 10, 1, health.can_passive ? 1U : 0U);
+  put(frame, 10, 1, health.on_can ? 1U : 0U);
   put(frame, 11, 1, health.can_off ? 1U : 0U);
   put(frame, 16, 16, at_most(health.bus_releases, 65535U));
   put(frame, 32, 16, at_most(health.can_starts, 65535U));
+  put(frame, 48, 8, at_most(health.transmit_errors, 255U));
+  put(frame, 56, 8, at_most(health.receive_errors, 255U));
   return frame;
 }
 

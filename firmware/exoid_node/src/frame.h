@@ -25,6 +25,22 @@ inline void put(Frame& frame, uint32_t start, uint32_t length, uint32_t value) {
   }
 }
 
+/// The `length` bits from bit `start` on.
+inline uint32_t get(const Frame& frame, uint32_t start, uint32_t length) {
+  uint32_t value = 0;
+  for (uint32_t at = 0; at < length; ++at) {
+    const uint32_t from = start + at;
+    value |= ((frame.data[from / 8] >> (from % 8)) & 1U) << at;
+  }
+  return value;
+}
+
+/// The signed number whose low `length` bits, at most 31, these are.
+inline int32_t with_sign(uint32_t bits, uint32_t length) {
+  const int32_t value = static_cast<int32_t>(bits);
+  return (bits >> (length - 1)) == 0 ? value : value - (INT32_C(1) << length);
+}
+
 inline uint32_t at_most(uint32_t value, uint32_t upper) { return value < upper ? value : upper; }
 
 inline uint32_t within(int32_t value, int32_t lower, int32_t upper) {

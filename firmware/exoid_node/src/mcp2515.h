@@ -4,27 +4,36 @@
 #pragma once
 
 #include "can_ids.h"
+#include "can_timing.h"
 #include "frame.h"
 #include "frame_queue.h"
+#include "mcp2515_registers.h"
 
 namespace exoid {
 
 /// `Spi` has `begin()` and `exchange(bytes, count)`, which sends bytes and puts in their place
-/// what came back. `Timing` has the registers CNF1 to CNF3, `Ids` the frames to listen to.
-template <class Spi, class Timing, class Ids>
+/// what came back. `CRYSTAL` is the controller's [Hz], `Ids` has the frames to listen to.
+template <class Spi, uint32_t CRYSTAL, class Ids>
 class Mcp2515 {
- public:
-  explicit Mcp2515(Spi& spi) : spi_(spi) {}
+  static_assert(Ids::COUNT <= 6, "the controller has six filters");
 
-  void begin() { spi_.begin(); }
+ public:
+  explicit Mcp2515(Spi& spi) : spi_(spi), registers_(spi) {}
+
+  /// `bit_rate` is one that the crystal can do [bit/s].
+  void begin(uint32_t bit_rate) {
+    timing_ = can_registers(CRYSTAL, bit_rate);
+    spi_.begin();
+  }
 
   /// Whether the controller is on the bus.
   bool is_up() const { return state_ == UP; }
 
-  /// Times it was set up, whether it counts many errors, and whether it has left the bus for them.
+  /// Times it was set up, its error counters, and whether it has left the bus for errors.
   uint32_t starts() const { return starts_; }
-  bool is_passive() const { return is_up() && (flags_ & PASSIVE) != 0; }
-  bool is_off() const { return is_up() && (flags_ & BUS_OFF) != 0; }
+  uint8_t transmit_errors() const { return is_up() ? errors_[0] : 0; }
+  uint8_t receive_errors() const { return is_up() ? errors_[1] : 0; }
+  bool is_off() const { return is_up() && off_ > 0; }
 
   /// Queues a frame. Returns false where a frame was lost, this one or one since the last call;
   /// before a controller was ever there, nobody listens and none is lost.
@@ -38,7 +47,7 @@ class Mcp2515 {
   /// Takes the next frame that came and is of those the node understands.
   bool receive(Frame& frame) {
     if (Ids::COUNT == 0 || !is_up()) return false;
-    const uint8_t full = status() & (RECEIVED_0 | RECEIVED_1);
+    const uint8_t full = registers_.status() & (RECEIVED_0 | RECEIVED_1);
     if (full == 0) return false;
     uint8_t bytes[1 + HEAD + sizeof frame.data] = {};
     bytes[0] = full & RECEIVED_0 ? READ_BUFFER_0 : READ_BUFFER_1;
@@ -61,7 +70,7 @@ class Mcp2515 {
         if (since >= START_UP_MS) enter(configure() ? STARTING : DOWN, now_ms);
         return;
       case STARTING:
-        if ((read(CANSTAT) & MODE) == NORMAL) return come_up(now_ms);
+        if ((registers_.read(CANSTAT) & MODE) == NORMAL) return come_up(now_ms);
         if (since >= JOIN_MS) enter(DOWN, now_ms);
         return;
       case UP:
@@ -79,15 +88,16 @@ class Mcp2515 {
   static constexpr uint32_t CHECK_MS = 10;
   static constexpr uint8_t LONGEST_OFF = 20;  // checks; rejoining takes 128 * 11 bits
 
-  static constexpr uint8_t RESET = 0xC0, WRITE = 0x02, READ = 0x03, READ_STATUS = 0xA0;
+  using Registers = Mcp2515Registers<Spi>;
+  static constexpr uint8_t READ = Registers::READ, WRITE = Registers::WRITE;
   static constexpr uint8_t LOAD_BUFFER_0 = 0x40, REQUEST_0 = 0x81;
   static constexpr uint8_t READ_BUFFER_0 = 0x90, READ_BUFFER_1 = 0x94;
 
-  static constexpr uint8_t CANSTAT = 0x0E, CANCTRL = 0x0F, CNF3 = 0x28;
+  static constexpr uint8_t CANSTAT = 0x0E, CANCTRL = 0x0F, TEC = 0x1C, CNF3 = 0x28;
   static constexpr uint8_t RXB0CTRL = 0x60, RXB1CTRL = 0x70;
   static constexpr uint8_t FILTERS = 0x00, MORE_FILTERS = 0x10, MASKS = 0x20;
   static constexpr uint8_t MODE = 0xE0, NORMAL = 0x00, ROLL_OVER = 0x04;
-  static constexpr uint8_t BUS_OFF = 0x20, PASSIVE = 0x18;  // of EFLG
+  static constexpr uint8_t BUS_OFF = 0x20;  // of EFLG
   static constexpr uint8_t RECEIVED_0 = 0x01, RECEIVED_1 = 0x02, REQUESTED_0 = 0x04;
   static constexpr uint8_t EXTENDED = 0x08, REMOTE = 0x10, LENGTH = 0x0F;
   static constexpr uint8_t HEAD = 5, FRAME_BYTES = 8;  // SIDH SIDL EID8 EID0 DLC, then data
@@ -98,8 +108,7 @@ class Mcp2515 {
   }
 
   void reset(uint32_t now_ms) {
-    uint8_t bytes[] = {RESET};
-    spi_.exchange(bytes, sizeof bytes);
+    registers_.reset();
     tried_ = true;
     enter(RESETTING, now_ms);
   }
@@ -108,28 +117,28 @@ class Mcp2515 {
   bool configure() {
     for (uint8_t at = 0; at < 6; ++at) {
       const uint8_t block = at < 3 ? FILTERS : MORE_FILTERS;
-      write_id(static_cast<uint8_t>(block + at % 3 * 4), Ids::filter(at));
+      registers_.write_id(static_cast<uint8_t>(block + at % 3 * 4), Ids::filter(at));
     }
-    write_id(MASKS, NO_CAN_ID);
-    write_id(MASKS + 4, NO_CAN_ID);
-    write(RXB0CTRL, ROLL_OVER);
-    write(RXB1CTRL, 0);
-    uint8_t timing[] = {WRITE, CNF3, Timing::CNF3, Timing::CNF2, Timing::CNF1, 0, 0};
+    registers_.write_id(MASKS, NO_CAN_ID);
+    registers_.write_id(MASKS + 4, NO_CAN_ID);
+    registers_.write(RXB0CTRL, ROLL_OVER);
+    registers_.write(RXB1CTRL, 0);
+    uint8_t timing[] = {WRITE, CNF3, timing_.cnf3, timing_.cnf2, timing_.cnf1, 0, 0};
     spi_.exchange(timing, sizeof timing);
     uint8_t now[2 + 3] = {READ, CNF3};
     spi_.exchange(now, sizeof now);
-    write(CANCTRL, NORMAL);
+    registers_.write(CANCTRL, NORMAL);
     return keeps_timing(now + 2);
   }
 
-  static bool keeps_timing(const uint8_t* from_cnf3) {
-    const uint8_t cnf3 = Timing::CNF3, cnf2 = Timing::CNF2, cnf1 = Timing::CNF1;
-    return from_cnf3[0] == cnf3 && from_cnf3[1] == cnf2 && from_cnf3[2] == cnf1;
+  bool keeps_timing(const uint8_t* from_cnf3) const {
+    return from_cnf3[0] == timing_.cnf3 && from_cnf3[1] == timing_.cnf2 &&
+           from_cnf3[2] == timing_.cnf1;
   }
 
   void come_up(uint32_t now_ms) {
     ++starts_;
-    flags_ = off_ = 0;
+    off_ = errors_[0] = errors_[1] = 0;
     enter(UP, now_ms);
   }
 
@@ -137,19 +146,28 @@ class Mcp2515 {
   bool check(uint32_t now_ms) {
     uint8_t now[2 + 8] = {READ, CNF3};  // CNF3 CNF2 CNF1 CANINTE CANINTF EFLG CANSTAT CANCTRL
     spi_.exchange(now, sizeof now);
-    flags_ = now[7];
-    off_ = static_cast<uint8_t>(flags_ & BUS_OFF ? off_ + 1 : 0);
+    off_ = static_cast<uint8_t>(now[7] & BUS_OFF ? off_ + 1 : 0);
     since_ms_ = now_ms;
-    if (keeps_timing(now + 2) && (now[8] & MODE) == NORMAL && off_ <= LONGEST_OFF) return true;
+    if (keeps_timing(now + 2) && (now[8] & MODE) == NORMAL && off_ <= LONGEST_OFF) {
+      count_errors();
+      return true;
+    }
     queue_.clear();
     lost_ = true;
     reset(now_ms);
     return false;
   }
 
+  void count_errors() {
+    uint8_t now[2 + 2] = {READ, TEC};  // TEC REC
+    spi_.exchange(now, sizeof now);
+    errors_[0] = now[2];
+    errors_[1] = now[3];
+  }
+
   /// Only one of the three transmit buffers is used: so frames leave in their order.
   void send_next() {
-    if (queue_.is_empty() || (status() & REQUESTED_0) != 0) return;
+    if (queue_.is_empty() || (registers_.status() & REQUESTED_0) != 0) return;
     const Frame& frame = queue_.front();
     const uint8_t high = static_cast<uint8_t>(frame.id >> 3);
     const uint8_t low = static_cast<uint8_t>(frame.id << 5);
@@ -161,35 +179,14 @@ class Mcp2515 {
     queue_.pop();
   }
 
-  uint8_t status() {
-    uint8_t bytes[] = {READ_STATUS, 0};
-    spi_.exchange(bytes, sizeof bytes);
-    return bytes[1];
-  }
-
-  uint8_t read(uint8_t from) {
-    uint8_t bytes[] = {READ, from, 0};
-    spi_.exchange(bytes, sizeof bytes);
-    return bytes[2];
-  }
-
-  void write(uint8_t to, uint8_t value) {
-    uint8_t bytes[] = {WRITE, to, value};
-    spi_.exchange(bytes, sizeof bytes);
-  }
-
-  void write_id(uint8_t to, uint16_t id) {
-    const uint8_t high = static_cast<uint8_t>(id >> 3), low = static_cast<uint8_t>(id << 5);
-    uint8_t bytes[] = {WRITE, to, high, low, 0, 0};
-    spi_.exchange(bytes, sizeof bytes);
-  }
-
   Spi& spi_;
+  Registers registers_;
+  CanRegisters timing_ = {0, 0, 0};
   FrameQueue queue_;
   uint32_t since_ms_ = 0;  // of the state, or of the last check
   uint32_t starts_ = 0;
   State state_ = DOWN;
-  uint8_t flags_ = 0;  // of errors, at the last check
+  uint8_t errors_[2] = {0, 0};  // of transmission and reception, at the last check
   uint8_t off_ = 0;  // checks that found it off the bus, one after the other
   bool tried_ = false;
   bool lost_ = false;

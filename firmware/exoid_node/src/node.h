@@ -1,4 +1,4 @@
-/// The node's work: one sample per tick of the timer, three frames per sample, clock and health.
+/// The node's work: one sample per tick of the timer, three frames per sample, and the clock.
 
 #pragma once
 
@@ -6,14 +6,14 @@
 
 namespace exoid {
 
-/// `Uplink` has `bool send(const Frame&)`, false where a frame was lost. `Clock` has `ticks()`,
-/// the ticks of the sampling timer since its start, and `age_us()`, the time since the last.
-/// `Condition` has `describe(Health&)`.
-template <class Encoder, class Imu, class Uplink, class Clock, class Condition>
+/// `Encoder` reads ZERO_COUNT where the knee is extended, and more in extension. `Uplink` has
+/// `bool send(const Frame&)`, false where a frame was lost. `Clock` has `ticks()`, the ticks of the
+/// sampling timer since its start, and `age_us()`, the time since the last.
+template <class Encoder, class Imu, class Uplink, class Clock>
 class Node {
  public:
-  Node(Encoder& encoder, Imu& imu, Uplink& uplink, const Clock& clock, const Condition& condition)
-      : encoder_(encoder), imu_(imu), uplink_(uplink), clock_(clock), condition_(condition) {}
+  Node(Encoder& encoder, Imu& imu, Uplink& uplink, const Clock& clock)
+      : encoder_(encoder), imu_(imu), uplink_(uplink), clock_(clock) {}
 
   /// Does what is due; returns whether that was a sample. Call it as often as possible.
   bool run() {
@@ -22,18 +22,18 @@ class Node {
       sample(now);
       return true;
     }
-    if (tick_ > 0 && clock_.age_us() >= TICK_US / 2) {
-      if (tick_ - told_ >= TICKS_PER_TIME) {
-        tell_time();
-      } else if (tick_ - described_ >= TICKS_PER_HEALTH) {
-        tell_health();
-      }
-    }
+    if (tick_ > 0 && tick_ - told_ >= TICKS_PER_TIME && clock_.age_us() >= TICK_US / 2) tell_time();
     return false;
   }
 
   /// Starts the filter again at the next tick: whoever now begins to listen hears all of it.
   void restart() { estimator_.restart(); }
+
+  /// A frame was lost that the node has not sent itself; the next STATE tells it.
+  void tell_loss() { lossy_ = true; }
+
+  /// Whether the last sample had both an angle and a rate.
+  bool healthy() const { return healthy_; }
 
  private:
   void sample(uint32_t now) {
@@ -46,6 +46,7 @@ class Node {
     read_encoder(sample);
     read_imu(sample);
     const uint32_t age = clock_.age_us();
+    healthy_ = !(sample.encoder_fault || sample.magnet_missing || sample.imu_fault);
 
     State state = estimator_.update(sample, missed);
     state.counter = tick_ & 255U;
@@ -57,7 +58,7 @@ class Node {
   void read_encoder(Sample& sample) {
     EncoderReading reading = {};
     sample.encoder_fault = !encoder_.read(reading);
-    sample.count = sample.encoder_fault ? ZERO_COUNT : mounted(reading.count);
+    sample.count = sample.encoder_fault ? ZERO_COUNT : reading.count;
     sample.magnet_missing = reading.magnet_missing;
     sample.magnet_strength = reading.magnet_strength;
   }
@@ -88,14 +89,6 @@ class Node {
     send(pack(time));
   }
 
-  void tell_health() {
-    described_ = tick_;
-    Health health = {};
-    health.counter = tick_ & 255U;
-    condition_.describe(health);
-    send(pack(health));
-  }
-
   void send(const Frame& frame) {
     const bool sent = uplink_.send(frame);
     lossy_ = lossy_ || !sent;
@@ -105,12 +98,11 @@ class Node {
   Imu& imu_;
   Uplink& uplink_;
   const Clock& clock_;
-  const Condition& condition_;
   Estimator estimator_;
   uint32_t tick_ = 0;                     // of the last sample; 0 before the first
   uint32_t told_ = 0U - TICKS_PER_TIME;  // tick of the last TIME
-  uint32_t described_ = 0;               // tick of the last HEALTH
   uint32_t missed_ = 0;
+  bool healthy_ = true;
   bool lossy_ = false;  // late, or a frame lost, since the last STATE that was sent
 };
 

@@ -4,12 +4,12 @@
 
 #include <stddef.h>
 
-#include "frame.h"
+#include "slcan_frame.h"
 
 namespace exoid {
 
-/// Answers the commands C, O, S, V, N and F, is silent until the host opens the channel, and drops
-/// frames while the host does not read. Nothing here waits.
+/// Answers the commands C, O, S, V, N and F, takes frames by t, is silent until the host opens the
+/// channel, and drops frames while the host does not read. Nothing here waits.
 class Slcan {
  public:
   /// Queues a frame. Returns false, and remembers for F, where a frame was lost: this one, for
@@ -49,6 +49,14 @@ class Slcan {
     const bool opened = just_opened_;
     just_opened_ = false;
     return opened;
+  }
+
+  /// Takes away the frame that the host has sent; returns false where there is none.
+  bool received(Frame& frame) {
+    if (!has_frame_) return false;
+    frame = frame_;
+    has_frame_ = false;
+    return true;
   }
 
   /// The bytes to send next, and how many lie there in one piece.
@@ -97,8 +105,16 @@ class Slcan {
       case 'V': return put_text("V0101\r");
       case 'N': return put_text("NEXO1\r");
       case 'F': return put_flags();
+      case 't': return take_frame();
       default: return put(BELL);
     }
+  }
+
+  /// One at a time: who sends a second before the first was looked at is refused.
+  void take_frame() {
+    const bool taken = open_ && !has_frame_ && read_frame(line_, length_, frame_);
+    has_frame_ = has_frame_ || taken;
+    put(taken ? RETURN : BELL);
   }
 
   void open() {
@@ -161,29 +177,8 @@ class Slcan {
   bool dropped_ = false;  // a frame, since the host last asked
   bool lost_ = false;     // a frame, since the last one was queued
   bool torn_ = false;     // the host may have a piece of a line
+  Frame frame_ = {};      // from the host
+  bool has_frame_ = false;
 };
-
-constexpr int LONGEST_INPUT = 64;  // bytes taken at once: a host that floods must not stop a sample
-
-/// Moves bytes between `slcan` and a port with the four functions of Arduino's serial ports. The
-/// port's `write` returns how much it took, or more where it lost what it had.
-template <class Port>
-void exchange(Slcan& slcan, Port& port) {
-  for (int taken = 0; taken < LONGEST_INPUT && port.available() > 0; ++taken) {
-    slcan.receive(static_cast<char>(port.read()));
-  }
-  const int room = port.availableForWrite();
-  const uint8_t* bytes = nullptr;
-  const size_t pending = slcan.pending(bytes);
-  const size_t count = static_cast<int>(pending) < room ? pending : static_cast<size_t>(room);
-  if (room <= 0 || count == 0) return;
-  // In one piece: every write is a packet on USB.
-  const size_t taken = port.write(bytes, count);
-  if (taken <= count) {
-    slcan.sent(taken);
-  } else {
-    slcan.lose();
-  }
-}
 
 }  // namespace exoid

@@ -9,6 +9,12 @@
 
 namespace simulated {
 
+/// The two rows of flash for the settings.
+struct FlashModel {
+  uint8_t slots[2][64] = {};
+  bool works = true;  // else it takes nothing, and says nothing of it
+};
+
 struct Board {
   uint64_t now_us = 0;
   chips::Board chips;
@@ -16,6 +22,8 @@ struct Board {
   Mcp2515Model can{now_us};
   UsbModel usb{now_us};
   WatchdogModel watchdog{now_us};
+  FlashModel flash;
+  bool lit = false;           // the status LED
   uint8_t reset_cause = 1;    // bits of RCAUSE: its supply was turned on
   bool timer_stands = false;  // the sampling timer ticks no more, until it is begun again
 

@@ -10,9 +10,9 @@ constexpr uint8_t CANSTAT = 0x0E, CANCTRL = 0x0F, TEC = 0x1C, CNF3 = 0x28, CNF2 
 constexpr uint8_t CANINTF = 0x2C, EFLG = 0x2D, TXB0 = 0x30, RXB[2] = {0x60, 0x70};
 constexpr uint8_t REQUESTED = 0x08, OFF = 0x20, PASSIVE = 0x10;
 constexpr uint32_t FRAME_US = 270, RETRY_US = 300, REJOIN_US = 3000;
-constexpr uint32_t BIT_RATE = 500000, CRYSTAL = 8000000;
+constexpr uint32_t CRYSTAL = 8000000;
 
-uint32_t bit_rate(const uint8_t* registers) {
+uint32_t bit_rate_of(const uint8_t* registers) {
   const uint32_t quanta = 4 + (registers[CNF2] & 7U) + (registers[CNF2] >> 3 & 7U) +
                           (registers[CNF3] & 7U);
   return CRYSTAL / 2 / ((registers[CNF1] & 63U) + 1) / quanta;
@@ -28,7 +28,12 @@ void Mcp2515Model::power_on() {
   registers_[CANSTAT] = 0x80;
   registers_[CANCTRL] = 0x87;
   registers_[0x40] = registers_[0x50] = registers_[RXB[0]] = registers_[RXB[1]] = 0;
-  errors_ = 0;
+  count_errors(0);
+}
+
+void Mcp2515Model::count_errors(uint16_t errors) {
+  errors_ = errors;
+  registers_[TEC] = static_cast<uint8_t>(errors);
 }
 
 void Mcp2515Model::set_answer(Answer answer) {
@@ -84,7 +89,7 @@ uint8_t Mcp2515Model::command(uint8_t byte) {
   if (byte == 0x40) at_ = TXB0 + 1;
   if (byte == 0x90 || byte == 0x94) at_ = static_cast<uint8_t>(RXB[byte == 0x94] + 1);
   if (byte == 0x81 && is_normal()) {
-    if (bit_rate(registers_) != BIT_RATE) violated("the CAN bus runs at 500 kbit/s");
+    if (bit_rate_of(registers_) != bit_rate) violated("the node keeps the bit rate of its bus");
     registers_[TXB0] |= REQUESTED;
     done_us_ = now_us_ + FRAME_US;
   }
@@ -112,7 +117,7 @@ void Mcp2515Model::advance() {
   if (registers_[EFLG] & OFF) {
     if (stays_off || now_us_ < done_us_) return;
     registers_[EFLG] = 0;
-    errors_ = 0;
+    count_errors(0);
     done_us_ = now_us_ + FRAME_US;
   }
   if (is_normal() && (registers_[TXB0] & REQUESTED) && now_us_ >= done_us_) send(done_us_);
@@ -121,7 +126,7 @@ void Mcp2515Model::advance() {
 /// The end of a frame that was sent, or of one that nobody acknowledged and that is sent again.
 void Mcp2515Model::send(uint64_t at_us) {
   if (!acknowledged) {
-    errors_ = static_cast<uint16_t>(errors_ < 128 ? errors_ + 8 : 128);
+    count_errors(static_cast<uint16_t>(errors_ < 128 ? errors_ + 8 : 128));
     registers_[EFLG] = errors_ < 128 ? 0 : PASSIVE;
     done_us_ = now_us_ + RETRY_US;
     return;
@@ -131,7 +136,7 @@ void Mcp2515Model::send(uint64_t at_us) {
   exoid::Frame frame = {static_cast<uint16_t>(from[0] << 3 | from[1] >> 5), {}};
   if (from[4] != 8 || (from[1] & 0x08)) violated("every frame is classic, of 8 bytes");
   for (uint8_t at = 0; at < 8; ++at) frame.data[at] = from[5 + at];
-  errors_ = static_cast<uint16_t>(errors_ > 0 ? errors_ - 1 : 0);
+  count_errors(static_cast<uint16_t>(errors_ > 0 ? errors_ - 1 : 0));
   if (errors_ == 0) registers_[EFLG] = 0;
   on_can_frame(frame, at_us);
 }
@@ -144,11 +149,18 @@ void Mcp2515Model::go_off(uint64_t at_us) {
 }
 
 void Mcp2515Model::hear(uint32_t id, bool extended, uint8_t length) {
+  const uint8_t data[8] = {0xE0, 0xE1, 0xE2, 0xE3, 0xE4, 0xE5, 0xE6, 0xE7};
+  hear(id, extended, length, data);
+}
+
+void Mcp2515Model::hear(const exoid::Frame& frame) { hear(frame.id, false, 8, frame.data); }
+
+void Mcp2515Model::hear(uint32_t id, bool extended, uint8_t length, const uint8_t* data) {
   if (answer_ != ANSWERS || !is_normal()) return;
   const bool first = accepts(0, id, extended), rolls = (registers_[RXB[0]] & 0x04) != 0;
-  if (first && !(registers_[CANINTF] & 1U)) return keep(0, id, extended, length);
+  if (first && !(registers_[CANINTF] & 1U)) return keep(0, id, extended, length, data);
   const bool second = accepts(1, id, extended) || (first && rolls);
-  if (second && !(registers_[CANINTF] & 2U)) keep(1, id, extended, length);
+  if (second && !(registers_[CANINTF] & 2U)) keep(1, id, extended, length, data);
 }
 
 bool Mcp2515Model::accepts(uint8_t buffer, uint32_t id, bool extended) const {
@@ -165,13 +177,14 @@ bool Mcp2515Model::accepts(uint8_t buffer, uint32_t id, bool extended) const {
   return false;
 }
 
-void Mcp2515Model::keep(uint8_t buffer, uint32_t id, bool extended, uint8_t length) {
+void Mcp2515Model::keep(uint8_t buffer, uint32_t id, bool extended, uint8_t length,
+                        const uint8_t* data) {
   uint8_t* to = registers_ + RXB[buffer] + 1;
   const uint32_t standard = extended ? id >> 18 : id;
   to[0] = static_cast<uint8_t>(standard >> 3);
   to[1] = static_cast<uint8_t>(standard << 5 | (extended ? 0x08U : 0U));
   to[4] = length;
-  for (uint8_t at = 0; at < 8; ++at) to[5 + at] = static_cast<uint8_t>(0xE0 + at);
+  for (uint8_t at = 0; at < 8; ++at) to[5 + at] = data[at];
   registers_[CANINTF] = static_cast<uint8_t>(registers_[CANINTF] | (1U << buffer));
   ++received_;
 }

@@ -1,4 +1,4 @@
-/// An MCP2515 with a crystal of 8 MHz on a bus of 500 kbit/s, by its SPI commands and registers.
+/// An MCP2515 with a crystal of 8 MHz on a bus, by its SPI commands and registers.
 
 #pragma once
 
@@ -19,6 +19,7 @@ class Mcp2515Model {
   bool shorted = false;      // the bus
   bool hears_all = false;    // its filters let in what they should not
   bool stays_off = false;    // once off the bus, as some copies of the chip do
+  uint32_t bit_rate = 500000;
 
   /// Unpowered, or its MISO torn off: what the program then reads is the level of the line.
   void set_answer(Answer answer);
@@ -31,6 +32,7 @@ class Mcp2515Model {
 
   /// A frame of another node.
   void hear(uint32_t id, bool extended, uint8_t length);
+  void hear(const exoid::Frame& frame);
 
   /// Does what is due on the bus.
   void advance();
@@ -48,7 +50,9 @@ class Mcp2515Model {
   void go_off(uint64_t at_us);
   bool is_normal() const { return (registers_[0x0E] & 0xE0) == 0; }
   bool accepts(uint8_t buffer, uint32_t id, bool extended) const;
-  void keep(uint8_t buffer, uint32_t id, bool extended, uint8_t length);
+  void hear(uint32_t id, bool extended, uint8_t length, const uint8_t* data);
+  void keep(uint8_t buffer, uint32_t id, bool extended, uint8_t length, const uint8_t* data);
+  void count_errors(uint16_t errors);
   void put(uint8_t at, uint8_t value);
   uint8_t command(uint8_t byte);
   uint8_t stored(uint8_t at) const;

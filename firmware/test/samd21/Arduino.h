@@ -1,4 +1,4 @@
-/// The registers of the SAMD21 that the sampling timer uses, as memory: names as in its headers.
+/// The registers of the SAMD21 that timer and flash use, as memory: names as in its headers.
 
 #pragma once
 
@@ -46,6 +46,34 @@ constexpr uint32_t TC_INTENSET_MC0 = 1U << 4, TC_INTFLAG_MC0 = 1U << 4;
 
 extern GenericClock* const GCLK;
 extern TimerCounter* const TC3;
+
+/// A register whose writing does something.
+struct FlashCommand {
+  void operator=(uint16_t command);
+};
+
+struct FlashController {
+  struct {
+    FlashCommand reg;
+  } CTRLA;
+  struct {
+    struct {
+      bool MANW;
+    } bit;
+  } CTRLB;
+  Register ADDR;
+  struct {
+    struct {
+      bool READY;
+    } bit;
+  } INTFLAG;
+};
+
+constexpr uint32_t NVMCTRL_CTRLA_CMDEX_KEY = 0xA500;
+constexpr uint32_t NVMCTRL_CTRLA_CMD_ER = 0x02, NVMCTRL_CTRLA_CMD_WP = 0x04;
+constexpr uint32_t NVMCTRL_CTRLA_CMD_PBC = 0x44, NVMCTRL_CTRLA_CMD_INVALL = 0x46;
+
+extern FlashController* const NVMCTRL;
 
 void NVIC_EnableIRQ(Interrupt number);
 uint32_t micros();

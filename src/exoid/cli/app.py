@@ -21,6 +21,7 @@ COMMANDS = {
     "plan": "Say which recording would narrow a quantity most, or tell rival causes apart.",
     "compare": "Show two saved results side by side: two days, two sides, or two settings.",
     "record": "Record the node's frames, and what is known of the leg, until Ctrl-C.",
+    "node": "Commission the node on the leg: find it, set its zero, direction, id and bit rate.",
     "simulate": "Simulate drops and cycles of a leg and write them as a recording.",
     "convert": "Write a recording as exoid's table (.csv or .parquet) with its sidecar (.toml).",
 }
@@ -37,9 +38,12 @@ app = typer.Typer(
 
 
 def load(name: str):
-    """The command of that name: in `commands`, a function and its file bear it."""
+    """The command of that name: in `commands`, a function, or a group, and its file bear it."""
+    found = getattr(import_module(f"exoid.cli.commands.{name}"), name)
+    if isinstance(found, typer.Typer):
+        return get_command(found)
     alone = typer.Typer(add_completion=False, **PLAIN)
-    alone.command(name)(getattr(import_module(f"exoid.cli.commands.{name}"), name))
+    alone.command(name)(found)
     return get_command(alone)
 
 

@@ -25,6 +25,10 @@ def record(
         str, typer.Option(help="Of python-can: slcan, socketcan, pcan, kvaser, ...")
     ] = "slcan",
     bitrate: Annotated[int, typer.Option(min=1, help="Of the bus [bit/s].")] = 500_000,
+    node: Annotated[
+        int | None,
+        typer.Option(min=0, max=15, help="Record this one of several nodes.", metavar="ID"),
+    ] = None,
     duration: Annotated[
         Number, typer.Option(min=0.1, help="Stop so long after the first frame [s].", metavar="S")
     ] = None,
@@ -86,6 +90,6 @@ def record(
     from exoid.cli.live.session import Session
 
     with stoppable() as stopped, Screen() as screen, keyboard(segment) as pressed:
-        session = Session(log, subject, screen, pressed if segment else None)
+        session = Session(log, subject, screen, pressed if segment else None, node)
         session.run(BusAddress(interface, channel, bitrate), stopped, duration)
     conclude(session)

@@ -33,9 +33,10 @@ class Session:
         subject: Subject,
         screen: Screen,
         pressed: Callable[[], str] | None,
+        node: int | None = None,
     ):
         self.log, self.subject, self.screen, self.pressed = log, subject, screen, pressed
-        self.watch = Watch(screen.tell, config_crc())
+        self.watch = Watch(screen.tell, config_crc(), node)
         self.marks = Marks()
         self.described: bytes | None = None  # what the sidecar says, as it was written
         self.beside = False  # another wrote the sidecar meanwhile

@@ -15,9 +15,16 @@ EXOID_DBC = Path(__file__).with_name("exoid.dbc")
 LONGEST_CYCLE = 1e9  # ms
 FLOAT_LENGTHS = (16, 32, 64)
 
-MESSAGE = re.compile(r"^BO_ (\d+) (\w+): (\d+) \w+$((?:\n SG_ .*)*)", re.MULTILINE)
-SIGNAL = re.compile(r' SG_ (\w+) : (\d+)\|(\d+)@1([+-]) \(([^,]+),([^)]+)\) \[[^]]*\] "([^"]*)"')
-PERIOD = re.compile(r'^BA_ "GenMsgCycleTime" BO_ (\d+) (\d+);', re.MULTILINE)
+GAP = r"[ \t]*"
+MESSAGE = re.compile(
+    rf"^{GAP}BO_ +(\d+) +(\w+){GAP}:{GAP}(\d+) +\w+{GAP}$((?:\n{GAP}SG_ .*)*)", re.MULTILINE
+)
+SIGNAL = re.compile(
+    rf"SG_ +(\w+){GAP}:{GAP}(\d+)\|(\d+)@1([+-]){GAP}\(([^,]+),([^)]+)\){GAP}"
+    rf'\[[^]]*\]{GAP}"([^"]*)"'
+)
+STRIDE = re.compile(rf'^{GAP}BA_ +"NodeStride" +(\d+){GAP};', re.MULTILINE)
+PERIOD = re.compile(rf'^{GAP}BA_ +"GenMsgCycleTime" +BO_ +(\d+) +(\d+){GAP};', re.MULTILINE)
 
 
 class DbcError(ValueError):
@@ -26,8 +33,24 @@ class DbcError(ValueError):
 
 @cache
 def exoid_messages() -> dict[str, MessagePlan]:
-    """The node's messages by name, from exoid.dbc."""
-    text = EXOID_DBC.read_text(encoding="utf-8")
+    """The messages of the node with the id 0, and those to any node, by name from exoid.dbc."""
+    return messages_in(EXOID_DBC.read_text(encoding="utf-8"))
+
+
+@cache
+def node_stride() -> int:
+    """How far the identifiers of a node lie above those of the node before it."""
+    return stride_in(EXOID_DBC.read_text(encoding="utf-8"))
+
+
+def stride_in(text: str) -> int:
+    """The `NodeStride` of the text of a DBC; 0 where it has none."""
+    found = STRIDE.search(text)
+    return 0 if found is None else int(found[1])
+
+
+def messages_in(text: str) -> dict[str, MessagePlan]:
+    """The messages of a DBC's text that is laid out as exoid.dbc is, by name."""
     periods = {int(identifier): int(ms) / 1000 for identifier, ms in PERIOD.findall(text)}
     return {
         name: MessagePlan(

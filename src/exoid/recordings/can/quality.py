@@ -74,6 +74,7 @@ class LogQuality:
     missed_ticks: int = 0  # ticks the node itself reports as missed
     config_crc: int | None = None
     design: str | None = None  # which of the node's filters ran, as [sensors] filter has it
+    commissioned: tuple[str, ...] = ()  # zero, direction and firmware, and what changed of them
     filter: FilterEffect | None = None
     announced: int | None = None
     found: int | None = None
@@ -143,6 +144,7 @@ class LogQuality:
             lines += clock_lines(self.clock_rate)
         if self.host_jitter is not None:
             lines.append(f"host time jitters by {self.host_jitter * 1e3:.2f} ms (not used)")
+        lines += self.commissioned
         lines += self.losses()
         lines += [f"{frames.foreign} frame(s) of other nodes"] if frames.foreign else []
         lines += [f"{frames.error} error frame(s) on the bus"] if frames.error else []

@@ -23,6 +23,10 @@ class MessageFrames:
         """A signal of every frame, in its unit."""
         return self.plan.values(self.frames.data, name)
 
+    def where(self, chosen: Bool[np.ndarray, " frame"]) -> "MessageFrames":
+        """The frames that a mask chooses."""
+        return MessageFrames(self.plan, self.order[chosen], self.frames.where(chosen))
+
 
 @dataclass(frozen=True, eq=False)
 class SortedFrames:

@@ -79,6 +79,19 @@ class LiveBus:
         self.bad += 1
         return None
 
+    def send(self, message: can.Message) -> None:
+        """Put a frame on the bus. **Raises** `CanBusError` where it does not take it."""
+        try:
+            if self.bus is None:
+                raise can.CanOperationError("it is not there")
+            self.bus.send(message)
+        except (can.CanError, OSError) as fault:
+            reason = plain(str(fault.__cause__ or fault))
+            raise CanBusError(
+                f"{self.address} takes no frame: {reason}. Check that it is plugged in, and that "
+                "another device on the bus acknowledges."
+            ) from fault
+
     def lose(self, reason: str) -> None:
         """The bus is gone: say so once, and let go of it."""
         self.close()

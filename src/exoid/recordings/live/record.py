@@ -8,15 +8,18 @@ from exoid.recordings.live.watch import Watch
 
 
 def record(bus: LiveBus, log: LogFile, watch: Watch, going: Callable[[], bool]) -> None:
-    """Write every frame that comes, as long as `going`, which is asked at least every 50 ms.
+    """Write every frame that comes and is wanted, as long as `going`.
+
+    That is asked at least every 50 ms.
 
     **Raises** `CanLogError` when the disk takes no more. The bus may go and come back.
     """
     while going():
         message = bus.receive()
         if message is not None:
-            log.write(message)
-            watch.see(message)
+            if watch.is_wanted(message):
+                log.write(message)
+                watch.see(message)
             continue
         log.save()
         if bus.gone is None:

@@ -9,17 +9,23 @@ from typing import Any
 import can
 import numpy as np
 
-from exoid.recordings.can.dbc import exoid_messages
-from exoid.recordings.can.decode import MessagePlan, SignalPlan
+from exoid.recordings.can.decode import MessagePlan
+from exoid.recordings.can.node.commissioned import SETTINGS
 from exoid.recordings.can.node.config_crc import filter_of
-from exoid.recordings.can.node.health import CONDITIONS, HEALTH
+from exoid.recordings.can.node.health import HEALTH
+from exoid.recordings.can.node.one_frame import unsigned
 from exoid.recordings.can.node.rows import SAMPLED, STATE, TIME
 from exoid.recordings.can.node.samples import STATUS
+from exoid.recordings.can.node.which import MEASURED, messages_of, senders
+from exoid.recordings.live.health_watch import HealthWatch
+from exoid.recordings.live.mounting_watch import MountingWatch
 from exoid.recordings.live.second_node import Alternation
+from exoid.recordings.live.silence import SILENT_SINCE, why_silent
 from exoid.recordings.live.tick_count import TickCount
 
 SILENCE = 2.0  # s without a frame of the node, after which a person should know
 RATED_OVER = 1.0  # s
+SEEN = (*MEASURED, SETTINGS, HEALTH)
 START_BIT = "FilterReset"  # a status bit that is no fault
 
 
@@ -39,13 +45,17 @@ class Status:
 class Watch:
     """Looks at every frame that is recorded, and at the silence between them."""
 
-    def __init__(self, tell: Callable[[str], Any], config_crc: int):
-        self.plans = {plan.identifier: plan for plan in exoid_messages().values()}
+    def __init__(self, tell: Callable[[str], Any], config_crc: int, only: int | None = None):
+        node = only or 0
+        self.plans = {messages_of(node)[name].identifier: messages_of(node)[name] for name in SEEN}
+        self.node, self.only = node, only  # the id of the node; whether to leave out others
         self.tell = tell
         self.told: set[str] = set()
         self.config_crc = config_crc
         self.ticks = TickCount()
         self.alternation = Alternation()
+        self.mounting, self.health = MountingWatch(), HealthWatch()
+        self.told_crc: int | None = None  # by the last EXO_TIME
         self.faults: Counter[str] = Counter()
         self.state: bytes | None = None  # of the last EXO_STATE
         self.frames = self.errors = self.ours = 0
@@ -61,6 +71,11 @@ class Watch:
         if self.ticks.tick is not None:
             return self.ticks.seconds
         return 0.0 if self.first is None else self.latest - self.first
+
+    def is_wanted(self, message: can.Message) -> bool:
+        """Whether it belongs into the log: where one of several nodes is recorded, not others'."""
+        sender = None if self.only is None else senders().get(message.arbitration_id)
+        return sender is None or sender[0] == self.only
 
     def see(self, message: can.Message) -> None:
         """A frame that was recorded."""
@@ -91,15 +106,15 @@ class Watch:
         )
 
     def see_ours(self, plan: MessagePlan, data: bytes, host: float) -> None:
+        if plan.name in (SETTINGS, HEALTH):
+            self.see_told(plan, data)
+            return
         told = {each.name: each for each in plan.signals}
         counter = unsigned(data, told["Counter"])
         if plan.name == TIME:
             self.ticks.clock(counter, unsigned(data, told["DeviceTime"]), host)
-            self.check_config(unsigned(data, told["ConfigCrc"]))
-            return
-        if plan.name == HEALTH:
-            for bit in (bit for bit in CONDITIONS if unsigned(data, told[bit])):
-                self.once(bit, f"{CONDITIONS[bit]}.")
+            self.told_crc = unsigned(data, told["ConfigCrc"])
+            self.check_config(self.told_crc)
             return
         reset = False
         if plan.name == STATE:
@@ -109,6 +124,13 @@ class Watch:
             self.faults.update(name for name in bits if name != START_BIT)
             self.check_alone(counter, data)
         self.ticks.sample(plan.name, counter, SAMPLED[plan.name], host, reset)
+
+    def see_told(self, plan: MessagePlan, data: bytes) -> None:
+        """Only a node that is known to tell of itself is believed to be the sender."""
+        if self.told_crc != self.config_crc:
+            return
+        for sentence in (self.health if plan.name == HEALTH else self.mounting).see(plan, data):
+            self.tell(sentence)
 
     def check_config(self, told: int) -> None:
         if told != self.config_crc and filter_of(told) is None:
@@ -137,21 +159,8 @@ class Watch:
     def silence(self, bad: int) -> str:
         """Why nothing may come of the node."""
         if self.ours:
-            return "it has fallen silent. Is it still powered, and on the bus?"
-        if self.frames > self.errors:
-            return (
-                "others come and are recorded, but none of 0x100 to 0x103. Is this its bus, and is "
-                "it powered? Frames of another device need its DBC to be read."
-            )
-        if bad:
-            return (
-                f"{bad} line(s) came that are no frames. Is this the right channel, with an slcan "
-                "adapter on it?"
-            )
-        return (
-            "the bus is silent. Check that the node is powered, the bit rate, the wiring and the "
-            "termination."
-        )
+            return SILENT_SINCE
+        return why_silent(self.frames > self.errors, bad, self.node)
 
     def once(self, key: str, sentence: str) -> None:
         if key not in self.told:
@@ -175,7 +184,10 @@ class Watch:
         """Angle [rad] and rate [rad/s] of the last EXO_STATE."""
         if self.state is None:
             return float("nan"), float("nan")
-        plan, frame = exoid_messages()[STATE], np.frombuffer(self.state, np.uint8).reshape(1, -1)
+        plan, frame = (
+            messages_of(self.node)[STATE],
+            np.frombuffer(self.state, np.uint8).reshape(1, -1),
+        )
         angle, velocity = (plan.values(frame, name) for name in ("Angle", "AngularVelocity"))
         return float(angle[0]), float(velocity[0])
 
@@ -186,8 +198,3 @@ class Watch:
             rate = (self.frames - before) / (now - since)
             self.rated = (now, self.frames, rate)
         return rate
-
-
-def unsigned(data: bytes, signal: SignalPlan) -> int:
-    """A little-endian unsigned signal of one frame, as it was sent."""
-    return int.from_bytes(data, "little") >> signal.start & ((1 << signal.length) - 1)

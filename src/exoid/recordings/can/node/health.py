@@ -3,23 +3,40 @@
 from exoid.recordings.can.sort import MessageFrames
 
 HEALTH = "EXO_HEALTH"
-CONDITIONS = {  # by the bit that is set
-    "WatchdogReset": "the node's watchdog has reset it (WatchdogReset): it had taken no sample for "
-    "125 ms",
-    "BrownOutReset": "the node's supply has dipped and reset it (BrownOutReset). Check battery and "
-    "cable",
-    "CanPassive": "the node's CAN controller counts many errors (CanPassive). Check the bit rate, "
-    "the wiring, and that both ends of the bus carry 120 ohm",
-    "CanOff": "the node's CAN controller has left the bus for its errors (CanOff). Check "
-    "whether its lines are shorted",
+PASSIVE = 128  # errors, from which on a controller no longer stops the frames of others
+CHECK = "Check the bit rate, the wiring, and that both ends of the bus carry 120 ohm"
+CONDITIONS = {  # by the signal: from which count on, and what it then means
+    "WatchdogReset": (
+        1,
+        "the node's watchdog has reset it (WatchdogReset): it had taken no sample for 125 ms",
+    ),
+    "BrownOutReset": (
+        1,
+        "the node's supply has dipped and reset it (BrownOutReset). Check battery and cable",
+    ),
+    "TransmitErrors": (
+        PASSIVE,
+        f"the node's CAN controller counts many errors of sending (TransmitErrors). {CHECK}",
+    ),
+    "ReceiveErrors": (
+        PASSIVE,
+        f"the node's CAN controller counts many errors of hearing (ReceiveErrors). {CHECK}",
+    ),
+    "CanOff": (
+        1,
+        "the node's CAN controller has left the bus for its errors (CanOff). Check whether its "
+        "lines are shorted",
+    ),
 }
 
 
-def health_lines(health: MessageFrames) -> tuple[str, ...]:
+def health_lines(health: MessageFrames | None) -> tuple[str, ...]:
     """What a person should know of the node's health over a whole log."""
-    if not health.order.size:
+    if health is None or not health.order.size:
         return ()
-    lines = [line for bit, line in CONDITIONS.items() if health.values(bit).any()]
+    lines = [
+        line for name, (least, line) in CONDITIONS.items() if health.values(name).max() >= least
+    ]
     releases, starts = (int(health.values(name).max()) for name in ("BusReleases", "CanStarts"))
     if releases:
         lines.append(

@@ -4,9 +4,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from exoid.recordings.can.dbc import exoid_messages
 from exoid.recordings.can.device_clock import PERIOD
 from exoid.recordings.can.frames import CanLogError, Log
+from exoid.recordings.can.node.commissioned import commissioned_lines
 from exoid.recordings.can.node.config_crc import config_crc, filter_of
 from exoid.recordings.can.node.health import HEALTH, health_lines
 from exoid.recordings.can.node.rows import (
@@ -19,6 +19,7 @@ from exoid.recordings.can.node.rows import (
     runs,
 )
 from exoid.recordings.can.node.samples import Samples, samples_of
+from exoid.recordings.can.node.which import MEASURED, nodes_in, read_by
 from exoid.recordings.can.quality import LogQuality, MessageCount, gaps_in
 from exoid.recordings.can.sort import MessageFrames, SortedFrames, sort_frames
 from exoid.recordings.filter.effect import filter_effect
@@ -30,19 +31,20 @@ FEWEST_SAMPLES = 2
 
 
 def read_exo(log: Log) -> tuple[Segment, LogQuality]:
-    """All samples of the node in a log.
+    """All samples of the node in a log; of several, that with the lowest id.
 
     **Raises** `CanLogError` when the log holds no usable frame of the node, or no valid angle.
     """
-    plans = exoid_messages()
-    ordered = sort_frames(log.frames, plans.values())
+    nodes = nodes_in(log.frames) or [0]
+    ordered = sort_frames(log.frames, read_by(log.frames, nodes[0]))
     require_exo_frames(log, ordered)
-    found = runs(ordered.messages)
+    measured = {name: ordered.messages[name] for name in MEASURED}
+    found = runs(measured)
     if sum(rows.tick.size for rows in found) < FEWEST_SAMPLES:
         raise CanLogError(f"{log.path} holds fewer than {FEWEST_SAMPLES} samples of the node.")
     rate = rate_of(found)
     found = on_one_clock(found, rate.factor if rate is not None else 1.0)
-    samples = samples_of(ordered.messages, found)
+    samples = samples_of(measured, found)
     quality = replace(quality_of(log, ordered, found, samples), clock_rate=rate)
     quality = replace(quality, design=filter_of(quality.config_crc))
     refuse_other_firmware(log, quality.config_crc)
@@ -53,7 +55,22 @@ def read_exo(log: Log) -> tuple[Segment, LogQuality]:
         )
     time = np.concatenate([rows.time for rows in found])
     segment = replace(Segment(time), **samples.channels)
-    return segment, replace(quality, filter=filter_effect(segment))
+    return segment, replace(
+        quality,
+        filter=filter_effect(segment),
+        commissioned=commissioned_lines(nodes[0], ordered.messages, found),
+        notes=several(nodes) + health_lines(ordered.messages.get(HEALTH)),
+    )
+
+
+def several(nodes: list[int]) -> tuple[str, ...]:
+    """What to say where more than one node is in a log."""
+    if len(nodes) < 2:
+        return ()
+    return (
+        f"the log holds the nodes {', '.join(map(str, nodes))}: node {nodes[0]} is read. Record "
+        "another one alone: exoid record --node ID.",
+    )
 
 
 def require_exo_frames(log: Log, ordered: SortedFrames) -> None:
@@ -110,7 +127,6 @@ def quality_of(log: Log, ordered: SortedFrames, found: list[Rows], samples: Samp
         announced=log.announced,
         found=log.found,
         stopped=log.stopped,
-        notes=health_lines(messages[HEALTH]),
     )
 
 

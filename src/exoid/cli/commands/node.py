@@ -1,0 +1,35 @@
+"""exoid node: the commands that commission the node on the leg."""
+
+import typer
+
+from exoid.cli.commands.on_node.find import find
+from exoid.cli.commands.on_node.identify import identify
+from exoid.cli.commands.on_node.set import set_up
+from exoid.cli.commands.on_node.show import show
+from exoid.cli.commands.on_node.zero import zero
+
+node = typer.Typer(
+    name="node",
+    help="""Commission the node on the leg: find it, set its zero, direction, id and bit rate.
+
+    The node keeps what it is told over a loss of power. Nothing is to be compiled.
+
+    \b
+    Examples:
+      exoid node find --channel /dev/ttyACM0
+      exoid node zero --channel /dev/ttyACM0 --angle -90
+      exoid node set --channel can0 --interface socketcan --id 2
+    """,
+    add_completion=False,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+for name, command in {
+    "find": find,
+    "show": show,
+    "zero": zero,
+    "set": set_up,
+    "identify": identify,
+}.items():
+    node.command(name)(command)

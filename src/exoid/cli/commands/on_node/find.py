@@ -1,0 +1,39 @@
+"""exoid node find: which nodes are on a bus."""
+
+import typer
+
+from exoid.cli.inputs.node import BITRATE, INTERFACE, Bitrate, Channel, Interface, talking
+from exoid.cli.outputs.destination import Force, Json, check_outputs
+from exoid.cli.outputs.nodes import document, table
+from exoid.cli.outputs.written import Outputs
+
+
+def find(
+    channel: Channel,
+    interface: Interface = INTERFACE,
+    bitrate: Bitrate = BITRATE,
+    json: Json = None,
+    force: Force = False,
+) -> None:
+    """Show which nodes answer, with version, serial, settings, supply and errors.
+
+    \b
+    Examples:
+      exoid node find --channel /dev/ttyACM0
+      exoid node find --interface socketcan --channel can0 --json nodes.json
+    """
+    check_outputs((json, ()), force=force)
+    with talking(channel, interface, bitrate) as dialogue:
+        nodes = dialogue.find()
+    for line in table(nodes):
+        typer.echo(line)
+    ids = [each.node for each in nodes]
+    for each in sorted({each for each in ids if ids.count(each) > 1}):
+        typer.echo(
+            f"exoid: {ids.count(each)} nodes have the id {each}, so that nobody can tell their "
+            "samples apart. Give one another id: exoid node set --node SERIAL --id ID.",
+            err=True,
+        )
+    files = Outputs()
+    files.put_document(json, lambda: document(nodes))
+    files.end()

@@ -1,0 +1,151 @@
+"""Nodes on python-can's virtual bus: they obey commands as exoid.dbc describes them."""
+
+import threading
+from binascii import crc_hqx
+from dataclasses import dataclass, field
+
+import can
+from cantools.database import load_file
+from cantools.database.can import Database
+
+from exoid.recordings.can.dbc import EXOID_DBC
+
+STRIDE = 16  # identifiers from one node to the next
+SEED = 0xFFFF  # of CRC-16/CCITT-FALSE
+COUNT = 4096 / 6.283185307179586  # counts of a radian
+BEAT = {
+    "VersionMajor": 1,
+    "VersionMinor": 2,
+    "VersionPatch": 3,
+    "SupplyVoltage": 3.26,
+    "LostFrames": 0,
+    "SensorFault": 0,
+}
+FLAGS = ("NoAngle", "NotPossible", "NotStored")
+
+
+@dataclass
+class FakeNode:
+    """A node with its encoder at `count`; `fails` names the flag with which it replies."""
+
+    serial: int
+    node: int = 0
+    count: int = 1000
+    zero: int = 2048
+    reversed: bool = False
+    bit_rate: int = 500_000
+    changes: int = 0
+    velocity: float = 0.0  # rad/s
+    fails: str | None = None
+    deaf: dict[str, int] = field(default_factory=dict)  # how many of a command it misses
+    blinks: int = 0  # s
+    answers: bool = True  # else it only measures, as older firmware does
+    errors: int = 0
+
+    def obey(self, name: str, values: dict) -> bool:
+        """Whether it was for this node."""
+        if values["Serial"] not in (self.serial, *([0] if name == "EXO_TELL" else [])):
+            return False
+        if self.deaf.get(name):
+            self.deaf[name] -= 1
+            return False
+        if not self.fails:
+            self.change(name, values)
+        return True
+
+    def change(self, name: str, values: dict) -> None:
+        before = (self.zero, self.reversed, self.node, self.bit_rate)
+        if name == "EXO_SET_ZERO":
+            sign = -1 if self.reversed else 1
+            self.zero = (self.count - sign * round(values["Angle"] * COUNT)) % 4096
+        elif name == "EXO_SET_DIRECTION":
+            self.reversed = bool(values["Reversed"])
+        elif name == "EXO_SET_NODE_ID":
+            self.node = int(values["NodeId"])
+        elif name == "EXO_SET_BIT_RATE":
+            self.bit_rate = int(values["BitRate"])
+        elif name == "EXO_IDENTIFY":
+            self.blinks = int(values["Duration"])
+        self.changes += (self.zero, self.reversed, self.node, self.bit_rate) != before
+
+    def says(self, command: int) -> list[tuple[str, dict]]:
+        """What it sends after a command: reply, settings, heartbeat, health."""
+        reply = {"Serial": self.serial, "Command": command, **dict.fromkeys(FLAGS, 0)}
+        if self.fails and command != 0x200:
+            reply[self.fails] = 1
+        settings = {
+            "Serial": self.serial,
+            "Zero": self.zero,
+            "Reversed": self.reversed,
+            "Commissioned": self.changes > 0,
+            "BitRate": self.bit_rate,
+            "Changes": self.changes,
+        }
+        return [
+            ("EXO_REPLY", reply),
+            ("EXO_SETTINGS", settings),
+            ("EXO_HEARTBEAT", BEAT),
+            ("EXO_HEALTH", self.health()),
+        ]
+
+    def health(self) -> dict:
+        return {
+            "Counter": 0,
+            "WatchdogReset": 0,
+            "BrownOutReset": 0,
+            "OnCan": 1,
+            "CanOff": 0,
+            "BusReleases": 0,
+            "CanStarts": 1,
+            "TransmitErrors": self.errors,
+            "ReceiveErrors": 0,
+        }
+
+
+class FakeBus:
+    """Nodes on a virtual bus, each with a STATE a hundred times a second."""
+
+    def __init__(self, channel: str, *nodes: FakeNode):
+        database = load_file(EXOID_DBC)
+        assert isinstance(database, Database)
+        self.database = database
+        self.nodes = nodes
+        self.heard: list[str] = []
+        self.bus = can.Bus(interface="virtual", channel=channel)
+        self.over = threading.Event()
+        self.thread = threading.Thread(target=self.run, daemon=True)
+        self.thread.start()
+
+    def close(self) -> None:
+        self.over.set()
+        self.thread.join()
+        self.bus.shutdown()
+
+    def run(self) -> None:
+        while not self.over.is_set():
+            message = self.bus.recv(0.01)
+            if message is not None:
+                self.take(message)
+            for node in self.nodes:
+                self.send(node, "EXO_STATE", self.state(node))
+
+    def take(self, message: can.Message) -> None:
+        definition = self.database.get_message_by_frame_id(message.arbitration_id)
+        assert definition.senders == ["HOST"]
+        assert crc_hqx(bytes(message.data[:7]), SEED) & 0xFF == message.data[7]
+        values = definition.decode(bytes(message.data))
+        self.heard.append(definition.name)
+        for node in self.nodes:
+            if node.answers and node.obey(definition.name, values):
+                for name, said in node.says(message.arbitration_id):
+                    self.send(node, name, said)
+
+    def state(self, node: FakeNode) -> dict:
+        signals = self.database.get_message_by_name("EXO_STATE").signals
+        return {signal.name: 0 for signal in signals} | {"AngularVelocity": node.velocity}
+
+    def send(self, node: FakeNode, name: str, values: dict) -> None:
+        definition = self.database.get_message_by_name(name)
+        identifier = definition.frame_id + STRIDE * node.node
+        data = definition.encode(values)
+        self.bus.send(can.Message(arbitration_id=identifier, is_extended_id=False, data=data))
