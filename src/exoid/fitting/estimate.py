@@ -35,6 +35,7 @@ from exoid.recordings.recording import Recording
 MIDDLING = {"mass": 4.0, "inertia": 0.4}  # kg, kg m^2: where nothing is expected
 PLAIN_SCALE = 1e3  # 1/rad: the solver's tolerances are in units of noise, here 1 mrad
 READINGS = ("1/T", "2/T")  # of Eq. 4
+TOGETHER = 128  # segments of a fit, in 1.1 GB of memory
 APART = (("body_mass", "kg", 6.0), ("height", "m", 0.03))  # by which one person's sidecars differ
 
 
@@ -89,6 +90,7 @@ def fit(
     """
     named = named_recordings(recordings)
     check_one_leg(named)
+    check_together(named)
     movements = movements_of(named, clip=clip)
     plain = misfit == "paper"
     weight *= PLAIN_SCALE**2 if plain else 1.0
@@ -153,6 +155,16 @@ def classes_of(terms: Sequence[type[Term] | Term]) -> tuple[type[Term], ...]:
         raise ValueError(f"the term {twice[0]} is given twice: once is enough.")
     check_terms(tuple(each for each in classes if each not in library()))
     return classes
+
+
+def check_together(named: list[tuple[str, Recording]]) -> None:
+    """Refuse more segments than one matrix takes: its memory grows with their square."""
+    count = sum(len(recording.segments) for _, recording in named)
+    if count > TOGETHER:
+        raise ValueError(
+            f"{count} segments are too many to be fitted together: {TOGETHER} are the most. Fit "
+            "each by itself (--each, exoid.fit_each), or leave some out."
+        )
 
 
 def movements_of(named: list[tuple[str, Recording]], *, clip: Clip = "free") -> list[Movement]:
