@@ -22,6 +22,7 @@ SHARED = 2.0  # times white noise and motion, that wider neighbourhoods must sho
 CLOSE, WIDEST = 0.051, 0.1  # s between neighbours: where smoothing shows at last, and motion does
 STRIDES = 60  # neighbourhoods that are tried at most
 SWING, QUICK = 0.2, 8.0  # rad, rad/s: how much, and how fast, a leg swings most of the time
+TELLING = 20_000  # samples of a segment, which tell a scatter to 0.6 %
 FEWEST = 30  # samples that tell a noise to 15 %
 HEAVY = 1.15  # root mean square over robust deviation, from which on tails are worth a word
 NORMAL = 0.6745  # median of |x| over the standard deviation
@@ -112,7 +113,10 @@ def smoothed(times: list[Samples], signals: list[Samples], white: float) -> tupl
     for stride in np.unique(np.geomspace(2, max(WIDEST / step, 2), STRIDES).astype(int)).tolist():
         if not width and stride * step > CLOSE:
             break
-        errors = [interpolation_errors(*each, stride) for each in zip(times, signals, strict=True)]
+        errors = [
+            interpolation_errors(*each, stride, TELLING)
+            for each in zip(times, signals, strict=True)
+        ]
         found = np.concatenate(errors)
         if np.count_nonzero(~np.isnan(found)) < FEWEST:
             break
@@ -123,17 +127,21 @@ def smoothed(times: list[Samples], signals: list[Samples], white: float) -> tupl
     return level, width
 
 
-def interpolation_errors(time: Samples, samples: Samples, stride: int = 1) -> Samples:
+def interpolation_errors(
+    time: Samples, samples: Samples, stride: int = 1, most: int | None = None
+) -> Samples:
     """By how much every sample departs from the quintic through its three known neighbours on
     either side, `stride` samples apart, scaled to scatter as the noise does.
 
-    nan for missing samples, for those at either end, and where there are too few.
+    nan for missing samples, for those at either end, and where there are too few; with `most`, for
+    all but about so many, evenly taken.
     """
     known = np.flatnonzero(~np.isnan(samples))
     errors = np.full(samples.size, np.nan)
     if known.size <= 2 * NEIGHBOURS * stride:
         return errors
     middle = np.arange(NEIGHBOURS * stride, known.size - NEIGHBOURS * stride)
+    middle = middle[:: max(middle.size // most, 1) if most else 1]
     offsets = [offset * stride for offset in range(-NEIGHBOURS, NEIGHBOURS + 1) if offset]
     near = known[middle[:, None] + offsets]
     here, there = time[known[middle]], time[near]

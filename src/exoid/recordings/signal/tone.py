@@ -26,7 +26,7 @@ STEADY = 0.4  # of its size, that a tone has in three of four pieces
 SURGES = 2.0  # of its size, that it exceeds in no more than one of four: a frame that strikes does
 IN_PHASE = 0.6  # of its size, that is left of the middle of its pieces: noise has any phase
 PIECE, FEW = 0.3, 24  # s, and samples, of a piece at least
-STRETCH = 20_000  # samples of one spline
+STRETCH = 5_000  # samples of one spline
 PAUSE = 1.0  # s without a sample
 FEWEST = 64  # samples of a segment that can tell a tone
 
