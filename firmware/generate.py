@@ -149,7 +149,8 @@ def constants_header(database: Database) -> str:
     assert state.cycle_time
     assert time.cycle_time
     assert health.cycle_time
-    acc = database.get_message_by_name("EXO_ACC")
+    acc, fine = (database.get_message_by_name(name) for name in ("EXO_ACC", "EXO_FINE"))
+    angle, fine_angle = (each.get_signal_by_name("Angle") for each in (raw, fine))
     title = "Times, scales, and the constants of the Kalman filter."
     body = f"""
 constexpr uint32_t TICK_US = {state.cycle_time * 1000};  // us between samples
@@ -157,8 +158,12 @@ constexpr uint32_t TICKS_PER_TIME = {time.cycle_time // state.cycle_time};  // o
 constexpr uint32_t TICKS_PER_HEALTH = {health.cycle_time // state.cycle_time};  // one EXO_HEALTH
 constexpr uint32_t AGE_STEP_US = {acc.get_signal_by_name("SampleAge").scale};  // us per count
 constexpr float TIME_STEP = {single(state.cycle_time / 1000)};  // s
-constexpr float ENCODER_STEP = {single(raw.get_signal_by_name("Angle").scale)};  // rad per count
+constexpr int32_t RAW_TURN = {2**angle.length};  // counts of EXO_RAW.Angle
+constexpr int32_t FINE_TURN = {2**fine_angle.length};  // counts of EXO_FINE.Angle
+constexpr float ENCODER_STEP = {single(angle.scale)};  // rad per count of EXO_RAW
+constexpr float FINE_STEP = {single(fine_angle.scale)};  // rad per count of EXO_FINE
 constexpr float GYRO_STEP = {single(raw.get_signal_by_name("GyroY").scale)};  // rad/s per count
+constexpr float ACCEL_STEP = {single(acc.get_signal_by_name("AccelX").scale)};  // m/s^2 per count
 
 /// Q per step [rad^2, (rad/s)^2, (rad/s^2)^2].
 constexpr float PROCESS_NOISE[3] = {singles(PROCESS_NOISE)};

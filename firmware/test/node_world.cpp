@@ -31,7 +31,7 @@ uint64_t longest_pass_us = 0;
 /// Memory is as after a reset.
 void build_anew() {
   new (&bus) WireBus();
-  new (&encoder) Encoder(bus);
+  new (&encoder) Encoder(EncoderOf::link(bus, encoder_link));
   new (&imu) Imu(bus);
   new (&can) Can(spi);
   new (&uplink) UsbAndCan(can, usb);

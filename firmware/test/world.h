@@ -60,3 +60,4 @@ std::vector<Scenario> uplink_scenarios();
 std::vector<Scenario> port_scenarios();
 std::vector<Scenario> bus_fault_scenarios();
 std::vector<Scenario> can_fault_scenarios();
+std::vector<Scenario> part_scenarios();

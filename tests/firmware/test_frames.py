@@ -99,7 +99,7 @@ def test_state_is_packed_as_cantools_packs_it(pack, database):
         assert data == message.encode(given, scaling=False), given
 
 
-@pytest.mark.parametrize("name", ["EXO_TIME", "EXO_RAW", "EXO_ACC", "EXO_HEALTH"])
+@pytest.mark.parametrize("name", ["EXO_TIME", "EXO_RAW", "EXO_FINE", "EXO_ACC", "EXO_HEALTH"])
 def test_counts_are_packed_as_cantools_packs_them(pack, database, name):
     """A count beyond its signal's range is sent as the limit."""
     rng = np.random.default_rng(1)

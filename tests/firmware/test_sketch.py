@@ -41,6 +41,7 @@ SCENARIOS = (
     "foreign_frames",
     "frames_that_are_understood",
     "timing",
+    "angle_in_full",
 )
 
 

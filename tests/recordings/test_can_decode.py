@@ -104,6 +104,7 @@ def test_each_message_of_the_node_names_its_sender_and_its_period():
         "EXO_TIME": 100,
         "EXO_STATE": 10,
         "EXO_RAW": 10,
+        "EXO_FINE": 10,
         "EXO_ACC": 10,
         "EXO_HEALTH": 1000,
     }

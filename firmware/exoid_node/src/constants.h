@@ -12,8 +12,12 @@ constexpr uint32_t TICKS_PER_TIME = 10;  // one EXO_TIME
 constexpr uint32_t TICKS_PER_HEALTH = 100;  // one EXO_HEALTH
 constexpr uint32_t AGE_STEP_US = 50;  // us per count
 constexpr float TIME_STEP = 1.0e-02F;  // s
-constexpr float ENCODER_STEP = 1.5339808e-03F;  // rad per count
+constexpr int32_t RAW_TURN = 4096;  // counts of EXO_RAW.Angle
+constexpr int32_t FINE_TURN = 65536;  // counts of EXO_FINE.Angle
+constexpr float ENCODER_STEP = 1.5339808e-03F;  // rad per count of EXO_RAW
+constexpr float FINE_STEP = 9.58738e-05F;  // rad per count of EXO_FINE
 constexpr float GYRO_STEP = 1.2217305e-03F;  // rad/s per count
+constexpr float ACCEL_STEP = 1.1964113e-03F;  // m/s^2 per count
 
 /// Q per step [rad^2, (rad/s)^2, (rad/s^2)^2].
 constexpr float PROCESS_NOISE[3] = {1.0e-08F, 1.0e-05F, 6.0e-01F};

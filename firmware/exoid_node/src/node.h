@@ -57,7 +57,7 @@ class Node {
   void read_encoder(Sample& sample) {
     EncoderReading reading = {};
     sample.encoder_fault = !encoder_.read(reading);
-    sample.count = sample.encoder_fault ? ZERO_COUNT : mounted(reading.count);
+    sample.count = sample.encoder_fault ? ZERO_COUNT : mounted(reading.count, Encoder::TURN);
     sample.magnet_missing = reading.magnet_missing;
     sample.magnet_strength = reading.magnet_strength;
   }
@@ -74,12 +74,18 @@ class Node {
   }
 
   void send_readings(const Sample& sample, uint32_t age_us) {
-    const Raw raw = {static_cast<uint32_t>(sample.count), tick_ & 15U, sample.gyro[0],
+    const Raw raw = {coarse(sample.count), tick_ & 15U, sample.gyro[0],
                      sample.gyro[1], sample.gyro[2]};
     const Acc acc = {sample.accel[0], sample.accel[1], sample.accel[2], tick_ & 255U,
                      age_us / AGE_STEP_US};
     send(pack(raw));
     send(pack(acc));
+    if (Encoder::TURN > RAW_TURN) send_fine(sample);
+  }
+
+  void send_fine(const Sample& sample) {
+    const Fine fine = {static_cast<uint32_t>(sample.count), tick_ & 255U, bits_of(Encoder::TURN)};
+    send(pack(fine));
   }
 
   void tell_time() {

@@ -4,6 +4,7 @@
 
 #include "mcp2515_model.h"
 #include "sercom.h"
+#include "spi_encoder.h"
 #include "usb_model.h"
 #include "watchdog_model.h"
 
@@ -14,6 +15,7 @@ struct Board {
   chips::Board chips;
   Sercom i2c{now_us, chips};
   Mcp2515Model can{now_us};
+  SpiEncoder encoder;
   UsbModel usb{now_us};
   WatchdogModel watchdog{now_us};
   uint8_t reset_cause = 1;    // bits of RCAUSE: its supply was turned on

@@ -71,6 +71,7 @@ class LogQuality:
     faults: tuple[tuple[str, int], ...] = ()  # status bit, samples that carry it
     missed_ticks: int = 0  # ticks the node itself reports as missed
     config_crc: int | None = None
+    encoder_counts: int | None = None  # a turn, of the node's encoder
     filter: FilterEffect | None = None
     announced: int | None = None
     found: int | None = None

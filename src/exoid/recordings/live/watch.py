@@ -107,7 +107,8 @@ class Watch:
             reset = START_BIT in bits
             self.faults.update(name for name in bits if name != START_BIT)
             self.check_alone(counter, data)
-        self.ticks.sample(plan.name, counter, SAMPLED[plan.name], host, reset)
+        if plan.name in SAMPLED:
+            self.ticks.sample(plan.name, counter, SAMPLED[plan.name], host, reset)
 
     def check_config(self, told: int) -> None:
         if told != self.config_crc:

@@ -1,11 +1,12 @@
 """From a CAN log file to a `Recording`: one continuous segment on one clock, and a report."""
 
+from dataclasses import replace
 from pathlib import Path
 
 from exoid.recordings.can.dbc import DbcError
 from exoid.recordings.can.frames import CanLogError
 from exoid.recordings.can.log_files import read_log
-from exoid.recordings.can.node.log import EXO_SENSORS, read_exo
+from exoid.recordings.can.node.log import EXO_SENSORS, RAW_TURN, read_exo
 from exoid.recordings.can.quality import LogQuality
 from exoid.recordings.can.signals import read_signals
 from exoid.recordings.recording import Protocol, Recording, Sensors, Subject
@@ -45,7 +46,8 @@ def read_can_log(
             segment, quality = read_signals(log, Path(dbc), signals)
         else:
             segment, quality = read_exo(log)
-            sensors = EXO_SENSORS if sensors in (None, Sensors()) else sensors
+            told = replace(EXO_SENSORS, encoder_counts=float(quality.encoder_counts or RAW_TURN))
+            sensors = told if sensors in (None, Sensors()) else sensors
         if strict:
             quality.require_complete()
         recording = Recording(
