@@ -2,27 +2,20 @@
 
 #include <Arduino.h>
 
-#include "src/can_timing.h"
+#include "src/board.h"
 #include "src/condition.h"
 #include "src/encoder_link.h"
-#include "src/mcp2515.h"
 #include "src/node.h"
 #include "src/sensors.h"
-#include "src/spi_link.h"
-#include "src/timer_samd21.h"
 #include "src/uplink.h"
-#include "src/usb_port.h"
-#include "src/watchdog_samd21.h"
 #include "src/wire_bus.h"
 
 namespace config = exoid::config;
 using exoid::EncoderLink;
 using exoid::SamplingTimer;
-using exoid::SpiLink;
 using exoid::UsbPort;
 using exoid::WireBus;
-using CanTiming = exoid::CanTiming<config::CAN_CRYSTAL, config::CAN_BIT_RATE>;
-using Can = exoid::Mcp2515<SpiLink, CanTiming, config::CanUnderstood>;
+using Can = exoid::CanController;
 using EncoderOf = exoid::EncoderOf<config::ENCODER, WireBus, EncoderLink>;
 using Encoder = EncoderOf::Driver;
 using Imu = exoid::ImuOf<config::IMU, WireBus>::Driver;
@@ -34,8 +27,8 @@ WireBus bus;
 EncoderLink encoder_link;
 Encoder encoder(EncoderOf::link(bus, encoder_link));
 Imu imu(bus);
-SpiLink spi;
-Can can(spi);
+exoid::CanLink can_link;
+Can can(can_link);
 UsbPort usb;
 UsbAndCan uplink(can, usb);
 SamplingTimer timer;

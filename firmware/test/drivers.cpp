@@ -34,7 +34,7 @@ bool held(const Scenario& scenario) {
 int main() {
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
   int failed = 0;
-  for (const auto& scenarios : {encoder_scenarios(), imu_scenarios()}) {
+  for (const auto& scenarios : {encoder_scenarios(), imu_scenarios(), flexcan_scenarios()}) {
     for (const Scenario& each : scenarios) failed += held(each) ? 0 : 1;
   }
   return failed;

@@ -14,3 +14,4 @@ void check(bool holds, const char* sentence, int line = __builtin_LINE());
 
 std::vector<Scenario> encoder_scenarios();
 std::vector<Scenario> imu_scenarios();
+std::vector<Scenario> flexcan_scenarios();

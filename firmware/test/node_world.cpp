@@ -33,7 +33,7 @@ void build_anew() {
   new (&bus) WireBus();
   new (&encoder) Encoder(EncoderOf::link(bus, encoder_link));
   new (&imu) Imu(bus);
-  new (&can) Can(spi);
+  new (&can) Can(can_link);
   new (&uplink) UsbAndCan(can, usb);
   new (&node) Node(encoder, imu, uplink, timer, condition);
 }

@@ -1,0 +1,20 @@
+/// What the node runs on: a Teensy 4.0 or 4.1 with the CAN controller inside.
+
+#pragma once
+
+#include "can_timing.h"
+#include "config.h"
+#include "flexcan.h"
+#include "flexcan_teensy4.h"
+#include "timer_teensy4.h"
+#include "usb_teensy4.h"
+#include "watchdog_teensy4.h"
+
+namespace exoid {
+
+using CanLink = FlexCanRegisters;
+// An MCP2515 divides its crystal by two before all else, which this controller does not.
+using CanController = FlexCan<CanLink, CanTiming<2 * FLEXCAN_CLOCK, config::CAN_BIT_RATE>,
+                              config::CanUnderstood>;
+
+}  // namespace exoid
