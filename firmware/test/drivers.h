@@ -2,15 +2,7 @@
 
 #pragma once
 
-#include <vector>
-
-struct Scenario {
-  const char* name;
-  void (*play)();
-};
-
-/// Ends the program with the sentence that does not hold.
-void check(bool holds, const char* sentence, int line = __builtin_LINE());
+#include "play.h"
 
 std::vector<Scenario> encoder_scenarios();
 std::vector<Scenario> imu_scenarios();

@@ -23,6 +23,14 @@ SCENARIOS = (
     "stale_sample",
     "sample_that_comes_while_it_is_read",
     "no_sample_yet",
+    "timing_of_the_oscillator",
+    "frames_in_their_order",
+    "frames_of_others",
+    "nobody_acknowledges",
+    "bus_that_is_shorted",
+    "controller_that_forgets",
+    "request_that_is_overlooked",
+    "controller_that_is_dead",
 )
 
 
