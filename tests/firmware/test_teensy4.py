@@ -1,5 +1,6 @@
 """The node on a Teensy 4: the sketch on the simulated board, and for its processor."""
 
+import re
 import subprocess
 
 import pytest
@@ -50,3 +51,16 @@ def test_the_sketch_compiles_for_its_processor_and_leaves_only_the_core_to_link(
     own = {name for name in missing if name.startswith("exoid::")}
     assert own == set()
     assert "IntervalTimer::begin" in missing
+
+
+def test_no_product_is_fused_with_its_sum_under_the_cores_own_flags(build):
+    """The filter is then the host's to the bit, whatever the IDE compiles it with."""
+    need("arm-none-eabi-objdump")
+    listed = subprocess.run(
+        ["arm-none-eabi-objdump", "-d", build("m7_core.o")],
+        capture_output=True,
+        text=True,
+        check=True,
+    ).stdout
+    assert "vmul.f32" in listed
+    assert not re.findall(r"vfn?m[as]\.f32", listed)
