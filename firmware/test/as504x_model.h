@@ -1,9 +1,9 @@
 /// Register model of the AS5047P and the AS5048A: what a driver sends to and gets from a real one.
 ///
-/// After ams DS000324 (AS5047P) and the AS5048A/AS5048B data sheet v1-06. A command is parity, read,
-/// 14 bits of address; an answer is parity, error flag, 14 bits, and belongs to the command before.
-/// ERRFL: bit 0 framing, 1 invalid command, 2 parity; its read clears it. The flag of an answer stays
-/// set until then.
+/// After ams DS000324 (AS5047P) and the AS5048A/AS5048B data sheet v1-06. A command is parity,
+/// read, 14 bits of address; an answer is parity, error flag, 14 bits, and belongs to the command
+/// before. ERRFL: bit 0 framing, 1 invalid command, 2 parity; its read clears it. The flag of an
+/// answer stays set until then.
 
 #pragma once
 

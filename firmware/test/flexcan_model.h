@@ -59,7 +59,8 @@ class FlexCanModel {
       uint32_t* box = &word(0x80 + 16 * at);
       const bool waits = code(box[0]) == 4 || code(box[0]) == 2 || code(box[0]) == 6;
       const uint32_t place = extended ? id : id << 18, mask = word(MASKS + 4 * at);
-      if (!waits || ((box[0] >> 21 & 1) != 0) != extended || (place & mask) != (box[1] & mask)) continue;
+      const bool is_kind = ((box[0] >> 21 & 1) != 0) == extended;
+      if (!waits || !is_kind || (place & mask) != (box[1] & mask)) continue;
       const uint32_t full = (word(IFLAG1) >> at & 1) != 0 ? 6U : 2U;
       box[0] = full << 24 | (extended ? 3U << 21 : 0) | (remote ? 1U << 20 : 0) | length * 0x10000U;
       box[1] = place;

@@ -26,7 +26,7 @@ int main() {
   exoid::FlexCanRegisters registers;
   registers.begin();
   // FlexCAN_T4's setClock(CLK_24MHz), setTX and setRX write these.
-  check(CCM_CSCMR2 == 0xFFFFFD03, "it counts the 24 MHz of the oscillator, and no other bit changes");
+  check(CCM_CSCMR2 == 0xFFFFFD03, "it counts the oscillator's 24 MHz, and no other bit changes");
   check(CCM_CCGR0 == 0x3C000, "both of its clocks run");
   check(IOMUXC_SW_MUX_CTL_PAD_GPIO_AD_B1_08 == 0x12, "pin 22 sends");
   check(IOMUXC_SW_MUX_CTL_PAD_GPIO_AD_B1_09 == 0x12, "pin 23 receives");

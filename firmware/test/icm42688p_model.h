@@ -1,8 +1,8 @@
 /// Register model of the ICM-42688-P: what a driver reads from and writes to a real one.
 ///
 /// After TDK InvenSense DS-000347 revision 1.8, bank 0: reset values, the output from 0x1F on with
-/// the high byte first (INTF_CONFIG0 0x30), DATA_RDY_INT in bit 3 of INT_STATUS, which a read clears,
-/// and -32768 in the output until there is a sample.
+/// the high byte first (INTF_CONFIG0 0x30), DATA_RDY_INT in bit 3 of INT_STATUS, which a read
+/// clears, and -32768 in the output until there is a sample.
 
 #pragma once
 

@@ -1,8 +1,9 @@
 /// AS5047P and AS5048A, magnetic encoders on SPI: 14 bits a turn, each frame under a parity bit.
 ///
-/// Frames and registers: ams AS5047P data sheet DS000324 (SPI: command and data frames, Figure 15
-/// pipelined read, register DIAAGC); ams AS5048A/AS5048B data sheet v1-06 (2014-Jun-05), SPI register
-/// map; ams application note AS5048 SPI Sensor Readout, revision 1.1 (parity, the read with NOP).
+/// Frames and registers: ams AS5047P, DS000324 (v1-01: Figure 15, the read in a pipeline), as
+/// AS5047P_Types.h of jonas-merkle/AS5047P has them; ams AS5048A/AS5048B v1-06 (2014-Jun-05), SPI
+/// register map, as as5048a.h of NuttX has it; ams application note "AS5048 SPI Sensor Readout",
+/// revision 1.1: parity, and the read with NOP.
 
 #pragma once
 
@@ -35,15 +36,15 @@ class As504x {
 
   explicit As504x(Link& link) : link_(link) {}
 
-  /// Reads angle and magnet. The chip answers a frame with the next: three answers take four frames,
-  /// and the angle is of this read. On a fault returns false and leaves `reading` alone.
+  /// Reads angle and magnet. The chip answers a frame with the next: three answers take four
+  /// frames, and the angle is of this read. On a fault returns false and leaves `reading` alone.
   bool read(EncoderReading& reading) {
     link_.exchange(command(ERRORS));  // which clears what was wrong since the last read
     const uint16_t errors = link_.exchange(command(Map::DIAGNOSTICS));
     const uint16_t diagnostics = link_.exchange(command(ANGLE));
     const uint16_t angle = link_.exchange(command(NOTHING));
     // Lines held low answer 0 under a right parity, but a chip that runs has OFFSETS_DONE set. Its
-    // answers held high tell an error; its commands held high all ask for the angle, as errors, too.
+    // answers held high tell an error; its commands held high ask for the angle in place of errors.
     const bool answered = errors == 0 && is_whole(diagnostics) && is_whole(angle) &&
                           (diagnostics & OFFSETS_DONE) != 0;
     if (!answered) return false;

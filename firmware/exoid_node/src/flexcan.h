@@ -2,8 +2,8 @@
 /// takes time is looked at again at the next poll, and a controller that is not as it was set up is
 /// started again.
 ///
-/// Registers: i.MX RT1060 Processor Reference Manual (IMXRT1060RM), chapter 44.9, page 2555; the same
-/// addresses and bits in FlexCAN_T4 (imxrt_flexcan.h) and the order of its start (FlexCAN_T4.tpp).
+/// Registers: i.MX RT1060 Processor Reference Manual (IMXRT1060RM), 44.9, page 2555; addresses and
+/// bits as in imxrt_flexcan.h of FlexCAN_T4, the order of the start as in its FlexCAN_T4.tpp.
 
 #pragma once
 
@@ -96,7 +96,8 @@ class FlexCan {
   static constexpr uint32_t RUNNING = DEAF_TO_ITSELF | MASK_EACH | LAST_MAILBOX;
   static constexpr uint32_t STOPPED = RUNNING | FREEZE | HALT;
   static constexpr uint32_t CONFINED = 0x30, PASSIVE = 0x10, BUS_OFF = 0x20;  // of ESR1
-  static constexpr uint32_t EMPTY = 4U << 24, IDLE = 8U << 24, TO_SEND = 12U << 24, CODE = 15U << 24;
+  static constexpr uint32_t EMPTY = 4U << 24, IDLE = 8U << 24, TO_SEND = 12U << 24;
+  static constexpr uint32_t CODE = 15U << 24;
   static constexpr uint32_t EXTENDED = 1U << 21, REMOTE = 1U << 20, LENGTH = 15U << 16;
   static constexpr uint32_t EIGHT_BYTES = 8U << 16, ID_SHIFT = 18, ID_BITS = 0x7FFU << ID_SHIFT;
   static constexpr uint8_t SPARE = 8, SENDER = 9, MAILBOXES = 16;  // those to receive come first

@@ -20,7 +20,7 @@ volatile uint32_t& cell(uint32_t offset) {
 
 namespace exoid {
 
-/// IMXRT1060RM: CCM (14.7), IOMUXC (11); the values are those of FlexCAN_T4's setClock, setTX, setRX.
+/// The values are those of FlexCAN_T4's setClock(CLK_24MHz), setTX, setRX and begin.
 void FlexCanRegisters::begin() {
   CCM_CSCMR2 = (CCM_CSCMR2 & ~CLOCK_BITS) | CCM_CSCMR2_CAN_CLK_SEL(OSCILLATOR);
   CCM_CCGR0 |= CCM_CCGR0_CAN1(CCM_CCGR_ON) | CCM_CCGR0_CAN1_SERIAL(CCM_CCGR_ON);

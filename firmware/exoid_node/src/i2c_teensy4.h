@@ -11,8 +11,8 @@ class I2cMaster {
  public:
   void begin() {}
 
-  /// Takes the bytes for a device; they leave with what comes next. Returns false where they are too
-  /// many.
+  /// Takes the bytes for a device; they leave with what comes next. Returns false where they are
+  /// too many.
   bool write(uint8_t device, const uint8_t* bytes, uint8_t count);
 
   /// Sends what was taken, then reads one byte or more and ends with a stop. Returns false where

@@ -2,8 +2,8 @@
 ///
 /// Registers: TDK InvenSense DS-000347 revision 1.8, register map of bank 0 (14.36 PWR_MGMT0, page
 /// 77: a gyro is on for 45 ms at the least, and nothing is written for 200 us after a sensor is
-/// turned on), and the drivers of InvenSense (inv_icm426xx: data ready, -32768 for no sample) and of
-/// PX4 (InvenSense_ICM42688P_registers.hpp).
+/// turned on), and the drivers of InvenSense (inv_icm426xx: data ready, -32768 for no sample) and
+/// of PX4 (InvenSense_ICM42688P_registers.hpp).
 
 #pragma once
 
@@ -28,7 +28,8 @@ class Icm42688p {
     if (!trusted_ && !keeps_settings() && !configure()) return false;
     uint8_t status = 0;
     uint8_t bytes[BURST];
-    trusted_ = bus_.read(ADDRESS, STATUS, &status, 1) && (status & RENEWED) != 0 && read_whole(bytes);
+    trusted_ = bus_.read(ADDRESS, STATUS, &status, 1) && (status & RENEWED) != 0 &&
+               read_whole(bytes);
     if (!trusted_ || !settled()) return false;
     int16_t found[6];
     for (uint8_t at = 0; at < 6; ++at) {
@@ -80,8 +81,9 @@ class Icm42688p {
     return done;
   }
 
-  /// Reads the output up to the status behind it. The chip does not say that it holds a sample while
-  /// that is read: where the next came meanwhile, halves of two may stand there, and it reads again.
+  /// Reads the output up to the status behind it. The chip does not say that it holds a sample
+  /// while that is read: where the next came meanwhile, halves of two may stand there, and it reads
+  /// again.
   bool read_whole(uint8_t* bytes) {
     for (uint8_t attempt = 0; attempt < 2; ++attempt) {
       if (!bus_.read(ADDRESS, OUTPUT_START, bytes, BURST)) return false;

@@ -1,5 +1,5 @@
-/// The Teensy's serial port on USB, which is up before the sketch and tells the room it has: what is
-/// written within it never waits.
+/// The Teensy's serial port on USB, which is up before the sketch and tells the room it has: what
+/// is written within it never waits.
 
 #pragma once
 

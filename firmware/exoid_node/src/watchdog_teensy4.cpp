@@ -6,7 +6,8 @@
 
 namespace {
 
-// IMXRT1060RM 58.5 (WDOG3, which counts 32.768 kHz) and 21.8 (SRC); the words as in WDT_T4.
+// IMXRT1060RM 58.5.1.1, page 3205 (WDOG3, which counts 32.768 kHz), and 21.8, page 1284 (SRC); the words
+// as in WDT_T4.
 constexpr uint32_t UNLOCK = 0xD928C520, REFRESH = 0xB480A602;
 constexpr uint32_t LOW_POWER_OSCILLATOR = 1;
 constexpr uint32_t LONGEST = 4096;  // counts: 125 ms

@@ -12,7 +12,7 @@ namespace simulated {
 
 class SpiEncoder {
  public:
-  chips::As504xModel chip{exoid::config::ENCODER == exoid::EncoderPart::AS5048A ? AS5048A : AS5047P};
+  chips::As504xModel chip{IS_AS5048A ? AS5048A : AS5047P};
 
   void expose(const chips::Exposure& now) { chip.expose(now); }
 
@@ -44,6 +44,7 @@ class SpiEncoder {
   }
 
  private:
+  static constexpr bool IS_AS5048A = exoid::config::ENCODER == exoid::EncoderPart::AS5048A;
   static constexpr uint16_t AS5047P = 0x3FFC, AS5048A = 0x3FFD;  // where its diagnostics lie
 
   uint8_t mode_ = 0, bytes_ = 0, first_ = 0;

@@ -98,7 +98,9 @@ void watchdog_is_set() {
   check(SRC_SRSR == SRC_SRSR_WDOG3_RST_B, "and cleared by writing 1 to that bit alone");
   run_ms(1500);
   bool told = false;
-  for (const Frame& each : on_bus) told = told || (each.id == exoid::HEALTH_ID && field(each, 8, 1));
+  for (const Frame& each : on_bus) {
+    told = told || (each.id == exoid::HEALTH_ID && field(each, 8, 1) != 0);
+  }
   check(told, "EXO_HEALTH tells it");
 }
 
