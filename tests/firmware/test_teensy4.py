@@ -9,11 +9,13 @@ from firmware_tools import need
 SCENARIOS = (
     "motion",
     "watchdog_is_set",
+    "bus_without_listener",
+    "host_on_usb",
     "clock_that_is_held",
     "data_that_is_held",
     "sensors_that_are_silent",
-    "bus_without_listener",
-    "host_on_usb",
+    "read_that_is_refused",
+    "clock_that_falls_in_a_transfer",
 )
 
 

@@ -72,7 +72,7 @@ class FlexCan {
         configure();
         return enter(STARTING, now_ms);
       case STARTING:
-        if ((mcr & (NOT_READY | FROZEN | DISABLED)) == 0 && keeps_timing()) come_up(now_ms);
+        if ((mcr & (NOT_READY | FROZEN | DISABLED)) == 0) come_up(now_ms);
         return;
       case UP:
         if (since >= CHECK_MS && !check(mcr, now_ms)) return;

@@ -60,6 +60,7 @@ namespace {
 
 constexpr uint64_t BYTE_US = 23;       // of I2C at 400 kHz
 constexpr uint64_t NOT_IDLE_US = 16000;  // for which Wire waits for a bus that is not free
+constexpr uint64_t STUCK_US = 50000;     // for which it waits within a transfer
 
 uint8_t addressed = 0, sent[32], received[32];
 size_t sent_count = 0, received_count = 0, received_at = 0;
@@ -156,6 +157,13 @@ uint8_t TwoWire::endTransmission(uint8_t stops) {
 uint8_t TwoWire::requestFrom(uint8_t address, uint8_t count, uint8_t) {
   if (!waits_for_idle()) return 4;
   received_count = received_at = 0;
+  if (board.holds_read) {
+    board.clock_held = true;
+    board.holds_read = false;
+    board.now_us += STUCK_US;
+    return 0;
+  }
+  if (board.refuses_read > 0 && --board.refuses_read == 0) return 0;
   board.now_us += BYTE_US * (1U + count);
   if (!board.chips.read(address, sent[0], received, count)) return 0;
   received_count = count;

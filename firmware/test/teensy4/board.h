@@ -17,7 +17,9 @@ struct Board {
   std::function<chips::Exposure(uint32_t tick)> leg;
 
   bool clock_held = false;     // the I2C bus's, by a device
-  uint32_t pulses_to_free = 0; // the data line, which a device holds
+  uint32_t pulses_to_free = 0;  // the data line, which a device holds
+  int refuses_read = 0;        // which one from now on is not acknowledged
+  bool holds_read = false;     // in the next one a device pulls the clock down
   uint64_t held_us = 0;        // spent in Wire on a bus that was not free
 
   std::string to_host, typed;  // on USB

@@ -4,14 +4,10 @@
 
 #include <cmath>
 
-#include "board.h"
-#include "play.h"
+#include "listener.h"
 
 #include "../../exoid_node/exoid_node.ino"
 
-namespace {
-
-using exoid::Frame;
 using teensy::board;
 
 std::vector<Frame> on_bus;
@@ -23,7 +19,7 @@ uint32_t field(const Frame& frame, int start, int length) {
   return static_cast<uint32_t>((bits >> start) & ((1ULL << length) - 1));
 }
 
-double angle_at(uint32_t tick) { return -1.5 + 0.8 * std::cos(0.06 * tick); }
+static double angle_at(uint32_t tick) { return -1.5 + 0.8 * std::cos(0.06 * tick); }
 
 chips::Exposure swinging(uint32_t tick) {
   chips::Exposure now = {};
@@ -63,6 +59,8 @@ std::vector<Frame> states_of(uint32_t ticks) {
 
 uint32_t status(const Frame& state) { return field(state, 56, 8); }
 
+namespace {
+
 void motion() {
   power_on();
   run_ms(300);
@@ -86,6 +84,7 @@ void motion() {
   }
   check(longest_pass_us < exoid::TICK_US, "no pass of the loop takes a tick");
   check(board.fed_us < 15000, "the watchdog is fed at every sample");
+  check(board.now_us - board.fed_last_us < 15000, "to the last");
 }
 
 void watchdog_is_set() {
@@ -102,42 +101,6 @@ void watchdog_is_set() {
     told = told || (each.id == exoid::HEALTH_ID && field(each, 8, 1) != 0);
   }
   check(told, "EXO_HEALTH tells it");
-}
-
-void clock_that_is_held() {
-  power_on();
-  run_ms(300);
-  board.clock_held = true;
-  for (const Frame& state : states_of(30)) check((status(state) & 9) == 9, "nothing is measured");
-  check(board.held_us == 0, "a bus that is held is not waited for");
-  check(longest_pass_us < exoid::TICK_US, "no pass takes a tick");
-  board.clock_held = false;
-  check(status(states_of(30).back()) == 0, "the sensors come back with the bus");
-}
-
-void data_that_is_held() {
-  power_on();
-  run_ms(300);
-  board.pulses_to_free = 5;
-  for (const Frame& state : states_of(20)) check(status(state) == 0, "pulses free the data line");
-  check(board.held_us == 0, "before Wire could wait for it");
-}
-
-void sensors_that_are_silent() {
-  power_on();
-  run_ms(300);
-  for (uint16_t fault : {chips::ENCODER_SILENT, chips::IMU_SILENT}) {
-    board.leg = [=](uint32_t tick) {
-      chips::Exposure now = swinging(tick);
-      now.faults = fault;
-      return now;
-    };
-    run_ms(20);
-    const uint32_t bit = fault == chips::ENCODER_SILENT ? 1 : 8;
-    for (const Frame& state : states_of(10)) check(status(state) == bit, "it is told");
-    board.leg = swinging;
-    check(status(states_of(30).back()) == 0, "and goes by");
-  }
 }
 
 void bus_without_listener() {
@@ -170,13 +133,12 @@ void host_on_usb() {
 }  // namespace
 
 int main() {
-  return play({
+  std::vector<Scenario> scenarios = {
       {"motion", motion},
       {"watchdog_is_set", watchdog_is_set},
-      {"clock_that_is_held", clock_that_is_held},
-      {"data_that_is_held", data_that_is_held},
-      {"sensors_that_are_silent", sensors_that_are_silent},
       {"bus_without_listener", bus_without_listener},
       {"host_on_usb", host_on_usb},
-  });
+  };
+  for (const Scenario& each : wire_scenarios()) scenarios.push_back(each);
+  return play(scenarios);
 }
