@@ -9,6 +9,7 @@ from exo_node import EPOCH, Node, knee_angle, message, write_log
 
 from exoid.recordings.can.dbc import EXOID_DBC
 from exoid.recordings.can.node import config_crc as crc
+from exoid.recordings.live.watch import Watch
 from exoid.recordings.loading.can_log import read_can_log
 
 TICKS = 300
@@ -69,6 +70,15 @@ def test_a_tick_whose_fine_angle_is_lost_has_the_coarse_one(tmp_path):
     assert STEP < off[lost].max() <= COARSE_STEP + STEP  # rounded to 14 bits, then to 12
     assert np.delete(off, lost).max() <= STEP
     assert any("EXO_FINE: 10 of 300" in line for line in quality.losses())
+
+
+def test_who_watches_a_bus_is_told_nothing_of_it():
+    said = []
+    watch = Watch(said.append, crc.config_crc())
+    for each in session():
+        watch.see(each)
+    assert said == []
+    assert watch.ticks.lost == 0
 
 
 @pytest.mark.parametrize("counter", [0, 1])
