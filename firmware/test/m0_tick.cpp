@@ -2,11 +2,14 @@
 // in.bin: a byte for each tick, 1 where a host has opened the channel on USB from then on. Out: the
 // counts of SysTick, at 62.5 instructions each with -icount shift=0.
 
+#include "as504x_model.h"
 #include "can_timing.h"
 #include "chips.h"
+#include "config.h"
 #include "mcp2515.h"
 #include "node.h"
 #include "semihosting.h"
+#include "sensors.h"
 #include "systick.h"
 #include "uplink.h"
 
@@ -46,13 +49,16 @@ struct Well {
   void describe(exoid::Health&) const {}
 };
 
-using Encoder = exoid::As5600<chips::Board>;
-using Imu = exoid::Lsm6ds3<chips::Board>;
+namespace config = exoid::config;
+using EncoderOf = exoid::EncoderOf<config::ENCODER, chips::Board, chips::As504xModel>;
+using Encoder = EncoderOf::Driver;
+using Imu = exoid::ImuOf<config::IMU, chips::Board>::Driver;
 using Can = exoid::Mcp2515<WillingSpi, Timing, exoid::CanIds<>>;
 using Link = exoid::Uplink<Can, WillingPort>;
 
 chips::Board board;
-Encoder encoder(board);
+chips::As504xModel on_spi(exoid::As5047pMap::DIAGNOSTICS);
+Encoder encoder(EncoderOf::link(board, on_spi));
 Imu imu(board);
 WillingSpi spi;
 Can can(spi);
@@ -83,6 +89,7 @@ int main() {
     chips::Exposure now = {};
     now.count = static_cast<uint16_t>(1500 + timer.now % 50);
     board.expose(now);
+    on_spi.expose(now);
     const uint32_t before = exoid::systick_left();
     ++timer.now;
     tick();

@@ -61,6 +61,17 @@ def test_the_cortex_m0_sends_what_this_machine_sends(parts, tmp_path):
     np.testing.assert_array_equal(here.records[:-1], there.records[:-1])
 
 
+def test_a_tick_with_other_parts_stays_within_its_budget(emulate, tmp_path):
+    """All that a tick does but for the waiting, with models of the chips: 10 % of it at 48 MHz."""
+    given = bytes([0] * 200 + [1] + [0] * 199)  # a host opens USB in the middle
+    image = "AS5047P-ICM42688P/build/m0_tick.elf"
+    ticks = emulate(image, given, tmp_path, "-icount", "shift=0")
+    cost = np.frombuffer(ticks, np.uint32)[50:] * 62.5  # instructions; the gyro has settled
+    print(f"{cost.mean():.0f} instructions a tick, at most {cost.max():.0f}")
+    assert cost.mean() > 8_000  # it filtered
+    assert cost.max() < 48_000
+
+
 @pytest.fixture(scope="module")
 def life(tmp_path_factory):
     """Three seconds of a node whose encoder is silent and whose magnet is lost for a while."""
