@@ -41,13 +41,13 @@ class FlexCan {
   /// Takes the next frame that came and is of those the node understands.
   bool receive(Frame& frame) {
     for (uint8_t at = 0; at < Ids::COUNT && is_up(); ++at) {
-      if ((registers_.read(IFLAG1) & bit(at)) == 0) continue;
+      if ((registers_.read(IFLAG1) & flag(at)) == 0) continue;
       const uint32_t head = registers_.read(mailbox(at));  // which locks it
       frame.id = static_cast<uint16_t>(registers_.read(mailbox(at) + ID) >> ID_SHIFT & 0x7FF);
       unpack(registers_.read(mailbox(at) + WORDS), frame.data);
       unpack(registers_.read(mailbox(at) + WORDS + 4), frame.data + 4);
       registers_.read(TIMER);  // which lets it go
-      registers_.write(IFLAG1, bit(at));
+      registers_.write(IFLAG1, flag(at));
       const bool plain = (head & (EXTENDED | REMOTE)) == 0 && (head & LENGTH) == EIGHT_BYTES;
       if (plain && Ids::has(frame.id)) return true;
     }
@@ -106,10 +106,10 @@ class FlexCan {
                                      (Timing::PHASE_1 - 1) << 19 | (Timing::PHASE_2 - 1) << 16 |
                                      (Timing::PROPAGATION - 1);
 
-  static uint32_t bit(uint8_t at) { return 1U << at; }
+  static uint32_t flag(uint8_t at) { return 1U << at; }
   static uint32_t mailbox(uint8_t at) { return 0x80U + 0x10U * at; }
 
-  static uint32_t word(const uint8_t* bytes) {
+  static uint32_t packed(const uint8_t* bytes) {
     return static_cast<uint32_t>(bytes[0]) << 24 | static_cast<uint32_t>(bytes[1]) << 16 |
            static_cast<uint32_t>(bytes[2]) << 8 | bytes[3];
   }
@@ -165,8 +165,8 @@ class FlexCan {
     if (queue_.is_empty() || (registers_.read(mailbox(SENDER)) & CODE) == TO_SEND) return;
     const Frame& frame = queue_.front();
     registers_.write(mailbox(SENDER) + ID, uint32_t{frame.id} << ID_SHIFT);
-    registers_.write(mailbox(SENDER) + WORDS, word(frame.data));
-    registers_.write(mailbox(SENDER) + WORDS + 4, word(frame.data + 4));
+    registers_.write(mailbox(SENDER) + WORDS, packed(frame.data));
+    registers_.write(mailbox(SENDER) + WORDS + 4, packed(frame.data + 4));
     registers_.write(mailbox(SENDER), TO_SEND | EIGHT_BYTES);
     // NXP's erratum ERR005829: a request that comes in one moment of an arbitration is overlooked
     // until a mailbox is written, and its remedy is one that never sends, written twice.

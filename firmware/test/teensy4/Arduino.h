@@ -6,6 +6,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
+// A word that the real header takes away. Without effect, so that its use does not compile.
+#define bit(...)
+
 #define HIGH 1
 #define LOW 0
 #define OUTPUT 1
