@@ -113,6 +113,7 @@ def test_the_filter_run_again_on_the_fine_angle_gives_the_same_states(life, monk
 def test_its_log_is_read_in_the_encoders_own_counts(life, tmp_path):
     recording, quality = read_can_log(life.log(tmp_path / "leg.log"))
     angle = recording.segments[0].raw_angle
+    assert angle is not None
     counts = angle[np.isfinite(angle)] / (2 * np.pi / 2**14)
     np.testing.assert_allclose(counts, np.rint(counts), rtol=0, atol=1e-9)  # of float64's rounding
     assert np.unique(np.rint(counts) % 4).size == 4
