@@ -102,6 +102,8 @@ def constants_header(database: Database) -> str:
     assert beat.cycle_time == settings.cycle_time == health.cycle_time, "they are told together"
     bit_rate = settings.get_signal_by_name("BitRate")
     heartbeat = beat.cycle_time // state.cycle_time
+    fine = database.get_message_by_name("EXO_FINE")
+    angle, fine_angle = (each.get_signal_by_name("Angle") for each in (raw, fine))
     title = "Times, scales, and the constants of the Kalman filter."
     body = f"""
 constexpr uint32_t TICK_US = {state.cycle_time * 1000};  // us between samples
@@ -114,8 +116,12 @@ constexpr uint16_t NODE_STRIDE = {stride(database)};  // between the identifiers
 constexpr uint8_t FIRMWARE_VERSION[3] = {{{version()}}};
 constexpr uint8_t IMU_RATE = 0x{IMU_RATE_CODES[OUTPUT_RATE]:02X};  // LSM6DS3: {OUTPUT_RATE} Hz
 constexpr float TIME_STEP = {single(state.cycle_time / 1000)};  // s
-constexpr float ENCODER_STEP = {single(raw.get_signal_by_name("Angle").scale)};  // rad per count
+constexpr int32_t RAW_TURN = {2**angle.length};  // counts of EXO_RAW.Angle
+constexpr int32_t FINE_TURN = {2**fine_angle.length};  // counts of EXO_FINE.Angle
+constexpr float ENCODER_STEP = {single(angle.scale)};  // rad per count of EXO_RAW
+constexpr float FINE_STEP = {single(fine_angle.scale)};  // rad per count of EXO_FINE
 constexpr float GYRO_STEP = {single(raw.get_signal_by_name("GyroY").scale)};  // rad/s per count
+constexpr float ACCEL_STEP = {single(acc.get_signal_by_name("AccelX").scale)};  // m/s^2 per count
 
 /// Q per step [rad^2, (rad/s)^2, (rad/s^2)^2, bias (rad/s)^2].
 constexpr float PROCESS_NOISE[4] = {singles(PROCESS_NOISE)};

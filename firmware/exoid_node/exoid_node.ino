@@ -2,27 +2,23 @@
 
 #include <Arduino.h>
 
-#include "src/as5600.h"
-#include "src/board_samd21.h"
-#include "src/flash_samd21.h"
-#include "src/lsm6ds3.h"
-#include "src/mcp2515.h"
-#include "src/spi_link.h"
+#include "src/board.h"
+#include "src/encoder_link.h"
+#include "src/sensors.h"
 #include "src/tended_node.h"
-#include "src/timer_samd21.h"
 #include "src/uplink.h"
-#include "src/usb_port.h"
-#include "src/watchdog_samd21.h"
 #include "src/wire_bus.h"
 
-using exoid::SpiLink;
+namespace config = exoid::config;
+using exoid::EncoderLink;
 using exoid::UsbPort;
 using exoid::WireBus;
-using Can = exoid::Mcp2515<SpiLink, exoid::config::CAN_CRYSTAL, exoid::CommandIds>;
+using Can = exoid::CanController;
+using EncoderOf = exoid::EncoderOf<config::ENCODER, WireBus, EncoderLink>;
 
 struct Kinds {
-  using Encoder = exoid::As5600<WireBus>;
-  using Imu = exoid::Lsm6ds3<WireBus>;
+  using Encoder = EncoderOf::Driver;
+  using Imu = exoid::ImuOf<config::IMU, WireBus>::Driver;
   using Link = exoid::Uplink<Can, UsbPort>;
   using Flash = exoid::ProcessorFlash;
   using Board = exoid::Board;
@@ -31,22 +27,24 @@ struct Kinds {
 };
 
 WireBus bus;
-Kinds::Encoder encoder(bus);
+EncoderLink encoder_link;
+Kinds::Encoder encoder(EncoderOf::link(bus, encoder_link));
 Kinds::Imu imu(bus);
-SpiLink spi;
-Can can(spi);
+exoid::CanLink can_link;
+Can can(can_link);
 UsbPort usb;
 Kinds::Link uplink(can, usb);
 Kinds::Flash flash;
-Kinds::Board nano;
+Kinds::Board own;
 Kinds::Clock timer;
 exoid::Watchdog watchdog;
 Kinds::Condition condition(watchdog, bus, can);
-exoid::TendedNode<Kinds> node({encoder, imu, uplink, flash, nano, timer, condition});
+exoid::TendedNode<Kinds> node({encoder, imu, uplink, flash, own, timer, condition});
 
 void setup() {
   usb.begin();
   bus.begin();
+  if (config::ENCODER != exoid::EncoderPart::AS5600) encoder_link.begin();
   node.begin();
   watchdog.begin();
   timer.begin();

@@ -1,27 +1,13 @@
-/// Register models of the two sensors: what a driver reads from and writes to real ones.
+/// Register models of the sensors: what a driver reads from and writes to real ones.
 
 #pragma once
 
 #include <stdint.h>
 
+#include "exposure.h"
+#include "icm42688p_model.h"
+
 namespace chips {
-
-enum Fault : uint16_t {
-  ENCODER_SILENT = 1,  // does not acknowledge its address
-  IMU_SILENT = 2,
-  MAGNET_MISSING = 4,
-  MAGNET_WEAK = 8,
-  MAGNET_STRONG = 16,
-  IMU_RESET = 32,  // has lost its settings, as after a dip of its supply
-};
-
-/// What the chips are exposed to at one tick: a record of a sample stream.
-struct Exposure {
-  uint16_t count;
-  uint16_t faults;
-  int16_t gyro[3];
-  int16_t accel[3];
-};
 
 class As5600Model {
  public:
@@ -122,26 +108,30 @@ class Lsm6ds3Model {
   uint8_t registers_[SIZE];
 };
 
-/// Both chips on one bus, as the drivers want it.
+/// The chips on one bus, as the drivers want it.
 class Board {
  public:
   void expose(const Exposure& now) {
     encoder.expose(now);
     imu.expose(now);
+    other_imu.expose(now);
   }
 
   bool write(uint8_t device, uint8_t to, uint8_t value) {
     if (device == As5600Model::ADDRESS) return encoder.write(to, value);
+    if (device == Icm42688pModel::ADDRESS) return other_imu.write(to, value);
     return device == Lsm6ds3Model::ADDRESS && imu.write(to, value);
   }
 
   bool read(uint8_t device, uint8_t first, uint8_t* bytes, uint8_t count) {
     if (device == As5600Model::ADDRESS) return encoder.read(first, bytes, count);
+    if (device == Icm42688pModel::ADDRESS) return other_imu.read(first, bytes, count);
     return device == Lsm6ds3Model::ADDRESS && imu.read(first, bytes, count);
   }
 
   As5600Model encoder;
   Lsm6ds3Model imu;
+  Icm42688pModel other_imu;
 };
 
 }  // namespace chips

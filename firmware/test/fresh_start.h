@@ -10,10 +10,10 @@ inline void* operator new(size_t, void* place) { return place; }
 
 inline void build_anew() {
   new (&bus) WireBus();
-  new (&encoder) Kinds::Encoder(bus);
+  new (&encoder) Kinds::Encoder(EncoderOf::link(bus, encoder_link));
   new (&imu) Kinds::Imu(bus);
-  new (&can) Can(spi);
+  new (&can) Can(can_link);
   new (&uplink) Kinds::Link(can, usb);
   new (&node)
-      exoid::TendedNode<Kinds>({encoder, imu, uplink, flash, nano, timer, condition});
+      exoid::TendedNode<Kinds>({encoder, imu, uplink, flash, own, timer, condition});
 }

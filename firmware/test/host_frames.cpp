@@ -34,6 +34,8 @@ exoid::Frame packed(const Words& w) {
     case exoid::RAW_ID:
       return pack(exoid::Raw{w.count(1), w.count(2), w.signed_count(3), w.signed_count(4),
                              w.signed_count(5)});
+    case exoid::FINE_ID:
+      return pack(exoid::Fine{w.count(1), w.count(2), w.count(3)});
     case exoid::ACC_ID:
       return pack(exoid::Acc{w.signed_count(1), w.signed_count(2), w.signed_count(3), w.count(4),
                              w.count(5)});

@@ -1,4 +1,4 @@
-// From reset to main on a bare Cortex-M0, and the functions that the compiler calls by itself.
+// From reset to main on a bare Cortex-M, and the functions that the compiler calls by itself.
 
 #include <stddef.h>
 #include <stdint.h>
@@ -29,6 +29,10 @@ void* memset(void* to, int value, size_t size) {
 }
 
 [[noreturn]] void start() {
+#if defined(__ARM_FP)
+  *reinterpret_cast<volatile uint32_t*>(0xE000ED88) = 0xF00000;  // CPACR: floating point is on
+  asm volatile("dsb; isb");
+#endif
   const uint32_t* source = data_source;
   for (uint32_t* word = data_begin; word < data_end; ++word) *word = *source++;
   for (uint32_t* word = bss_begin; word < bss_end; ++word) *word = 0;

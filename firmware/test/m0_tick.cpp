@@ -2,9 +2,13 @@
 // in.bin: a byte for each tick, 1 where a host has opened the channel on USB from then on. Out: the
 // counts of SysTick, at 62.5 instructions each with -icount shift=0.
 
+#include "as504x_model.h"
+#include "can_timing.h"
 #include "chips.h"
+#include "config.h"
 #include "mcp2515.h"
 #include "semihosting.h"
+#include "sensors.h"
 #include "systick.h"
 #include "tended_node.h"
 #include "uplink.h"
@@ -60,9 +64,12 @@ struct PlainBoard {
 
 using Can = exoid::Mcp2515<WillingSpi, CRYSTAL, exoid::CommandIds>;
 
+namespace config = exoid::config;
+using EncoderOf = exoid::EncoderOf<config::ENCODER, chips::Board, chips::As504xModel>;
+
 struct Kinds {
-  using Encoder = exoid::As5600<chips::Board>;
-  using Imu = exoid::Lsm6ds3<chips::Board>;
+  using Encoder = EncoderOf::Driver;
+  using Imu = exoid::ImuOf<config::IMU, chips::Board>::Driver;
   using Link = exoid::Uplink<Can, WillingPort>;
   using Flash = PlainBoard;
   using Board = PlainBoard;
@@ -71,7 +78,8 @@ struct Kinds {
 };
 
 chips::Board chips_on_bus;
-Kinds::Encoder encoder(chips_on_bus);
+chips::As504xModel on_spi(exoid::As5047pMap::DIAGNOSTICS);
+Kinds::Encoder encoder(EncoderOf::link(chips_on_bus, on_spi));
 Kinds::Imu imu(chips_on_bus);
 WillingSpi spi;
 Can can(spi);
@@ -103,6 +111,7 @@ int main() {
     chips::Exposure now = {};
     now.count = static_cast<uint16_t>(1500 + timer.now % 50);
     chips_on_bus.expose(now);
+    on_spi.expose(now);
     const uint32_t before = exoid::systick_left();
     ++timer.now;
     tick();

@@ -71,7 +71,9 @@ chips::Exposure swinging(uint32_t tick) {
   const double phase = RATE * 0.01 * tick;
   const double angle = -1.5 + SIZE * std::cos(phase), velocity = -SIZE * RATE * std::sin(phase);
   chips::Exposure now = {};
-  now.count = static_cast<uint16_t>(std::lround(angle / exoid::ENCODER_STEP) + 2048) & 4095U;
+  const double counts = angle * Kinds::Encoder::TURN / (2.0 * std::acos(-1.0));
+  now.count = static_cast<uint16_t>(std::lround(counts) + config::ENCODER_ZERO) &
+              static_cast<uint16_t>(Kinds::Encoder::TURN - 1);
   now.gyro[1] = static_cast<int16_t>(-std::lround(velocity / exoid::GYRO_STEP));
   now.accel[0] = -8000;
   return now;
@@ -95,7 +97,7 @@ int main(int count, char** names) {
   int failed = 0, played = 0;
   for (const auto& scenarios :
        {sensor_scenarios(), uplink_scenarios(), port_scenarios(), bus_fault_scenarios(),
-        can_fault_scenarios(), command_scenarios(), state_scenarios()}) {
+        can_fault_scenarios(), command_scenarios(), state_scenarios(), part_scenarios()}) {
     for (const Scenario& each : scenarios) {
       if (count > 1 && std::strcmp(names[1], each.name) != 0) continue;
       failed += play(each);

@@ -2,9 +2,9 @@
 
 #include <cstdio>
 
-#include "board_samd21.h"
 #include "command_frames.h"
 #include "flash_samd21.h"
+#include "supply_samd21.h"
 #include "tended_node.h"
 #include "timer_samd21.h"
 

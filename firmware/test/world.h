@@ -65,3 +65,4 @@ std::vector<Scenario> bus_fault_scenarios();
 std::vector<Scenario> can_fault_scenarios();
 std::vector<Scenario> command_scenarios();
 std::vector<Scenario> state_scenarios();
+std::vector<Scenario> part_scenarios();

@@ -6,7 +6,7 @@ from functools import partial
 from pathlib import Path
 
 import pytest
-from firmware_tools import QEMU, make, need
+from firmware_tools import QEMU, QEMU_M7, make, need
 
 
 @pytest.fixture(scope="session")
@@ -17,13 +17,14 @@ def build(tmp_path_factory) -> Callable[[str], Path]:
 
 @pytest.fixture(scope="session")
 def emulate(build) -> Callable[..., bytes]:
-    """Runs an image on the emulated Cortex-M0: in.bin goes in, out.bin comes back."""
+    """Runs an image on the emulated Cortex-M0 or M7: in.bin goes in, out.bin comes back."""
 
     def run(name: str, given: bytes, folder: Path, *options: str) -> bytes:
         need("qemu-system-arm")
         image = build(name)
         (folder / "in.bin").write_bytes(given)
-        command = [*QEMU, "-serial", "none", *options, "-kernel", image]
+        emulator = QEMU_M7 if name.startswith("m7_") else QEMU
+        command = [*emulator, "-serial", "none", *options, "-kernel", image]
         done = subprocess.run(command, cwd=folder, capture_output=True, timeout=60)
         assert done.returncode == 0, f"{name} ended with {done.returncode}: {done.stderr.decode()}"
         return (folder / "out.bin").read_bytes()

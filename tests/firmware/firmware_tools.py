@@ -12,6 +12,8 @@ QEMU = (
     *("-semihosting-config", "enable=on,target=native"),
 )
 
+QEMU_M7 = tuple("mps2-an500" if each == "microbit" else each for each in QEMU)
+
 
 def need(tool: str) -> None:
     """Skips the test where a tool is absent."""
@@ -22,7 +24,7 @@ def need(tool: str) -> None:
 def make(name: str, folder: Path) -> Path:
     """The path of a test program by its name in the Makefile, made where it is not there yet."""
     need("make")
-    need("arm-none-eabi-g++" if name.endswith(".elf") else "g++")
+    need("arm-none-eabi-g++" if name.endswith((".elf", ".o")) else "g++")
     program = folder / name
     command = ["make", "-s", "-C", FIRMWARE, f"BUILD={folder}", program]
     done = subprocess.run(command, capture_output=True, text=True)

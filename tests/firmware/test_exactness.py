@@ -46,6 +46,13 @@ def test_the_microcontroller_computes_it_to_the_same_bit(emulate, given, expecte
     assert emulate("m0_filter.elf", given.tobytes(), tmp_path) == expected.tobytes()
 
 
+def test_a_processor_with_floating_point_computes_it_to_the_same_bit(
+    emulate, given, expected, tmp_path
+):
+    """A Cortex-M7 could fuse each product with its sum; it is told not to."""
+    assert emulate("m7_filter.elf", given.tobytes(), tmp_path) == expected.tobytes()
+
+
 def test_a_sample_that_is_not_finite_never_reaches_the_filter(build, tmp_path):
     angle, rate = measured(500)
     angle[100], rate[100] = np.inf, -np.inf

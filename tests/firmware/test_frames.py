@@ -85,7 +85,7 @@ def test_state_is_packed_as_cantools_packs_it(pack, database):
 @pytest.mark.parametrize(
     "name",
     [
-        *("EXO_TIME", "EXO_RAW", "EXO_ACC"),
+        *("EXO_TIME", "EXO_RAW", "EXO_FINE", "EXO_ACC"),
         *("EXO_SETTINGS", "EXO_HEARTBEAT", "EXO_REPLY", "EXO_HEALTH"),
     ],
 )

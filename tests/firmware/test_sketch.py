@@ -55,6 +55,8 @@ SCENARIOS = (
     "over_usb",
     "commands_by_both",
     "loss_of_what_is_told_beside",
+    "angle_in_full",
+    "zero_in_full",
 )
 
 

@@ -15,7 +15,7 @@ from exoid.recordings.can.node.config_crc import (
     filter_of,
     layout,
 )
-from exoid.recordings.can.node.which import MEASURED
+from exoid.recordings.can.node.rows import FINE, SAMPLED, TIME
 from exoid.recordings.filter.constants import CURRENT
 
 MEASURED_EARLIER = 0xAD7F  # CRC of the frames of a tick and of EXO_TIME by all of `EARLIER`
@@ -103,7 +103,7 @@ def test_the_crc_changes_with_the_filters_constants(monkeypatch, name):
 
 
 def test_the_crc_covers_all_that_comes_by_itself(text):
-    assert {name for name, plan in messages_in(text).items() if plan.period} == {*RECORDED}
+    assert {name for name, plan in messages_in(text).items() if plan.period} == {*RECORDED, FINE}
 
 
 def test_the_crc_is_the_published_one():
@@ -120,4 +120,4 @@ def test_a_node_whose_crc_was_of_the_text_is_read_with_the_filter_that_it_ran():
 
 def test_the_measured_frames_mean_what_they_meant_to_earlier_nodes(text):
     """Else logs of `EARLIER` would be misread: whoever changes a frame has to take it out there."""
-    assert crc_hqx("\n".join(layout(text, MEASURED)).encode(), SEED) == MEASURED_EARLIER
+    assert crc_hqx("\n".join(layout(text, (TIME, *SAMPLED))).encode(), SEED) == MEASURED_EARLIER

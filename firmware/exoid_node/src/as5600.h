@@ -7,7 +7,7 @@
 namespace exoid {
 
 struct EncoderReading {
-  uint16_t count;  // 0..4095
+  uint16_t count;  // 0..TURN - 1 of the encoder
   bool magnet_missing;
   bool magnet_strength;  // too weak or too strong
 };
@@ -17,6 +17,7 @@ template <class Bus>
 class As5600 {
  public:
   static constexpr uint8_t ADDRESS = 0x36;
+  static constexpr int32_t TURN = 4096;  // counts
 
   explicit As5600(Bus& bus) : bus_(bus) {}
 

@@ -1,22 +1,20 @@
-/// The board itself: who it is, what supplies it, and its status LED.
+/// What the node runs on: an Arduino Nano 33 IoT with an MCP2515.
 
 #pragma once
 
-#include <stdint.h>
+#include "can_clock.h"
+#include "exo_commands.h"
+#include "flash_samd21.h"
+#include "mcp2515.h"
+#include "spi_link.h"
+#include "supply_samd21.h"
+#include "timer_samd21.h"
+#include "usb_port.h"
+#include "watchdog_samd21.h"
 
 namespace exoid {
 
-class Board {
- public:
-  void begin();
-
-  /// The processor's serial number in 32 bits; never 0.
-  static uint32_t serial();
-
-  /// The voltage at the processor [mV].
-  uint32_t supply_mv();
-
-  void light(bool on);
-};
+using CanLink = SpiLink;
+using CanController = Mcp2515<CanLink, CAN_CLOCK, CommandIds>;
 
 }  // namespace exoid

@@ -14,7 +14,7 @@ struct Outcome {
   uint32_t blinking;  // s for which somebody wants to see this node; 0 for no such wish
 };
 
-/// `Encoder` has `bool zero_for(angle, zero)`; `Flash` as for the store.
+/// `Encoder` has `bool zero_for(angle, zero)` and `told_zero(zero)`; `Flash` as for the store.
 template <class Encoder, class Flash>
 class Commissioning {
  public:
@@ -39,7 +39,7 @@ class Commissioning {
   /// What the node tells of itself.
   Settings settings() const {
     const NodeSettings& now = store_.settings();
-    return {serial_,      now.zero, now.reversed, store_.stored(),
+    return {serial_,      Encoder::told_zero(now.zero), now.reversed, store_.stored(),
             now.bit_rate, store_.changes() & 255U};
   }
 

@@ -17,8 +17,12 @@ constexpr uint16_t NODE_STRIDE = 16;  // between the identifiers of nodes
 constexpr uint8_t FIRMWARE_VERSION[3] = {0, 1, 0};
 constexpr uint8_t IMU_RATE = 0x70;  // LSM6DS3: 833 Hz
 constexpr float TIME_STEP = 1.0e-02F;  // s
-constexpr float ENCODER_STEP = 1.5339808e-03F;  // rad per count
+constexpr int32_t RAW_TURN = 4096;  // counts of EXO_RAW.Angle
+constexpr int32_t FINE_TURN = 65536;  // counts of EXO_FINE.Angle
+constexpr float ENCODER_STEP = 1.5339808e-03F;  // rad per count of EXO_RAW
+constexpr float FINE_STEP = 9.58738e-05F;  // rad per count of EXO_FINE
 constexpr float GYRO_STEP = 1.2217305e-03F;  // rad/s per count
+constexpr float ACCEL_STEP = 1.1964113e-03F;  // m/s^2 per count
 
 /// Q per step [rad^2, (rad/s)^2, (rad/s^2)^2, bias (rad/s)^2].
 constexpr float PROCESS_NOISE[4] = {1.0e-08F, 1.0e-05F, 6.0e-01F, 1.0e-09F};

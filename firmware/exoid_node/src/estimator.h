@@ -9,27 +9,36 @@
 
 namespace exoid {
 
-constexpr int32_t TURN = 4096;            // counts
+constexpr int32_t TURN = FINE_TURN;       // counts, in which every encoder's are whole
 constexpr int32_t ZERO_COUNT = TURN / 2;  // count sent for 0 rad
 constexpr int32_t GYRO_LIMIT = 32767;     // counts; the last one means that much or more
 constexpr uint32_t LONGEST_BLIND = 25;    // ticks without a measurement before a fresh start
 
-/// What the sensors said at one tick, in counts of the frames RAW and ACC.
+/// What the sensors said at one tick, in counts of the frames RAW and ACC, the angle in FINE's.
 struct Sample {
   bool encoder_fault;
   bool imu_fault;
   bool magnet_missing;
   bool magnet_strength;
-  int32_t count;    // mounting zero taken off, 0..4095
+  int32_t count;    // mounting zero taken off, 0..TURN - 1
   int32_t gyro[3];  // to the foot, in extension, across the shank
   int32_t accel[3];
 };
+
+/// The nearest count of RAW, which wraps as the fine one does.
+inline uint32_t coarse(int32_t count) {
+  constexpr int32_t FINER = TURN / RAW_TURN;
+  return static_cast<uint32_t>((count + FINER / 2) / FINER) & (RAW_TURN - 1);
+}
 
 /// The count that shows `next` and is nearest to `before`: no step is longer than half a turn.
 inline int32_t unwrap(int32_t before, int32_t next) {
   const int32_t step = next - before + TURN / 2;
   return before + (step & (TURN - 1)) - TURN / 2;
 }
+
+/// The bits of a count of so many to a turn.
+constexpr uint32_t bits_of(int32_t turn) { return turn > 1 ? 1 + bits_of(turn / 2) : 0; }
 
 inline bool gyro_saturated(const Sample& sample) {
   const int32_t rate = sample.gyro[1];
@@ -64,7 +73,7 @@ class Estimator {
  private:
   float angle_of(const Sample& sample, bool seen) {
     if (seen) count_ = unwrap(count_, sample.count);
-    return static_cast<float>(count_ - ZERO_COUNT) * ENCODER_STEP;
+    return static_cast<float>(count_ - ZERO_COUNT) * FINE_STEP;
   }
 
   void filter(bool reset, uint32_t missed, const Measurement& angle, const Measurement& rate) {

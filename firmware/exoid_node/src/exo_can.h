@@ -182,6 +182,23 @@ inline Frame pack(const Reply& reply) {
   return frame;
 }
 
+constexpr uint16_t FINE_ID = 0x107;
+
+/// Once a tick, from a node alone whose encoder is finer than EXO_RAW.Angle: its count in full.
+struct Fine {
+  uint32_t angle;  // counts of 9.5873799e-05 rad
+  uint32_t counter;
+  uint32_t encoder_bits;
+};
+
+inline Frame pack(const Fine& fine) {
+  Frame frame = {FINE_ID, {0, 0, 0, 0, 0, 0, 0, 0}};
+  put(frame, 0, 16, at_most(fine.angle, 65535U));
+  put(frame, 16, 8, at_most(fine.counter, 255U));
+  put(frame, 24, 8, at_most(fine.encoder_bits, 255U));
+  return frame;
+}
+
 constexpr uint16_t HEALTH_ID = 0x10F;
 
 /// Once a second, and after every command: why the node started, and what it had to set up again.

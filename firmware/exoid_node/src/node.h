@@ -1,4 +1,4 @@
-/// The node's work: one sample per tick of the timer, three frames per sample, and the clock.
+/// The node's work: one sample per tick of the timer, its three or four frames, and the clock.
 
 #pragma once
 
@@ -6,7 +6,8 @@
 
 namespace exoid {
 
-/// `Encoder` reads ZERO_COUNT where the knee is extended, and more in extension. `Uplink` has
+/// `Encoder` reads counts of EXO_FINE, ZERO_COUNT where the knee is extended and more in extension,
+/// and OWN_TURN is how many of its own make a turn. `Uplink` has
 /// `bool send(const Frame&)`, false where a frame was lost. `Clock` has `ticks()`, the ticks of the
 /// sampling timer since its start, and `age_us()`, the time since the last.
 template <class Encoder, class Imu, class Uplink, class Clock>
@@ -75,12 +76,19 @@ class Node {
   }
 
   void send_readings(const Sample& sample, uint32_t age_us) {
-    const Raw raw = {static_cast<uint32_t>(sample.count), tick_ & 15U, sample.gyro[0],
+    const Raw raw = {coarse(sample.count), tick_ & 15U, sample.gyro[0],
                      sample.gyro[1], sample.gyro[2]};
     const Acc acc = {sample.accel[0], sample.accel[1], sample.accel[2], tick_ & 255U,
                      age_us / AGE_STEP_US};
     send(pack(raw));
     send(pack(acc));
+    if (Encoder::OWN_TURN > RAW_TURN) send_fine(sample);
+  }
+
+  void send_fine(const Sample& sample) {
+    const uint32_t count = static_cast<uint32_t>(sample.count);
+    const Fine fine = {count, tick_ & 255U, bits_of(Encoder::OWN_TURN)};
+    send(pack(fine));
   }
 
   void tell_time() {

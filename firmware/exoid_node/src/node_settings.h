@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "can_clock.h"
 #include "can_timing.h"
 #include "checksum.h"
 #include "config.h"
@@ -10,7 +11,7 @@
 namespace exoid {
 
 struct NodeSettings {
-  uint16_t zero;     // count of the encoder where the knee is fully extended
+  uint16_t zero;     // own count of the encoder where the knee is fully extended
   bool reversed;     // the count falls while the knee extends
   uint8_t node_id;   // which of the nodes of a bus this is
   uint8_t bit_rate;  // of the CAN bus, counts of BIT_RATE_STEP
@@ -21,8 +22,8 @@ constexpr NodeSettings BUILT_IN = {static_cast<uint16_t>(config::ENCODER_ZERO),
                                    config::ENCODER_SIGN < 0, 0,
                                    static_cast<uint8_t>(config::CAN_BIT_RATE / BIT_RATE_STEP)};
 
-static_assert(CanTiming<config::CAN_CRYSTAL, config::CAN_BIT_RATE>::QUANTA > 0,
-              "the built-in bit rate is one that the crystal can do");
+static_assert(CanTiming<CAN_CLOCK, config::CAN_BIT_RATE>::QUANTA > 0,
+              "the built-in bit rate is one that the controller can do");
 
 inline bool operator==(const NodeSettings& a, const NodeSettings& b) {
   return a.zero == b.zero && a.reversed == b.reversed && a.node_id == b.node_id &&
@@ -34,7 +35,7 @@ inline bool operator==(const NodeSettings& a, const NodeSettings& b) {
 inline bool is_bit_rate(uint32_t count) {
   constexpr uint32_t HIGHEST = 8;
   const bool usual = count > 0 && count <= HIGHEST && (count & (count - 1)) == 0;
-  return usual && best_quanta(config::CAN_CRYSTAL, count * BIT_RATE_STEP) != 0;
+  return usual && best_quanta(CAN_CLOCK, count * BIT_RATE_STEP) != 0;
 }
 
 /// The bytes that keep settings, with a number that counts the changes.

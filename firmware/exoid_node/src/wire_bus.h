@@ -7,7 +7,11 @@
 #include <Wire.h>
 
 #include "config.h"
+#if defined(__IMXRT1062__)
+#include "i2c_teensy4.h"
+#else
 #include "i2c_samd21.h"
+#endif
 
 namespace exoid {
 

@@ -36,7 +36,9 @@ void Board::advance() {
     ticked_us = due_us_;
     due_us_ += exoid::TICK_US;
     ++ticks;
-    chips.expose(exposed_to(ticks));
+    const chips::Exposure now = exposed_to(ticks);
+    chips.expose(now);
+    encoder.expose(now);
   }
 }
 
@@ -79,7 +81,13 @@ void pinMode(uint8_t pin, uint8_t mode) {
 }
 
 void digitalWrite(uint8_t pin, uint8_t level) {
-  if (pin == CAN_SELECT) return level == LOW ? board.can.select() : board.can.deselect();
+  if (pin == CAN_SELECT) {
+    if (board.encoder.mode() != SPI_MODE0) violated("the MCP2515 does SPI mode 0");
+    return level == LOW ? board.can.select() : board.can.deselect();
+  }
+  if (pin == ENCODER_SELECT) {
+    return level == LOW ? board.encoder.select() : board.encoder.deselect();
+  }
   if (level != LOW) violated("the sketch never drives an I2C line high");
 }
 
@@ -107,9 +115,12 @@ void SPIClass::beginTransaction(const SPISettings& settings) {
   // The core divides 48 MHz by an even number, rounded towards the faster side.
   const uint32_t made = 24000000 / (24000000 / settings.frequency);
   if (made > 10000000) simulated::violated("the SPI bus is no faster than the MCP2515's 10 MHz");
+  board.encoder.set_mode(settings.mode);
 }
 
-uint8_t SPIClass::transfer(uint8_t byte) { return board.can.transfer(byte); }
+uint8_t SPIClass::transfer(uint8_t byte) {
+  return board.encoder.is_selected() ? board.encoder.transfer(byte) : board.can.transfer(byte);
+}
 
 int UsbSerial::available() { return board.usb.available(); }
 

@@ -4,6 +4,7 @@
 
 #include "mcp2515_model.h"
 #include "sercom.h"
+#include "spi_encoder.h"
 #include "usb_model.h"
 #include "watchdog_model.h"
 
@@ -20,6 +21,7 @@ struct Board {
   chips::Board chips;
   Sercom i2c{now_us, chips};
   Mcp2515Model can{now_us};
+  SpiEncoder encoder;
   UsbModel usb{now_us};
   WatchdogModel watchdog{now_us};
   FlashModel flash;

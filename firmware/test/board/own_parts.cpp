@@ -1,9 +1,9 @@
 // The simulated board's flash, serial number, supply and status LED.
 
 #include "board.h"
-#include "board_samd21.h"
 #include "flash_samd21.h"
 #include "sinks.h"
+#include "supply_samd21.h"
 
 using simulated::board;
 

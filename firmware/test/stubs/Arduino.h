@@ -22,7 +22,7 @@
 
 constexpr uint8_t LOW = 0, HIGH = 1;
 constexpr uint8_t INPUT = 0, OUTPUT = 1, INPUT_PULLUP = 2;
-constexpr uint8_t CAN_SELECT = 10, PIN_WIRE_SDA = 18, PIN_WIRE_SCL = 19;
+constexpr uint8_t ENCODER_SELECT = 9, CAN_SELECT = 10, PIN_WIRE_SDA = 18, PIN_WIRE_SCL = 19;
 
 void pinMode(uint8_t pin, uint8_t mode);
 void digitalWrite(uint8_t pin, uint8_t level);

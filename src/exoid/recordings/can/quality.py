@@ -75,6 +75,7 @@ class LogQuality:
     config_crc: int | None = None
     design: str | None = None  # which of the node's filters ran, as [sensors] filter has it
     commissioned: tuple[str, ...] = ()  # zero, direction and firmware, and what changed of them
+    encoder_counts: int | None = None  # a turn, of the node's encoder
     filter: FilterEffect | None = None
     announced: int | None = None
     found: int | None = None

@@ -123,7 +123,8 @@ class Watch:
             reset = START_BIT in bits
             self.faults.update(name for name in bits if name != START_BIT)
             self.check_alone(counter, data)
-        self.ticks.sample(plan.name, counter, SAMPLED[plan.name], host, reset)
+        if plan.name in SAMPLED:
+            self.ticks.sample(plan.name, counter, SAMPLED[plan.name], host, reset)
 
     def see_told(self, plan: MessagePlan, data: bytes) -> None:
         """Only a node that is known to tell of itself is believed to be the sender."""

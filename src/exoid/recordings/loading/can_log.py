@@ -8,7 +8,7 @@ from exoid.recordings.can.dbc import DbcError
 from exoid.recordings.can.device_clock import PERIOD
 from exoid.recordings.can.frames import CanLogError
 from exoid.recordings.can.logs.log_files import read_log
-from exoid.recordings.can.node.log import EXO_SENSORS, read_exo
+from exoid.recordings.can.node.log import EXO_SENSORS, RAW_TURN, read_exo
 from exoid.recordings.can.quality import LogQuality
 from exoid.recordings.can.signals import read_signals
 from exoid.recordings.recording import Protocol, Recording, Sensors, Subject
@@ -70,7 +70,8 @@ def sensors_of(said: Sensors | None, quality: LogQuality) -> Sensors:
     factor, uncertainty = (1.0, CRYSTALLESS) if rate is None else (rate.factor, rate.uncertainty)
     sensors = EXO_SENSORS if said in (None, Sensors()) else said
     if sensors is EXO_SENSORS:
-        sensors = replace(sensors, sample_rate=1 / (PERIOD * factor))
+        counts = float(quality.encoder_counts or RAW_TURN)
+        sensors = replace(sensors, encoder_counts=counts, sample_rate=1 / (PERIOD * factor))
     own = sensors.clock_uncertainty
     return replace(
         sensors,

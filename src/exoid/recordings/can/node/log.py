@@ -10,6 +10,7 @@ from exoid.recordings.can.node.commissioned import commissioned_lines
 from exoid.recordings.can.node.config_crc import config_crc, filter_of
 from exoid.recordings.can.node.health import HEALTH, health_lines
 from exoid.recordings.can.node.rows import (
+    FINE,
     MISSING,
     SAMPLED,
     TIME,
@@ -25,7 +26,8 @@ from exoid.recordings.can.sort import MessageFrames, SortedFrames, sort_frames
 from exoid.recordings.filter.effect import filter_effect
 from exoid.recordings.recording import Segment, Sensors
 
-EXO_SENSORS = Sensors(encoder_counts=4096.0, gyro_range=2000.0, sample_rate=1 / PERIOD)
+RAW_TURN = 4096  # counts of an encoder that EXO_RAW holds in full
+EXO_SENSORS = Sensors(encoder_counts=float(RAW_TURN), gyro_range=2000.0, sample_rate=1 / PERIOD)
 IDS_SHOWN = 8
 FEWEST_SAMPLES = 2
 
@@ -119,7 +121,8 @@ def quality_of(log: Log, ordered: SortedFrames, found: list[Rows], samples: Samp
         ),
         clock="device" if messages[TIME].order.size else "counter",
         samples=sum(rows.tick.size for rows in found),
-        messages=message_counts(found, messages),
+        messages=message_counts(found, messages, samples),
+        encoder_counts=samples.encoder_counts,
         gaps=tuple(gap for rows in found for gap in gaps_in(rows.time, np.diff(rows.tick))),
         resets=tuple(float(rows.time[0]) for rows in found[1:]),
         faults=samples.faults,
@@ -130,8 +133,9 @@ def quality_of(log: Log, ordered: SortedFrames, found: list[Rows], samples: Samp
     )
 
 
-def message_counts(found: list[Rows], messages: dict[str, MessageFrames]):
-    counts = [message_count(name, found) for name in SAMPLED]
+def message_counts(found: list[Rows], messages: dict[str, MessageFrames], samples: Samples):
+    fine = (FINE,) if samples.encoder_counts > RAW_TURN else ()
+    counts = [message_count(name, found) for name in (*SAMPLED, *fine)]
     if messages[TIME].order.size:
         period = round((messages[TIME].plan.period or PERIOD) / PERIOD)
         steps = [np.diff(rows.anchors.tick) for rows in found]

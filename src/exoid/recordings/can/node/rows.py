@@ -25,6 +25,7 @@ from exoid.recordings.can.device_clock import (
 from exoid.recordings.can.sort import MessageFrames
 
 TIME, STATE, RAW, ACC = "EXO_TIME", "EXO_STATE", "EXO_RAW", "EXO_ACC"
+FINE = "EXO_FINE"  # of some nodes alone: it goes with a sample and makes none
 SAMPLED = {STATE: COUNTER, ACC: COUNTER, RAW: 16}  # message: how many values its counter has
 MISSING = -1
 NEIGHBOURS = 50  # frames from which host time across a restart is told
@@ -128,10 +129,11 @@ def rows_of(stamps: dict[str, Stamps], anchors: Anchors) -> Rows:
         duplicate += kept.size - first.size
     # With an index NumPy sorts, and three sorted runs are soon sorted; without, it hashes.
     tick, _ = np.unique(np.concatenate(list(ticks.values())), return_index=True)
+    placed_frames = {name: placed(frames[name], ticks[name], tick) for name in SAMPLED}
     return Rows(
         tick,
         anchors.device_time(tick),
-        {name: placed(frames[name], ticks[name], tick) for name in SAMPLED},
+        placed_frames | {FINE: beside(stamps[FINE], known, tick)},
         anchors,
         heard,
         duplicate,
@@ -155,6 +157,15 @@ def placed(order, ticks, rows) -> Int[np.ndarray, " row"]:
     at = np.full(rows.size, MISSING, dtype=np.int64)
     at[np.searchsorted(rows, ticks)] = order
     return at
+
+
+def beside(stamps: Stamps, known: Anchors, rows) -> Int[np.ndarray, " row"]:
+    """The place in the log of the frame that goes with each row, MISSING where none does."""
+    if not stamps.order.size:
+        return np.full(rows.size, MISSING, dtype=np.int64)
+    tick, first = np.unique(ticks_of(stamps, known, COUNTER), return_index=True)
+    there = np.isin(tick, rows)
+    return placed(stamps.order[first[there]], tick[there], rows)
 
 
 def rate_of(found: list[Rows]) -> ClockRate | None:

@@ -5,12 +5,11 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
-from exoid.recordings.can.decode import raw_values
+from exoid.recordings.can.decode import SignalPlan, raw_values
 from exoid.recordings.can.device_clock import nearest_tick
-from exoid.recordings.can.node.rows import ACC, MISSING, RAW, STATE, Rows
+from exoid.recordings.can.node.rows import ACC, FINE, MISSING, RAW, STATE, Rows
 from exoid.recordings.can.sort import MessageFrames
 
-TURN = 4096  # counts of the encoder
 RAW_LIMIT = 32767  # counts; a 16-bit number that reached its end
 
 STATUS = (
@@ -55,6 +54,7 @@ class Samples:
 
     channels: dict[str, Values]
     faults: tuple[tuple[str, int], ...]
+    encoder_counts: int  # a turn
 
 
 def samples_of(messages: dict[str, MessageFrames], found: list[Rows]) -> Samples:
@@ -65,12 +65,14 @@ def samples_of(messages: dict[str, MessageFrames], found: list[Rows]) -> Samples
     channels = {channel: picked[name].values(signal) for channel, (name, signal) in SOURCES.items()}
     for channel, (name, signal) in SOURCES.items():
         channels[channel][picked[name].at_limit(signal)] = np.nan
-    faulty_angle = status["EncoderFault"] | status["MagnetMissing"]
-    channels["raw_angle"] = unwrapped_angle(picked[RAW], faulty_angle, channels["angle"])
+    encoder = counted(picked[RAW], picked[FINE])
+    valid = picked[RAW].there & ~(status["EncoderFault"] | status["MagnetMissing"])
+    channels["raw_angle"] = unwrapped_angle(encoder, valid, channels["angle"])
     for channel, bits in MASKS.items():
         channels[channel][np.logical_or.reduce([status[bit] for bit in bits])] = np.nan
     measured = {name: values for name, values in channels.items() if np.isfinite(values).any()}
-    return Samples(measured, tuple((bit, int(status[bit].sum())) for bit in STATUS))
+    faults = tuple((bit, int(status[bit].sum())) for bit in STATUS)
+    return Samples(measured, faults, encoder.per_turn)
 
 
 class Picked:
@@ -103,19 +105,44 @@ def spread(values: np.ndarray, there: Bool[np.ndarray, " row"], missing) -> np.n
     return rows
 
 
-def unwrapped_angle(raw: Picked, faulty: Bool[np.ndarray, " row"], filtered: Values) -> Values:
+@dataclass(frozen=True, eq=False)
+class Counted:
+    """The encoder's counts, all in those of one signal."""
+
+    signal: SignalPlan
+    counts: Int[np.ndarray, " row"]
+    per_turn: int  # of the encoder, which may count in steps of the signal's
+
+
+def counted(raw: Picked, fine: Picked) -> Counted:
+    """The counts in full where the node sends them, and else those of EXO_RAW.
+
+    EXO_FINE is believed where EXO_RAW is the nearest count to it: a foreign frame of the same
+    identifier is not, and no log of a node that sends none is read in another way for it.
+    """
+    coarse, signal = raw.plan.signal("Angle"), fine.plan.signal("Angle")
+    finer = 2 ** (signal.length - coarse.length)
+    in_full, in_raw = fine.counts("Angle"), raw.counts("Angle")
+    nearest = (in_full + finer // 2) // finer % 2**coarse.length
+    agrees = fine.there & raw.there & (nearest == in_raw)
+    if 2 * agrees.sum() <= fine.there.sum():
+        return Counted(coarse, in_raw, 2**coarse.length)
+    bits = int(np.median(fine.counts("EncoderBits")[agrees]))
+    return Counted(signal, np.where(agrees, in_full, in_raw * finer), 2**bits)
+
+
+def unwrapped_angle(encoder: Counted, valid: Bool[np.ndarray, " row"], filtered: Values) -> Values:
     """The encoder's angle without its jumps of a turn [rad].
 
     Every count is taken on the turn of the filtered angle: so one damaged count moves no other.
     """
-    signal = raw.plan.signal("Angle")
-    valid = raw.there & ~faulty
-    counts = raw.counts("Angle")[valid]
+    signal = encoder.signal
+    counts, turn = encoder.counts[valid], 2**signal.length
     known = np.flatnonzero(np.isfinite(filtered))
     if known.size:
         expected = np.interp(np.flatnonzero(valid), known, filtered[known])
         expected_counts = np.rint((expected - signal.offset) / signal.scale).astype(np.int64)
-        counts = nearest_tick(counts, expected_counts, TURN)
+        counts = nearest_tick(counts, expected_counts, turn)
     else:
-        counts = np.unwrap(counts, period=TURN)
+        counts = np.unwrap(counts, period=turn)
     return spread(counts * signal.scale + signal.offset, valid, np.nan)

@@ -9,9 +9,9 @@ from exoid.recordings.can.dbc import exoid_messages, node_stride
 from exoid.recordings.can.decode import MessagePlan
 from exoid.recordings.can.frames import Frames
 from exoid.recordings.can.node.config_crc import RECORDED, config_crc
-from exoid.recordings.can.node.rows import SAMPLED, TIME
+from exoid.recordings.can.node.rows import FINE, SAMPLED, TIME
 
-MEASURED = (TIME, *SAMPLED)
+MEASURED = (TIME, *SAMPLED, FINE)
 FIRST = "EXO_TIME", "EXO_TELL"  # what has the lowest identifiers: of nodes, of commands
 
 
@@ -69,5 +69,5 @@ def read_by(frames: Frames, node: int) -> list[MessagePlan]:
 
     Only a node that is known to send settings and heartbeat is believed to be their sender.
     """
-    names = RECORDED if told_crc(frames, node) == config_crc() else MEASURED
+    names = (*RECORDED, FINE) if told_crc(frames, node) == config_crc() else MEASURED
     return [messages_of(node)[name] for name in names]

@@ -1,4 +1,4 @@
-#include "board_samd21.h"
+#include "supply_samd21.h"
 
 #if defined(ARDUINO_ARCH_SAMD)
 
