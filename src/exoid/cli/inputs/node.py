@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from exoid.cli.terminal.say import say
+
 if TYPE_CHECKING:
     from exoid.recordings.commissioning.dialogue import Dialogue
     from exoid.recordings.commissioning.node_state import NodeState
@@ -27,7 +29,7 @@ def talking(channel: str, interface: str, bitrate: int) -> Iterator["Dialogue"]:
     from exoid.recordings.commissioning.dialogue import Dialogue
     from exoid.recordings.live.bus import BusAddress, LiveBus
 
-    bus = LiveBus(BusAddress(interface, channel, bitrate), lambda line: typer.echo(line, err=True))
+    bus = LiveBus(BusAddress(interface, channel, bitrate), lambda line: say(line, err=True))
     try:
         yield Dialogue(bus)
     finally:

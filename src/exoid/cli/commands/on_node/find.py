@@ -1,11 +1,10 @@
 """exoid node find: which nodes are on a bus."""
 
-import typer
-
 from exoid.cli.inputs.node import BITRATE, INTERFACE, Bitrate, Channel, Interface, talking
 from exoid.cli.outputs.destination import Force, Json, check_outputs
 from exoid.cli.outputs.nodes import document, table
 from exoid.cli.outputs.written import Outputs
+from exoid.cli.terminal.say import say
 
 
 def find(
@@ -26,10 +25,10 @@ def find(
     with talking(channel, interface, bitrate) as dialogue:
         nodes = dialogue.find()
     for line in table(nodes):
-        typer.echo(line)
+        say(line)
     ids = [each.node for each in nodes]
     for each in sorted({each for each in ids if ids.count(each) > 1}):
-        typer.echo(
+        say(
             f"exoid: {ids.count(each)} nodes have the id {each}, so that nobody can tell their "
             "samples apart. Give one another id: exoid node set --node SERIAL --id ID.",
             err=True,

@@ -15,6 +15,7 @@ from exoid.cli.inputs.node import (
     chosen,
     talking,
 )
+from exoid.cli.terminal.say import say
 
 
 def identify(
@@ -38,4 +39,4 @@ def identify(
 
     with talking(channel, interface, bitrate) as dialogue:
         state = dialogue.order(chosen(dialogue.find(), node), IDENTIFY, Duration=duration)
-    typer.echo(f"{state} blinks for {duration} s.")
+    say(f"{state} blinks for {duration} s.")

@@ -16,6 +16,7 @@ from exoid.cli.inputs.node import (
     talking,
 )
 from exoid.cli.outputs.nodes import told
+from exoid.cli.terminal.say import say
 
 RATES = (125_000, 250_000, 500_000, 1_000_000)  # bit/s
 
@@ -57,9 +58,9 @@ def set_up(
         for name, values in orders:
             state = dialogue.order(state, name, **values)
     for line in told(state):
-        typer.echo(line)
+        say(line)
     if rate is not None:
-        typer.echo(f"The new bit rate counts when the node starts again: --bitrate {rate} then.")
+        say(f"The new bit rate counts when the node starts again: --bitrate {rate} then.")
 
 
 def orders_of(direction: str | None, new_id: int | None, rate: int | None) -> list:

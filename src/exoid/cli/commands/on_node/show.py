@@ -1,7 +1,5 @@
 """exoid node show: how one node was commissioned, and how it is."""
 
-import typer
-
 from exoid.cli.inputs.node import (
     BITRATE,
     INTERFACE,
@@ -16,6 +14,7 @@ from exoid.cli.inputs.node import (
 from exoid.cli.outputs.destination import Force, Json, check_outputs
 from exoid.cli.outputs.nodes import document, told
 from exoid.cli.outputs.written import Outputs
+from exoid.cli.terminal.say import say
 
 
 def show(
@@ -38,7 +37,7 @@ def show(
     with talking(channel, interface, bitrate) as dialogue:
         state = chosen(dialogue.find(), node)
     for line in told(state):
-        typer.echo(line)
+        say(line)
     files = Outputs()
     files.put_document(json, lambda: document([state]))
     files.end()

@@ -16,6 +16,7 @@ from exoid.cli.inputs.node import (
     chosen,
     talking,
 )
+from exoid.cli.terminal.say import say
 
 
 def zero(
@@ -43,7 +44,7 @@ def zero(
     with talking(channel, interface, bitrate) as dialogue:
         before = chosen(dialogue.find(), node)
         after = dialogue.zero(before, radians(angle))
-    typer.echo(
+    say(
         f"{after}: the knee is at {angle:g} deg; the zero was {before.mounting.zero} and is "
         f"{after.mounting.zero}."
     )
