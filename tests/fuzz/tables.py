@@ -129,7 +129,8 @@ def in_dialect(content: bytes, told: str) -> Rows:
     separator, decimal = DIALECTS[told]
     text = plain_text(content, told[2:])
     time, angle, gyro = lines_of_numbers(text.split("\n"), separator, decimal)
-    unit = DEGREE if "deg/s" in text.lower() else 1.0  # without a row of units
+    fast = np.nanmax(np.abs(gyro), initial=0.0) > 35  # rad/s: without a unit these are degrees
+    unit = DEGREE if "deg/s" in text.lower() or fast else 1.0
     return motion(time, angle) | {"raw_velocity_rad_s": gyro * unit}
 
 
