@@ -1,6 +1,9 @@
 """What `exoid record` says at its end."""
 
+from contextlib import suppress
+
 from exoid.cli.live.session import NAMES, Session
+from exoid.cli.terminal.faults import one_line
 from exoid.cli.terminal.say import say
 from exoid.recordings.live.bus import CanBusError
 from exoid.recordings.loading.can_log import read_can_log
@@ -13,10 +16,8 @@ def conclude(session: Session) -> None:
         raise CanBusError(
             f"nothing was recorded from {session.bus.address}: {watch.silence(session.bus.bad)}"
         )
-    try:
+    with suppress(OSError):  # nobody is there to read it: the terminal is gone
         tell(session)
-    except OSError:  # nobody is there to read it: the terminal is gone
-        return
 
 
 def tell(session: Session) -> None:
@@ -28,8 +29,8 @@ def tell(session: Session) -> None:
         say(", ".join(f"{NAMES[kind]} {a:.1f} to {b:.1f} s" for kind, a, b in marked))
     try:
         _, quality = read_can_log(path)
-    except ValueError as fault:
-        say(str(fault))
+    except (OSError, ValueError) as fault:
+        say(one_line(fault))
         return
     for line in quality.lines():
         say(line)

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exoid.recordings.landmarks.measure import Mark, NotAllowed
-from exoid.recordings.motion.thresholds import FINE
+from exoid.recordings.motion.thresholds import BLOCK
 from exoid.recordings.recording import Segment
 from exoid.recordings.samples import Samples, block_means, block_size
 
@@ -66,7 +66,7 @@ def track_of(segment: Segment, noise: float) -> Track:
         raise NotAllowed(
             f"interrupted: no angle was measured from {time[at]:.2f} to {time[at + 1]:.2f} s"
         )
-    count = block_size(float(np.median(steps)), FINE)
+    count = block_size(float(np.median(steps)), BLOCK)
     middle = sample[count // 2 :: count][: sample.size // count]
     angle = block_means(segment.best_angle[sample], count)
     return Track(middle, block_means(time, count), angle, noise / np.sqrt(count))

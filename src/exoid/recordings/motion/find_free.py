@@ -8,9 +8,9 @@ from exoid.recordings.motion.free_end import free_end, swung
 from exoid.recordings.motion.letting_go import LettingGo, ReleaseWindow, begun_free, let_go
 from exoid.recordings.motion.signal import Signal, Speed, smoothed, speed_of
 from exoid.recordings.motion.thresholds import (
+    BLOCK,
     CLEAR,
     FALL,
-    FINE,
     HELD,
     HOLD,
     MARKED,
@@ -94,7 +94,7 @@ def released(
     last = min(int(np.searchsorted(time, about + FALL)), time.size - 1)
     pull = abs(float(speed.velocity[last])) / FALL
     inside = (time >= about - early - HELD) & (time <= about + FALL)
-    case = ReleaseWindow(signal.part(inside).averaged(FINE), pull, room)
+    case = ReleaseWindow(signal.part(inside).averaged(BLOCK), pull, room)
     found = let_go(case, max(about - early, float(time[0])), about + speed.width / 2)
     if not seen and begun_free(case) < found.chi_square + ODDS * max(1.0, found.misfit):
         return None
