@@ -1,8 +1,11 @@
 """A node on a serial cable: slcan lines on one end of a pseudo terminal, a port at the other."""
 
+import fcntl
 import os
 import pty
 import select
+import sys
+import termios
 import threading
 import time
 import tty
@@ -11,6 +14,7 @@ from pathlib import Path
 
 import can
 
+KEPT = 0.7  # s within which a recorder on a busy machine has kept what it read
 NO_WAIT = {"sleep_after_open": 0}  # s that python-can gives an Arduino to start
 
 
@@ -64,6 +68,12 @@ class Cable:
         """What the other side has written: it waits until the other side has opened the port."""
         select.select([self.end], [], [])
         return os.read(self.end, 100)
+
+    def taken(self) -> None:
+        """Wait until the other side has read all that was sent, and had time to keep it."""
+        while int.from_bytes(fcntl.ioctl(self.port, termios.FIONREAD, bytes(4)), sys.byteorder):
+            time.sleep(0.01)
+        time.sleep(KEPT)
 
     def stream(self, messages: list[can.Message], rate: float) -> threading.Thread:
         """Send so many frames a second, each at its own time."""

@@ -25,7 +25,6 @@ from node_frames import frames
 
 FAST = 1000.0  # frames/s; the node itself sends 310
 NODE = 310.0  # frames/s
-HEARD = 0.7  # s within which a recorder on a busy machine has taken what was sent
 LIKELY = 4.5  # standard errors within which the truth lies, but for one draw in 100 000
 BODY = ("--body-mass", 74, "--height", 1.78)
 
@@ -83,7 +82,7 @@ def test_a_thousand_frames_a_second_are_recorded_without_a_loss_and_fitted(
     begin = time.monotonic()
     cable.stream(sent, FAST).join()
     assert len(sent) / (time.monotonic() - begin) > 0.8 * FAST
-    time.sleep(HEARD)
+    cable.taken()
     process.send_signal(signal.SIGINT)
     said, told = process.communicate(timeout=LIMIT)
     assert process.returncode == 0, told
@@ -186,12 +185,12 @@ def test_a_pulled_cable_does_not_end_a_recording(start, cable, sent, tmp_path):
     process = start("leg.blf")
     cable.heard()
     cable.stream(sent[:310], FAST).join()
-    time.sleep(HEARD)
+    cable.taken()
     cable.pull_out()
     cable.plug_in()
     cable.heard()
     cable.stream(sent[930:1240], FAST).join()
-    time.sleep(HEARD)
+    cable.taken()
     process.send_signal(signal.SIGTERM)
     said, told = process.communicate(timeout=LIMIT)
     assert process.returncode == 0
@@ -224,7 +223,7 @@ def test_a_terminal_that_goes_away_does_not_end_a_recording(start, cable, sent, 
     process.send_signal(signal.SIGHUP)  # what a kernel sends when the connection drops
     time.sleep(0.5)
     cable.stream(sent[310:620], NODE).join()
-    time.sleep(HEARD)
+    cable.taken()
     assert process.poll() is None
     process.send_signal(signal.SIGTERM)
     assert process.wait(timeout=LIMIT) == 0
@@ -237,11 +236,12 @@ def test_a_pipe_that_nobody_reads_any_more_does_not_end_a_recording(start, cable
     process.stderr.close()
     process.stdout.close()
     cable.stream(sent[:310], NODE).join()
+    cable.taken()
     cable.pull_out()  # which would be told
     cable.plug_in()
     cable.heard()
     cable.stream(sent[310:620], NODE).join()
-    time.sleep(HEARD)
+    cable.taken()
     process.send_signal(signal.SIGINT)
     assert process.wait(timeout=LIMIT) == 0
     assert len(read_log(tmp_path / "leg.blf").frames) == 620
@@ -252,7 +252,7 @@ def test_a_sidecar_that_appeared_meanwhile_is_told_and_stays(start, cable, sent,
     cable.heard()
     (tmp_path / "leg.toml").write_text("# another's\n")
     cable.stream(sent[:310], NODE).join()
-    time.sleep(HEARD)
+    cable.taken()
     process.send_signal(signal.SIGINT)
     said, told = process.communicate(timeout=LIMIT)
     assert process.returncode == 0, told
@@ -270,7 +270,7 @@ def test_a_sidecar_that_cannot_be_written_is_told_and_the_recording_goes_on(
     cable.heard()
     (tmp_path / "leg.toml").mkdir()
     cable.stream(sent[:310], NODE).join()
-    time.sleep(HEARD)
+    cable.taken()
     process.send_signal(signal.SIGINT)
     _, told = process.communicate(timeout=LIMIT)
     assert process.returncode == 0, told
