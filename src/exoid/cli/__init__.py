@@ -3,7 +3,8 @@
 import os
 import sys
 
-from exoid.cli.terminal.faults import INTERRUPTED, explain
+from exoid.cli.terminal.faults import INTERRUPTED, complain, explain
+from exoid.cli.terminal.streams import lost_output, outlast_readers
 
 # Small matrices only: threads of the linear algebra library cost more than they bring.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
@@ -14,15 +15,21 @@ os.environ.setdefault("TF_CPP_MIN_LOG_LEVEL", "3")
 def main() -> None:
     """Run a command. Bad input ends with one line and exit code 2, a failed computation with 1."""
     try:
+        outlast_readers()
         silence_libraries()
         from exoid.cli.app import app
 
         code = app(standalone_mode=False) or 0
-        sys.stdout.flush()
         if code == INTERRUPTED:
             code = explain(KeyboardInterrupt())
     except (Exception, KeyboardInterrupt, SystemExit) as fault:
         code = explain(fault)
+    if (lost := lost_output()) is not None:
+        code = complain(
+            f"standard output: {lost.strerror}. What was said there is cut. Make room, or send it "
+            "elsewhere.",
+            code or 1,
+        )
     # Tearing down XLA takes a third of a second that nobody needs to wait for.
     os._exit(code)
 
