@@ -1,7 +1,9 @@
 """Files that a command writes: none replaced unasked, none lost with another."""
 
 import os
+import re
 import stat
+import subprocess
 from errno import ENOSPC
 from pathlib import Path
 
@@ -124,3 +126,29 @@ def test_one_that_fails_leaves_all_as_they_were(tmp_path):
         replace_files({first: b"new", second: broken()})
     assert first.read_text() == "old"
     assert sorted(path.name for path in tmp_path.iterdir()) == ["one.toml"]
+
+
+def test_a_link_that_leads_nowhere_is_refused_before_anything_is_computed(command, tmp_path):
+    lost, loop = tmp_path / "lost.json", tmp_path / "loop.json"
+    lost.symlink_to("nowhere/drops.json")
+    loop.symlink_to("loop.json")
+    nowhere = tmp_path.resolve() / "nowhere"
+    for link, reason in (
+        (lost, f"the folder {nowhere} does not exist. Make it first."),
+        (loop, "this link leads to itself. Name another file."),
+    ):
+        assert refusal(command("drops", "--json", link)) == f"exoid: {link}: {reason}"
+        with pytest.raises(ValueError, match=re.escape(f"{link}: {reason}")):
+            replace_files({link: b"new"})
+
+
+def test_a_figure_goes_through_a_pipe(command, recordings, tmp_path):
+    pipe = tmp_path / "drops.pdf"
+    os.mkfifo(pipe)
+    with subprocess.Popen(["cat", pipe], stdout=subprocess.PIPE) as other:
+        try:
+            done = command("drops", recordings / "drop.csv", "--plot", pipe)
+            assert done.returncode == 0, done.stderr
+            assert other.communicate(timeout=10)[0].startswith(b"%PDF")
+        finally:
+            other.kill()

@@ -22,13 +22,13 @@ def replacing(path: str | Path) -> Iterator[Path]:
     path = Path(path)
     if path.is_dir():
         raise ValueError(f"{path}: this is a directory. Name the file to write in it.")
-    if not path.parent.is_dir():
-        raise ValueError(f"{path}: the folder {path.parent} does not exist. Make it first.")
+    target = behind_links(path)
+    if not target.parent.is_dir():
+        raise ValueError(f"{path}: the folder {target.parent} does not exist. Make it first.")
     if path.exists() and not path.is_file():
         with called(path):
             yield path
         return
-    target = path.resolve()
     with called(path):
         part = begun(target)
     try:
@@ -39,6 +39,19 @@ def replacing(path: str | Path) -> Iterator[Path]:
             part.replace(target)
     finally:
         part.unlink(missing_ok=True)
+
+
+def behind_links(path: Path) -> Path:
+    """Where a file that is written comes to stand: where a link leads, else where it is named.
+
+    **Raises** `ValueError` for links that lead back to each other.
+    """
+    if not path.is_symlink():
+        return path
+    try:
+        return path.resolve()
+    except (OSError, RuntimeError) as fault:  # which of them hangs on the version of Python
+        raise ValueError(f"{path}: this link leads to itself. Name another file.") from fault
 
 
 def replace_files(contents: Mapping[Path, Iterable[str] | bytes]) -> None:

@@ -7,6 +7,8 @@ from typing import Annotated
 
 import typer
 
+from exoid.files.replacing import behind_links
+
 FIGURES, PAGES, SAVED = ("pdf", "svg", "png"), ("html", "htm"), ("nc",)
 Json = Annotated[Path | None, typer.Option(help="Everything for machines.", metavar="FILE")]
 Report = Annotated[
@@ -38,7 +40,7 @@ def check_destination(path: Path | None, kinds: tuple[str, ...] = ()) -> None:
         raise ValueError(f"{path}: this is a directory. Name the file to write in it.")
     if path.exists() and not path.is_file():  # a pipe or a device
         return
-    folder = path.parent
+    folder = behind_links(path).parent
     if not folder.is_dir():
         raise ValueError(f"{path}: the folder {folder} does not exist. Make it first.")
     try:

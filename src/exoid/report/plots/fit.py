@@ -1,5 +1,6 @@
 """A fit as one figure for print: its motion, what determined its numbers, and how firmly."""
 
+from io import BytesIO
 from math import ceil
 from pathlib import Path
 from textwrap import fill
@@ -96,5 +97,8 @@ def save_figure(figure: Figure, path: str | Path) -> None:
     kind = Path(path).suffix.lower().lstrip(".")
     if kind not in FORMATS:
         raise ValueError(f"{path}: a figure is saved to a name that ends in .pdf, .svg or .png.")
-    with replacing(path) as part, rc_context(EMBEDDED):
-        figure.savefig(part, format=kind, dpi=RESOLUTION)
+    content = BytesIO()  # a pipe cannot go back in what was written, as these formats do
+    with rc_context(EMBEDDED):
+        figure.savefig(content, format=kind, dpi=RESOLUTION)
+    with replacing(path) as part:
+        part.write_bytes(content.getvalue())
