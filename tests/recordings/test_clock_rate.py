@@ -167,3 +167,14 @@ def test_a_host_that_jitters_more_than_a_log_can_average_is_not_believed():
     late = np.random.default_rng(9).exponential(0.05, device.size)
     rate = clock_rate(device, np.maximum.accumulate(device + late))
     assert rate is None or rate.error > SURE
+
+
+@pytest.mark.parametrize("pace", [0.1, 0.5, 3.0])
+def test_a_log_that_was_played_back_at_another_pace_keeps_the_nodes_times(tmp_path, pace):
+    messages = Node().messages(1000, seed=8)
+    for each in messages:
+        each.timestamp = EPOCH + (each.timestamp - EPOCH) / pace
+    recording, quality = read(tmp_path, messages)
+    assert quality.clock_rate is None  # no node is so far off
+    np.testing.assert_allclose(recording.segments[0].time, np.arange(1000) * 0.01, atol=1e-9)
+    assert recording.sensors.clock_uncertainty == CRYSTALLESS

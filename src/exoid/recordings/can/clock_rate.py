@@ -15,6 +15,7 @@ SHORTEST_FIT = 2.0  # s of log from which a clock can be compared with another
 WORST_HOST = 0.1  # s; a host whose times scatter more was set while it recorded
 MICROSECOND = 1e-6
 BLOCKS = 10  # of a log, each long enough to take the noise out of what is left of its line
+FASTEST, SLOWEST = 1.1, 0.9  # host over node; beyond, the log was played back, not heard
 HOST_CLOCK = 1e-4  # of the host itself: a quartz, cheap and warm
 CRYSTALLESS = 0.01  # of the node: SAMD21 data sheet, DFLL48M in open loop, 47 to 49 MHz
 SURE = 2e-3  # error of a rate that is applied; a tenth of what a node may be off
@@ -65,7 +66,7 @@ def clock_rate(device: Seconds, host: Seconds) -> ClockRate | None:
         return None
     host = host - host[0]
     slope, level, scatter = fitted_line(device, host)
-    if scatter >= WORST_HOST or slope <= 0:
+    if scatter >= WORST_HOST or not SLOWEST < slope < FASTEST:
         return None
     left = np.array_split(host - level - slope * device, BLOCKS)
     middles = np.array([np.median(each) for each in left])
