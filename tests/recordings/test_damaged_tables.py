@@ -1,5 +1,6 @@
 """What a damaged table or sidecar says is refused or right, and no more than a machine can hold."""
 
+import re
 import subprocess
 from io import BytesIO
 from zipfile import ZIP_DEFLATED, ZipFile
@@ -143,3 +144,18 @@ def test_what_is_wrong_in_a_file_is_told_without_its_control_characters(tmp_path
     with pytest.raises(ValueError, match=r"^a\\u001b\.csv: column \\u009b is there twice$"):  # noqa: SIM117
         with naming(tmp_path.__class__("a\x1b.csv")):
             raise ValueError("column \x9b is there twice")
+
+
+@pytest.mark.parametrize(
+    ("cell", "said"),
+    [
+        ('"cut', "line 4: a quote that opens a cell does not close at its end. Check the quotes."),
+        ("long" * 40_000, "line 3: a cell is longer than 131072 characters."),
+    ],
+    ids=["open", "long"],
+)
+def test_a_cell_that_no_reader_of_csv_takes_is_told_in_our_own_words(tmp_path, cell, said):
+    path = tmp_path / "leg.csv"
+    path.write_text(f"time_s,angle_rad,note\n0,0,a\n0.01,0,{cell}\n0.02,0,b\n")
+    with pytest.raises(ValueError, match=re.escape(said)):
+        read_table(path)

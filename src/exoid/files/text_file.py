@@ -1,5 +1,6 @@
 """Text files: read with a reason where they cannot be."""
 
+import csv
 from collections.abc import Iterable
 from contextlib import contextmanager
 from pathlib import Path
@@ -45,6 +46,14 @@ def plain_lines(text: str) -> str:
     if "\0" in text:
         raise ValueError("holds binary data, not text. Export it as CSV in UTF-8.")
     return text.replace("\r\n", "\n").replace("\r", "\n")
+
+
+def misquoted(fault: csv.Error) -> str:
+    """What is wrong with the quotes of a table, as Python's reader of CSV found it."""
+    if "limit" in str(fault):
+        longest = f"{csv.field_size_limit()} characters"
+        return f"a cell is longer than {longest}. Is a quote not closed? Else leave its column out."
+    return "a quote that opens a cell does not close at its end. Check the quotes."
 
 
 def near(name: str, names: Iterable[str], likeness: float = 0.6) -> str:

@@ -17,7 +17,7 @@ import numpy as np
 
 from exoid.files.extras import require
 from exoid.files.replacing import replace_files
-from exoid.files.text_file import Notes, naming
+from exoid.files.text_file import Notes, misquoted, naming
 from exoid.recordings.columns import CHANNELS, IN_DEGREES, NUMERIC
 from exoid.recordings.conventions.file_clock import SINCE
 from exoid.recordings.flat_table import flat
@@ -143,7 +143,7 @@ def header(line: str) -> list[str]:
     try:
         names = [name.strip() for name in next(csv.reader([line], skipinitialspace=True))]
     except csv.Error as error:
-        raise ValueError(f"line 1: {error}. It must name the columns.") from error
+        raise ValueError(f"line 1: {misquoted(error)}") from error
     check_names(names)
     return names
 
@@ -199,7 +199,7 @@ def parse_cells(names: list[str], body: str) -> dict[str, Cells]:
             rows.append(row)
     except csv.Error as error:
         line = reader.line_num + FIRST_LINE - 1
-        raise ValueError(f"line {line}: {error}. Check the quotes.") from error
+        raise ValueError(f"line {line}: {misquoted(error)}") from error
     return {
         name: np.array([np.nan if missing(cell) else float(cell) for cell in cells])
         if name in NUMERIC

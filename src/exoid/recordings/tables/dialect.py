@@ -5,6 +5,7 @@ import re
 from dataclasses import dataclass
 from functools import partial
 
+from exoid.files.text_file import misquoted
 from exoid.recordings.tables.layout import NO_TABLE, Cell, Row
 from exoid.recordings.tables.times_of_day import is_time
 
@@ -61,7 +62,7 @@ def rows_in(lines: list[str], dialect: Dialect) -> list[Row]:
     try:
         return [[value(cell) for cell in cells] for cells in split(lines, dialect.separator)]
     except csv.Error as error:
-        raise ValueError(f"{error}. Check the quotes.") from error
+        raise ValueError(misquoted(error)) from error
 
 
 def sniffed(lines: list[str]) -> Dialect:
