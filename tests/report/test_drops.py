@@ -117,3 +117,10 @@ def test_nothing_to_draw_is_said():
     still = recorded(np.cos(time) - 2.0, time, kind="active")
     with pytest.raises(ValueError, match="no segment could be read as a drop"):
         plot_drops(measure_drops(still))
+
+
+def test_every_reason_ends_with_one_stop():
+    still = drop(Oscillator(amplitude=1e-9))
+    text = printed(measure_drops(still))
+    assert "nothing moves" in text
+    assert ".." not in text

@@ -23,7 +23,7 @@ def print_drops(test: PendulumTest, console: Console) -> None:
             print_drop(drop, console)
     print_average(test, console)
     refused = by_reason((drop.name, drop.reason) for drop in test.drops)
-    said = [f"{', '.join(names)}: {reason}." for reason, names in refused.items()]
+    said = [f"{', '.join(names)}: {reason.rstrip('.')}." for reason, names in refused.items()]
     note(console, said, "Segments that were not read")
     heading(console, "About these numbers")
     say(console, "± is one standard error by the noise of the angle; of an average, the standard "
@@ -46,7 +46,7 @@ def print_drop(drop: Drop, console: Console) -> None:
     print_table(Table("", columns, title), console)
     refused = by_reason((each.title, each.reason) for each in drop.measures.values())
     for reason, titles in refused.items():
-        say(console, f"- not read: {', '.join(titles)}: {reason}.", hanging=2)
+        say(console, f"- not read: {', '.join(titles)}: {reason.rstrip('.')}.", hanging=2)
 
 
 def loaded(drop: Drop) -> str:
