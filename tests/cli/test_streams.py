@@ -82,3 +82,9 @@ def test_a_sign_that_the_terminal_lacks_stops_no_table(run):
     done = run(environment={"PYTHONIOENCODING": "ascii"})
     assert (done.returncode, done.stderr) == (0, "wrote drops.json\n")
     assert r"\xb1 is one standard error" in done.stdout
+
+
+def test_a_terminal_that_says_it_has_no_width_is_shown_all(run):
+    done = run(environment={"COLUMNS": "0"})
+    assert (done.returncode, done.stderr) == (0, "wrote drops.json\n")
+    assert "is one standard error" in done.stdout

@@ -8,13 +8,16 @@ from typing import Any
 from exoid.cli.outputs.origin import sha256_of
 from exoid.cli.terminal.say import say
 
+UNKNOWN_WIDTH = 80  # of a terminal that says 0, in which rich would show nothing at all
+
 
 def show(table: Callable[[Any], None]) -> None:
     """What `table` prints on a console, on stdout."""
     from rich.console import Console
 
     with suppress(SystemExit):  # rich's answer to a closed pipe; files are still to be written
-        table(Console())
+        console = Console()
+        table(console if console.width > 0 else Console(width=UNKNOWN_WIDTH))
 
 
 def introduce(named) -> None:
