@@ -172,8 +172,8 @@ def advice(address: BusAddress, reason: str) -> str:
         return f"The interface can be {', '.join(sorted(can.VALID_INTERFACES))}."
     if reason == HELD:
         return (
-            "Close that one. A recording whose terminal was closed goes on: pgrep -af 'exoid record' "
-            "shows its number, and kill NUMBER ends it with all that it recorded."
+            "Close that one. A recording whose terminal was closed goes on: pgrep -af 'exoid "
+            "record' shows its number, and kill NUMBER ends it with all that it recorded."
         )
     if "Permission denied" in reason:
         return "Give yourself access to it: on Linux join its group, dialout, and log in again."

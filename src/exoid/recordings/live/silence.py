@@ -3,8 +3,8 @@
 from exoid.recordings.can.node.which import MEASURED, messages_of
 
 CHECK = (
-    "Is this the node's port or bus, and is the node powered and flashed? On CAN check also the bit "
-    "rate, the wiring and the termination."
+    "Is this the node's port or bus, and is the node powered and flashed? On CAN check also the "
+    "bit rate, the wiring and the termination."
 )
 SILENT_SINCE = "it has fallen silent. Is it still powered, and on the bus?"
 
