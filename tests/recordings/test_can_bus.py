@@ -1,5 +1,6 @@
 """A live bus is heard frame by frame, whatever its lines and its cable do."""
 
+import select
 import time
 
 import can
@@ -150,3 +151,17 @@ def test_a_burst_of_many_times_what_the_port_holds_is_heard_in_full(cable, bus):
     assert [m.data for m in hear(bus, 5000)] == [m.data for m in sent]
     thread.join()
     assert bus.bad == 0
+
+
+def test_a_port_has_one_reader_and_the_second_writes_nothing_to_it(cable, bus):
+    cable.heard()
+    with pytest.raises(CanBusError, match=r"another program reads it\. Close that.*kill NUMBER"):
+        LiveBus(bus.address, print)
+    cable.send(*numbered(3))
+    assert len(hear(bus, 3)) == 3
+    assert not select.select([cable.end], [], [], 0)[0]
+
+
+def test_a_port_that_was_let_go_is_free(cable, bus):
+    bus.close()
+    LiveBus(bus.address, print).close()

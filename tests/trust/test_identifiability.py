@@ -8,6 +8,7 @@ import pytest
 
 from exoid.fitting.estimate import fit
 from exoid.recordings.recording import Segment
+from exoid.trust.directions import in_words
 from exoid.trust.identify import identify
 from exoid.trust.reversal import reversals
 from fit_cases import BODY, CYCLE, DROP, LOADED, NOISE, one, recorded
@@ -175,3 +176,9 @@ def test_a_fit_of_every_segment_alone_cannot_be_asked():
     result = fit(recorded(DROP), multistart=1)
     with pytest.raises(ValueError, match="fitted alone"):
         identify(replace(result, basis=None))
+
+
+def test_room_beyond_a_hundredfold_is_written_without_an_exponent():
+    assert in_words({"a": 1.0, "b": -0.5}, 32.4, {"a": "F_c", "b": "d"}) == (
+        "F_c up 3200 %, d down 1600 %"
+    )

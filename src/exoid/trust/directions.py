@@ -82,7 +82,8 @@ def in_words(changes: Changes, step: float, symbols: dict[str, str]) -> str:
     groups: dict[str, list[str]] = {}
     for name, each in sorted(steps.items(), key=lambda item: -abs(item[1])):
         if abs(each) > VISIBLE * step:
-            move = f"{'up' if each > 0 else 'down'} {100 * abs(each):.2g} %"
+            percent = float(f"{100 * abs(each):.2g}")  # two digits, as 3200 and not 3.2e+03
+            move = f"{'up' if each > 0 else 'down'} {percent:g} %"
             groups.setdefault(move, []).append(symbols[name])
     return ", ".join(f"{listed(each)} {move}" for move, each in groups.items())
 

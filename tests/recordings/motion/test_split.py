@@ -61,6 +61,23 @@ def test_load_cuts_a_table_and_names_what_it_left_out(tmp_path):
     assert "left out" in loaded.notes[-1]
 
 
+def test_a_pause_ends_the_drop_before_it():
+    log = continuous(100, 1e-3)
+    (segment,) = log.segments
+    at_rest = segment.time > 8.0  # the first drop hangs still from 7 s on
+    paused = replace(segment, time=segment.time + 28_800.0 * at_rest)
+    first, second = cut_table(replace(log, segments=(paused,))).recording.segments
+    assert 6.5 < first.time[-1] <= 8.0  # counted from its own begin, which a rest precedes
+    assert np.diff(first.time).max() < 0.02
+    assert second.time[-1] > 5.0
+
+
+def test_marks_beyond_a_cut_log_say_what_to_take_out():
+    log = continuous(100, 1e-3, segment_start=(0.0, 99.0), segment_end=(9.0, 104.0))
+    with pytest.raises(ValueError, match=r"segment 1 is marked from 99 .* Take this segment out"):
+        cut_table(log)
+
+
 def test_a_rig_and_a_single_drop_stay_as_they_are():
     recording = continuous(100, 1e-3)
     rig = replace(recording, subject=Subject(kind="rig"))

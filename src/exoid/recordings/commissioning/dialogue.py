@@ -8,6 +8,7 @@ from exoid.recordings.commissioning.commands import EVERYBODY, SET_ZERO, TELL, c
 from exoid.recordings.commissioning.ear import Ear
 from exoid.recordings.commissioning.node_state import NodeState
 from exoid.recordings.live.bus import CanBusError, LiveBus
+from exoid.recordings.live.silence import CHECK, something_else
 
 ROUNDS = 3  # a frame may be lost: how often a question is asked
 PATIENCE = 0.4  # s for an answer, which takes a node 20 ms
@@ -100,10 +101,14 @@ class Dialogue:
                 f"{where}, but one sends (id {ids}): its firmware is older than these commands. "
                 "Flash it with the firmware of this exoid."
             )
-        return (
-            f"{where}. Check that it is powered, the bit rate ({self.bus.address.bitrate} bit/s), "
-            "the wiring and the termination."
-        )
+        if ear.others:
+            return (
+                f"{where}, but {ear.others} frame(s) of others came. Is this its bus, and is the "
+                "node powered?"
+            )
+        if self.bus.bad:
+            return f"{where}: {something_else(self.bus.bad)}"
+        return f"{where} at {self.bus.address.bitrate} bit/s. {CHECK}"
 
 
 def refuse(to: NodeState, reply: Mapping[str, float]) -> None:

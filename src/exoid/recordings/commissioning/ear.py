@@ -24,6 +24,7 @@ class Ear:
         self.healths: dict[int, Mapping[str, float]] = {}
         self.speeds: dict[int, list[float]] = {}  # rad/s, magnitudes
         self.replies: list[Mapping[str, float]] = []
+        self.others = 0  # frames that are no node's
 
     def hear(self, message: can.Message) -> None:
         """Take in a frame, of whomever it is."""
@@ -31,6 +32,7 @@ class Ear:
             return
         node, plan = senders().get(message.arbitration_id, (0, None))
         if plan is None or len(message.data) != plan.length:
+            self.others += 1
             return
         if plan.name == STATE:
             speed = abs(values_of(plan, message)["AngularVelocity"])

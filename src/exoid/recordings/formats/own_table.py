@@ -216,7 +216,8 @@ def bad_row(names: list[str], row: list[str]) -> str | None:
     if len(row) != len(names):
         return (
             f" has {len(row)} cells, but the header names {len(names)} columns. "
-            "Is a cell missing, or are there decimal commas?"
+            "Is a cell missing, is the file cut here (then delete this line), or are there decimal "
+            "commas?"
         )
     for name, cell in zip(names, row, strict=True):
         if name in NUMERIC and not (NUMBER.fullmatch(cell.strip(" ")) or missing(cell)):

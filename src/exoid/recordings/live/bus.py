@@ -13,6 +13,7 @@ from typing import Any
 import can
 
 from exoid.files.library_faults import plain, quiet
+from exoid.recordings.live.port import HELD, check_free, hold
 from exoid.recordings.live.slcan import SlcanPort
 
 PATIENCE = 0.05  # s without a frame, after which the caller may look at other things
@@ -143,14 +144,20 @@ def source_of(address: BusAddress, bus: can.BusABC) -> Any:
 
 
 def opened(address: BusAddress) -> can.BusABC:
+    slcan = address.interface == "slcan"
     try:
+        if slcan:
+            check_free(address.channel)
         with quiet("can"):
-            return can.Bus(
+            bus = can.Bus(
                 interface=address.interface,
                 channel=address.channel,
                 bitrate=address.bitrate,
                 **address.options,
             )
+        if slcan:
+            hold(bus.serialPortOrig)  # pyright: ignore[reportAttributeAccessIssue]
+        return bus
     except Exception as fault:
         # The backends of python-can have no family of exceptions: a missing driver raises anything.
         reason = plain(str(fault)) or type(fault).__name__
@@ -163,6 +170,11 @@ def advice(address: BusAddress, reason: str) -> str:
     """What to do about a bus that cannot be opened."""
     if address.interface not in can.VALID_INTERFACES:
         return f"The interface can be {', '.join(sorted(can.VALID_INTERFACES))}."
+    if reason == HELD:
+        return (
+            "Close that one. A recording whose terminal was closed goes on: pgrep -af 'exoid "
+            "record' shows its number, and kill NUMBER ends it with all that it recorded."
+        )
     if "Permission denied" in reason:
         return "Give yourself access to it: on Linux join its group, dialout, and log in again."
     if address.interface not in SERIAL or "bitrate" in reason:

@@ -2,6 +2,10 @@
 
 from exoid.recordings.can.node.which import MEASURED, messages_of
 
+CHECK = (
+    "Is this the node's port or bus, and is the node powered and flashed? On CAN check also the "
+    "bit rate, the wiring and the termination."
+)
 SILENT_SINCE = "it has fallen silent. Is it still powered, and on the bus?"
 
 
@@ -15,11 +19,13 @@ def why_silent(others: bool, bad: int, node: int) -> str:
             "device need its DBC to be read."
         )
     if bad:
-        return (
-            f"{bad} line(s) came that are no frames. Is this the right channel, with an slcan "
-            "adapter on it?"
-        )
+        return something_else(bad)
+    return f"nothing comes. {CHECK}"
+
+
+def something_else(bad: int) -> str:
+    """Of a channel on which so many lines came, and no frame."""
     return (
-        "the bus is silent. Check that the node is powered, the bit rate, the wiring and the "
-        "termination."
+        f"{bad} line(s) came that are no frames: something else speaks there. Is this the right "
+        "port, and does the node run the firmware of exoid?"
     )

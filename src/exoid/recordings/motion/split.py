@@ -7,7 +7,7 @@ import numpy as np
 from exoid.recordings.motion.cycle import find_cycle
 from exoid.recordings.motion.extent import Motionless
 from exoid.recordings.motion.pieces import Piece, find_pieces
-from exoid.recordings.motion.thresholds import REST_KEPT, TAKEN
+from exoid.recordings.motion.thresholds import PAUSE, REST_KEPT, TAKEN
 from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, known
 from exoid.recordings.signal.condition import classify, cut
 
@@ -84,8 +84,9 @@ def for_all(recording: Recording) -> Recording:
 
 def kept_parts(log: Segment, pieces: list[Piece]) -> list[slice]:
     """Every drop and cycle with the rest before it; a drop lasts until a hand takes the leg for the
-    next movement.
+    next movement, or the log pauses.
     """
+    pauses = np.flatnonzero(np.diff(log.time) > PAUSE) + 1  # the first samples after them
     parts = []
     for number, piece in enumerate(pieces):
         if piece.kind is None:
@@ -98,6 +99,7 @@ def kept_parts(log: Segment, pieces: list[Piece]) -> list[slice]:
             if number + 1 < len(pieces):
                 taken = log.time[pieces[number + 1].start] - TAKEN
                 stop = max(piece.stop, int(np.searchsorted(log.time, taken)))
+            stop = min(stop, *map(int, pauses[pauses >= piece.stop]), log.time.size)
         parts.append(slice(max(rest, before), stop))
     return parts
 
@@ -121,7 +123,9 @@ def marked_parts(log: Segment, starts: Marks, ends: Marks | None) -> list[slice]
         if inside.size < 2:
             raise ValueError(
                 f"segment {number} is marked from {start:g} to {end:g} s, where the log has "
-                f"{inside.size} sample(s); it runs from {log.time[0]:g} to {log.time[-1]:g} s."
+                f"{inside.size} sample(s); it runs from {log.time[0]:g} to {log.time[-1]:g} s. "
+                "Is the log cut? Take this segment out of segment_start_s, segment_end_s and every "
+                "list of the sidecar that has one entry for each segment."
             )
         parts.append(slice(int(inside[0]), int(inside[-1]) + 1))
     return parts

@@ -62,6 +62,7 @@ TURN_OF_HOLD = 0.15  # s by which the onset may be before the leg is clear of it
 # A continuous recording.
 REST_KEPT = 0.5  # s of rest in front of each movement
 TAKEN = 0.5  # s before a lift is seen that a hand may have taken the leg, and begun softly
+PAUSE = 1.0  # s without a sample, over which nobody knows what the leg did
 MINOR = 0.2  # of the farthest movement, below which one is a twitch or the last of a swing
 ABOVE = 0.3  # of its travel by which a drop or a cycle rises above where it began at most
 SWINGS = 2  # that no hand makes
