@@ -7,8 +7,8 @@
 #include <Wire.h>
 
 #include "constants.h"
+#include "sampling_timer.h"
 #include "sinks.h"
-#include "timer_samd21.h"
 
 UsbSerial Serial;
 TwoWire Wire;

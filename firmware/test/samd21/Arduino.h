@@ -28,11 +28,19 @@ struct GenericClock {
   Status STATUS;
 };
 
+/// What the counter shows was its value when a read of it was last asked for.
+struct Requested {
+  void operator=(uint16_t request);
+};
+
 struct TimerCounter {
   struct {
     Control CTRLA;
+    struct {
+      Requested reg;
+    } READREQ;
     Status STATUS;
-    Register INTENSET, INTFLAG, CC[2];
+    Register INTENSET, INTFLAG, COUNT, CC[2];
   } COUNT16;
 };
 
@@ -43,6 +51,8 @@ constexpr uint32_t GCLK_CLKCTRL_ID_TCC2_TC3 = 0x1B;
 constexpr uint32_t TC_CTRLA_SWRST = 1, TC_CTRLA_ENABLE = 2, TC_CTRLA_MODE_COUNT16 = 0;
 constexpr uint32_t TC_CTRLA_WAVEGEN_MFRQ = 1U << 5, TC_CTRLA_PRESCALER_DIV64 = 5U << 8;
 constexpr uint32_t TC_INTENSET_MC0 = 1U << 4, TC_INTFLAG_MC0 = 1U << 4;
+constexpr uint32_t TC_READREQ_RREQ = 1U << 15, TC_COUNT16_COUNT_OFFSET = 0x10;
+constexpr uint32_t TC_READREQ_ADDR(uint32_t value) { return value; }
 
 extern GenericClock* const GCLK;
 extern TimerCounter* const TC3;
