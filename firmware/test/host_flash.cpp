@@ -39,6 +39,7 @@ FlashController* const NVMCTRL = &controller;
 
 void FlashCommand::operator=(uint16_t command) {
   check((command & 0xFF00) == NVMCTRL_CTRLA_CMDEX_KEY, "every command has the key");
+  check(controller.CTRLB.bit.CACHEDIS, "no command is given while the processor runs from the cache");
   uint8_t* row = row_of(controller.ADDR.reg);
   uint8_t* buffer = reinterpret_cast<uint8_t*>(rows) + (row - kept);
   switch (command & 0xFF) {
@@ -68,6 +69,7 @@ int main() {
   check(std::memcmp(read, first, 11) == 0, "the first slot holds all its bytes, a part word too");
   flash.read(1, read, 10);
   check(std::memcmp(read, second, 10) == 0, "the second slot is another one");
+  check(!controller.CTRLB.bit.CACHEDIS, "the program has its cache again");
   check(kept[11] == 0xFF, "what was not written is left erased");
   check(flash.write(0, second, 10), "a slot is written again");
   flash.read(0, read, 10);

@@ -68,7 +68,7 @@ struct FlashController {
   } CTRLA;
   struct {
     struct {
-      bool MANW;
+      bool MANW, CACHEDIS;
     } bit;
   } CTRLB;
   Register ADDR;
