@@ -8,8 +8,8 @@
 
 namespace {
 
-GenericClock clock_registers;
-TimerCounter timer_registers;
+GenericClock clock_registers{};
+TimerCounter timer_registers{};
 bool enabled = false;
 uint32_t now_us = 4294967000U;  // shortly before it wraps
 uint32_t count = 0;             // by the timer since its last match

@@ -82,6 +82,10 @@ def test_the_timer_is_set_to_a_hundred_ticks_a_second(build):
     subprocess.run([build("host_timer")], check=True, timeout=10)
 
 
+def test_the_supply_is_measured_to_a_count_of_the_converter(build):
+    subprocess.run([build("host_supply")], check=True, timeout=10)
+
+
 @pytest.mark.parametrize(
     ("crystal", "rate", "is_possible"),
     [

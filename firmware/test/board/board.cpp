@@ -74,13 +74,13 @@ void write(Where where, uint8_t at, uint32_t value) {
 using simulated::board;
 using simulated::violated;
 
-void pinMode(uint8_t pin, uint8_t mode) {
+void pinMode(uint8_t pin, PinMode mode) {
   const bool pulled = mode == OUTPUT;
   if (pin == PIN_WIRE_SCL) board.i2c.pull_clock(pulled);
   if (pin == PIN_WIRE_SDA) board.i2c.pull_data(pulled);
 }
 
-void digitalWrite(uint8_t pin, uint8_t level) {
+void digitalWrite(uint8_t pin, PinStatus level) {
   if (pin == CAN_SELECT) {
     if (board.encoder.mode() != SPI_MODE0) violated("the MCP2515 does SPI mode 0");
     return level == LOW ? board.can.select() : board.can.deselect();
@@ -91,7 +91,7 @@ void digitalWrite(uint8_t pin, uint8_t level) {
   if (level != LOW) violated("the sketch never drives an I2C line high");
 }
 
-int digitalRead(uint8_t pin) {
+PinStatus digitalRead(uint8_t pin) {
   board.now_us += 1;
   return (pin == PIN_WIRE_SDA ? board.i2c.data_is_low() : board.i2c.clock_is_low()) ? LOW : HIGH;
 }

@@ -1,4 +1,4 @@
-/// The registers of the SAMD21 that timer and flash use, as memory: names as in its headers.
+/// The registers of the SAMD21 that timer, flash and supply use, as memory: names as in its headers.
 
 #pragma once
 
@@ -6,25 +6,27 @@
 
 constexpr uint32_t VARIANT_MCK = 48000000;  // Hz
 
+/// Read alone.
 struct Status {
-  struct {
+  const struct {
     bool SYNCBUSY;
   } bit;
 };
 
 struct Control {
-  uint32_t reg;
+  uint16_t reg;
   struct {
     bool SWRST;
   } bit;
 };
 
+template <class Word>
 struct Register {
-  uint32_t reg;
+  Word reg;
 };
 
 struct GenericClock {
-  Register CLKCTRL;
+  Register<uint16_t> CLKCTRL;
   Status STATUS;
 };
 
@@ -40,7 +42,8 @@ struct TimerCounter {
       Requested reg;
     } READREQ;
     Status STATUS;
-    Register INTENSET, INTFLAG, COUNT, CC[2];
+    Register<uint8_t> INTENSET, INTFLAG;
+    Register<uint16_t> COUNT, CC[2];
   } COUNT16;
 };
 
@@ -71,7 +74,7 @@ struct FlashController {
       bool MANW, CACHEDIS;
     } bit;
   } CTRLB;
-  Register ADDR;
+  Register<uint32_t> ADDR;
   struct {
     struct {
       bool READY;
@@ -85,5 +88,52 @@ constexpr uint32_t NVMCTRL_CTRLA_CMD_PBC = 0x44, NVMCTRL_CTRLA_CMD_INVALL = 0x46
 
 extern FlashController* const NVMCTRL;
 
+/// Begins a conversion.
+struct Start {
+  void operator=(uint8_t);
+};
+
+struct Count {
+  operator uint32_t();
+  uint16_t count;
+};
+
+struct Ready {
+  operator bool() const { return is_set; }
+  bool is_set;
+};
+
+struct Converter {
+  Register<uint8_t> CTRLA, REFCTRL;
+  Register<uint16_t> CTRLB;
+  Register<uint32_t> INPUTCTRL;
+  Status STATUS;
+  struct {
+    struct {
+      Start START;
+    } bit;
+  } SWTRIG;
+  struct {
+    struct {
+      Ready RESRDY;
+    } bit;
+  } INTFLAG;
+  struct {
+    Count reg;
+  } RESULT;
+};
+
+constexpr uint32_t ADC_CTRLA_ENABLE = 2, ADC_REFCTRL_REFSEL_INT1V = 0;
+constexpr uint32_t ADC_CTRLB_PRESCALER_DIV64 = 4U << 8, ADC_CTRLB_RESSEL_12BIT = 0;
+constexpr uint32_t ADC_INPUTCTRL_GAIN_1X = 0, ADC_INPUTCTRL_MUXNEG_GND = 0x18U << 8;
+constexpr uint32_t ADC_INPUTCTRL_MUXPOS_SCALEDIOVCC = 0x1B;
+
+extern Converter* const ADC;
+
+enum PinStatus { LOW, HIGH };
+enum PinMode { INPUT, OUTPUT, INPUT_PULLUP };
+
+void pinMode(uint8_t pin, PinMode mode);
+void digitalWrite(uint8_t pin, PinStatus level);
 void NVIC_EnableIRQ(Interrupt number);
 uint32_t micros();

@@ -15,34 +15,50 @@ enum Where : uint8_t {
 uint32_t read(Where where, uint8_t at);
 void write(Where where, uint8_t at, uint32_t value);
 
+[[noreturn]] void violated(const char* sentence);
+
+/// A register that is read alone.
 template <Where WHERE, uint8_t AT>
-struct Cell {
+struct Shown {
   operator uint32_t() const { return read(WHERE, AT); }
-  void operator=(uint32_t value) { write(WHERE, AT, value); }
+};
+
+/// One that is written, too, of so many bits as `Word`.
+template <class Word, Where WHERE, uint8_t AT>
+struct Cell : Shown<WHERE, AT> {
+  void operator=(uint32_t value) {
+    if (static_cast<Word>(value) != value) violated("a register has room for what is written to it");
+    write(WHERE, AT, value);
+  }
+};
+
+template <class Word, Where WHERE, uint8_t AT = 0>
+struct Register {
+  Cell<Word, WHERE, AT> reg;
 };
 
 template <Where WHERE, uint8_t AT = 0>
-struct Register {
-  Cell<WHERE, AT> reg;
+struct ReadOnly {
+  Shown<WHERE, AT> reg;
 };
 
 template <Where WHERE>
 struct Synchronised {
   struct {
-    Cell<WHERE, 0> SYNCBUSY;
+    Shown<WHERE, 0> SYNCBUSY;
   } bit;
 };
 
 }  // namespace simulated
 
 struct SercomI2cm {
-  simulated::Register<simulated::IN_SERCOM, 0> CTRLA;
-  simulated::Register<simulated::IN_SERCOM, 1> CTRLB;
-  simulated::Register<simulated::IN_SERCOM, 2> STATUS;
-  simulated::Register<simulated::IN_SERCOM, 3> INTFLAG;
-  simulated::Register<simulated::IN_SERCOM, 4> SYNCBUSY;
-  simulated::Register<simulated::IN_SERCOM, 5> ADDR;
-  simulated::Register<simulated::IN_SERCOM, 6> DATA;
+  simulated::Register<uint32_t, simulated::IN_SERCOM, 0> CTRLA;
+  simulated::Register<uint32_t, simulated::IN_SERCOM, 1> CTRLB;
+  simulated::Register<uint16_t, simulated::IN_SERCOM, 2> STATUS;
+  simulated::Register<uint8_t, simulated::IN_SERCOM, 3> INTFLAG;
+  simulated::ReadOnly<simulated::IN_SERCOM, 4> SYNCBUSY;
+  simulated::Register<uint32_t, simulated::IN_SERCOM, 5> ADDR;
+  simulated::Register<uint8_t, simulated::IN_SERCOM, 6> DATA;
 };
 
 struct Sercom4 {
@@ -50,28 +66,28 @@ struct Sercom4 {
 };
 
 struct GenericClock {
-  simulated::Register<simulated::IN_CLOCK_CONTROL> CLKCTRL;
-  simulated::Register<simulated::NOWHERE> GENDIV, GENCTRL;
+  simulated::Register<uint16_t, simulated::IN_CLOCK_CONTROL> CLKCTRL;
+  simulated::Register<uint32_t, simulated::NOWHERE> GENDIV, GENCTRL;
   simulated::Synchronised<simulated::NOWHERE> STATUS;
 };
 
 struct WatchdogTimer {
-  simulated::Register<simulated::IN_WATCHDOG_CONTROL> CTRL;
-  simulated::Register<simulated::NOWHERE> CONFIG;
-  simulated::Register<simulated::IN_WATCHDOG_CLEAR> CLEAR;
+  simulated::Register<uint8_t, simulated::IN_WATCHDOG_CONTROL> CTRL;
+  simulated::Register<uint8_t, simulated::NOWHERE> CONFIG;
+  simulated::Register<uint8_t, simulated::IN_WATCHDOG_CLEAR> CLEAR;
   simulated::Synchronised<simulated::IN_WATCHDOG_STATUS> STATUS;
 };
 
 struct UsbRegisters {
   struct {
     struct {
-      simulated::Register<simulated::IN_USB> EPSTATUS;
+      simulated::ReadOnly<simulated::IN_USB> EPSTATUS;
     } DeviceEndpoint[8];
   } DEVICE;
 };
 
 struct PowerManager {
-  simulated::Register<simulated::IN_RESET_CAUSE> RCAUSE;
+  simulated::ReadOnly<simulated::IN_RESET_CAUSE> RCAUSE;
 };
 
 extern Sercom4 sercom4;
