@@ -26,6 +26,7 @@ SCENARIOS = (
     "host_that_comes_back",
     "usb_beside_can",
     "port_that_loses",
+    "loss_where_the_count_wraps",
     "clock_held_in_a_transfer",
     "clock_held_for_minutes",
     "busy_with_both_lines_high",
