@@ -39,7 +39,7 @@ FlashController* const NVMCTRL = &controller;
 
 void FlashCommand::operator=(uint16_t command) {
   check((command & 0xFF00) == NVMCTRL_CTRLA_CMDEX_KEY, "every command has the key");
-  check(controller.CTRLB.bit.CACHEDIS, "no command is given while the processor runs from the cache");
+  check(controller.CTRLB.bit.CACHEDIS, "no command is given while the cache is on");
   uint8_t* row = row_of(controller.ADDR.reg);
   uint8_t* buffer = reinterpret_cast<uint8_t*>(rows) + (row - kept);
   switch (command & 0xFF) {

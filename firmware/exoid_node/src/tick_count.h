@@ -1,4 +1,4 @@
-/// The ticks that an interrupt counts, and the time since the last, for the program that it interrupts.
+/// The ticks that an interrupt counts, and the time since the last for who is interrupted.
 
 #pragma once
 

@@ -1,4 +1,4 @@
-/// The registers of the SAMD21 that timer, flash and supply use, as memory: names as in its headers.
+/// The registers of the SAMD21 that timer, flash and supply use, as memory: names as its headers'.
 
 #pragma once
 

@@ -27,7 +27,7 @@ struct Shown {
 template <class Word, Where WHERE, uint8_t AT>
 struct Cell : Shown<WHERE, AT> {
   void operator=(uint32_t value) {
-    if (static_cast<Word>(value) != value) violated("a register has room for what is written to it");
+    if (static_cast<Word>(value) != value) violated("a register has room for what it is given");
     write(WHERE, AT, value);
   }
 };
