@@ -12,20 +12,13 @@
 #include "flash_samd21.cpp"
 #undef const
 
-#include <cstdio>
-#include <cstdlib>
+#include "host_check.h"
 
 namespace {
 
 FlashController controller;
 uint8_t kept[sizeof rows];  // what the flash holds; `rows` is the page buffer over it
 uint32_t erased = 0;
-
-void check(bool holds, const char* sentence) {
-  if (holds) return;
-  std::fprintf(stderr, "it does not hold that %s\n", sentence);
-  std::exit(1);
-}
 
 uint8_t* row_of(uint32_t address) {
   const auto begin = static_cast<uint32_t>(reinterpret_cast<uintptr_t>(rows) / 2);

@@ -3,8 +3,7 @@
 #define ARDUINO_ARCH_SAMD
 #include "supply_samd21.cpp"
 
-#include <cstdio>
-#include <cstdlib>
+#include "host_check.h"
 
 namespace {
 
@@ -14,12 +13,6 @@ constexpr uint32_t AFTER_CHANGE = 100;  // counts by which the first conversion 
 Converter converter{};
 uint32_t conversions = 0;  // since the converter was turned on
 bool lit = false, is_output = false;
-
-void check(bool holds, const char* sentence) {
-  if (holds) return;
-  std::fprintf(stderr, "it does not hold that %s\n", sentence);
-  std::exit(1);
-}
 
 }  // namespace
 

@@ -3,8 +3,7 @@
 #define ARDUINO_ARCH_SAMD
 #include "timer_samd21.cpp"
 
-#include <cstdio>
-#include <cstdlib>
+#include "host_check.h"
 
 namespace {
 
@@ -14,12 +13,6 @@ bool enabled = false;
 uint32_t now_us = 4294967000U;  // shortly before it wraps
 uint32_t count = 0;             // by the timer since its last match
 bool ticks_meanwhile = false;   // while the time is looked at for the next time
-
-void check(bool holds, const char* sentence) {
-  if (holds) return;
-  std::fprintf(stderr, "it does not hold that %s\n", sentence);
-  std::exit(1);
-}
 
 }  // namespace
 
