@@ -23,6 +23,7 @@ struct LosingPort {
   int available() { return 0; }
   int read() { return -1; }
   int availableForWrite() { return static_cast<int>(room); }
+  bool hung_up() { return false; }
   size_t write(const uint8_t* bytes, size_t count) {
     if (++writes == lost_at) {
       got.resize(got.size() - last);

@@ -24,6 +24,7 @@ SCENARIOS = (
     "slcan_fallback",
     "host_that_does_not_read",
     "host_that_comes_back",
+    "program_that_is_killed",
     "usb_beside_can",
     "port_that_loses",
     "loss_where_the_count_wraps",

@@ -42,6 +42,14 @@ class Slcan {
     length_ = 0;
   }
 
+  /// The program on the port has let go of it, with or without a goodbye: nobody hears what is
+  /// queued, nor the end of a line of which it has a piece.
+  void hang_up() {
+    open_ = torn_ = has_frame_ = just_opened_ = false;
+    tail_ = head_;
+    length_ = 0;
+  }
+
   bool is_open() const { return open_; }
 
   /// Whether the host has opened the channel since the last call.

@@ -57,6 +57,9 @@ uint32_t read(Where where, uint8_t at) {
 void write(Where where, uint8_t at, uint32_t value) {
   switch (where) {
     case IN_SERCOM: board.i2c.write(static_cast<SercomRegister>(at), value); break;
+    case IN_USB_CLEAR:
+      if ((value & USB_DEVICE_EPSTATUSCLR_BK1RDY) != 0) board.usb.withdraw();
+      break;
     case IN_WATCHDOG_CONTROL: board.watchdog.enable((value & WDT_CTRL_ENABLE) != 0); break;
     case IN_WATCHDOG_CLEAR: board.watchdog.feed(static_cast<uint8_t>(value)); break;
     case IN_CLOCK_CONTROL: {
@@ -125,6 +128,8 @@ uint8_t SPIClass::transfer(uint8_t byte) {
 int UsbSerial::available() { return board.usb.available(); }
 
 int UsbSerial::read() { return board.usb.read(); }
+
+bool UsbSerial::dtr() { return board.usb.is_held(); }
 
 size_t UsbSerial::write(const uint8_t* bytes, size_t count) {
   return board.usb.write(bytes, count);

@@ -49,6 +49,7 @@ class UsbSerial {
   int available();
   int read();
   int availableForWrite() { return 63; }
+  bool dtr();
   size_t write(const uint8_t* bytes, size_t count);
 };
 

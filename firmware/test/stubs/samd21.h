@@ -8,7 +8,7 @@
 namespace simulated {
 
 enum Where : uint8_t {
-  NOWHERE, IN_SERCOM, IN_USB, IN_WATCHDOG_STATUS, IN_WATCHDOG_CONTROL, IN_WATCHDOG_CLEAR,
+  NOWHERE, IN_SERCOM, IN_USB, IN_USB_CLEAR, IN_WATCHDOG_STATUS, IN_WATCHDOG_CONTROL, IN_WATCHDOG_CLEAR,
   IN_CLOCK_CONTROL, IN_RESET_CAUSE,
 };
 
@@ -81,6 +81,7 @@ struct WatchdogTimer {
 struct UsbRegisters {
   struct {
     struct {
+      simulated::Register<uint8_t, simulated::IN_USB_CLEAR> EPSTATUSCLR;
       simulated::ReadOnly<simulated::IN_USB> EPSTATUS;
     } DeviceEndpoint[8];
   } DEVICE;
@@ -123,5 +124,5 @@ constexpr uint32_t GCLK_GENCTRL_ID(uint32_t value) { return value; }
 constexpr uint32_t GCLK_GENCTRL_SRC_OSCULP32K = 3U << 8, GCLK_GENCTRL_GENEN = 1U << 16;
 constexpr uint32_t GCLK_GENCTRL_DIVSEL = 1U << 20;
 constexpr uint32_t WDT_CONFIG_PER_128 = 4, WDT_CTRL_ENABLE = 2;
-constexpr uint32_t USB_DEVICE_EPSTATUS_BK1RDY = 128;
+constexpr uint32_t USB_DEVICE_EPSTATUS_BK1RDY = 128, USB_DEVICE_EPSTATUSCLR_BK1RDY = 128;
 constexpr uint8_t PM_RCAUSE_POR = 1, PM_RCAUSE_BOD12 = 2, PM_RCAUSE_BOD33 = 4, PM_RCAUSE_WDT = 32;

@@ -81,6 +81,7 @@ class UsbSerial {
   int available();
   int read();
   int availableForWrite();
+  uint8_t dtr();
   size_t write(const uint8_t* bytes, size_t count);
 };
 
