@@ -88,6 +88,17 @@ void frames_of_others() {
   check(!bus.can.receive(frame), "once");
 }
 
+void frame_that_is_put_into_its_mailbox() {
+  Bus bus;
+  bus.run_ms(20);
+  Frame frame = {};
+  bus.chip.hear(0x110, false, false, 8);
+  bus.chip.moves_in = true;
+  check(!bus.can.receive(frame), "a frame of which half may be another's is not taken");
+  bus.chip.moves_in = false;
+  check(bus.can.receive(frame) && frame.id == 0x110, "but when it is whole");
+}
+
 void nobody_acknowledges() {
   Bus bus;
   bus.run_ms(20);
@@ -159,6 +170,7 @@ std::vector<Scenario> flexcan_scenarios() {
       {"timing_of_the_oscillator", timing_of_the_oscillator},
       {"frames_in_their_order", frames_in_their_order},
       {"frames_of_others", frames_of_others},
+      {"frame_that_is_put_into_its_mailbox", frame_that_is_put_into_its_mailbox},
       {"nobody_acknowledges", nobody_acknowledges},
       {"bus_that_is_shorted", bus_that_is_shorted},
       {"controller_that_forgets", controller_that_forgets},

@@ -22,13 +22,15 @@ class FlexCanModel {
   Answer answer = ANSWERS;
   bool acknowledged = true, shorted = false, stays_off = false;
   bool overlooks = false;  // the next request comes in the moment of the erratum
+  bool moves_in = false;   // a frame that has come is just being put into its mailbox
 
   void begin() { clocked_ = true; }
 
   uint32_t read(uint32_t at) {
     if (answer != ANSWERS || !clocked_) return answer == DEAD_HIGH ? 0xFFFFFFFF : 0;
     advance();
-    return at == MCR ? mcr_ | (is_frozen() ? FROZEN | NOT_READY : 0) : word(at);
+    if (at == MCR) return mcr_ | (is_frozen() ? FROZEN | NOT_READY : 0);
+    return word(at) | (moves_in && is_head(at) ? BUSY : 0);
   }
 
   void write(uint32_t at, uint32_t value) {
@@ -41,9 +43,8 @@ class FlexCanModel {
     }
     if ((at == CTRL1 || at >= MASKS) && !is_frozen()) return;  // written in freeze mode alone
     word(at) = value;
-    const bool is_head = at >= 0x80 && at < 0x180 && at % 16 == 0;
-    if (is_head && code(value) == 12) request(at);
-    if (is_head && code(value) == 8 && overlooked_) request(sender_);
+    if (is_head(at) && code(value) == 12) request(at);
+    if (is_head(at) && code(value) == 8 && overlooked_) request(sender_);
   }
 
   /// A disturbance stops it; its settings stay.
@@ -100,6 +101,9 @@ class FlexCanModel {
   static constexpr uint32_t AFTER_RESET = 0x5080000F;  // but for MDIS, which a soft reset keeps
   static constexpr uint64_t FRAME_US = 270;
 
+  static constexpr uint32_t BUSY = 1U << 24;  // of a mailbox's code
+
+  static bool is_head(uint32_t at) { return at >= 0x80 && at < 0x180 && at % 16 == 0; }
   static uint32_t code(uint32_t head) { return head >> 24 & 15; }
   uint32_t& word(uint32_t at) { return words_[at / 4]; }
   bool is_frozen() const { return (mcr_ & DISABLED) == 0 && (mcr_ & FREEZE) && (mcr_ & HALT); }

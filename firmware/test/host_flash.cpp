@@ -12,20 +12,13 @@
 #include "flash_samd21.cpp"
 #undef const
 
-#include <cstdio>
-#include <cstdlib>
+#include "host_check.h"
 
 namespace {
 
 FlashController controller;
 uint8_t kept[sizeof rows];  // what the flash holds; `rows` is the page buffer over it
 uint32_t erased = 0;
-
-void check(bool holds, const char* sentence) {
-  if (holds) return;
-  std::fprintf(stderr, "it does not hold that %s\n", sentence);
-  std::exit(1);
-}
 
 uint8_t* row_of(uint32_t address) {
   const auto begin = static_cast<uint32_t>(reinterpret_cast<uintptr_t>(rows) / 2);
@@ -39,6 +32,7 @@ FlashController* const NVMCTRL = &controller;
 
 void FlashCommand::operator=(uint16_t command) {
   check((command & 0xFF00) == NVMCTRL_CTRLA_CMDEX_KEY, "every command has the key");
+  check(controller.CTRLB.bit.CACHEDIS, "no command is given while the cache is on");
   uint8_t* row = row_of(controller.ADDR.reg);
   uint8_t* buffer = reinterpret_cast<uint8_t*>(rows) + (row - kept);
   switch (command & 0xFF) {
@@ -68,6 +62,7 @@ int main() {
   check(std::memcmp(read, first, 11) == 0, "the first slot holds all its bytes, a part word too");
   flash.read(1, read, 10);
   check(std::memcmp(read, second, 10) == 0, "the second slot is another one");
+  check(!controller.CTRLB.bit.CACHEDIS, "the program has its cache again");
   check(kept[11] == 0xFF, "what was not written is left erased");
   check(flash.write(0, second, 10), "a slot is written again");
   flash.read(0, read, 10);

@@ -1,21 +1,14 @@
 // The settings in a flash whose power is cut after any byte, and whose bits fall over.
 
-#include <cstdio>
-#include <cstdlib>
 #include <cstring>
 
+#include "host_check.h"
 #include "settings_store.h"
 
 namespace {
 
 using exoid::NodeSettings;
 using exoid::Record;
-
-void check(bool holds, const char* sentence, int line = __builtin_LINE()) {
-  if (holds) return;
-  std::fprintf(stderr, "line %d: it does not hold that %s\n", line, sentence);
-  std::exit(1);
-}
 
 /// Two slots; the power goes after so many bytes of an erasure and the write behind it.
 struct Flash {

@@ -2,25 +2,13 @@
 
 #include <Arduino.h>
 
-#include <cstdio>
-#include <cstdlib>
-
 #include "flexcan_teensy4.cpp"
+#include "host_check.h"
 
 volatile uint32_t CCM_CSCMR2 = 0xFFFFFFFF, CCM_CCGR0, IOMUXC_FLEXCAN1_RX_SELECT_INPUT;
 volatile uint32_t IOMUXC_SW_MUX_CTL_PAD_GPIO_AD_B1_08, IOMUXC_SW_PAD_CTL_PAD_GPIO_AD_B1_08;
 volatile uint32_t IOMUXC_SW_MUX_CTL_PAD_GPIO_AD_B1_09, IOMUXC_SW_PAD_CTL_PAD_GPIO_AD_B1_09;
 uint32_t flexcan1[0x900 / 4];
-
-namespace {
-
-void check(bool holds, const char* sentence) {
-  if (holds) return;
-  std::fprintf(stderr, "it does not hold that %s\n", sentence);
-  std::exit(1);
-}
-
-}  // namespace
 
 int main() {
   exoid::FlexCanRegisters registers;

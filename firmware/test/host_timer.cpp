@@ -3,21 +3,16 @@
 #define ARDUINO_ARCH_SAMD
 #include "timer_samd21.cpp"
 
-#include <cstdio>
-#include <cstdlib>
+#include "host_check.h"
 
 namespace {
 
-GenericClock clock_registers;
-TimerCounter timer_registers;
+GenericClock clock_registers{};
+TimerCounter timer_registers{};
 bool enabled = false;
 uint32_t now_us = 4294967000U;  // shortly before it wraps
-
-void check(bool holds, const char* sentence) {
-  if (holds) return;
-  std::fprintf(stderr, "it does not hold that %s\n", sentence);
-  std::exit(1);
-}
+uint32_t count = 0;             // by the timer since its last match
+bool ticks_meanwhile = false;   // while the time is looked at for the next time
 
 }  // namespace
 
@@ -26,10 +21,24 @@ TimerCounter* const TC3 = &timer_registers;
 
 void NVIC_EnableIRQ(Interrupt number) { enabled = number == TC3_IRQn; }
 
-uint32_t micros() { return now_us; }
+void Requested::operator=(uint16_t request) {
+  check(request == 0x8010, "the count is asked for");
+  timer_registers.COUNT16.COUNT.reg = count;
+}
 
-int main() {
-  exoid::SamplingTimer timer;
+uint32_t micros() {
+  const uint32_t told = now_us;
+  if (ticks_meanwhile) {
+    ticks_meanwhile = false;
+    now_us += 3;
+    TC3_Handler();
+  }
+  return told;
+}
+
+namespace {
+
+void begins_and_counts(exoid::SamplingTimer& timer) {
   timer.begin();
   const auto& registers = timer_registers.COUNT16;
   check(enabled && registers.INTENSET.reg == TC_INTENSET_MC0, "a match interrupts");
@@ -41,5 +50,33 @@ int main() {
   now_us += 900;
   check(timer.ticks() == 1 && timer.age_us() == 900, "it tells ticks and the time since the last");
   check(registers.INTFLAG.reg == TC_INTFLAG_MC0, "an interrupt is acknowledged");
+}
+
+/// As while the flash is written, where micros stands still, too.
+void tells_how_late_an_interrupt_is(const exoid::SamplingTimer& timer) {
+  count = 3000;  // of 750 a ms
+  TC3_Handler();
+  check(timer.age_us() == 4000, "a tick is as old as the timer says, and not its interrupt");
+  count = 7499;
+  TC3_Handler();
+  check(timer.age_us() == 0, "an interrupt that comes within the count of its match is not late");
+  count = 0;
+}
+
+void tells_one_time_of_one_tick(const exoid::SamplingTimer& timer) {
+  const uint32_t before = timer.ticks();
+  now_us += 9999;
+  ticks_meanwhile = true;
+  check(timer.age_us() == 0, "a tick that comes while the time is looked at gives no age between");
+  check(timer.ticks() == before + 1, "and counts");
+}
+
+}  // namespace
+
+int main() {
+  exoid::SamplingTimer timer;
+  begins_and_counts(timer);
+  tells_how_late_an_interrupt_is(timer);
+  tells_one_time_of_one_tick(timer);
   return 0;
 }

@@ -37,6 +37,7 @@ struct WillingPort {
   int available() const { return *typed != '\0' ? 1 : 0; }
   int read() { return *typed++; }
   int availableForWrite() const { return 63; }
+  bool hung_up() const { return false; }
   size_t write(const uint8_t*, size_t count) { return count; }
 };
 

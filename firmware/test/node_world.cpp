@@ -97,6 +97,7 @@ void befall(const Event& event) {
       if (value == 0) board.usb.unplug();
       board.usb.plugged = value != 0;
       break;
+    case world_events::USB_HELD: value == 0 ? board.usb.let_go() : board.usb.take(); break;
     case world_events::TYPED: type(static_cast<uint16_t>(value)); break;
     case world_events::TIMER_STANDS: board.timer_stands = true; break;
     case world_events::BROWN_OUT: brown_out(value * 1000); break;

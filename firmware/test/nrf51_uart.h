@@ -23,6 +23,7 @@ class Nrf51Uart {
   }
 
   int availableForWrite() const { return is_ready() ? LONGEST_WRITE : 0; }
+  bool hung_up() const { return false; }
 
   /// Writes what the host takes now; returns how much that was.
   size_t write(const uint8_t* bytes, size_t count) {

@@ -4,9 +4,9 @@
 
 #include "command_frames.h"
 #include "flash_samd21.h"
+#include "sampling_timer.h"
 #include "supply_samd21.h"
 #include "tended_node.h"
-#include "timer_samd21.h"
 
 namespace {
 

@@ -152,6 +152,30 @@ void host_that_comes_back() {
   check(status(only(frames, exoid::STATE_ID).front(), FILTER_RESET), "a new recording begins anew");
 }
 
+/// A program that says no goodbye: who listens on CAN is told of no loss, and the next program on
+/// USB hears nothing that was said before it came.
+void program_that_is_killed() {
+  open_channel();
+  run_ms(500);
+  board.usb.reads = false;
+  run_ms(200);
+  board.usb.let_go();
+  run_ms(100);
+  world.on_bus.clear();
+  run_ms(5000);
+  for (const Frame& state : only(world.on_bus, exoid::STATE_ID)) {
+    check(!status(state, OVERRUN), "what nobody waits for is not lost");
+  }
+  world.to_host.clear();
+  board.usb.take();
+  run_ms(2000);  // for which python-can waits
+  check(world.to_host.empty(), "nothing of before is said");
+  check(answer_to("C\rS6\r\rO\r").find("\a\r\r\r") == 0, "it opens the channel");
+  world.to_host.clear();
+  run_ms(500);
+  check_in_order(frames_in(world.to_host), 50);
+}
+
 /// A host on USB beside one on CAN: it hears the same, and the other is not disturbed.
 void usb_beside_can() {
   open_channel();
@@ -181,6 +205,7 @@ std::vector<Scenario> uplink_scenarios() {
       {"slcan_fallback", slcan_fallback},
       {"host_that_does_not_read", host_that_does_not_read},
       {"host_that_comes_back", host_that_comes_back},
+      {"program_that_is_killed", program_that_is_killed},
       {"usb_beside_can", usb_beside_can},
   };
 }

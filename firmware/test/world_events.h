@@ -18,6 +18,7 @@ enum Kind : uint16_t {
   FOREIGN,           // value: identifier of the frames of another node
   USB_READS,         // 1 the host takes what is sent
   USB_PLUGGED,
+  USB_HELD,          // 0 the program there is killed, 1 another one takes the port
   TYPED,             // value: a command of one letter
   TIMER_STANDS,      // the sampling timer ticks no more
   BROWN_OUT,         // of the whole node; value: ms without a supply

@@ -26,6 +26,7 @@ SCENARIOS = (
     "timing_of_the_oscillator",
     "frames_in_their_order",
     "frames_of_others",
+    "frame_that_is_put_into_its_mailbox",
     "nobody_acknowledges",
     "bus_that_is_shorted",
     "controller_that_forgets",

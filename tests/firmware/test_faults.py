@@ -4,7 +4,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from node_world import STATE, Event, Life, live
+from node_world import ON_USB, STATE, Event, Life, live
 
 from exoid.recordings.can.node.health import PASSIVE
 from exoid.recordings.loading.can_log import read_can_log
@@ -123,6 +123,21 @@ def test_a_host_that_stalls_or_is_unplugged_costs_frames_and_no_tick(world, tmp_
     assert sum(gap > 1 for gap in gaps) == 2
     assert 1 <= sum(state[7] >> 7 for state in states) <= 4  # Overrun, soon after each
     assert {bytes.fromhex(line[5:])[5] for line in frames if line.startswith("t100")} == {0}
+
+
+@pytest.mark.parametrize("world", WORLDS)
+def test_a_program_that_is_killed_costs_neither_who_is_on_can_nor_the_next_one(world, tmp_path):
+    killed, next_one = 3000, 6000
+    events: list[Event] = [
+        *((BEGIN, "TYPED", ord("O")), (killed, "USB_HELD", 0), (next_one, "USB_HELD", 1)),
+        (8000, "END", 0),
+    ]
+    life = live(world, events, tmp_path)
+    assert life.longest_pass < 2 * TICK
+    assert life.told(BEGIN) == set()
+    heard = life.records[life.records["link"] == ON_USB]["at_ms"]
+    assert ((heard > BEGIN) & (heard < killed)).sum() > 500  # three frames a tick, some in a packet
+    assert heard.max() <= killed
 
 
 @pytest.mark.parametrize("world", WORLDS)

@@ -24,8 +24,10 @@ SCENARIOS = (
     "slcan_fallback",
     "host_that_does_not_read",
     "host_that_comes_back",
+    "program_that_is_killed",
     "usb_beside_can",
     "port_that_loses",
+    "loss_where_the_count_wraps",
     "clock_held_in_a_transfer",
     "clock_held_for_minutes",
     "busy_with_both_lines_high",
@@ -80,6 +82,10 @@ def test_the_sketch_does_what_the_scenario_asks(played, scenario):
 
 def test_the_timer_is_set_to_a_hundred_ticks_a_second(build):
     subprocess.run([build("host_timer")], check=True, timeout=10)
+
+
+def test_the_supply_is_measured_to_a_count_of_the_converter(build):
+    subprocess.run([build("host_supply")], check=True, timeout=10)
 
 
 @pytest.mark.parametrize(

@@ -11,6 +11,7 @@ SCENARIOS = (
     "watchdog_is_set",
     "bus_without_listener",
     "host_on_usb",
+    "program_that_is_killed",
     "clock_that_is_held",
     "data_that_is_held",
     "sensors_that_are_silent",

@@ -6,9 +6,9 @@
 #include "exo_commands.h"
 #include "flash_samd21.h"
 #include "mcp2515.h"
+#include "sampling_timer.h"
 #include "spi_link.h"
 #include "supply_samd21.h"
-#include "timer_samd21.h"
 #include "usb_port.h"
 #include "watchdog_samd21.h"
 

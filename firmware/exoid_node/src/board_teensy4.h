@@ -11,8 +11,8 @@
 #include "flash_teensy4.h"
 #include "flexcan.h"
 #include "flexcan_teensy4.h"
+#include "sampling_timer.h"
 #include "supply_teensy4.h"
-#include "timer_teensy4.h"
 #include "usb_teensy4.h"
 #include "watchdog_teensy4.h"
 

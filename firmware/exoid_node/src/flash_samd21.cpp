@@ -41,6 +41,8 @@ bool ProcessorFlash::write(uint8_t slot, const uint8_t* bytes, uint32_t count) {
   if (count > PAGE) return false;
   volatile uint8_t* to = begin_of(slot);
   wait_for_flash();
+  // Erratum 10804: a command may fault a processor whose cache is on.
+  NVMCTRL->CTRLB.bit.CACHEDIS = 1;
   NVMCTRL->CTRLB.bit.MANW = 1;  // a page is written by the command, not by its last word
   NVMCTRL->ADDR.reg = static_cast<uint32_t>(reinterpret_cast<uintptr_t>(to) / 2);
   command(NVMCTRL_CTRLA_CMD_ER);
@@ -56,6 +58,7 @@ bool ProcessorFlash::write(uint8_t slot, const uint8_t* bytes, uint32_t count) {
   }
   command(NVMCTRL_CTRLA_CMD_WP);
   command(NVMCTRL_CTRLA_CMD_INVALL);  // what is read back then comes from the flash
+  NVMCTRL->CTRLB.bit.CACHEDIS = 0;
   return true;
 }
 

@@ -51,6 +51,7 @@ class FlexCan {
     for (uint8_t at = 0; at < Ids::COUNT && is_up(); ++at) {
       if ((registers_.read(IFLAG1) & flag(at)) == 0) continue;
       const uint32_t head = registers_.read(mailbox(at));  // which locks it
+      if ((head & BUSY) != 0) continue;
       frame.id = static_cast<uint16_t>(registers_.read(mailbox(at) + ID) >> ID_SHIFT & 0x7FF);
       unpack(registers_.read(mailbox(at) + WORDS), frame.data);
       unpack(registers_.read(mailbox(at) + WORDS + 4), frame.data + 4);
@@ -105,7 +106,7 @@ class FlexCan {
   static constexpr uint32_t STOPPED = RUNNING | FREEZE | HALT;
   static constexpr uint32_t BUS_OFF = 0x20;  // of ESR1
   static constexpr uint32_t EMPTY = 4U << 24, IDLE = 8U << 24, TO_SEND = 12U << 24;
-  static constexpr uint32_t CODE = 15U << 24;
+  static constexpr uint32_t CODE = 15U << 24, BUSY = 1U << 24;
   static constexpr uint32_t EXTENDED = 1U << 21, REMOTE = 1U << 20, LENGTH = 15U << 16;
   static constexpr uint32_t EIGHT_BYTES = 8U << 16, ID_SHIFT = 18, ID_BITS = 0x7FFU << ID_SHIFT;
   static constexpr uint8_t SPARE = 8, SENDER = 9, MAILBOXES = 16;  // those to receive come first
@@ -149,8 +150,6 @@ class FlexCan {
     registers_.write(MCR, RUNNING);
   }
 
-  bool keeps_timing() { return registers_.read(CTRL1) == timing_; }
-
   void come_up(uint32_t now_ms) {
     ++starts_;
     errors_ = 0;
@@ -164,7 +163,7 @@ class FlexCan {
     off_ = static_cast<uint8_t>(registers_.read(ESR1) & BUS_OFF ? off_ + 1 : 0);
     since_ms_ = now_ms;
     const bool runs = (mcr & ~NOT_READY & ~(1U << 23)) == RUNNING;  // bit 23: who may access it
-    if (runs && keeps_timing() && off_ <= LONGEST_OFF) return true;
+    if (runs && registers_.read(CTRL1) == timing_ && off_ <= LONGEST_OFF) return true;
     queue_.clear();
     lost_ = true;
     enter(DOWN, now_ms);

@@ -23,6 +23,10 @@ void wait_for_sync(uint32_t busy) {
   }
 }
 
+uint32_t bus_state() {
+  return (i2c().STATUS.reg & SERCOM_I2CM_STATUS_BUSSTATE_Msk) >> SERCOM_I2CM_STATUS_BUSSTATE_Pos;
+}
+
 /// The time-outs count the 32 kHz of generator 1, which the core has started.
 void start_slow_clock() {
   GCLK->CLKCTRL.reg = static_cast<uint16_t>(GCLK_CLKCTRL_CLKEN | GCLK_CLKCTRL_GEN_GCLK1 |
@@ -48,6 +52,8 @@ void I2cMaster::begin() {
   i2c().STATUS.reg = SERCOM_I2CM_STATUS_BUSSTATE(IDLE);
   wait_for_sync(SERCOM_I2CM_SYNCBUSY_SYSOP);
 }
+
+bool I2cMaster::is_idle() const { return bus_state() == IDLE; }
 
 bool I2cMaster::write(uint8_t device, const uint8_t* bytes, uint8_t count) {
   began_us_ = micros();
@@ -75,8 +81,7 @@ bool I2cMaster::stop() { return command(STOP, 0); }
 
 /// A start, or a repeated one, and the address; `expected` is the flag of a device that answers.
 bool I2cMaster::start(uint8_t address, uint8_t expected) {
-  const uint32_t state = (i2c().STATUS.reg & SERCOM_I2CM_STATUS_BUSSTATE_Msk) >>
-                         SERCOM_I2CM_STATUS_BUSSTATE_Pos;
+  const uint32_t state = bus_state();
   if (state != IDLE && state != OWNER) return false;
   i2c().ADDR.reg = address;
   return wait_for(DONE) && (i2c().INTFLAG.reg & expected) != 0 && (i2c().STATUS.reg & BAD) == 0;

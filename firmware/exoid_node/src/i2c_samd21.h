@@ -12,6 +12,9 @@ class I2cMaster {
   /// Takes over what Wire has set up, with the hardware's time-outs and an idle bus.
   void begin();
 
+  /// Whether no transfer is under way, the last stop included.
+  bool is_idle() const;
+
   /// Sends the bytes to a device and keeps the bus. Returns false where one was not acknowledged.
   bool write(uint8_t device, const uint8_t* bytes, uint8_t count);
 

@@ -11,6 +11,9 @@ class I2cMaster {
  public:
   void begin() {}
 
+  /// Wire itself waits for the end of a transfer.
+  bool is_idle() const { return true; }
+
   /// Takes the bytes for a device; they leave with what comes next. Returns false where they are
   /// too many.
   bool write(uint8_t device, const uint8_t* bytes, uint8_t count);

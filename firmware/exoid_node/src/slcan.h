@@ -42,6 +42,14 @@ class Slcan {
     length_ = 0;
   }
 
+  /// The program on the port has let go of it, with or without a goodbye: nobody hears what is
+  /// queued, nor the end of a line of which it has a piece.
+  void hang_up() {
+    open_ = torn_ = has_frame_ = just_opened_ = false;
+    tail_ = head_;
+    length_ = 0;
+  }
+
   bool is_open() const { return open_; }
 
   /// Whether the host has opened the channel since the last call.
@@ -76,7 +84,7 @@ class Slcan {
     if (torn_) {
       torn_ = count == 0;
     } else {
-      tail_ += count;
+      tail_ += static_cast<uint32_t>(count);
     }
   }
 
@@ -89,7 +97,7 @@ class Slcan {
   }
 
  private:
-  static constexpr size_t SIZE = 1024;  // bytes; frames of 150 ms
+  static constexpr uint32_t SIZE = 1024;  // bytes; frames of 150 ms
   static constexpr size_t FRAME_LENGTH = 22;
   static constexpr size_t RESERVE = 32;  // for answers while frames have no room
   static constexpr size_t LINE = 31;     // longest command
@@ -134,10 +142,10 @@ class Slcan {
   void forget_frames() { head_ = end_of_line(); }
 
   /// Where the line ends that is half sent; where the next begins if none is.
-  size_t end_of_line() const {
-    size_t end = tail_;
-    if (end > 0 && !ends_line(ring_[(end - 1) % SIZE])) {
-      while (end < head_ && !ends_line(ring_[end++ % SIZE])) {
+  uint32_t end_of_line() const {
+    uint32_t end = tail_;
+    if (!ends_line(ring_[(end - 1) % SIZE])) {
+      while (end != head_ && !ends_line(ring_[end++ % SIZE])) {
       }
     }
     return end;
@@ -168,8 +176,10 @@ class Slcan {
     put_digit(byte);
   }
 
-  uint8_t ring_[SIZE] = {};
-  size_t head_ = 0, tail_ = 0;  // bytes ever queued, ever sent
+  uint8_t ring_[SIZE] = {RETURN};  // as if a line had just been sent
+  // Bytes ever queued, ever sent: counts that wrap after a week, and in the first second, so that
+  // whatever does not outlive it is seen.
+  uint32_t head_ = 1U - SIZE, tail_ = 1U - SIZE;
   char line_[LINE] = {};
   size_t length_ = 0;
   bool open_ = false;

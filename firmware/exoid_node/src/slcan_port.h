@@ -8,10 +8,12 @@ namespace exoid {
 
 constexpr int LONGEST_INPUT = 64;  // bytes taken at once: a host that floods must not stop a sample
 
-/// Moves bytes between `slcan` and a port with the four functions of Arduino's serial ports. The
-/// port's `write` returns how much it took, or more where it lost what it had.
+/// Moves bytes between `slcan` and a port with the four functions of Arduino's serial ports, and
+/// `hung_up()`: whether a program has let go of it since the last call. The port's `write` returns
+/// how much it took, or more where it lost what it had.
 template <class Port>
 void exchange(Slcan& slcan, Port& port) {
+  if (port.hung_up()) slcan.hang_up();
   for (int taken = 0; taken < LONGEST_INPUT && port.available() > 0; ++taken) {
     slcan.receive(static_cast<char>(port.read()));
   }

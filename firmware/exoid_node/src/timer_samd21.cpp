@@ -1,10 +1,11 @@
-#include "timer_samd21.h"
+#include "sampling_timer.h"
 
 #if defined(ARDUINO_ARCH_SAMD)
 
 #include <Arduino.h>
 
 #include "constants.h"
+#include "tick_count.h"
 
 namespace {
 
@@ -13,20 +14,28 @@ constexpr uint32_t FREQUENCY = 1000000 / exoid::TICK_US;  // Hz
 constexpr uint32_t COUNTS = VARIANT_MCK / DIVIDER / FREQUENCY;
 static_assert(COUNTS <= 65536, "TC3 counts 16 bits");
 
-volatile uint32_t tick_count = 0;
-volatile uint32_t tick_time_us = 0;
+exoid::TickCount counted;
 
 void wait_for_timer() {
   while (TC3->COUNT16.STATUS.bit.SYNCBUSY) {
   }
 }
 
+/// The time that the timer has counted since the tick, whose interrupt is late while another one
+/// runs or the flash is written; then micros stands still, too.
+uint32_t late_us() {
+  TC3->COUNT16.READREQ.reg = TC_READREQ_RREQ | TC_READREQ_ADDR(TC_COUNT16_COUNT_OFFSET);
+  wait_for_timer();
+  const uint32_t count = TC3->COUNT16.COUNT.reg;
+  const bool is_match = count == COUNTS - 1;  // seen before the timer begins anew
+  return is_match ? 0 : count * DIVIDER / (VARIANT_MCK / 1000000);
+}
+
 }  // namespace
 
 extern "C" void TC3_Handler() {
   TC3->COUNT16.INTFLAG.reg = TC_INTFLAG_MC0;
-  tick_time_us = micros();
-  tick_count = tick_count + 1;
+  counted.tick(micros() - late_us());
 }
 
 namespace exoid {
@@ -50,9 +59,9 @@ void SamplingTimer::begin() {
   wait_for_timer();
 }
 
-uint32_t SamplingTimer::ticks() const { return tick_count; }
+uint32_t SamplingTimer::ticks() const { return counted.count(); }
 
-uint32_t SamplingTimer::age_us() const { return micros() - tick_time_us; }
+uint32_t SamplingTimer::age_us() const { return counted.age_us(micros); }
 
 }  // namespace exoid
 

@@ -1,21 +1,18 @@
-#include "timer_teensy4.h"
+#include "sampling_timer.h"
 
 #if defined(__IMXRT1062__)
 
 #include <Arduino.h>
 
 #include "constants.h"
+#include "tick_count.h"
 
 namespace {
 
 IntervalTimer timer;  // one of the processor's four, which count its 24 MHz
-volatile uint32_t tick_count = 0;
-volatile uint32_t tick_time_us = 0;
+exoid::TickCount counted;
 
-void tick() {
-  tick_time_us = micros();
-  tick_count = tick_count + 1;
-}
+void tick() { counted.tick(micros()); }
 
 }  // namespace
 
@@ -23,9 +20,9 @@ namespace exoid {
 
 void SamplingTimer::begin() { timer.begin(tick, TICK_US); }
 
-uint32_t SamplingTimer::ticks() const { return tick_count; }
+uint32_t SamplingTimer::ticks() const { return counted.count(); }
 
-uint32_t SamplingTimer::age_us() const { return micros() - tick_time_us; }
+uint32_t SamplingTimer::age_us() const { return counted.age_us(micros); }
 
 }  // namespace exoid
 

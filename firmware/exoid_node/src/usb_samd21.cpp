@@ -16,6 +16,10 @@ bool usb_packet_is_taken() {
   return (USB->DEVICE.DeviceEndpoint[CDC_IN].EPSTATUS.reg & USB_DEVICE_EPSTATUS_BK1RDY) == 0;
 }
 
+void usb_withdraw_packet() {
+  USB->DEVICE.DeviceEndpoint[CDC_IN].EPSTATUSCLR.reg = USB_DEVICE_EPSTATUSCLR_BK1RDY;
+}
+
 }  // namespace exoid
 
 #endif

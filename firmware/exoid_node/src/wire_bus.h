@@ -47,10 +47,11 @@ class WireBus {
     return digitalRead(PIN_WIRE_SDA) == HIGH && digitalRead(PIN_WIRE_SCL) == HIGH;
   }
 
-  /// Whether both lines are high, after the last stop at the latest.
-  static bool is_free() {
+  /// Whether both lines are high and the last stop is over. They are high, too, in the bit before
+  /// that stop, by which a read is ended.
+  bool is_free() const {
     const uint32_t began_us = micros();
-    while (!is_idle()) {
+    while (!is_idle() || !master_.is_idle()) {
       if (micros() - began_us > LONGEST_STOP_US) return false;
     }
     return true;

@@ -7,8 +7,8 @@
 #include <Wire.h>
 
 #include "constants.h"
+#include "sampling_timer.h"
 #include "sinks.h"
-#include "timer_samd21.h"
 
 UsbSerial Serial;
 TwoWire Wire;
@@ -57,6 +57,9 @@ uint32_t read(Where where, uint8_t at) {
 void write(Where where, uint8_t at, uint32_t value) {
   switch (where) {
     case IN_SERCOM: board.i2c.write(static_cast<SercomRegister>(at), value); break;
+    case IN_USB_CLEAR:
+      if ((value & USB_DEVICE_EPSTATUSCLR_BK1RDY) != 0) board.usb.withdraw();
+      break;
     case IN_WATCHDOG_CONTROL: board.watchdog.enable((value & WDT_CTRL_ENABLE) != 0); break;
     case IN_WATCHDOG_CLEAR: board.watchdog.feed(static_cast<uint8_t>(value)); break;
     case IN_CLOCK_CONTROL: {
@@ -74,13 +77,13 @@ void write(Where where, uint8_t at, uint32_t value) {
 using simulated::board;
 using simulated::violated;
 
-void pinMode(uint8_t pin, uint8_t mode) {
+void pinMode(uint8_t pin, PinMode mode) {
   const bool pulled = mode == OUTPUT;
   if (pin == PIN_WIRE_SCL) board.i2c.pull_clock(pulled);
   if (pin == PIN_WIRE_SDA) board.i2c.pull_data(pulled);
 }
 
-void digitalWrite(uint8_t pin, uint8_t level) {
+void digitalWrite(uint8_t pin, PinStatus level) {
   if (pin == CAN_SELECT) {
     if (board.encoder.mode() != SPI_MODE0) violated("the MCP2515 does SPI mode 0");
     return level == LOW ? board.can.select() : board.can.deselect();
@@ -91,7 +94,7 @@ void digitalWrite(uint8_t pin, uint8_t level) {
   if (level != LOW) violated("the sketch never drives an I2C line high");
 }
 
-int digitalRead(uint8_t pin) {
+PinStatus digitalRead(uint8_t pin) {
   board.now_us += 1;
   return (pin == PIN_WIRE_SDA ? board.i2c.data_is_low() : board.i2c.clock_is_low()) ? LOW : HIGH;
 }
@@ -125,6 +128,8 @@ uint8_t SPIClass::transfer(uint8_t byte) {
 int UsbSerial::available() { return board.usb.available(); }
 
 int UsbSerial::read() { return board.usb.read(); }
+
+bool UsbSerial::dtr() { return board.usb.is_held(); }
 
 size_t UsbSerial::write(const uint8_t* bytes, size_t count) {
   return board.usb.write(bytes, count);

@@ -1,5 +1,7 @@
 #include "sercom.h"
 
+#include "sinks.h"
+
 namespace simulated {
 
 namespace {
@@ -8,6 +10,7 @@ constexpr uint32_t ENABLE = 1U << 1, LOW_TIME_OUT = 1U << 30, INACTIVE_TIME_OUT 
 constexpr uint32_t BUS_ERROR = 1, ARBITRATION_LOST = 2, NOT_ACKNOWLEDGED = 4, LOW_TIMED_OUT = 64;
 constexpr uint8_t MASTER_ON_BUS = 1, SLAVE_ON_BUS = 2;
 constexpr uint32_t STOP_US = 16, INACTIVE_US = 60, LOW_US = 30000;
+constexpr uint32_t REFUSAL_US = 4;  // of that, after a read: the bit that is not acknowledged
 constexpr uint8_t LONGEST = 32;  // bytes of a transfer
 
 }  // namespace
@@ -44,6 +47,7 @@ void Sercom::write(SercomRegister to, uint32_t value) {
     case CTRLB: command(value); break;
     case STATUS: state_ = static_cast<State>(value >> 4 & 3U); break;
     case ADDR:
+      settle();
       address_ = static_cast<uint8_t>(value);
       errors_ = 0;
       begin(ADDRESS);
@@ -61,10 +65,10 @@ void Sercom::pull_clock(bool pulled) {
   clock_pulled_ = pulled;
 }
 
-/// The master itself holds the line until its stop is done.
+/// The master itself holds the line until its stop is done, but not in the bit before.
 bool Sercom::data_is_low() {
   settle();
-  return data_pulled_ || stopping_ || data_held_for > 0;
+  return data_pulled_ || (stopping_ && now_us_ >= stop_us_) || data_held_for > 0;
 }
 
 void Sercom::become_busy() {
@@ -73,6 +77,7 @@ void Sercom::become_busy() {
 }
 
 void Sercom::begin(Operation operation) {
+  if (stopping_) violated("nothing begins on the bus before the stop is over");
   flags_ = 0;
   const bool starts = operation == ADDRESS;
   const bool allowed = enabled_ && (state_ == OWNER || (starts && state_ == IDLE));
@@ -94,6 +99,7 @@ void Sercom::command(uint32_t value) {
   if (command == 2) return begin(FETCH);
   operation_ = NONE;
   stopping_ = true;
+  stop_us_ = now_us_ + ((address_ & 1U) != 0 ? REFUSAL_US : 0);
   done_us_ = now_us_ + STOP_US;
 }
 

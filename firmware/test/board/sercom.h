@@ -68,7 +68,7 @@ class Sercom {
   uint8_t flags_ = 0, address_ = 0, sent_ = 0, data_ = 0, first_ = 0, count_ = 0;
   Operation operation_ = NONE;
   State state_ = UNKNOWN;
-  uint64_t done_us_ = 0, busy_us_ = 0;
+  uint64_t done_us_ = 0, busy_us_ = 0, stop_us_ = 0;
   uint32_t clock_in_ = 0, data_in_ = 0;
   int pulses_ = 0;
 };

@@ -20,6 +20,10 @@ void UsbModel::unplug() {
   full_ = false;
 }
 
+void UsbModel::let_go() { reads = held_ = false; }
+
+void UsbModel::take() { reads = held_ = true; }
+
 size_t UsbModel::write(const uint8_t* bytes, size_t count) {
   if (!plugged) return SIZE_MAX;
   if (count >= PACKET) violated("a write fits one USB packet");

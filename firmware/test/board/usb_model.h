@@ -17,6 +17,9 @@ class UsbModel {
   bool reads = true;
   void type(const char* text);
   void unplug();
+  void let_go();  // its program ends, at once: nobody reads on, and DTR falls
+  void take();    // another one begins
+  bool is_held() const { return held_; }  // DTR
 
   // The port.
   int available() const { return static_cast<int>(typed_ - read_); }
@@ -25,6 +28,7 @@ class UsbModel {
 
   /// Whether a packet waits for the host.
   bool is_full();
+  void withdraw() { full_ = false; }
 
   uint32_t timeouts() const { return timeouts_; }
 
@@ -36,7 +40,7 @@ class UsbModel {
   uint64_t& now_us_;
   uint8_t packet_[PACKET] = {};
   size_t count_ = 0;
-  bool full_ = false, was_late_ = false;
+  bool full_ = false, was_late_ = false, held_ = true;
   uint64_t taken_us_ = 0;
   char input_[LONGEST_INPUT] = {};
   size_t typed_ = 0, read_ = 0;

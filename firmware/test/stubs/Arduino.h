@@ -16,17 +16,28 @@
 #define radians(...)
 #define degrees(...)
 #define constrain(...)
+#define sq(...)
+#define F(...)
+#define bitRead(...)
+#define bitSet(...)
+#define bitClear(...)
+#define bitWrite(...)
+#define lowByte(...)
+#define highByte(...)
+#define noInterrupts(...)
+#define synchronized
 #endif
 
 #include "samd21.h"
 
-constexpr uint8_t LOW = 0, HIGH = 1;
-constexpr uint8_t INPUT = 0, OUTPUT = 1, INPUT_PULLUP = 2;
+// No number passes for one of these.
+enum PinStatus { LOW, HIGH };
+enum PinMode { INPUT, OUTPUT, INPUT_PULLUP };
 constexpr uint8_t ENCODER_SELECT = 9, CAN_SELECT = 10, PIN_WIRE_SDA = 18, PIN_WIRE_SCL = 19;
 
-void pinMode(uint8_t pin, uint8_t mode);
-void digitalWrite(uint8_t pin, uint8_t level);
-int digitalRead(uint8_t pin);
+void pinMode(uint8_t pin, PinMode mode);
+void digitalWrite(uint8_t pin, PinStatus level);
+PinStatus digitalRead(uint8_t pin);
 void delayMicroseconds(uint32_t time);
 uint32_t micros();
 uint32_t millis();
@@ -38,6 +49,7 @@ class UsbSerial {
   int available();
   int read();
   int availableForWrite() { return 63; }
+  bool dtr();
   size_t write(const uint8_t* bytes, size_t count);
 };
 

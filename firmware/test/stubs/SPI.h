@@ -4,12 +4,13 @@
 
 #include "Arduino.h"
 
-constexpr uint8_t MSBFIRST = 1, SPI_MODE0 = 0, SPI_MODE1 = 1;
+enum BitOrder { LSBFIRST, MSBFIRST };
+enum SPIMode : uint8_t { SPI_MODE0, SPI_MODE1 };
 
 struct SPISettings {
-  SPISettings(uint32_t clock, uint8_t, uint8_t edges) : frequency(clock), mode(edges) {}
+  SPISettings(uint32_t clock, BitOrder, SPIMode edges) : frequency(clock), mode(edges) {}
   const uint32_t frequency;
-  const uint8_t mode;
+  const SPIMode mode;
 };
 
 class SPIClass {

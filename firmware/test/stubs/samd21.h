@@ -8,41 +8,57 @@
 namespace simulated {
 
 enum Where : uint8_t {
-  NOWHERE, IN_SERCOM, IN_USB, IN_WATCHDOG_STATUS, IN_WATCHDOG_CONTROL, IN_WATCHDOG_CLEAR,
+  NOWHERE, IN_SERCOM, IN_USB, IN_USB_CLEAR, IN_WATCHDOG_STATUS, IN_WATCHDOG_CONTROL, IN_WATCHDOG_CLEAR,
   IN_CLOCK_CONTROL, IN_RESET_CAUSE,
 };
 
 uint32_t read(Where where, uint8_t at);
 void write(Where where, uint8_t at, uint32_t value);
 
+[[noreturn]] void violated(const char* sentence);
+
+/// A register that is read alone.
 template <Where WHERE, uint8_t AT>
-struct Cell {
+struct Shown {
   operator uint32_t() const { return read(WHERE, AT); }
-  void operator=(uint32_t value) { write(WHERE, AT, value); }
+};
+
+/// One that is written, too, of so many bits as `Word`.
+template <class Word, Where WHERE, uint8_t AT>
+struct Cell : Shown<WHERE, AT> {
+  void operator=(uint32_t value) {
+    if (static_cast<Word>(value) != value) violated("a register has room for what it is given");
+    write(WHERE, AT, value);
+  }
+};
+
+template <class Word, Where WHERE, uint8_t AT = 0>
+struct Register {
+  Cell<Word, WHERE, AT> reg;
 };
 
 template <Where WHERE, uint8_t AT = 0>
-struct Register {
-  Cell<WHERE, AT> reg;
+struct ReadOnly {
+  Shown<WHERE, AT> reg;
 };
 
 template <Where WHERE>
 struct Synchronised {
   struct {
-    Cell<WHERE, 0> SYNCBUSY;
+    Shown<WHERE, 0> SYNCBUSY;
   } bit;
 };
 
 }  // namespace simulated
 
 struct SercomI2cm {
-  simulated::Register<simulated::IN_SERCOM, 0> CTRLA;
-  simulated::Register<simulated::IN_SERCOM, 1> CTRLB;
-  simulated::Register<simulated::IN_SERCOM, 2> STATUS;
-  simulated::Register<simulated::IN_SERCOM, 3> INTFLAG;
-  simulated::Register<simulated::IN_SERCOM, 4> SYNCBUSY;
-  simulated::Register<simulated::IN_SERCOM, 5> ADDR;
-  simulated::Register<simulated::IN_SERCOM, 6> DATA;
+  simulated::Register<uint32_t, simulated::IN_SERCOM, 0> CTRLA;
+  simulated::Register<uint32_t, simulated::IN_SERCOM, 1> CTRLB;
+  simulated::Register<uint16_t, simulated::IN_SERCOM, 2> STATUS;
+  simulated::Register<uint8_t, simulated::IN_SERCOM, 3> INTFLAG;
+  simulated::ReadOnly<simulated::IN_SERCOM, 4> SYNCBUSY;
+  simulated::Register<uint32_t, simulated::IN_SERCOM, 5> ADDR;
+  simulated::Register<uint8_t, simulated::IN_SERCOM, 6> DATA;
 };
 
 struct Sercom4 {
@@ -50,28 +66,29 @@ struct Sercom4 {
 };
 
 struct GenericClock {
-  simulated::Register<simulated::IN_CLOCK_CONTROL> CLKCTRL;
-  simulated::Register<simulated::NOWHERE> GENDIV, GENCTRL;
+  simulated::Register<uint16_t, simulated::IN_CLOCK_CONTROL> CLKCTRL;
+  simulated::Register<uint32_t, simulated::NOWHERE> GENDIV, GENCTRL;
   simulated::Synchronised<simulated::NOWHERE> STATUS;
 };
 
 struct WatchdogTimer {
-  simulated::Register<simulated::IN_WATCHDOG_CONTROL> CTRL;
-  simulated::Register<simulated::NOWHERE> CONFIG;
-  simulated::Register<simulated::IN_WATCHDOG_CLEAR> CLEAR;
+  simulated::Register<uint8_t, simulated::IN_WATCHDOG_CONTROL> CTRL;
+  simulated::Register<uint8_t, simulated::NOWHERE> CONFIG;
+  simulated::Register<uint8_t, simulated::IN_WATCHDOG_CLEAR> CLEAR;
   simulated::Synchronised<simulated::IN_WATCHDOG_STATUS> STATUS;
 };
 
 struct UsbRegisters {
   struct {
     struct {
-      simulated::Register<simulated::IN_USB> EPSTATUS;
+      simulated::Register<uint8_t, simulated::IN_USB_CLEAR> EPSTATUSCLR;
+      simulated::ReadOnly<simulated::IN_USB> EPSTATUS;
     } DeviceEndpoint[8];
   } DEVICE;
 };
 
 struct PowerManager {
-  simulated::Register<simulated::IN_RESET_CAUSE> RCAUSE;
+  simulated::ReadOnly<simulated::IN_RESET_CAUSE> RCAUSE;
 };
 
 extern Sercom4 sercom4;
@@ -107,5 +124,5 @@ constexpr uint32_t GCLK_GENCTRL_ID(uint32_t value) { return value; }
 constexpr uint32_t GCLK_GENCTRL_SRC_OSCULP32K = 3U << 8, GCLK_GENCTRL_GENEN = 1U << 16;
 constexpr uint32_t GCLK_GENCTRL_DIVSEL = 1U << 20;
 constexpr uint32_t WDT_CONFIG_PER_128 = 4, WDT_CTRL_ENABLE = 2;
-constexpr uint32_t USB_DEVICE_EPSTATUS_BK1RDY = 128;
+constexpr uint32_t USB_DEVICE_EPSTATUS_BK1RDY = 128, USB_DEVICE_EPSTATUSCLR_BK1RDY = 128;
 constexpr uint8_t PM_RCAUSE_POR = 1, PM_RCAUSE_BOD12 = 2, PM_RCAUSE_BOD33 = 4, PM_RCAUSE_WDT = 32;

@@ -6,8 +6,26 @@
 #include <stddef.h>
 #include <stdint.h>
 
-// A word that the real header takes away. Without effect, so that its use does not compile.
+#if defined(ARDUINO)
+// The words that the real header takes away. Without effect, so that their use does not compile.
 #define bit(...)
+#define word(...)
+#define constrain(...)
+#define radians(...)
+#define degrees(...)
+#define sq(...)
+#define F(...)
+#define bitRead(...)
+#define bitSet(...)
+#define bitClear(...)
+#define bitWrite(...)
+#define lowByte(...)
+#define highByte(...)
+#define interrupts(...)
+#define noInterrupts(...)
+#define cli(...)
+#define sei(...)
+#endif
 
 #define HIGH 1
 #define LOW 0
@@ -63,6 +81,7 @@ class UsbSerial {
   int available();
   int read();
   int availableForWrite();
+  uint8_t dtr();
   size_t write(const uint8_t* bytes, size_t count);
 };
 

@@ -16,7 +16,6 @@
 volatile uint32_t HW_OCOTP_CFG0 = 1, HW_OCOTP_CFG1 = 2;
 volatile uint32_t CCM_CSCMR2, CCM_CCGR0, CCM_CCGR5, SRC_SRSR;
 Told WDOG3_CNT, WDOG3_CS, WDOG3_WIN, WDOG3_TOVAL;
-UsbSerial Serial;
 TwoWire Wire;
 SPIClass SPI;
 
@@ -174,22 +173,6 @@ uint8_t TwoWire::requestFrom(uint8_t address, uint8_t count, uint8_t) {
 int TwoWire::available() { return static_cast<int>(received_count - received_at); }
 
 int TwoWire::read() { return received_at < received_count ? received[received_at++] : -1; }
-
-int UsbSerial::available() { return static_cast<int>(board.typed.size()); }
-
-int UsbSerial::read() {
-  const char first = board.typed.at(0);
-  board.typed.erase(0, 1);
-  return first;
-}
-
-int UsbSerial::availableForWrite() { return board.room; }
-
-size_t UsbSerial::write(const uint8_t* bytes, size_t count) {
-  if (static_cast<int>(count) > board.room) board.violated("no more is written than has room");
-  board.to_host.append(reinterpret_cast<const char*>(bytes), count);
-  return count;
-}
 
 namespace exoid {
 

@@ -24,6 +24,7 @@ struct Board {
 
   std::string to_host, typed;  // on USB
   int room = 2048;             // for a host
+  bool held = true;            // by a program: DTR
 
   uint64_t fed_us = 0, fed_last_us = 0;  // longest time between two feeds, and the last
   uint32_t ticks = 0;

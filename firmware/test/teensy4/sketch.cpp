@@ -130,6 +130,19 @@ void host_on_usb() {
   check(longest_pass_us < exoid::TICK_US, "and not waited for");
 }
 
+void program_that_is_killed() {
+  power_on();
+  run_ms(300);
+  board.typed = "O\r";
+  run_ms(1000);
+  board.held = false;
+  run_ms(20);
+  board.held = true;
+  board.to_host.clear();
+  run_ms(1000);
+  check(board.to_host.empty(), "the next program hears nothing before it opens the channel");
+}
+
 }  // namespace
 
 int main() {
@@ -138,6 +151,7 @@ int main() {
       {"watchdog_is_set", watchdog_is_set},
       {"bus_without_listener", bus_without_listener},
       {"host_on_usb", host_on_usb},
+      {"program_that_is_killed", program_that_is_killed},
   };
   for (const Scenario& each : wire_scenarios()) scenarios.push_back(each);
   for (const Scenario& each : command_scenarios()) scenarios.push_back(each);
