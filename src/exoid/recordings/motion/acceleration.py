@@ -6,12 +6,12 @@ a hand is on the leg.
 """
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
-from exoid.recordings.motion.signal import Signal
+from exoid.recordings.motion.signal import Signal, lines
 from exoid.recordings.motion.thresholds import (
     BLUR,
     FEWEST,
@@ -24,6 +24,7 @@ from exoid.recordings.motion.thresholds import (
     SURE,
     USUAL,
 )
+from exoid.recordings.remembered import remembered
 from exoid.recordings.samples import Samples
 from exoid.recordings.signal.local_line import local_line
 
@@ -132,7 +133,7 @@ class Derivatives:
     error: float  # rad/s^2
     width: float  # s
 
-    @property
+    @cached_property
     def table(self) -> NDArray[np.float64]:
         """The columns of the law: (sample, number)."""
         return np.stack([np.ones(self.angle.size), np.cos(self.angle), self.angle, self.speed], 1)
@@ -143,7 +144,7 @@ class Derivatives:
         return bool(self.error < PUSH * np.ptp(self.acceleration) / 2 / ROUGH)
 
 
-@lru_cache(maxsize=32)  # who looks for a hand asks several times
+@remembered  # who looks for a hand asks several times
 def derivatives(signal: Signal) -> Derivatives:
     """Over the shortest window through which a hand would be seen, else the longest."""
     *shorter, longest = BLUR
@@ -156,11 +157,11 @@ def smoothed_over(signal: Signal, width: float) -> Derivatives:
     time, count = signal.time, signal.count(width)
     spread = float(np.std(np.arange(count) * signal.step))
     if signal.velocity is not None:
-        angle = local_line(time, signal.angle, width)[0]
+        angle = lines(signal, width)[0]
         speed, acceleration = local_line(time, signal.velocity, width)
         error = signal.velocity_noise / (spread * np.sqrt(count))
     else:  # twice: a parabola over the whole width
-        angle, rough = local_line(time, signal.angle, width / 2)
+        angle, rough = lines(signal, width / 2)
         speed, acceleration = local_line(time, rough, width / 2)
         error = float(np.sqrt(5) * signal.angle_noise / (spread**2 * np.sqrt(count)))
     return Derivatives(angle, speed, acceleration, error, width)

@@ -1,13 +1,14 @@
 """A segment as the search for its movement sees it: angle and gyro, each with its noise."""
 
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 from exoid.recordings.motion.thresholds import QUIET, SPEED_ERROR, WIDTHS
 from exoid.recordings.recording import Segment, Sensors
+from exoid.recordings.remembered import remembered
 from exoid.recordings.samples import Samples, block_means, block_size
 from exoid.recordings.signal.local_line import local_line
 from exoid.recordings.signal.noise import declared_angle_noise, find_spikes, noise_of
@@ -23,7 +24,7 @@ class Signal:
     velocity: Samples | None  # rad/s
     velocity_noise: float  # rad/s
 
-    @property
+    @cached_property
     def step(self) -> float:
         return float(np.median(np.diff(self.time)))
 
@@ -92,7 +93,7 @@ def credible(
     return kept, noise_of([time], [kept], declared, angle=angle).level
 
 
-@lru_cache(maxsize=32)  # every step of the search asks for it
+@remembered  # every step of the search asks for it
 def speed_of(signal: Signal) -> Speed:
     """The gyro's mean, else the slope of the angle, over the shortest window that is clear."""
     *shorter, longest = WIDTHS
@@ -114,7 +115,7 @@ def windowed(signal: Signal, width: float) -> Speed:
         found = local_line(time, signal.velocity, width)[0]
         error = signal.velocity_noise / np.sqrt(count)
     else:
-        found = local_line(time, signal.angle, width)[1]
+        found = lines(signal, width)[1]
         places = np.arange(count) * signal.step
         error = signal.angle_noise / (np.std(places) * np.sqrt(count))
     return Speed(np.interp(time, time[whole], found[whole]), error, width)
@@ -122,5 +123,10 @@ def windowed(signal: Signal, width: float) -> Speed:
 
 def smoothed(signal: Signal, width: float) -> tuple[Samples, float]:
     """The angle over windows of `width` s, and its error."""
-    smooth = local_line(signal.time, signal.angle, width)[0]
-    return smooth, signal.angle_noise / np.sqrt(signal.count(width))
+    return lines(signal, width)[0], signal.angle_noise / np.sqrt(signal.count(width))
+
+
+@remembered  # of most widths twice
+def lines(signal: Signal, width: float) -> tuple[Samples, Samples]:
+    """Value and slope of the angle over windows of `width` s."""
+    return local_line(signal.time, signal.angle, width)

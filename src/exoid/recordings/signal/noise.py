@@ -11,6 +11,16 @@ from exoid.recordings.signal.tone import Tone
 
 NEIGHBOURS = 3  # on either side: a quintic, from which a leg departs by 1e-5 rad even at 30 Hz
 REACH = 2 * NEIGHBOURS + 1
+OFFSETS = [offset for offset in range(-NEIGHBOURS, NEIGHBOURS + 1) if offset]
+EVENLY = [
+    0.05,
+    -0.3,
+    0.75,
+    0.75,
+    -0.3,
+    0.05,
+]  # of neighbours in a quintic, evenly apart
+ALIKE = 1e-7  # of a step, to which neighbours are evenly apart: a leg moves 1e-8 rad in it
 FAR = 5.0  # standard deviations of a spike: of clean samples one in 1.7 million
 SMALLEST = 1e-3  # rad or rad/s, of a spike: smaller ones change nothing, and a release has them
 STILL, MOVING = 1.0, 2.0  # range of seven samples, over what a spike departs by at least
@@ -22,7 +32,7 @@ SHARED = 2.0  # times white noise and motion, that wider neighbourhoods must sho
 CLOSE, WIDEST = 0.051, 0.1  # s between neighbours: where smoothing shows at last, and motion does
 STRIDES = 60  # neighbourhoods that are tried at most
 SWING, QUICK = 0.2, 8.0  # rad, rad/s: how much, and how fast, a leg swings most of the time
-TELLING = 20_000  # samples of a segment, which tell a scatter to 0.6 %
+TELLING = 20_000  # samples of all segments, which tell a scatter to 0.6 %
 FEWEST = 30  # samples that tell a noise to 15 %
 HEAVY = 1.15  # root mean square over robust deviation, from which on tails are worth a word
 NORMAL = 0.6745  # median of |x| over the standard deviation
@@ -109,13 +119,12 @@ def smoothed(times: list[Samples], signals: list[Samples], white: float) -> tupl
     larger by the root of the samples in a stretch.
     """
     step = float(np.median(np.diff(times[0])))
-    level, width = white, 0.0
+    level, width, most = white, 0.0, max(TELLING // len(times), FEWEST)
     for stride in np.unique(np.geomspace(2, max(WIDEST / step, 2), STRIDES).astype(int)).tolist():
         if not width and stride * step > CLOSE:
             break
         errors = [
-            interpolation_errors(*each, stride, TELLING)
-            for each in zip(times, signals, strict=True)
+            interpolation_errors(*each, stride, most) for each in zip(times, signals, strict=True)
         ]
         found = np.concatenate(errors)
         if np.count_nonzero(~np.isnan(found)) < FEWEST:
@@ -140,19 +149,34 @@ def interpolation_errors(
     errors = np.full(samples.size, np.nan)
     if known.size <= 2 * NEIGHBOURS * stride:
         return errors
-    middle = np.arange(NEIGHBOURS * stride, known.size - NEIGHBOURS * stride)
-    middle = middle[:: max(middle.size // most, 1) if most else 1]
-    offsets = [offset * stride for offset in range(-NEIGHBOURS, NEIGHBOURS + 1) if offset]
-    near = known[middle[:, None] + offsets]
-    here, there = time[known[middle]], time[near]
-    weights = np.ones_like(there)
-    for one in range(len(offsets)):
-        for other in range(len(offsets)):
-            if one != other:
-                weights[:, one] *= (here - there[:, other]) / (there[:, one] - there[:, other])
-    departure = samples[known[middle]] - np.sum(weights * samples[near], axis=1)
-    errors[known[middle]] = departure / np.sqrt(1 + np.sum(weights**2, axis=1))
+    first, last = NEIGHBOURS * stride, known.size - NEIGHBOURS * stride
+    skip = max((last - first) // most, 1) if most else 1
+
+    def beside(each: NDArray, offset: int) -> NDArray:
+        return each[first + offset * stride : last + offset * stride : skip]
+
+    clock, values = time[known], samples[known]
+    lags = np.stack([beside(clock, offset) - beside(clock, 0) for offset in OFFSETS])
+    near = np.stack([beside(values, offset) for offset in OFFSETS])
+    step = lags[-1] / NEIGHBOURS
+    off = np.abs(lags - np.array(OFFSETS)[:, None] * step).max(axis=0) > ALIKE * np.abs(step)
+    departure = (beside(values, 0) - np.array(EVENLY) @ near) / np.sqrt(1 + np.square(EVENLY).sum())
+    if off.any():
+        weights = lagrange(lags[:, off])
+        missed = beside(values, 0)[off] - np.sum(weights * near[:, off], axis=0)
+        departure[off] = missed / np.sqrt(1 + np.sum(weights**2, axis=0))
+    errors[beside(known, 0)] = departure
     return errors
+
+
+def lagrange(lags: NDArray[np.float64]) -> NDArray[np.float64]:
+    """What each neighbour (first axis) counts in the polynomial through all of them."""
+    weights = np.ones_like(lags)
+    for one, weight in enumerate(weights):
+        for other, lag in enumerate(lags):
+            if one != other:
+                weight *= lag / (lag - lags[one])
+    return weights
 
 
 def find_spikes(time: Samples, samples: Samples, least: float = 0.0) -> NDArray[np.bool_]:
@@ -211,9 +235,9 @@ def pardoned(
     found = found.copy()
     for at in np.flatnonzero(found):
         near = slice(max(at - 3 * REACH, 0), at + 3 * REACH + 1)
-        kept = np.where(found, np.nan, samples)
-        kept[at] = samples[at]
-        error = interpolation_errors(time[near], kept[near])[at - near.start]
+        kept = np.where(found[near], np.nan, samples[near])
+        kept[at - near.start] = samples[at]
+        error = interpolation_errors(time[near], kept)[at - near.start]
         found[at] = abs(error) > limit  # not where nothing is left to compare with
     return found
 
