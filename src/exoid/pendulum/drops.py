@@ -59,7 +59,7 @@ def drop(recording: Recording, number: int, name: str) -> Drop:
         found = find_landmarks(track, recording.subject.kind != "rig", law)
     except NotAllowed as why:
         return Drop(name, segment, mass, {}, None, str(why))
-    return Drop(name, segment, mass, measures(found), found.curve)
+    return Drop(name, segment, mass, measures(found), found)
 
 
 def averages(drops: list[Drop]) -> dict[str, Average]:

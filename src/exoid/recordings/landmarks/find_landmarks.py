@@ -10,7 +10,7 @@ from exoid.recordings.landmarks.local_polynomial import local
 from exoid.recordings.landmarks.measure import Found, NotAllowed
 from exoid.recordings.landmarks.release import Release, find_release
 from exoid.recordings.landmarks.rest import Rest, find_rest
-from exoid.recordings.landmarks.swing import curve, turned, turns
+from exoid.recordings.landmarks.swing import turned, turns
 from exoid.recordings.landmarks.track import FEWEST, HALF, SURE, Peak, Track
 from exoid.recordings.motion.acceleration import Law
 from exoid.recordings.motion.extent import Extent, Motionless
@@ -37,7 +37,7 @@ def find_landmarks(track: Track, handled: bool = True, law: Law | None = None) -
         raise NotAllowed(f"no drop: it first swings towards extension, up to {found[0].time:.2f} s")
     return Landmarks(
         track,
-        curve(track, free),
+        float(track.time[np.searchsorted(track.time, begin)]),
         found,
         released,
         attempt(lambda: rested(track, extent, found if free is None else [free.start, *found])),

@@ -16,6 +16,7 @@ from exoid.recordings.landmarks.track import HALF, SURE, Peak, Track, nearest
 from exoid.recordings.motion.extent import Extent
 from exoid.recordings.samples import Samples
 from exoid.recordings.signal.condition import MOTION_SPEED
+from exoid.recordings.signal.left_over import orthonormal
 
 FALL = 0.3  # s of the fall that are followed
 MISSED = 0.05  # of its first acceleration, by what the polynomial leaves out of a quick leg's fall
@@ -57,8 +58,7 @@ def find_release(track: Track, extent: Extent) -> Release:
     """
     begin, lowest, reach = about(track, extent)
     tried = np.arange(max(begin - reach, lowest), begin + reach + LATER, STEP)
-    misfits = [misfit(track, each) for each in tried.tolist()]
-    best = float(tried[int(np.argmin(misfits))])
+    best = float(tried[int(np.argmin(misfits(track, tried)))])
     step = refined(track, best)[1]
     return refined(track, best + float(np.clip(step, -STEP, STEP)))[0]
 
@@ -85,25 +85,34 @@ def fall_row(x: Samples | float, order: int = 0) -> Samples:
     return factors * np.asarray(x, dtype=float)[..., None] ** powers
 
 
-def followed(track: Track, begin: float) -> tuple[Samples, Samples]:
-    """x and angle from a little before the release to the end of what is followed."""
-    inside = (track.time > begin - FALL) & (track.time < begin + FALL)
-    if np.count_nonzero(inside & (track.time >= begin)) < FEWEST:
+def followed(track: Track, begin: Samples) -> tuple[slice, NDArray[np.bool_]]:
+    """The samples from a little before a release at each `begin` to the end of what is followed,
+    and which of them belong to each.
+    """
+    time = track.time
+    used = slice(*np.searchsorted(time, [begin.min() - FALL, begin.max() + FALL]))
+    since = time[used] - begin[:, None]
+    inside = (since > -FALL) & (since < FALL)
+    if (np.count_nonzero(inside & (since >= 0), axis=1) < FEWEST).any():
         raise NotAllowed(f"cut during the fall: fewer than {FEWEST} samples follow the release")
-    return np.maximum(track.time[inside] - begin, 0) / FALL, track.angle[inside]
+    return used, inside
 
 
-def misfit(track: Track, begin: float) -> float:
-    """The sum of squares for a release at `begin`."""
-    x, angle = followed(track, begin)
-    table = fall_row(x)
-    left = angle - table @ np.linalg.lstsq(table, angle, rcond=None)[0]
-    return float(left @ left)
+def misfits(track: Track, tried: Samples) -> Samples:
+    """The sums of squares for each release that is `tried`."""
+    used, inside = followed(track, tried)
+    x = np.maximum(track.time[used] - tried[:, None], 0) / FALL
+    basis = orthonormal(np.moveaxis(fall_row(x) * inside[..., None], 2, 1))
+    angle = np.where(inside, track.angle[used] - track.angle[used].mean(), 0.0)
+    along = (basis @ angle[..., None])[..., 0]
+    return (angle**2).sum(axis=1) - (along**2).sum(axis=1)
 
 
 def refined(track: Track, begin: float) -> tuple[Release, float]:
     """The fall from `begin`, and by how much later [s] a release would fit it best."""
-    x, angle = followed(track, begin)
+    used, (inside,) = followed(track, np.array([begin]))
+    time, angle = track.time[used][inside], track.angle[used][inside]
+    x = np.maximum(time - begin, 0) / FALL
     table = fall_row(x)
     fall = np.asarray(np.linalg.lstsq(table, angle, rcond=None)[0], dtype=float)
     columns = np.column_stack([table, -(fall_row(x, 1) @ fall) / FALL])  # d phi / d t0
