@@ -27,6 +27,15 @@ class LocalPolynomials:
         spread = (self.covariance @ row[..., None])[..., 0]
         return (self.coefficients * row).sum(axis=1), np.sqrt((spread * row).sum(axis=1))
 
+    def value(self, order: int) -> Samples:
+        """d^order phi / dt^order at each centre, without its error."""
+        return self.coefficients[:, order] * derivative_row(order, 0.0)[order]
+
+    def only(self, number: int) -> "LocalPolynomials":
+        """One of them."""
+        one = slice(number, number + 1)
+        return LocalPolynomials(self.coefficients[one], self.covariance[one])
+
 
 def derivative_row(order: int, x: Samples | float) -> Samples:
     """What the coefficients (last axis) are multiplied with to give a derivative at x."""

@@ -67,6 +67,12 @@ def law_of(parts: list[Part]) -> Law | None:
     return Law(numbers, scatter, usual, float(np.abs(acceleration).max()))
 
 
+@remembered
+def own_law(signal: Signal, start: int, stop: int) -> Law | None:
+    """What the free part of one signal tells."""
+    return law_of([(signal, slice(start, stop))])
+
+
 def within(signal: Signal, free: slice, width: float) -> slice:
     """The samples around which a whole window of `width` s is free."""
     first = np.searchsorted(signal.time, signal.time[free.start] + width / 2)
@@ -79,7 +85,7 @@ def free_until(signal: Signal, free: slice, limit: int, law: Law | None = None) 
 
     Without a `law` that part tells its own.
     """
-    law = law_of([(signal, free)]) if law is None else law
+    law = own_law(signal, free.start, free.stop) if law is None else law
     if law is None:
         return free.stop
     at = pushed_at(signal, free, limit, law, law.clear(PUSH))
@@ -105,7 +111,7 @@ def pushed_at(signal: Signal, free: slice, limit: int, law: Law, least: float) -
 
 def kept_there(signal: Signal, free: slice, rest: slice, law: Law | None = None) -> bool:
     """Is something needed to keep the leg where it rests, if it is as in the samples `free`?"""
-    law = law_of([(signal, free)]) if law is None else law
+    law = own_law(signal, free.start, free.stop) if law is None else law
     if law is None:
         return False
     inside = slice(int(np.searchsorted(signal.time, signal.time[rest.start] + LATE)), rest.stop)

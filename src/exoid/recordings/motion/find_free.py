@@ -19,6 +19,7 @@ from exoid.recordings.motion.thresholds import (
     REST,
     TRAVEL,
 )
+from exoid.recordings.remembered import remembered
 from exoid.recordings.samples import Samples
 from exoid.recordings.signal.condition import runs
 
@@ -82,6 +83,7 @@ def moving(time: Samples, speed: Speed) -> list[tuple[int, int]]:
     return runs(moves)
 
 
+@remembered  # by far the most of the search, and the same of every drop whoever asks
 def released(
     signal: Signal, speed: Speed, first: int, room: tuple[float, ...] = ODD
 ) -> LettingGo | None:

@@ -64,6 +64,7 @@ class Speed:
         return max(QUIET[0] * self.error, QUIET[1])
 
 
+@remembered  # asked again by whoever reads the same segment
 def signal_of(segment: Segment, sensors: Sensors) -> Signal:
     """The raw channels, else the filtered ones; single wild samples are left out."""
     angle, velocity = segment.best_angle, segment.angular_velocity

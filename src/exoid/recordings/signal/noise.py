@@ -156,12 +156,13 @@ def interpolation_errors(
         return each[first + offset * stride : last + offset * stride : skip]
 
     clock, values = time[known], samples[known]
-    lags = np.stack([beside(clock, offset) - beside(clock, 0) for offset in OFFSETS])
     near = np.stack([beside(values, offset) for offset in OFFSETS])
-    step = lags[-1] / NEIGHBOURS
-    off = np.abs(lags - np.array(OFFSETS)[:, None] * step).max(axis=0) > ALIKE * np.abs(step)
     departure = (beside(values, 0) - np.array(EVENLY) @ near) / np.sqrt(1 + np.square(EVENLY).sum())
-    if off.any():
+    steps = np.diff(clock)
+    if np.ptp(steps) > ALIKE * steps[0]:
+        lags = np.stack([beside(clock, offset) - beside(clock, 0) for offset in OFFSETS])
+        step = lags[-1] / NEIGHBOURS
+        off = np.abs(lags - np.array(OFFSETS)[:, None] * step).max(axis=0) > ALIKE * step
         weights = lagrange(lags[:, off])
         missed = beside(values, 0)[off] - np.sum(weights * near[:, off], axis=0)
         departure[off] = missed / np.sqrt(1 + np.sum(weights**2, axis=0))
