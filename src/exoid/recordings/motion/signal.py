@@ -11,7 +11,8 @@ from exoid.recordings.recording import Segment, Sensors
 from exoid.recordings.remembered import remembered
 from exoid.recordings.samples import Samples, block_means, block_size
 from exoid.recordings.signal.local_line import local_line
-from exoid.recordings.signal.noise import declared_angle_noise, find_spikes, noise_of
+from exoid.recordings.signal.noise import declared_angle_noise, noise_of
+from exoid.recordings.signal.spikes import find_spikes
 
 
 @dataclass(frozen=True, eq=False)

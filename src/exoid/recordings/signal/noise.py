@@ -3,29 +3,13 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from exoid.recordings.recording import Sensors
 from exoid.recordings.samples import Samples
+from exoid.recordings.signal.neighbours import interpolation_errors
 from exoid.recordings.signal.tone import Tone
 
-NEIGHBOURS = 3  # on either side: a quintic, from which a leg departs by 1e-5 rad even at 30 Hz
-REACH = 2 * NEIGHBOURS + 1
-OFFSETS = [offset for offset in range(-NEIGHBOURS, NEIGHBOURS + 1) if offset]
-EVENLY = [
-    0.05,
-    -0.3,
-    0.75,
-    0.75,
-    -0.3,
-    0.05,
-]  # of neighbours in a quintic, evenly apart
-ALIKE = 1e-7  # of a step, to which neighbours are evenly apart: a leg moves 1e-8 rad in it
 FAR = 5.0  # standard deviations of a spike: of clean samples one in 1.7 million
-SMALLEST = 1e-3  # rad or rad/s, of a spike: smaller ones change nothing, and a release has them
-STILL, MOVING = 1.0, 2.0  # range of seven samples, over what a spike departs by at least
-CLUSTER = 5  # samples, among which more than one spike are no spikes but an event
-ROUNDS = 30  # each takes the worst sample of every neighbourhood
 AGREE = 2.0  # factor between measured and declared noise, from which on it is worth a word
 MORE = 1.5  # times the declared noise: samples that scatter by more are believed; jumps make 1.4
 SHARED = 2.0  # times white noise and motion, that wider neighbourhoods must show
@@ -90,7 +74,7 @@ def noise_of(
     """The noise of one channel from all its segments, beside what is `declared`.
 
     A sample is compared with the quintic through its neighbours, which sees white noise whatever
-    the leg does. Errors beyond five robust deviations do not count: see `find_spikes`. An `angle`
+    the leg does. Errors beyond five robust deviations do not count: see `spikes`. An `angle`
     that was smoothed or interpolated has errors that neighbours share: see `smoothed`.
     """
     errors = np.concatenate(
@@ -134,119 +118,6 @@ def smoothed(times: list[Samples], signals: list[Samples], white: float) -> tupl
         if scatter > max(SHARED * np.hypot(white, bend), level / np.sqrt(max(width / step, 1.0))):
             level, width = scatter * np.sqrt(stride), stride * step
     return level, width
-
-
-def interpolation_errors(
-    time: Samples, samples: Samples, stride: int = 1, most: int | None = None
-) -> Samples:
-    """By how much every sample departs from the quintic through its three known neighbours on
-    either side, `stride` samples apart, scaled to scatter as the noise does.
-
-    nan for missing samples, for those at either end, and where there are too few; with `most`, for
-    all but about so many, evenly taken.
-    """
-    known = np.flatnonzero(~np.isnan(samples))
-    errors = np.full(samples.size, np.nan)
-    if known.size <= 2 * NEIGHBOURS * stride:
-        return errors
-    first, last = NEIGHBOURS * stride, known.size - NEIGHBOURS * stride
-    skip = max((last - first) // most, 1) if most else 1
-
-    def beside(each: NDArray, offset: int) -> NDArray:
-        return each[first + offset * stride : last + offset * stride : skip]
-
-    clock, values = time[known], samples[known]
-    near = np.stack([beside(values, offset) for offset in OFFSETS])
-    departure = (beside(values, 0) - np.array(EVENLY) @ near) / np.sqrt(1 + np.square(EVENLY).sum())
-    steps = np.diff(clock)
-    if np.ptp(steps) > ALIKE * steps[0]:
-        lags = np.stack([beside(clock, offset) - beside(clock, 0) for offset in OFFSETS])
-        step = lags[-1] / NEIGHBOURS
-        off = np.abs(lags - np.array(OFFSETS)[:, None] * step).max(axis=0) > ALIKE * step
-        weights = lagrange(lags[:, off])
-        missed = beside(values, 0)[off] - np.sum(weights * near[:, off], axis=0)
-        departure[off] = missed / np.sqrt(1 + np.sum(weights**2, axis=0))
-    errors[beside(known, 0)] = departure
-    return errors
-
-
-def lagrange(lags: NDArray[np.float64]) -> NDArray[np.float64]:
-    """What each neighbour (first axis) counts in the polynomial through all of them."""
-    weights = np.ones_like(lags)
-    for one, weight in enumerate(weights):
-        for other, lag in enumerate(lags):
-            if one != other:
-                weight *= lag / (lag - lags[one])
-    return weights
-
-
-def find_spikes(time: Samples, samples: Samples, least: float = 0.0) -> NDArray[np.bool_]:
-    """Which samples stand alone, farther from their neighbours than noise throws one; `least` is
-    what the noise is at least.
-
-    Where the sample is taken away its neighbours agree with each other. A jump that lasts (a stop
-    that is hit, play that ends) leaves more than one in a row: that is motion, and stays. Two close
-    to each other go where both are beyond all around them.
-    """
-    found = np.zeros(samples.size, dtype=bool)
-    errors = interpolation_errors(time, samples)
-    if np.isnan(errors).all():
-        return found
-    least = max(least, quantum([samples]) / np.sqrt(12))
-    limit = max(FAR * robust_deviation(errors, least), SMALLEST)
-    for _ in range(ROUNDS):
-        size = np.nan_to_num(np.abs(errors))
-        around = np.lib.stride_tricks.sliding_window_view(np.pad(size, NEIGHBOURS), REACH)
-        worst = (size > limit) & (size == around.max(axis=1))
-        if not worst.any():
-            break
-        found |= worst
-        errors = interpolation_errors(time, np.where(found, np.nan, samples))
-    found = pardoned(time, samples, found, limit)
-    kept = np.where(found, np.nan, samples)
-    single, pair = alone(found, 1), alone(found, 2)
-    for at in np.flatnonzero(found):
-        before, after = kept[max(at - REACH, 0) : at], kept[at + 1 : at + 1 + REACH]
-        bend = begins_or_ends(before, after, limit)
-        wild = stands_out(samples[at], before, after, limit)
-        found[at] = pair[at] if wild else single[at] and not bend
-    return found
-
-
-def stands_out(sample: float, before: Samples, after: Samples, limit: float) -> bool:
-    """Is it beyond all that is around it? Where the signal jumps or bends it lies between."""
-    around = np.concatenate([before, after])
-    if np.isnan(around).all():
-        return False
-    return not np.nanmin(around) - limit < sample < np.nanmax(around) + limit
-
-
-def begins_or_ends(before: Samples, after: Samples, limit: float) -> bool:
-    """Is the signal still on one side only? A gyro bends where a leg is let go."""
-    if np.isnan(before).all() or np.isnan(after).all():
-        return False
-    still, moving = sorted(np.nanmax(each) - np.nanmin(each) for each in (before, after))
-    return bool(still <= STILL * limit and moving > MOVING * limit)
-
-
-def pardoned(
-    time: Samples, samples: Samples, found: NDArray[np.bool_], limit: float
-) -> NDArray[np.bool_]:
-    """Without the samples that only stood beside a spike: they agree with what is left."""
-    found = found.copy()
-    for at in np.flatnonzero(found):
-        near = slice(max(at - 3 * REACH, 0), at + 3 * REACH + 1)
-        kept = np.where(found[near], np.nan, samples[near])
-        kept[at - near.start] = samples[at]
-        error = interpolation_errors(time[near], kept)[at - near.start]
-        found[at] = abs(error) > limit  # not where nothing is left to compare with
-    return found
-
-
-def alone(found: NDArray[np.bool_], most: int) -> NDArray[np.bool_]:
-    """Without crowds of more than `most`: what jumps and stays leaves many in a row."""
-    crowd = np.convolve(found, np.ones(CLUSTER), mode="same") > most
-    return found & ~(np.convolve(crowd, np.ones(CLUSTER), mode="same") > 0)
 
 
 def robust_deviation(errors: Samples, least: float = 0.0) -> float:
