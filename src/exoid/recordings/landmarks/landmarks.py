@@ -85,6 +85,6 @@ class Landmarks:
         inside = np.flatnonzero((times >= begin) & (times <= end))
         if not inside.size:
             raise NotAllowed("that part of the swing was not recorded")
-        at = inside[np.argmax(sign * wide.value(order)[inside])]
+        at = int(inside[np.argmax(sign * wide.value(order)[inside])])
         time, (value, error) = float(times[at]), sharp.only(at).derivative(order)
         return Peak(nearest(self.track, time), time, HALF, float(value[0]), float(error[0]))
