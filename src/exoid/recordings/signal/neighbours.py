@@ -1,5 +1,7 @@
 """By how much samples depart from what their neighbours say, which sees noise and no motion."""
 
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -11,37 +13,54 @@ EVENLY = (0.05, -0.3, 0.75, 0.75, -0.3, 0.05)  # of each in the quintic, evenly 
 ALIKE = 1e-7  # of a step, to which neighbours are evenly apart: a leg moves 1e-8 rad in it
 
 
-def interpolation_errors(
-    time: Samples, samples: Samples, stride: int = 1, most: int | None = None
-) -> Samples:
-    """By how much every sample departs from the quintic through its three known neighbours on
-    either side, `stride` samples apart, scaled to scatter as the noise does.
+@dataclass(frozen=True, eq=False)
+class Known:
+    """The known samples of a signal, and how many changes of the step come before each."""
 
-    nan for missing samples, for those at either end, and where there are too few; with `most`, for
-    all but about so many, evenly taken.
-    """
-    known = np.flatnonzero(~np.isnan(samples))
-    errors = np.full(samples.size, np.nan)
-    reach = NEIGHBOURS * stride
-    if known.size <= 2 * reach:
-        return errors
-    clock, values = (time, samples) if known.size == samples.size else (time[known], samples[known])
-    inner = slice(reach, known.size - reach)
-    inner = slice(
-        inner.start, inner.stop, max((inner.stop - inner.start) // most, 1) if most else 1
-    )
-    departure = values[inner].copy()
-    for offset, weight in zip(OFFSETS, EVENLY, strict=True):
-        departure -= weight * values[beside(inner, offset * stride)]
-    departure /= np.sqrt(1 + np.square(EVENLY).sum())
-    steps = np.diff(clock)
+    places: NDArray[np.int_]
+    time: Samples  # s
+    values: Samples
+    changes: NDArray[np.int_] | None  # None where the step never changes
+
+    def errors(self, stride: int = 1, most: int | None = None) -> tuple[slice, Samples]:
+        """Those of `interpolation_errors` that are told, and which of the known samples they are
+        of. None where there are too few.
+        """
+        reach = NEIGHBOURS * stride
+        inside = max(self.places.size - 2 * reach, 0)
+        inner = slice(reach, reach + inside, max(inside // most, 1) if most else 1)
+        departure = self.values[inner].copy()
+        for offset, weight in zip(OFFSETS, EVENLY, strict=True) if inside else ():
+            departure -= weight * self.values[beside(inner, offset * stride)]
+        departure /= np.sqrt(1 + np.square(EVENLY).sum())
+        if self.changes is not None and inside:
+            off = self.changes[beside(inner, reach - 1)] > self.changes[beside(inner, -reach)]
+            middle = np.arange(self.places.size)[inner][off]
+            departure[off] = departures(self.time, self.values, middle, stride)
+        return inner, departure
+
+
+def known_of(time: Samples, samples: Samples) -> Known:
+    missing = np.isnan(samples)
+    places = np.flatnonzero(~missing)
+    if missing.any():
+        time, samples = time[places], samples[places]
+    steps = np.diff(time)
     changes = np.abs(np.diff(steps)) > ALIKE * steps[1:]
-    if changes.any():
-        changes = np.concatenate([[0], np.cumsum(changes)])
-        off = changes[beside(inner, reach - 1)] > changes[beside(inner, -reach)]
-        middle = np.arange(known.size)[inner][off]
-        departure[off] = departures(clock, values, middle, stride)
-    errors[known[inner]] = departure
+    counted = np.concatenate([[0], np.cumsum(changes)]) if changes.any() else None
+    return Known(places, time, samples, counted)
+
+
+def interpolation_errors(time: Samples, samples: Samples) -> Samples:
+    """By how much every sample departs from the quintic through its three known neighbours on
+    either side, scaled to scatter as the noise does.
+
+    nan for missing samples, for those at either end, and where there are too few.
+    """
+    known = known_of(time, samples)
+    inner, told = known.errors()
+    errors = np.full(samples.size, np.nan)
+    errors[known.places[inner]] = told
     return errors
 
 

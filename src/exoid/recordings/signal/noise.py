@@ -6,7 +6,7 @@ import numpy as np
 
 from exoid.recordings.recording import Sensors
 from exoid.recordings.samples import Samples
-from exoid.recordings.signal.neighbours import interpolation_errors
+from exoid.recordings.signal.neighbours import Known, known_of
 from exoid.recordings.signal.tone import Tone
 
 FAR = 5.0  # standard deviations of a spike: of clean samples one in 1.7 million
@@ -17,6 +17,7 @@ CLOSE, WIDEST = 0.051, 0.1  # s between neighbours: where smoothing shows at las
 STRIDES = 60  # neighbourhoods that are tried at most
 SWING, QUICK = 0.2, 8.0  # rad, rad/s: how much, and how fast, a leg swings most of the time
 TELLING = 20_000  # samples of all segments, which tell a scatter to 0.6 %
+HINTING, HINT = 500, 0.7  # samples that tell it to 4 %, and the share of the limit to look closer
 FEWEST = 30  # samples that tell a noise to 15 %
 HEAVY = 1.15  # root mean square over robust deviation, from which on tails are worth a word
 NORMAL = 0.6745  # median of |x| over the standard deviation
@@ -77,10 +78,8 @@ def noise_of(
     the leg does. Errors beyond five robust deviations do not count: see `spikes`. An `angle`
     that was smoothed or interpolated has errors that neighbours share: see `smoothed`.
     """
-    errors = np.concatenate(
-        [interpolation_errors(*each) for each in zip(times, signals, strict=True)]
-    )
-    errors = errors[~np.isnan(errors)]
+    known = [known_of(*each) for each in zip(times, signals, strict=True)]
+    errors = np.concatenate([each.errors()[1] for each in known])
     step = quantum(signals) / np.sqrt(12)
     if errors.size < FEWEST:
         return Noise(max(declared or step, NONE), None, declared, samples=errors.size)
@@ -89,34 +88,41 @@ def noise_of(
     measured = max(float(np.sqrt(np.mean(inside**2))), step, NONE)
     heaviness, width = measured / robust, 0.0
     if angle:
-        measured, width = smoothed(times, signals, measured)
+        measured, width = smoothed(known, float(np.median(np.diff(times[0]))), measured)
     level = measured if declared is None or measured > MORE * declared else declared
     return Noise(level, measured, declared, heaviness, samples=errors.size, alike_over=width)
 
 
-def smoothed(times: list[Samples], signals: list[Samples], white: float) -> tuple[float, float]:
+def smoothed(known: list[Known], step: float, white: float) -> tuple[float, float]:
     """The noise that an angle had before it was smoothed, and over how many seconds [s] its errors
-    are alike now; `white` and 0 where neighbours share nothing.
+    are alike now; `white` and 0 where neighbours share nothing. `step` is between samples.
 
     White noise shows the same beside neighbours far and near, smoothed noise ever more. As many
     independent errors as there are such stretches tell a mean as well as white noise would that is
     larger by the root of the samples in a stretch.
     """
-    step = float(np.median(np.diff(times[0])))
-    level, width, most = white, 0.0, max(TELLING // len(times), FEWEST)
-    for stride in np.unique(np.geomspace(2, max(WIDEST / step, 2), STRIDES).astype(int)).tolist():
-        if not width and stride * step > CLOSE:
-            break
-        errors = [
-            interpolation_errors(*each, stride, most) for each in zip(times, signals, strict=True)
-        ]
-        found = np.concatenate(errors)
-        if np.count_nonzero(~np.isnan(found)) < FEWEST:
-            break
-        scatter = robust_deviation(found)
+    tried = np.unique(np.geomspace(2, max(WIDEST / step, 2), STRIDES).astype(int)).tolist()
+
+    def scatter(stride: int, most: int) -> float:
+        """nan where too few samples tell."""
+        found = np.concatenate([each.errors(stride, most // len(known))[1] for each in known])
+        return robust_deviation(found) if found.size >= FEWEST else np.nan
+
+    def shared(stride: int) -> float:
         bend = SWING * (2 * np.sin(QUICK * stride * step / 2)) ** 6 / 20
-        if scatter > max(SHARED * np.hypot(white, bend), level / np.sqrt(max(width / step, 1.0))):
-            level, width = scatter * np.sqrt(stride), stride * step
+        return SHARED * float(np.hypot(white, bend))
+
+    level, width, most = white, 0.0, max(TELLING, FEWEST * len(known))
+    near = [stride for stride in tried if stride * step <= CLOSE]
+    few = max(HINTING, FEWEST * len(known))
+    if not any(scatter(stride, few) > HINT * shared(stride) for stride in near):
+        return white, 0.0
+    for stride in tried:
+        found = scatter(stride, most)
+        if np.isnan(found) or (not width and stride * step > CLOSE):
+            break
+        if found > max(shared(stride), level / np.sqrt(max(width / step, 1.0))):
+            level, width = found * np.sqrt(stride), stride * step
     return level, width
 
 
