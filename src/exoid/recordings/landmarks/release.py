@@ -8,6 +8,7 @@ Held still until t0, it then falls from rest:
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.polynomial import polynomial
 from numpy.typing import NDArray
 
 from exoid.recordings.landmarks.local_polynomial import local
@@ -37,18 +38,19 @@ class Release:
     fall: Samples
     covariance: Table  # of `fall`, with that of t0 behind it
 
-    def derivative(self, order: int, after: float) -> tuple[float, float]:
-        """d^order phi / dt^order `after` s into the fall, and its standard error."""
-        row = fall_row(after / FALL, order) / FALL**order
-        error = np.sqrt(row @ self.covariance[:-1, :-1] @ row)
-        return float(row @ self.fall), float(error)
+    def derivative(self, order: int, after: Samples) -> tuple[Samples, Samples]:
+        """d^order phi / dt^order `after` s into the fall, and their standard errors."""
+        rows = fall_row(after / FALL, order) / FALL**order
+        error = np.sqrt(np.einsum("ti,ij,tj->t", rows, self.covariance[:-1, :-1], rows))
+        return rows @ self.fall, error
 
     def steepest(self) -> tuple[float, float, float]:
         """Where its first part accelerates most towards flexion: s after t0, rad/s^2, error."""
-        tried = np.linspace(0.0, HALF, 11).tolist()
-        after = min(tried, key=lambda each: self.derivative(2, each)[0])
-        value, error = self.derivative(2, after)
-        return after, value, float(np.hypot(error, MISSED * value))
+        tried = np.linspace(0.0, HALF, 11)
+        values, errors = self.derivative(2, tried)
+        at = int(np.argmin(values))
+        value = float(values[at])
+        return float(tried[at]), value, float(np.hypot(errors[at], MISSED * value))
 
 
 def find_release(track: Track, extent: Extent) -> Release:
@@ -77,12 +79,12 @@ def about(track: Track, extent: Extent) -> tuple[float, float, float]:
     return first, first - LATE, NEAR
 
 
-def fall_row(x: Samples | float, order: int = 0) -> Samples:
+def fall_row(x: Samples, order: int = 0) -> Samples:
     """A derivative of 1, x^2, x^3, x^4 and x^5."""
     powers, factors = POWERS, np.ones(POWERS.size)
     for _ in range(order):
         factors, powers = factors * powers, np.maximum(powers - 1, 0)
-    return factors * np.asarray(x, dtype=float)[..., None] ** powers
+    return factors * polynomial.polyvander(x, int(powers[-1]))[..., powers]
 
 
 def followed(track: Track, begin: Samples) -> tuple[slice, NDArray[np.bool_]]:

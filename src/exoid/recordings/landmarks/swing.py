@@ -56,5 +56,5 @@ def curve(track: Track, release: Release | None) -> Curve:
         fresh = np.flatnonzero(time < begin + HALF)
         for order, values in enumerate(orders):
             after = time[fresh] - begin
-            values[fresh] = [release.derivative(order, each)[0] for each in after.tolist()]
+            values[fresh] = release.derivative(order, after)[0]
     return Curve(time, *orders)

@@ -128,8 +128,9 @@ def smoothed(known: list[Known], step: float, white: float) -> tuple[float, floa
 
 def robust_deviation(errors: Samples, least: float = 0.0) -> float:
     """The standard deviation of a normal distribution with this median size."""
-    median = float(np.nanmedian(np.abs(errors))) / NORMAL
-    return max(median, least) or float(np.nanstd(errors)) or NONE
+    errors = errors[~np.isnan(errors)]
+    median = float(np.median(np.abs(errors))) / NORMAL
+    return max(median, least) or float(np.std(errors)) or NONE
 
 
 def quantum(signals: list[Samples]) -> float:

@@ -39,6 +39,8 @@ def find_spikes(time: Samples, samples: Samples, least: float = 0.0) -> NDArray[
         worst = wild[size[wild] == np.fmax.reduce(size[around], axis=1)]
         found[worst] = True
         renew(errors, time, np.where(found, np.nan, samples), worst)
+    if not found.any():
+        return found
     found = pardoned(time, samples, found, limit)
     kept = np.where(found, np.nan, samples)
     single, pair = alone(found, 1), alone(found, 2)
