@@ -1,12 +1,11 @@
 """The straight line around every sample of a channel, with missing samples bridged."""
 
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 
 from exoid.recordings.samples import Samples
 
-CLOSE = 1e-3  # of a step, within which rounding decides on which side of an edge a sample lies
 AT_ONCE = 2**15  # samples, whose sums stay in the processor's cache
 SMALLEST = 16  # samples of a block
 FAR = 100.0  # times a usual window, of two blocks with a pause in them: more costs digits
@@ -25,34 +24,16 @@ def local_line(time: Samples, samples: Samples, width: float) -> tuple[Samples, 
     are of distances within it, so that neither a day before it nor a week's gap in it does.
     """
     filled = interpolated(time, samples)
-    first, last = places(time, -width / 2, "left"), places(time, width / 2, "right")
+    first = np.searchsorted(time, time - width / 2)
+    last = np.searchsorted(time, time + width / 2, side="right")
     first = np.minimum(first, np.maximum(last - 3, 0))  # three samples carry a line and a check
     last = np.minimum(np.maximum(last, first + 3), time.size)
     parts = np.split(np.arange(time.size), range(AT_ONCE, time.size, AT_ONCE))
     sums = [part_sums(time, filled, first[part], last[part]) for part in parts]
-    ahead, above, spread, shared = np.concatenate(sums, axis=1) if len(sums) > 1 else sums[0]
+    ahead, above, spread, shared = sums[0] if len(sums) == 1 else np.concatenate(sums, axis=1)
     count = last - first
     slope = (shared - ahead * above / count) / (spread - ahead**2 / count)
     return filled[first] + (above + slope * (count * (time - time[first]) - ahead)) / count, slope
-
-
-def places(time: Samples, shift: float, side: Literal["left", "right"]) -> np.ndarray:
-    """np.searchsorted(time, time + shift, side); where samples come evenly, by counting on, which
-    takes a fifth of the time.
-    """
-    sought, here = time + shift, np.arange(time.size)
-    step = float(time[-1] - time[0]) / max(time.size - 1, 1)
-    near = np.ceil(shift / step - CLOSE) if side == "left" else np.floor(shift / step + CLOSE)
-    found = np.full(time.size, -1)
-    below = np.less if side == "left" else np.less_equal
-    fenced = np.concatenate([[-np.inf], time, [np.inf]])
-    for away in (int(near), int(near) + 1):  # rounding takes a sample at the edge in, or not
-        guess = np.clip(here + away, 0, time.size)
-        right = below(fenced[guess], sought) & ~below(fenced[guess + 1], sought)
-        found = np.where(right, guess, found)
-    lost = np.flatnonzero(found < 0)
-    found[lost] = np.searchsorted(time, sought[lost], side=side)
-    return found
 
 
 def part_sums(time: Samples, value: Samples, first: np.ndarray, last: np.ndarray) -> np.ndarray:
