@@ -119,7 +119,11 @@ class Rows:
 def rows_of(signal: Signal, begin: float) -> Rows:
     """Nothing moves until `begin` [s]: what was measured until then is one row of each channel."""
     channels = [(signal.angle, signal.angle_noise), (signal.velocity, signal.velocity_noise)]
-    each = [summed_up(signal.time, *one, begin) for one in channels if one[0] is not None]
+    each = [
+        summed_up(signal.time, samples, noise, begin)
+        for samples, noise in channels
+        if samples is not None
+    ]
     parts = [np.zeros((4, BELIEVED)), *(part for part, _ in each)]
     time, weight, scale, data = np.concatenate(parts, axis=1)
     time[:BELIEVED] = min(begin, signal.time[0])

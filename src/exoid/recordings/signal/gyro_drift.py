@@ -116,7 +116,7 @@ def beside(shape: NDArray[np.float64], columns: NDArray[np.float64]) -> NDArray[
     return columns - basis @ (basis.T @ columns)
 
 
-def explained_by(columns: NDArray[np.float64]) -> tuple[Samples, float]:
+def explained_by(columns: NDArray[np.float64]) -> tuple[NDArray[np.floating], float]:
     """How much of each error of the sensors the last column shows, and the sum of squares that is
     left. With a row for every error, so that none is implausible.
     """

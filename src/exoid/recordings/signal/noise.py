@@ -7,9 +7,9 @@ import numpy as np
 from exoid.recordings.recording import Sensors
 from exoid.recordings.samples import Samples
 from exoid.recordings.signal.neighbours import Known, known_of
+from exoid.recordings.signal.scatter import FAR, FEWEST, NONE, quantum, robust_deviation
 from exoid.recordings.signal.tone import Tone
 
-FAR = 5.0  # standard deviations of a spike: of clean samples one in 1.7 million
 AGREE = 2.0  # factor between measured and declared noise, from which on it is worth a word
 MORE = 1.5  # times the declared noise: samples that scatter by more are believed; jumps make 1.4
 SHARED = 2.0  # times white noise and motion, that wider neighbourhoods must show
@@ -18,12 +18,7 @@ STRIDES = 60  # neighbourhoods that are tried at most
 SWING, QUICK = 0.2, 8.0  # rad, rad/s: how much, and how fast, a leg swings most of the time
 TELLING = 20_000  # samples of all segments, which tell a scatter to 0.6 %
 HINTING, HINT = 500, 0.7  # samples that tell it to 4 %, and the share of the limit to look closer
-FEWEST = 30  # samples that tell a noise to 15 %
 HEAVY = 1.15  # root mean square over robust deviation, from which on tails are worth a word
-NORMAL = 0.6745  # median of |x| over the standard deviation
-NONE = 1e-6  # noise of a signal without any: below every sensor's
-ROUNDING = 1e-7  # rad or rad/s, of numbers in a file: no step of a sensor
-EVEN = 0.05  # of a step: differences that are as close to multiples of it on average are multiples
 
 
 @dataclass(frozen=True)
@@ -124,22 +119,3 @@ def smoothed(known: list[Known], step: float, white: float) -> tuple[float, floa
         if found > max(shared(stride), level / np.sqrt(max(width / step, 1.0))):
             level, width = found * np.sqrt(stride), stride * step
     return level, width
-
-
-def robust_deviation(errors: Samples, least: float = 0.0) -> float:
-    """The standard deviation of a normal distribution with this median size."""
-    errors = errors[~np.isnan(errors)]
-    median = float(np.median(np.abs(errors))) / NORMAL
-    return max(median, least) or float(np.std(errors)) or NONE
-
-
-def quantum(signals: list[Samples]) -> float:
-    """The step of a signal that only takes multiples of one, 0 where it has none."""
-    values = np.unique(np.concatenate([each[~np.isnan(each)] for each in signals]))
-    steps = np.diff(values)
-    steps = steps[steps > ROUNDING]
-    if steps.size < FEWEST:
-        return 0.0
-    step = float(steps.min())
-    parts = steps / step
-    return step if np.abs(parts - np.round(parts)).mean() < EVEN else 0.0

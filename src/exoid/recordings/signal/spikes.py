@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from exoid.recordings.samples import Samples
 from exoid.recordings.signal.neighbours import NEIGHBOURS, interpolation_errors, renew
-from exoid.recordings.signal.noise import FAR, quantum, robust_deviation
+from exoid.recordings.signal.scatter import FAR, quantum, robust_deviation
 
 REACH = 2 * NEIGHBOURS + 1
 SMALLEST = 1e-3  # rad or rad/s, of a spike: smaller ones change nothing, and a release has them
