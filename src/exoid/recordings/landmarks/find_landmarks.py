@@ -25,8 +25,8 @@ def find_landmarks(
 ) -> Landmarks:
     """Everything that can be found on a drop; `handled` by a person, who may catch or lift the leg.
 
-    A `law` is what other drops of this leg have told of it. Where its movement has been looked for
-    in the same samples, `seen`, it is not looked for again.
+    A `law` is what other drops of this leg have told of it. Where its release was looked for in
+    the same samples, `seen`, it is not looked for again.
 
     **Raises** `NotAllowed` where nothing moves, or what moves does not fall.
     """
@@ -50,9 +50,8 @@ def find_landmarks(
 
 def seen_alone(track: Track, seen: Signal | None) -> Signal:
     """The angle of a track without a gyro: measures are of the angle alone."""
-    if seen is not None and seen.velocity is None and seen.time.size == track.time.size:
-        return seen
-    return Signal(track.time, track.angle, track.noise, None, np.inf)
+    same = seen is not None and seen.velocity is None and np.array_equal(seen.angle, track.angle)
+    return Signal(track.time, track.angle, track.noise, None, np.inf, seen if same else None)
 
 
 def freely(track: Track, signal: Signal, handled: bool, law: Law | None) -> tuple[Track, Extent]:

@@ -11,7 +11,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from exoid.recordings.motion.signal import Signal, lines
+from exoid.recordings.motion.signal import Signal, bends, lines
 from exoid.recordings.motion.thresholds import (
     BLUR,
     FEWEST,
@@ -167,7 +167,7 @@ def smoothed_over(signal: Signal, width: float) -> Derivatives:
         speed, acceleration = local_line(time, signal.velocity, width)
         error = signal.velocity_noise / (spread * np.sqrt(count))
     else:  # twice: a parabola over the whole width
-        angle, rough = lines(signal, width / 2)
-        speed, acceleration = local_line(time, rough, width / 2)
+        angle = lines(signal, width / 2)[0]
+        speed, acceleration = bends(signal, width)
         error = float(np.sqrt(5) * signal.angle_noise / (spread**2 * np.sqrt(count)))
     return Derivatives(angle, speed, acceleration, error, width)

@@ -83,11 +83,19 @@ def moving(time: Samples, speed: Speed) -> list[tuple[int, int]]:
     return runs(moves)
 
 
-@remembered  # by far the most of the search, and the same of every drop whoever asks
 def released(
     signal: Signal, speed: Speed, first: int, room: tuple[float, ...] = ODD
 ) -> LettingGo | None:
     """How the leg that first moves at `first` was let go; None where it begins in motion."""
+    if signal.alike is None:
+        return looked_into(signal, speed, first, room)
+    return looked_into(signal.alike, speed_of(signal.alike), first, room)
+
+
+@remembered  # by far the most of the search, and the same of every drop whoever asks
+def looked_into(
+    signal: Signal, speed: Speed, first: int, room: tuple[float, ...]
+) -> LettingGo | None:
     time = signal.time
     # Within half a window from the first sample nobody sees whether it moves.
     seen = first > 0

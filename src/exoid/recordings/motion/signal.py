@@ -24,6 +24,12 @@ class Signal:
     angle_noise: float  # rad, white, of one sample
     velocity: Samples | None  # rad/s
     velocity_noise: float  # rad/s
+    alike: "Signal | None" = None  # of the same samples, where more than their noise is remembered
+
+    @property
+    def samples(self) -> "Signal":
+        """Whose samples these are."""
+        return self if self.alike is None else self.alike
 
     @cached_property
     def step(self) -> float:
@@ -128,7 +134,21 @@ def smoothed(signal: Signal, width: float) -> tuple[Samples, float]:
     return lines(signal, width)[0], signal.angle_noise / np.sqrt(signal.count(width))
 
 
-@remembered  # of most widths twice
 def lines(signal: Signal, width: float) -> tuple[Samples, Samples]:
     """Value and slope of the angle over windows of `width` s."""
+    return lines_of(signal.samples, width)
+
+
+@remembered  # of most widths twice
+def lines_of(signal: Signal, width: float) -> tuple[Samples, Samples]:
     return local_line(signal.time, signal.angle, width)
+
+
+def bends(signal: Signal, width: float) -> tuple[Samples, Samples]:
+    """Slope of the angle and of that slope, as of a parabola over `width` s."""
+    return bends_of(signal.samples, width)
+
+
+@remembered
+def bends_of(signal: Signal, width: float) -> tuple[Samples, Samples]:
+    return local_line(signal.time, lines_of(signal, width / 2)[1], width / 2)
