@@ -1,5 +1,7 @@
 """A gyro's wandering zero is told from every other error of the sensors."""
 
+import tracemalloc
+
 import numpy as np
 import pytest
 
@@ -62,3 +64,15 @@ def test_one_short_segment_cannot_wander():
     assert (
         gyro_drift([TIME[few]], [angle_at(TIME)[few]], [rate_at(TIME)[few]], (ANGLE, RATE)) is None
     )
+
+
+def test_many_segments_take_memory_as_many_times_as_few():
+    """A table of the zeros of all by the windows of all would take sixteen times as much."""
+    peaks = []
+    for segments in (50, 200):
+        tracemalloc.start()
+        before = tracemalloc.get_traced_memory()[0]
+        told(np.zeros(TIME.size), segments=segments)
+        peaks.append(tracemalloc.get_traced_memory()[1] - before)
+        tracemalloc.stop()
+    assert peaks[1] < 1.2 * 4 * peaks[0]

@@ -4,7 +4,10 @@ import numpy as np
 import pytest
 from scipy.signal import butter, filtfilt
 
-from exoid.recordings.signal.noise import find_spikes, interpolation_errors, noise_of, quantum
+from exoid.recordings.signal.neighbours import interpolation_errors
+from exoid.recordings.signal.noise import noise_of
+from exoid.recordings.signal.scatter import quantum
+from exoid.recordings.signal.spikes import find_spikes
 
 NOISE = np.radians(0.1)
 

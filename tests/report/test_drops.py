@@ -8,12 +8,13 @@ import pytest
 from matplotlib.colors import to_rgb
 from rich.console import Console
 
+from exoid.pendulum.drop import PendulumTest
 from exoid.pendulum.drops import measure_drops
 from exoid.recordings.recording import Protocol, Recording, Subject
 from exoid.report.document.drops_json import drops_document
 from exoid.report.plots.drops import plot_drops
 from exoid.report.plots.fit import save_figure
-from exoid.report.tables.drops import print_drops
+from exoid.report.tables.drops import MOST, print_drops
 from exoid.report.words.typeset import mathtext
 from swings import NOISE, Oscillator, drop, recorded
 
@@ -50,6 +51,17 @@ def test_the_table_has_every_drop_the_average_and_the_reasons(four):
     assert "- 3: a voluntary movement" in joined
     assert "Not in it, with another added mass: segment 2." in joined
     assert "Nothing here is a diagnosis" in joined
+
+
+def test_of_many_drops_the_average_is_printed_and_not_a_table_of_each(four):
+    many = PendulumTest([four.drops[0]] * (MOST + 1), four.average, [])
+    text = printed(many)
+    assert "Drop of segment" not in text
+    assert "Average over drops" in text
+    assert f"{MOST + 1} drops were read" in text
+    document = drops_document(many, version="0", recordings=[])
+    assert len(document["drops"]) == MOST + 1
+    assert "Drop of segment" in printed(PendulumTest([four.drops[0]] * MOST, four.average, []))
 
 
 def test_every_number_in_the_table_has_its_error_and_unit(four):

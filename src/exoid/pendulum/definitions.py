@@ -115,7 +115,7 @@ def time_to_rest(drop: Landmarks) -> DropReading:
 
 def peak_flexion_velocity(drop: Landmarks) -> DropReading:
     drop.check_fall()
-    found = drop.steepest(1, -1, float(drop.curve.time[0]), drop.flexion(1).time)
+    found = drop.steepest(1, -1, drop.begin, drop.flexion(1).time)
     if found.time - drop.track.time[0] < HALF:
         raise NotAllowed("begins too late: the first flexion is already at its fastest")
     return size(found)
@@ -138,7 +138,7 @@ def peak_flexion_acceleration(drop: Landmarks) -> DropReading:
 
 def peak_extension_acceleration(drop: Landmarks) -> DropReading:
     drop.check_fall()
-    begin = float(drop.curve.time[0]) + HALF
+    begin = drop.begin + HALF
     return size(drop.steepest(2, 1, begin, drop.extension(1).time))
 
 

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from exoid.pendulum import summary
+from exoid.recordings.landmarks.landmarks import Landmarks
 from exoid.recordings.landmarks.measure import Measure
 from exoid.recordings.landmarks.swing import Curve
 from exoid.recordings.recording import Segment
@@ -17,8 +18,15 @@ class Drop:
     segment: Segment
     added_mass: float  # kg
     measures: dict[str, Measure]
-    curve: Curve | None  # None where it is refused whole
+    landmarks: Landmarks | None  # None where it is refused whole
     reason: str | None = None
+
+    @property
+    def curve(self) -> Curve | None:
+        """Angle and its derivatives from the release on, worked out when first asked for; None
+        where it is refused whole.
+        """
+        return None if self.landmarks is None else self.landmarks.curve
 
 
 @dataclass(frozen=True)

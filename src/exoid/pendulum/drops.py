@@ -9,6 +9,7 @@ from exoid.recordings.landmarks.measure import NotAllowed
 from exoid.recordings.landmarks.track import track_of
 from exoid.recordings.loading.named import RecordingsLike, named_recordings
 from exoid.recordings.motion.drops import law_for
+from exoid.recordings.motion.signal import signal_of
 from exoid.recordings.recording import Recording
 from exoid.recordings.signal.clean import clean
 from exoid.recordings.signal.condition import classify
@@ -56,10 +57,11 @@ def drop(recording: Recording, number: int, name: str) -> Drop:
             raise NotAllowed(REFUSED[kind])
         track = track_of(segment, cleaned.angle.level)
         law = law_for(cleaned.recording, number)
-        found = find_landmarks(track, recording.subject.kind != "rig", law)
+        seen = signal_of(segment, cleaned.recording.sensors)
+        found = find_landmarks(track, recording.subject.kind != "rig", law, seen)
     except NotAllowed as why:
         return Drop(name, segment, mass, {}, None, str(why))
-    return Drop(name, segment, mass, measures(found), found.curve)
+    return Drop(name, segment, mass, measures(found), found)
 
 
 def averages(drops: list[Drop]) -> dict[str, Average]:

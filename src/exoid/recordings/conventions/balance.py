@@ -1,13 +1,13 @@
 """Where a swinging leg is in balance, and how hard it is drawn there: a regression, no fit."""
 
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
 from exoid.recordings.conventions.file_clock import measured
 from exoid.recordings.recording import Segment
+from exoid.recordings.remembered import remembered
 from exoid.recordings.samples import Samples
 
 WINDOW = 0.4  # s, a third of a swing
@@ -29,7 +29,7 @@ class Balance:
     explained: float  # share of the acceleration's mean square
 
 
-@lru_cache(maxsize=64)  # asked of every drop by each check of how its angle is counted
+@remembered  # asked of every drop by each check of how its angle is counted
 def balance(segment: Segment) -> Balance | None:
     """By regression over the windows in which the leg moves; None where they are too few.
 
@@ -65,24 +65,41 @@ def balance(segment: Segment) -> Balance | None:
 def weak_form(segment: Segment) -> NDArray[np.float64]:
     """A row for every window: int psi'' phi, -int psi cos(phi), -int psi sin(phi), int psi' phi."""
     time, angle = measured(segment)
-    rows = []
     stride = max(STRIDE, (time[-1] - time[0]) / MOST)
-    for begin in np.arange(time[0], time[-1] - WINDOW, stride):
-        part = slice(*np.searchsorted(time, [begin, begin + WINDOW]))
-        if part.stop - part.start >= FEWEST and np.ptp(angle[part]) > MOVING * np.ptp(angle):
-            rows.append(window(time[part] - begin, angle[part]))
-    return np.array(rows).reshape(-1, 4)
+    begin = np.arange(time[0], time[-1] - WINDOW, stride)
+    first, last = np.searchsorted(time, [begin, begin + WINDOW])
+    told = last - first >= FEWEST
+    if not told.any():
+        return np.empty((0, 4))
+    begin, first, last = begin[told], first[told], last[told]
+    edges = np.stack([first, last], axis=1).ravel()[: -1 if last[-1] == time.size else None]
+    travel = (each.reduceat(angle, edges)[::2] for each in (np.maximum, np.minimum))
+    moves = np.subtract(*travel) > MOVING * np.ptp(angle)
+    return integrals(time, angle, begin[moves], first[moves], last[moves])
 
 
-def window(time: Samples, angle: Samples) -> list[float]:
-    """The integrals of one window; the angle counts from its mean where it stands alone."""
-    s = time / WINDOW
+def integrals(
+    time: Samples, angle: Samples, begin: Samples, first: NDArray[np.int_], last: NDArray[np.int_]
+) -> NDArray[np.float64]:
+    """Those of windows from `begin` [s] on, with the samples from `first` to before `last`.
+
+    The angle counts from its mean where it stands alone. By the trapezoid rule; at both ends all is
+    0, and so it is where a window has no more samples.
+    """
+    if not begin.size:
+        return np.empty((0, 4))
+    at = first[:, None] + np.arange(int((last - first).max()))
+    inside = at < last[:, None]
+    at = np.minimum(at, time.size - 1)
+    since, angle = np.where(inside, time[at] - begin[:, None], WINDOW), angle[at]
+    whole = np.pad(since, [(0, 0), (1, 1)], constant_values=((0, 0), (0, WINDOW)))
+    share = (whole[:, 2:] - whole[:, :-2]) / 2
+    s = since / WINDOW
     hump = s * (1 - s)
     psi = hump * hump * hump
     slope = 3 * hump * hump * (1 - 2 * s) / WINDOW
     bend = 6 * hump * (1 - 5 * hump) / WINDOW**2
-    apart = angle - angle.mean()
+    mean = np.sum(angle, axis=1, where=inside, keepdims=True) / inside.sum(axis=1, keepdims=True)
+    apart = angle - mean
     each = (bend * apart, -psi * np.cos(angle), -psi * np.sin(angle), slope * apart)
-    whole = np.concatenate([[0.0], time, [WINDOW]])
-    share = (whole[2:] - whole[:-2]) / 2  # the trapezoid rule; at the ends all of them are 0
-    return [float(share @ values) for values in each]
+    return np.stack([np.einsum("wt,wt->w", share, values) for values in each], axis=1)

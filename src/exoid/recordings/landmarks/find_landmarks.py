@@ -10,7 +10,7 @@ from exoid.recordings.landmarks.local_polynomial import local
 from exoid.recordings.landmarks.measure import Found, NotAllowed
 from exoid.recordings.landmarks.release import Release, find_release
 from exoid.recordings.landmarks.rest import Rest, find_rest
-from exoid.recordings.landmarks.swing import curve, turned, turns
+from exoid.recordings.landmarks.swing import turned, turns
 from exoid.recordings.landmarks.track import FEWEST, HALF, SURE, Peak, Track
 from exoid.recordings.motion.acceleration import Law
 from exoid.recordings.motion.extent import Extent, Motionless
@@ -20,14 +20,17 @@ from exoid.recordings.motion.signal import Signal
 SHARE = 0.6  # of its greatest acceleration with which a leg that is let go falls at first
 
 
-def find_landmarks(track: Track, handled: bool = True, law: Law | None = None) -> Landmarks:
+def find_landmarks(
+    track: Track, handled: bool = True, law: Law | None = None, seen: Signal | None = None
+) -> Landmarks:
     """Everything that can be found on a drop; `handled` by a person, who may catch or lift the leg.
 
-    A `law` is what other drops of this leg have told of it.
+    A `law` is what other drops of this leg have told of it. Where its release was looked for in
+    the same samples, `seen`, it is not looked for again.
 
     **Raises** `NotAllowed` where nothing moves, or what moves does not fall.
     """
-    track, extent = freely(track, handled, law)
+    track, extent = freely(track, seen_alone(track, seen), handled, law)
     released = attempt(lambda: find_release(track, extent))
     free = None if isinstance(released, NotAllowed) else released
     begin = float(track.time[0]) if free is None else free.start.time
@@ -37,7 +40,7 @@ def find_landmarks(track: Track, handled: bool = True, law: Law | None = None) -
         raise NotAllowed(f"no drop: it first swings towards extension, up to {found[0].time:.2f} s")
     return Landmarks(
         track,
-        curve(track, free),
+        float(track.time[np.searchsorted(track.time, begin)]),
         found,
         released,
         attempt(lambda: rested(track, extent, found if free is None else [free.start, *found])),
@@ -45,9 +48,14 @@ def find_landmarks(track: Track, handled: bool = True, law: Law | None = None) -
     )
 
 
-def freely(track: Track, handled: bool, law: Law | None) -> tuple[Track, Extent]:
+def seen_alone(track: Track, seen: Signal | None) -> Signal:
+    """The angle of a track without a gyro: measures are of the angle alone."""
+    same = seen is not None and seen.velocity is None and np.array_equal(seen.angle, track.angle)
+    return Signal(track.time, track.angle, track.noise, None, np.inf, seen if same else None)
+
+
+def freely(track: Track, signal: Signal, handled: bool, law: Law | None) -> tuple[Track, Extent]:
     """The track up to where a hand caught or lifted the leg, and its movement."""
-    signal = Signal(track.time, track.angle, track.noise, None, np.inf)
     try:
         extent = find_free(signal, handled=handled, law=law)
     except Motionless as fault:

@@ -1,15 +1,17 @@
 """The places of a drop that its measures are read from, each found or refused with the reason."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
-from exoid.recordings.landmarks.local_polynomial import local
+from exoid.recordings.landmarks.local_polynomial import LocalPolynomials, local
 from exoid.recordings.landmarks.measure import NotAllowed, given, ordinal
 from exoid.recordings.landmarks.release import Release
 from exoid.recordings.landmarks.rest import Rest
-from exoid.recordings.landmarks.swing import Curve, back
+from exoid.recordings.landmarks.swing import Curve, back, curve
 from exoid.recordings.landmarks.track import HALF, Peak, Track, nearest
+from exoid.recordings.samples import Samples
 
 
 @dataclass(frozen=True, eq=False)
@@ -17,7 +19,7 @@ class Landmarks:
     """Release, turning points and rest of one drop."""
 
     track: Track
-    curve: Curve
+    begin: float  # s, of the first sample of the fall
     turns: list[Peak]  # flexion and extension in turn
     released: Release | NotAllowed
     rested: Rest | NotAllowed
@@ -56,18 +58,33 @@ class Landmarks:
             )
         return self.turns[number]
 
+    @cached_property
+    def curve(self) -> Curve:
+        """The whole drop with its derivatives, for pictures: dear, and nothing is read off it."""
+        return curve(self.track, self.released if isinstance(self.released, Release) else None)
+
+    @cached_property
+    def first_swings(self) -> tuple[Samples, LocalPolynomials, LocalPolynomials]:
+        """The samples of the first two swings, and the polynomials around each over the usual time
+        and over twice as much.
+        """
+        time = self.track.time
+        end = max((each.time for each in self.turns[:2]), default=self.begin)
+        time = time[(time >= self.begin) & (time <= end)]
+        sharp, wide = (local(self.track, time, self.begin, half) for half in (HALF, 2 * HALF))
+        return time, sharp, wide
+
     def steepest(self, order: int, sign: int, begin: float, end: float) -> Peak:
-        """Where a derivative is greatest (sign 1) or least (-1) between two times.
+        """Where a derivative is greatest (sign 1) or least (-1) between two times of the first two
+        swings.
 
         Polynomials over twice the time say where: the place at which noise lifts it would be read
         too high.
         """
-        track, first = self.track, float(self.curve.time[0])
-        inside = self.curve.time[(self.curve.time >= begin) & (self.curve.time <= end)]
+        times, sharp, wide = self.first_swings
+        inside = np.flatnonzero((times >= begin) & (times <= end))
         if not inside.size:
             raise NotAllowed("that part of the swing was not recorded")
-        wide = local(track, inside, first, 2 * HALF).derivative(order)[0]
-        at = np.argmax(sign * wide)
-        time = float(inside[at])
-        value, error = local(track, inside[[at]], first).derivative(order)
-        return Peak(nearest(track, time), time, HALF, float(value[0]), float(error[0]))
+        at = int(inside[np.argmax(sign * wide.value(order)[inside])])
+        time, (value, error) = float(times[at]), sharp.only(at).derivative(order)
+        return Peak(nearest(self.track, time), time, HALF, float(value[0]), float(error[0]))

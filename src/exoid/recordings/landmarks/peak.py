@@ -1,40 +1,56 @@
-"""Where a derivative of a drop's angle is greatest or least."""
+"""Where a drop's angle is greatest or least."""
 
 import numpy as np
-from numpy.polynomial import polynomial
+from numpy.typing import NDArray
 
-from exoid.recordings.landmarks.local_polynomial import local
+from exoid.recordings.landmarks.local_polynomial import DEGREE, local
 from exoid.recordings.landmarks.track import HALF, Peak, Track, nearest
 from exoid.recordings.samples import Samples
 
 BLURRED = 0.005  # s of error in time from which on an extreme is looked for more widely
+NEAR = 0.5  # of HALF: farther out, another polynomial follows the curve better
+LEAST = 1e-12  # of the greatest coefficient: a smaller one moves no extreme that is near
 
 
-def peak(track: Track, near: int, order: int = 0, begin: float = -np.inf) -> Peak:
-    """The extreme of a derivative next to the track's sample `near`, else its value there.
+def peaks(track: Track, near: list[int], begin: float = -np.inf) -> list[Peak]:
+    """The extremes next to the track's samples `near`, else the angles there.
 
-    Where noise blurs it, a polynomial over twice the time is taken.
+    Where noise blurs one, a polynomial over twice the time is taken.
     """
-    sharp = stationary(track, near, order, begin, HALF)
-    blurred = sharp.time_error >= BLURRED
-    return stationary(track, near, order, begin, 2 * HALF) if blurred else sharp
+    sharp = stationary(track, near, begin, HALF)
+    blurred = [at for at, each in zip(near, sharp, strict=True) if each.time_error >= BLURRED]
+    wide = dict(zip(blurred, stationary(track, blurred, begin, 2 * HALF), strict=True))
+    return [wide.get(at, each) for at, each in zip(near, sharp, strict=True)]
 
 
-def stationary(track: Track, near: int, order: int, begin: float, half: float) -> Peak:
-    centre = track.time[[near]]
+def stationary(track: Track, near: list[int], begin: float, half: float) -> list[Peak]:
+    if not near:
+        return []
+    centre = track.time[near]
     found = local(track, centre, begin, half)
-    x = extreme(found.coefficients[0], order)
-    value, error = found.derivative(order, x)
-    slope_error = float(found.derivative(order + 1, x)[1][0])
-    bend = float(found.derivative(order + 2, x)[0][0])
-    time_error = slope_error / abs(bend) if bend else HALF
-    time = float(centre[0]) + HALF * x
-    return Peak(nearest(track, time), time, min(time_error, HALF), float(value[0]), float(error[0]))
+    x = extremes(found.coefficients)
+    value, error = found.derivative(0, x)
+    slope_error, bend = found.derivative(1, x)[1], np.abs(found.derivative(2, x)[0])
+    time_error = np.divide(slope_error, bend, out=np.full(x.size, HALF), where=bend > 0)
+    times = centre + HALF * x
+    each = zip(*(one.tolist() for one in (times, time_error, value, error)), strict=True)
+    return [
+        Peak(nearest(track, time), time, min(late, HALF), angle, unsure)
+        for time, late, angle, unsure in each
+    ]
 
 
-def extreme(coefficients: Samples, order: int) -> float:
-    """The x nearest to 0 at which a derivative has an extreme; 0 where it has none near."""
-    roots = polynomial.polyroots(polynomial.polyder(coefficients, order + 1))
-    real = roots[np.abs(roots.imag) < 1e-9].real
-    near = real[np.abs(real) <= 0.5]  # farther out, another polynomial follows the curve better
-    return float(near[np.argmin(np.abs(near))]) if near.size else 0.0
+def extremes(coefficients: NDArray[np.float64]) -> Samples:
+    """Of every polynomial the x nearest to 0 at which it has an extreme; 0 where none is near."""
+    slopes = coefficients[:, 1:] * np.arange(1, DEGREE + 1)
+    size = np.abs(slopes).max(axis=1, initial=0.0)
+    least = np.where(size > 0, LEAST * size, 1.0)
+    highest = np.where(np.abs(slopes[:, -1]) > least, slopes[:, -1], least)
+    companion = np.zeros((size.size, DEGREE - 1, DEGREE - 1))
+    companion[:, 1:, :-1] = np.eye(DEGREE - 2)
+    companion[:, :, -1] = -slopes[:, :-1] / highest[:, None]
+    roots = np.linalg.eigvals(companion)
+    seen = (np.abs(roots.imag) < 1e-9) & (np.abs(roots.real) <= NEAR)
+    away = np.where(seen, np.abs(roots.real), np.inf)
+    closest = np.take_along_axis(roots.real, away.argmin(axis=1)[:, None], axis=1)[:, 0]
+    return np.where(seen.any(axis=1), closest, 0.0)

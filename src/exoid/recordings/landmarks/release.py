@@ -8,6 +8,7 @@ Held still until t0, it then falls from rest:
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.polynomial import polynomial
 from numpy.typing import NDArray
 
 from exoid.recordings.landmarks.local_polynomial import local
@@ -16,6 +17,7 @@ from exoid.recordings.landmarks.track import HALF, SURE, Peak, Track, nearest
 from exoid.recordings.motion.extent import Extent
 from exoid.recordings.samples import Samples
 from exoid.recordings.signal.condition import MOTION_SPEED
+from exoid.recordings.signal.left_over import orthonormal
 
 FALL = 0.3  # s of the fall that are followed
 MISSED = 0.05  # of its first acceleration, by what the polynomial leaves out of a quick leg's fall
@@ -36,18 +38,19 @@ class Release:
     fall: Samples
     covariance: Table  # of `fall`, with that of t0 behind it
 
-    def derivative(self, order: int, after: float) -> tuple[float, float]:
-        """d^order phi / dt^order `after` s into the fall, and its standard error."""
-        row = fall_row(after / FALL, order) / FALL**order
-        error = np.sqrt(row @ self.covariance[:-1, :-1] @ row)
-        return float(row @ self.fall), float(error)
+    def derivative(self, order: int, after: Samples) -> tuple[Samples, Samples]:
+        """d^order phi / dt^order `after` s into the fall, and their standard errors."""
+        rows = fall_row(after / FALL, order) / FALL**order
+        error = np.sqrt(np.einsum("ti,ij,tj->t", rows, self.covariance[:-1, :-1], rows))
+        return rows @ self.fall, error
 
     def steepest(self) -> tuple[float, float, float]:
         """Where its first part accelerates most towards flexion: s after t0, rad/s^2, error."""
-        tried = np.linspace(0.0, HALF, 11).tolist()
-        after = min(tried, key=lambda each: self.derivative(2, each)[0])
-        value, error = self.derivative(2, after)
-        return after, value, float(np.hypot(error, MISSED * value))
+        tried = np.linspace(0.0, HALF, 11)
+        values, errors = self.derivative(2, tried)
+        at = int(np.argmin(values))
+        value = float(values[at])
+        return float(tried[at]), value, float(np.hypot(errors[at], MISSED * value))
 
 
 def find_release(track: Track, extent: Extent) -> Release:
@@ -57,8 +60,7 @@ def find_release(track: Track, extent: Extent) -> Release:
     """
     begin, lowest, reach = about(track, extent)
     tried = np.arange(max(begin - reach, lowest), begin + reach + LATER, STEP)
-    misfits = [misfit(track, each) for each in tried.tolist()]
-    best = float(tried[int(np.argmin(misfits))])
+    best = float(tried[int(np.argmin(misfits(track, tried)))])
     step = refined(track, best)[1]
     return refined(track, best + float(np.clip(step, -STEP, STEP)))[0]
 
@@ -77,33 +79,42 @@ def about(track: Track, extent: Extent) -> tuple[float, float, float]:
     return first, first - LATE, NEAR
 
 
-def fall_row(x: Samples | float, order: int = 0) -> Samples:
+def fall_row(x: Samples, order: int = 0) -> Samples:
     """A derivative of 1, x^2, x^3, x^4 and x^5."""
     powers, factors = POWERS, np.ones(POWERS.size)
     for _ in range(order):
         factors, powers = factors * powers, np.maximum(powers - 1, 0)
-    return factors * np.asarray(x, dtype=float)[..., None] ** powers
+    return factors * polynomial.polyvander(x, int(powers[-1]))[..., powers]
 
 
-def followed(track: Track, begin: float) -> tuple[Samples, Samples]:
-    """x and angle from a little before the release to the end of what is followed."""
-    inside = (track.time > begin - FALL) & (track.time < begin + FALL)
-    if np.count_nonzero(inside & (track.time >= begin)) < FEWEST:
+def followed(track: Track, begin: Samples) -> tuple[slice, NDArray[np.bool_]]:
+    """The samples from a little before a release at each `begin` to the end of what is followed,
+    and which of them belong to each.
+    """
+    time = track.time
+    used = slice(*np.searchsorted(time, [begin.min() - FALL, begin.max() + FALL]))
+    since = time[used] - begin[:, None]
+    inside = (since > -FALL) & (since < FALL)
+    if (np.count_nonzero(inside & (since >= 0), axis=1) < FEWEST).any():
         raise NotAllowed(f"cut during the fall: fewer than {FEWEST} samples follow the release")
-    return np.maximum(track.time[inside] - begin, 0) / FALL, track.angle[inside]
+    return used, inside
 
 
-def misfit(track: Track, begin: float) -> float:
-    """The sum of squares for a release at `begin`."""
-    x, angle = followed(track, begin)
-    table = fall_row(x)
-    left = angle - table @ np.linalg.lstsq(table, angle, rcond=None)[0]
-    return float(left @ left)
+def misfits(track: Track, tried: Samples) -> Samples:
+    """The sums of squares for each release that is `tried`."""
+    used, inside = followed(track, tried)
+    x = np.maximum(track.time[used] - tried[:, None], 0) / FALL
+    basis = orthonormal(np.moveaxis(fall_row(x) * inside[..., None], 2, 1))
+    angle = np.where(inside, track.angle[used] - track.angle[used].mean(), 0.0)
+    along = (basis @ angle[..., None])[..., 0]
+    return (angle**2).sum(axis=1) - (along**2).sum(axis=1)
 
 
 def refined(track: Track, begin: float) -> tuple[Release, float]:
     """The fall from `begin`, and by how much later [s] a release would fit it best."""
-    x, angle = followed(track, begin)
+    used, (inside,) = followed(track, np.array([begin]))
+    time, angle = track.time[used][inside], track.angle[used][inside]
+    x = np.maximum(time - begin, 0) / FALL
     table = fall_row(x)
     fall = np.asarray(np.linalg.lstsq(table, angle, rcond=None)[0], dtype=float)
     columns = np.column_stack([table, -(fall_row(x, 1) @ fall) / FALL])  # d phi / d t0

@@ -56,7 +56,7 @@ def window(track: Track) -> float:
     **Raises** `NotAllowed` where that blurs the swings.
     """
     samples = (SEEN * track.noise / BAND) ** 2
-    width = max(SMOOTHING, samples * float(np.median(np.diff(track.time))))
+    width = max(SMOOTHING, samples * track.step)
     if width > WIDEST:
         raise NotAllowed(
             f"too noisy: {np.degrees(track.noise):.2g} deg of noise hide whether a leg is within "

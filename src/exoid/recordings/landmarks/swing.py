@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from exoid.recordings.landmarks.local_polynomial import local
-from exoid.recordings.landmarks.peak import peak
+from exoid.recordings.landmarks.peak import peaks
 from exoid.recordings.landmarks.release import Release
 from exoid.recordings.landmarks.track import HALF, Peak, Track
 from exoid.recordings.samples import Samples
@@ -33,7 +33,7 @@ def turns(track: Track, begin: float) -> list[Peak]:
     where the leg did not fall at first.
     """
     first = int(np.searchsorted(track.time, begin))
-    return [peak(track, first + at, 0, begin) for at in turned(track, first)]
+    return peaks(track, [first + at for at in turned(track, first)], begin)
 
 
 def turned(track: Track, first: int = 0) -> list[int]:
@@ -56,5 +56,5 @@ def curve(track: Track, release: Release | None) -> Curve:
         fresh = np.flatnonzero(time < begin + HALF)
         for order, values in enumerate(orders):
             after = time[fresh] - begin
-            values[fresh] = [release.derivative(order, each)[0] for each in after.tolist()]
+            values[fresh] = release.derivative(order, after)[0]
     return Curve(time, *orders)

@@ -1,6 +1,7 @@
 """The angle of a drop where it was measured, and the places on it."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -43,7 +44,11 @@ class Track:
 
     def smoothed_noise(self, width: float) -> float:
         """What of it is left [rad] in straight lines over `width` s."""
-        return self.noise / np.sqrt(max(width / float(np.median(np.diff(self.time))), 3.0))
+        return self.noise / np.sqrt(max(width / self.step, 3.0))
+
+    @cached_property
+    def step(self) -> float:
+        return float(np.median(np.diff(self.time)))
 
 
 def track_of(segment: Segment, noise: float) -> Track:
@@ -74,4 +79,6 @@ def track_of(segment: Segment, noise: float) -> Track:
 
 def nearest(track: Track, time: float) -> int:
     """The sample of the segment that is nearest to a time."""
-    return int(track.sample[np.argmin(np.abs(track.time - time))])
+    after = min(max(int(np.searchsorted(track.time, time)), 1), track.time.size - 1)
+    before, later = time - track.time[after - 1], track.time[after] - time
+    return int(track.sample[after - 1 if before <= later else after])

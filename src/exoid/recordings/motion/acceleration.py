@@ -6,12 +6,12 @@ a hand is on the leg.
 """
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
-from exoid.recordings.motion.signal import Signal
+from exoid.recordings.motion.signal import Signal, bends, lines
 from exoid.recordings.motion.thresholds import (
     BLUR,
     FEWEST,
@@ -24,6 +24,7 @@ from exoid.recordings.motion.thresholds import (
     SURE,
     USUAL,
 )
+from exoid.recordings.remembered import remembered
 from exoid.recordings.samples import Samples
 from exoid.recordings.signal.local_line import local_line
 
@@ -66,6 +67,12 @@ def law_of(parts: list[Part]) -> Law | None:
     return Law(numbers, scatter, usual, float(np.abs(acceleration).max()))
 
 
+@remembered
+def own_law(signal: Signal, start: int, stop: int) -> Law | None:
+    """What the free part of one signal tells."""
+    return law_of([(signal, slice(start, stop))])
+
+
 def within(signal: Signal, free: slice, width: float) -> slice:
     """The samples around which a whole window of `width` s is free."""
     first = np.searchsorted(signal.time, signal.time[free.start] + width / 2)
@@ -78,7 +85,7 @@ def free_until(signal: Signal, free: slice, limit: int, law: Law | None = None) 
 
     Without a `law` that part tells its own.
     """
-    law = law_of([(signal, free)]) if law is None else law
+    law = own_law(signal, free.start, free.stop) if law is None else law
     if law is None:
         return free.stop
     at = pushed_at(signal, free, limit, law, law.clear(PUSH))
@@ -104,7 +111,7 @@ def pushed_at(signal: Signal, free: slice, limit: int, law: Law, least: float) -
 
 def kept_there(signal: Signal, free: slice, rest: slice, law: Law | None = None) -> bool:
     """Is something needed to keep the leg where it rests, if it is as in the samples `free`?"""
-    law = law_of([(signal, free)]) if law is None else law
+    law = own_law(signal, free.start, free.stop) if law is None else law
     if law is None:
         return False
     inside = slice(int(np.searchsorted(signal.time, signal.time[rest.start] + LATE)), rest.stop)
@@ -132,7 +139,7 @@ class Derivatives:
     error: float  # rad/s^2
     width: float  # s
 
-    @property
+    @cached_property
     def table(self) -> NDArray[np.float64]:
         """The columns of the law: (sample, number)."""
         return np.stack([np.ones(self.angle.size), np.cos(self.angle), self.angle, self.speed], 1)
@@ -143,7 +150,7 @@ class Derivatives:
         return bool(self.error < PUSH * np.ptp(self.acceleration) / 2 / ROUGH)
 
 
-@lru_cache(maxsize=32)  # who looks for a hand asks several times
+@remembered  # who looks for a hand asks several times
 def derivatives(signal: Signal) -> Derivatives:
     """Over the shortest window through which a hand would be seen, else the longest."""
     *shorter, longest = BLUR
@@ -156,11 +163,11 @@ def smoothed_over(signal: Signal, width: float) -> Derivatives:
     time, count = signal.time, signal.count(width)
     spread = float(np.std(np.arange(count) * signal.step))
     if signal.velocity is not None:
-        angle = local_line(time, signal.angle, width)[0]
+        angle = lines(signal, width)[0]
         speed, acceleration = local_line(time, signal.velocity, width)
         error = signal.velocity_noise / (spread * np.sqrt(count))
     else:  # twice: a parabola over the whole width
-        angle, rough = local_line(time, signal.angle, width / 2)
-        speed, acceleration = local_line(time, rough, width / 2)
+        angle = lines(signal, width / 2)[0]
+        speed, acceleration = bends(signal, width)
         error = float(np.sqrt(5) * signal.angle_noise / (spread**2 * np.sqrt(count)))
     return Derivatives(angle, speed, acceleration, error, width)

@@ -19,6 +19,7 @@ from exoid.recordings.motion.thresholds import (
     REST,
     TRAVEL,
 )
+from exoid.recordings.remembered import remembered
 from exoid.recordings.samples import Samples
 from exoid.recordings.signal.condition import runs
 
@@ -86,6 +87,15 @@ def released(
     signal: Signal, speed: Speed, first: int, room: tuple[float, ...] = ODD
 ) -> LettingGo | None:
     """How the leg that first moves at `first` was let go; None where it begins in motion."""
+    if signal.alike is None:
+        return looked_into(signal, speed, first, room)
+    return looked_into(signal.alike, speed_of(signal.alike), first, room)
+
+
+@remembered  # by far the most of the search, and the same of every drop whoever asks
+def looked_into(
+    signal: Signal, speed: Speed, first: int, room: tuple[float, ...]
+) -> LettingGo | None:
     time = signal.time
     # Within half a window from the first sample nobody sees whether it moves.
     seen = first > 0

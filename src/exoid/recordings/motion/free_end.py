@@ -23,6 +23,7 @@ from exoid.recordings.motion.thresholds import (
     SHORT,
     TRAVEL,
 )
+from exoid.recordings.remembered import remembered
 from exoid.recordings.samples import Samples
 from exoid.recordings.signal.condition import reversals, runs
 
@@ -81,6 +82,7 @@ def free_end(
     return End(min(stop, rest[1]), "at rest", "the leg came to rest by itself")
 
 
+@remembered
 def swung(signal: Signal, speed: Speed, begin: int, free: int) -> Swings:
     """The swings from `begin` on, and the rest that ends them, whose angle is the last."""
     smooth, noise = smoothed(signal, speed.width)
@@ -110,6 +112,7 @@ def rest_after(
     return None
 
 
+@remembered
 def hand_in(signal: Signal, seen: Swings) -> End | None:
     """The first trace of a hand."""
     place, rest = outside(seen), seen.rest
@@ -128,6 +131,7 @@ def hand_in(signal: Signal, seen: Swings) -> End | None:
     return None
 
 
+@remembered
 def holding(signal: Signal, speed: Speed, seen: Swings, law: Law | None) -> End | None:
     """A hand that keeps a leg where it would not stay by itself."""
     size, rest = signal.time.size, seen.rest
@@ -143,6 +147,7 @@ def holding(signal: Signal, speed: Speed, seen: Swings, law: Law | None) -> End 
     return caught(signal, seen.sure, rest[0], law)
 
 
+@remembered
 def gripping(signal: Signal, seen: Swings, law: Law) -> End | None:
     """A hand that slows the leg down as no free leg of this `law` does."""
     limit = signal.time.size if seen.rest is None else seen.rest[0]

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from exoid.recordings.motion.fall import Swing, Swings, falling
+from exoid.recordings.motion.fall import Rows, Swing, Swings, rows_of
 from exoid.recordings.motion.signal import Signal
 from exoid.recordings.motion.thresholds import (
     COARSE,
@@ -28,6 +28,7 @@ from exoid.recordings.motion.thresholds import (
     WINDOWS,
 )
 from exoid.recordings.samples import Samples
+from exoid.recordings.signal.left_over import left_beside
 
 POWERS = (3, 4, 5)
 
@@ -81,8 +82,14 @@ def wobble(tried: Samples, widths: Samples, square: Table, scale: float) -> floa
 
 
 def table_of(case: ReleaseWindow, legs: Swings, tried: Samples, widths: Samples) -> Table:
-    """Chi-square of every leg, duration and instant."""
-    return np.stack([misfits(case, legs, tried, width) for width in widths.tolist()], axis=1)
+    """Chi-square of every leg, duration and instant, all amplitudes at their best."""
+    rows = rows_of(case.signal, float(tried.min()))
+    since = rows.time - tried[:, None]
+    fall = rows.fallen(since, widths, legs)
+    middle = (since - widths[:, None, None] / 2).reshape(-1, rows.time.size)
+    basis = rows.with_levels(powers_of(case, rows, np.maximum(middle, 0) / FALL))
+    left = left_beside(basis, fall, rows.data) + rows.scatter
+    return left.reshape(widths.size, tried.size, len(legs)).transpose(2, 0, 1)
 
 
 def spread(case: ReleaseWindow, square: Table) -> float:
@@ -114,27 +121,17 @@ def samples_within(case: ReleaseWindow) -> int:
     return sum(int(np.sum(~np.isnan(one))) for one in each if one is not None)
 
 
-def misfits(case: ReleaseWindow, legs: Swings, tried: Samples, width: float) -> Table:
-    """Chi-square of every leg and tried instant, all amplitudes at their best."""
-    since = case.signal.time - tried[:, None]
-    x = np.maximum(since - width / 2, 0) / FALL
-    fall = measured(case, [falling(since, width, legs, order) for order in (0, 1)])
-    other = [measured(case, [power_of(x, n, order) for order in (0, 1)]) for n in POWERS]
+def powers_of(case: ReleaseWindow, rows: Rows, x: Table) -> Table:
+    """x^3, x^4 and x^5 in every row (instant, power, row), with what is believed of each."""
     room = np.array(case.room) * np.clip(case.pull / GREATEST, 0.02, 1.0)
-    believed = np.broadcast_to(np.diag(1 / room), (tried.size, len(POWERS), len(POWERS)))
-    shared = np.concatenate([np.stack(other, axis=-1), believed], axis=1)
-    return left_of(case, np.pad(fall, [(0, 0), (0, 0), (0, len(POWERS))]), shared)
-
-
-def begun_free(case: ReleaseWindow) -> float:
-    """Chi-square of a leg that is free from the first sample on, at rest or in motion."""
-    since = case.signal.time[None, :] - case.signal.time[0]
-    at_rest, moving = (
-        measured(case, [falling(since, 0.0, case.legs, order + begun) for order in (0, 1)])
-        for begun in (0, 1)
-    )
-    legs = zip(at_rest[:, None], moving[..., None], strict=True)
-    return min(float(left_of(case, rest, begun)[0, 0]) for rest, begun in legs)
+    angle, velocity = x[:, : rows.velocity], x[:, rows.velocity :]
+    each = [
+        np.concatenate([power_of(angle, n, 0), power_of(velocity, n, 1)], axis=1) for n in POWERS
+    ]
+    found = np.stack(each, axis=1) * rows.scale
+    at = np.arange(len(POWERS))
+    found[:, at, at] = 1 / room
+    return found
 
 
 def power_of(x: Table, power: int, order: int) -> Table:
@@ -145,39 +142,12 @@ def power_of(x: Table, power: int, order: int) -> Table:
     return power / FALL * found if order else found
 
 
-def measured(case: ReleaseWindow, tables: list[Table]) -> Table:
-    """What is told of angle and velocity (last axis: time) at the samples of encoder and gyro, over
-    their noise.
-    """
-    signal, found = case.signal, []
-    channels = ((signal.angle, signal.angle_noise), (signal.velocity, signal.velocity_noise))
-    for table, (samples, noise) in zip(tables, channels, strict=True):
-        if samples is not None:
-            found.append(table[..., ~np.isnan(samples)] / noise)
-    return np.concatenate(found, axis=-1)
-
-
-def left_of(case: ReleaseWindow, fall: Table, shared: Table) -> Table:
-    """The sum of squares that is left of the data for every leg and instant.
-
-    `fall` is (leg, instant, row), what all legs share (instant, row, column); the level of the
-    angle and the gyro's bias are free, too. Columns that are shared are taken out once for all.
-    """
-    signal = case.signal
-    channels = [signal.angle] if signal.velocity is None else [signal.angle, signal.velocity]
-    ones, none = np.ones(signal.time.size), np.zeros(signal.time.size)
-    levels = [measured(case, [ones, none]), measured(case, [none, ones])][: len(channels)]
-    known = np.stack([measured(case, [*channels, none][:2]), *levels], axis=-1)
-    known = np.pad(known, [(0, fall.shape[-1] - known.shape[0]), (0, 0)])
-    known = np.broadcast_to(known, (*shared.shape[:1], *known.shape))
-    basis = np.linalg.qr(np.concatenate([shared, known[..., 1:]], axis=-1))[0]
-
-    def beyond(each: Table) -> Table:  # (..., instant, row)
-        along = each[..., None, :] @ basis
-        return each - (along @ np.swapaxes(basis, 1, 2))[..., 0, :]
-
-    data, falls = beyond(known[..., 0]), beyond(fall)
-    size = (falls**2).sum(axis=-1)
-    tells = size > 1e-10 * (fall**2).sum(axis=-1)  # an instant after the last sample tells nothing
-    gained = np.where(tells, (falls * data).sum(axis=-1) ** 2 / np.where(tells, size, 1.0), 0.0)
-    return (data**2).sum(axis=-1) - gained
+def begun_free(case: ReleaseWindow) -> float:
+    """Chi-square of a leg that is free from the first sample on, at rest or in motion."""
+    first = float(case.signal.time[0])
+    rows = rows_of(case.signal, first)
+    since = rows.time[None, :] - first
+    at_rest, moving = (rows.fallen(since, np.zeros(1), case.legs, begun) for begun in (0, 1))
+    basis = rows.with_levels(moving.transpose(2, 0, 1))
+    left = left_beside(basis, at_rest.transpose(2, 1, 0), rows.data)
+    return float(left.min()) + rows.scatter

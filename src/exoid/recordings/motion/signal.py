@@ -1,16 +1,18 @@
 """A segment as the search for its movement sees it: angle and gyro, each with its noise."""
 
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 from exoid.recordings.motion.thresholds import QUIET, SPEED_ERROR, WIDTHS
 from exoid.recordings.recording import Segment, Sensors
+from exoid.recordings.remembered import remembered
 from exoid.recordings.samples import Samples, block_means, block_size
 from exoid.recordings.signal.local_line import local_line
-from exoid.recordings.signal.noise import declared_angle_noise, find_spikes, noise_of
+from exoid.recordings.signal.noise import declared_angle_noise, noise_of
+from exoid.recordings.signal.spikes import find_spikes
 
 
 @dataclass(frozen=True, eq=False)
@@ -22,8 +24,14 @@ class Signal:
     angle_noise: float  # rad, white, of one sample
     velocity: Samples | None  # rad/s
     velocity_noise: float  # rad/s
+    alike: "Signal | None" = None  # of the same samples, where more than their noise is remembered
 
     @property
+    def samples(self) -> "Signal":
+        """Whose samples these are."""
+        return self if self.alike is None else self.alike
+
+    @cached_property
     def step(self) -> float:
         return float(np.median(np.diff(self.time)))
 
@@ -63,6 +71,7 @@ class Speed:
         return max(QUIET[0] * self.error, QUIET[1])
 
 
+@remembered  # asked again by whoever reads the same segment
 def signal_of(segment: Segment, sensors: Sensors) -> Signal:
     """The raw channels, else the filtered ones; single wild samples are left out."""
     angle, velocity = segment.best_angle, segment.angular_velocity
@@ -92,7 +101,7 @@ def credible(
     return kept, noise_of([time], [kept], declared, angle=angle).level
 
 
-@lru_cache(maxsize=32)  # every step of the search asks for it
+@remembered  # every step of the search asks for it
 def speed_of(signal: Signal) -> Speed:
     """The gyro's mean, else the slope of the angle, over the shortest window that is clear."""
     *shorter, longest = WIDTHS
@@ -114,7 +123,7 @@ def windowed(signal: Signal, width: float) -> Speed:
         found = local_line(time, signal.velocity, width)[0]
         error = signal.velocity_noise / np.sqrt(count)
     else:
-        found = local_line(time, signal.angle, width)[1]
+        found = lines(signal, width)[1]
         places = np.arange(count) * signal.step
         error = signal.angle_noise / (np.std(places) * np.sqrt(count))
     return Speed(np.interp(time, time[whole], found[whole]), error, width)
@@ -122,5 +131,24 @@ def windowed(signal: Signal, width: float) -> Speed:
 
 def smoothed(signal: Signal, width: float) -> tuple[Samples, float]:
     """The angle over windows of `width` s, and its error."""
-    smooth = local_line(signal.time, signal.angle, width)[0]
-    return smooth, signal.angle_noise / np.sqrt(signal.count(width))
+    return lines(signal, width)[0], signal.angle_noise / np.sqrt(signal.count(width))
+
+
+def lines(signal: Signal, width: float) -> tuple[Samples, Samples]:
+    """Value and slope of the angle over windows of `width` s."""
+    return lines_of(signal.samples, width)
+
+
+@remembered  # of most widths twice
+def lines_of(signal: Signal, width: float) -> tuple[Samples, Samples]:
+    return local_line(signal.time, signal.angle, width)
+
+
+def bends(signal: Signal, width: float) -> tuple[Samples, Samples]:
+    """Slope of the angle and of that slope, as of a parabola over `width` s."""
+    return bends_of(signal.samples, width)
+
+
+@remembered
+def bends_of(signal: Signal, width: float) -> tuple[Samples, Samples]:
+    return local_line(signal.time, lines_of(signal, width / 2)[1], width / 2)

@@ -7,7 +7,8 @@ import numpy as np
 
 from exoid.recordings.recording import Recording, Segment
 from exoid.recordings.signal.gyro_drift import gyro_drift
-from exoid.recordings.signal.noise import Noise, declared_angle_noise, find_spikes, noise_of
+from exoid.recordings.signal.noise import Noise, declared_angle_noise, noise_of
+from exoid.recordings.signal.spikes import find_spikes
 from exoid.recordings.signal.tone import find_tone, without_tone
 from exoid.recordings.signal.turns import coarse
 

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from exoid.recordings.recording import Kind, Segment
 from exoid.recordings.samples import Samples
 from exoid.recordings.signal.local_line import Signal, interpolated, local_line
+from exoid.recordings.signal.turns import bends
 
 MOTION_SPEED = np.radians(20.0)  # rad/s, the paper's criterion of significant motion
 SMOOTHING = 0.05  # s, of the velocity that decides what moves; half a leg's swing takes 0.5 s
@@ -79,7 +80,8 @@ def reversals(angle: Samples, least: float) -> list[int]:
     found: list[int] = []
     low = high = 0
     falling: bool | None = None
-    for at, value in enumerate(angle.tolist()):
+    places = bends(angle)
+    for at, value in zip(places.tolist(), angle[places].tolist(), strict=True):
         low, high = (at if value < angle[low] else low), (at if value > angle[high] else high)
         if falling is not False and value - angle[low] >= least:
             if falling:

@@ -9,7 +9,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg import block_diag
 from scipy.special import chdtrc
 
 from exoid.recordings.samples import Samples
@@ -44,29 +43,29 @@ def gyro_drift(
     """
     parts = [windows(*each, noise) for each in zip(times, angles, rates, strict=True)]
     hats = [knots(part.time) for part in parts]
-    if sum(hat.shape[1] for hat in hats) < 2:
+    count = sum(hat.shape[1] for hat in hats)
+    size = sum(part.time.size for part in parts)
+    if count < 2 or size < count + FEWEST:
         return None
-    motion = np.concatenate([part.motion / part.error[:, None] for part in parts])
+    told = [np.column_stack([p.motion, p.excess]) / p.error[:, None] for p in parts]
+    shapes = [hat / part.error[:, None] for hat, part in zip(hats, parts, strict=True)]
     weight = np.concatenate([1 / part.error for part in parts])
-    excess = np.concatenate([part.excess / part.error for part in parts])
-    hats_weighed = [h / p.error[:, None] for h, p in zip(hats, parts, strict=True)]
-    shape = np.asarray(block_diag(*hats_weighed))
-    steady = believed(np.column_stack([motion, weight]))
-    wandering = believed(np.column_stack([motion, shape]))
-    excess = np.append(excess, np.zeros(len(ERRORS)))
-    freedom = shape.shape[1] - 1
-    if excess.size < wandering.shape[1] + FEWEST:
+    steady = beside(weight[:, None], np.concatenate(told))
+    wandering = np.concatenate([beside(*each) for each in zip(shapes, told, strict=True)])
+    motion, left = explained_by(wandering)
+    gain = explained_by(steady)[1] - left
+    zeros = [
+        np.linalg.lstsq(shape, each[:, -1] - each[:, :-1] @ motion, rcond=None)[0]
+        for shape, each in zip(shapes, told, strict=True)
+    ]
+    together = np.concatenate(zeros)
+    explained = left < EXPLAINED * (size - count)
+    matters = np.std(together) >= MATTERS * noise[1]
+    if chdtrc(count - 1, gain) > FALSE or not matters or not explained:
         return None
-    left = left_over(wandering, excess)
-    gain = left_over(steady, excess) - left
-    zeros = np.linalg.lstsq(wandering, excess, rcond=None)[0][motion.shape[1] :]
-    explained = left < EXPLAINED * (excess.size - wandering.shape[1])
-    if chdtrc(freedom, gain) > FALSE or np.std(zeros) < MATTERS * noise[1] or not explained:
-        return None
-    split = np.split(zeros - np.mean(zeros), np.cumsum([hat.shape[1] for hat in hats])[:-1])
     return [
-        np.interp(time, places(part.time), own)
-        for time, part, own in zip(times, parts, split, strict=True)
+        np.interp(time, places(part.time), own - together.mean())
+        for time, part, own in zip(times, parts, zeros, strict=True)
     ]
 
 
@@ -106,14 +105,22 @@ def knots(time: Samples) -> NDArray[np.float64]:
     return np.stack([np.interp(time, at, row) for row in np.eye(at.size)], axis=1)
 
 
-def believed(columns: NDArray[np.float64]) -> NDArray[np.float64]:
-    """With a row for every error of the sensors that motion shows, so that none is implausible."""
-    rows = np.zeros((ERRORS.size, columns.shape[1]))
-    rows[:, : ERRORS.size] = np.diag(1 / ERRORS)
-    return np.concatenate([columns, rows])
+def beside(shape: NDArray[np.float64], columns: NDArray[np.float64]) -> NDArray[np.float64]:
+    """What no combination of the columns of `shape` explains of others.
+
+    A zero belongs to one segment: taken out of each before all are put together, hundreds of
+    segments cost no more than each by itself.
+    """
+    basis, size, _ = np.linalg.svd(shape, full_matrices=False)
+    basis = basis[:, size > np.finfo(float).eps * max(shape.shape) * size.max(initial=0.0)]
+    return columns - basis @ (basis.T @ columns)
 
 
-def left_over(columns: NDArray[np.float64], data: Samples) -> float:
-    """Sum of squares that no combination of the columns explains."""
-    fitted = columns @ np.linalg.lstsq(columns, data, rcond=None)[0]
-    return float(np.sum((data - fitted) ** 2))
+def explained_by(columns: NDArray[np.float64]) -> tuple[NDArray[np.floating], float]:
+    """How much of each error of the sensors the last column shows, and the sum of squares that is
+    left. With a row for every error, so that none is implausible.
+    """
+    rows = np.column_stack([np.diag(1 / ERRORS), np.zeros(ERRORS.size)])
+    columns = np.concatenate([columns, rows])
+    found = np.linalg.lstsq(columns[:, :-1], columns[:, -1], rcond=None)[0]
+    return found, float(np.sum((columns[:, -1] - columns[:, :-1] @ found) ** 2))

@@ -157,4 +157,4 @@ def spline(time: Samples, signal: NDArray[np.float64]) -> NDArray[np.float64]:
     places = np.linspace(0, time.size - 1, count + 1)[1:-1]  # as dense as the samples, gaps too
     inner = np.interp(places, np.arange(time.size), time)
     knots = np.concatenate([[time[0]] * 4, inner, [time[-1]] * 4])
-    return np.asarray(make_lsq_spline(time, signal, knots)(time))
+    return np.asarray(make_lsq_spline(time, signal, knots, method="norm-eq")(time))

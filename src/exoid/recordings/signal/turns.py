@@ -25,7 +25,8 @@ def turns(samples: Samples) -> np.ndarray:
     """The samples of the extremes between which it moves by more than `TURN` of its travel."""
     least, found = TURN * float(np.ptp(samples)), []
     extreme, way = 0, 0.0  # way: +1 while it rises, 0 before it is known
-    for at, value in enumerate(samples.tolist()):
+    places = bends(samples)
+    for at, value in zip(places.tolist(), samples[places].tolist(), strict=True):
         ahead = value - samples[extreme]
         if way * ahead >= 0 and way != 0:
             extreme = at
@@ -33,6 +34,16 @@ def turns(samples: Samples) -> np.ndarray:
             found.append(extreme)
             extreme, way = at, float(np.sign(ahead))
     return np.array(found, dtype=int)
+
+
+def bends(samples: Samples) -> np.ndarray:
+    """The first sample, the last, and all that do not lie between their neighbours: whatever turns
+    around does so at one of them.
+    """
+    steps = np.sign(np.diff(samples))
+    on = np.zeros(samples.size, dtype=bool)
+    on[1:-1] = steps[1:] * steps[:-1] > 0
+    return np.flatnonzero(~on)
 
 
 def coarse(time: Samples, samples: Samples) -> bool:

@@ -8,7 +8,8 @@ from exoid.report.pictures.axis import view
 from exoid.report.pictures.panel import Axis, Bars, Note, Panel, Picture, Points
 from exoid.report.pictures.role import Role
 from exoid.report.pictures.search import marked
-from exoid.report.words.text import NOT_DETERMINED, in_words, on_bound
+from exoid.report.words.estimate import on_bound
+from exoid.report.words.text import NOT_DETERMINED, in_words
 
 SOURCES = {"data": Role.DATA, "prior": Role.PRIOR, "bound": Role.BOUND}
 GAP = 0.6  # of a bar, between parameters, ratios and what terms have

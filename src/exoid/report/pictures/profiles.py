@@ -7,13 +7,13 @@ from exoid.fitting.result.estimates import RATIOS
 from exoid.report.pictures.axis import Scale, readable, view
 from exoid.report.pictures.panel import Axis, Band, Line, Mark, Note, Panel, Points, Range, Rule
 from exoid.report.pictures.role import Role
+from exoid.report.words.estimate import written
 from exoid.report.words.text import (
     DIMENSIONLESS,
     MOST_DECIMALS,
     NOT_DETERMINED,
     exponent,
     quantity_words,
-    written,
 )
 
 MOST = 6  # panels side by side

@@ -8,7 +8,8 @@ from exoid.fitting.result.fit_result import Estimate, FitResult, MultistartRepor
 from exoid.report.pictures.axis import view
 from exoid.report.pictures.panel import Axis, Mark, Panel, Picture, Points, Range
 from exoid.report.pictures.role import Role
-from exoid.report.words.text import by_reason, counted, in_words, on_bound
+from exoid.report.words.estimate import on_bound
+from exoid.report.words.text import by_reason, counted, in_words
 
 PAIRS = (("mass", "com_distance"), ("inertia", "stiffness"), ("inertia", "damping"))
 NO_REASON = "the recording does not tell"

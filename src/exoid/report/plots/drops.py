@@ -26,7 +26,7 @@ def plot_drops(test: PendulumTest) -> Figure:
 
     >>> exoid.plot_drops(exoid.measure_drops("drops.csv")).savefig("drops.png")
     """
-    readable = [each for each in test.drops if each.curve is not None]
+    readable = [each for each in test.drops if each.landmarks is not None]
     drops = readable[:SHOWN]
     if not drops:
         raise ValueError("no segment could be read as a drop: there is nothing to draw.")

@@ -13,17 +13,9 @@ from exoid.report.tables.compare import HASHED, ComparedQuantity, Comparison
 from exoid.report.tables.same_leg import strangers
 from exoid.report.tables.table import Column, Table, print_table
 from exoid.report.tables.two_diagnoses import diagnosis_entry, side_by_side
+from exoid.report.words.estimate import written
 from exoid.report.words.person import person
-from exoid.report.words.text import (
-    aligned,
-    capital,
-    counted,
-    heading,
-    in_degrees,
-    in_words,
-    say,
-    written,
-)
+from exoid.report.words.text import aligned, capital, counted, heading, in_degrees, in_words, say
 
 SIDES = ("first", "second")
 

@@ -10,6 +10,7 @@ from exoid.report.tables.table import Column, Table, print_table
 from exoid.report.words.text import by_reason, heading, note, say, with_error
 
 LARGE = 99.5  # of an error, beyond which two digits of it leave no unit
+MOST = 40  # drops with a table of their own
 SOURCE = (
     "Names after Rahimi et al., BioMedical Engineering OnLine 19:82, 2020; formulas in "
     "exoid.pendulum.definitions. Nothing here is a diagnosis."
@@ -17,11 +18,14 @@ SOURCE = (
 
 
 def print_drops(test: PendulumTest, console: Console) -> None:
-    """Every drop, the average, and the segments that were not read."""
-    for drop in test.drops:
-        if drop.reason is None:
-            print_drop(drop, console)
+    """Every drop, unless they are many, the average, and the segments that were not read."""
+    read = [drop for drop in test.drops if drop.reason is None]
+    for drop in read if len(read) <= MOST else ():
+        print_drop(drop, console)
     print_average(test, console)
+    if len(read) > MOST:
+        say(console, f"{len(read)} drops were read: a table of each would fill as many screens. "
+            "--json FILE tells them all.")  # fmt: skip
     refused = by_reason((drop.name, drop.reason) for drop in test.drops)
     said = [f"{', '.join(names)}: {reason.rstrip('.')}." for reason, names in refused.items()]
     note(console, said, "Segments that were not read")

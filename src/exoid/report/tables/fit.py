@@ -16,8 +16,8 @@ from exoid.report.tables.leg import (
     terms,
 )
 from exoid.report.tables.table import print_table
+from exoid.report.words.estimate import AT_BOUND, written
 from exoid.report.words.text import (
-    AT_BOUND,
     aligned,
     by_reason,
     capital,
@@ -26,7 +26,6 @@ from exoid.report.words.text import (
     in_degrees,
     note,
     say,
-    written,
 )
 from exoid.trust.identifiability import Identifiability
 

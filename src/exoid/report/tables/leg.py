@@ -7,7 +7,8 @@ from exoid.fitting.result.fit_result import Estimate, FitResult, SegmentFit
 from exoid.fitting.result.limiting_systematics import chief
 from exoid.fitting.result.summary import quantities
 from exoid.report.tables.table import Column, Table, with_unit
-from exoid.report.words.text import in_degrees, in_words, quantity_words, with_error, written
+from exoid.report.words.estimate import written
+from exoid.report.words.text import in_degrees, in_words, quantity_words, with_error
 
 BAR = 5  # blocks of a bar of shares
 DATA, PRIOR, BOUND = "█", "▒", "░"

@@ -9,32 +9,11 @@ from rich.table import Table
 from rich.text import Text
 
 from exoid.files.visible import visible
-from exoid.fitting.result.fit_result import Estimate
 
 NOT_DETERMINED = "not determined"
 MOST_DECIMALS = 6  # beyond them a power of ten is read more easily
 MOST_DIGITS = 7  # of a value, however small its error
 DIMENSIONLESS = ("-", "1")  # units that are not written
-AT_BOUND = 1e-3  # relative distance within which a value is written as its bound
-
-
-def written(each: Estimate) -> str:
-    """value ± standard error, as far as they are known."""
-    if each.value is None:
-        return NOT_DETERMINED
-    if each.standard_error is not None:
-        return with_error(each.value, each.standard_error)
-    return f"{on_bound(each):.4g}"
-
-
-def on_bound(each: Estimate) -> float | None:
-    """The value, without the rounding by which one that a bound set lies beside it."""
-    if each.value is None or each.determined_by != "bound":
-        return each.value
-    for bound in (each.lower, each.upper):
-        if bound is not None and abs(each.value - bound) <= AT_BOUND * max(1.0, abs(bound)):
-            return bound
-    return each.value
 
 
 def with_error(value: float, error: float) -> str:

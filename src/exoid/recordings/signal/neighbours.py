@@ -1,0 +1,96 @@
+"""By how much samples depart from what their neighbours say, which sees noise and no motion."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from exoid.recordings.samples import Samples
+
+NEIGHBOURS = 3  # on either side: a quintic, from which a leg departs by 1e-5 rad even at 30 Hz
+OFFSETS = [offset for offset in range(-NEIGHBOURS, NEIGHBOURS + 1) if offset]
+EVENLY = (0.05, -0.3, 0.75, 0.75, -0.3, 0.05)  # of each in the quintic, evenly apart
+ALIKE = 1e-7  # of a step, to which neighbours are evenly apart: a leg moves 1e-8 rad in it
+
+
+@dataclass(frozen=True, eq=False)
+class Known:
+    """The known samples of a signal, and how many changes of the step come before each."""
+
+    places: NDArray[np.int_]
+    time: Samples  # s
+    values: Samples
+    changes: NDArray[np.int_] | None  # None where the step never changes
+
+    def errors(self, stride: int = 1, most: int | None = None) -> tuple[slice, Samples]:
+        """Those of `interpolation_errors` that are told, and which of the known samples they are
+        of. None where there are too few.
+        """
+        reach = NEIGHBOURS * stride
+        inside = max(self.places.size - 2 * reach, 0)
+        inner = slice(reach, reach + inside, max(inside // most, 1) if most else 1)
+        departure = self.values[inner].copy()
+        for offset, weight in zip(OFFSETS, EVENLY, strict=True) if inside else ():
+            departure -= weight * self.values[beside(inner, offset * stride)]
+        departure /= np.sqrt(1 + np.square(EVENLY).sum())
+        if self.changes is not None and inside:
+            off = self.changes[beside(inner, reach - 1)] > self.changes[beside(inner, -reach)]
+            middle = np.arange(self.places.size)[inner][off]
+            departure[off] = departures(self.time, self.values, middle, stride)
+        return inner, departure
+
+
+def known_of(time: Samples, samples: Samples) -> Known:
+    missing = np.isnan(samples)
+    places = np.flatnonzero(~missing)
+    if missing.any():
+        time, samples = time[places], samples[places]
+    steps = np.diff(time)
+    changes = np.abs(np.diff(steps)) > ALIKE * steps[1:]
+    counted = np.concatenate([[0], np.cumsum(changes)]) if changes.any() else None
+    return Known(places, time, samples, counted)
+
+
+def interpolation_errors(time: Samples, samples: Samples) -> Samples:
+    """By how much every sample departs from the quintic through its three known neighbours on
+    either side, scaled to scatter as the noise does.
+
+    nan for missing samples, for those at either end, and where there are too few.
+    """
+    known = known_of(time, samples)
+    inner, told = known.errors()
+    errors = np.full(samples.size, np.nan)
+    errors[known.places[inner]] = told
+    return errors
+
+
+def beside(inner: slice, lag: int) -> slice:
+    """The same samples, so many later."""
+    return slice(inner.start + lag, inner.stop + lag, inner.step)
+
+
+def departures(
+    clock: Samples, values: Samples, middle: NDArray[np.int_], stride: int = 1
+) -> Samples:
+    """`interpolation_errors` of some samples, however their neighbours are apart."""
+    near = middle + np.array(OFFSETS)[:, None] * stride
+    lags = clock[near] - clock[middle]
+    weights = np.ones_like(lags)
+    for one, weight in enumerate(weights):
+        for other, lag in enumerate(lags):
+            if one != other:
+                weight *= lag / (lag - lags[one])
+    missed = values[middle] - np.sum(weights * values[near], axis=0)
+    return missed / np.sqrt(1 + np.sum(weights**2, axis=0))
+
+
+def renew(errors: Samples, time: Samples, samples: Samples, gone: NDArray[np.int_]) -> None:
+    """The errors of a signal that some samples are `gone` from, in place: only their neighbours'
+    are others.
+    """
+    known = np.flatnonzero(~np.isnan(samples))
+    places = np.searchsorted(known, gone)[:, None] + np.arange(-NEIGHBOURS, NEIGHBOURS)
+    places = np.unique(np.clip(places, 0, known.size - 1))
+    errors[gone] = errors[known[places]] = np.nan
+    told = places[(places >= NEIGHBOURS) & (places < known.size - NEIGHBOURS)]
+    errors[known[told]] = departures(time[known], samples[known], told)
