@@ -7,7 +7,7 @@ from typing import Literal
 import jax
 import numpy as np
 
-from exoid.fitting.amount.manageable import manageable
+from exoid.fitting.amount.manageable import TOGETHER, Amount, manageable
 from exoid.fitting.amount.part import Part, parts_of
 from exoid.fitting.data.conditioning import conditioned
 from exoid.fitting.data.fitted_samples import Clip
@@ -59,6 +59,7 @@ def fit(
     terms: Sequence[type[Term] | Term] = (),
     starts: np.ndarray | None = None,
     near: np.ndarray | None = None,
+    most: Amount = TOGETHER,
 ) -> FitResult:
     """Fit one leg to all segments of the recordings (Eq. 9-13).
 
@@ -75,7 +76,9 @@ def fit(
     led to the measured motion first. `clip` "paper" keeps what lies between the first and the last
     sample faster than 20 deg/s (Eq. 3-4), in place of what moved freely. `at_once` says that where
     a recording begins with its release, no hand is on the leg from the first sample on; else its
-    first instants count where they fit to the rest, unless a term remembers what was before.
+    first instants count where they fit to the rest, unless a term remembers what was before. Of
+    recordings with more segments and samples than `most` those are fitted that tell most, and
+    `set_aside` of the result says what was not.
 
     `terms` are what Eq. 9 leaves out and this model has: classes of the library
     (`exoid.physics.library`) or of your own. An instance says where its search begins. Their
@@ -91,7 +94,7 @@ def fit(
     """
     named = named_recordings(recordings)
     check_one_leg(named)
-    amount = manageable(named, average=smooth == 1)
+    amount = manageable(named, most, average=smooth == 1)
     movements = movements_in(amount.parts, clip=clip)
     plain = misfit == "paper"
     weight *= PLAIN_SCALE**2 if plain else 1.0

@@ -32,3 +32,19 @@ def entries(table: Table, numbers: Sequence[int], count: int) -> Table:
         if isinstance(value, tuple) and len(value) == count
     }
     return replace(table, **lists)
+
+
+def alike(recording: Recording) -> list[int]:
+    """The numbers of the segments that have the sensors which most have: channel by channel one
+    noise is told for all.
+    """
+    each = [sensed(segment) for segment in recording.segments]
+    usual = max(dict.fromkeys(each), key=each.count)
+    return [number for number, one in enumerate(each) if one == usual]
+
+
+def sensed(segment: Segment) -> tuple[bool, bool]:
+    """Is its angle raw, and is there a velocity beside it?"""
+    raw = segment.raw_angle is not None
+    velocity = segment.raw_angular_velocity if raw else segment.angular_velocity
+    return raw, velocity is not None

@@ -13,6 +13,7 @@ from exoid.fitting.amount.spread import spread
 from exoid.fitting.amount.stretches import moving_parts, shortened
 from exoid.fitting.data.fitted_samples import FEWEST
 from exoid.recordings.recording import Recording
+from exoid.recordings.selection import alike
 
 NAMED = 5  # segments that a note lists by name
 
@@ -25,7 +26,8 @@ class Amount:
     steps: int = 131_072  # of the simulation, of all segments together: 11 minutes at 200 Hz
 
 
-TOGETHER = Amount()
+TOGETHER = Amount()  # in 2 GB of memory
+DIAGNOSED = Amount(segments=24)  # of which every cause that may be missing is tried
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,11 +49,13 @@ def manageable(
 
     **Raises** `ValueError` where a voluntary movement is longer than a fit takes.
     """
-    parts = parts_of(named)
+    every = parts_of(named)
+    parts = with_same_sensors(every)
+    others = said_of_sensors(every, parts)
     if len(parts) <= most.segments and size(parts) <= most.steps:
-        return Manageable(parts, [])
+        return Manageable(parts, others)
     chosen = apart(spread(usable(parts), most.segments))
-    notes = said_of_number(len(parts), len(chosen))
+    notes = [*others, *said_of_number(len(parts), len(chosen))]
     if size(chosen) <= most.steps:
         return Manageable(chosen, notes)
     trimmed, count = moving_parts(chosen), 1
@@ -59,7 +63,7 @@ def manageable(
         trimmed, count = averaged(trimmed, most.steps // len(trimmed))
     fewer = spread(trimmed, whole_cycles(trimmed, most.steps))
     short, cut = shortened(fewer, most.steps // len(fewer))
-    notes = said_of_number(len(parts), len(fewer))
+    notes = [*others, *said_of_number(len(parts), len(fewer))]
     return Manageable(short, [*notes, *said_of_means(count), *said_of_stretches(cut)])
 
 
@@ -89,6 +93,24 @@ def whole_cycles(parts: list[Part], steps: int) -> int:
             "with segment_start_s and segment_end_s, or say cycle_period_s."
         )
     return min(len(parts), steps // cycles[name])
+
+
+def with_same_sensors(parts: list[Part]) -> list[Part]:
+    """Without segments that lack a sensor which the others of their recording have, or have one
+    that those lack.
+    """
+    usual = {part.belongs: part.recording for part in parts}
+    numbers = {belongs: frozenset(alike(one)) for belongs, one in usual.items()}
+    kept = [part for part in parts if part.number in numbers[part.belongs]]
+    return parts if len(kept) == len(parts) else apart(kept)
+
+
+def said_of_sensors(every: list[Part], kept: list[Part]) -> list[str]:
+    others = sorted({part.name for part in every} - {part.name for part in kept})
+    if not others:
+        return []
+    were = "was" if len(others) == 1 else "were"
+    return [f"{among(others)} {were} left out: not of the same channels as the others"]
 
 
 def said_of_number(whole: int, kept: int) -> list[str]:

@@ -13,7 +13,8 @@ from exoid.recordings.signal.local_line import interpolated
 from exoid.recordings.signal.noise import find_spikes, noise_of
 from exoid.recordings.signal.turns import pace
 
-RADIANS = 0.05  # of an oscillation that a mean may span: it then falls short of it by 1e-4
+RADIANS = 0.05  # of an oscillation that a mean may span: it falls short of it by 1e-4
+APART, EVEN = 3, 0.5  # means that tell a curvature, and by how much of a step they may be off
 WIDEST = 0.01  # s, the same of a leg: ten milliseconds
 HALF, GAP = 0.5, 1.5  # of a mean's samples that must be known; times its span that it may last
 CHANNELS = ("raw_angle", "raw_angular_velocity", "angle")  # in which spikes are left out
@@ -62,9 +63,25 @@ def means(segment: Segment, count: int) -> Segment:
 
     def kept(name: str) -> Samples:
         few = np.isnan(known[name][: blocks * count]).reshape(blocks, count).mean(axis=1) > HALF
-        return np.where(few | gaps, np.nan, getattr(made, name))
+        return np.where(few | gaps, np.nan, unbent(made.time, getattr(made, name)))
 
     return replace(made, **{name: kept(name) for name in channels})
+
+
+def unbent(time: Samples, mean: Samples) -> Samples:
+    """The motion in the middle of each mean over w s: f = mean - w^2 f'' / 24.
+
+    The curvature is that of means three apart, whose noise adds a hundredth; none where they are
+    not evenly apart.
+    """
+    if mean.size <= 2 * APART:
+        return mean
+    before, after = slice(None, -2 * APART), slice(2 * APART, None)
+    here = slice(APART, -APART)
+    bend = (mean[before] - 2 * mean[here] + mean[after]) / APART**2
+    evenly = np.abs(time[after] - time[before] - 2 * APART * np.median(np.diff(time)))
+    bend = np.where(evenly < EVEN * np.median(np.diff(time)), bend, 0.0)
+    return mean - np.pad(bend, APART, mode="edge") / 24
 
 
 def without_spikes(name: str, time: Samples, samples: Samples) -> Samples:
