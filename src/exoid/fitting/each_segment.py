@@ -109,7 +109,8 @@ def fit_each(given: RecordingsLike, **options) -> FitResult:
 def of_each(recordings: list[tuple[str, Recording]]) -> Amount:
     """What is read at once: every segment, of many only what moves."""
     count = sum(len(recording.segments) for _, recording in recordings)
-    return Amount(count, max(TOGETHER.steps, SHORT * count))
+    steps = max(TOGETHER.steps, SHORT * count)
+    return Amount(count, steps, steps)
 
 
 def alone(part: Part, options: dict) -> FitResult:

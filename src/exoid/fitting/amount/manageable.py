@@ -24,10 +24,11 @@ class Amount:
 
     segments: int = 128  # whose matrix grows with their square
     steps: int = 131_072  # of the simulation, of all segments together: 11 minutes at 200 Hz
+    aim: int = 131_072  # steps to which more than that is brought down
 
 
 TOGETHER = Amount()  # in 2 GB of memory
-DIAGNOSED = Amount(segments=24)  # of which every cause that may be missing is tried
+DIAGNOSED = Amount(segments=24, aim=32_768)  # with every cause that may be missing: in 5 GB
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,13 +57,13 @@ def manageable(
         return Manageable(parts, others)
     chosen = apart(spread(usable(parts), most.segments))
     notes = [*others, *said_of_number(len(parts), len(chosen))]
-    if size(chosen) <= most.steps:
+    if size(chosen) <= most.aim:
         return Manageable(chosen, notes)
     trimmed, count = moving_parts(chosen), 1
-    if average and size(trimmed) > most.steps:
-        trimmed, count = averaged(trimmed, most.steps // len(trimmed))
-    fewer = spread(trimmed, whole_cycles(trimmed, most.steps))
-    short, cut = shortened(fewer, most.steps // len(fewer))
+    if average and size(trimmed) > most.aim:
+        trimmed, count = averaged(trimmed, most.aim // len(trimmed))
+    fewer = spread(trimmed, whole_cycles(trimmed, most.aim))
+    short, cut = shortened(fewer, most.aim // len(fewer))
     notes = [*others, *said_of_number(len(parts), len(fewer))]
     return Manageable(short, [*notes, *said_of_means(count), *said_of_stretches(cut)])
 
