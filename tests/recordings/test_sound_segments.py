@@ -38,7 +38,7 @@ def written(folder, text: str, sidecar: str = '[subject]\nkind = "leg"\n'):
 def test_an_empty_segment_is_left_out_by_name_and_the_rest_is_read(tmp_path, nothing, why):
     path = written(tmp_path, rows(0) + nothing + rows(2, first=-0.3))
     loaded = exoid.load(path, whole=True)
-    first = [float(each.raw_angle[0]) for each in loaded.recording.segments]
+    first = [float(each.best_angle[0]) for each in loaded.recording.segments]
     assert first == [-0.1, -0.3]
     assert f"{path}: segment 1 {why}: it is left out." in loaded.notes
     assert any("2 of the file is 1 now" in note for note in loaded.notes)
