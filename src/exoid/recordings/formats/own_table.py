@@ -23,7 +23,7 @@ from exoid.recordings.conventions.file_clock import SINCE
 from exoid.recordings.flat_table import flat
 from exoid.recordings.formats.delimited import is_own, legible, sheet_of_text
 from exoid.recordings.formats.sheets import TEXTS, read_sheet
-from exoid.recordings.recording import BadSample, Protocol, Recording, Segment, Subject
+from exoid.recordings.recording import BadSample, Recording, Segment, Subject
 from exoid.recordings.selection import entries
 from exoid.recordings.sidecar import keys_beside, read_columns, sidecar_text
 from exoid.recordings.tables.assemble import Named, assemble, kept, without_empty
@@ -260,12 +260,9 @@ class Built:
 
     def described(self, told: Mapping[str, Any]) -> Recording:
         """With what is told of it; of lists with an entry for each segment, those of the kept."""
-        tables = {
-            name: entries(each, self.kept.numbers, self.kept.count)
-            if isinstance(each, Subject | Protocol)
-            else each
-            for name, each in told.items()
-        }
+        tables = dict(told)
+        for name in {"subject", "protocol"} & tables.keys():
+            tables[name] = entries(tables[name], self.kept.numbers, self.kept.count)
         return replace(self.samples, **tables)
 
 
