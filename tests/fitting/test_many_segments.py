@@ -17,9 +17,3 @@ def test_fifty_drops_are_fitted_together():
     # 15 000 samples: its error is below a thousandth.
     assert found.value == pytest.approx(ADULT[0], rel=2e-3)
     assert np.isfinite(found.standard_error)
-
-
-def test_more_segments_than_a_matrix_takes_are_refused_at_once():
-    one = drop(duration=3.0)
-    with pytest.raises(ValueError, match=r"129 segments are too many .* exoid\.fit_each"):
-        exoid.fit(recording(*[one] * 129))

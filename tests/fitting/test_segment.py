@@ -7,6 +7,7 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
+from exoid.fitting.amount.part import parts_of
 from exoid.fitting.data.segment import movement
 from exoid.fitting.estimate import left_out, movements_of
 from exoid.physics.leg import LegModel
@@ -88,7 +89,7 @@ def test_a_motionless_segment_is_left_out_by_name():
     both = replace(recording, segments=(still, recording.segments[0]))
     found = movements_of([("r", both)])
     assert [each.name for each in found] == ["1"]
-    assert left_out([("r", both)], found) == [
+    assert left_out(parts_of([("r", both)]), found) == [
         "segment 0 was left out: nothing moves freely in there, or hardly ever"
     ]
 

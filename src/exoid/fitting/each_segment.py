@@ -5,13 +5,15 @@ from dataclasses import replace
 import jax
 import numpy as np
 
+from exoid.fitting.amount.manageable import TOGETHER, Amount, manageable
+from exoid.fitting.amount.part import Part
 from exoid.fitting.estimate import (
     PLAIN_SCALE,
     classes_of,
     fit,
     left_out,
-    movements_of,
-    segments_of,
+    movements_in,
+    with_aside,
 )
 from exoid.fitting.misfit.neighbourhood import derivative
 from exoid.fitting.misfit.uncertainty import Information
@@ -32,6 +34,7 @@ from exoid.recordings.recording import Recording
 
 COMMON = ("gravity_over_inertia", "stiffness_over_inertia", "damping_over_inertia")
 SIZES = ("mass", "inertia", "com_distance")
+SHORT = 1024  # samples of a segment among very many
 SMALLEST_ERROR = 1e-6  # relative, of a ratio: nothing is known better than that
 MIXED = (
     "some cycles fit better with f = 1/T, some with 2/T (Eq. 4), and tau / J is a mean over both: "
@@ -51,16 +54,13 @@ def fit_each(given: RecordingsLike, **options) -> FitResult:
     27
     """
     recordings = named_recordings(given)
-    moving = movements_of(recordings, clip=options.get("clip", "free"))
+    amount = manageable(recordings, of_each(recordings), average=options.get("smooth", 1) == 1)
+    moving = movements_in(amount.parts, clip=options.get("clip", "free"))
     moved = {each.name for each in moving}
-    results = [
-        alone(name, recording, number, options)
-        for name, recording, number, _ in segments_of(recordings)
-        if name in moved
-    ]
+    results = [alone(part, options) for part in amount.parts if part.name in moved]
+    aside = [*amount.notes, *left_out(amount.parts, moving)]
     if len(results) < 2:
-        notes = [*left_out(recordings, moving), *results[0].notes]
-        return replace(results[0], notes=notes)
+        return with_aside(results[0], [*aside, *results[0].set_aside])
     ratios = {name: mean_ratio([each.ratios[name] for each in results]) for name in COMMON}
     torques = [r.ratios["torque_over_inertia"] for r in results if len(r.ratios) > len(COMMON)]
     if torques:
@@ -94,24 +94,33 @@ def fit_each(given: RecordingsLike, **options) -> FitResult:
         astray=next((each.astray for each in results if not each.follows), None),
         torque_frequency=readings.pop() if len(readings) == 1 else None,
         other_reading_rmse=None,
+        set_aside=aside,
         notes=[
             *lost,
             f"every segment was fitted alone: the ratios are the mean of {len(results)} fits, "
             "their errors come from the scatter between them, and the starts are those of the "
             "first",
-            *left_out(recordings, moving),
+            *aside,
             *(note for note in said if note not in lost),
         ],
     )
 
 
-def alone(name: str, recording: Recording, number: int, options: dict) -> FitResult:
+def of_each(recordings: list[tuple[str, Recording]]) -> Amount:
+    """What is read at once: every segment, of many only what moves."""
+    count = sum(len(recording.segments) for _, recording in recordings)
+    steps = max(TOGETHER.steps, SHORT * count)
+    return Amount(count, steps, steps)
+
+
+def alone(part: Part, options: dict) -> FitResult:
     """The fit of one segment, which keeps the name it has among the others."""
     try:
-        result = fit([(name, only(recording, number))], **options)
+        result = fit([(part.name, only(part.recording, part.number))], **options)
     except ValueError as fault:
-        raise ValueError(f"segment {name} alone: {fault}") from fault
-    return replace(result, segments=[replace(result.segments[0], name=name)])
+        raise ValueError(f"segment {part.name} alone: {fault}") from fault
+    named = [replace(each, name=part.name + each.name[1:]) for each in result.segments]
+    return replace(result, segments=named)
 
 
 def only(recording: Recording, number: int) -> Recording:

@@ -7,6 +7,8 @@ from typing import Literal
 import jax
 import numpy as np
 
+from exoid.fitting.amount.manageable import TOGETHER, Amount, manageable
+from exoid.fitting.amount.part import Part, parts_of
 from exoid.fitting.data.conditioning import conditioned
 from exoid.fitting.data.fitted_samples import Clip
 from exoid.fitting.data.movement import Movement, all_driven
@@ -35,7 +37,6 @@ from exoid.recordings.recording import Recording
 MIDDLING = {"mass": 4.0, "inertia": 0.4}  # kg, kg m^2: where nothing is expected
 PLAIN_SCALE = 1e3  # 1/rad: the solver's tolerances are in units of noise, here 1 mrad
 READINGS = ("1/T", "2/T")  # of Eq. 4
-TOGETHER = 128  # segments of a fit, in 1.1 GB of memory
 APART = (("body_mass", "kg", 6.0), ("height", "m", 0.03))  # by which one person's sidecars differ
 
 
@@ -58,6 +59,7 @@ def fit(
     terms: Sequence[type[Term] | Term] = (),
     starts: np.ndarray | None = None,
     near: np.ndarray | None = None,
+    most: Amount = TOGETHER,
 ) -> FitResult:
     """Fit one leg to all segments of the recordings (Eq. 9-13).
 
@@ -74,7 +76,9 @@ def fit(
     led to the measured motion first. `clip` "paper" keeps what lies between the first and the last
     sample faster than 20 deg/s (Eq. 3-4), in place of what moved freely. `at_once` says that where
     a recording begins with its release, no hand is on the leg from the first sample on; else its
-    first instants count where they fit to the rest, unless a term remembers what was before.
+    first instants count where they fit to the rest, unless a term remembers what was before. Of
+    recordings with more segments and samples than `most` those are fitted that tell most, and
+    `set_aside` of the result says what was not.
 
     `terms` are what Eq. 9 leaves out and this model has: classes of the library
     (`exoid.physics.library`) or of your own. An instance says where its search begins. Their
@@ -90,8 +94,8 @@ def fit(
     """
     named = named_recordings(recordings)
     check_one_leg(named)
-    check_together(named)
-    movements = movements_of(named, clip=clip)
+    amount = manageable(named, most, average=smooth == 1)
+    movements = movements_in(amount.parts, clip=clip)
     plain = misfit == "paper"
     weight *= PLAIN_SCALE**2 if plain else 1.0
     hand = by_hand(named, fix, bound, expect)
@@ -133,7 +137,7 @@ def fit(
     ]
     voluntary = any(each.voluntary for each in movements)
     result = describe(problem, ended, best if voluntary else None, others[0] if others else None)
-    return replace(result, notes=[*left_out(named, movements), *result.notes])
+    return with_aside(result, [*amount.notes, *left_out(amount.parts, movements)])
 
 
 def classes_of(terms: Sequence[type[Term] | Term]) -> tuple[type[Term], ...]:
@@ -157,25 +161,20 @@ def classes_of(terms: Sequence[type[Term] | Term]) -> tuple[type[Term], ...]:
     return classes
 
 
-def check_together(named: list[tuple[str, Recording]]) -> None:
-    """Refuse more segments than one matrix takes: its memory grows with their square."""
-    count = sum(len(recording.segments) for _, recording in named)
-    if count > TOGETHER:
-        raise ValueError(
-            f"{count} segments are too many to be fitted together: {TOGETHER} are the most. Fit "
-            "each by itself (--each, exoid.fit_each), or leave some out."
-        )
-
-
 def movements_of(named: list[tuple[str, Recording]], *, clip: Clip = "free") -> list[Movement]:
     """Every segment of every recording that moves, as it enters a fit.
 
     **Raises** `ValueError` where none moves, or one cannot be fitted.
     """
+    return movements_in(parts_of(named), clip=clip)
+
+
+def movements_in(parts: list[Part], *, clip: Clip = "free") -> list[Movement]:
+    """The same of these segments."""
     found, still = [], []
-    for name, recording, number, belongs in segments_of(named):
+    for part in parts:
         try:
-            found.append(movement(recording, number, name, belongs, clip=clip))
+            found.append(movement(part.recording, part.number, part.name, part.belongs, clip=clip))
         except Motionless as fault:
             still.append(fault)
     if not found:
@@ -183,26 +182,20 @@ def movements_of(named: list[tuple[str, Recording]], *, clip: Clip = "free") -> 
     return found
 
 
-def segments_of(
-    named: list[tuple[str, Recording]],
-) -> list[tuple[str, Recording, int, int]]:
-    """Every segment: its name, its recording, its number there, and the recording's number."""
-    several = len(named) > 1
-    return [
-        (f"{name} {number}" if several else str(number), recording, number, belongs)
-        for belongs, (name, recording) in enumerate(named)
-        for number in range(len(recording.segments))
-    ]
-
-
-def left_out(named: list[tuple[str, Recording]], movements: list[Movement]) -> list[str]:
+def left_out(parts: list[Part], movements: list[Movement]) -> list[str]:
     """A note of the segments in which nothing moves that could be fitted."""
     moved = {each.name for each in movements}
-    still = [name for name, *_ in segments_of(named) if name not in moved]
+    still = [part.name for part in parts if part.name not in moved]
     if not still:
         return []
     which = f"segment {still[0]} was" if len(still) == 1 else f"segments {', '.join(still)} were"
     return [f"{which} left out: nothing moves freely in there, or hardly ever"]
+
+
+def with_aside(result: FitResult, aside: list[str]) -> FitResult:
+    """With what was left out of the recordings, behind why a fit that is astray is."""
+    first = [] if result.follows else result.notes[:1]
+    return replace(result, set_aside=aside, notes=[*first, *aside, *result.notes[len(first) :]])
 
 
 def check_one_leg(named: list[tuple[str, Recording]]) -> None:

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from exoid.fitting.amount.manageable import DIAGNOSED
 from exoid.fitting.data.movement import Movement
 from exoid.fitting.estimate import fit
 from exoid.fitting.result.fit_result import FitResult
@@ -56,7 +57,7 @@ def diagnose(
     """
     named = named_recordings(recordings)
     told("fitting the baseline")
-    options = {"seed": seed, **assumed}
+    options = {"seed": seed, "most": DIAGNOSED, **assumed}
     result = fit(named, multistart=multistart, **options)
     ask = partial(asked, named=named, terms=terms, seed=seed, told=told)
     movements = [] if result.basis is None else result.basis.problem.movements

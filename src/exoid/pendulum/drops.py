@@ -11,6 +11,7 @@ from exoid.recordings.loading.named import RecordingsLike, named_recordings
 from exoid.recordings.motion.drops import law_for
 from exoid.recordings.motion.signal import signal_of
 from exoid.recordings.recording import Recording
+from exoid.recordings.selection import alike, selection
 from exoid.recordings.signal.clean import clean
 from exoid.recordings.signal.condition import classify
 
@@ -21,6 +22,8 @@ REFUSED = {
         "no drop: it does not end lower than it begins (extension is positive, hanging is -90 deg)"
     ),
 }
+
+OTHER = "not of the same channels as the other segments"
 
 
 def measure_drops(recordings: RecordingsLike) -> PendulumTest:
@@ -36,15 +39,29 @@ def measure_drops(recordings: RecordingsLike) -> PendulumTest:
     """
     named = named_recordings(recordings, alone="")
     drops = [
-        drop(recording, number, f"{name} {number}" if len(named) > 1 else str(number))
+        each
         for name, recording in named
-        for number in range(len(recording.segments))
+        for each in drops_of(recording, f"{name} " if len(named) > 1 else "")
     ]
     seen = [each for each in drops if each.reason is None]
     least = min((each.added_mass for each in seen), default=0.0)
     alike = [each for each in seen if each.added_mass == least]
     left_out = [each.name for each in seen if each.added_mass != least]
     return PendulumTest(drops, averages(alike), left_out)
+
+
+def drops_of(recording: Recording, before: str) -> list[Drop]:
+    """Every segment of one recording, `before` its number in its name."""
+    numbers = alike(recording)
+    same = recording
+    if len(numbers) < len(recording.segments):
+        same = selection(recording, numbers)
+    return [
+        drop(same, numbers.index(number), f"{before}{number}")
+        if number in numbers
+        else Drop(f"{before}{number}", segment, recording.added_mass(number), {}, None, OTHER)
+        for number, segment in enumerate(recording.segments)
+    ]
 
 
 def drop(recording: Recording, number: int, name: str) -> Drop:

@@ -143,6 +143,7 @@ class FitResult:
     fitted_terms: tuple[Term, ...] = ()  # with the fit's values
     notes: list[str] = field(default_factory=list)
     basis: "Basis | None" = field(default=None, metadata={"saved": False})  # None: each alone
+    set_aside: list[str] = field(default_factory=list)  # of the notes: what was not fitted
     astray: str | None = None  # why the simulation does not follow the recording, where it does not
 
     @property

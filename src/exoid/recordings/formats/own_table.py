@@ -9,7 +9,7 @@ import io
 import re
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -24,9 +24,11 @@ from exoid.recordings.flat_table import flat
 from exoid.recordings.formats.delimited import is_own, legible, sheet_of_text
 from exoid.recordings.formats.sheets import TEXTS, read_sheet
 from exoid.recordings.recording import BadSample, Recording, Segment, Subject
+from exoid.recordings.selection import entries
 from exoid.recordings.sidecar import keys_beside, read_columns, sidecar_text
 from exoid.recordings.tables.assemble import Named, assemble, kept, without_empty
 from exoid.recordings.tables.sheet import Cells, Column, Place
+from exoid.recordings.tables.sound_segments import Sound, sound
 
 NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
 NOT_IN_NUMBERS = re.compile(r"[^0-9+\-.eE,\n]")  # no letters but e: `inf` is not read
@@ -60,10 +62,10 @@ def read_table(
     )
     with naming(path):
         named = named_columns(path, chosen, tables["sensors"].sample_rate)
-        samples = build(named, Subject(kind=tables["subject"].kind))
+        built = build(named, Subject(kind=tables["subject"].kind))
     with naming(sidecar):  # what fails now, with all samples sound, fails by a key
-        recording = replace(samples, **tables, extra_tables=extra)
-    notes = named.notes + late_starts(recording)
+        recording = built.described(tables | {"extra_tables": extra})
+    notes = named.notes + built.notes + late_starts(recording)
     return recording, tuple(f"{path}: {note}" for note in notes) + key_notes
 
 
@@ -246,18 +248,36 @@ def segment_starts(columns: Mapping[str, Cells], place: Place) -> np.ndarray:
     return starts
 
 
-def build(named: Named, subject: Subject) -> Recording:
+@dataclass(frozen=True, eq=False)
+class Built:
+    """The samples of a table as a recording, and which of its segments they are."""
+
+    samples: Recording
+    kept: Sound
+
+    @property
+    def notes(self) -> Notes:
+        return self.kept.notes
+
+    def described(self, told: Mapping[str, Any]) -> Recording:
+        """With what is told of it; of lists with an entry for each segment, those of the kept."""
+        tables = dict(told)
+        for name in {"subject", "protocol"} & tables.keys():
+            tables[name] = entries(tables[name], self.kept.numbers, self.kept.count)
+        return replace(self.samples, **tables)
+
+
+def build(named: Named, subject: Subject) -> Built:
     """The samples, checked by the recording's own rules; a bad one is named by its line as well."""
     columns = named.columns
     starts = segment_starts(columns, named.place)
     stops = [*starts[1:], len(columns["time_s"])]
-    segments = tuple(
-        cut(columns, slice(start, stop)) for start, stop in zip(starts, stops, strict=True)
-    )
+    segments = [cut(columns, slice(*rows)) for rows in zip(starts, stops, strict=True)]
+    kept = sound(segments)
     try:
-        return Recording(segments, subject)
+        return Built(Recording(tuple(segments[n] for n in kept.numbers), subject), kept)
     except BadSample as error:
-        place = named.place(int(starts[error.segment]) + error.sample)
+        place = named.place(int(starts[kept.numbers[error.segment]]) + error.sample)
         words = [source for own, source in named.sources.items() if str(error).startswith(own)]
         hint = f" ({', '.join(words)}.)" if words else ""
         raise ValueError(f"{place}: {error}{hint}") from error

@@ -74,19 +74,24 @@ def recording(
         arrays = {own_name(name): each for name, each in channels.items() if name not in chosen}
         sheet = sheet_of({**arrays_of(data), **arrays}, [*arrays])
         named = assemble(sheet, chosen, None if tables[2] is None else tables[2].sample_rate)
-        samples = build(named, Subject(kind=None if tables[0] is None else tables[0].kind))
+        built = build(named, Subject(kind=None if tables[0] is None else tables[0].kind))
         found, more = understand(
-            described(samples, tables), cut_table, whole=whole, flip=flip, zero=zero
+            built.described(given(tables)), cut_table, whole=whole, flip=flip, zero=zero
         )
-    tell(f"recording: {note}" for note in (*named.notes, *late_starts(found), *more))
+    notes = (*named.notes, *built.notes, *late_starts(found), *more)
+    tell(f"recording: {note}" for note in notes)
     return found
 
 
 def described(recording: Recording, tables: Tables) -> Recording:
     """With what was given of subject, protocol and sensors."""
+    return replace(recording, **given(tables))
+
+
+def given(tables: Tables) -> dict[str, Any]:
+    """Those of subject, protocol and sensors that were given, by name."""
     names = ("subject", "protocol", "sensors")
-    known = {name: each for name, each in zip(names, tables, strict=True) if each is not None}
-    return replace(recording, **known)
+    return {name: each for name, each in zip(names, tables, strict=True) if each is not None}
 
 
 def own_name(keyword: str) -> str:

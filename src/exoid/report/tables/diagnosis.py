@@ -6,7 +6,7 @@ from exoid.mismatch.answer.diagnosis import Diagnosis, Tested
 from exoid.report.tables.leg import before_and_after
 from exoid.report.tables.table import Column, Table, print_table
 from exoid.report.words.diagnosis import headline, sentences
-from exoid.report.words.text import capital, heading, in_words, quantity_words, say
+from exoid.report.words.text import capital, heading, in_words, note, quantity_words, say
 
 IN_ERRORS = "The errors of the leg's numbers hold how far these are apart, each by its odds."
 LEGEND = (
@@ -26,6 +26,7 @@ def print_diagnosis(found: Diagnosis, console: Console) -> None:
     heading(console, headline(found))
     for title, sentence in sentences(found).items():
         say(console, f"{title + ':':{MARGIN}s}{sentence}", MARGIN)
+    note(console, found.fit.set_aside, "What of the recordings was used")
     if found.after is not None:
         print_table(before_and_after(found.before, found.after), console)
         say(console, "± one standard error, with the part for what is still missing.")
