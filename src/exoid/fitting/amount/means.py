@@ -10,7 +10,8 @@ from exoid.recordings.recording import Recording, Segment, Sensors
 from exoid.recordings.samples import Samples, block_size
 from exoid.recordings.signal.clean import filtered
 from exoid.recordings.signal.local_line import interpolated
-from exoid.recordings.signal.noise import find_spikes, noise_of
+from exoid.recordings.signal.noise import noise_of
+from exoid.recordings.signal.spikes import find_spikes
 from exoid.recordings.signal.turns import pace
 
 RADIANS = 0.05  # of an oscillation that a mean may span: it falls short of it by 1e-4
