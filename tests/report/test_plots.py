@@ -392,7 +392,7 @@ def test_existing_figure_survives_a_failing_save(tmp_path, monkeypatch):
     path.write_bytes(b"precious")
 
     def full(self, target, **_):
-        target.write_bytes(b"half")
+        target.write(b"half")
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr(Figure, "savefig", full)
