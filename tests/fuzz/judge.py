@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
+from mmap import mmap
 from importlib import import_module
 from pathlib import Path
 
@@ -15,7 +16,7 @@ from exoid.cli.terminal.faults import foreign
 from exoid.files.visible import visible
 
 from .mutate import mutated
-from .reading import Format, Reading, alike, same
+from .reading import Format, Reading, Unread, alike, same
 
 # The modules that hold each kind of formats, and their names.
 HOMES = {
@@ -31,13 +32,25 @@ MAKERS = {"logs": "logs", "tables": "tables", "archives": "archives", "beside": 
 OVER = ("took longer than", "broke down", "of memory")  # where a library was ended
 INSIDE = 0.3  # the share of mutants that are damaged below their checksum
 
-REFUSED, TOLD, SAME, PLAIN, ENDED = "refused", "told", "same", "plain", "ended"
+REFUSED, TOLD, SAME, PLAIN, ALONE, ENDED = "refused", "told", "same", "plain", "alone", "ended"
 WRONG, FAULT, HANG = "WRONG", "FAULT", "HANG"
-CLASSES = (REFUSED, TOLD, SAME, PLAIN, ENDED, WRONG, FAULT, HANG)
+CLASSES = (REFUSED, TOLD, SAME, PLAIN, ALONE, ENDED, WRONG, FAULT, HANG)
 FAILED = (WRONG, FAULT, HANG)
 
 
-PATIENCE = 2.0  # s that an oracle has, which may loop where exoid does not
+PATIENCE = 1.0  # s that an oracle has, which may loop where exoid does not
+ASKED = mmap(-1, 1)  # 1 while an oracle reads: with whom a process shares it sees what ended it
+
+
+@contextmanager
+def asked() -> Iterator[None]:
+    """While another reader is asked, which may break down in its own way."""
+    ASKED[0] = 1
+    try:
+        with within(PATIENCE):
+            yield
+    finally:
+        ASKED[0] = 0
 
 
 @contextmanager
@@ -131,13 +144,17 @@ def refusal(fault: Exception) -> tuple[str, str]:
 
 def compared(made: Format, path: Path, which: int, found: Reading) -> tuple[str, str]:
     """Other rows, of which nothing was said: by the oracle, else by what a checksum promises."""
+    if made.checked:
+        return WRONG, "other rows, below a checksum"
     if made.oracle is None:
-        return (WRONG, "other rows, below a checksum") if made.checked else (PLAIN, "")
+        return PLAIN, ""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         try:
-            with within(PATIENCE):
+            with asked():
                 expected = made.oracle(path, made.samples[which])
+        except (Unread, TimeoutError, MemoryError) as fault:
+            return ALONE, repr(fault)
         except Exception as fault:  # of any library
             return WRONG, f"the oracle refuses it: {fault!r}"
     if alike(found.rows, expected):

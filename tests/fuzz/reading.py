@@ -9,6 +9,10 @@ import numpy as np
 Rows = Mapping[str, np.ndarray]  # columns by name
 
 
+class Unread(Exception):
+    """What an oracle does not know, of which it can therefore say nothing."""
+
+
 @dataclass(frozen=True)
 class Reading:
     """Rows, and what was said of them."""

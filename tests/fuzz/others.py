@@ -1,0 +1,103 @@
+"""Binary tables as libraries of another hand read them: calamine, DuckDB and c3d.
+
+Only the container is read a second time: what its rows mean is said by exoid in both.
+"""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from exoid.recordings.formats.c3d import analog_columns, point_columns, thinned
+from exoid.recordings.formats.excel import cell_of, squared
+from exoid.recordings.tables.arrays import columns_of
+from exoid.recordings.tables.layout import is_number, sheet_of_rows
+from exoid.recordings.tables.sheet import Column, Place, Sheet
+
+from .reading import Rows, Sample, Unread
+from .tables import numbers_of
+
+MEMORY = "500MB"
+
+
+def rows_by_calamine(path: Path, _sample: Sample) -> Rows:
+    """The first sheet with two rows of numbers."""
+    with panics():
+        from python_calamine import CalamineWorkbook
+
+        book = CalamineWorkbook.from_path(path)
+        sheets = [book.get_sheet_by_name(name) for name in book.sheet_names]
+        found = [sheet.to_python(skip_empty_area=False) for sheet in sheets]
+    for rows in found:
+        cells = [[cell_of(None if cell == "" else cell) for cell in row] for row in rows]
+        if sum(any(map(is_number, row)) for row in cells) > 1:
+            return numbers_of(sheet_of_rows(squared(cells), Place("row", 1)))
+    raise ValueError("no rows of numbers")
+
+
+@contextmanager
+def panics() -> Iterator[None]:
+    """What Rust throws is no `Exception`."""
+    try:
+        yield
+    except BaseException as fault:
+        if type(fault).__name__ != "PanicException":
+            raise
+        raise Unread(str(fault)) from fault
+
+
+def columns_by_duckdb(path: Path, _sample: Sample) -> Rows:
+    """Every flat column as exoid has it: numbers, NaN where one is missing, or words."""
+    table = database().execute("SELECT * FROM read_parquet(?)", [str(path)])
+    names, kinds = zip(*[each[:2] for each in table.description], strict=True)
+    cells = zip(*table.fetchall(), strict=True)
+    columns = [
+        column
+        for name, kind, each in zip(names, kinds, cells, strict=True)
+        for column in columns_of(name, flat_array(str(kind), each))
+    ]
+    return numbers_of(Sheet(tuple(columns), Place("row")))
+
+
+@cache
+def database() -> Any:
+    """A connection of this process."""
+    import duckdb
+
+    return duckdb.connect(config={"threads": 1, "memory_limit": MEMORY})
+
+
+def flat_array(kind: str, cells: tuple) -> np.ndarray:
+    if kind.startswith(("TINYINT", "SMALLINT", "INTEGER", "BIGINT", "HUGEINT", "U", "FLOAT", "DOU")):
+        return np.array([np.nan if each is None else each for each in cells], np.float64)
+    if kind == "VARCHAR":
+        return np.array(["" if each is None else each for each in cells], str)
+    raise Unread(kind)
+
+
+def channels_by_c3d(path: Path, _sample: Sample) -> Rows:
+    """Points, and what analog channels have at their frames."""
+    import c3d
+
+    with path.open("rb") as file:
+        reader = c3d.Reader(file)
+        frames = [*reader.read_frames(check_nan=False)]
+    points = np.array([points for _, points, _ in frames])
+    invalid = points[:, :, 3] < 0
+    places = np.where(invalid[:, :, None], np.nan, points[:, :, :3]).astype(np.float64)
+    held = {
+        "points": places.transpose(2, 1, 0),
+        "analogs": np.concatenate([analog for *_, analog in frames], axis=1),
+        "point_labels": np.array(reader.point_labels),
+        "analog_labels": np.array(reader.analog_labels),
+        "angles": np.zeros(0, str),
+        "point_units": np.array(["mm", "deg"]),
+        "analog_units": np.zeros(0, str),
+    }
+    columns: list[Column] = point_columns(held)
+    if held["analogs"].size:
+        columns += thinned(analog_columns(held), len(frames))
+    return numbers_of(Sheet(tuple(columns), Place("frame")))
