@@ -114,8 +114,8 @@ def archive_formats() -> dict[str, Format]:
     read = read_columns_of
     return {
         "npz": Format(".npz", npz_samples(), read, arrays_by_zip, in_zip),
-        "mat": Format(".mat", mat_samples(), read, variables_by_hand, in_mat),
-        "c3d": Format(".c3d", c3d_samples(), read, channels_by_c3d),
-        "xlsx": Format(".xlsx", xlsx_samples(), read, rows_by_calamine, in_zip),
-        "parquet": Format(".parquet", parquet_samples(), read, columns_by_duckdb),
+        "mat": Format(".mat", mat_samples(), read, variables_by_hand, in_mat, stricter=True),
+        "c3d": Format(".c3d", c3d_samples(), read, channels_by_c3d, stricter=True),
+        "xlsx": Format(".xlsx", xlsx_samples(), read, rows_by_calamine, in_zip, stricter=True),
+        "parquet": Format(".parquet", parquet_samples(), read, columns_by_duckdb, stricter=True),
     }

@@ -1,6 +1,5 @@
 """What stands beside a recording or comes of it: DBC files, sidecars, saved results."""
 
-from contextlib import suppress
 from dataclasses import dataclass
 from importlib.resources import files
 from pathlib import Path
@@ -12,7 +11,7 @@ from exoid.recordings.can.dbc import EXOID_DBC, DbcError, plan_message, read_dbc
 from exoid.recordings.sidecar import read_columns, read_keys, sidecar_text
 
 from .hdf5 import values_by_pyfive
-from .plans import plans_by_canmatrix, said_by_tomlkit
+from .plans import plans_by_canmatrix, rows_of, said_by_tomlkit
 from .reading import Format, Reading, Sample
 
 DBC = """VERSION "1"
@@ -77,11 +76,13 @@ KEPT = Kept("a fit", np.linspace(0.0, 1.0, 7), 3)
 
 def read_plans(path: Path) -> Reading:
     """The decode plan of every message that can have one."""
-    plans = []
+    plans, refused = [], []
     for message in read_dbc(path):
-        with suppress(DbcError):
-            plans.append(repr(plan_message(message)))
-    return Reading({"plans": np.array(plans, str)}, ())
+        try:
+            plans.append(plan_message(message))
+        except DbcError as fault:
+            refused.append(str(fault))
+    return Reading(rows_of(plans), tuple(refused))
 
 
 def read_beside(path: Path) -> Reading:
@@ -113,8 +114,8 @@ def beside_formats() -> dict[str, Format]:
     dbc = (Sample(EXOID_DBC.read_bytes()), Sample(DBC.encode()))
     example = files("exoid").joinpath("example", "session.toml").read_bytes()
     return {
-        "dbc": Format(".dbc", dbc, read_plans, plans_by_canmatrix),
-        "sidecar": Format(".toml", (Sample(example), Sample(SIDECAR.encode())), read_beside, said_by_tomlkit),
+        "dbc": Format(".dbc", dbc, read_plans, plans_by_canmatrix, stricter=True),
+        "sidecar": Format(".toml", (Sample(example), Sample(SIDECAR.encode())), read_beside, said_by_tomlkit, stricter=True),
     }
 
 

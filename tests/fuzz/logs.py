@@ -105,6 +105,6 @@ def log_formats() -> dict[str, Format]:
         suffix[1:]: Format(suffix, log_samples(suffix), read_frames, frames_by_python_can)
         for suffix in (".asc", ".log", ".trc", ".csv")
     }
-    mf4 = Format(".mf4", log_samples(".mf4"), read_frames, rows_by_mdfreader)
+    mf4 = Format(".mf4", log_samples(".mf4"), read_frames, rows_by_mdfreader, stricter=True)
     blf = Format(".blf", log_samples(".blf"), read_frames, frames_by_python_can, in_blf)
     return {"can " + name: each for name, each in {"blf": blf, **found, "mf4": mf4}.items()}

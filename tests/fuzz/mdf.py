@@ -8,13 +8,15 @@ import numpy as np
 from exoid.recordings.can.frames import EXTENDED, FD, Frames
 from exoid.recordings.can.logs.mf4 import IDENTIFIER, KEPT, KINDS
 
+BEGIN = 136  # bytes, where the header says when the log begins [ns], of which exoid takes us
+
 
 def frames_by_mdfreader(path: Path) -> Frames:
     """The CAN frames in order of time; where a clock was set back, the order of a group stays."""
     import mdfreader
 
     file: Any = mdfreader.Mdf(str(path))
-    begin = file.fileMetadata["time"] if "time" in file.fileMetadata else 0.0
+    begin = int.from_bytes(path.read_bytes()[BEGIN : BEGIN + 8], "little") // 1000 / 1e6
     parts = [frames_of(file, kind, begin) for kind in KINDS if f"{kind}.ID" in file]
     found = parts[0].followed_by(*parts[1:])
     key = np.concatenate([np.maximum.accumulate(each.time) for each in parts])

@@ -86,7 +86,7 @@ def channels_by_c3d(path: Path, _sample: Sample) -> Rows:
         reader = c3d.Reader(file)
         frames = [*reader.read_frames(check_nan=False)]
     points = np.array([points for _, points, _ in frames])
-    invalid = points[:, :, 3] < 0
+    invalid = residuals(path, reader, len(frames)) < 0
     places = np.where(invalid[:, :, None], np.nan, points[:, :, :3]).astype(np.float64)
     held = {
         "points": places.transpose(2, 1, 0),
@@ -101,3 +101,13 @@ def channels_by_c3d(path: Path, _sample: Sample) -> Rows:
     if held["analogs"].size:
         columns += thinned(analog_columns(held), len(frames))
     return numbers_of(Sheet(tuple(columns), Place("frame")))
+
+
+def residuals(path: Path, reader: Any, frames: int) -> np.ndarray:
+    """Of every point, from the file: c3d takes what is between -1 and 0 for 0."""
+    if reader.point_scale > 0:
+        raise Unread("samples that are integers")
+    width, begin = 4 * reader.point_used, (reader.header.data_block - 1) * 512
+    count = frames * (width + reader.analog_used * reader.analog_per_frame)
+    samples = np.frombuffer(path.read_bytes(), "<f4", count, begin)
+    return samples.reshape(frames, -1)[:, 3:width:4]

@@ -1,6 +1,9 @@
 """DBC files as canmatrix reads them, and sidecars as tomlkit does."""
 
 import logging
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
 import re
 from datetime import datetime, timedelta, timezone
 from pathlib import Path
@@ -21,27 +24,49 @@ def plans_by_canmatrix(path: Path, _sample: Sample) -> Rows:
     """The decode plan of every message that can have one."""
     import canmatrix.formats.dbc
 
-    logging.getLogger("canmatrix").setLevel(logging.CRITICAL)
     if NO_FLOAT.search(path.read_bytes()):
         raise Unread("canmatrix takes any SIG_VALTYPE_ for that of a float")
-    with path.open("rb") as file:
+    with path.open("rb") as file, complaints() as found:
         matrix = canmatrix.formats.dbc.load(file, dbcImportEncoding="cp1252")
-    frames = [plan_of(frame) for frame in matrix.frames]
-    return {"plans": np.array([repr(each) for each in frames if each is not None], str)}
+    if found:
+        raise Unread(found[0])
+    frames = [plan_of(frame, matrix) for frame in matrix.frames]
+    return rows_of([each for each in frames if each is not None])
 
 
-def plan_of(frame: Any) -> MessagePlan | None:
+@contextmanager
+def complaints() -> Iterator[list[str]]:
+    """What canmatrix logs of lines that it leaves out."""
+    found: list[str] = []
+    logger, handler = logging.getLogger("canmatrix"), logging.Handler()
+    handler.emit = lambda record: found.append(record.getMessage())
+    logger.addHandler(handler)
+    logger.propagate = False
+    try:
+        yield found
+    finally:
+        logger.removeHandler(handler)
+
+
+def rows_of(plans: list[MessagePlan]) -> Rows:
+    """Signals by their names: which of two comes first says nothing."""
+    said = [repr(replace(each, signals=tuple(sorted(each.signals, key=repr)))) for each in plans]
+    return {"plans": np.array(said, str)}
+
+
+def plan_of(frame: Any, matrix: Any) -> MessagePlan | None:
     """None for a frame with a signal that is multiplexed or beyond 8 bytes."""
     signals = [signal_of(each) for each in frame.signals]
     if None in signals:
         return None
     identifier = frame.arbitration_id
+    period = frame.cycle_time or float(frame.attribute("GenMsgCycleTime", matrix) or 0)
     return MessagePlan(
         name=frame.name,
         identifier=identifier.id,
         extended=bool(identifier.extended),
         length=frame.size,
-        period=frame.cycle_time / 1000 if frame.cycle_time else None,
+        period=period / 1000 if period else None,
         signals=tuple(each for each in signals if each is not None),
     )
 

@@ -39,6 +39,7 @@ class Format:
     oracle: Callable[[Path, Sample], Rows] | None = None  # of another hand
     inside: Callable[..., bytes] | None = None  # damage below a checksum
     checked: bool = False  # a checksum covers its numbers: other rows are wrong without an oracle
+    stricter: bool = False  # the oracle refuses files whose rows it could tell
 
 
 ROUNDING = 4e-16  # of a time that is made of two numbers

@@ -148,11 +148,16 @@ def motion(time: np.ndarray, angle: np.ndarray) -> dict[str, np.ndarray]:
 
 
 def below_header(path: Path, _sample: Sample) -> Rows:
-    """The lines of numbers below `endheader`."""
+    """The lines of numbers below the first `endheader`, or the last: damage may have put a header
+    into another.
+    """
     text = path.read_text(encoding="utf-8-sig")
-    text = re.split(r"(?im)^\s*endheader\s*$", text, maxsplit=1)[-1]
-    time, _, angle = lines_of_numbers(text.split("\n"), "\t", ".")
-    return motion(time, angle)
+    for most in (1, 0):
+        body = re.split(r"(?im)^\s*endheader\s*$", text, maxsplit=most)[-1]
+        with suppress(ValueError):
+            time, _, angle = lines_of_numbers(body.split("\n"), "\t", ".")
+            return motion(time, angle)
+    raise ValueError("no lines of numbers")
 
 
 def lines_of_numbers(lines: list[str], separator: str, decimal: str) -> np.ndarray:

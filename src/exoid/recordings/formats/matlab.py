@@ -54,9 +54,9 @@ def held(group: Any, prefix: str, depth: int) -> Iterator[tuple[str, Any]]:
     import h5py
 
     for name in group:
-        item = group.get(name)
-        if name == "#refs#":
-            continue
+        if name == "#refs#" or not isinstance(group.get(name, getlink=True), h5py.HardLink):
+            continue  # MATLAB's own, or elsewhere
+        item = group[name]  # `get` would say nothing of one that is damaged
         if isinstance(item, h5py.Group):
             yield f"{prefix}{name}", np.empty(0)
             if depth < DEEPEST:

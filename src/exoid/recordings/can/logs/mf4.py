@@ -11,6 +11,7 @@ from exoid.files.library_faults import is_ours, plain
 from exoid.recordings.can.frames import ERROR, EXTENDED, FD, REMOTE, Frames
 
 KINDS = {"CAN_DataFrame": 0, "CAN_ErrorFrame": ERROR, "CAN_RemoteFrame": REMOTE}
+OTHERS = {"CAN_OverloadFrame"}  # what else a bus says, and no log is read for
 NEEDED = {
     "CAN_DataFrame": ("ID", "DataLength", "DataBytes"),
     "CAN_RemoteFrame": ("ID",),
@@ -66,15 +67,22 @@ def is_outside(channel: Any, size: int) -> bool:
 
 
 def kind_of(group: Any) -> str:
-    """The channel of a group that holds CAN frames, or nothing."""
+    """The channel of a group that holds CAN frames, or nothing.
+
+    **Raises** `ValueError` where a group half looks like one: its frames would be missed.
+    """
     from asammdf import Source
     from asammdf.blocks.v4_constants import FLAG_CG_BUS_EVENT
 
     source, events = group.channel_group.acq_source, group.channel_group.flags & FLAG_CG_BUS_EVENT
-    if not events or source is None or source.bus_type != Source.BUS_TYPE_CAN:
-        return ""
     names = {each.name for each in group.channels}
-    return next((each for each in KINDS if each in names), "")
+    kind = next((each for each in KINDS if each in names), "")
+    on_can = events and source is not None and source.bus_type == Source.BUS_TYPE_CAN
+    if on_can and ("" in names or not (kind or names & OTHERS)):
+        raise ValueError("a group of CAN frames has a channel without its name")
+    if kind and not on_can:
+        raise ValueError("a group of CAN frames is not marked as one")
+    return kind
 
 
 def frames_of(time: np.ndarray, kind: str, samples: np.ndarray) -> Frames:
