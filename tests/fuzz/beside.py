@@ -10,6 +10,7 @@ import numpy as np
 from exoid.recordings.can.dbc import EXOID_DBC, DbcError, plan_message, read_dbc
 from exoid.recordings.sidecar import read_columns, read_keys, sidecar_text
 
+from .draw import text
 from .hdf5 import values_by_pyfive
 from .plans import plans_by_canmatrix, rows_of, said_by_tomlkit
 from .reading import Format, Reading, Sample
@@ -114,8 +115,8 @@ def beside_formats() -> dict[str, Format]:
     dbc = (Sample(EXOID_DBC.read_bytes()), Sample(DBC.encode()))
     example = files("exoid").joinpath("example", "session.toml").read_bytes()
     return {
-        "dbc": Format(".dbc", dbc, read_plans, plans_by_canmatrix, stricter=True),
-        "sidecar": Format(".toml", (Sample(example), Sample(SIDECAR.encode())), read_beside, said_by_tomlkit, stricter=True),
+        "dbc": Format(".dbc", dbc, read_plans, plans_by_canmatrix, drawn=text, stricter=True),
+        "sidecar": Format(".toml", (Sample(example), Sample(SIDECAR.encode())), read_beside, said_by_tomlkit, drawn=text, stricter=True),
     }
 
 

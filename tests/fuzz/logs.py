@@ -15,6 +15,7 @@ from exoid.recordings.can.frames import ERROR, FD, REMOTE, UNEVEN, Log
 from exoid.recordings.can.logs.log_files import frames_of, read_log, row_of
 from exoid.recordings.loading.can_log import read_can_log
 
+from .draw import log, text
 from .inside import in_blf
 from .mdf import frames_by_mdfreader
 from .reading import Format, Reading, Rows, Sample
@@ -102,9 +103,9 @@ def reader_of(path: Path):
 def log_formats() -> dict[str, Format]:
     """By the names under which they are counted."""
     found = {
-        suffix[1:]: Format(suffix, log_samples(suffix), read_frames, frames_by_python_can)
+        suffix[1:]: Format(suffix, log_samples(suffix), read_frames, frames_by_python_can, drawn=text)
         for suffix in (".asc", ".log", ".trc", ".csv")
     }
     mf4 = Format(".mf4", log_samples(".mf4"), read_frames, rows_by_mdfreader, stricter=True)
-    blf = Format(".blf", log_samples(".blf"), read_frames, frames_by_python_can, in_blf)
+    blf = Format(".blf", log_samples(".blf"), read_frames, frames_by_python_can, in_blf, log)
     return {"can " + name: each for name, each in {"blf": blf, **found, "mf4": mf4}.items()}

@@ -1,5 +1,6 @@
 """MF4 as mdfreader reads it, which shares no code with asammdf."""
 
+from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
@@ -8,7 +9,7 @@ import numpy as np
 from exoid.recordings.can.frames import EXTENDED, FD, Frames
 from exoid.recordings.can.logs.mf4 import IDENTIFIER, KEPT, KINDS
 
-BEGIN = 136  # bytes, where the header says when the log begins [ns], of which exoid takes us
+BEGIN = 136  # bytes, where the header says when the log begins [ns]; asammdf rounds it to us
 
 
 def frames_by_mdfreader(path: Path) -> Frames:
@@ -16,7 +17,8 @@ def frames_by_mdfreader(path: Path) -> Frames:
     import mdfreader
 
     file: Any = mdfreader.Mdf(str(path))
-    begin = int.from_bytes(path.read_bytes()[BEGIN : BEGIN + 8], "little") // 1000 / 1e6
+    begin = int.from_bytes(path.read_bytes()[BEGIN : BEGIN + 8], "little")
+    begin = datetime.fromtimestamp(begin / 1e9, UTC).timestamp()
     parts = [frames_of(file, kind, begin) for kind in KINDS if f"{kind}.ID" in file]
     found = parts[0].followed_by(*parts[1:])
     key = np.concatenate([np.maximum.accumulate(each.time) for each in parts])

@@ -1,11 +1,10 @@
 """DBC files as canmatrix reads them, and sidecars as tomlkit does."""
 
-import logging
-from collections.abc import Iterator
-from contextlib import contextmanager
-from dataclasses import replace
 import re
+from contextlib import redirect_stdout
+from dataclasses import replace
 from datetime import datetime, timedelta, timezone
+from io import StringIO
 from pathlib import Path
 from typing import Any
 from unittest.mock import patch
@@ -26,32 +25,20 @@ def plans_by_canmatrix(path: Path, _sample: Sample) -> Rows:
 
     if NO_FLOAT.search(path.read_bytes()):
         raise Unread("canmatrix takes any SIG_VALTYPE_ for that of a float")
-    with path.open("rb") as file, complaints() as found:
+    with path.open("rb") as file, redirect_stdout(StringIO()) as said:
         matrix = canmatrix.formats.dbc.load(file, dbcImportEncoding="cp1252")
-    if found:
-        raise Unread(found[0])
+    if said.getvalue():
+        raise Unread(said.getvalue())
+    if len({repr(frame.arbitration_id) for frame in matrix.frames}) < len(matrix.frames):
+        raise Unread("two messages of one identifier: canmatrix has one period for both")
     frames = [plan_of(frame, matrix) for frame in matrix.frames]
     return rows_of([each for each in frames if each is not None])
 
 
-@contextmanager
-def complaints() -> Iterator[list[str]]:
-    """What canmatrix logs of lines that it leaves out."""
-    found: list[str] = []
-    logger, handler = logging.getLogger("canmatrix"), logging.Handler()
-    handler.emit = lambda record: found.append(record.getMessage())
-    logger.addHandler(handler)
-    logger.propagate = False
-    try:
-        yield found
-    finally:
-        logger.removeHandler(handler)
-
-
 def rows_of(plans: list[MessagePlan]) -> Rows:
-    """Signals by their names: which of two comes first says nothing."""
+    """Messages and signals by their names: which of two comes first says nothing."""
     said = [repr(replace(each, signals=tuple(sorted(each.signals, key=repr)))) for each in plans]
-    return {"plans": np.array(said, str)}
+    return {"plans": np.array(sorted(said), str)}
 
 
 def plan_of(frame: Any, matrix: Any) -> MessagePlan | None:

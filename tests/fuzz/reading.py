@@ -3,6 +3,7 @@
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -38,6 +39,7 @@ class Format:
     read: Callable[[Path], Reading]
     oracle: Callable[[Path, Sample], Rows] | None = None  # of another hand
     inside: Callable[..., bytes] | None = None  # damage below a checksum
+    drawn: Callable[[Sample], Any] | None = None  # a strategy of hypothesis, which knows its fields
     checked: bool = False  # a checksum covers its numbers: other rows are wrong without an oracle
     stricter: bool = False  # the oracle refuses files whose rows it could tell
 

@@ -2,7 +2,6 @@
 
 import csv
 import io
-import re
 from contextlib import suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -16,6 +15,7 @@ from exoid.recordings.formats.sheets import read_sheet
 from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
 from exoid.recordings.tables.sheet import Sheet
 
+from .draw import text
 from .reading import Format, Reading, Rows, Sample
 
 TIME = np.arange(12) * 0.01
@@ -147,19 +147,6 @@ def motion(time: np.ndarray, angle: np.ndarray) -> dict[str, np.ndarray]:
     return {"time_s": time, "segment": np.zeros(time.size, int), "raw_angle_rad": angle * DEGREE}
 
 
-def below_header(path: Path, _sample: Sample) -> Rows:
-    """The lines of numbers below the first `endheader`, or the last: damage may have put a header
-    into another.
-    """
-    text = path.read_text(encoding="utf-8-sig")
-    for most in (1, 0):
-        body = re.split(r"(?im)^\s*endheader\s*$", text, maxsplit=most)[-1]
-        with suppress(ValueError):
-            time, _, angle = lines_of_numbers(body.split("\n"), "\t", ".")
-            return motion(time, angle)
-    raise ValueError("no lines of numbers")
-
-
 def lines_of_numbers(lines: list[str], separator: str, decimal: str) -> np.ndarray:
     """**Raises** `ValueError` where a line behind the first of them is another.
 
@@ -190,16 +177,8 @@ def rows_of(lines: list[str], separator: str, decimal: str) -> list[list[float]]
     return rows
 
 
-def opensim_samples() -> tuple[Sample, ...]:
-    rows = [f"{t:.8f}\t0.5\t{a:.8f}" for t, a in zip(TIME, ANGLE, strict=True)]
-    head = ["Coordinates", "version=1", f"nRows={TIME.size}", "nColumns=3", "inDegrees=yes", "",
-            "Units are S.I. units", "endheader", "time\tpelvis_tx\tknee_angle_r"]  # fmt: skip
-    return (Sample("\n".join([*head, *rows, ""]).encode()),)
-
-
 def table_formats() -> dict[str, Format]:
     return {
-        "own csv": Format(".csv", own_samples(), read_own, own_by_csv),
-        "other csv": Format(".csv", dialect_samples(), read_own, by_csv),
-        "opensim": Format(".mot", opensim_samples(), read_own, below_header),
+        "own csv": Format(".csv", own_samples(), read_own, own_by_csv, drawn=text),
+        "other csv": Format(".csv", dialect_samples(), read_own, by_csv, drawn=text),
     }

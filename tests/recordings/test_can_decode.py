@@ -190,3 +190,19 @@ def test_a_cycle_time_that_is_none_is_refused(cycle):
 def test_an_offset_that_no_number_holds_is_refused():
     with pytest.raises(DbcError, match=r"Knee\.S has a factor or an offset that no number"):
         plan_signal("Knee", signal_at(0, 8, "little_endian", False, 1, 10**400))
+
+
+def test_a_factor_of_nothing_is_refused():
+    with pytest.raises(DbcError, match=r"Knee\.S has the factor 0"):
+        plan_signal("Knee", signal_at(0, 8, "little_endian", False, 0, 0))
+
+
+def test_a_byte_order_that_is_none_is_refused(tmp_path):
+    """cantools takes it for little-endian."""
+    path = tmp_path / "leg.dbc"
+    lines = 'BO_ 1 Knee: 8 Vector__XXX\n SG_ Angle : 7|16@{}- (1,0) [0|0] "deg" Vector__XXX\n'
+    path.write_text(lines.format(0))
+    assert len(read_dbc(path)) == 1
+    path.write_text(lines.format(2))
+    with pytest.raises(DbcError, match=r"leg\.dbc gives Angle a byte order that is neither"):
+        read_dbc(path)

@@ -96,3 +96,20 @@ def test_a_channel_that_lies_outside_of_its_record_is_told(tmp_path):
     struct.pack_into("<L", content, at + 24 + 8 * links + 4, 60_000)  # its place in a record
     path.write_bytes(content)
     assert "lies outside of its records" in str(read_frames(path)["stopped"])
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "why"),
+    [
+        (b"CAN_ErrorFrame\0", b"CAN_ErrorFrale\0", "has a channel without its name"),
+        (b"CAN_DataFrame.IDE\0", bytes(18), "has a channel without its name"),
+        (b"\6\0.\0", b"\0\0.\0", "is not marked as one"),  # flags of a group, and a path's "."
+    ],
+)
+def test_a_group_of_frames_that_is_no_longer_known_as_one_is_told(tmp_path, old, new, why):
+    path = tmp_path / "leg.mf4"
+    odd = can.Message(timestamp=EPOCH + 9, is_error_frame=True)
+    content = write_log(path, [*Node().messages(20), odd]).read_bytes()
+    assert content.count(old) == (1 if old[0] == ord("C") else 3)
+    path.write_bytes(content.replace(old, new))
+    assert why in str(read_frames(path)["stopped"])

@@ -63,5 +63,7 @@ def held(group: Any, prefix: str, depth: int) -> Iterator[tuple[str, Any]]:
                 yield from held(item, f"{prefix}{name}.", depth + 1)
         elif isinstance(item, h5py.Dataset):
             words = item.attrs.get("MATLAB_class", b"") in (b"char", "char")
+            if item.dtype.kind == "f" and item.id.get_type() != h5py.h5t.py_create(item.dtype):
+                raise ValueError("its numbers are not written as MATLAB writes them")
             empty = words or item.attrs.get("MATLAB_empty", 0) or item.dtype.kind == "O"
             yield f"{prefix}{name}", np.empty(0) if empty else np.asarray(item[()]).T

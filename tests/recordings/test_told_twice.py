@@ -1,0 +1,99 @@
+"""What a file without a checksum says of itself in two ways is compared, and its parts are counted:
+damage that its library reads past is told.
+"""
+
+import struct
+
+import numpy as np
+import pytest
+from test_formats import ANGLE, TIME, c3d
+
+from exoid.recordings.formats.sheets import read_sheet
+
+POINTS, ANALOGS, LAST_FRAME, START, SCALE, RATE = 2, 4, 8, 16, 12, 20  # bytes of a C3D's header
+
+
+def c3d_with(folder, at, kind, value):
+    path = c3d(folder, {"LKneeAngles": ANGLE}, {"gyro_z": np.linspace(-1, 1, 10 * TIME.size)})
+    content = bytearray(path.read_bytes())
+    struct.pack_into(f"<{kind}", content, at, value)
+    path.write_bytes(content)
+    return path
+
+
+def test_a_sound_c3d_says_the_same_twice(tmp_path):
+    assert read_sheet(c3d_with(tmp_path, POINTS, "H", 1)).notes == ()
+
+
+@pytest.mark.parametrize(
+    ("at", "kind", "value", "why"),
+    [
+        (ANALOGS, "H", 0, "announces 0 analog samples a frame, its parameters 10"),
+        (LAST_FRAME, "H", 50, "announces 50 frames, and it holds 60"),
+        (RATE, "f", 50.0, "announces 50 Hz, its parameters 100"),
+        (SCALE, "f", -2.0, "announces -2 as the scale, its parameters -1"),
+    ],
+)
+def test_a_header_that_differs_from_the_parameters_is_told(tmp_path, at, kind, value, why):
+    (note,) = read_sheet(c3d_with(tmp_path, at, kind, value)).notes
+    assert f"its header {why}. Is the file damaged? Export it again." in note
+
+
+def test_a_c3d_that_was_cut_says_how_many_frames_are_left(tmp_path):
+    path = c3d_with(tmp_path, POINTS, "H", 1)
+    path.write_bytes(path.read_bytes()[:-1024])
+    (note,) = read_sheet(path).notes
+    assert "its header announces 60 frames, and it holds " in note
+
+
+def hdf5(path):
+    """A .mat of version 7.3, and where its knee angle is described."""
+    import h5py
+
+    with h5py.File(path, "w", userblock_size=512) as file:
+        for name, samples in {"time": TIME, "knee_angle": ANGLE}.items():
+            file.create_dataset(name, data=samples[None])
+        return 512 + h5py.h5o.get_info(file["knee_angle"].id).addr
+
+
+def test_a_variable_that_hdf5_cannot_open_is_not_left_out_without_a_word(tmp_path):
+    path = tmp_path / "leg.mat"
+    at = hdf5(path)
+    content = bytearray(path.read_bytes())
+    content[at] ^= 0xFF  # the version of its description
+    path.write_bytes(content)
+    with pytest.raises(ValueError, match=r"cannot be read: it is damaged"):
+        read_sheet(path)
+
+
+def test_what_a_mat_refers_to_elsewhere_is_passed_over(tmp_path):
+    import h5py
+
+    path = tmp_path / "leg.mat"
+    hdf5(path)
+    with h5py.File(path, "a") as file:
+        file["elsewhere"] = h5py.SoftLink("/nowhere")
+    assert sorted(each.name for each in read_sheet(path).columns) == ["knee_angle", "time"]
+
+
+def test_numbers_that_are_not_laid_out_as_any_machine_writes_them_are_refused(tmp_path):
+    path = tmp_path / "leg.mat"
+    hdf5(path)
+    layout, other = b"4\x0b\x004\xff\x03\0\0", b"4\x0b\x004\xff\x02\0\0"  # the exponent's bias
+    content = path.read_bytes()
+    assert layout in content
+    path.write_bytes(content.replace(layout, other))
+    with pytest.raises(ValueError, match="its numbers are not written as MATLAB writes them"):
+        read_sheet(path)
+
+
+def test_words_of_a_parquet_file_that_are_not_declared_as_such_are_words(tmp_path):
+    import pyarrow
+    import pyarrow.parquet
+
+    words = pyarrow.array([b"drop", "kn\xe9e".encode(), b"\xff", None], pyarrow.binary())
+    table = pyarrow.table({"time": np.arange(4.0), "what": words})
+    pyarrow.parquet.write_table(table, tmp_path / "leg.parquet")
+    time, what = read_sheet(tmp_path / "leg.parquet").columns
+    assert [*what.cells] == ["drop", "kn\xe9e", "\ufffd", ""]
+    np.testing.assert_array_equal(time.cells, np.arange(4.0))
