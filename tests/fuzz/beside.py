@@ -114,9 +114,12 @@ def kept_sample(suffix: str) -> Sample:
 def beside_formats() -> dict[str, Format]:
     dbc = (Sample(EXOID_DBC.read_bytes()), Sample(DBC.encode()))
     example = files("exoid").joinpath("example", "session.toml").read_bytes()
+    sidecars = (Sample(example), Sample(SIDECAR.encode()))
     return {
         "dbc": Format(".dbc", dbc, read_plans, plans_by_canmatrix, drawn=text, stricter=True),
-        "sidecar": Format(".toml", (Sample(example), Sample(SIDECAR.encode())), read_beside, said_by_tomlkit, drawn=text, stricter=True),
+        "sidecar": Format(
+            ".toml", sidecars, read_beside, said_by_tomlkit, drawn=text, stricter=True
+        ),
     }
 
 

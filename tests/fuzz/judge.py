@@ -8,8 +8,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
-from mmap import mmap
 from importlib import import_module
+from mmap import mmap
 from pathlib import Path
 
 from exoid.cli.terminal.faults import foreign

@@ -103,7 +103,9 @@ def reader_of(path: Path):
 def log_formats() -> dict[str, Format]:
     """By the names under which they are counted."""
     found = {
-        suffix[1:]: Format(suffix, log_samples(suffix), read_frames, frames_by_python_can, drawn=text)
+        suffix[1:]: Format(
+            suffix, log_samples(suffix), read_frames, frames_by_python_can, drawn=text
+        )
         for suffix in (".asc", ".log", ".trc", ".csv")
     }
     mf4 = Format(".mf4", log_samples(".mf4"), read_frames, rows_by_mdfreader, stricter=True)

@@ -22,7 +22,8 @@ from .tables import numbers_of
 
 HEAD = 128  # bytes of text, version and order
 MATRIX, PACKED = 14, 15
-STORED = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 9: "f8", 12: "i8", 13: "u8"}
+STORED = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 9: "f8", 12: "i8",
+          13: "u8"}  # fmt: skip
 KINDS = {6: "f8", 7: "f4", 8: "i1", 9: "u1", 10: "i2", 11: "u2", 12: "i4", 13: "u4", 14: "i8",
          15: "u8"}  # fmt: skip
 STRUCT, COMPLEX, TRUTH = 2, 0x800, 0x200

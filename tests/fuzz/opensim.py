@@ -5,8 +5,10 @@ from contextlib import suppress
 from pathlib import Path
 
 from .draw import text
-from .reading import Format, Rows, Sample
+from .reading import Format, Rows, Sample, Unread
 from .tables import ANGLE, TIME, lines_of_numbers, motion, read_own
+
+WORDS_BETWEEN = re.compile(r"(?m)^[-\d.e]+\t(?![-\d.e]+\t)[^\t\n]*\t[-\d.e]+$")
 
 
 def below_header(path: Path, _sample: Sample) -> Rows:
@@ -19,6 +21,8 @@ def below_header(path: Path, _sample: Sample) -> Rows:
         with suppress(ValueError):
             time, _, angle = lines_of_numbers(body.split("\n"), "\t", ".")
             return motion(time, angle)
+    if WORDS_BETWEEN.search(content):
+        raise Unread("words in a column that is not read")
     raise ValueError("no lines of numbers")
 
 

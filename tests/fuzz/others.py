@@ -21,6 +21,7 @@ from .reading import Rows, Sample, Unread
 from .tables import numbers_of
 
 MEMORY = "500MB"
+NUMBERS = ("TINYINT", "SMALLINT", "INTEGER", "BIGINT", "HUGEINT", "U", "FLOAT", "DOUBLE")
 
 
 def rows_by_calamine(path: Path, _sample: Sample) -> Rows:
@@ -71,7 +72,7 @@ def database() -> Any:
 
 
 def flat_array(kind: str, cells: tuple) -> np.ndarray:
-    if kind.startswith(("TINYINT", "SMALLINT", "INTEGER", "BIGINT", "HUGEINT", "U", "FLOAT", "DOU")):
+    if kind.startswith(NUMBERS):
         return np.array([np.nan if each is None else each for each in cells], np.float64)
     if kind == "VARCHAR":
         return np.array(["" if each is None else each for each in cells], str)

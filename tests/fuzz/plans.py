@@ -18,7 +18,6 @@ from .reading import Rows, Sample, Unread
 NO_FLOAT = re.compile(rb"^SIG_VALTYPE_ [^\n]*:(?!\s*[12]\s*;)", re.MULTILINE)
 
 
-
 def plans_by_canmatrix(path: Path, _sample: Sample) -> Rows:
     """The decode plan of every message that can have one."""
     import canmatrix.formats.dbc

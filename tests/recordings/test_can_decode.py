@@ -206,3 +206,14 @@ def test_a_byte_order_that_is_none_is_refused(tmp_path):
     path.write_text(lines.format(2))
     with pytest.raises(DbcError, match=r"leg\.dbc gives Angle a byte order that is neither"):
         read_dbc(path)
+
+
+def test_a_file_that_ends_within_a_signal_is_refused(tmp_path):
+    """cantools leaves the signal out."""
+    path = tmp_path / "leg.dbc"
+    line = 'BO_ 1 Knee: 8 Knee\n SG_ Angle : 0|16@1- (1,0) [0|0] "deg"'
+    path.write_text(line + " Knee")
+    assert [each.name for each in read_dbc(path)[0].signals] == ["Angle"]
+    path.write_text(line)
+    with pytest.raises(DbcError, match=r"leg\.dbc ends within the line of Angle"):
+        read_dbc(path)

@@ -113,3 +113,15 @@ def test_a_group_of_frames_that_is_no_longer_known_as_one_is_told(tmp_path, old,
     assert content.count(old) == (1 if old[0] == ord("C") else 3)
     path.write_bytes(content.replace(old, new))
     assert why in str(read_frames(path)["stopped"])
+
+
+def test_frames_without_times_are_told(tmp_path):
+    """asammdf numbers them instead."""
+    path = write_log(tmp_path / "leg.mf4", Node().messages(20))
+    content = bytearray(path.read_bytes())
+    at = content.index(b"##CN")  # of the time
+    links = struct.unpack_from("<Q", content, at + 16)[0]
+    assert content[at + 24 + 8 * links] == 2  # its kind: a master
+    content[at + 24 + 8 * links] = 0
+    path.write_bytes(content)
+    assert "has no times" in str(read_frames(path)["stopped"])

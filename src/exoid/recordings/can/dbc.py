@@ -24,7 +24,10 @@ SIGNAL = re.compile(
     rf'\[[^]]*\]{GAP}"([^"]*)"'
 )
 # cantools takes any order but 0 for little-endian.
-ODD_ORDER = re.compile(rb"^[ \t]*SG_[ \t]+(\w+)[^\n\"]*?:[^\n\"@]*@[ \t]*(?![01][ \t]*[+-])", re.MULTILINE)
+ODD_ORDER = re.compile(
+    rb"^[ \t]*SG_[ \t]+(\w+)[^\n\"]*?:[^\n\"@]*@[ \t]*(?![01][ \t]*[+-])", re.MULTILINE
+)
+LAST = re.compile(rb"^[ \t]*SG_[ \t]+(\w+)[^\n]*\s*\Z", re.MULTILINE)
 STRIDE = re.compile(rf'^{GAP}BA_ +"NodeStride" +(\d+){GAP};', re.MULTILINE)
 PERIOD = re.compile(rf'^{GAP}BA_ +"GenMsgCycleTime" +BO_ +(\d+) +(\d+){GAP};', re.MULTILINE)
 
@@ -101,13 +104,21 @@ def read_dbc(path: Path) -> list:
         raise DbcError(
             f"{path} is not a DBC file that cantools can read: {plain(str(fault))}"
         ) from fault
-    odd = ODD_ORDER.search(path.read_bytes())
+    check_lines(path, {signal.name for each in database.messages for signal in each.signals})
+    return list(database.messages)
+
+
+def check_lines(path: Path, found: set[str]) -> None:
+    """Refuse damage that cantools reads past; `found` are the signals that it read."""
+    content = path.read_bytes()
+    odd, last = ODD_ORDER.search(content), LAST.search(content)
     if odd is not None:
         raise DbcError(
-            f"{path} gives {odd[1].decode(errors='replace')} a byte order that is neither 0 nor 1. "
-            "Is the line damaged?"
+            f"{path} gives {odd[1].decode()} a byte order that is neither 0 nor 1. Is the line "
+            "damaged?"
         )
-    return list(database.messages)
+    if last is not None and last[1].decode() not in found:
+        raise DbcError(f"{path} ends within the line of {last[1].decode()}. Copy it again.")
 
 
 def plan_message(message, names: tuple[str, ...] | None = None) -> MessagePlan:

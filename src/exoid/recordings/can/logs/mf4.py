@@ -50,6 +50,8 @@ def parts_of(path: Path) -> Iterator[tuple[Frames, np.ndarray]]:
         size = group.channel_group.samples_byte_nr
         if kind and any(is_outside(each, size) for each in group.channels):
             raise ValueError("a channel of the file lies outside of its records")
+        if kind and number not in file.masters_db:
+            raise ValueError("a group of CAN frames has no times")  # asammdf would count them
         latest, announced = -np.inf, group.channel_group.cycles_nr if kind else 0
         for at in range(0, announced, CHUNK):
             found = file.get(kind, number, raw=False, record_offset=at, record_count=CHUNK)
