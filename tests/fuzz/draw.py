@@ -179,4 +179,4 @@ def drawer(strategy: Strategy) -> tuple[list[bytes], Callable[[bytes], object]]:
     def keep(content: bytes) -> None:
         found.append(content)
 
-    return found, keep.hypothesis.fuzz_one_input
+    return found, keep.hypothesis.fuzz_one_input  # pyright: ignore[reportFunctionMemberAccess]
