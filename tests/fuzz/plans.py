@@ -46,7 +46,7 @@ def plan_of(frame: Any, matrix: Any) -> MessagePlan | None:
     if None in signals:
         return None
     identifier = frame.arbitration_id
-    period = frame.cycle_time or float(frame.attribute("GenMsgCycleTime", matrix) or 0)
+    period = frame.cycle_time or int(float(frame.attribute("GenMsgCycleTime", matrix) or 0))
     return MessagePlan(
         name=frame.name,
         identifier=identifier.id,

@@ -2,6 +2,7 @@
 
 import csv
 import io
+import re
 from contextlib import suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -46,7 +47,7 @@ def read_own(path: Path) -> Reading:
 def own_by_csv(path: Path, _sample: Sample) -> Rows:
     """The columns that exoid knows, by the csv module."""
     text = path.read_text(encoding="utf-8-sig", errors="replace")
-    head, _, body = text.lstrip("\r\n").partition("\n")
+    head, _, body = re.sub(r"\A(?:\s*#?\s*\n)+", "", text).partition("\n")
     names = next(csv.reader([head], skipinitialspace=True))
     rows = [row for row in csv.reader(io.StringIO(body), strict=True) if row]
     cells = zip(*rows, strict=True)

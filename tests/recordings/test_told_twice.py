@@ -66,6 +66,17 @@ def test_a_variable_that_hdf5_cannot_open_is_not_left_out_without_a_word(tmp_pat
         read_sheet(path)
 
 
+def test_a_variable_that_hdf5_does_not_find_by_its_name_is_not_left_out_without_a_word(tmp_path):
+    """Names are sought in their order, in which another letter is at another place."""
+    path = tmp_path / "leg.mat"
+    hdf5(path)
+    content = path.read_bytes()
+    assert content.count(b"time\0") == 1
+    path.write_bytes(content.replace(b"time\0", b"dime\0"))
+    with pytest.raises(ValueError, match=r"cannot be read: it is damaged"):
+        read_sheet(path)
+
+
 def test_what_a_mat_refers_to_elsewhere_is_passed_over(tmp_path):
     import h5py
 

@@ -54,7 +54,8 @@ def held(group: Any, prefix: str, depth: int) -> Iterator[tuple[str, Any]]:
     import h5py
 
     for name in group:
-        if name == "#refs#" or not isinstance(group.get(name, getlink=True), h5py.HardLink):
+        link = group.get(name, getlink=True)
+        if name == "#refs#" or isinstance(link, h5py.SoftLink | h5py.ExternalLink):
             continue  # MATLAB's own, or elsewhere
         item = group[name]  # `get` would say nothing of one that is damaged
         if isinstance(item, h5py.Group):
