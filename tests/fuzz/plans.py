@@ -77,7 +77,7 @@ def signal_of(signal: Any) -> SignalPlan | None:
         floating=floating,
         scale=float(signal.factor),
         offset=float(signal.offset),
-        unit=signal.unit or "",
+        unit=(signal.unit or "").replace("\r", "\n"),
     )
 
 

@@ -23,6 +23,7 @@ TIME = np.arange(12) * 0.01
 ANGLE = -90 + 70 * np.exp(-TIME) * np.cos(5 * TIME)  # deg
 MISSING = ("", "nan", "na", "n/a", "null", "none", "-", "--")
 DEGREE = np.pi / 180
+BEFORE = re.compile(r"\A(?:\s*\n|[ \t]*#(?![^\n]*time_s)[^\n]*\n)+")  # no lines, and comments
 
 
 def own_samples() -> tuple[Sample, ...]:
@@ -47,7 +48,7 @@ def read_own(path: Path) -> Reading:
 def own_by_csv(path: Path, _sample: Sample) -> Rows:
     """The columns that exoid knows, by the csv module."""
     text = path.read_text(encoding="utf-8-sig", errors="replace")
-    head, _, body = re.sub(r"\A(?:\s*#?\s*\n)+", "", text).partition("\n")
+    head, _, body = BEFORE.sub("", text).partition("\n")
     names = next(csv.reader([head], skipinitialspace=True))
     rows = [row for row in csv.reader(io.StringIO(body), strict=True) if row]
     cells = zip(*rows, strict=True)

@@ -212,8 +212,21 @@ def test_a_file_that_ends_within_a_signal_is_refused(tmp_path):
     """cantools leaves the signal out."""
     path = tmp_path / "leg.dbc"
     line = 'BO_ 1 Knee: 8 Knee\n SG_ Angle : 0|16@1- (1,0) [0|0] "deg"'
-    path.write_text(line + " Knee")
-    assert [each.name for each in read_dbc(path)[0].signals] == ["Angle"]
-    path.write_text(line)
+    other = 'BO_ 2 Hip: 8 Hip\n SG_ Angle : 0|16@1- (1,0) [0|0] "deg" Hip\n'
+    path.write_text(other + line + " Knee")
+    assert [each.name for message in read_dbc(path) for each in message.signals] == ["Angle"] * 2
+    path.write_text(other + line)
     with pytest.raises(DbcError, match=r"leg\.dbc ends within the line of Angle"):
+        read_dbc(path)
+
+
+def test_a_signal_of_one_page_in_a_message_without_pages_is_refused(tmp_path):
+    """cantools takes it for a signal of every frame."""
+    path = tmp_path / "leg.dbc"
+    lines = ['BO_ 1 Knee: 8 Knee\n SG_ Angle m1 : 0|16@1- (1,0) [0|0] "deg" Knee\n',
+             ' SG_ Page M : 16|8@1+ (1,0) [0|0] "" Knee\n']  # fmt: skip
+    path.write_text("".join(lines))
+    assert len(read_dbc(path)[0].signals) == 2
+    path.write_text(lines[0] + "\nBO_ 2 Hip: 8 Hip\n" + lines[1])
+    with pytest.raises(DbcError, match=r"Angle in a page of a message without pages"):
         read_dbc(path)

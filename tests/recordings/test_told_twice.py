@@ -3,6 +3,7 @@ damage that its library reads past is told.
 """
 
 import struct
+from zipfile import ZipFile
 
 import numpy as np
 import pytest
@@ -96,6 +97,24 @@ def test_numbers_that_are_not_laid_out_as_any_machine_writes_them_are_refused(tm
     path.write_bytes(content.replace(layout, other))
     with pytest.raises(ValueError, match="its numbers are not written as MATLAB writes them"):
         read_sheet(path)
+
+
+def test_a_cell_of_a_kind_that_no_program_writes_is_not_empty(tmp_path):
+    import openpyxl
+
+    book = openpyxl.Workbook()
+    for row in [("time", "what"), (0.0, "a"), (0.1, "b"), (0.2, "c")]:
+        book.active.append(row)
+    book.save(tmp_path / "sound.xlsx")
+    assert [*read_sheet(tmp_path / "sound.xlsx").columns[1].cells] == ["a", "b", "c"]
+    with ZipFile(tmp_path / "sound.xlsx") as sound, ZipFile(tmp_path / "odd.xlsx", "w") as odd:
+        for name in sound.namelist():
+            content = sound.read(name)
+            if name == "xl/worksheets/sheet1.xml":
+                content = content.replace(b't="inlineStr"', b't="z"', 1)
+            odd.writestr(name, content)
+    with pytest.raises(ValueError, match="a cell has the unknown kind b'z'"):
+        read_sheet(tmp_path / "odd.xlsx")
 
 
 def test_words_of_a_parquet_file_that_are_not_declared_as_such_are_words(tmp_path):

@@ -27,7 +27,11 @@ SIGNAL = re.compile(
 ODD_ORDER = re.compile(
     rb"^[ \t]*SG_[ \t]+(\w+)[^\n\"]*?:[^\n\"@]*@[ \t]*(?![01][ \t]*[+-])", re.MULTILINE
 )
-LAST = re.compile(rb"^[ \t]*SG_[ \t]+(\w+)[^\n]*\s*\Z", re.MULTILINE)
+# And leaves a signal out where the file ends before its receivers.
+LAST = re.compile(rb'^[ \t]*SG_[ \t]+(\w+)(?![^\n]*"[^"\n]*"[ \t]*\w)[^\n]*\s*\Z', re.MULTILINE)
+BEGIN = re.compile(rb"^[ \t]*BO_[ \t]", re.MULTILINE)
+PAGED = re.compile(rb"^[ \t]*SG_[ \t]+(\w+)[ \t]+m\d+M?[ \t]*:", re.MULTILINE)
+PAGES = re.compile(rb"^[ \t]*SG_[ \t]+\w+[ \t]+(?:m\d+)?M[ \t]*:", re.MULTILINE)
 STRIDE = re.compile(rf'^{GAP}BA_ +"NodeStride" +(\d+){GAP};', re.MULTILINE)
 PERIOD = re.compile(rf'^{GAP}BA_ +"GenMsgCycleTime" +BO_ +(\d+) +(\d+){GAP};', re.MULTILINE)
 
@@ -104,12 +108,12 @@ def read_dbc(path: Path) -> list:
         raise DbcError(
             f"{path} is not a DBC file that cantools can read: {plain(str(fault))}"
         ) from fault
-    check_lines(path, {signal.name for each in database.messages for signal in each.signals})
+    check_lines(path)
     return list(database.messages)
 
 
-def check_lines(path: Path, found: set[str]) -> None:
-    """Refuse damage that cantools reads past; `found` are the signals that it read."""
+def check_lines(path: Path) -> None:
+    """Refuse damage that cantools reads past."""
     content = path.read_bytes()
     odd, last = ODD_ORDER.search(content), LAST.search(content)
     if odd is not None:
@@ -117,8 +121,15 @@ def check_lines(path: Path, found: set[str]) -> None:
             f"{path} gives {odd[1].decode()} a byte order that is neither 0 nor 1. Is the line "
             "damaged?"
         )
-    if last is not None and last[1].decode() not in found:
+    if last is not None:
         raise DbcError(f"{path} ends within the line of {last[1].decode()}. Copy it again.")
+    for message in BEGIN.split(content):
+        paged = PAGED.search(message)
+        if paged is not None and not PAGES.search(message):
+            raise DbcError(
+                f"{path} has {paged[1].decode()} in a page of a message without pages. Is a line "
+                "missing?"
+            )
 
 
 def plan_message(message, names: tuple[str, ...] | None = None) -> MessagePlan:

@@ -1,10 +1,12 @@
 """Excel's .xlsx, by openpyxl: of its sheets, the first that holds samples."""
 
 import json
+import re
 from dataclasses import replace
 from datetime import date, datetime, time, timedelta
 from pathlib import Path
 from typing import Any
+from zipfile import ZipFile
 
 import numpy as np
 
@@ -13,6 +15,8 @@ from exoid.recordings.tables.dialect import value_of
 from exoid.recordings.tables.layout import Cell, Row, is_number, sheet_of_rows
 from exoid.recordings.tables.sheet import Place, Sheet, printable
 
+KIND = re.compile(rb"""<(?:\w+:)?c\b[^>]*?\st=["']([^"']*)["']""")
+KINDS = {b"n", b"s", b"str", b"inlineStr", b"b", b"e", b"d"}
 DECIMALS = (".", ",")  # of numbers that are kept as text
 
 
@@ -37,6 +41,7 @@ def content(path: Path) -> Arrays:
     """
     import openpyxl
 
+    check_kinds(path)
     book = openpyxl.load_workbook(path, read_only=True, data_only=True)
     names = [sheet.title for sheet in book.worksheets]
     found: dict[str, Any] = {"names": names, "taken": None, "rows": []}
@@ -46,6 +51,16 @@ def content(path: Path) -> Arrays:
             found |= {"taken": taken, "rows": rows}
             break
     return {"book": np.frombuffer(json.dumps(found).encode(), np.uint8)}
+
+
+def check_kinds(path: Path) -> None:
+    """Refuse cells of a kind that no program writes: openpyxl takes them for empty."""
+    with ZipFile(path) as archive:
+        for name in archive.namelist():
+            if name.startswith("xl/worksheets/") and name.endswith(".xml"):
+                odd = {*KIND.findall(archive.read(name))} - KINDS
+                if odd:
+                    raise ValueError(f"a cell has the unknown kind {min(odd)[:20]!r}")
 
 
 def cell_of(cell: Any) -> Cell:
