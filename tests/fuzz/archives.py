@@ -87,9 +87,10 @@ def xlsx_samples() -> tuple[Sample, ...]:
     import openpyxl
 
     book = openpyxl.Workbook()
-    book.active.append(["Time [s]", "Knee angle [deg]", "what"])
+    sheet: Any = book.active
+    sheet.append(["Time [s]", "Knee angle [deg]", "what"])
     for number, row in enumerate(zip(TIME.tolist(), ANGLE.tolist(), strict=True)):
-        book.active.append([*row, f"note {number}"])
+        sheet.append([*row, f"note {number}"])
     book.create_sheet("second").append(["nothing"])
     with ZipFile(BytesIO(saved(".xlsx", book.save).content)) as archive:
         files = {n: archive.read(n) for n in archive.namelist() if n not in DATED}

@@ -97,7 +97,7 @@ def reader_of(path: Path):
         return kind(path)
     text = path.read_text(encoding="utf-8", errors="replace")
     # Its reader of ASC takes the first line below the header for the end of it, were it a frame.
-    return kind(io.StringIO("\n" + text if path.suffix == ".asc" else text))
+    return kind(io.StringIO("\n" + text if path.suffix == ".asc" else text))  # pyright: ignore[reportArgumentType]
 
 
 def log_formats() -> dict[str, Format]:

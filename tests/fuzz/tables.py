@@ -28,7 +28,7 @@ BEFORE = re.compile(r"\A(?:\s*\n|[ \t]*#(?![^\n]*time_s)[^\n]*\n)+")  # no lines
 
 def own_samples() -> tuple[Sample, ...]:
     """Exoid's own table, by its writer and by hand."""
-    drop = Segment(TIME, raw_angle=np.radians(ANGLE), raw_angular_velocity=np.gradient(ANGLE))
+    drop = Segment(TIME, raw_angle=np.radians(ANGLE), raw_angular_velocity=np.gradient(ANGLE))  # pyright: ignore[reportArgumentType]
     recording = Recording((drop, drop), Subject(), Protocol(), Sensors())
     rows = [f"{t:.2f},{a:.4f},{'' if n == 3 else n}" for n, (t, a) in enumerate(zip(TIME, ANGLE))]  # noqa: B905
     by_hand = "\n".join(["time_s, raw_angle_deg, what", *rows, ""])

@@ -3,6 +3,7 @@ damage that its library reads past is told.
 """
 
 import struct
+from typing import Any
 from zipfile import ZipFile
 
 import numpy as np
@@ -50,11 +51,12 @@ def test_a_c3d_that_was_cut_says_how_many_frames_are_left(tmp_path):
 def hdf5(path):
     """A .mat of version 7.3, and where its knee angle is described."""
     import h5py
+    import h5py.h5o as objects
 
     with h5py.File(path, "w", userblock_size=512) as file:
         for name, samples in {"time": TIME, "knee_angle": ANGLE}.items():
             file.create_dataset(name, data=samples[None])
-        return 512 + h5py.h5o.get_info(file["knee_angle"].id).addr
+        return 512 + objects.get_info(file["knee_angle"].id).addr
 
 
 def test_a_variable_that_hdf5_cannot_open_is_not_left_out_without_a_word(tmp_path):
@@ -103,8 +105,9 @@ def test_a_cell_of_a_kind_that_no_program_writes_is_not_empty(tmp_path):
     import openpyxl
 
     book = openpyxl.Workbook()
+    sheet: Any = book.active
     for row in [("time", "what"), (0.0, "a"), (0.1, "b"), (0.2, "c")]:
-        book.active.append(row)
+        sheet.append(row)
     book.save(tmp_path / "sound.xlsx")
     assert [*read_sheet(tmp_path / "sound.xlsx").columns[1].cells] == ["a", "b", "c"]
     with ZipFile(tmp_path / "sound.xlsx") as sound, ZipFile(tmp_path / "odd.xlsx", "w") as odd:
