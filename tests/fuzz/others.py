@@ -86,12 +86,13 @@ def channels_by_c3d(path: Path, _sample: Sample) -> Rows:
     with path.open("rb") as file:
         reader = c3d.Reader(file)
         frames = [*reader.read_frames(check_nan=False)]
-    points = np.array([points for _, points, _ in frames])
-    invalid = residuals(path, reader, len(frames)) < 0
+    points, raw = np.array([points for _, points, _ in frames]), samples(path, reader, len(frames))
+    width = 4 * reader.point_used
+    invalid = raw[:, 3:width:4] < 0  # c3d takes what is between -1 and 0 for 0
     places = np.where(invalid[:, :, None], np.nan, points[:, :, :3]).astype(np.float64)
     held = {
         "points": places.transpose(2, 1, 0),
-        "analogs": np.concatenate([analog for *_, analog in frames], axis=1),
+        "analogs": analogs(reader, raw[:, width:].reshape(-1, reader.analog_used).T),
         "point_labels": np.array(reader.point_labels),
         "analog_labels": np.array(reader.analog_labels),
         "angles": np.zeros(0, str),
@@ -104,11 +105,17 @@ def channels_by_c3d(path: Path, _sample: Sample) -> Rows:
     return numbers_of(Sheet(tuple(columns), Place("frame")))
 
 
-def residuals(path: Path, reader: Any, frames: int) -> np.ndarray:
-    """Of every point, from the file: c3d takes what is between -1 and 0 for 0."""
+def samples(path: Path, reader: Any, frames: int) -> np.ndarray:
+    """As they stand in the file, a row for every frame."""
     if reader.point_scale > 0:
         raise Unread("samples that are integers")
-    width, begin = 4 * reader.point_used, (reader.header.data_block - 1) * 512
-    count = frames * (width + reader.analog_used * reader.analog_per_frame)
-    samples = np.frombuffer(path.read_bytes(), "<f4", count, begin)
-    return samples.reshape(frames, -1)[:, 3:width:4]
+    begin = (reader.header.data_block - 1) * 512
+    count = frames * (4 * reader.point_used + reader.analog_used * reader.analog_per_frame)
+    return np.frombuffer(path.read_bytes(), "<f4", count, begin).reshape(frames, -1)
+
+
+def analogs(reader: Any, raw: np.ndarray) -> np.ndarray:
+    """In single precision, in which ezc3d computes, and c3d does not."""
+    scale, scales, offsets = reader.get_analog_transform_parameters()
+    factors = np.asarray(scales * scale, np.float32)[:, None]
+    return ((raw - np.asarray(offsets, np.float32)[:, None]) * factors).astype(np.float64)

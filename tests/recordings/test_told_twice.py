@@ -48,6 +48,15 @@ def test_a_c3d_that_was_cut_says_how_many_frames_are_left(tmp_path):
     assert "its header announces 60 frames, and it holds " in note
 
 
+def test_a_c3d_without_its_samples_is_not_read_as_if_they_were_there(tmp_path):
+    """ezc3d gives for them whatever it read last."""
+    path = c3d_with(tmp_path, POINTS, "H", 1)
+    start = struct.unpack_from("<H", path.read_bytes(), START)[0]
+    path.write_bytes(path.read_bytes()[: 512 * (start - 1) - 500])
+    (note,) = read_sheet(path).notes
+    assert f"it ends {60 * (4 + 10) * 4 + 500} bytes before its last sample." in note
+
+
 def hdf5(path):
     """A .mat of version 7.3, and where its knee angle is described."""
     import h5py

@@ -5,6 +5,7 @@ the rate of the points, or at that of the analog channels where the angle is one
 """
 
 import math
+import os
 from collections.abc import Collection, Mapping
 from pathlib import Path
 from typing import Any
@@ -76,8 +77,8 @@ def differences_in(
         "frames": first(point, "FRAMES", math.nan),
     }
     with path.open("rb") as file:
-        header = header_of(file.read(FRONT))
-    return [*differences(header, told, frames)]
+        header, size = header_of(file.read(FRONT)), os.fstat(file.fileno()).st_size
+    return [*differences(header, told, frames, size)]
 
 
 def notes_of(content: Arrays) -> tuple[str, ...]:

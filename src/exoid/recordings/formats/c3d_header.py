@@ -43,10 +43,14 @@ def header_of(content: bytes) -> Header:
     return Header(points, analogs, first, last, start, scale, rate)
 
 
-def differences(header: Header, told: Mapping[str, float], frames: int) -> Iterator[str]:
-    """What the header says otherwise than the `frames` that were read, and than the parameters that
-    were `told`.
+def differences(header: Header, told: Mapping[str, float], frames: int, size: int) -> Iterator[str]:
+    """What the header says otherwise than the `frames` that were read of `size` bytes, and than the
+    parameters that were `told`.
     """
+    width = 2 if header.scale > 0 else 4
+    end = (header.start - 1) * BLOCK + width * frames * (4 * header.points + header.analogs)
+    if size < end:
+        yield f"it ends {end - size} bytes before its last sample."
     announced = header.last - header.first + 1
     counted = header.last < MOST_FRAMES
     if counted and announced != frames:
