@@ -8,6 +8,7 @@ from zipfile import ZipFile
 
 import numpy as np
 import pytest
+from scipy.io import savemat
 from test_formats import ANGLE, TIME, c3d
 
 from exoid.recordings.formats.sheets import read_sheet
@@ -97,6 +98,41 @@ def test_what_a_mat_refers_to_elsewhere_is_passed_over(tmp_path):
     with h5py.File(path, "a") as file:
         file["elsewhere"] = h5py.SoftLink("/nowhere")
     assert sorted(each.name for each in read_sheet(path).columns) == ["knee_angle", "time"]
+
+
+CELLS = np.array([np.arange(3.0), "word"], object)
+
+
+@pytest.mark.parametrize("packed", [False, True])
+def test_structs_and_cells_are_read_whole(tmp_path, packed):
+    trials = np.array([(1.0, "a"), (2.0, "b")], [("n", object), ("of", object)])
+    held = {"trial": {"time": TIME, "knee_angle": ANGLE, "of": {"a": {}, "b": []}}}
+    several = {"cells": CELLS, "trials": trials, "none": np.empty((0, 0)), "words": ["a", "bc"]}
+    savemat(tmp_path / "leg.mat", held | several, do_compression=packed)
+    columns = [each.name for each in read_sheet(tmp_path / "leg.mat").columns]
+    assert {"trial.time", "trial.knee_angle"} <= {*columns}
+
+
+LENGTH_OF_NAMES = struct.pack("<2L", 11, 1)  # of a field, then the kind of what follows
+SIZES = struct.pack("<2l", 1, 2)  # of the cells
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "why"),
+    [
+        (LENGTH_OF_NAMES, struct.pack("<2L", 13, 1), "are not named as MATLAB names"),
+        (SIZES, struct.pack("<2l", 1, 1), "announces 1 parts and holds 2"),
+    ],
+)
+def test_a_struct_or_cell_array_that_lost_a_part_is_refused(tmp_path, old, new, why):
+    """SciPy reads what is announced, and says nothing of the rest."""
+    path = tmp_path / "leg.mat"
+    savemat(path, {"trial": {"time": TIME, "knee_angle": ANGLE}, "cells": CELLS})
+    content = path.read_bytes()
+    assert content.count(old) == 1
+    path.write_bytes(content.replace(old, new))
+    with pytest.raises(ValueError, match=why):
+        read_sheet(path)
 
 
 def test_numbers_that_are_not_laid_out_as_any_machine_writes_them_are_refused(tmp_path):

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from exoid.files.foreign import Arrays, read_apart
+from exoid.recordings.formats.matlab_parts import check_parts
 from exoid.recordings.formats.packed import packed, unpacked
 from exoid.recordings.tables.arrays import flattened, sheet_of_arrays
 from exoid.recordings.tables.sheet import Place, Sheet
@@ -46,6 +47,7 @@ def variables(path: Path) -> Arrays:
             return packed(dict(held(content, "", 0)))
     import scipy.io
 
+    check_parts(path.read_bytes())
     return packed(dict(flattened(scipy.io.loadmat(str(path), simplify_cells=True))))
 
 
