@@ -165,6 +165,28 @@ def test_a_cell_of_a_kind_that_no_program_writes_is_not_empty(tmp_path):
         read_sheet(tmp_path / "odd.xlsx")
 
 
+@pytest.mark.parametrize("told", ["A1:A3", "A1", "A1:B100"])
+def test_a_sheet_is_read_whole_whatever_size_it_announces(tmp_path, told):
+    import openpyxl
+
+    book = openpyxl.Workbook()
+    sheet: Any = book.active
+    for row in [("time", "angle"), *zip(TIME.tolist(), ANGLE.tolist(), strict=True)]:
+        sheet.append(row)
+    book.save(tmp_path / "sound.xlsx")
+    with ZipFile(tmp_path / "sound.xlsx") as sound, ZipFile(tmp_path / "odd.xlsx", "w") as odd:
+        for name in sound.namelist():
+            content = sound.read(name)
+            if name == "xl/worksheets/sheet1.xml":
+                assert content.count(b'ref="A1:B61"') == 1
+                content = content.replace(b'ref="A1:B61"', f'ref="{told}"'.encode())
+            odd.writestr(name, content)
+    time, angle = read_sheet(tmp_path / "odd.xlsx").columns
+    # openpyxl writes 16 digits, which is half of one of them in 1
+    np.testing.assert_allclose(time.cells, TIME, rtol=5e-16, atol=0)
+    np.testing.assert_allclose(angle.cells, ANGLE, rtol=5e-16, atol=0)
+
+
 def test_words_of_a_parquet_file_that_are_not_declared_as_such_are_words(tmp_path):
     import pyarrow
     import pyarrow.parquet

@@ -46,6 +46,7 @@ def content(path: Path) -> Arrays:
     names = [sheet.title for sheet in book.worksheets]
     found: dict[str, Any] = {"names": names, "taken": None, "rows": []}
     for taken, sheet in enumerate(book.worksheets):
+        sheet.reset_dimensions()  # a size that the file announces would cut it
         rows = [[*map(cell_of, cells)] for cells in sheet.iter_rows(values_only=True)]
         if sum(any(map(is_number, row)) for row in rows) > 1:
             found |= {"taken": taken, "rows": rows}
