@@ -73,7 +73,9 @@ def matrix(order: str, content: bytes) -> tuple[str, Any]:
         return word, fields(order, parts)
     if kind not in KINDS or flags & (COMPLEX | TRUTH):
         raise Unread(f"a matrix of kind {kind}")
-    values = numbers(order, next(parts)).astype(KINDS[kind])
+    values = numbers(order, next(parts))
+    if values.dtype.kind != "f":  # SciPy keeps doubles that are said to be singles
+        values = values.astype(KINDS[kind])
     return word, np.squeeze(values.reshape(shape, order="F"))
 
 

@@ -174,8 +174,9 @@ def rows_of(lines: list[str], separator: str, decimal: str) -> list[list[float]]
         try:
             rows.append([number(cell, decimal) for cell in cells])
         except ValueError:
-            if rows:
+            if len(rows) > 1:
                 raise
+            rows = []  # one line of numbers above words is no sample
     return rows
 
 

@@ -125,3 +125,27 @@ def test_frames_without_times_are_told(tmp_path):
     content[at + 24 + 8 * links] = 0
     path.write_bytes(content)
     assert "has no times" in str(read_frames(path)["stopped"])
+
+
+def test_an_identifier_that_is_no_integer_is_told(tmp_path):
+    """asammdf makes a number of whatever its bytes are said to be."""
+    path = write_log(tmp_path / "leg.mf4", Node().messages(20))
+    content = bytearray(path.read_bytes())
+    name = content.index(b"CAN_DataFrame.ID\0") - 24  # its block, to which its channel links
+    at = content.index(struct.pack("<Q", name)) - 40  # the third of the channel's links
+    links = struct.unpack_from("<Q", content, at + 16)[0]
+    assert content[at : at + 4] == b"##CN"
+    content[at + 24 + 8 * links + 2] = 13  # a date
+    path.write_bytes(content)
+    assert "is no integer" in str(read_frames(path)["stopped"])
+
+
+def test_a_channel_that_begins_beyond_the_bits_of_its_byte_is_told(tmp_path):
+    path = write_log(tmp_path / "leg.mf4", Node().messages(20))
+    content = bytearray(path.read_bytes())
+    name = content.index(b"CAN_DataFrame.ID\0") - 24
+    at = content.index(struct.pack("<Q", name)) - 40
+    links = struct.unpack_from("<Q", content, at + 16)[0]
+    content[at + 24 + 8 * links + 3] = 13  # the bit of its first byte
+    path.write_bytes(content)
+    assert "lies outside" in str(read_frames(path)["stopped"])

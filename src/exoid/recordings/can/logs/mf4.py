@@ -17,6 +17,8 @@ NEEDED = {
     "CAN_RemoteFrame": ("ID",),
     "CAN_ErrorFrame": (),
 }  # without which a record is no frame
+INTEGERS = (".ID", ".IDE", ".DataLength", ".EDL")
+LAST_INTEGER = 3  # of MDF's types of data: unsigned and signed, of either byte order
 CHUNK = 100_000  # frames; more at once take longer, and as much more memory
 IDENTIFIER = 0x1FFFFFFF  # the bits that an id may have
 KEPT = 8  # bytes of a frame, as of the other formats
@@ -50,6 +52,8 @@ def parts_of(path: Path) -> Iterator[tuple[Frames, np.ndarray]]:
         size = group.channel_group.samples_byte_nr
         if kind and any(is_outside(each, size) for each in group.channels):
             raise ValueError("a channel of the file lies outside of its records")
+        if kind and any(map(is_no_integer, group.channels)):
+            raise ValueError("a channel of the file is no integer, as it should be")
         if kind and number not in file.masters_db:
             raise ValueError("a group of CAN frames has no times")  # asammdf would count them
         latest, announced = -np.inf, group.channel_group.cycles_nr if kind else 0
@@ -64,8 +68,14 @@ def parts_of(path: Path) -> Iterator[tuple[Frames, np.ndarray]]:
 
 
 def is_outside(channel: Any, size: int) -> bool:
-    """Would asammdf read a channel from beyond its record [bytes], where anything may stand?"""
-    return 8 * channel.byte_offset + channel.bit_offset + channel.bit_count > 8 * size
+    """Would asammdf read a channel from beyond its byte, or its record [bytes]?"""
+    end = 8 * channel.byte_offset + channel.bit_offset + channel.bit_count
+    return channel.bit_offset >= 8 or end > 8 * size
+
+
+def is_no_integer(channel: Any) -> bool:
+    """Would asammdf make a number of what is said to be text or a date?"""
+    return channel.name.endswith(INTEGERS) and channel.data_type > LAST_INTEGER
 
 
 def kind_of(group: Any) -> str:
