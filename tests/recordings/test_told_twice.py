@@ -146,7 +146,14 @@ def test_numbers_that_are_not_laid_out_as_any_machine_writes_them_are_refused(tm
         read_sheet(path)
 
 
-def test_a_cell_of_a_kind_that_no_program_writes_is_not_empty(tmp_path):
+@pytest.mark.parametrize(
+    ("old", "new", "why"),
+    [
+        (b't="inlineStr"', b't="z"', "a cell has the unknown kind b'z'"),
+        (b'<row r="2"', b'<row r="3"', "its rows are not in their order"),
+    ],
+)
+def test_what_openpyxl_would_leave_out_of_a_sheet_is_refused(tmp_path, old, new, why):
     import openpyxl
 
     book = openpyxl.Workbook()
@@ -159,9 +166,9 @@ def test_a_cell_of_a_kind_that_no_program_writes_is_not_empty(tmp_path):
         for name in sound.namelist():
             content = sound.read(name)
             if name == "xl/worksheets/sheet1.xml":
-                content = content.replace(b't="inlineStr"', b't="z"', 1)
+                content = content.replace(old, new, 1)
             odd.writestr(name, content)
-    with pytest.raises(ValueError, match="a cell has the unknown kind b'z'"):
+    with pytest.raises(ValueError, match=why):
         read_sheet(tmp_path / "odd.xlsx")
 
 
