@@ -14,6 +14,8 @@ from exoid.recordings.tables.arrays import sheet_of_arrays
 from exoid.recordings.tables.sheet import Place
 
 from .inside import in_mat, in_zip, zipped
+from .mat5 import variables_by_hand
+from .others import channels_by_c3d, columns_by_duckdb, rows_by_calamine
 from .reading import Format, Rows, Sample
 from .tables import ANGLE, TIME, numbers_of, read_columns_of
 
@@ -75,9 +77,9 @@ def c3d_samples() -> tuple[Sample, ...]:
     file["parameters"]["POINT"]["LABELS"]["value"] = ("LKneeAngles", "LANK")
     file["parameters"]["POINT"]["UNITS"]["value"] = ("mm",)
     file["parameters"]["ANALOG"]["RATE"]["value"] = [200]
-    file["parameters"]["ANALOG"]["LABELS"]["value"] = ("gyro",)
+    file["parameters"]["ANALOG"]["LABELS"]["value"] = ("gyro", "tilt")
     file["data"]["points"] = np.stack([np.tile(ANGLE, (2, 1))] * 4)
-    file["data"]["analogs"] = np.linspace(-1, 1, 2 * ANGLE.size)[None, None]
+    file["data"]["analogs"] = np.linspace([-1, 0], [1, 9], 2 * ANGLE.size).T[None]
     return (saved(".c3d", file.write),)
 
 
@@ -85,9 +87,10 @@ def xlsx_samples() -> tuple[Sample, ...]:
     import openpyxl
 
     book = openpyxl.Workbook()
-    book.active.append(["Time [s]", "Knee angle [deg]", "what"])
+    sheet: Any = book.active
+    sheet.append(["Time [s]", "Knee angle [deg]", "what"])
     for number, row in enumerate(zip(TIME.tolist(), ANGLE.tolist(), strict=True)):
-        book.active.append([*row, f"note {number}"])
+        sheet.append([*row, f"note {number}"])
     book.create_sheet("second").append(["nothing"])
     with ZipFile(BytesIO(saved(".xlsx", book.save).content)) as archive:
         files = {n: archive.read(n) for n in archive.namelist() if n not in DATED}
@@ -112,8 +115,8 @@ def archive_formats() -> dict[str, Format]:
     read = read_columns_of
     return {
         "npz": Format(".npz", npz_samples(), read, arrays_by_zip, in_zip),
-        "mat": Format(".mat", mat_samples(), read, inside=in_mat),
-        "c3d": Format(".c3d", c3d_samples(), read),
-        "xlsx": Format(".xlsx", xlsx_samples(), read, inside=in_zip),
-        "parquet": Format(".parquet", parquet_samples(), read),
+        "mat": Format(".mat", mat_samples(), read, variables_by_hand, in_mat, stricter=True),
+        "c3d": Format(".c3d", c3d_samples(), read, channels_by_c3d, stricter=True),
+        "xlsx": Format(".xlsx", xlsx_samples(), read, rows_by_calamine, in_zip, stricter=True),
+        "parquet": Format(".parquet", parquet_samples(), read, columns_by_duckdb, stricter=True),
     }

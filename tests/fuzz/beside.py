@@ -1,6 +1,5 @@
 """What stands beside a recording or comes of it: DBC files, sidecars, saved results."""
 
-from contextlib import suppress
 from dataclasses import dataclass
 from importlib.resources import files
 from pathlib import Path
@@ -11,6 +10,9 @@ import numpy as np
 from exoid.recordings.can.dbc import EXOID_DBC, DbcError, plan_message, read_dbc
 from exoid.recordings.sidecar import read_columns, read_keys, sidecar_text
 
+from .draw import text
+from .hdf5 import values_by_pyfive
+from .plans import plans_by_canmatrix, rows_of, said_by_tomlkit
 from .reading import Format, Reading, Sample
 
 DBC = """VERSION "1"
@@ -25,6 +27,9 @@ BO_ 291 Knee: 8 Knee
  SG_ Angle : 7|16@0- (0.01,0) [-180|180] "deg" Vector__XXX
  SG_ Rate : 16|16@1- (1,0) [-2000|2000] "deg/s" Vector__XXX
 
+BO_ 800 Load: 8 Knee
+ SG_ Force : 32|32@1- (1,0) [0|0] "N" Vector__XXX
+
 BO_ 2147484065 Torque: 4 Knee
  SG_ Mode M : 0|8@1+ (1,0) [0|3] "" Vector__XXX
  SG_ Torque m1 : 8|16@1- (0.1,-5) [0|0] "N m" Vector__XXX
@@ -33,7 +38,7 @@ CM_ SG_ 291 Angle "of the knee";
 BA_DEF_ BO_ "GenMsgCycleTime" INT 0 10000;
 BA_DEF_DEF_ "GenMsgCycleTime" 10;
 BA_ "GenMsgCycleTime" BO_ 291 20;
-SIG_VALTYPE_ 291 Rate : 0;
+SIG_VALTYPE_ 800 Force : 1;
 """
 SIDECAR = """title = "a \\u001b[31m \\u202e leg"
 [subject]
@@ -72,11 +77,13 @@ KEPT = Kept("a fit", np.linspace(0.0, 1.0, 7), 3)
 
 def read_plans(path: Path) -> Reading:
     """The decode plan of every message that can have one."""
-    plans = []
+    plans, refused = [], []
     for message in read_dbc(path):
-        with suppress(DbcError):
-            plans.append(repr(plan_message(message)))
-    return Reading({"plans": np.array(plans, str)}, ())
+        try:
+            plans.append(plan_message(message))
+        except DbcError as fault:
+            refused.append(str(fault))
+    return Reading(rows_of(plans), tuple(refused))
 
 
 def read_beside(path: Path) -> Reading:
@@ -107,16 +114,19 @@ def kept_sample(suffix: str) -> Sample:
 def beside_formats() -> dict[str, Format]:
     dbc = (Sample(EXOID_DBC.read_bytes()), Sample(DBC.encode()))
     example = files("exoid").joinpath("example", "session.toml").read_bytes()
+    sidecars = (Sample(example), Sample(SIDECAR.encode()))
     return {
-        "dbc": Format(".dbc", dbc, read_plans),
-        "sidecar": Format(".toml", (Sample(example), Sample(SIDECAR.encode())), read_beside),
+        "dbc": Format(".dbc", dbc, read_plans, plans_by_canmatrix, drawn=text, stricter=True),
+        "sidecar": Format(
+            ".toml", sidecars, read_beside, said_by_tomlkit, drawn=text, stricter=True
+        ),
     }
 
 
 def saved_formats() -> dict[str, Format]:
     return {
         f"saved {suffix}": Format(
-            f".{suffix}", (kept_sample(f".{suffix}"),), read_kept, checked=True
+            f".{suffix}", (kept_sample(f".{suffix}"),), read_kept, oracle, checked=True
         )
-        for suffix in ("nc", "json")
+        for suffix, oracle in (("nc", values_by_pyfive), ("json", None))
     }

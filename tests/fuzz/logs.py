@@ -15,7 +15,9 @@ from exoid.recordings.can.frames import ERROR, FD, REMOTE, UNEVEN, Log
 from exoid.recordings.can.logs.log_files import frames_of, read_log, row_of
 from exoid.recordings.loading.can_log import read_can_log
 
+from .draw import log, text
 from .inside import in_blf
+from .mdf import frames_by_mdfreader
 from .reading import Format, Reading, Rows, Sample
 
 TICKS = 5
@@ -84,21 +86,28 @@ def frames_by_python_can(path: Path, _sample: Sample) -> Rows:
     return columns(Log(path, found))
 
 
+def rows_by_mdfreader(path: Path, _sample: Sample) -> Rows:
+    return columns(Log(path, frames_by_mdfreader(path)))
+
+
 def reader_of(path: Path):
     """Bytes that are no text are replaced in a log of text, as exoid replaces them."""
     kind = MESSAGE_READERS[path.suffix]
-    if path.suffix in (".blf", ".mf4"):
+    if path.suffix == ".blf":
         return kind(path)
     text = path.read_text(encoding="utf-8", errors="replace")
     # Its reader of ASC takes the first line below the header for the end of it, were it a frame.
-    return kind(io.StringIO("\n" + text if path.suffix == ".asc" else text))
+    return kind(io.StringIO("\n" + text if path.suffix == ".asc" else text))  # pyright: ignore[reportArgumentType]
 
 
 def log_formats() -> dict[str, Format]:
     """By the names under which they are counted."""
     found = {
-        suffix[1:]: Format(suffix, log_samples(suffix), read_frames, frames_by_python_can)
-        for suffix in (".asc", ".log", ".trc", ".csv", ".mf4")
+        suffix[1:]: Format(
+            suffix, log_samples(suffix), read_frames, frames_by_python_can, drawn=text
+        )
+        for suffix in (".asc", ".log", ".trc", ".csv")
     }
-    blf = Format(".blf", log_samples(".blf"), read_frames, frames_by_python_can, in_blf)
-    return {"can " + name: each for name, each in {"blf": blf, **found}.items()}
+    mf4 = Format(".mf4", log_samples(".mf4"), read_frames, rows_by_mdfreader, stricter=True)
+    blf = Format(".blf", log_samples(".blf"), read_frames, frames_by_python_can, in_blf, log)
+    return {"can " + name: each for name, each in {"blf": blf, **found, "mf4": mf4}.items()}

@@ -3,10 +3,15 @@
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 Rows = Mapping[str, np.ndarray]  # columns by name
+
+
+class Unread(Exception):
+    """What an oracle does not know, of which it can therefore say nothing."""
 
 
 @dataclass(frozen=True)
@@ -34,7 +39,9 @@ class Format:
     read: Callable[[Path], Reading]
     oracle: Callable[[Path, Sample], Rows] | None = None  # of another hand
     inside: Callable[..., bytes] | None = None  # damage below a checksum
+    drawn: Callable[[Sample], Any] | None = None  # a strategy of hypothesis, which knows its fields
     checked: bool = False  # a checksum covers its numbers: other rows are wrong without an oracle
+    stricter: bool = False  # the oracle refuses files whose rows it could tell
 
 
 ROUNDING = 4e-16  # of a time that is made of two numbers

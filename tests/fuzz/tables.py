@@ -16,17 +16,19 @@ from exoid.recordings.formats.sheets import read_sheet
 from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
 from exoid.recordings.tables.sheet import Sheet
 
+from .draw import text
 from .reading import Format, Reading, Rows, Sample
 
 TIME = np.arange(12) * 0.01
 ANGLE = -90 + 70 * np.exp(-TIME) * np.cos(5 * TIME)  # deg
 MISSING = ("", "nan", "na", "n/a", "null", "none", "-", "--")
 DEGREE = np.pi / 180
+BEFORE = re.compile(r"\A(?:\s*\n|[ \t]*#(?![^\n]*time_s)[^\n]*\n)+")  # no lines, and comments
 
 
 def own_samples() -> tuple[Sample, ...]:
     """Exoid's own table, by its writer and by hand."""
-    drop = Segment(TIME, raw_angle=np.radians(ANGLE), raw_angular_velocity=np.gradient(ANGLE))
+    drop = Segment(TIME, raw_angle=np.radians(ANGLE), raw_angular_velocity=np.gradient(ANGLE))  # pyright: ignore[reportArgumentType]
     recording = Recording((drop, drop), Subject(), Protocol(), Sensors())
     rows = [f"{t:.2f},{a:.4f},{'' if n == 3 else n}" for n, (t, a) in enumerate(zip(TIME, ANGLE))]  # noqa: B905
     by_hand = "\n".join(["time_s, raw_angle_deg, what", *rows, ""])
@@ -46,7 +48,7 @@ def read_own(path: Path) -> Reading:
 def own_by_csv(path: Path, _sample: Sample) -> Rows:
     """The columns that exoid knows, by the csv module."""
     text = path.read_text(encoding="utf-8-sig", errors="replace")
-    head, _, body = text.lstrip("\r\n").partition("\n")
+    head, _, body = BEFORE.sub("", text).partition("\n")
     names = next(csv.reader([head], skipinitialspace=True))
     rows = [row for row in csv.reader(io.StringIO(body), strict=True) if row]
     cells = zip(*rows, strict=True)
@@ -147,14 +149,6 @@ def motion(time: np.ndarray, angle: np.ndarray) -> dict[str, np.ndarray]:
     return {"time_s": time, "segment": np.zeros(time.size, int), "raw_angle_rad": angle * DEGREE}
 
 
-def below_header(path: Path, _sample: Sample) -> Rows:
-    """The lines of numbers below `endheader`."""
-    text = path.read_text(encoding="utf-8-sig")
-    text = re.split(r"(?im)^\s*endheader\s*$", text, maxsplit=1)[-1]
-    time, _, angle = lines_of_numbers(text.split("\n"), "\t", ".")
-    return motion(time, angle)
-
-
 def lines_of_numbers(lines: list[str], separator: str, decimal: str) -> np.ndarray:
     """**Raises** `ValueError` where a line behind the first of them is another.
 
@@ -180,21 +174,14 @@ def rows_of(lines: list[str], separator: str, decimal: str) -> list[list[float]]
         try:
             rows.append([number(cell, decimal) for cell in cells])
         except ValueError:
-            if rows:
+            if len(rows) > 1:
                 raise
+            rows = []  # one line of numbers above words is no sample
     return rows
-
-
-def opensim_samples() -> tuple[Sample, ...]:
-    rows = [f"{t:.8f}\t0.5\t{a:.8f}" for t, a in zip(TIME, ANGLE, strict=True)]
-    head = ["Coordinates", "version=1", f"nRows={TIME.size}", "nColumns=3", "inDegrees=yes", "",
-            "Units are S.I. units", "endheader", "time\tpelvis_tx\tknee_angle_r"]  # fmt: skip
-    return (Sample("\n".join([*head, *rows, ""]).encode()),)
 
 
 def table_formats() -> dict[str, Format]:
     return {
-        "own csv": Format(".csv", own_samples(), read_own, own_by_csv),
-        "other csv": Format(".csv", dialect_samples(), read_own, by_csv),
-        "opensim": Format(".mot", opensim_samples(), read_own, below_header),
+        "own csv": Format(".csv", own_samples(), read_own, own_by_csv, drawn=text),
+        "other csv": Format(".csv", dialect_samples(), read_own, by_csv, drawn=text),
     }

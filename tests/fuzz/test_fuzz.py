@@ -3,20 +3,24 @@ does otherwise is found.
 """
 
 import os
+import signal
 import subprocess
 import sys
 import time
 from dataclasses import replace
+from mmap import mmap
 from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from tests.fuzz import judge, worker
-from tests.fuzz.judge import FAULT, HANG, NAMES, PLAIN, SAME, TOLD, WRONG, format_of, mutant
-from tests.fuzz.reading import Reading, Sample, alike
-from tests.fuzz.tables import DIALECTS, by_csv, dialect_table, own_by_csv, read_own
+from tests.fuzz.here import in_this_process
+from tests.fuzz.judge import ALONE, FAULT, HANG, NAMES, PLAIN, SAME, TOLD, WRONG, format_of, mutant
+from tests.fuzz.opensim import below_header, opensim_samples
+from tests.fuzz.reading import Reading, Sample, Unread, alike
+from tests.fuzz.tables import DIALECTS, TIME, by_csv, dialect_table, own_by_csv, read_own
 
 ROOT = Path(__file__).parents[2]
 EACH = 150  # mutants of each format, which take half a minute together
@@ -45,10 +49,37 @@ def test_damaged_files_of_every_format_are_read_as_they_should_be(tmp_path):
 
 
 def test_a_recipe_is_the_same_file_in_another_process(tmp_path):
-    for name in ("can blf", "can asc", "xlsx"):
+    """Among them one that bytes changed, and one that hypothesis drew."""
+    for name, number in (("can blf", 40), ("can asc", 41), ("other csv", 42), ("xlsx", 43)):
         path = tmp_path / "mutant"
-        run("--replay", f"{name}:3:41", "--write", str(path), folder=tmp_path)
-        assert path.read_bytes() == mutant(name, 3, 41)[0]
+        run("--replay", f"{name}:3:{number}", "--write", str(path), folder=tmp_path)
+        assert path.read_bytes() == mutant(name, 3, number)[0]
+
+
+def test_hypothesis_draws_a_share_of_the_files_whose_fields_it_knows(monkeypatch):
+    asked = []
+
+    def draw(strategy, chance):
+        asked.append(strategy)
+        return b"drawn"
+
+    monkeypatch.setattr(judge, "drawn", draw)
+    made = [mutant("own csv", 5, number)[0] for number in range(200)]
+    # 60 of 200 are expected, with a standard deviation of 6.5
+    assert 30 < made.count(b"drawn") == len(asked) < 90
+    assert [mutant("npz", 5, number)[0] for number in range(20)].count(b"drawn") == 0
+
+
+@pytest.mark.parametrize("name", [name for name in NAMES if format_of(name).drawn is not None])
+@settings(max_examples=15, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(data=st.data())
+def test_a_file_with_other_fields_is_read_as_it_should_be(tmp_path, name, data):
+    """What fails here is the smallest such file."""
+    which = data.draw(st.integers(0, len(format_of(name).samples) - 1))
+    content = data.draw(judge.strategy_of(name, which))
+    with in_this_process(mmap(-1, 1)):
+        found = judge.verdict(name, content, which, tmp_path)
+    assert found.kind not in judge.FAILED, found.why
 
 
 # A reader that does what none should is found
@@ -119,6 +150,23 @@ def test_rows_that_an_oracle_reads_too_are_what_nobody_can_tell(reader, tmp_path
     assert judge.judged("can csv", 0, 1, tmp_path).kind == SAME
 
 
+def unread(path, sample):
+    raise Unread("a kind that it does not know")
+
+
+def strict(path, sample):
+    raise KeyError("no such block")
+
+
+@pytest.mark.parametrize(
+    ("oracle", "stricter", "kind"),
+    [(unread, False, ALONE), (strict, False, WRONG), (strict, True, ALONE)],
+)
+def test_rows_that_no_oracle_reads_are_counted_as_such(reader, tmp_path, oracle, stricter, kind):
+    reader(other_rows, oracle=oracle, stricter=stricter)
+    assert judge.judged("can csv", 0, 1, tmp_path).kind == kind
+
+
 def looping(path):
     while True:
         pass
@@ -174,8 +222,26 @@ def test_an_oracle_reads_every_sound_file_as_exoid_does(name, tmp_path):
         assert alike(found.rows, made.oracle(path, sample))
 
 
-def test_an_oracle_that_loops_is_ended():
+def test_an_oracle_that_loops_is_ended(monkeypatch):
     begin = time.monotonic()
-    with pytest.raises(TimeoutError), judge.within(0.1):
+    monkeypatch.setattr(judge, "PATIENCE", 0.1)
+    with pytest.raises(TimeoutError), judge.asked():
         looping(None)
     assert time.monotonic() - begin < 30
+    assert judge.ASKED[0] == 0  # the next to end is exoid again
+
+
+def test_an_oracle_that_dies_does_not_count_against_exoid():
+    judge.ASKED[0] = 1
+    assert worker.ended(signal.SIGSEGV, False) == ALONE
+    judge.ASKED[0] = 0
+    assert worker.ended(signal.SIGSEGV, False) == FAULT
+
+
+def test_a_header_within_a_header_is_read_from_below_the_last(tmp_path):
+    (sample,) = opensim_samples()
+    path = tmp_path / "leg.mot"
+    path.write_bytes(sample.content.split(b"0.00000000", 1)[0] + b"0.001\n" + sample.content)
+    found = below_header(path, sample)
+    assert found["time_s"].tolist() == TIME.tolist()
+    assert alike(read_own(path).rows, found)

@@ -12,9 +12,9 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from .here import in_this_process
-from .judge import CLASSES, ENDED, FAULT, HANG, Verdict, format_of, judged, original
+from .judge import ALONE, ASKED, CLASSES, ENDED, FAULT, HANG, Verdict, format_of, judged, original
 
-LETTERS = "rtspeWFH"  # of the classes, in their order
+LETTERS = "rtspaeWFH"  # of the classes, in their order
 MEMORY = 3 << 30  # bytes
 SECONDS = 2.0  # of the processor for one mutant: a hundred times what a file of a few kB takes
 QUICK = "/dev/shm" if Path("/dev/shm").is_dir() else None  # a folder in memory
@@ -48,7 +48,7 @@ def work(name: str, seed: int, begin: int, until: list[float], letters: str) -> 
             file.seek(0, os.SEEK_END)
             if status:
                 file.write(letter(ended(status, bool(mark[0]))))
-                mark[0] = 0
+                mark[0] = ASKED[0] = 0
     os._exit(0)  # a library may fail once more as it is freed
 
 
@@ -71,6 +71,8 @@ def ended(status: int, in_library: bool) -> str:
     """What to think of a mutant over which the process ended."""
     if in_library:
         return ENDED
+    if ASKED[0]:
+        return ALONE
     late = os.WIFSIGNALED(status) and os.WTERMSIG(status) in (signal.SIGPROF, signal.SIGKILL)
     return HANG if late else FAULT
 

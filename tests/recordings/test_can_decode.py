@@ -190,3 +190,43 @@ def test_a_cycle_time_that_is_none_is_refused(cycle):
 def test_an_offset_that_no_number_holds_is_refused():
     with pytest.raises(DbcError, match=r"Knee\.S has a factor or an offset that no number"):
         plan_signal("Knee", signal_at(0, 8, "little_endian", False, 1, 10**400))
+
+
+def test_a_factor_of_nothing_is_refused():
+    with pytest.raises(DbcError, match=r"Knee\.S has the factor 0"):
+        plan_signal("Knee", signal_at(0, 8, "little_endian", False, 0, 0))
+
+
+def test_a_byte_order_that_is_none_is_refused(tmp_path):
+    """cantools takes it for little-endian."""
+    path = tmp_path / "leg.dbc"
+    lines = 'BO_ 1 Knee: 8 Vector__XXX\n SG_ Angle : 7|16@{}- (1,0) [0|0] "deg" Vector__XXX\n'
+    path.write_text(lines.format(0))
+    assert len(read_dbc(path)) == 1
+    path.write_text(lines.format(2))
+    with pytest.raises(DbcError, match=r"leg\.dbc gives Angle a byte order that is neither"):
+        read_dbc(path)
+
+
+def test_a_file_that_ends_within_a_signal_is_refused(tmp_path):
+    """cantools leaves the signal out."""
+    path = tmp_path / "leg.dbc"
+    line = 'BO_ 1 Knee: 8 Knee\n SG_ Angle : 0|16@1- (1,0) [0|0] "deg"'
+    other = 'BO_ 2 Hip: 8 Hip\n SG_ Angle : 0|16@1- (1,0) [0|0] "deg" Hip\n'
+    path.write_text(other + line + " Knee")
+    assert [each.name for message in read_dbc(path) for each in message.signals] == ["Angle"] * 2
+    path.write_text(other + line)
+    with pytest.raises(DbcError, match=r"leg\.dbc ends within the line of Angle"):
+        read_dbc(path)
+
+
+def test_a_signal_of_one_page_in_a_message_without_pages_is_refused(tmp_path):
+    """cantools takes it for a signal of every frame."""
+    path = tmp_path / "leg.dbc"
+    lines = ['BO_ 1 Knee: 8 Knee\n SG_ Angle m1 : 0|16@1- (1,0) [0|0] "deg" Knee\n',
+             ' SG_ Page M : 16|8@1+ (1,0) [0|0] "" Knee\n']  # fmt: skip
+    path.write_text("".join(lines))
+    assert len(read_dbc(path)[0].signals) == 2
+    path.write_text(lines[0] + "\nBO_ 2 Hip: 8 Hip\n" + lines[1])
+    with pytest.raises(DbcError, match=r"Angle in a page of a message without pages"):
+        read_dbc(path)

@@ -96,3 +96,56 @@ def test_a_channel_that_lies_outside_of_its_record_is_told(tmp_path):
     struct.pack_into("<L", content, at + 24 + 8 * links + 4, 60_000)  # its place in a record
     path.write_bytes(content)
     assert "lies outside of its records" in str(read_frames(path)["stopped"])
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "why"),
+    [
+        (b"CAN_ErrorFrame\0", b"CAN_ErrorFrale\0", "has a channel without its name"),
+        (b"CAN_DataFrame.IDE\0", bytes(18), "has a channel without its name"),
+        (b"\6\0.\0", b"\0\0.\0", "is not marked as one"),  # flags of a group, and a path's "."
+    ],
+)
+def test_a_group_of_frames_that_is_no_longer_known_as_one_is_told(tmp_path, old, new, why):
+    path = tmp_path / "leg.mf4"
+    odd = can.Message(timestamp=EPOCH + 9, is_error_frame=True)
+    content = write_log(path, [*Node().messages(20), odd]).read_bytes()
+    assert content.count(old) == (1 if old[0] == ord("C") else 3)
+    path.write_bytes(content.replace(old, new))
+    assert why in str(read_frames(path)["stopped"])
+
+
+def test_frames_without_times_are_told(tmp_path):
+    """asammdf numbers them instead."""
+    path = write_log(tmp_path / "leg.mf4", Node().messages(20))
+    content = bytearray(path.read_bytes())
+    at = content.index(b"##CN")  # of the time
+    links = struct.unpack_from("<Q", content, at + 16)[0]
+    assert content[at + 24 + 8 * links] == 2  # its kind: a master
+    content[at + 24 + 8 * links] = 0
+    path.write_bytes(content)
+    assert "has no times" in str(read_frames(path)["stopped"])
+
+
+def test_an_identifier_that_is_no_integer_is_told(tmp_path):
+    """asammdf makes a number of whatever its bytes are said to be."""
+    path = write_log(tmp_path / "leg.mf4", Node().messages(20))
+    content = bytearray(path.read_bytes())
+    name = content.index(b"CAN_DataFrame.ID\0") - 24  # its block, to which its channel links
+    at = content.index(struct.pack("<Q", name)) - 40  # the third of the channel's links
+    links = struct.unpack_from("<Q", content, at + 16)[0]
+    assert content[at : at + 4] == b"##CN"
+    content[at + 24 + 8 * links + 2] = 13  # a date
+    path.write_bytes(content)
+    assert "is no integer" in str(read_frames(path)["stopped"])
+
+
+def test_a_channel_that_begins_beyond_the_bits_of_its_byte_is_told(tmp_path):
+    path = write_log(tmp_path / "leg.mf4", Node().messages(20))
+    content = bytearray(path.read_bytes())
+    name = content.index(b"CAN_DataFrame.ID\0") - 24
+    at = content.index(struct.pack("<Q", name)) - 40
+    links = struct.unpack_from("<Q", content, at + 16)[0]
+    content[at + 24 + 8 * links + 3] = 13  # the bit of its first byte
+    path.write_bytes(content)
+    assert "lies outside" in str(read_frames(path)["stopped"])

@@ -23,6 +23,15 @@ SIGNAL = re.compile(
     rf"SG_ +(\w+){GAP}:{GAP}(\d+)\|(\d+)@1([+-]){GAP}\(([^,]+),([^)]+)\){GAP}"
     rf'\[[^]]*\]{GAP}"([^"]*)"'
 )
+# cantools takes any order but 0 for little-endian.
+ODD_ORDER = re.compile(
+    rb"^[ \t]*SG_[ \t]+(\w+)[^\n\"]*?:[^\n\"@]*@[ \t]*(?![01][ \t]*[+-])", re.MULTILINE
+)
+# And leaves a signal out where the file ends before its receivers.
+LAST = re.compile(rb'^[ \t]*SG_[ \t]+(\w+)(?![^\n]*"[^"\n]*"[ \t]*\w)[^\n]*\s*\Z', re.MULTILINE)
+BEGIN = re.compile(rb"^[ \t]*BO_[ \t]", re.MULTILINE)
+PAGED = re.compile(rb"^[ \t]*SG_[ \t]+(\w+)[ \t]+m\d+M?[ \t]*:", re.MULTILINE)
+PAGES = re.compile(rb"^[ \t]*SG_[ \t]+\w+[ \t]+(?:m\d+)?M[ \t]*:", re.MULTILINE)
 STRIDE = re.compile(rf'^{GAP}BA_ +"NodeStride" +(\d+){GAP};', re.MULTILINE)
 PERIOD = re.compile(rf'^{GAP}BA_ +"GenMsgCycleTime" +BO_ +(\d+) +(\d+){GAP};', re.MULTILINE)
 
@@ -82,7 +91,7 @@ def little_endian_signal(name, start, length, sign, scale, offset, unit) -> Sign
 def read_dbc(path: Path) -> list:
     """The messages of a DBC file, as cantools has them.
 
-    **Raises** `DbcError` when cantools cannot read the file.
+    **Raises** `DbcError` when cantools cannot read the file, or reads a damaged line of it.
     """
     from cantools.database.can import Database
 
@@ -99,7 +108,28 @@ def read_dbc(path: Path) -> list:
         raise DbcError(
             f"{path} is not a DBC file that cantools can read: {plain(str(fault))}"
         ) from fault
+    check_lines(path)
     return list(database.messages)
+
+
+def check_lines(path: Path) -> None:
+    """Refuse damage that cantools reads past."""
+    content = path.read_bytes()
+    odd, last = ODD_ORDER.search(content), LAST.search(content)
+    if odd is not None:
+        raise DbcError(
+            f"{path} gives {odd[1].decode()} a byte order that is neither 0 nor 1. Is the line "
+            "damaged?"
+        )
+    if last is not None:
+        raise DbcError(f"{path} ends within the line of {last[1].decode()}. Copy it again.")
+    for message in BEGIN.split(content):
+        paged = PAGED.search(message)
+        if paged is not None and not PAGES.search(message):
+            raise DbcError(
+                f"{path} has {paged[1].decode()} in a page of a message without pages. Is a line "
+                "missing?"
+            )
 
 
 def plan_message(message, names: tuple[str, ...] | None = None) -> MessagePlan:
@@ -135,6 +165,8 @@ def plan_signal(message: str, signal) -> SignalPlan:
         raise DbcError(f"{where} is multiplexed, which is not supported. Send it in its own frame.")
     if signal.is_float and signal.length not in FLOAT_LENGTHS:
         raise DbcError(f"{where} is a float of {signal.length} bits; it can be 16, 32 or 64.")
+    if not signal.conversion.scale:
+        raise DbcError(f"{where} has the factor 0, which leaves nothing of it.")
     big_endian = signal.byte_order == "big_endian"
     # A DBC names a big-endian signal by its most significant bit and numbers the bits of each byte
     # from the least significant one.

@@ -4,6 +4,8 @@ Columns are LABEL.X, LABEL.Y, LABEL.Z of every point and LABEL of every analog c
 the rate of the points, or at that of the analog channels where the angle is one of these.
 """
 
+import math
+import os
 from collections.abc import Collection, Mapping
 from pathlib import Path
 from typing import Any
@@ -11,10 +13,12 @@ from typing import Any
 import numpy as np
 
 from exoid.files.foreign import Arrays, read_apart
+from exoid.recordings.formats.c3d_header import BLOCK, differences, header_of
 from exoid.recordings.tables.names import recognised
 from exoid.recordings.tables.sheet import Column, Place, Sheet, listed, printable
 
 AXES = "XYZ"
+FRONT = 256 * BLOCK  # bytes, within which the parameters begin
 LABELS = ("LABELS", "LABELS2", "LABELS3", "LABELS4")
 
 
@@ -32,7 +36,7 @@ def read_c3d(path: Path, wanted: Collection[str] = ()) -> Sheet:
     columns, rate = (analogs, analog_rate or point_rate) if fast else (points, point_rate)
     if not fast and analogs:
         columns = points + thinned(analogs, len(points[0].cells))
-    sheet = Sheet(tuple(columns), Place("frame"), rate=rate or None)
+    sheet = Sheet(tuple(columns), Place("frame"), rate=rate or None, notes=notes_of(content))
     if not wanted and not recognised(sheet.columns, "angle"):
         raise ValueError(told(points, analogs))
     return sheet
@@ -44,8 +48,9 @@ def channels(path: Path) -> Arrays:
 
     content = ezc3d.c3d(str(path))
     point, analog = (content["parameters"].get(group, {}) for group in ("POINT", "ANALOG"))
+    points = np.asarray(content["data"]["points"][:3], np.float64)
     return {
-        "points": np.asarray(content["data"]["points"][:3], np.float64),
+        "points": points,
         "analogs": np.asarray(content["data"]["analogs"][0], np.float64),
         "rates": np.array([first(point, "RATE", 0.0), first(analog, "RATE", 0.0)], np.float64),
         "point_labels": np.array([each for name in LABELS for each in held(point, name)], str),
@@ -53,7 +58,32 @@ def channels(path: Path) -> Arrays:
         "angles": np.array(held(point, "ANGLES"), str),
         "point_units": np.array([first(point, "UNITS", ""), first(point, "ANGLE_UNITS", "deg")]),
         "analog_units": np.array(held(analog, "UNITS"), str),
+        "differences": np.array(differences_in(path, point, analog, points.shape[2]), str),
     }
+
+
+def differences_in(
+    path: Path, point: Mapping[str, Any], analog: Mapping[str, Any], frames: int
+) -> list[str]:
+    """What the file says of itself in two ways."""
+    per_frame = first(analog, "RATE", 0.0) / (first(point, "RATE", 0.0) or math.nan)
+    used = first(analog, "USED", 0)
+    told = {
+        "points": first(point, "USED", 0),
+        "analogs": used * per_frame if used else 0,
+        "start": first(point, "DATA_START", math.nan),
+        "rate": first(point, "RATE", math.nan),
+        "scale": first(point, "SCALE", math.nan),
+        "frames": first(point, "FRAMES", math.nan),
+    }
+    with path.open("rb") as file:
+        header, size = header_of(file.read(FRONT)), os.fstat(file.fileno()).st_size
+    return [*differences(header, told, frames, size)]
+
+
+def notes_of(content: Arrays) -> tuple[str, ...]:
+    said = content["differences"].tolist()
+    return tuple(f"{each} Is the file damaged? Export it again." for each in said[:1])
 
 
 def held(group: Mapping[str, Any], name: str) -> list[Any]:

@@ -1,10 +1,13 @@
 """Excel's .xlsx, by openpyxl: of its sheets, the first that holds samples."""
 
 import json
+import re
 from dataclasses import replace
 from datetime import date, datetime, time, timedelta
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
+from zipfile import ZipFile
 
 import numpy as np
 
@@ -13,6 +16,9 @@ from exoid.recordings.tables.dialect import value_of
 from exoid.recordings.tables.layout import Cell, Row, is_number, sheet_of_rows
 from exoid.recordings.tables.sheet import Place, Sheet, printable
 
+KIND = re.compile(rb"""<(?:\w+:)?c\b[^>]*?\st=["']([^"']*)["']""")
+ROW = re.compile(rb"""<(?:\w+:)?row\b[^>]*?\sr=["'](\d{1,9})["']""")
+KINDS = {b"n", b"s", b"str", b"inlineStr", b"b", b"e", b"d"}
 DECIMALS = (".", ",")  # of numbers that are kept as text
 
 
@@ -37,15 +43,30 @@ def content(path: Path) -> Arrays:
     """
     import openpyxl
 
+    check_sheets(path)
     book = openpyxl.load_workbook(path, read_only=True, data_only=True)
     names = [sheet.title for sheet in book.worksheets]
     found: dict[str, Any] = {"names": names, "taken": None, "rows": []}
     for taken, sheet in enumerate(book.worksheets):
+        sheet.reset_dimensions()  # a size that the file announces would cut it
         rows = [[*map(cell_of, cells)] for cells in sheet.iter_rows(values_only=True)]
         if sum(any(map(is_number, row)) for row in rows) > 1:
             found |= {"taken": taken, "rows": rows}
             break
     return {"book": np.frombuffer(json.dumps(found).encode(), np.uint8)}
+
+
+def check_sheets(path: Path) -> None:
+    """Refuse what no program writes and openpyxl leaves out: cells of other kinds, a row twice."""
+    with ZipFile(path) as archive:
+        for name in archive.namelist():
+            if name.startswith("xl/worksheets/") and name.endswith(".xml"):
+                text = archive.read(name)
+                odd = {*KIND.findall(text)} - KINDS
+                if odd:
+                    raise ValueError(f"a cell has the unknown kind {min(odd)[:20]!r}")
+                if any(next_one <= one for one, next_one in pairwise(map(int, ROW.findall(text)))):
+                    raise ValueError("its rows are not in their order")
 
 
 def cell_of(cell: Any) -> Cell:

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from exoid.files.foreign import Arrays, read_apart
+from exoid.recordings.formats.matlab_parts import check_parts
 from exoid.recordings.formats.packed import packed, unpacked
 from exoid.recordings.tables.arrays import flattened, sheet_of_arrays
 from exoid.recordings.tables.sheet import Place, Sheet
@@ -46,6 +47,7 @@ def variables(path: Path) -> Arrays:
             return packed(dict(held(content, "", 0)))
     import scipy.io
 
+    check_parts(path.read_bytes())
     return packed(dict(flattened(scipy.io.loadmat(str(path), simplify_cells=True))))
 
 
@@ -54,14 +56,17 @@ def held(group: Any, prefix: str, depth: int) -> Iterator[tuple[str, Any]]:
     import h5py
 
     for name in group:
-        item = group.get(name)
-        if name == "#refs#":
-            continue
+        link = group.get(name, getlink=True)
+        if name == "#refs#" or isinstance(link, h5py.SoftLink | h5py.ExternalLink):
+            continue  # MATLAB's own, or elsewhere
+        item = group[name]  # `get` would say nothing of one that is damaged
         if isinstance(item, h5py.Group):
             yield f"{prefix}{name}", np.empty(0)
             if depth < DEEPEST:
                 yield from held(item, f"{prefix}{name}.", depth + 1)
         elif isinstance(item, h5py.Dataset):
             words = item.attrs.get("MATLAB_class", b"") in (b"char", "char")
+            if item.dtype.kind == "f" and item.id.get_type() != h5py.h5t.py_create(item.dtype):
+                raise ValueError("its numbers are not written as MATLAB writes them")
             empty = words or item.attrs.get("MATLAB_empty", 0) or item.dtype.kind == "O"
             yield f"{prefix}{name}", np.empty(0) if empty else np.asarray(item[()]).T

@@ -47,7 +47,14 @@ def as_array(column: Any) -> np.ndarray:
         return np.asarray(numbers, np.float64)
     if types.is_duration(kind):
         return column.to_numpy(zero_copy_only=False)
-    return np.array(["" if each is None else str(each) for each in column.to_pylist()], str)
+    return np.array([word_of(each) for each in column.to_pylist()], str)
+
+
+def word_of(cell: Any) -> str:
+    """Empty where there is none; bytes are text that was not declared as such."""
+    if isinstance(cell, bytes):
+        return cell.decode("utf-8", errors="replace")
+    return "" if cell is None else str(cell)
 
 
 def as_parquet(columns: Mapping[str, Any]) -> bytes:

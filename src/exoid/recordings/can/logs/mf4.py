@@ -11,11 +11,14 @@ from exoid.files.library_faults import is_ours, plain
 from exoid.recordings.can.frames import ERROR, EXTENDED, FD, REMOTE, Frames
 
 KINDS = {"CAN_DataFrame": 0, "CAN_ErrorFrame": ERROR, "CAN_RemoteFrame": REMOTE}
+OTHERS = {"CAN_OverloadFrame"}  # what else a bus says, and no log is read for
 NEEDED = {
     "CAN_DataFrame": ("ID", "DataLength", "DataBytes"),
     "CAN_RemoteFrame": ("ID",),
     "CAN_ErrorFrame": (),
 }  # without which a record is no frame
+INTEGERS = (".ID", ".IDE", ".DataLength", ".EDL")
+LAST_INTEGER = 3  # of MDF's types of data: unsigned and signed, of either byte order
 CHUNK = 100_000  # frames; more at once take longer, and as much more memory
 IDENTIFIER = 0x1FFFFFFF  # the bits that an id may have
 KEPT = 8  # bytes of a frame, as of the other formats
@@ -49,6 +52,10 @@ def parts_of(path: Path) -> Iterator[tuple[Frames, np.ndarray]]:
         size = group.channel_group.samples_byte_nr
         if kind and any(is_outside(each, size) for each in group.channels):
             raise ValueError("a channel of the file lies outside of its records")
+        if kind and any(map(is_no_integer, group.channels)):
+            raise ValueError("a channel of the file is no integer, as it should be")
+        if kind and number not in file.masters_db:
+            raise ValueError("a group of CAN frames has no times")  # asammdf would count them
         latest, announced = -np.inf, group.channel_group.cycles_nr if kind else 0
         for at in range(0, announced, CHUNK):
             found = file.get(kind, number, raw=False, record_offset=at, record_count=CHUNK)
@@ -61,20 +68,33 @@ def parts_of(path: Path) -> Iterator[tuple[Frames, np.ndarray]]:
 
 
 def is_outside(channel: Any, size: int) -> bool:
-    """Would asammdf read a channel from beyond its record [bytes], where anything may stand?"""
-    return 8 * channel.byte_offset + channel.bit_offset + channel.bit_count > 8 * size
+    """Would asammdf read a channel from beyond its byte, or its record [bytes]?"""
+    end = 8 * channel.byte_offset + channel.bit_offset + channel.bit_count
+    return channel.bit_offset >= 8 or end > 8 * size
+
+
+def is_no_integer(channel: Any) -> bool:
+    """Would asammdf make a number of what is said to be text or a date?"""
+    return channel.name.endswith(INTEGERS) and channel.data_type > LAST_INTEGER
 
 
 def kind_of(group: Any) -> str:
-    """The channel of a group that holds CAN frames, or nothing."""
+    """The channel of a group that holds CAN frames, or nothing.
+
+    **Raises** `ValueError` where a group half looks like one: its frames would be missed.
+    """
     from asammdf import Source
     from asammdf.blocks.v4_constants import FLAG_CG_BUS_EVENT
 
     source, events = group.channel_group.acq_source, group.channel_group.flags & FLAG_CG_BUS_EVENT
-    if not events or source is None or source.bus_type != Source.BUS_TYPE_CAN:
-        return ""
     names = {each.name for each in group.channels}
-    return next((each for each in KINDS if each in names), "")
+    kind = next((each for each in KINDS if each in names), "")
+    on_can = events and source is not None and source.bus_type == Source.BUS_TYPE_CAN
+    if on_can and ("" in names or not (kind or names & OTHERS)):
+        raise ValueError("a group of CAN frames has a channel without its name")
+    if kind and not on_can:
+        raise ValueError("a group of CAN frames is not marked as one")
+    return kind
 
 
 def frames_of(time: np.ndarray, kind: str, samples: np.ndarray) -> Frames:
