@@ -23,6 +23,10 @@ SIGNAL = re.compile(
     rf"SG_ +(\w+){GAP}:{GAP}(\d+)\|(\d+)@1([+-]){GAP}\(([^,]+),([^)]+)\){GAP}"
     rf'\[[^]]*\]{GAP}"([^"]*)"'
 )
+# cantools makes a mask of all bits of a message. J1939 has the longest, of 1785 bytes.
+HUGE = re.compile(
+    rb"^[ \t]*(?:BO_[ \t]+\d+|SG_)[ \t]+(\w+)[^\n:]*:[ \t]*(?:\d{1,6}\|)?0*[1-9]\d{4}", re.MULTILINE
+)
 # cantools takes any order but 0 for little-endian.
 ODD_ORDER = re.compile(
     rb"^[ \t]*SG_[ \t]+(\w+)[^\n\"]*?:[^\n\"@]*@[ \t]*(?![01][ \t]*[+-])", re.MULTILINE
@@ -93,6 +97,9 @@ def read_dbc(path: Path) -> list:
 
     **Raises** `DbcError` when cantools cannot read the file, or reads a damaged line of it.
     """
+    huge = HUGE.search(path.read_bytes())
+    if huge is not None:
+        raise DbcError(f"{path} says of {huge[1].decode()} a size that no message has.")
     from cantools.database.can import Database
 
     try:
