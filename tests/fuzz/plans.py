@@ -15,6 +15,7 @@ from exoid.recordings.can.decode import WORD, MessagePlan, SignalPlan
 
 from .reading import Rows, Sample, Unread
 
+TWO_IN_A_LINE = re.compile(rb"^[ \t]*SG_[^\n]*[ \t]SG_[ \t]", re.MULTILINE)
 NO_FLOAT = re.compile(rb"^SIG_VALTYPE_ [^\n]*:(?!\s*[12]\s*;)", re.MULTILINE)
 
 
@@ -22,6 +23,8 @@ def plans_by_canmatrix(path: Path, _sample: Sample) -> Rows:
     """The decode plan of every message that can have one."""
     import canmatrix.formats.dbc
 
+    if TWO_IN_A_LINE.search(path.read_bytes()):
+        raise Unread("canmatrix reads one signal of a line")
     if NO_FLOAT.search(path.read_bytes()):
         raise Unread("canmatrix takes any SIG_VALTYPE_ for that of a float")
     with path.open("rb") as file, redirect_stdout(StringIO()) as said:

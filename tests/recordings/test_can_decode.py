@@ -230,3 +230,17 @@ def test_a_signal_of_one_page_in_a_message_without_pages_is_refused(tmp_path):
     path.write_text(lines[0] + "\nBO_ 2 Hip: 8 Hip\n" + lines[1])
     with pytest.raises(DbcError, match=r"Angle in a page of a message without pages"):
         read_dbc(path)
+
+
+@pytest.mark.parametrize(
+    ("size", "start", "length"), [(81807770, 0, 16), (8, 81807770, 16), (8, 0, 81807770)]
+)
+def test_a_size_that_no_message_has_is_refused_at_once(tmp_path, size, start, length):
+    """cantools makes a mask of as many bits, which takes seconds and GB."""
+    path = tmp_path / "leg.dbc"
+    line = f'BO_ 1 Knee: {size} Knee\n SG_ Angle : {start}|{length}@1- (1,0) [0|0] "deg" Knee\n'
+    path.write_text(line)
+    begin = perf_counter()
+    with pytest.raises(DbcError, match=r"leg\.dbc says of \w+ a size that no message has"):
+        read_dbc(path)
+    assert perf_counter() - begin < 2  # it takes a millisecond, and its library a second to load

@@ -9,6 +9,7 @@ from functools import cache
 from pathlib import Path
 
 from exoid.files.library_faults import plain, quiet
+from exoid.recordings.can.dbc_lines import fault_of
 from exoid.recordings.can.decode import WORD, MessagePlan, SignalPlan
 
 EXOID_DBC = Path(__file__).with_name("exoid.dbc")
@@ -23,15 +24,6 @@ SIGNAL = re.compile(
     rf"SG_ +(\w+){GAP}:{GAP}(\d+)\|(\d+)@1([+-]){GAP}\(([^,]+),([^)]+)\){GAP}"
     rf'\[[^]]*\]{GAP}"([^"]*)"'
 )
-# cantools takes any order but 0 for little-endian.
-ODD_ORDER = re.compile(
-    rb"^[ \t]*SG_[ \t]+(\w+)[^\n\"]*?:[^\n\"@]*@[ \t]*(?![01][ \t]*[+-])", re.MULTILINE
-)
-# And leaves a signal out where the file ends before its receivers.
-LAST = re.compile(rb'^[ \t]*SG_[ \t]+(\w+)(?![^\n]*"[^"\n]*"[ \t]*\w)[^\n]*\s*\Z', re.MULTILINE)
-BEGIN = re.compile(rb"^[ \t]*BO_[ \t]", re.MULTILINE)
-PAGED = re.compile(rb"^[ \t]*SG_[ \t]+(\w+)[ \t]+m\d+M?[ \t]*:", re.MULTILINE)
-PAGES = re.compile(rb"^[ \t]*SG_[ \t]+\w+[ \t]+(?:m\d+)?M[ \t]*:", re.MULTILINE)
 STRIDE = re.compile(rf'^{GAP}BA_ +"NodeStride" +(\d+){GAP};', re.MULTILINE)
 PERIOD = re.compile(rf'^{GAP}BA_ +"GenMsgCycleTime" +BO_ +(\d+) +(\d+){GAP};', re.MULTILINE)
 
@@ -93,6 +85,9 @@ def read_dbc(path: Path) -> list:
 
     **Raises** `DbcError` when cantools cannot read the file, or reads a damaged line of it.
     """
+    fault = fault_of(path.read_bytes())
+    if fault is not None:
+        raise DbcError(f"{path} {fault}")
     from cantools.database.can import Database
 
     try:
@@ -108,28 +103,7 @@ def read_dbc(path: Path) -> list:
         raise DbcError(
             f"{path} is not a DBC file that cantools can read: {plain(str(fault))}"
         ) from fault
-    check_lines(path)
     return list(database.messages)
-
-
-def check_lines(path: Path) -> None:
-    """Refuse damage that cantools reads past."""
-    content = path.read_bytes()
-    odd, last = ODD_ORDER.search(content), LAST.search(content)
-    if odd is not None:
-        raise DbcError(
-            f"{path} gives {odd[1].decode()} a byte order that is neither 0 nor 1. Is the line "
-            "damaged?"
-        )
-    if last is not None:
-        raise DbcError(f"{path} ends within the line of {last[1].decode()}. Copy it again.")
-    for message in BEGIN.split(content):
-        paged = PAGED.search(message)
-        if paged is not None and not PAGES.search(message):
-            raise DbcError(
-                f"{path} has {paged[1].decode()} in a page of a message without pages. Is a line "
-                "missing?"
-            )
 
 
 def plan_message(message, names: tuple[str, ...] | None = None) -> MessagePlan:
