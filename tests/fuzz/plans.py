@@ -16,6 +16,7 @@ from exoid.recordings.can.decode import WORD, MessagePlan, SignalPlan
 from .reading import Rows, Sample, Unread
 
 TWO_IN_A_LINE = re.compile(rb"^[ \t]*SG_[^\n]*[ \t]SG_[ \t]", re.MULTILINE)
+DEFINED = re.compile(rb'^BA_DEF_ +BO_ +"GenMsgCycleTime" .*^BA_DEF_DEF_', re.MULTILINE | re.DOTALL)
 NO_FLOAT = re.compile(rb"^SIG_VALTYPE_ [^\n]*:(?!\s*[12]\s*;)", re.MULTILINE)
 
 
@@ -23,9 +24,12 @@ def plans_by_canmatrix(path: Path, _sample: Sample) -> Rows:
     """The decode plan of every message that can have one."""
     import canmatrix.formats.dbc
 
-    if TWO_IN_A_LINE.search(path.read_bytes()):
+    content = path.read_bytes()
+    if TWO_IN_A_LINE.search(content):
         raise Unread("canmatrix reads one signal of a line")
-    if NO_FLOAT.search(path.read_bytes()):
+    if b"BA_DEF_DEF_" in content and not DEFINED.search(content):
+        raise Unread("canmatrix has no default of what is not defined above it")
+    if NO_FLOAT.search(content):
         raise Unread("canmatrix takes any SIG_VALTYPE_ for that of a float")
     with path.open("rb") as file, redirect_stdout(StringIO()) as said:
         matrix = canmatrix.formats.dbc.load(file, dbcImportEncoding="cp1252")
@@ -79,7 +83,7 @@ def signal_of(signal: Any) -> SignalPlan | None:
         signed=bool(signal.is_signed),
         floating=floating,
         scale=float(signal.factor),
-        offset=float(signal.offset),
+        offset=float(signal.offset) + 0.0,
         unit=(signal.unit or "").replace("\r", "\n"),
     )
 
