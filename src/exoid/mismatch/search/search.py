@@ -24,7 +24,7 @@ from exoid.mismatch.search.found import Found, best_of
 from exoid.mismatch.search.likely import likeliest, ordered, shortlist, smeared
 from exoid.mismatch.search.race import raced, simulated
 from exoid.mismatch.search.rank import by_evidence
-from exoid.mismatch.search.several import several, with_one_more
+from exoid.mismatch.search.several import beside, more_than, several
 from exoid.mismatch.search.variants import (
     applies,
     nested,
@@ -74,19 +74,24 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
     singles = by_evidence([*singles, *alone], base, measure)
     found = Found(prepared, base, begin, singles, sensors, ranked, failed, measure)
     found = with_strikes(found, starts, told)
-    return with_sets(found, usable, told) if lacks_more(found, usable) else found
+    seconds = with_second(found, usable, told)
+    return with_sets(found, usable, seconds, told) if seconds else found
 
 
-def lacks_more(found: Found, usable: list[type[Term]]) -> bool:
-    """Can a second cause explain what the best one leaves? Where that is little, it must be clear
-    at first sight.
+def with_second(found: Found, usable: list[type[Term]], told: Told) -> list[Optimum]:
+    """Pairs along the motion, the best first; none where the best single cause is enough. Where it
+    leaves hardly more than noise, a second one beside it must be clear at first sight.
     """
     prepared, best = found.prepared, least(found.base, *found.singles)
     if best.square > FLOOR * prepared.samples:
-        return True
+        told("testing pairs")
+        seconds = pairs(prepared, found.pinned, found.singles)
+        return ordered(best_of(settle(prepared, seconds, rounds=PAIR_ROUNDS)))
     if enough(prepared, best.square) or best.candidate.terms == prepared.common:
-        return False
-    return bool(with_one_more(prepared, usable, best))
+        return []
+    told("testing a second cause")
+    wider = beside(prepared, usable, best.candidate)
+    return wider if more_than(prepared, best, wider) else []
 
 
 def truer_baseline(prepared: PreparedRecording, base: Optimum, best: Optimum) -> Optimum | None:
@@ -97,18 +102,17 @@ def truer_baseline(prepared: PreparedRecording, base: Optimum, best: Optimum) ->
     return found if found.square < FALSE * base.square else None
 
 
-def with_sets(found: Found, usable: list[type[Term]], told: Told) -> Found:
-    """The same with pairs, with sets where no pair is enough, and with what remains of them where
-    one cause of them is all it takes.
+def with_sets(found: Found, usable: list[type[Term]], both: list[Optimum], told: Told) -> Found:
+    """The same with the best of these pairs, with sets where no pair is enough, and with what
+    remains of them where one cause of them is all it takes.
     """
     prepared, base = found.prepared, found.base
-    told("testing pairs")
-    seconds = pairs(prepared, found.pinned, found.singles)
-    both = ordered(best_of(settle(prepared, seconds, rounds=PAIR_ROUNDS)))
     told("simulating the best pairs")
     joint = [*led_free(prepared, likeliest(prepared, shortlist(both))), *found.pairs]
+    alone = least(base, *found.singles)
     for best in ordered(joint)[:1]:
-        if not enough(prepared, best.square):
+        clear = found.clear(alone, best) or best.square > FLOOR * prepared.samples
+        if clear and not enough(prepared, best.square):
             told("testing three causes and more")
             joint += several(prepared, usable, best)
             joint += nested(prepared, ordered(joint)[:1], usable)

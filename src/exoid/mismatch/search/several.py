@@ -60,18 +60,14 @@ def with_one_more(
     """The set with each of the causes that explain most beside those it has."""
     if len(best.candidate.terms) >= MOST + len(prepared.common):
         return []
-    wider = beside(prepared, usable, best.candidate)
-    seen = along_the_motion(prepared, best)
-    first = [one for one in wider if gains(prepared, best, one, seen)][:NEXT]
+    first = more_than(prepared, best, beside(prepared, usable, best.candidate))[:NEXT]
     return [one.candidate for one in likeliest(prepared, first)]
 
 
-def gains(prepared: PreparedRecording, best: Optimum, one: Optimum, seen: float) -> bool:
-    """Is it clear at first sight that a set explains more than the best, which leaves what is
-    `seen` there?
-    """
-    more = max(size(one) - size(best), 1)
-    return yardstick(prepared, best).clear(seen, one.square, more)
+def more_than(prepared: PreparedRecording, best: Optimum, wider: list[Optimum]) -> list[Optimum]:
+    """Those sets of which it is clear at first sight that they explain more than the best."""
+    measure, seen = yardstick(prepared, best), along_the_motion(prepared, best)
+    return [one for one in wider if measure.clear(seen, one.square, max(size(one) - size(best), 1))]
 
 
 def with_another(
