@@ -6,15 +6,17 @@ from exoid.mismatch.evidence.measure import yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import FLOOR, enough, given, settle
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
-from exoid.mismatch.search.found import best_of, size
-from exoid.mismatch.search.likely import REACH, likeliest, ordered
+from exoid.mismatch.search.found import size
+from exoid.mismatch.search.glance import beside_free, nearest
+from exoid.mismatch.search.likely import REACH, likeliest, ordered, smeared
 from exoid.mismatch.search.race import simulated
 from exoid.mismatch.search.variants import applies
-from exoid.physics.term import Term
+from exoid.physics.term import Term, busy
 
 MOST = 4  # causes of one recording
 OTHERS = 2  # causes that are tried in the place of one
 NEXT = 3  # further causes that run free beside those at hand
+NEAREST = 6  # further causes that are looked at beyond the first order
 ROUNDS = 6  # of pinned steps
 
 
@@ -60,8 +62,18 @@ def with_one_more(
     """The set with each of the causes that explain most beside those it has."""
     if len(best.candidate.terms) >= MOST + len(prepared.common):
         return []
+    if sticks(best.candidate):
+        measure = yardstick(prepared, best)
+        near = beside_free(prepared, usable, best)
+        more = [(left, one, one.unknowns.size - best.candidate.unknowns.size) for left, one in near]
+        return [one for left, one, n in more if measure.clear(best.square, left, n)][:NEXT]
     first = more_than(prepared, best, beside(prepared, usable, best.candidate))[:NEXT]
     return [one.candidate for one in likeliest(prepared, first)]
+
+
+def sticks(candidate: Hypothesis) -> bool:
+    """Is it smeared along a motion, and simulated soon enough?"""
+    return smeared(candidate) and not any(map(busy, candidate.terms))
 
 
 def more_than(prepared: PreparedRecording, best: Optimum, wider: list[Optimum]) -> list[Optimum]:
@@ -102,7 +114,7 @@ def instead(
 def beside(
     prepared: PreparedRecording, usable: list[type[Term]], known: Hypothesis
 ) -> list[Optimum]:
-    """All sets with one cause more, pinned, the best first."""
+    """The best sets with one cause more, pinned, the best first."""
     effect = given(prepared, known)
     starts = [
         known.with_term(term, value, effect)
@@ -110,9 +122,9 @@ def beside(
         for value in prepared.starts(term)
         if term not in known.terms
     ]
-    wider = best_of([one for one in settle(prepared, starts, rounds=ROUNDS) if one.sound])
-    first = sorted(wider, key=lambda one: one.square)
-    return [replace(one, candidate=replace(one.candidate, linear=None)) for one in first]
+    near = nearest(prepared, starts, NEAREST)
+    wider = ordered(settle(prepared, near, rounds=ROUNDS))
+    return [replace(one, candidate=replace(one.candidate, linear=None)) for one in wider]
 
 
 def with_one_less(candidate: Hypothesis, first: int) -> list[Hypothesis]:
