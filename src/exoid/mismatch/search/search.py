@@ -23,13 +23,13 @@ from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import Found, best_of
 from exoid.mismatch.search.glance import beside_free
 from exoid.mismatch.search.likely import likeliest, ordered, shortlist, smeared
+from exoid.mismatch.search.pairs import pairs
 from exoid.mismatch.search.race import raced, simulated
 from exoid.mismatch.search.rank import by_evidence
 from exoid.mismatch.search.several import several, sticks, with_one_more
 from exoid.mismatch.search.variants import (
     applies,
     nested,
-    pairs,
     reduced,
     suspected_sensors,
     twins,
