@@ -11,7 +11,7 @@ import jax
 import numpy as np
 
 from exoid.mismatch.screen.along_motion import ACT, EFFECT, asked, nothing, read
-from exoid.mismatch.screen.hypothesis import DAMPING, Effect, Hypothesis, Optimum
+from exoid.mismatch.screen.hypothesis import Effect, Hypothesis, Optimum
 from exoid.mismatch.screen.many_free import respond
 from exoid.mismatch.screen.many_pinned import with_columns
 from exoid.mismatch.screen.measured_motion import MeasuredMotion, rate
@@ -19,6 +19,7 @@ from exoid.mismatch.screen.optimise import bounded
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.physics.term import Term, busy
 
+DAMPED = 1e-6  # relative to the curvature: causes that are much alike are told apart all the same
 ROOM = 64  # columns of a program that serves any number of causes, or twice as many, and so on
 
 
@@ -110,6 +111,6 @@ def step(
     normal[range(usual.size), range(usual.size)] += usual**2
     gradient[: usual.size] += usual * unusual
     lower, upper = prepared.bounds(start)
-    change = bounded(normal, gradient, DAMPING, lower - at, upper - at)
+    change = bounded(normal, gradient, DAMPED, lower - at, upper - at)
     left = square + unusual @ unusual + 2 * gradient @ change + change @ normal @ change
     return float(left), start.at(at + change)

@@ -8,6 +8,7 @@ from exoid.mismatch.search.glance import nearest
 
 PAIRED = 3  # first terms of a pair
 SECONDS = 8  # second ones of each that are looked at beyond the first order
+PLAIN = 3  # the same of causes with one parameter
 
 
 def pairs(
@@ -39,4 +40,25 @@ def pairs(
             if second.candidate.terms[-1] not in done
         ]
         made += nearest(prepared, starts, SECONDS)
+    return made
+
+
+def plainer_pairs(
+    prepared: PreparedRecording, ranked: list[Optimum], best: Optimum
+) -> list[Hypothesis]:
+    """Pairs of causes with one parameter each, where the best single cause has more than two: what
+    one with many explains, two simple ones may explain as well.
+    """
+    if best.candidate.terms == prepared.common or best.candidate.values[-1].size <= 2:
+        return []
+    plain = [one for one in ranked if one.candidate.values[-1].size == 1]
+    made = []
+    for number, one in enumerate(plain[:PAIRED]):
+        (known,) = linear(prepared, [(one.candidate, one.motion)])
+        starts = [
+            one.candidate.with_term(second.candidate.terms[-1], value, known)
+            for second in plain[number + 1 :]
+            for value in prepared.starts(second.candidate.terms[-1])
+        ]
+        made += nearest(prepared, starts, PLAIN)
     return made

@@ -23,10 +23,10 @@ from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import Found, best_of
 from exoid.mismatch.search.glance import beside_free
 from exoid.mismatch.search.likely import likeliest, ordered, shortlist, smeared
-from exoid.mismatch.search.pairs import pairs
+from exoid.mismatch.search.pairs import pairs, plainer_pairs
 from exoid.mismatch.search.race import raced, simulated
 from exoid.mismatch.search.rank import by_evidence
-from exoid.mismatch.search.several import several, sticks, with_one_more
+from exoid.mismatch.search.several import as_good, several, sticks, with_one_more
 from exoid.mismatch.search.variants import (
     applies,
     nested,
@@ -83,9 +83,9 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
 def seconds(
     found: Found, usable: list[type[Term]], told: Told
 ) -> tuple[list[Optimum], list[Hypothesis]]:
-    """Pairs along the motion, the best first, and such as stick, to run free; none where the best
-    single cause is enough. Where it leaves hardly more than noise, a second one must be clear at
-    first sight.
+    """Pairs along the motion, the best first, and such as run free anyhow. Where the best single
+    cause is enough, only simple ones that explain as much; where it leaves hardly more than noise,
+    a second one must be clear at first sight.
     """
     prepared, best = found.prepared, least(found.base, *found.singles)
     if best.square > FLOOR * prepared.samples:
@@ -95,7 +95,11 @@ def seconds(
         stuck = [one for one in found.singles if sticks(one.candidate)][:STUCK]
         free = [beside_free(prepared, usable, one)[:STUCK] for one in stuck]
         return both, [one for each in free for _, one in each]
-    if enough(prepared, best.square) or best.candidate.terms == prepared.common:
+    if enough(prepared, best.square):
+        plain = settle(prepared, plainer_pairs(prepared, found.pinned, best), rounds=PAIR_ROUNDS)
+        near = ordered(as_good(prepared, best, plain))[:STUCK]
+        return [], [replace(one.candidate, linear=None) for one in near]
+    if best.candidate.terms == prepared.common:
         return [], []
     told("testing a second cause")
     return [], with_one_more(prepared, usable, best)

@@ -8,7 +8,7 @@ from exoid.mismatch.screen.optimise import FLOOR, enough, given, settle
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import size
 from exoid.mismatch.search.glance import beside_free, nearest
-from exoid.mismatch.search.likely import REACH, likeliest, ordered, smeared
+from exoid.mismatch.search.likely import REACH, WORSE, likeliest, ordered, smeared
 from exoid.mismatch.search.race import simulated
 from exoid.mismatch.search.variants import applies
 from exoid.physics.term import Term, busy
@@ -48,6 +48,14 @@ def without_one(prepared: PreparedRecording, best: Optimum) -> list[Optimum]:
     most = REACH * along_the_motion(prepared, best)
     near = [one.candidate for one in seen if one.square < most]
     return simulated(prepared, near, best.square)
+
+
+def as_good(prepared: PreparedRecording, best: Optimum, some: list[Optimum]) -> list[Optimum]:
+    """Those that leave along the motion no more than the best does there, but for noise."""
+    if not some:
+        return []
+    most = along_the_motion(prepared, best) + WORSE * prepared.samples
+    return [one for one in some if one.square < most]
 
 
 def along_the_motion(prepared: PreparedRecording, best: Optimum) -> float:
