@@ -1,5 +1,7 @@
 """Candidates pinned to the data, and running free."""
 
+from dataclasses import replace
+
 import jax
 import jax.numpy as jnp
 import numpy as np
@@ -11,7 +13,7 @@ from exoid.mismatch import prepare as preparing
 from exoid.mismatch.conclude.false_alarm import above, gains, gumbel, turned_over
 from exoid.mismatch.prepare import prepare
 from exoid.mismatch.screen import many_pinned
-from exoid.mismatch.screen.along_motion import linear
+from exoid.mismatch.screen.along_motion import linear, nothing
 from exoid.mismatch.screen.hypothesis import Hypothesis
 from exoid.mismatch.screen.many_pinned import with_columns
 from exoid.mismatch.screen.optimise import polished, promising, settle, settle_free
@@ -180,9 +182,10 @@ def test_chance_gains_as_many_squares_as_a_cause_has_parameters(ready):
         weight = np.asarray(getattr(prepared.seen, name))
         noise[..., channel] *= np.where(weight > 0, 1 / np.where(weight > 0, weight, 1.0), 0.0)
     motion = prepared.measured_motion
-    (table,) = with_columns(prepared, [(each[0], motion)], noise)
+    shown = replace(nothing(prepared, len(noise)), shown=noise)
+    (table,) = with_columns(prepared, [(each[0], motion)], shown)
     size = each[0].unknowns.size
-    squares = np.diag(table)[size:]
+    squares = np.diag(table)[size:-1]
     assert np.mean(squares) == pytest.approx(prepared.samples, rel=0.01)
     # Chi square with one degree of freedom: a mean of 1, its deviation the root of 2 over 400.
     assert np.mean(gains(prepared, each[0], table)) == pytest.approx(1.0, abs=4 * np.sqrt(2 / 400))

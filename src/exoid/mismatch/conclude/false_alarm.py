@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from exoid.mismatch.evidence.measure import LONGEST_LAG
+from exoid.mismatch.screen.along_motion import nothing
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.many_pinned import with_columns
 from exoid.mismatch.screen.measured_motion import MeasuredMotion, rate
@@ -54,7 +55,7 @@ def by_chance(found: Found, best: Optimum, seed: int) -> Chance:
     columns = turned_over(prepared, best, np.random.default_rng(seed))
     simulated = MeasuredMotion(angle, velocity, rate(velocity, prepared.seen.time))
     each = [(replace(one.candidate, linear=None), simulated) for one in tested]
-    tables = with_columns(prepared, each, columns)
+    tables = with_columns(prepared, each, replace(nothing(prepared, DRAWS), shown=columns))
     beyond = [
         gains(prepared, one.candidate, table) / measure.scale - measure.least(size(one))
         for one, table in zip(tested, tables, strict=True)
@@ -88,7 +89,7 @@ def gains(prepared: PreparedRecording, one: Hypothesis, table: np.ndarray) -> np
     normal[range(leg), range(leg)] += prepared.usual**2
 
     def explained(count: int) -> np.ndarray:
-        slopes = table[:count, total:]
+        slopes = table[:count, total:-1]
         return np.sum(slopes * (inverse(normal[:count, :count]) @ slopes), axis=0)
 
     return explained(total) - explained(leg)

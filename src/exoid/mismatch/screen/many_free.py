@@ -1,21 +1,23 @@
 """Candidates running free, through the compiled program of their terms."""
 
 from dataclasses import replace
+from functools import partial
 
 import jax
 import numpy as np
 
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.solve.program_cache import called
-from exoid.mismatch.screen.hypothesis import Hypothesis, Products
+from exoid.mismatch.screen.hypothesis import Effect, Hypothesis, Products
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.screen.segment_groups import of, of_all_segments
 from exoid.physics.term import busy
 
 GROUP = 4  # segments of a program, so that one serves every recording
 LEAST = 1024  # samples of it, or twice as many, and so on
+HERE = "exoid.mismatch.screen.free_run"
 TABLE = np.zeros((1, 1, 1))
-RELEASED = jax.tree.structure((TABLE, TABLE))
+RELEASED, GRAM = jax.tree.structure((TABLE, TABLE)), jax.tree.structure(TABLE)
 
 
 def release(
@@ -24,19 +26,56 @@ def release(
     """The products of a candidate, and what it shows: (segment, time, channel)."""
     observation = prepared.seen if observation is None else observation
     size = observation.time.shape[1]
-    at = prepared.coordinates(candidate)
-    whole = (prolonged(observation, size), prepared.problem.known)
-    static = (candidate.terms, prepared.problem.chain)
-    together = 1 if any(map(busy, candidate.terms)) else GROUP
 
-    def group(values, segments: np.ndarray):
-        point = replace(at, own=of(segments, at.own))
-        seen, known = of(segments, whole)
-        arguments = (values, point, candidate.zero, seen, known, np.asarray(last_of(seen)))
-        return called("exoid.mismatch.screen.free_run:release", arguments, static, RELEASED)
+    def group(given, segments: np.ndarray):
+        arguments, static = given(segments)
+        return called(f"{HERE}:release", arguments, static, RELEASED)
 
-    ((gram, shown),) = of_all_segments(group, [candidate.values], prepared.segments, together)
+    given = partial(of_group, prepared, candidate, prolonged(observation, size))
+    ((gram, shown),) = of_all_segments(group, [given], prepared.segments, together(candidate))
     return prepared.products(candidate, gram), shown[:, :size]
+
+
+def respond(prepared: PreparedRecording, candidate: Hypothesis, beside: Effect) -> np.ndarray:
+    """(J, n, r)'(J, n, r) of a candidate, over all its unknowns, over what may act or be shown
+    `beside` its terms: (column, segment, time), and the residual.
+    """
+    seen = prolonged(prepared.seen, prepared.seen.time.shape[1])
+    room = seen.time.shape[1] - beside.shown.shape[2]
+
+    def longer(leaf: np.ndarray) -> np.ndarray:
+        return np.pad(leaf, [(0, 0), (0, 0), (0, room), *[(0, 0)] * (leaf.ndim - 3)])
+
+    beside = jax.tree.map(longer, beside)
+
+    def group(given, segments: np.ndarray):
+        arguments, static = given(segments)
+        return called(f"{HERE}:respond", (*arguments, of(segments, beside, 1)), static, GRAM)
+
+    given = partial(of_group, prepared, candidate, seen)
+    (grams,) = of_all_segments(group, [given], prepared.segments, together(candidate))
+    total = candidate.unknowns.size + beside.shown.shape[0] + 1
+    table = np.zeros((total, total))
+    for own, place in zip(grams, prepared.places, strict=True):
+        at = np.array([*place, *range(candidate.point.size, total)])
+        table[np.ix_(at, at)] += own
+    return table
+
+
+def of_group(
+    prepared: PreparedRecording, candidate: Hypothesis, seen: Observation, segments: np.ndarray
+) -> tuple[tuple, tuple]:
+    """The arguments of these segments' program, and what is a part of it."""
+    at = prepared.coordinates(candidate)
+    point = replace(at, own=of(segments, at.own))
+    own, known = of(segments, (seen, prepared.problem.known))
+    arguments = (candidate.values, point, candidate.zero, own, known, np.asarray(last_of(own)))
+    return arguments, (candidate.terms, prepared.problem.chain)
+
+
+def together(candidate: Hypothesis) -> int:
+    """How many segments of it a program runs at once."""
+    return 1 if any(map(busy, candidate.terms)) else GROUP
 
 
 def last_of(observation: Observation) -> int:

@@ -2,7 +2,6 @@
 
 from collections import defaultdict
 from collections.abc import Sequence
-from dataclasses import replace
 
 import jax
 import numpy as np
@@ -50,30 +49,33 @@ def folded(
 
 
 def with_columns(
-    prepared: PreparedRecording, tried: Sequence[Tried], columns: np.ndarray
+    prepared: PreparedRecording, tried: Sequence[Tried], beside: Effect, tether: float = 0.0
 ) -> list[np.ndarray]:
-    """(J, n)'(J, n) of each candidate along its motion, over all its unknowns and `columns` n of
-    what the sensors may show besides: (column, segment, time, channel) [rad, rad/s].
+    """(J, n, r)'(J, n, r) of each candidate along its motion, over all its unknowns, over what may
+    act or be shown `beside`: (column, segment, time), and the residual.
     """
-    size = columns.shape[0]
-    beside = replace(nothing(prepared, size), shown=columns)
+    size = beside.shown.shape[0]
 
     def whole(one: Hypothesis, gram: np.ndarray) -> np.ndarray:
         count, last = own_columns(prepared, one), gram.shape[-1] - 1
-        rows = [*range(count), *range(last - size, last)]
-        total = one.unknowns.size + size
+        rows = [*range(count), *range(last - size, last + 1)]
+        total = one.unknowns.size + size + 1
         table = np.zeros((total, total))
         for own, place in zip(gram, prepared.places, strict=True):
             at = np.array([*place, *range(one.point.size, total)])
             table[np.ix_(at, at)] += own[rows][:, rows]
         return table
 
-    grams = fold(prepared, tried, beside)
+    grams = fold(prepared, tried, beside, tether, min(AT_ONCE, len(tried)))
     return [whole(one, gram) for (one, _), gram in zip(tried, grams, strict=True)]
 
 
 def fold(
-    prepared: PreparedRecording, seen: Sequence[Tried], beside: Effect, tether: float = 0.0
+    prepared: PreparedRecording,
+    seen: Sequence[Tried],
+    beside: Effect,
+    tether: float = 0.0,
+    at_once: int = AT_ONCE,
 ) -> list[np.ndarray]:
     """(J, r)'(J, r) of every candidate and segment, with what else may act or be shown `beside`."""
     found = effects(prepared, seen)
@@ -81,9 +83,9 @@ def fold(
     for row, effect in enumerate(found):
         widths[room(effect.shown.shape[0] - 1)].append(row)
     batches = [
-        (width, filled(rows, AT_ONCE))
+        (width, filled(rows, at_once))
         for width, each in widths.items()
-        for rows in parts(each, AT_ONCE)
+        for rows in parts(each, at_once)
     ]
 
     def run(batch, segments: np.ndarray) -> np.ndarray:

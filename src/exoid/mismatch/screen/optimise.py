@@ -153,7 +153,7 @@ def descend(prepared, begin, evaluate, rounds, steady, rival=np.inf) -> list[Opt
     for done in range(max(rounds, default=0)):
         moving = [
             n
-            for n in (range(len(at)) if done < HEAT else leading(at))
+            for n in (range(len(at)) if done < HEAT else leading(at, squares))
             if done < rounds[n] and not at[n].resting and promising(squares[n], rival)
         ]
         if not moving:
@@ -167,14 +167,18 @@ def descend(prepared, begin, evaluate, rounds, steady, rival=np.inf) -> list[Opt
     return at
 
 
-def leading(at: list[Optimum]) -> list[int]:
-    """The numbers of the best of the same terms."""
+def leading(at: list[Optimum], squares: list[list[float]]) -> list[int]:
+    """The numbers of the best of the same terms, but of those that the best of all has left far
+    behind and that hardly fall.
+    """
     best: dict[tuple[type[Term], ...], int] = {}
     for number, one in enumerate(at):
         first = best.setdefault(one.candidate.terms, number)
         if one.square < at[first].square or not np.isfinite(at[first].square):
             best[one.candidate.terms] = number
-    return list(best.values())
+    far = FAR * min((one.square for one in at if np.isfinite(one.square)), default=np.inf)
+    each = best.values()
+    return [n for n in each if at[n].square <= far or squares[n][-1] < FAST * squares[n][-2]]
 
 
 def promising(squares: list[float], rival: float) -> bool:

@@ -4,7 +4,7 @@ import numpy as np
 from jaxtyping import Float
 
 from exoid.mismatch.screen.hypothesis import Optimum
-from exoid.mismatch.screen.optimise import bounded
+from exoid.mismatch.screen.optimise import WEAK, bounded
 from exoid.mismatch.search.found import Found, size
 
 DRAWS = 200
@@ -34,13 +34,25 @@ def worths(found: Found, one: Optimum, parts: Parts, draws: np.ndarray) -> np.nd
     """Minus what a candidate leaves of every set that was drawn, and minus its price."""
     at = one.candidate.unknowns
     lower, upper = found.prepared.bounds(one.candidate)
+    total = np.tensordot(draws, parts, axes=1)
+    normal, gradient, square = total[:, :-1, :-1], total[:, :-1, -1], total[:, -1, -1]
+    change = steps(normal, gradient, lower - at, upper - at)
+    left = square + np.einsum("di,di->d", change, 2 * gradient + matvec(normal, change))
+    return -left / found.yardstick.scale - found.yardstick.price(size(one))
 
-    def left(draw: np.ndarray) -> float:
-        total = np.tensordot(draw, parts, axes=1)
-        normal, gradient, square = total[:-1, :-1], total[:-1, -1], total[-1, -1]
-        change = bounded(normal, gradient, 0.0, lower - at, upper - at)
-        return float(square + 2 * gradient @ change + change @ normal @ change)
 
-    return -np.array(list(map(left, draws))) / found.yardstick.scale - found.yardstick.price(
-        size(one)
-    )
+def steps(
+    normal: np.ndarray, gradient: np.ndarray, lower: np.ndarray, upper: np.ndarray
+) -> np.ndarray:
+    """`bounded` of many at once, most of which run into no bound."""
+    size = np.sqrt(np.diagonal(normal, axis1=1, axis2=2))
+    unit = np.where(size > 0, size, 1.0)
+    scaled = normal / (unit[:, :, None] * unit[:, None, :]) + WEAK * np.eye(lower.size)
+    change = -np.linalg.solve(scaled, (gradient / unit)[..., None])[..., 0] / unit
+    for beyond in np.flatnonzero(((change < lower) | (change > upper)).any(axis=1)):
+        change[beyond] = bounded(normal[beyond], gradient[beyond], 0.0, lower, upper)
+    return change
+
+
+def matvec(matrix: np.ndarray, vector: np.ndarray) -> np.ndarray:
+    return np.einsum("dij,dj->di", matrix, vector)

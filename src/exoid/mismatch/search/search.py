@@ -21,14 +21,15 @@ from exoid.mismatch.screen.optimise import (
 )
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import Found, best_of
+from exoid.mismatch.search.glance import beside_free
 from exoid.mismatch.search.likely import likeliest, ordered, shortlist, smeared
+from exoid.mismatch.search.pairs import pairs, plainer_pairs
 from exoid.mismatch.search.race import raced, simulated
 from exoid.mismatch.search.rank import by_evidence
-from exoid.mismatch.search.several import several, with_one_more
+from exoid.mismatch.search.several import as_good, several, sticks, with_one_more
 from exoid.mismatch.search.variants import (
     applies,
     nested,
-    pairs,
     reduced,
     suspected_sensors,
     twins,
@@ -39,6 +40,7 @@ from exoid.physics.term import Term
 
 ROUNDS = 8  # of pinned steps; what is close by then is brought to its end running free
 PAIR_ROUNDS = 6
+STUCK = 2  # causes that stick, and second ones of each, of which pairs run free
 FALSE = 0.5  # of the baseline's square, below which another valley makes it a false one
 
 Told = Callable[[str], None]
@@ -74,19 +76,33 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
     singles = by_evidence([*singles, *alone], base, measure)
     found = Found(prepared, base, begin, singles, sensors, ranked, failed, measure)
     found = with_strikes(found, starts, told)
-    return with_sets(found, usable, told) if lacks_more(found, usable) else found
+    both, free = seconds(found, usable, told)
+    return with_sets(found, usable, both, free, told) if both or free else found
 
 
-def lacks_more(found: Found, usable: list[type[Term]]) -> bool:
-    """Can a second cause explain what the best one leaves? Where that is little, it must be clear
-    at first sight.
+def seconds(
+    found: Found, usable: list[type[Term]], told: Told
+) -> tuple[list[Optimum], list[Hypothesis]]:
+    """Pairs along the motion, the best first, and such as run free anyhow. Where the best single
+    cause is enough, only simple ones that explain as much; where it leaves hardly more than noise,
+    a second one must be clear at first sight.
     """
     prepared, best = found.prepared, least(found.base, *found.singles)
     if best.square > FLOOR * prepared.samples:
-        return True
-    if enough(prepared, best.square) or best.candidate.terms == prepared.common:
-        return False
-    return bool(with_one_more(prepared, usable, best))
+        told("testing pairs")
+        starts = pairs(prepared, found.pinned, found.singles)
+        both = ordered(best_of(settle(prepared, starts, rounds=PAIR_ROUNDS)))
+        stuck = [one for one in found.singles if sticks(one.candidate)][:STUCK]
+        free = [beside_free(prepared, usable, one)[:STUCK] for one in stuck]
+        return both, [one for each in free for _, one in each]
+    if enough(prepared, best.square):
+        plain = settle(prepared, plainer_pairs(prepared, found.pinned, best), rounds=PAIR_ROUNDS)
+        near = ordered(as_good(prepared, best, plain))[:STUCK]
+        return [], [replace(one.candidate, linear=None) for one in near]
+    if best.candidate.terms == prepared.common:
+        return [], []
+    told("testing a second cause")
+    return [], with_one_more(prepared, usable, best)
 
 
 def truer_baseline(prepared: PreparedRecording, base: Optimum, best: Optimum) -> Optimum | None:
@@ -97,18 +113,24 @@ def truer_baseline(prepared: PreparedRecording, base: Optimum, best: Optimum) ->
     return found if found.square < FALSE * base.square else None
 
 
-def with_sets(found: Found, usable: list[type[Term]], told: Told) -> Found:
-    """The same with pairs, with sets where no pair is enough, and with what remains of them where
-    one cause of them is all it takes.
+def with_sets(
+    found: Found,
+    usable: list[type[Term]],
+    both: list[Optimum],
+    free: list[Hypothesis],
+    told: Told,
+) -> Found:
+    """The same with the best of these pairs, with sets where no pair is enough, and with what
+    remains of them where one cause of them is all it takes.
     """
     prepared, base = found.prepared, found.base
-    told("testing pairs")
-    seconds = pairs(prepared, found.pinned, found.singles)
-    both = ordered(best_of(settle(prepared, seconds, rounds=PAIR_ROUNDS)))
     told("simulating the best pairs")
+    alone = least(base, *found.singles)
     joint = [*led_free(prepared, likeliest(prepared, shortlist(both))), *found.pairs]
+    joint += simulated(prepared, free, least(alone, *joint).square)
     for best in ordered(joint)[:1]:
-        if not enough(prepared, best.square):
+        clear = found.clear(alone, best) or best.square > FLOOR * prepared.samples
+        if clear and not enough(prepared, best.square):
             told("testing three causes and more")
             joint += several(prepared, usable, best)
             joint += nested(prepared, ordered(joint)[:1], usable)

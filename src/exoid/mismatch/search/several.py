@@ -6,15 +6,17 @@ from exoid.mismatch.evidence.measure import yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import FLOOR, enough, given, settle
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
-from exoid.mismatch.search.found import best_of, size
-from exoid.mismatch.search.likely import REACH, likeliest, ordered
+from exoid.mismatch.search.found import size
+from exoid.mismatch.search.glance import beside_free, nearest
+from exoid.mismatch.search.likely import REACH, WORSE, likeliest, ordered, smeared
 from exoid.mismatch.search.race import simulated
 from exoid.mismatch.search.variants import applies
-from exoid.physics.term import Term
+from exoid.physics.term import Term, busy
 
 MOST = 4  # causes of one recording
 OTHERS = 2  # causes that are tried in the place of one
 NEXT = 3  # further causes that run free beside those at hand
+NEAREST = 6  # further causes that are looked at beyond the first order
 ROUNDS = 6  # of pinned steps
 
 
@@ -48,6 +50,14 @@ def without_one(prepared: PreparedRecording, best: Optimum) -> list[Optimum]:
     return simulated(prepared, near, best.square)
 
 
+def as_good(prepared: PreparedRecording, best: Optimum, some: list[Optimum]) -> list[Optimum]:
+    """Those that leave along the motion no more than the best does there, but for noise."""
+    if not some:
+        return []
+    most = along_the_motion(prepared, best) + WORSE * prepared.samples
+    return [one for one in some if one.square < most]
+
+
 def along_the_motion(prepared: PreparedRecording, best: Optimum) -> float:
     """What the best leaves along the motion, by which others are measured there, or free."""
     (seen,) = settle(prepared, [best.candidate], rounds=ROUNDS)
@@ -60,18 +70,24 @@ def with_one_more(
     """The set with each of the causes that explain most beside those it has."""
     if len(best.candidate.terms) >= MOST + len(prepared.common):
         return []
-    wider = beside(prepared, usable, best.candidate)
-    seen = along_the_motion(prepared, best)
-    first = [one for one in wider if gains(prepared, best, one, seen)][:NEXT]
+    if sticks(best.candidate):
+        measure = yardstick(prepared, best)
+        near = beside_free(prepared, usable, best)
+        more = [(left, one, one.unknowns.size - best.candidate.unknowns.size) for left, one in near]
+        return [one for left, one, n in more if measure.clear(best.square, left, n)][:NEXT]
+    first = more_than(prepared, best, beside(prepared, usable, best.candidate))[:NEXT]
     return [one.candidate for one in likeliest(prepared, first)]
 
 
-def gains(prepared: PreparedRecording, best: Optimum, one: Optimum, seen: float) -> bool:
-    """Is it clear at first sight that a set explains more than the best, which leaves what is
-    `seen` there?
-    """
-    more = max(size(one) - size(best), 1)
-    return yardstick(prepared, best).clear(seen, one.square, more)
+def sticks(candidate: Hypothesis) -> bool:
+    """Is it smeared along a motion, and simulated soon enough?"""
+    return smeared(candidate) and not any(map(busy, candidate.terms))
+
+
+def more_than(prepared: PreparedRecording, best: Optimum, wider: list[Optimum]) -> list[Optimum]:
+    """Those sets of which it is clear at first sight that they explain more than the best."""
+    measure, seen = yardstick(prepared, best), along_the_motion(prepared, best)
+    return [one for one in wider if measure.clear(seen, one.square, max(size(one) - size(best), 1))]
 
 
 def with_another(
@@ -106,7 +122,7 @@ def instead(
 def beside(
     prepared: PreparedRecording, usable: list[type[Term]], known: Hypothesis
 ) -> list[Optimum]:
-    """All sets with one cause more, pinned, the best first."""
+    """The best sets with one cause more, pinned, the best first."""
     effect = given(prepared, known)
     starts = [
         known.with_term(term, value, effect)
@@ -114,9 +130,9 @@ def beside(
         for value in prepared.starts(term)
         if term not in known.terms
     ]
-    wider = best_of([one for one in settle(prepared, starts, rounds=ROUNDS) if one.sound])
-    first = sorted(wider, key=lambda one: one.square)
-    return [replace(one, candidate=replace(one.candidate, linear=None)) for one in first]
+    near = nearest(prepared, starts, NEAREST)
+    wider = ordered(settle(prepared, near, rounds=ROUNDS))
+    return [replace(one, candidate=replace(one.candidate, linear=None)) for one in wider]
 
 
 def with_one_less(candidate: Hypothesis, first: int) -> list[Hypothesis]:

@@ -1,19 +1,17 @@
-"""What a search tries beside single terms: the same running free, twins, simpler forms, pairs."""
+"""What a search tries beside single terms: the same running free, twins, simpler forms."""
 
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
-from exoid.mismatch.screen.along_motion import linear
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
-from exoid.mismatch.screen.optimise import FLOOR, enough, polished, settle_free, strikes
+from exoid.mismatch.screen.optimise import FLOOR, enough, polished, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.rank import simpler_form
 from exoid.physics.parameter import declarations
 from exoid.physics.term import SensorTerm, Term, name_of
 
-PAIRED = 3  # first terms of a pair
 BESIDE = 2  # of the best single terms are tried beside what the sensors surely say
 SOFTEST = 1e-3  # N m/rad, of a leg that has a rest angle
 
@@ -138,34 +136,3 @@ def nested(
 def put(each: tuple, place: int, other: Any) -> tuple:
     """The same with another one in a place."""
     return (*each[:place], other, *each[place + 1 :])
-
-
-def pairs(
-    prepared: PreparedRecording, ranked: list[Optimum], singles: list[Optimum]
-) -> list[Hypothesis]:
-    """The best single terms, each with every other.
-
-    Those that ran free come first as they ended there. What strikes is no first but where it is the
-    best: pinned it takes the place of much else.
-    """
-    refined = {one.candidate.terms: one for one in singles}
-    place = {terms: number for number, terms in enumerate(refined)}
-
-    def order(one: Optimum) -> int:
-        return place.get(one.candidate.terms, len(place))
-
-    usable = [one for one in ranked if order(one) == 0 or not strikes(one.candidate)]
-    best = sorted(usable, key=order)[:PAIRED]
-    firsts = [refined.get(one.candidate.terms, one).candidate for one in best]
-    motions = [one.motion for one in best]
-    found = linear(prepared, list(zip(firsts, motions, strict=True)))
-    made = []
-    for number, (first, known) in enumerate(zip(firsts, found, strict=True)):
-        done = {one.terms[-1] for one in firsts[: number + 1]}
-        made += [
-            first.with_term(second.candidate.terms[-1], value, known)
-            for second in ranked
-            for value in prepared.starts(second.candidate.terms[-1])
-            if second.candidate.terms[-1] not in done
-        ]
-    return made

@@ -1,0 +1,64 @@
+"""Pairs of causes: the best single ones, each with what explains most beside it."""
+
+from exoid.mismatch.screen.along_motion import linear
+from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
+from exoid.mismatch.screen.optimise import strikes
+from exoid.mismatch.screen.prepared_recording import PreparedRecording
+from exoid.mismatch.search.glance import nearest
+
+PAIRED = 3  # first terms of a pair
+SECONDS = 8  # second ones of each that are looked at beyond the first order
+PLAIN = 3  # the same of causes with one parameter
+
+
+def pairs(
+    prepared: PreparedRecording, ranked: list[Optimum], singles: list[Optimum]
+) -> list[Hypothesis]:
+    """The best single terms, each with those others that explain most beside it.
+
+    Those that ran free come first as they ended there. What strikes is no first but where it is the
+    best: pinned it takes the place of much else.
+    """
+    refined = {one.candidate.terms: one for one in singles}
+    place = {terms: number for number, terms in enumerate(refined)}
+
+    def order(one: Optimum) -> int:
+        return place.get(one.candidate.terms, len(place))
+
+    usable = [one for one in ranked if order(one) == 0 or not strikes(one.candidate)]
+    best = sorted(usable, key=order)[:PAIRED]
+    firsts = [refined.get(one.candidate.terms, one).candidate for one in best]
+    motions = [one.motion for one in best]
+    found = linear(prepared, list(zip(firsts, motions, strict=True)))
+    made = []
+    for number, (first, known) in enumerate(zip(firsts, found, strict=True)):
+        done = {one.terms[-1] for one in firsts[: number + 1]}
+        starts = [
+            first.with_term(second.candidate.terms[-1], value, known)
+            for second in ranked
+            for value in prepared.starts(second.candidate.terms[-1])
+            if second.candidate.terms[-1] not in done
+        ]
+        made += nearest(prepared, starts, SECONDS)
+    return made
+
+
+def plainer_pairs(
+    prepared: PreparedRecording, ranked: list[Optimum], best: Optimum
+) -> list[Hypothesis]:
+    """Pairs of causes with one parameter each, where the best single cause has more than two: what
+    one with many explains, two simple ones may explain as well.
+    """
+    if best.candidate.terms == prepared.common or best.candidate.values[-1].size <= 2:
+        return []
+    plain = [one for one in ranked if one.candidate.values[-1].size == 1]
+    made = []
+    for number, one in enumerate(plain[:PAIRED]):
+        (known,) = linear(prepared, [(one.candidate, one.motion)])
+        starts = [
+            one.candidate.with_term(second.candidate.terms[-1], value, known)
+            for second in plain[number + 1 :]
+            for value in prepared.starts(second.candidate.terms[-1])
+        ]
+        made += nearest(prepared, starts, PLAIN)
+    return made
