@@ -9,6 +9,8 @@ import numpy as np
 from exoid.recordings.can.frames import EXTENDED, FD, Frames
 from exoid.recordings.can.logs.mf4 import IDENTIFIER, KEPT, KINDS
 
+from .reading import Unread
+
 BEGIN = 136  # bytes, where the header says when the log begins [ns]; asammdf rounds it to us
 
 
@@ -17,6 +19,8 @@ def frames_by_mdfreader(path: Path) -> Frames:
     import mdfreader
 
     file: Any = mdfreader.Mdf(str(path))
+    if any(len(names) < 2 for names in file.masterChannelList.values()):
+        raise Unread("a group with nothing but its times: channels that it does not know are lost")
     begin = int.from_bytes(path.read_bytes()[BEGIN : BEGIN + 8], "little")
     begin = datetime.fromtimestamp(begin / 1e9, UTC).timestamp()
     parts = [frames_of(file, kind, begin) for kind in KINDS if f"{kind}.ID" in file]

@@ -115,7 +115,7 @@ def samples(path: Path, reader: Any, frames: int) -> np.ndarray:
 
 
 def analogs(reader: Any, raw: np.ndarray) -> np.ndarray:
-    """In single precision, in which ezc3d computes, and c3d does not."""
+    """As ezc3d rounds, and c3d does not: offsets go in single precision, scales in double."""
     scale, scales, offsets = reader.get_analog_transform_parameters()
-    factors = np.asarray(scales * scale, np.float32)[:, None]
-    return ((raw - np.asarray(offsets, np.float32)[:, None]) * factors).astype(np.float64)
+    above = raw - np.asarray(offsets, np.float32)[:, None]
+    return above.astype(np.float64) * np.asarray(scales, np.float64)[:, None] * float(scale)

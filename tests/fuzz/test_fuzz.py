@@ -18,15 +18,10 @@ from hypothesis import strategies as st
 from tests.fuzz import judge, worker
 from tests.fuzz.here import in_this_process
 from tests.fuzz.judge import ALONE, FAULT, HANG, NAMES, PLAIN, SAME, TOLD, WRONG, format_of, mutant
-from tests.fuzz.opensim import below_header, opensim_samples
-from tests.fuzz.reading import Reading, Sample, Unread, alike
-from tests.fuzz.tables import DIALECTS, TIME, by_csv, dialect_table, own_by_csv, read_own
+from tests.fuzz.reading import Reading, Unread
 
 ROOT = Path(__file__).parents[2]
 EACH = 150  # mutants of each format, which take half a minute together
-
-numbers = st.floats(-1e6, 1e6, allow_subnormal=False).map(lambda each: round(each, 4))
-motions = st.lists(st.tuples(numbers, numbers), min_size=4, max_size=12)
 
 
 def run(*arguments: str, folder: Path) -> subprocess.CompletedProcess[str]:
@@ -192,36 +187,6 @@ def test_a_reader_that_loops_or_dies_is_found_and_the_next_file_read(
     assert letters.read_bytes() == 2 * letter
 
 
-# The oracles are of another hand, and agree where nothing is damaged
-
-
-@given(motions, st.sampled_from([*DIALECTS]))
-def test_a_table_in_any_dialect_holds_what_the_csv_module_reads(tmp_path_factory, rows, told):
-    path = tmp_path_factory.mktemp("dialect") / "leg.csv"
-    time, (angle, gyro) = np.arange(len(rows)) * 0.01, np.array(rows).T
-    path.write_bytes(dialect_table(told, time, angle % 90 + 10, gyro % 90 + 10))
-    assert alike(read_own(path).rows, by_csv(path, Sample(b"", told)))
-
-
-@given(motions)
-def test_an_own_table_holds_what_the_csv_module_reads(tmp_path_factory, rows):
-    path = tmp_path_factory.mktemp("own") / "leg.csv"
-    lines = [f"{n / 100},{a % 90},{g % 90}" for n, (a, g) in enumerate(rows)]
-    path.write_text("\n".join(["time_s,raw_angle_deg,raw_velocity_rad_s", *lines, ""]))
-    assert alike(read_own(path).rows, own_by_csv(path, Sample(b"")))
-
-
-@pytest.mark.parametrize("name", [name for name in NAMES if format_of(name).oracle is not None])
-def test_an_oracle_reads_every_sound_file_as_exoid_does(name, tmp_path):
-    made = format_of(name)
-    for which, sample in enumerate(made.samples):
-        path = tmp_path / f"sound{made.suffix}"
-        path.write_bytes(sample.content)
-        assert made.oracle is not None
-        found = judge.original.__wrapped__(name, which, tmp_path)
-        assert alike(found.rows, made.oracle(path, sample))
-
-
 def test_an_oracle_that_loops_is_ended(monkeypatch):
     begin = time.monotonic()
     monkeypatch.setattr(judge, "PATIENCE", 0.1)
@@ -236,12 +201,3 @@ def test_an_oracle_that_dies_does_not_count_against_exoid():
     assert worker.ended(signal.SIGSEGV, False) == ALONE
     judge.ASKED[0] = 0
     assert worker.ended(signal.SIGSEGV, False) == FAULT
-
-
-def test_a_header_within_a_header_is_read_from_below_the_last(tmp_path):
-    (sample,) = opensim_samples()
-    path = tmp_path / "leg.mot"
-    path.write_bytes(sample.content.split(b"0.00000000", 1)[0] + b"0.001\n" + sample.content)
-    found = below_header(path, sample)
-    assert found["time_s"].tolist() == TIME.tolist()
-    assert alike(read_own(path).rows, found)
