@@ -36,6 +36,19 @@ def talking(channel: str, interface: str, bitrate: int) -> Iterator["Dialogue"]:
         bus.close()
 
 
+@contextmanager
+def talking_to(
+    who: str | None, channel: str, interface: str, bitrate: int
+) -> Iterator[tuple["Dialogue", "NodeState"]]:
+    """The node of that id or serial, or the only one, to be asked and ordered.
+
+    **Raises** `ValueError` as `check_name` and `chosen` do.
+    """
+    check_name(who)
+    with talking(channel, interface, bitrate) as dialogue:
+        yield dialogue, chosen(dialogue.find(), who)
+
+
 def chosen(found: list["NodeState"], who: str | None) -> "NodeState":
     """The node that is meant: the only one, or the one of that id or serial.
 

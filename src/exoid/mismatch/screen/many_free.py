@@ -10,7 +10,7 @@ from exoid.fitting.data.observation import Observation
 from exoid.fitting.solve.program_cache import called
 from exoid.mismatch.screen.hypothesis import Effect, Hypothesis, Products
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
-from exoid.mismatch.screen.segment_groups import of, of_all_segments
+from exoid.mismatch.screen.segment_groups import of, of_all_segments, summed
 from exoid.physics.term import busy
 
 GROUP = 4  # segments of a program, so that one serves every recording
@@ -54,12 +54,7 @@ def respond(prepared: PreparedRecording, candidate: Hypothesis, beside: Effect) 
 
     given = partial(of_group, prepared, candidate, seen)
     (grams,) = of_all_segments(group, [given], prepared.segments, together(candidate))
-    total = candidate.unknowns.size + beside.shown.shape[0] + 1
-    table = np.zeros((total, total))
-    for own, place in zip(grams, prepared.places, strict=True):
-        at = np.array([*place, *range(candidate.point.size, total)])
-        table[np.ix_(at, at)] += own
-    return table
+    return summed(grams, prepared.places, candidate.point.size)
 
 
 def of_group(

@@ -22,7 +22,7 @@ from exoid.mismatch.screen.along_motion import (
 from exoid.mismatch.screen.hypothesis import Effect, Hypothesis, Products
 from exoid.mismatch.screen.measured_motion import MeasuredMotion
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
-from exoid.mismatch.screen.segment_groups import of, of_all_segments
+from exoid.mismatch.screen.segment_groups import of, of_all_segments, summed
 
 FEW = 4  # parameters that it has room for in a candidate, or twice as many, and so on
 LARGEST = 300_000  # samples of candidates that are worked out together: some 200 MB
@@ -59,12 +59,7 @@ def with_columns(
     def whole(one: Hypothesis, gram: np.ndarray) -> np.ndarray:
         count, last = own_columns(prepared, one), gram.shape[-1] - 1
         rows = [*range(count), *range(last - size, last + 1)]
-        total = one.unknowns.size + size + 1
-        table = np.zeros((total, total))
-        for own, place in zip(gram, prepared.places, strict=True):
-            at = np.array([*place, *range(one.point.size, total)])
-            table[np.ix_(at, at)] += own[rows][:, rows]
-        return table
+        return summed(gram[:, rows][:, :, rows], prepared.places, one.point.size)
 
     grams = fold(prepared, tried, beside, tether, min(AT_ONCE, len(tried)))
     return [whole(one, gram) for (one, _), gram in zip(tried, grams, strict=True)]

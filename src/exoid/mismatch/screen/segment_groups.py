@@ -5,6 +5,7 @@ from typing import Any, TypeVar
 
 import jax
 import numpy as np
+from jaxtyping import Float, Int
 
 from exoid.fitting.solve.side_by_side import side_by_side
 
@@ -40,3 +41,17 @@ def of_all_segments(
 def of(rows: np.ndarray, tree: Tree, axis: int = 0) -> Tree:
     """The segments in these rows of every leaf."""
     return jax.tree.map(lambda leaf: np.take(leaf, rows, axis), tree)
+
+
+def summed(
+    tables: np.ndarray, places: Int[np.ndarray, "segment own"], first: int
+) -> Float[np.ndarray, "column column"]:
+    """One table of all segments' products: the first rows of each stand at its `places`, the others
+    from the row `first` on.
+    """
+    size = first + tables[0].shape[0] - places.shape[1]
+    whole = np.zeros((size, size))
+    for table, place in zip(tables, places, strict=True):
+        at = np.array([*place, *range(first, size)])
+        whole[np.ix_(at, at)] += table
+    return whole

@@ -11,9 +11,7 @@ from exoid.cli.inputs.node import (
     Channel,
     Interface,
     Who,
-    check_name,
-    chosen,
-    talking,
+    talking_to,
 )
 from exoid.cli.terminal.say import say
 
@@ -34,9 +32,8 @@ def identify(
       exoid node identify --channel /dev/ttyACM0
       exoid node identify --interface socketcan --channel can0 --node C0FFEE01
     """
-    check_name(node)
     from exoid.recordings.commissioning.commands import IDENTIFY
 
-    with talking(channel, interface, bitrate) as dialogue:
-        state = dialogue.order(chosen(dialogue.find(), node), IDENTIFY, Duration=duration)
+    with talking_to(node, channel, interface, bitrate) as (dialogue, asked):
+        state = dialogue.order(asked, IDENTIFY, Duration=duration)
     say(f"{state} blinks for {duration} s.")

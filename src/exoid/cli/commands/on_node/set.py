@@ -11,9 +11,7 @@ from exoid.cli.inputs.node import (
     Channel,
     Interface,
     Who,
-    check_name,
-    chosen,
-    talking,
+    talking_to,
 )
 from exoid.cli.outputs.nodes import told
 from exoid.cli.terminal.say import say
@@ -47,14 +45,12 @@ def set_up(
       exoid node set --interface socketcan --channel can0 --node C0FFEE01 --id 2
       exoid node set --interface socketcan --channel can0 --rate 250000
     """
-    check_name(node)
     if rate is not None and rate not in RATES:
         raise ValueError(f"--rate {rate}: it can be {', '.join(map(str, RATES))} bit/s.")
     orders = orders_of(direction, new_id, rate)
     if not orders:
         raise ValueError("nothing to set: give --direction, --id or --rate.")
-    with talking(channel, interface, bitrate) as dialogue:
-        state = chosen(dialogue.find(), node)
+    with talking_to(node, channel, interface, bitrate) as (dialogue, state):
         for name, values in orders:
             state = dialogue.order(state, name, **values)
     for line in told(state):

@@ -7,9 +7,7 @@ from exoid.cli.inputs.node import (
     Channel,
     Interface,
     Who,
-    check_name,
-    chosen,
-    talking,
+    talking_to,
 )
 from exoid.cli.outputs.destination import Force, Json, check_outputs
 from exoid.cli.outputs.nodes import document, told
@@ -32,11 +30,10 @@ def show(
       exoid node show --channel /dev/ttyACM0
       exoid node show --interface socketcan --channel can0 --node 2
     """
-    check_name(node)
     check_outputs((json, ()), force=force)
-    with talking(channel, interface, bitrate) as dialogue:
-        state = chosen(dialogue.find(), node)
-    for line in told(state):
+    with talking_to(node, channel, interface, bitrate) as (_, state):
+        lines = told(state)
+    for line in lines:
         say(line)
     files = Outputs()
     files.put_document(json, lambda: document([state]))

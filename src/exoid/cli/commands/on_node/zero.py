@@ -12,9 +12,7 @@ from exoid.cli.inputs.node import (
     Channel,
     Interface,
     Who,
-    check_name,
-    chosen,
-    talking,
+    talking_to,
 )
 from exoid.cli.terminal.say import say
 
@@ -40,9 +38,7 @@ def zero(
       exoid node zero --channel /dev/ttyACM0                 the knee is fully extended
       exoid node zero --channel /dev/ttyACM0 --angle -90     the shank hangs, the thigh is level
     """
-    check_name(node)
-    with talking(channel, interface, bitrate) as dialogue:
-        before = chosen(dialogue.find(), node)
+    with talking_to(node, channel, interface, bitrate) as (dialogue, before):
         after = dialogue.zero(before, radians(angle))
     say(
         f"{after}: the knee is at {angle:g} deg; the zero was {before.mounting.zero} and is "
