@@ -45,11 +45,13 @@ class Levels:
 
 
 def simulate(ratios: np.ndarray, zero: float, start: np.ndarray, swing: Swing) -> np.ndarray:
-    """Both channels' readings in a row."""
+    """Both channels' readings in a row; infinite where the motion runs away."""
     gravity, stiffness, damping = ratios
     times = np.concatenate([swing.time, swing.gyro_time]) - swing.origin
     physics = Physics(1.0, gravity, stiffness, damping)
     motion = swing_freely(physics, (start[0], start[1]), float(times.max()), TICK)
+    if not np.isfinite(motion.acceleration).all():
+        return np.full(times.size, np.inf)
     shown = motion.angle_at(times[: swing.time.size]) + zero
     return np.concatenate([shown, motion.rate_at(times[swing.time.size :])])
 

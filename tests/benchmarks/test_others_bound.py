@@ -80,3 +80,9 @@ def test_a_refit_finds_another_leg_of_eq_9_and_leaves_nothing():
     assert found.left < 0.1
     for name in RATIOS:
         assert found.ratios[name] == pytest.approx(TRUE[name], rel=1e-3)
+
+
+def test_a_motion_that_runs_away_is_infinitely_far_from_what_was_measured():
+    driven = np.array([26.0, 6.2, -5e3])  # 1/s, so much that it overflows within a second
+    left = remaining(driven, 0.0, np.array([[-0.2, -0.3]]), [swing(gyro=True)], NOISE)
+    assert left @ left == np.inf
