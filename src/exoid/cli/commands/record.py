@@ -72,7 +72,7 @@ def record(
     check_absent((output, sidecar), force)
     if segment:
         check_keyboard()
-    from exoid.recordings.live.bus import BusAddress
+    from exoid.recordings.live.channel.address import BusAddress
     from exoid.recordings.recording import Subject
 
     log = LogFile(output, replace=force)

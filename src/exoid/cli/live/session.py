@@ -8,7 +8,8 @@ from pathlib import Path
 from exoid.cli.terminal.faults import one_line
 from exoid.cli.terminal.screen import Screen
 from exoid.recordings.can.node.config_crc import config_crc
-from exoid.recordings.live.bus import BusAddress, LiveBus
+from exoid.recordings.live.bus import LiveBus
+from exoid.recordings.live.channel.address import BusAddress
 from exoid.recordings.live.log_file import LogFile
 from exoid.recordings.live.marks import Marks
 from exoid.recordings.live.record import record

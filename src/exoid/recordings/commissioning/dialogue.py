@@ -7,7 +7,8 @@ from math import degrees
 from exoid.recordings.commissioning.commands import EVERYBODY, SET_ZERO, TELL, command
 from exoid.recordings.commissioning.ear import Ear
 from exoid.recordings.commissioning.node_state import NodeState
-from exoid.recordings.live.bus import CanBusError, LiveBus
+from exoid.recordings.live.bus import LiveBus
+from exoid.recordings.live.channel.address import CanBusError
 from exoid.recordings.live.silence import CHECK, something_else
 
 ROUNDS = 3  # a frame may be lost: how often a question is asked
