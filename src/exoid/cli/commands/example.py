@@ -33,7 +33,9 @@ def example(
         bool, typer.Option("--force", help="Replace files of that name that are there.")
     ] = False,
 ) -> None:
-    """Copy the recording that comes with exoid, and a sidecar whose comments explain it.
+    """Copy the recording that comes with exoid, and its sidecar.
+
+    The comments of the sidecar explain every line.
 
     \b
     Examples:
