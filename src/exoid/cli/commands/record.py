@@ -56,7 +56,8 @@ def record(
     """Record the node's frames until Ctrl-C.
 
     What is known of the leg goes to the sidecar, and what no option says of it is asked for where a
-    person sits before the terminal. Everything but the last second is on disk at any time. A bus that goes is waited for.
+    person sits before the terminal. Everything but the last second is on disk at any time. A bus
+    that goes is waited for.
 
     \b
     Examples:
