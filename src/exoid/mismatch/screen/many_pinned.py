@@ -26,6 +26,7 @@ from exoid.mismatch.screen.segment_groups import of, of_all_segments, summed
 
 FEW = 4  # parameters that it has room for in a candidate, or twice as many, and so on
 LARGEST = 150_000  # samples of candidates that are worked out together: some 100 MB
+KEPT = 600_000  # samples of candidates whose terms' effects are held at once: some 100 MB
 PROGRAM = 200_000  # derivatives by a sample and a column in one program: some 100 MB
 FOLD = "exoid.mismatch.screen.pinned:fold"
 GRAM = jax.tree.structure(np.zeros(()))
@@ -62,8 +63,14 @@ def with_columns(
         rows = [*range(count), *range(last - size, last + 1)]
         return summed(gram[:, rows][:, :, rows], prepared.places, one.point.size)
 
-    grams = fold(prepared, tried, beside, tether, len(tried))
-    return [whole(one, gram) for (one, _), gram in zip(tried, grams, strict=True)]
+    most = max(AT_ONCE, KEPT // prepared.seen.time.size)
+    return [
+        whole(one, gram)
+        for some in parts(tried, most)
+        for (one, _), gram in zip(
+            some, fold(prepared, some, beside, tether, len(tried)), strict=True
+        )
+    ]
 
 
 def fold(
