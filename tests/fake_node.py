@@ -40,6 +40,7 @@ class FakeNode:
     deaf: dict[str, int] = field(default_factory=dict)  # how many of a command it misses
     blinks: int = 0  # s
     answers: bool = True  # else it only measures, as older firmware does
+    measures: bool = True  # else it only answers
     errors: int = 0
 
     def obey(self, name: str, values: dict) -> bool:
@@ -127,7 +128,8 @@ class FakeBus:
             if message is not None:
                 self.take(message)
             for node in self.nodes:
-                self.send(node, "EXO_STATE", self.state(node))
+                if node.measures:
+                    self.send(node, "EXO_STATE", self.state(node))
 
     def take(self, message: can.Message) -> None:
         definition = self.database.get_message_by_frame_id(message.arbitration_id)

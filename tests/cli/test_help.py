@@ -73,6 +73,20 @@ def test_help_goes_to_stdout_and_names_what_there_is(command, arguments, word, o
     assert max(map(len, done.stdout.split("\n"))) <= 100
 
 
+@pytest.mark.parametrize("arguments", [[], ["node"]])
+def test_help_cuts_no_command_short_on_a_usual_terminal(arguments):
+    done = subprocess.run(
+        [str(SCRIPT), *arguments, "--help"],
+        env={**os.environ, "COLUMNS": "80"},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    listed = done.stdout.partition("Commands:\n")[2].splitlines()
+    assert len(listed) == len(load("node").commands if arguments else COMMANDS)  # a line of each
+    assert [line for line in listed if not line.endswith(".") or line.endswith("..")] == []
+
+
 @pytest.mark.parametrize("name", COMMANDS)
 def test_help_says_of_a_command_what_it_says_of_itself(name):
     said = load(name).help or ""

@@ -191,3 +191,13 @@ def test_a_node_that_falls_silent_is_named(command, on_bus, monkeypatch):
     done = command("node", "identify", *there)
     assert done.returncode == 2
     assert "node 0 (serial C0FFEE01) does not answer to EXO_IDENTIFY" in done.stderr
+
+
+def test_a_zero_is_not_taken_of_a_knee_that_nobody_sees(command, on_bus):
+    node = FakeNode(SERIAL, measures=False)
+    done = command("node", "zero", *on_bus(node))
+    (line,) = done.stderr.splitlines()
+    assert (done.returncode, done.stdout) == (2, "")
+    assert "node 0 (serial C0FFEE01) answers, but sends no EXO_STATE" in line
+    assert "its angle was not taken. exoid node show says whether" in line
+    assert node.zero == 2048

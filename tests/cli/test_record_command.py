@@ -172,6 +172,27 @@ def test_a_person_at_a_terminal_is_asked_sees_the_motion_and_marks_it(start, cab
     assert end - second == pytest.approx(0.6, abs=0.4)
 
 
+def test_a_key_before_the_first_frame_is_answered_and_marks_nothing(start, cable, sent, tmp_path):
+    with terminal() as (person, program, read_until):
+        process = start("leg.log", *BODY, "--segment", stdin=program, stderr=program)
+        read_until("Mass added")
+        os.write(person, b"\n")
+        read_until("keys: d")
+        os.write(person, b"xd")
+        time.sleep(1.0)  # keys are looked at ten times a second
+        cable.stream(sent, NODE)
+        said = " ".join(read_until("deg/s").split())
+        assert "'d' marks nothing: no frame has come yet. Press it again" in said
+        assert "'x'" not in said
+        os.write(person, b"d")
+        read_until("[drop 1]")
+        time.sleep(0.5)
+        process.send_signal(signal.SIGINT)
+        assert process.wait(timeout=LIMIT) == 0
+    known = tomllib.loads((tmp_path / "leg.toml").read_text())
+    assert len(known["protocol"]["segment_start_s"]) == 1
+
+
 def test_a_silent_bus_is_named_and_leaves_nothing_behind(start, cable, tmp_path):
     process = start("leg.blf", "--duration", 2.5)
     said, told = process.communicate(timeout=LIMIT)

@@ -14,7 +14,8 @@ from emulated_node import SERIAL, Samples, emulated_node
 from exoid.recordings.can.dbc import exoid_messages
 from exoid.recordings.can.decode import raw_values
 from exoid.recordings.commissioning.commands import SET_ZERO, command
-from exoid.recordings.live.bus import BusAddress, LiveBus
+from exoid.recordings.live.bus import LiveBus
+from exoid.recordings.live.channel.address import BusAddress
 from exoid.recordings.loading.can_log import read_can_log
 from live_node import NO_WAIT
 

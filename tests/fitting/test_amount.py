@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import exoid
-from exoid.fitting.amount.manageable import Amount, manageable
+from exoid.fitting.amount.manageable import DIAGNOSED, Amount, manageable
 from exoid.fitting.amount.part import parts_of
 from exoid.fitting.estimate import movements_in
 from exoid.recordings.recording import Protocol, Segment, Sensors, Subject
@@ -45,6 +45,15 @@ def test_a_recording_of_ordinary_size_is_left_as_it_is():
     found = manageable([("r", whole)])
     assert found.notes == []
     assert all(part.recording is whole for part in found.parts)
+
+
+def test_a_diagnosis_takes_less_than_a_fit():
+    """It weighs every cause beside the leg: in the memory of a usual computer."""
+    usual = recording(*[drop(duration=15.0)] * 24)
+    assert manageable([("r", usual)], DIAGNOSED).notes == []
+    found = manageable([("r", recording(*[drop(duration=60.0, step=0.005)] * 10))], DIAGNOSED)
+    assert sum(part.steps for part in found.parts) <= DIAGNOSED.aim
+    assert len(found.parts) == 10  # of all of them, their rests cut off
 
 
 def test_of_a_thousand_drops_some_are_taken_evenly_and_that_is_said():

@@ -213,7 +213,7 @@ def test_of_a_rigs_leg_only_what_motion_determines_is_reported(movement, names):
 def test_torques_and_mountings_have_a_name_for_every_segment_and_recording():
     first, second = recorded(DROP, CYCLE), recorded(DROP, seed=1)
     drawn = sample(fit([("a", first), ("b", second)], multistart=8), draws=5, warmup=5)
-    owned = {"zero": "rad", "tilt": "rad", "gyro_scale": "-", "gyro_bias": "rad/s", "clock": "-"}
+    owned = {"zero": "rad", "tilt": "rad", "gyro_scale": "1", "gyro_bias": "rad/s", "clock": "1"}
     units = {f"{name}[{number}]": unit for name, unit in owned.items() for number in (0, 1)}
     units |= {"torque_amplitude[1]": "N m", "torque_over_inertia[1]": "1/s^2"}
     assert drawn.units.items() >= units.items()

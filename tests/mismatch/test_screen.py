@@ -66,6 +66,19 @@ def test_the_true_term_reaches_the_noise_pinned_and_free(ready):
         assert found.candidate.values[0][0] / inertia == pytest.approx(0.08 / 0.42, rel=0.02)
 
 
+def test_a_program_that_takes_fewer_candidates_finds_the_same(ready, monkeypatch):
+    """What long segments make it take, so that its derivatives fit into memory."""
+    prepared, base = ready
+    tried = candidates(prepared, base)
+    together = at_measured(prepared, *tried)
+    lanes = many_pinned.at_once(prepared, many_pinned.FEW)
+    monkeypatch.setattr(many_pinned, "PROGRAM", 1)
+    assert many_pinned.at_once(prepared, many_pinned.FEW) == 1 < lanes
+    for one, other in zip(together, at_measured(prepared, *tried), strict=True):
+        # Sums of hundreds of squares, in another order.
+        np.testing.assert_allclose(one.total, other.total, rtol=1e-9, atol=1e-9 * one.total.max())
+
+
 def test_no_other_term_reaches_the_noise(ready):
     prepared, base = ready
     for found in settle(prepared, candidates(prepared, base)):

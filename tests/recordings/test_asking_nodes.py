@@ -4,7 +4,8 @@ import pytest
 
 from exoid.recordings.commissioning import dialogue
 from exoid.recordings.commissioning.dialogue import Dialogue
-from exoid.recordings.live.bus import BusAddress, CanBusError, LiveBus
+from exoid.recordings.live.bus import LiveBus
+from exoid.recordings.live.channel.address import BusAddress, CanBusError
 from live_node import NO_WAIT, Cable, line, numbered
 
 POSITION = b"$GPGGA,123519,4807.038,N,01131.000,E,1,08\r\n"

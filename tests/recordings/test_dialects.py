@@ -2,6 +2,7 @@
 
 import csv
 import io
+import re
 
 import numpy as np
 import pytest
@@ -146,12 +147,52 @@ def test_radians_are_told_from_degrees_by_their_size_and_it_is_said(write):
         ("timestamp [us]", [f"{each * 1e6:.0f}" for each in TIME]),
         ("timestamp", [f"2026-11-21T10:00:{each:09.6f}" for each in TIME]),
         ("timestamp", [f"21.11.2026 10:00:{each:06.3f}" for each in TIME]),
+        ("timestamp", [f"2026-11-21T10:00:{each:09.6f}+01:00" for each in TIME]),
+        ("timestamp", [f"2026-11-21 10:00:{each:09.6f} UTC" for each in TIME]),
+        (
+            "timestamp",
+            [
+                f"2026-10-25T{2 - (at > 9)}:00:{TIME[at]:06.3f}+0{2 - (at > 9)}".replace("T", "T0")
+                for at in range(40)
+            ],
+        ),
         ("Uhrzeit", [f"9:59:{59 + each:06.3f}" if each < 1 else "" for each in TIME]),
+        ("Uhrzeit", [f"10:00:{each:06.3f}-0530" for each in TIME]),
     ],
 )
 def test_times_come_in_seconds_whatever_they_were(write, name, cells):
     rows = [f"{name};knee", *lines((cells, ANGLE), ";")]
     check(write("\n".join(rows)))
+
+
+@pytest.mark.parametrize("head", ["{}", "{} +02:00"])
+def test_a_night_runs_on_over_midnight_and_it_is_said(write, head):
+    clock = [f"23:59:{59.8 + at:06.3f}" if at < 0.195 else f"00:00:{at - 0.2:06.3f}" for at in TIME]
+    rows = ["time;knee", *lines(([head.format(each) for each in clock], ANGLE), ";")]
+    _, said = check(write("\n".join(rows)))
+    assert "time as time_s (in s since the first, over midnight at line 22)" in said
+
+
+def test_times_that_go_back_by_less_than_half_a_day_are_no_midnight(write):
+    clock = [f"10:00:{at:06.3f}" if at < 0.195 else f"09:00:{at:06.3f}" for at in TIME]
+    with pytest.raises(ValueError, match="line 22: time_s must increase"):
+        load(write("\n".join(["time;knee", *lines((clock, ANGLE), ";")])))
+
+
+@pytest.mark.parametrize(
+    ("usual", "other", "said"),
+    [
+        ("2026-11-21T10:00:{}", "2026-11-21T10:00:{}Z", "tells a time zone, but line 2 tells none"),
+        ("2026-11-21T10:00:{}Z", "2026-11-21T10:00:{}", "tells no time zone, but line 2 tells one"),
+        ("10:00:{}", "10:00:{}+01:00", "tells a time zone, but line 2 tells none"),
+        ("10:00:{}", "2026-11-21T10:00:{}", "tells a date, but line 2 tells none"),
+        ("10:00:{}", "10:00:{}x", "is no time, but line 2 holds '10:00:00.000'"),
+    ],
+)
+def test_a_time_unlike_the_first_is_refused_by_its_line(write, usual, other, said):
+    clock = [(other if at > 0.295 else usual).format(f"{at:06.3f}") for at in TIME]
+    with pytest.raises(ValueError, match=rf"line 32, column time: '{re.escape(clock[30])}' {said}"):
+        load(write("\n".join(["time;knee", *lines((clock, ANGLE), ";")])))
 
 
 def test_a_file_without_a_time_takes_the_rate_of_its_sidecar(write):

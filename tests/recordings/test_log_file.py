@@ -9,7 +9,8 @@ from exo_node import Node
 from exoid.recordings.can.frames import CanLogError
 from exoid.recordings.can.logs.log_files import read_log
 from exoid.recordings.can.node.config_crc import config_crc
-from exoid.recordings.live.bus import BusAddress, LiveBus
+from exoid.recordings.live.bus import LiveBus
+from exoid.recordings.live.channel.address import BusAddress
 from exoid.recordings.live.log_file import LogFile, check_kind
 from exoid.recordings.live.record import record
 from exoid.recordings.live.watch import Watch

@@ -2,8 +2,11 @@
 
 from dataclasses import replace
 
+import pytest
 from diagnosis_by_hand import found
 
+from exoid.fitting.misfit.uncertainty import Shares
+from exoid.fitting.result.fit_result import Estimate
 from exoid.mismatch.answer.diagnosis import Finding, Parameter
 from exoid.report.words.diagnosis import headline, parameter, sentences
 
@@ -30,6 +33,34 @@ def test_what_the_fit_estimates_anyway_is_told_as_an_error_of_a_sensor():
     assert "chance of" not in said["How sure"]
     assert headline(one) == "Something is missing."
     assert "chance of" in sentences(one)["How sure"]
+
+
+INERTIA = Estimate("J", "inertia", "kg m^2", 0.45, 0.01, shares=Shares(1.0, 0.0, 0.0))
+BY_PRIOR = Estimate("J", "inertia", "kg m^2", 0.45, 0.1, shares=Shares(0.01, 0.99, 0.0))
+BY_BOTH = Estimate("J", "inertia", "kg m^2", 0.45, 0.1, shares=Shares(0.5, 0.5, 0.0))
+BY_HAND = replace(BY_PRIOR, by_hand="fix")
+UNTOLD = Estimate("J", "inertia", "kg m^2", None, None)
+
+
+@pytest.mark.parametrize(
+    ("known", "said"),
+    [
+        (UNTOLD, " (for J = 0.38 kg m^2, which is a guess: torques grow with it). Over"),
+        (BY_PRIOR, " (for J = 0.38 kg m^2, which the prior sets: torques grow with it). Over"),
+        (BY_BOTH, " (for J = 0.38 kg m^2, to which the prior adds: torques grow with it). Over"),
+        (BY_HAND, " (for J = 0.38 kg m^2, which you fixed: torques grow with it). Over"),
+        (INERTIA, "(segment leg 0, 0.10-0.21 s). Over"),
+    ],
+)
+def test_where_torques_are_missing_says_whose_inertia_they_go_with(known, said):
+    """They were found before anything was added: what the fit with it tells is another inertia."""
+    one = found()
+    before = replace(one.before, parameters={**one.before.parameters, "inertia": known})
+    after = replace(one.before, parameters={**one.before.parameters, "inertia": INERTIA})
+    place = replace(one.location, inertia=0.38)
+    region = replace(place.regions[0], end=0.21)
+    told = replace(one, before=before, after=after, location=replace(place, regions=[region]))
+    assert said in sentences(told)["Where"]
 
 
 def test_what_leaves_more_than_noise_is_a_part_of_what_is_missing():

@@ -18,7 +18,7 @@ from exoid.report.pictures.determined import shares_of, show_parameters
 from exoid.report.pictures.drops import drop_of
 from exoid.report.pictures.mismatch.causes import causes_of
 from exoid.report.pictures.mismatch.proof import proof_of
-from exoid.report.pictures.mismatch.torque import plane_of, torque_of
+from exoid.report.pictures.mismatch.torque import parting_of, plane_of, show_torque, torque_of
 from exoid.report.pictures.motion import motion_of
 from exoid.report.pictures.panel import (
     Band,
@@ -35,6 +35,7 @@ from exoid.report.pictures.panel import (
 from exoid.report.pictures.profiles import profile_of
 from exoid.report.pictures.role import Role
 from exoid.report.pictures.search import costs_of, family_of, pairs_of
+from exoid.report.plots.diagnosis import plot_diagnosis
 from exoid.report.plots.draw import draw as draw_print
 from exoid.report.words.typeset import with_formulas, with_mathtext
 from swings import drop
@@ -237,3 +238,17 @@ def test_what_a_model_left_out_is_drawn_behind_what_it_has():
         assert behind.role is role
         assert behind.y - front.y == pytest.approx(np.degrees(moved))
         assert behind.x - front.x == pytest.approx(0.5)
+
+
+@pytest.mark.parametrize(("verdict", "strongest"), [("none", 0), ("cannot_tell", 1)])
+def test_nothing_is_strongest_where_nothing_is_missing(verdict, strongest):
+    """Noise has a largest value, too, which is no place where anything is missing."""
+    one = replace(found(), verdict=verdict, findings=[], reasons=["too short"])
+    assert len(one.location.regions) == 1
+    figure = plot_diagnosis(one)
+    spots = [each for each in figure.findobj(Rectangle) if each.get_label() == "strongest"]
+    drawn = torque_of(parting_of(one), 0).marks
+    roles = [mark.role for mark in drawn if isinstance(mark, Band)]
+    assert roles.count(Role.STRONGEST) == strongest
+    assert bool(spots) == bool(strongest)
+    assert ("Amber" in show_torque(parting_of(one), 0).caption) == bool(strongest)

@@ -2,15 +2,22 @@
 
 import io
 import re
+from dataclasses import replace
 
 import pytest
+from diagnosis_by_hand import found
 from html_tree import parse, rows
 from page_cases import made_up
 from rich.console import Console
 from test_fit_json import fitted
 
+from exoid.fitting.result.fit_result import Estimate
+from exoid.mismatch.answer.diagnosis import Booked, Suspect
 from exoid.report.page import build_page
 from exoid.report.sections.parameters import parameters_of
+from exoid.report.tables.compare import ComparedQuantity
+from exoid.report.tables.comparison import quantities
+from exoid.report.tables.diagnosis import suspects
 from exoid.report.tables.leg import parameters, ratios, segments
 from exoid.report.tables.table import Column, Table, print_table
 from exoid.report.words.typeset import formula, tidy
@@ -85,3 +92,19 @@ def test_what_is_said_of_one_only_is_not_in_the_other():
     assert table.rows == [("1", "2")]
     assert "2" not in printed(table)
     assert "3" in printed(table)
+
+
+@pytest.mark.parametrize("unit", ["-", "1"])
+def test_what_has_no_unit_has_a_blank_in_every_table(unit):
+    """However a quantity declares it."""
+    estimate = Estimate("k", "scale", unit, 0.013, 0.001)
+    compared = ComparedQuantity("scale", "k", unit, estimate, estimate)
+    suspected = replace(found(), suspected=[Suspect(["x"], [Booked("scale", 0.12, 0.25, unit)])])
+    tables = [
+        Table("", {"name": ["scale"], "value": Column(["0.013"], units=[unit])}),
+        quantities([compared]),
+        suspects(suspected),
+    ]
+    for table in tables:
+        last = printed(table).rstrip().splitlines()[-1].split()
+        assert unit not in last, table

@@ -9,21 +9,19 @@ from typer.main import get_command
 
 from exoid.cli.welcome import WELCOME
 
-# As the command itself begins. `--help` shows them without loading any command.
+# As the command itself begins, each as short as `--help` shows it whole, and without loading any.
 COMMANDS = {
-    "fit": "Find mass, inertia, COM distance, damping, stiffness and torque of a leg.",
-    "example": "Copy the recording that comes with exoid, and a sidecar whose comments explain it.",
-    "drops": "Read the pendulum-test measures off every passive drop: no model, no fit, no "
-    "diagnosis.",
-    "diagnose": "Say where simulation and recording part, which physics was left out, and prove "
-    "it.",
-    "report": "Fit and diagnose a leg and write one page about it, to look at, print and pass on.",
-    "plan": "Say which recording would narrow a quantity most, or tell rival causes apart.",
-    "compare": "Show two saved results side by side: two days, two sides, or two settings.",
-    "record": "Record the node's frames, and what is known of the leg, until Ctrl-C.",
-    "node": "Commission the node on the leg: find it, set its zero, direction, id and bit rate.",
-    "simulate": "Simulate drops and cycles of a leg and write them as a recording.",
-    "convert": "Write a recording as exoid's table (.csv or .parquet) with its sidecar (.toml).",
+    "fit": "Find a leg's mass, inertia, damping, stiffness and torque.",
+    "example": "Copy the recording that comes with exoid, and its sidecar.",
+    "drops": "Read the pendulum-test measures off every passive drop.",
+    "diagnose": "Say which physics the model lacks, where it shows, and prove it.",
+    "report": "Fit and diagnose a leg, and write one page about it.",
+    "plan": "Say what to record next, and how much it would tell.",
+    "compare": "Show two saved results side by side.",
+    "record": "Record the node's frames until Ctrl-C.",
+    "node": "Find the node on the leg, and set it up.",
+    "simulate": "Simulate drops and cycles of a leg, as a recording.",
+    "convert": "Write a recording as exoid's table, with its sidecar.",
 }
 PLAIN: dict[str, Any] = {"pretty_exceptions_enable": False, "rich_markup_mode": None}
 

@@ -5,6 +5,7 @@ from collections.abc import Iterable
 from contextlib import contextmanager
 from pathlib import Path
 
+from exoid.files.system_errors import told
 from exoid.files.visible import visible
 
 Notes = tuple[str, ...]
@@ -38,7 +39,7 @@ def content_of(path: Path) -> bytes:
     try:
         return path.read_bytes()
     except OSError as error:
-        raise ValueError(f"cannot be read: {error.strerror}. Check the name.") from error
+        raise ValueError(f"cannot be read: {told(error)}") from error
 
 
 def plain_lines(text: str) -> str:

@@ -21,9 +21,9 @@ def compare(
     json: Json = None,
     force: Force = False,
 ) -> None:
-    """Show two saved results side by side: two days, two sides, or two settings.
+    """Show two saved results side by side.
 
-    Diagnoses are compared where they were saved.
+    Two days, two sides, or two settings. Diagnoses are compared where they were saved.
 
     \b
     Examples:

@@ -36,9 +36,10 @@ def convert(
     strict: Strict = False,
     force: Force = False,
 ) -> None:
-    """Write a recording as exoid's table (.csv or .parquet) with its sidecar (.toml).
+    """Write a recording as exoid's table, with its sidecar.
 
-    Signs and zero that --flip and --zero mend are written as exoid counts them.
+    The table is .csv or .parquet, the sidecar .toml. Signs and zero that --flip and --zero mend are
+    written as exoid counts them.
     The segments are those that `exoid fit` would see: drops and cycles, without what lies between.
 
     \b

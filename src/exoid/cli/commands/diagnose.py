@@ -59,7 +59,7 @@ def diagnose(
     report: Report = None,
     force: Force = False,
 ) -> None:
-    """Say where simulation and recording part, which physics was left out, and prove it.
+    """Say which physics the model lacks, where it shows, and prove it.
 
     \b
     Examples:

@@ -32,10 +32,11 @@ def drops(
     json: Json = None,
     force: Force = False,
 ) -> None:
-    """Read the pendulum-test measures off every passive drop: no model, no fit, no diagnosis.
+    """Read the pendulum-test measures off every passive drop.
 
-    Relaxation index, plateau angle, period, decrements, peak velocities and accelerations, each
-    with its error, or with the reason why this recording does not allow it.
+    No model, no fit, no diagnosis. Relaxation index, plateau angle, period, decrements, peak
+    velocities and accelerations, each with its error, or with the reason why this recording does
+    not allow it.
 
     \b
     Examples:

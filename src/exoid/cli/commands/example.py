@@ -9,7 +9,7 @@ import typer
 from exoid.cli.inputs.reading import EXAMPLE
 from exoid.cli.outputs.destination import check_absent
 from exoid.cli.terminal.say import say
-from exoid.files.replacing import replace_files
+from exoid.files.replacing import made, replace_files
 
 FILES = (EXAMPLE, EXAMPLE.with_suffix(".toml"))
 NEXT = """
@@ -33,7 +33,9 @@ def example(
         bool, typer.Option("--force", help="Replace files of that name that are there.")
     ] = False,
 ) -> None:
-    """Copy the recording that comes with exoid, and a sidecar whose comments explain it.
+    """Copy the recording that comes with exoid, and its sidecar.
+
+    The comments of the sidecar explain every line.
 
     \b
     Examples:
@@ -44,8 +46,8 @@ def example(
         raise ValueError(f"{folder}: this is a file. Name a folder.")
     targets = [folder / each.name for each in FILES]
     check_absent(targets, force)
-    folder.mkdir(parents=True, exist_ok=True)
-    replace_files({to: each.read_bytes() for to, each in zip(targets, FILES, strict=True)})
+    with made(folder):
+        replace_files({to: each.read_bytes() for to, each in zip(targets, FILES, strict=True)})
     recording, sidecar = targets
     say(f"wrote {recording} and {sidecar}")
     say(*NEXT.format(shlex.quote(str(recording)), sidecar.name).splitlines())

@@ -105,7 +105,9 @@ def fit(
     report: Report = None,
     force: Force = False,
 ) -> None:
-    """Find mass, inertia, COM distance, damping, stiffness and torque of a leg.
+    """Find a leg's mass, inertia, damping, stiffness and torque.
+
+    Its COM distance, too, and the error of each.
 
     \b
     Examples:

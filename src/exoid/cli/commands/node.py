@@ -10,7 +10,9 @@ from exoid.cli.commands.on_node.zero import zero
 
 node = typer.Typer(
     name="node",
-    help="""Commission the node on the leg: find it, set its zero, direction, id and bit rate.
+    help="""Find the node on the leg, and set it up.
+
+    Its zero, direction, id and bit rate.
 
     The node keeps what it is told over a loss of power. Nothing is to be compiled.
 

@@ -75,7 +75,9 @@ def plan(
     json: Json = None,
     force: Force = False,
 ) -> None:
-    """Say which recording would narrow a quantity most, or tell rival causes apart.
+    """Say what to record next, and how much it would tell.
+
+    What narrows a quantity most, or tells rival causes apart.
 
     \b
     Examples:

@@ -53,10 +53,11 @@ def record(
     note: Annotated[str | None, typer.Option(help="For the sidecar.", metavar="TEXT")] = None,
     force: Force = False,
 ) -> None:
-    """Record the node's frames, and what is known of the leg, until Ctrl-C.
+    """Record the node's frames until Ctrl-C.
 
-    What no option says of the leg is asked for where a person sits before the terminal.
-    Everything but the last second is on disk at any time. A bus that goes is waited for.
+    What is known of the leg goes to the sidecar, and what no option says of it is asked for where a
+    person sits before the terminal. Everything but the last second is on disk at any time. A bus
+    that goes is waited for.
 
     \b
     Examples:
@@ -72,7 +73,7 @@ def record(
     check_absent((output, sidecar), force)
     if segment:
         check_keyboard()
-    from exoid.recordings.live.bus import BusAddress
+    from exoid.recordings.live.channel.address import BusAddress
     from exoid.recordings.recording import Subject
 
     log = LogFile(output, replace=force)

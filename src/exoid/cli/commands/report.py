@@ -52,9 +52,9 @@ def report(
     zero: ZeroOption = None,
     force: Force = False,
 ) -> None:
-    """Fit and diagnose a leg and write one page about it, to look at, print and pass on.
+    """Fit and diagnose a leg, and write one page about it.
 
-    The page holds its figures, and needs no network.
+    To look at, print and pass on. The page holds its figures, and needs no network.
 
     \b
     Examples:

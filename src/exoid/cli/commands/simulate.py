@@ -62,7 +62,7 @@ def simulate(
     seed: Annotated[int, typer.Option(min=0, max=2**32 - 1, help="Of the noise.")] = 0,
     force: Force = False,
 ) -> None:
-    """Simulate drops and cycles of a leg and write them as a recording.
+    """Simulate drops and cycles of a leg, as a recording.
 
     \b
     Examples:

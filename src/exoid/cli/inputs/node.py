@@ -6,8 +6,6 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from exoid.cli.terminal.say import say
-
 if TYPE_CHECKING:
     from exoid.recordings.commissioning.dialogue import Dialogue
     from exoid.recordings.commissioning.node_state import NodeState
@@ -27,9 +25,10 @@ SERIAL_LENGTH = 8  # hexadecimal digits
 def talking(channel: str, interface: str, bitrate: int) -> Iterator["Dialogue"]:
     """The nodes of a bus, to be asked."""
     from exoid.recordings.commissioning.dialogue import Dialogue
-    from exoid.recordings.live.bus import BusAddress, LiveBus
+    from exoid.recordings.live.bus import LiveBus
+    from exoid.recordings.live.channel.address import BusAddress
 
-    bus = LiveBus(BusAddress(interface, channel, bitrate), lambda line: say(line, err=True))
+    bus = LiveBus(BusAddress(interface, channel, bitrate))
     try:
         yield Dialogue(bus)
     finally:

@@ -5,7 +5,7 @@ from contextlib import suppress
 from exoid.cli.live.session import NAMES, Session
 from exoid.cli.terminal.faults import one_line
 from exoid.cli.terminal.say import say
-from exoid.recordings.live.bus import CanBusError
+from exoid.recordings.live.channel.address import CanBusError
 from exoid.recordings.loading.can_log import read_can_log
 
 

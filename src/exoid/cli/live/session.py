@@ -8,7 +8,8 @@ from pathlib import Path
 from exoid.cli.terminal.faults import one_line
 from exoid.cli.terminal.screen import Screen
 from exoid.recordings.can.node.config_crc import config_crc
-from exoid.recordings.live.bus import BusAddress, LiveBus
+from exoid.recordings.live.bus import LiveBus
+from exoid.recordings.live.channel.address import BusAddress
 from exoid.recordings.live.log_file import LogFile
 from exoid.recordings.live.marks import Marks
 from exoid.recordings.live.record import record
@@ -77,17 +78,22 @@ class Session:
             self.described = b""
             self.describe()
         for key in self.pressed() if self.pressed is not None else "":
-            if self.log.frames:
-                self.mark(key)
+            self.mark(key)
         self.screen.show(f"{live_line(self.watch.status(self.bus.bad))}{self.open_segment()}")
 
     def mark(self, key: str) -> None:
+        if key not in {*KEYS, END}:
+            return
+        if not self.log.frames:
+            self.screen.tell(
+                f"'{key}' marks nothing: no frame has come yet. Press it again once angles are "
+                "shown."
+            )
+            return
         if key in KEYS:
             self.marks.begin(KEYS[key], self.watch.seconds)
-        elif key == END:
-            self.marks.end(self.watch.seconds)
         else:
-            return
+            self.marks.end(self.watch.seconds)
         self.describe()
 
     def open_segment(self) -> str:

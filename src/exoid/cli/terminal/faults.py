@@ -4,6 +4,8 @@ import sys
 from contextlib import suppress
 from traceback import walk_tb
 
+from exoid.files.system_errors import told
+
 # Those that compute. What they say of arrays is not for users.
 LIBRARIES = ("numpy", "scipy", "jax", "jaxlib", "equinox", "optimistix", "lineax", "diffrax")
 INTERRUPTED = 130  # as shells have it: 128 and the number of the signal
@@ -67,6 +69,4 @@ def one_line(fault: Exception) -> str:
     """The message; an error of the operating system as "FILE: reason. What to do."."""
     if not isinstance(fault, OSError) or not fault.strerror:
         return " ".join(str(fault).split())
-    hint = " Check the name." if isinstance(fault, FileNotFoundError) else ""
-    said = f"{fault.strerror}.{hint}"
-    return f"{fault.filename}: {said}" if fault.filename else said
+    return f"{fault.filename}: {told(fault)}" if fault.filename else told(fault)

@@ -15,9 +15,9 @@ MOUNTING = {  # name: symbol, title, unit
     "added_mass_gyration": ("k", "radius of gyration of the added mass about its centre", "m"),
     "zero": ("zero", "what the encoder shows with the knee extended", "rad"),
     "tilt": ("tilt", "tilt of the thigh beyond the declared angle", "rad"),
-    "gyro_scale": ("scale", "gyro scale, less 1", "-"),
+    "gyro_scale": ("scale", "gyro scale, less 1", "1"),
     "gyro_bias": ("bias", "gyro bias", "rad/s"),
-    "clock": ("clock", "true seconds in a recorded one, less 1", "-"),
+    "clock": ("clock", "true seconds in a recorded one, less 1", "1"),
 }
 FIELDS = dict(zip(("log_distance", "log_added", "extent"), list(MOUNTING)[:3], strict=True)) | {
     name: name for name in OWNED[3:]

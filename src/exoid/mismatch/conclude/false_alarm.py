@@ -21,6 +21,7 @@ from exoid.mismatch.search.found import Found, size
 from exoid.mismatch.sensors.compare import inverse
 
 DRAWS = 64
+TOGETHER = 16  # of them: their derivatives take memory
 FEWEST = 4  # blocks of a segment
 LUCKY = 0.05  # of recordings in which chance may make a cause clear
 FAR = 10.0  # times what chance makes in so many, that what is found there must be clearer
@@ -55,12 +56,17 @@ def by_chance(found: Found, best: Optimum, seed: int) -> Chance:
     columns = turned_over(prepared, best, np.random.default_rng(seed))
     simulated = MeasuredMotion(angle, velocity, rate(velocity, prepared.seen.time))
     each = [(replace(one.candidate, linear=None), simulated) for one in tested]
-    tables = with_columns(prepared, each, replace(nothing(prepared, DRAWS), shown=columns))
-    beyond = [
-        gains(prepared, one.candidate, table) / measure.scale - measure.least(size(one))
-        for one, table in zip(tested, tables, strict=True)
-    ]
-    place, width = gumbel(np.max(beyond, axis=0))
+
+    def beyond(shown: np.ndarray) -> np.ndarray:
+        tables = with_columns(prepared, each, replace(nothing(prepared, len(shown)), shown=shown))
+        gained = [
+            gains(prepared, one.candidate, table) / measure.scale - measure.least(size(one))
+            for one, table in zip(tested, tables, strict=True)
+        ]
+        return np.max(gained, axis=0)
+
+    some = np.split(columns, range(TOGETHER, DRAWS, TOGETHER))
+    place, width = gumbel(np.concatenate([beyond(shown) for shown in some]))
     usual = place - width * float(np.log(-np.log(1 - LUCKY)))
     return Chance(above(claimed, place, width), usual, claimed)
 

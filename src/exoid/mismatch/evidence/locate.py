@@ -42,7 +42,9 @@ def locate(prepared: PreparedRecording, base: Hypothesis, best: Optimum) -> Loca
     regions.sort(key=lambda each: abs(each.torque) * (each.end - each.begin), reverse=True)
     rows = [(each.angle, each.angular_velocity, each.torque) for each in missing]
     angle, speed, torque = map(np.concatenate, zip(*rows, strict=True))
-    return Location(missing, regions[:MOST], explained(angle, torque), explained(speed, torque))
+    inertia = float(np.exp(prepared.coordinates(base).shared.log_inertia))
+    shares = explained(angle, torque), explained(speed, torque)
+    return Location(missing, regions[:MOST], *shares, inertia)
 
 
 def lacking(

@@ -43,6 +43,7 @@ class Location:
     regions: list[Region]
     by_angle: Annotated[float, "1"]  # share of its variance that the angle alone explains
     by_speed: Annotated[float, "1"]  # that speed and direction alone explain
+    inertia: Annotated[float | None, "kg m^2"] = None  # of the leg, with which the torques grow
 
     @property
     def pattern(self) -> str:

@@ -25,7 +25,9 @@ from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.screen.segment_groups import of, of_all_segments, summed
 
 FEW = 4  # parameters that it has room for in a candidate, or twice as many, and so on
-LARGEST = 300_000  # samples of candidates that are worked out together: some 200 MB
+LARGEST = 150_000  # samples of candidates that are worked out together: some 100 MB
+KEPT = 600_000  # samples of candidates whose terms' effects are held at once: some 100 MB
+PROGRAM = 200_000  # derivatives by a sample and a column in one program: some 100 MB
 FOLD = "exoid.mismatch.screen.pinned:fold"
 GRAM = jax.tree.structure(np.zeros(()))
 
@@ -61,8 +63,14 @@ def with_columns(
         rows = [*range(count), *range(last - size, last + 1)]
         return summed(gram[:, rows][:, :, rows], prepared.places, one.point.size)
 
-    grams = fold(prepared, tried, beside, tether, min(AT_ONCE, len(tried)))
-    return [whole(one, gram) for (one, _), gram in zip(tried, grams, strict=True)]
+    most = max(AT_ONCE, KEPT // prepared.seen.time.size)
+    return [
+        whole(one, gram)
+        for some in parts(tried, most)
+        for (one, _), gram in zip(
+            some, fold(prepared, some, beside, tether, len(tried)), strict=True
+        )
+    ]
 
 
 def fold(
@@ -70,17 +78,20 @@ def fold(
     seen: Sequence[Tried],
     beside: Effect,
     tether: float = 0.0,
-    at_once: int = AT_ONCE,
+    most: int = AT_ONCE,
 ) -> list[np.ndarray]:
-    """(J, r)'(J, r) of every candidate and segment, with what else may act or be shown `beside`."""
+    """(J, r)'(J, r) of every candidate and segment, with what else may act or be shown `beside`;
+    at most so many candidates to a program, and fewer where their segments are long.
+    """
     found = effects(prepared, seen)
     widths = defaultdict(list)
     for row, effect in enumerate(found):
         widths[room(effect.shown.shape[0] - 1)].append(row)
     batches = [
-        (width, filled(rows, at_once))
+        (width, filled(rows, size))
         for width, each in widths.items()
-        for rows in parts(each, at_once)
+        for size in [min(most, at_once(prepared, width + beside.shown.shape[0]))]
+        for rows in parts(each, size)
     ]
 
     def run(batch, segments: np.ndarray) -> np.ndarray:
@@ -99,6 +110,12 @@ def fold(
     for (_, rows), answer in zip(batches, answers, strict=True):
         grams.update(zip(rows, answer, strict=True))
     return [grams[row] for row in range(len(seen))]
+
+
+def at_once(prepared: PreparedRecording, beside: int) -> int:
+    """How many candidates a program takes, by the samples of its segments and their columns."""
+    columns = prepared.places.shape[1] + 2 + beside + 1
+    return int(np.clip(PROGRAM // (GROUP * prepared.seen.time.shape[1] * columns), 1, AT_ONCE))
 
 
 def room(parameters: int) -> int:

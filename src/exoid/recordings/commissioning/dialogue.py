@@ -7,7 +7,8 @@ from math import degrees
 from exoid.recordings.commissioning.commands import EVERYBODY, SET_ZERO, TELL, command
 from exoid.recordings.commissioning.ear import Ear
 from exoid.recordings.commissioning.node_state import NodeState
-from exoid.recordings.live.bus import CanBusError, LiveBus
+from exoid.recordings.live.bus import LiveBus
+from exoid.recordings.live.channel.address import CanBusError
 from exoid.recordings.live.silence import CHECK, something_else
 
 ROUNDS = 3  # a frame may be lost: how often a question is asked
@@ -69,11 +70,17 @@ class Dialogue:
     def zero(self, to: NodeState, angle: float) -> NodeState:
         """Let the angle of a knee that is held still be `angle` [rad].
 
-        **Raises** `CanBusError` for a knee that moves, and as `order` does.
+        **Raises** `CanBusError` for a knee that moves or is not seen, and as `order` does.
         """
         ear = Ear()
         self.listen(ear, STILLNESS, lambda: False)
-        fastest = max(ear.speeds.get(to.node, [0.0]))
+        if to.node not in ear.speeds:
+            raise CanBusError(
+                f"{to} answers, but sends no EXO_STATE, which tells whether the knee is still: its "
+                "angle was not taken. exoid node show says whether its sensors answer; check "
+                "their cables and the load of the bus, and repeat."
+            )
+        fastest = max(ear.speeds[to.node])
         if fastest > STILL:
             raise CanBusError(
                 f"the knee of {to} moves at {degrees(fastest):.0f} deg/s: its angle was not taken. "

@@ -5,59 +5,45 @@ and nobody is told.
 """
 
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import dataclass, field
+from errno import ENODEV
 from typing import Any
 
 import can
 
-from exoid.files.library_faults import plain, quiet
-from exoid.recordings.live.port import HELD, check_free, hold
-from exoid.recordings.live.slcan import SlcanPort
+from exoid.files.library_faults import quiet
+from exoid.recordings.live.channel.address import BusAddress, CanBusError
+from exoid.recordings.live.channel.advise import bring_up
+from exoid.recordings.live.channel.fault import Fault, loss_of
+from exoid.recordings.live.channel.open import opened, source_of
 
 PATIENCE = 0.05  # s without a frame, after which the caller may look at other things
 RETRY = 1.0  # s between attempts to open a bus that is gone
-SERIAL = ("slcan", "serial")  # interfaces whose channel is a serial port
+ACKNOWLEDGE = "Check that it is plugged in, and that another device on the bus acknowledges."
 DATA, FD_DATA = 8, 64  # bytes that a frame can hold
 STANDARD, EXTENDED = 0x7FF, 0x1FFFFFFF  # the highest ids
 
 Tell = Callable[[str], Any]
 
 
-class CanBusError(ValueError):
-    """A bus that cannot be opened, in one line: what is wrong, where, and what to do."""
-
-
-@dataclass(frozen=True)
-class BusAddress:
-    """Which bus: python-can's interface and channel, the bit rate [bit/s], further options."""
-
-    interface: str
-    channel: str
-    bitrate: int
-    options: Mapping[str, Any] = field(default_factory=dict)
-
-    def __str__(self) -> str:
-        return f"{self.interface} {self.channel}"
-
-
 class LiveBus:
     """The frames of a bus. When it is gone, it is tried again every second until it is back.
 
-    `tell` is called with a sentence when the bus goes and when it comes back.
+    `tell` is called with a sentence when the bus goes and when it comes back; without it a bus
+    that goes ends what is done with it.
 
-    **Raises** `CanBusError` when the bus cannot be opened at first.
+    **Raises** `CanBusError` when the bus cannot be opened at first, or goes and nobody is told.
     """
 
-    def __init__(self, address: BusAddress, tell: Tell):
+    def __init__(self, address: BusAddress, tell: Tell | None = None):
         self.address = address
         self.tell = tell
         self.bad = 0  # lines and frames that no CAN controller has sent
         self.gone: float | None = None  # s, monotonic, since when
         self.next_try = 0.0
         self.bus: can.BusABC | None = opened(address)
-        self.source = source_of(address, self.bus)
+        self.source = source_of(address, self.bus, PATIENCE)
 
     def receive(self) -> can.Message | None:
         """The next frame that is one; None where none came for a moment."""
@@ -69,8 +55,8 @@ class LiveBus:
         except (ValueError, IndexError):  # of those who take a line apart
             self.bad += 1
             return None
-        except (can.CanError, OSError) as fault:
-            self.lose(plain(str(fault.__cause__ or fault)))
+        except (can.CanError, OSError) as raised:
+            self.lose(loss_of(raised))
             return None
         if message is None:
             return None
@@ -84,24 +70,26 @@ class LiveBus:
         """Put a frame on the bus. **Raises** `CanBusError` where it does not take it."""
         try:
             if self.bus is None:
-                raise can.CanOperationError("it is not there")
+                raise OSError(ENODEV, "gone")
             self.bus.send(message)
-        except (can.CanError, OSError) as fault:
-            reason = plain(str(fault.__cause__ or fault))
-            raise CanBusError(
-                f"{self.address} takes no frame: {reason}. Check that it is plugged in, and that "
-                "another device on the bus acknowledges."
-            ) from fault
+        except (can.CanError, OSError) as raised:
+            fault = loss_of(raised)
+            todo = bring_up(self.address) if fault == Fault.DOWN else ACKNOWLEDGE
+            raise CanBusError(f"{self.address} takes no frame: {fault}. {todo}") from raised
 
-    def lose(self, reason: str) -> None:
+    def lose(self, fault: Fault | str) -> None:
         """The bus is gone: say so once, and let go of it."""
         self.close()
-        if self.gone is None:
-            self.gone = time.monotonic()
-            self.tell(
-                f"{self.address} is gone ({reason}). What was recorded is kept. Plug it in again: "
-                "it is tried every second until Ctrl-C."
-            )
+        if self.gone is not None:
+            return
+        self.gone = time.monotonic()
+        todo = bring_up(self.address) if fault == Fault.DOWN else "Plug it in again."
+        if self.tell is None:
+            raise CanBusError(f"{self.address} is gone: {fault}. {todo} Then repeat the command.")
+        self.tell(
+            f"{self.address} is gone: {fault}. What was recorded is kept. {todo} It is tried every "
+            "second until Ctrl-C."
+        )
 
     def try_again(self) -> None:
         """Open the bus if it is time to, else wait for a moment."""
@@ -110,15 +98,15 @@ class LiveBus:
             return
         try:
             self.bus = opened(self.address)
-            self.source = source_of(self.address, self.bus)
+            self.source = source_of(self.address, self.bus, PATIENCE)
         except CanBusError:
             self.next_try = time.monotonic() + RETRY
 
     def welcome(self) -> None:
         """A frame came: if the bus had been gone, it is back."""
-        if self.gone is not None:
+        if self.gone is not None and self.tell is not None:
             self.tell(f"{self.address} is back after {time.monotonic() - self.gone:.0f} s.")
-            self.gone = None
+        self.gone = None
 
     def close(self) -> None:
         """Let go of the bus, however ill it is."""
@@ -134,55 +122,6 @@ class LiveBus:
         if port is not None:
             with suppress(OSError):
                 port.close()
-
-
-def source_of(address: BusAddress, bus: can.BusABC) -> Any:
-    """Who gives the frames: the bus, or for slcan a reader of ours on its port."""
-    if address.interface != "slcan":
-        return bus
-    return SlcanPort(bus.serialPortOrig, PATIENCE)  # pyright: ignore[reportAttributeAccessIssue]
-
-
-def opened(address: BusAddress) -> can.BusABC:
-    slcan = address.interface == "slcan"
-    try:
-        if slcan:
-            check_free(address.channel)
-        with quiet("can"):
-            bus = can.Bus(
-                interface=address.interface,
-                channel=address.channel,
-                bitrate=address.bitrate,
-                **address.options,
-            )
-        if slcan:
-            hold(bus.serialPortOrig)  # pyright: ignore[reportAttributeAccessIssue]
-        return bus
-    except Exception as fault:
-        # The backends of python-can have no family of exceptions: a missing driver raises anything.
-        reason = plain(str(fault)) or type(fault).__name__
-        raise CanBusError(
-            f"{address} cannot be opened: {reason}. {advice(address, reason)}"
-        ) from fault
-
-
-def advice(address: BusAddress, reason: str) -> str:
-    """What to do about a bus that cannot be opened."""
-    if address.interface not in can.VALID_INTERFACES:
-        return f"The interface can be {', '.join(sorted(can.VALID_INTERFACES))}."
-    if reason == HELD:
-        return (
-            "Close that one. A recording whose terminal was closed goes on: pgrep -af 'exoid "
-            "record' shows its number, and kill NUMBER ends it with all that it recorded."
-        )
-    if "Permission denied" in reason:
-        return "Give yourself access to it: on Linux join its group, dialout, and log in again."
-    if address.interface not in SERIAL or "bitrate" in reason:
-        return "Check the channel, the bit rate, and that the adapter and its driver are there."
-    from serial.tools.list_ports import comports
-
-    ports = ", ".join(sorted(port.device for port in comports()))
-    return f"Is it plugged in? Serial ports here: {ports or 'none'}."
 
 
 def is_whole(message: can.Message) -> bool:

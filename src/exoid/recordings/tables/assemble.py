@@ -13,7 +13,7 @@ from exoid.recordings.columns import ANGLES, NUMERIC, SEGMENT, TARGETS, UNITS, T
 from exoid.recordings.tables.dialect import NUMBERS
 from exoid.recordings.tables.names import recognised
 from exoid.recordings.tables.sheet import Cells, Column, Place, Sheet, listed
-from exoid.recordings.tables.times_of_day import seconds
+from exoid.recordings.tables.times_of_day import read_clock
 from exoid.recordings.tables.units import plain, size_of
 
 LARGEST_RADIANS = {"rad": 7.0, "rad/s": 35.0}  # beyond it a number without a unit is in degrees
@@ -149,9 +149,9 @@ def converted(match: Match, place: Place) -> tuple[Cells, str]:
     if match.target == SEGMENT:
         return renumbered(column) if match.guessed else in_numbers(column, place), ""
     if match.target == "time_s" and not column.numeric:
-        since = seconds(tuple(column.cells))
-        if since is not None:
-            return since, "s since the first"
+        clock = read_clock(column, place)
+        if clock is not None:
+            return clock.seconds, clock.unit
     numbers = in_numbers(column, place)
     if match.size is not None:
         return numbers * match.size if match.size != 1.0 else numbers, ""

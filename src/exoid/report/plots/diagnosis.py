@@ -7,7 +7,7 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.report.pictures.mismatch.causes import causes_of
 from exoid.report.pictures.mismatch.proof import proof_of
-from exoid.report.pictures.mismatch.torque import plane_of, torque_of, worst
+from exoid.report.pictures.mismatch.torque import parting_of, plane_of, torque_of, worst
 from exoid.report.plots.arrange import draw_rows, head
 from exoid.report.plots.draw import draw
 from exoid.report.plots.style import TEXT
@@ -28,7 +28,7 @@ def plot_diagnosis(found: Diagnosis) -> Figure:
         figure = Figure(figsize=(WIDE, TALL), layout=layout)
         parts = figure.subfigures(3, 1, squeeze=False, height_ratios=[1.0, 1.15, 1.0])[:, 0]
         head(parts[0], "Where they part: the torque that Eq. 9 lacks")
-        draw_rows(parts[0], [[torque_of(found.location, number) for number in worst(found)]])
+        draw_rows(parts[0], [[torque_of(parting_of(found), number) for number in worst(found)]])
         draw_causes(parts[1], found)
         head(parts[2], proof(found))
         draw_rows(parts[2], [[proof_of(found, number) for number in worst(found)]])

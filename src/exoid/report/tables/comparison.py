@@ -15,7 +15,16 @@ from exoid.report.tables.table import Column, Table, print_table
 from exoid.report.tables.two_diagnoses import diagnosis_entry, side_by_side
 from exoid.report.words.estimate import written
 from exoid.report.words.person import person
-from exoid.report.words.text import aligned, capital, counted, heading, in_degrees, in_words, say
+from exoid.report.words.text import (
+    aligned,
+    capital,
+    counted,
+    heading,
+    in_degrees,
+    in_words,
+    say,
+    shown_unit,
+)
 
 SIDES = ("first", "second")
 
@@ -57,7 +66,7 @@ def quantities(each: list[ComparedQuantity]) -> Table:
         "quantity": Column(names, spare=1, brief=[one.symbol for one in each]),
         "first": [value(one.first) for one in each],
         "second": [value(one.second) for one in each],
-        "unit": [one.unit for one in each],
+        "unit": [shown_unit(one.unit) for one in each],
         "differ by\n[errors]": [errors(one) for one in each],
     }
     return Table("", columns, "Parameters, torque and ratios of both")

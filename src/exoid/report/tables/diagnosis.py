@@ -6,7 +6,15 @@ from exoid.mismatch.answer.diagnosis import Diagnosis, Tested
 from exoid.report.tables.leg import before_and_after
 from exoid.report.tables.table import Column, Table, print_table
 from exoid.report.words.diagnosis import headline, sentences
-from exoid.report.words.text import capital, heading, in_words, note, quantity_words, say
+from exoid.report.words.text import (
+    capital,
+    heading,
+    in_words,
+    note,
+    quantity_words,
+    say,
+    shown_unit,
+)
 
 IN_ERRORS = "The errors of the leg's numbers hold how far these are apart, each by its odds."
 LEGEND = (
@@ -49,7 +57,7 @@ def suspects(found: Diagnosis) -> Table:
         name = " + ".join(map(in_words, each.terms))
         cells = [f"{one.after:.3g}" for one in each.numbers]
         columns[name] = Column(cells, head=name.replace(" ", "\n"))
-    columns["unit"] = [one.unit for one in first]
+    columns["unit"] = [shown_unit(one.unit) for one in first]
     title = "What each cause that it may be would make of the leg"
     return Table(title, columns, title)
 

@@ -7,7 +7,7 @@ from rich.console import Console
 from exoid.pendulum.drop import Average, Drop, PendulumTest
 from exoid.recordings.landmarks.measure import Measure
 from exoid.report.tables.table import Column, Table, print_table
-from exoid.report.words.text import by_reason, heading, note, say, with_error
+from exoid.report.words.text import by_reason, heading, note, say, shown_unit, with_error
 
 LARGE = 99.5  # of an error, beyond which two digits of it leave no unit
 MOST = 40  # drops with a table of their own
@@ -44,7 +44,7 @@ def print_drop(drop: Drop, console: Console) -> None:
         "measure": [each.title for each in read],
         "symbol": Column([each.symbol for each in read], head=""),
         "value": [value(each) for each in read],
-        "unit": [shown_unit(each.unit) for each in read],
+        "unit": [in_degrees(each.unit) for each in read],
         "at [s]": [f"{each.marks[-1].time:.2f}" if each.marks else "" for each in read],
     }
     print_table(Table("", columns, title), console)
@@ -67,7 +67,7 @@ def print_average(test: PendulumTest, console: Console) -> None:
         "measure": [one.title for one in each],
         "symbol": Column([one.symbol for one in each], head=""),
         "mean ± sd": [mean(one) for one in each],
-        "unit": [shown_unit(one.unit) for one in each],
+        "unit": [in_degrees(one.unit) for one in each],
         "drops": [str(len(one.drops)) for one in each],
     }
     print_table(Table("", columns, "Average over drops"), console)
@@ -94,5 +94,5 @@ def written(unit: str, number: float, error: float | None) -> str:
     return f"{round(number, -1):.0f} ± {round(error, -1):.0f}"
 
 
-def shown_unit(unit: str) -> str:
-    return "" if unit == "1" else unit.replace("rad", "deg")
+def in_degrees(unit: str) -> str:
+    return shown_unit(unit).replace("rad", "deg")

@@ -11,9 +11,9 @@ from exoid.planning.candidate_recordings import SWING
 from exoid.planning.planned import Candidate, Plan
 from exoid.recordings.recording import Subject
 from exoid.report.document.plain_json import plain, shown
-from exoid.report.tables.table import Table, print_table
+from exoid.report.tables.table import Table, print_table, with_unit
 from exoid.report.words.person import identity
-from exoid.report.words.text import heading, note, say, with_error
+from exoid.report.words.text import heading, note, say, shown_unit, with_error
 
 SHOWN = 8  # single segments in the table
 
@@ -56,7 +56,9 @@ def print_options(plan: Plan, console: Console) -> None:
         return
     columns = {
         "release": [option.candidate.words for option in known],
-        f"error [{plan.unit}]": [f"{option.error:.2g}" for option in known],
+        f"error [{plan.unit}]" if shown_unit(plan.unit) else "error": [
+            f"{option.error:.2g}" for option in known
+        ],
     }
     print_table(Table("", columns), console)
 
@@ -77,7 +79,7 @@ def stated(plan: Plan, error: float) -> str:
     """The value with an error, as far as there is one."""
     if not np.isfinite(error):
         return f"{plan.symbol} is not determined"
-    return f"{plan.symbol} = {with_error(plan.value, error)} {plan.unit}"
+    return with_unit(f"{plan.symbol} = {with_error(plan.value, error)}", plan.unit)
 
 
 def plan_document(

@@ -11,7 +11,7 @@ from rich.table import Table as Grid
 from rich.text import Text
 
 from exoid.files.visible import visible
-from exoid.report.words.text import DIMENSIONLESS, NOT_DETERMINED, heading, shortened
+from exoid.report.words.text import NOT_DETERMINED, heading, shortened, shown_unit
 from exoid.report.words.typeset import formula
 
 STACKED, SPANNING = 3, 5  # columns that a phone has room for, and half a sheet of paper
@@ -83,7 +83,7 @@ def whole(column: Column | Cells) -> Column:
 
 def with_unit(cell: str, unit: str) -> str:
     """A cell and its unit, where both say something."""
-    plain = cell in ("", NOT_DETERMINED) or unit in DIMENSIONLESS or isinstance(cell, Markup)
+    plain = cell in ("", NOT_DETERMINED) or not shown_unit(unit) or isinstance(cell, Markup)
     return cell if plain else f"{cell} {unit}"
 
 
@@ -123,7 +123,7 @@ def terminal(each: Mapping[str, Column]) -> dict[str, Cells]:
     for name, one in each.items():
         shown[name if one.head is None else one.head] = one.cells
         if one.units:
-            shown["unit"] = one.units
+            shown["unit"] = [shown_unit(each) for each in one.units]
     return {head: cells for head, cells in shown.items() if any(cells)}
 
 

@@ -22,6 +22,11 @@ NO_LEG = (
 )
 SUSPECTS = 3  # that are named
 LITTLE = 0.03  # share of what was missing that is worth no word
+ORIGINS = {  # of an inertia that the motion does not tell alone
+    "prior": "which the prior sets: torques grow with it",
+    "both": "to which the prior adds: torques grow with it",
+    "bound": "which a bound sets: torques grow with it",
+}
 NEAR = 1e-6  # share of a parameter's range, within which it is at its limit
 CERTAIN = 0.001  # below this share a chance is written as "below"
 
@@ -53,6 +58,11 @@ def only_sensors(found: Diagnosis) -> bool:
     return found.verdict == "mismatch" and not found.changed and not found.novel
 
 
+def parted(found: Diagnosis) -> bool:
+    """Is a torque missing, so that there are places where it is?"""
+    return found.verdict != "none" and not only_sensors(found)
+
+
 def sentences(found: Diagnosis) -> dict[str, str]:
     """The answer, line by line, by its heading; first what was missing, how sure that is, what it
     changed and what remains.
@@ -71,7 +81,7 @@ def sentences(found: Diagnosis) -> dict[str, str]:
         if found.changed:
             lines["Suspected"] = suspected(found)
             lines["Remains"] = remains(found)
-    if found.verdict != "none" and not only_sensors(found):
+    if parted(found):
         lines["Where"] = where(found)
     lines["Sensors"] = sensors(found)
     if found.verdict == "none":
@@ -85,7 +95,7 @@ def named(found: Diagnosis) -> list[str]:
     """Every effect with its parameters."""
     if found.formula is not None:
         shares = f"explains {found.formula.explained:.0%} of the missing torque's variance"
-        units = f"x in rad, v in rad/s, t in s; for J = {found.inertia:.3g} kg m^2"
+        units = f"x in rad, v in rad/s, t in s; {for_inertia(found.inertia, found.fit)}"
         return [f"{found.formula.words} ({units}), which {shares}"]
     lines = []
     for one in found.findings:
@@ -113,7 +123,18 @@ def scale(found: Diagnosis, parameters: list[Parameter]) -> str:
     name = first.name.rpartition(".")[2].replace("_", " ")
     unit = RATIO_UNITS.get(first.unit, f"{first.unit} per kg m^2")
     ratio = f"{name} / J = {first.value / inertia:.3g} {unit}"
-    return f" (for J = {inertia:.3g} kg m^2; {ratio})"
+    return f" ({for_inertia(inertia, found.fit)}; {ratio})"
+
+
+def for_inertia(inertia: float, fit: FitResult) -> str:
+    """The inertia that torques go with, and who says it where that is not the motion."""
+    said = f"for J = {inertia:.3g} kg m^2"
+    known = fit.parameters["inertia"]
+    if known.value is None:
+        return f"{said}, which is a guess: torques grow with it"
+    if known.by_hand == "fix":
+        return f"{said}, which you fixed: torques grow with it"
+    return f"{said}, {ORIGINS[known.determined_by]}" if known.determined_by in ORIGINS else said
 
 
 def parameter(each: Parameter | SensorError) -> str:
@@ -172,8 +193,8 @@ def where(found: Diagnosis) -> str:
                for each in found.location.regions[:3]]  # fmt: skip
     if not regions:
         return "no torque stands out of the noise: the sensors differ, or it is spread thinly."
-    told = found.fit.parameters["inertia"].value is not None
-    scale = "" if told else f" (for J = {found.inertia:.3g} kg m^2)"
+    said = for_inertia(found.location.inertia or found.inertia, found.before)
+    scale = f" ({said})" if "," in said else ""
     return f"{'; '.join(regions)}{scale}. Over all of it, {found.location.pattern}."
 
 

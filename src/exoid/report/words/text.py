@@ -16,6 +16,11 @@ MOST_DIGITS = 7  # of a value, however small its error
 DIMENSIONLESS = ("-", "1")  # units that are not written
 
 
+def shown_unit(unit: str) -> str:
+    """As a table has it: blank where there is none."""
+    return "" if unit in DIMENSIONLESS else unit
+
+
 def with_error(value: float, error: float) -> str:
     """The error with two digits, the value to the same decimal."""
     if not error > 0:

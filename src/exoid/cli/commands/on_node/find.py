@@ -14,7 +14,9 @@ def find(
     json: Json = None,
     force: Force = False,
 ) -> None:
-    """Show which nodes answer, with version, serial, settings, supply and errors.
+    """Show which nodes answer, and how they are.
+
+    Their versions, serials, settings, supplies and errors.
 
     \b
     Examples:

@@ -37,7 +37,9 @@ def set_up(
         typer.Option(help="Of the node's CAN bus from its next start on [bit/s].", metavar="RATE"),
     ] = None,
 ) -> None:
-    """Set the direction of a node's encoder, its id, or the bit rate of its CAN bus.
+    """Set a node's direction, its id or its bit rate.
+
+    The direction is that of its encoder, the bit rate that of its CAN bus.
 
     \b
     Examples:

@@ -29,9 +29,10 @@ def zero(
         ),
     ] = 0.0,
 ) -> None:
-    """Take the angle at which the knee is held now as known: fully extended, or --angle.
+    """Take the angle at which the knee is held now as known.
 
-    Set a direction before the zero: with --angle it counts. The knee has to be still.
+    It is fully extended, or at --angle. Set a direction before the zero: with --angle it counts.
+    The knee has to be still.
 
     \b
     Examples:

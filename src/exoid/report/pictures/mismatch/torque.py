@@ -1,5 +1,7 @@
 """The torque that the baseline lacks: over time, and over the phase plane."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from exoid.mismatch.answer.diagnosis import Diagnosis
@@ -7,6 +9,7 @@ from exoid.mismatch.evidence.location import Location
 from exoid.report.pictures.motion import TIME
 from exoid.report.pictures.panel import Axis, Band, Cloud, Line, Panel, Picture, Rule
 from exoid.report.pictures.role import Role
+from exoid.report.words.diagnosis import parted
 
 SHOWN = 4  # segments
 CLIPPED = 0.98  # quantile of the torque beyond which colours are the same
@@ -17,6 +20,11 @@ def worst(found: Diagnosis) -> list[int]:
     """The segments with the largest missing torque, in their order."""
     size = [float(np.std(each.torque)) for each in found.location.missing]
     return sorted(np.argsort(size)[::-1][:SHOWN].tolist())
+
+
+def parting_of(found: Diagnosis) -> Location:
+    """Where they part; nothing of it is strongest where no torque is missing."""
+    return found.location if parted(found) else replace(found.location, regions=[])
 
 
 def torque_of(location: Location, number: int) -> Panel:
@@ -35,13 +43,15 @@ def torque_of(location: Location, number: int) -> Panel:
 
 def show_torque(location: Location, number: int) -> Picture:
     each = location.missing[number]
+    marked = any(region.segment == each.segment for region in location.regions)
+    amber = " Amber: where the torque is strongest." if marked else ""
     largest = float(np.max(np.abs(each.torque)))
     return Picture(
         f"torque-{number}",
         f"The torque in N m that Eq. 9 lacks in segment {each.segment}, over time in s: at most "
         f"{largest:.2g} N m, with a noise of {each.band:.2g} N m (one standard deviation).",
         f"Segment {each.segment}. Grey band: noise, twice its standard deviation of "
-        f"{each.band:.2g} N m. Amber: where the torque is strongest.",
+        f"{each.band:.2g} N m.{amber}",
         (torque_of(location, number),),
         "whole",
     )

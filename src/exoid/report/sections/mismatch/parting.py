@@ -2,13 +2,12 @@
 
 from collections.abc import Iterator
 
-from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.mismatch.evidence.location import Location
 from exoid.report.parts.case import Case
-from exoid.report.pictures.mismatch.torque import show_plane, show_torque, worst
+from exoid.report.pictures.mismatch.torque import parting_of, show_plane, show_torque, worst
 from exoid.report.sections.section import Block, section, some
 from exoid.report.tables.table import Table
-from exoid.report.words.diagnosis import only_sensors, where
+from exoid.report.words.diagnosis import parted, where
 from exoid.report.words.text import capital
 
 NOTHING = (
@@ -23,19 +22,15 @@ def parting(case: Case) -> Iterator[Block]:
     found = case.diagnosis
     if found is None:
         return
-    numbers, location = worst(found), found.location
+    numbers, location = worst(found), parting_of(found)
     yield capital(where(found)) if parted(found) else NOTHING
     every = len(location.missing)
     if len(numbers) < every:
         yield f"Shown are the {len(numbers)} segments in which most is missing, of {every}."
     yield from some([show_torque(location, number) for number in numbers])
     yield show_plane(location)
-    yield regions(location)
-
-
-def parted(found: Diagnosis) -> bool:
-    """Is a torque missing?"""
-    return found.verdict != "none" and not only_sensors(found)
+    if location.regions:
+        yield regions(location)
 
 
 def regions(location: Location) -> Table:

@@ -1,9 +1,8 @@
 """A serial port has one reader: two would each get half of the lines, and neither would know."""
 
-from errno import EAGAIN
+from errno import EAGAIN, EBUSY
 from typing import Any
 
-HELD = "another program reads it"
 URL = "://"  # a port of another kind, which a second opening may disturb
 
 
@@ -16,8 +15,8 @@ def check_free(channel: str) -> None:
     try:
         Serial(channel.partition("@")[0], exclusive=True).close()
     except OSError as fault:
-        if fault.errno == EAGAIN:
-            raise OSError(HELD) from fault
+        if fault.errno in (EAGAIN, EBUSY):
+            raise
         # What else is wrong with it python-can says when it opens the port.
 
 
