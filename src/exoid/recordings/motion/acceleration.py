@@ -25,7 +25,7 @@ from exoid.recordings.motion.thresholds import (
     USUAL,
 )
 from exoid.recordings.remembered import remembered
-from exoid.recordings.samples import Samples
+from exoid.recordings.samples import Samples, quantile
 from exoid.recordings.signal.local_line import local_line
 
 
@@ -60,10 +60,11 @@ def law_of(parts: list[Part]) -> Law | None:
     if not tables:
         return None
     table, acceleration = np.concatenate(tables), np.concatenate(accelerations)
-    numbers = np.linalg.lstsq(table, acceleration, rcond=None)[0]
+    inverse = np.linalg.pinv(table.T @ table)
+    numbers = inverse @ (acceleration @ table)
     share, deviations = USUAL
-    usual = float(np.quantile(np.abs(acceleration - table @ numbers), share)) / deviations
-    scatter = max(alike) * usual**2 * np.linalg.pinv(table.T @ table)
+    usual = quantile(np.abs(acceleration - table @ numbers), share) / deviations
+    scatter = max(alike) * usual**2 * inverse
     return Law(numbers, scatter, usual, float(np.abs(acceleration).max()))
 
 
@@ -104,8 +105,9 @@ def pushed_at(signal: Signal, free: slice, limit: int, law: Law, least: float) -
     """The first sample from `free` to `limit` that is `least` rad/s^2 from the law for sure."""
     seen = derivatives(signal)
     last = within(signal, free, seen.width).stop
-    unsure = SURE * np.sqrt(np.einsum("ti,ij,tj->t", seen.table, law.scatter, seen.table))
-    pushed = (np.abs(unexplained(seen, law)) > least + unsure)[last:limit]
+    table = seen.table[last:limit]
+    unsure = SURE * np.sqrt(np.einsum("ti,ti->t", table @ law.scatter, table))
+    pushed = np.abs(seen.acceleration[last:limit] - table @ law.numbers) > least + unsure
     return last + int(np.argmax(pushed)) if pushed.any() else None
 
 
@@ -116,17 +118,13 @@ def kept_there(signal: Signal, free: slice, rest: slice, law: Law | None = None)
         return False
     inside = slice(int(np.searchsorted(signal.time, signal.time[rest.start] + LATE)), rest.stop)
     seen = derivatives(signal)
-    needed = unexplained(seen, law)[inside]
-    if not needed.size:
+    table = seen.table[inside]
+    if not table.size:
         return False
-    where = seen.table[inside].mean(axis=0)
+    where = table.mean(axis=0)
+    needed = abs(float(seen.acceleration[inside].mean() - where @ law.numbers))
     unsure = float(np.sqrt(where @ law.scatter @ where))
-    return bool(abs(float(np.mean(needed))) > law.clear(LEAN) + SURE * unsure)
-
-
-def unexplained(seen: "Derivatives", law: Law) -> Samples:
-    """The acceleration that a law does not have [rad/s^2]."""
-    return seen.acceleration - seen.table @ law.numbers
+    return needed > law.clear(LEAN) + SURE * unsure
 
 
 @dataclass(frozen=True, eq=False)

@@ -24,7 +24,7 @@ from exoid.recordings.motion.thresholds import (
     TRAVEL,
 )
 from exoid.recordings.remembered import remembered
-from exoid.recordings.samples import Samples
+from exoid.recordings.samples import Samples, quantile
 from exoid.recordings.signal.condition import reversals, runs
 
 Rest = tuple[int, int]  # its first sample, and one past its last
@@ -89,7 +89,7 @@ def swung(signal: Signal, speed: Speed, begin: int, free: int) -> Swings:
     rest = rest_after(signal, speed, smooth, begin, noise)
     end = signal.time.size - 1 if rest is None else rest[0]
     turns = [begin + at for at in reversals(smooth[begin : end + 1], max(TRAVEL, CLEAR * noise))]
-    last = smooth[end] if rest is None else np.median(smooth[slice(*rest)])
+    last = smooth[end] if rest is None else quantile(smooth[slice(*rest)])
     at, angle = [begin, *turns, end], np.array([*smooth[[begin, *turns]], last])
     if begin == 0 and abs(speed.velocity[0]) > speed.still and turns:
         at, angle = at[1:], angle[1:]  # it began within a swing
@@ -106,7 +106,7 @@ def rest_after(
         first, last = first + begin, last + begin
         if first == begin or time[last] - time[first] < REST:
             continue
-        away = np.abs(angle[first:] - np.median(angle[first : last + 1])) > band
+        away = np.abs(angle[first:] - quantile(angle[first : last + 1])) > band
         if not away[: last - first].any():
             return first, first + int(np.argmax(away)) if away.any() else time.size
     return None

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from exoid.recordings.motion.thresholds import QUIET, SPEED_ERROR, WIDTHS
 from exoid.recordings.recording import Segment, Sensors
 from exoid.recordings.remembered import remembered
-from exoid.recordings.samples import Samples, block_means, block_size
+from exoid.recordings.samples import Samples, block_means, block_size, usual_step
 from exoid.recordings.signal.local_line import local_line
 from exoid.recordings.signal.noise import declared_angle_noise, noise_of
 from exoid.recordings.signal.spikes import find_spikes
@@ -33,7 +33,7 @@ class Signal:
 
     @cached_property
     def step(self) -> float:
-        return float(np.median(np.diff(self.time)))
+        return usual_step(self.time)
 
     def part(self, inside: NDArray[np.bool_]) -> "Signal":
         """The samples that are `inside`."""
