@@ -36,7 +36,8 @@ class Known:
         if self.changes is not None and inside:
             off = self.changes[beside(inner, reach - 1)] > self.changes[beside(inner, -reach)]
             middle = np.arange(self.places.size)[inner][off]
-            departure[off] = departures(self.time, self.values, middle, stride)
+            near = middle + np.array(OFFSETS)[:, None] * stride
+            departure[off] = departures(self.time, self.values, middle, near)
         return inner, departure
 
 
@@ -70,16 +71,17 @@ def beside(inner: slice, lag: int) -> slice:
 
 
 def departures(
-    clock: Samples, values: Samples, middle: NDArray[np.int_], stride: int = 1
+    clock: Samples, values: Samples, middle: NDArray[np.int_], near: NDArray[np.int_]
 ) -> Samples:
-    """`interpolation_errors` of some samples, however their neighbours are apart."""
-    near = middle + np.array(OFFSETS)[:, None] * stride
+    """`interpolation_errors` of some samples beside those that are `near` (neighbour, sample),
+    however they are apart.
+    """
     lags = clock[near] - clock[middle]
-    weights = np.ones_like(lags)
-    for one, weight in enumerate(weights):
-        for other, lag in enumerate(lags):
-            if one != other:
-                weight *= lag / (lag - lags[one])
+    weights = np.empty_like(lags)
+    for one, lag in enumerate(lags):
+        away = lags - lag
+        away[one] = lag
+        np.multiply.reduce(lags / away, axis=0, out=weights[one])
     missed = values[middle] - np.sum(weights * values[near], axis=0)
     return missed / np.sqrt(1 + np.sum(weights**2, axis=0))
 
@@ -93,4 +95,5 @@ def renew(errors: Samples, time: Samples, samples: Samples, gone: NDArray[np.int
     places = np.unique(np.clip(places, 0, known.size - 1))
     errors[gone] = errors[known[places]] = np.nan
     told = places[(places >= NEIGHBOURS) & (places < known.size - NEIGHBOURS)]
-    errors[known[told]] = departures(time[known], samples[known], told)
+    near = known[told + np.array(OFFSETS)[:, None]]
+    errors[known[told]] = departures(time, samples, known[told], near)
