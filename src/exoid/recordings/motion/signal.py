@@ -12,7 +12,7 @@ from exoid.recordings.remembered import remembered
 from exoid.recordings.samples import Samples, block_means, block_size, usual_step
 from exoid.recordings.signal.local_line import local_line
 from exoid.recordings.signal.noise import declared_angle_noise, noise_of
-from exoid.recordings.signal.spikes import find_spikes
+from exoid.recordings.signal.spikes import spikes_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,14 +74,14 @@ class Speed:
 @remembered  # asked again by whoever reads the same segment
 def signal_of(segment: Segment, sensors: Sensors) -> Signal:
     """The raw channels, else the filtered ones; single wild samples are left out."""
-    angle, velocity = segment.best_angle, segment.angular_velocity
-    if segment.raw_angular_velocity is not None:
-        velocity = segment.raw_angular_velocity
-    declared = declared_angle_noise(sensors, [angle])
-    angle, noise = credible(segment.time, angle, declared, angle=True)
-    if velocity is None:
+    raw = segment.raw_angular_velocity is not None
+    rate = "raw_angular_velocity" if raw else "angular_velocity"
+    declared = declared_angle_noise(sensors, [segment.best_angle])
+    of_angle = "angle" if segment.raw_angle is None else "raw_angle"
+    angle, noise = credible(segment, of_angle, declared, angle=True)
+    if getattr(segment, rate) is None:
         return Signal(segment.time, angle, noise, None, np.inf)
-    velocity, scatter = credible(segment.time, velocity, sensors.velocity_noise, angle=False)
+    velocity, scatter = credible(segment, rate, sensors.velocity_noise, angle=False)
     return Signal(
         segment.time, angle, noise, velocity - bias(segment.time, angle, velocity), scatter
     )
@@ -94,11 +94,12 @@ def bias(time: Samples, angle: Samples, velocity: Samples) -> float:
 
 
 def credible(
-    time: Samples, samples: Samples, declared: float | None, *, angle: bool
+    segment: Segment, channel: str, declared: float | None, *, angle: bool
 ) -> tuple[Samples, float]:
     """The samples without spikes, and their noise."""
-    kept = np.where(find_spikes(time, samples, declared or 0.0), np.nan, samples)
-    return kept, noise_of([time], [kept], declared, angle=angle).level
+    samples, spikes = getattr(segment, channel), spikes_of(segment, channel, declared or 0.0)
+    kept = np.where(spikes, np.nan, samples) if spikes.any() else samples
+    return kept, noise_of([segment.time], [kept], declared, angle=angle).level
 
 
 @remembered  # every step of the search asks for it

@@ -3,6 +3,8 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from exoid.recordings.recording import Segment
+from exoid.recordings.remembered import remembered
 from exoid.recordings.samples import Samples
 from exoid.recordings.signal.neighbours import NEIGHBOURS, departures, interpolation_errors, renew
 from exoid.recordings.signal.scatter import FAR, quantum, robust_deviation
@@ -13,6 +15,12 @@ SMALLEST = 1e-3  # rad or rad/s, of a spike: smaller ones change nothing, and a 
 CLUSTER = 5  # samples, among which more than one spike are no spikes but an event
 ROUNDS = 30  # each takes the worst sample of every neighbourhood
 STILL, MOVING = 1.0, 2.0  # range of seven samples, over what a spike departs by at least
+
+
+@remembered  # asked when a recording is cleaned, and again when it is searched for its movements
+def spikes_of(segment: Segment, channel: str, least: float) -> NDArray[np.bool_]:
+    """`find_spikes` of a channel by its name."""
+    return find_spikes(segment.time, getattr(segment, channel), least)
 
 
 def find_spikes(time: Samples, samples: Samples, least: float = 0.0) -> NDArray[np.bool_]:
