@@ -64,9 +64,7 @@ def track_of(segment: Segment, noise: float) -> Track:
     steps = np.diff(time)
     step = quantile(steps)
     if step > SLOWEST:
-        raise NotAllowed(
-            f"sampled too slowly: at {1 / step:.3g} Hz, 30 Hz are the least"
-        )
+        raise NotAllowed(f"sampled too slowly: at {1 / step:.3g} Hz, 30 Hz are the least")
     if steps.max() > HALF:
         at = int(np.argmax(steps))
         raise NotAllowed(
