@@ -46,31 +46,36 @@ def lines_at(time: Samples, value: Samples, width: float, part: slice) -> tuple[
     last = np.minimum(np.maximum(last, first + 3), time.size)
     used = slice(int(first[0]), int(last[-1]))
     first, last = first - used.start, last - used.start
-    ahead, above, spread, shared = window_sums(time[used], value[used], first, last)
     count = last - first
-    slope = (shared - ahead * above / count) / (spread - ahead**2 / count)
+    first_order, second_order = window_sums(time[used], value[used], first, last)
+    ahead, above = first_order.real, first_order.imag
+    slope = (second_order.imag - ahead * above / count) / (second_order.real - ahead**2 / count)
     since = count * (at - time[used][first]) - ahead
     return value[used][first] + (above + slope * since) / count, slope
 
 
 def window_sums(time: Samples, value: Samples, first: np.ndarray, last: np.ndarray) -> np.ndarray:
-    """Sums of t, x, t^2 and t x over the samples from `first` to before `last`, relative to the
-    first.
+    """Sums of z = t + i x and of t z over the samples from `first` to before `last`, relative to
+    the first.
 
     As differences of running sums, which begin anew in every block and reach to the end of the
-    next, so that they are of distances near a window's own.
+    next, so that they are of distances near a window's own. One complex sum takes half the time of
+    two.
     """
     size = max(int((last - first).max()), SMALLEST)
     block = first // size
     terms = in_blocks(time, value, size, int(block[-1]) + 1)
-    running = np.zeros((*terms.shape[:2], 2 * size + 1))
+    running = np.zeros((*terms.shape[:2], 2 * size + 1), dtype=complex)
     np.cumsum(terms, axis=2, out=running[..., 1:])
-    running, terms = running.reshape(4, -1), terms.reshape(4, -1)
     place = first + block * size  # among the samples of all blocks
     begin = place + block
-    sums = np.take(running, begin + (last - first), axis=1) - np.take(running, begin, axis=1)
-    found = moved(sums, last - first, *np.take(terms[:2], place, axis=1))
-    lasting = terms[0, 2 * size - 1 :: 2 * size]
+    count = last - first
+    running = running.reshape(2, -1)
+    z, tz = np.take(running, begin + count, axis=1) - np.take(running, begin, axis=1)
+    shift = np.take(terms[0], place)
+    own = z - count * shift
+    found = np.stack([own, tz - shift.real * z - shift * own.real])
+    lasting = terms[0, :, -1].real
     for each in np.flatnonzero(lasting > FAR * float((time[last - 1] - time[first]).min())):
         inside = slice(*np.searchsorted(block, [each, each + 1]))
         found[:, inside] = summed_alone(time, value, first[inside], last[inside])
@@ -78,25 +83,18 @@ def window_sums(time: Samples, value: Samples, first: np.ndarray, last: np.ndarr
 
 
 def in_blocks(time: Samples, value: Samples, size: int, blocks: int) -> np.ndarray:
-    """t, x, t^2 and t x (first axis) in every block (second) of `size` samples and the block after
-    it (third), relative to its first sample.
+    """z and t z (first axis) in every block (second) of `size` samples and the block after it
+    (third), relative to its first sample.
     """
-    padded = np.empty((2, (blocks + 1) * size))
-    padded[:, : time.size] = time, value
-    padded[:, time.size :] = [[time[-1]], [value[-1]]]
-    alone = padded.reshape(2, blocks + 1, size)
-    both = np.concatenate([alone[:, :-1], alone[:, 1:]], axis=2)
-    terms = np.empty((4, blocks, 2 * size))
-    np.subtract(both, both[..., :1], out=terms[:2])
-    np.multiply(terms[0], terms[:2], out=terms[2:])
+    padded = np.empty((blocks + 1) * size, dtype=complex)
+    padded.real[: time.size], padded.imag[: time.size] = time, value
+    padded[time.size :] = padded[time.size - 1]
+    alone = padded.reshape(blocks + 1, size)
+    both = np.concatenate([alone[:-1], alone[1:]], axis=1)
+    terms = np.empty((2, blocks, 2 * size), dtype=complex)
+    np.subtract(both, both[:, :1], out=terms[0])
+    np.multiply(terms[0].real, terms[0], out=terms[1])
     return terms
-
-
-def moved(sums: np.ndarray, count: np.ndarray, later: Samples, higher: Samples) -> np.ndarray:
-    """The sums relative to a later time and a higher value."""
-    t, x, tt, tx = sums
-    away, above = t - count * later, x - count * higher
-    return np.stack([away, above, tt - later * (t + away), tx - higher * t - later * above])
 
 
 def summed_alone(time: Samples, value: Samples, first: np.ndarray, last: np.ndarray) -> np.ndarray:
@@ -105,4 +103,5 @@ def summed_alone(time: Samples, value: Samples, first: np.ndarray, last: np.ndar
     inside = at < last[:, None]
     at = np.minimum(at, time.size - 1)
     t, x = (np.where(inside, each[at] - each[first][:, None], 0.0) for each in (time, value))
-    return np.stack([each.sum(axis=1) for each in (t, x, t * t, t * x)])
+    z = t + 1j * x
+    return np.stack([z.sum(axis=1), (t * z).sum(axis=1)])
