@@ -11,8 +11,6 @@ from exoid.recordings.landmarks.track import DEGREE, FEWEST, HALF, Track
 from exoid.recordings.samples import Samples
 
 ALIKE = 1e-6  # of a window, to which the times of samples are alike: a leg moves 1e-6 rad in it
-KINDS = 4  # of windows that are alike: by rounding, one has the sample at either end or has not
-FEW = 8  # windows, that are sooner followed than compared
 AT_ONCE = 2**18  # samples of all windows together, so that they stay in the processor's cache
 
 
@@ -85,15 +83,16 @@ def through(
     """By the normal equations of each window: in units of `half` they lose few digits. Windows
     whose samples lie alike share them.
     """
+    begin = (track.time[first] - centre) / half
+    own, kind = kinds(begin, last - first, float(track.uneven / half))
     at = first[:, None] + np.arange((last - first).max())
     inside = at < last[:, None]
     at = np.minimum(at, track.time.size - 1)
-    x = np.where(inside, (track.time[at] - centre[:, None]) / half, np.inf)
     angle = np.where(inside, track.angle[at], 0.0)
-    own, kind = kinds(x)
+    inside = inside[own]
+    x = np.where(inside, (track.time[at[own]] - centre[own, None]) / half, 0.0)
     table = np.empty((own.size, DEGREE + 1, x.shape[1]))
-    table[:, 0] = inside[own]
-    x = np.where(inside[own], x[own], 0.0)
+    table[:, 0] = inside
     for power in range(DEGREE):
         np.multiply(table[:, power], x, out=table[:, power + 1])
     inverse = np.linalg.inv(table @ np.swapaxes(table, 1, 2))
@@ -103,17 +102,14 @@ def through(
     return LocalPolynomials(coefficients, track.noise**2 * inverse * np.outer(unit, unit), kind)
 
 
-def kinds(x: NDArray[np.float64]) -> tuple[NDArray[np.int_], NDArray[np.int_]]:
-    """Rows that stand for all, and which of them stands for each: a few for those that are their
-    like, and every other for itself.
+def kinds(
+    begin: Samples, count: NDArray[np.int_], uneven: float
+) -> tuple[NDArray[np.int_], NDArray[np.int_]]:
+    """Windows that stand for all, and which of them stands for each: one for those that begin alike
+    and have as many samples; every one for itself where steps are not alike.
     """
-    own, kind, left = [], np.empty(x.shape[0], dtype=int), np.arange(x.shape[0])
-    while left.size > FEW and len(own) < KINDS:
-        middle = left[left.size // 2]
-        with np.errstate(invalid="ignore"):  # where neither has a sample
-            alike = ~(np.abs(x[left] - x[middle]) > ALIKE).any(axis=1)
-        kind[left[alike]] = len(own)
-        own.append(middle)
-        left = left[~alike]
-    kind[left] = np.arange(left.size) + len(own)
-    return np.concatenate([own, left]).astype(int), kind
+    if begin.size == 1 or uneven * count.max() > ALIKE:
+        return np.arange(begin.size), np.arange(begin.size)
+    each = count + 1j * np.round(begin / ALIKE)
+    _, own, kind = np.unique(each, return_index=True, return_inverse=True)
+    return own, kind

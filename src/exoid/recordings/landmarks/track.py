@@ -50,6 +50,11 @@ class Track:
     def step(self) -> float:
         return usual_step(self.time)
 
+    @cached_property
+    def uneven(self) -> float:
+        """By how much a step is other than the usual one, at most [s]."""
+        return float(np.abs(np.diff(self.time) - self.step).max())
+
 
 def track_of(segment: Segment, noise: float) -> Track:
     """The encoder's angle, or the filtered one where there is no other; means over a few samples
