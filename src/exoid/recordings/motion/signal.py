@@ -62,13 +62,8 @@ class Speed:
     """A velocity that is smoothed over as long as its noise needs."""
 
     velocity: Samples  # rad/s
-    error: float  # rad/s, standard deviation of one value
+    still: float  # rad/s, below which a leg cannot be told from one that is held by a hand
     width: float  # s, of the window
-
-    @property
-    def still(self) -> float:
-        """The speed below which a leg cannot be told from one that is held by a hand [rad/s]."""
-        return max(QUIET[0] * self.error, QUIET[1])
 
 
 @remembered  # asked again by whoever reads the same segment
@@ -106,28 +101,35 @@ def credible(
 def speed_of(signal: Signal) -> Speed:
     """The gyro's mean, else the slope of the angle, over the shortest window that is clear."""
     *shorter, longest = WIDTHS
-    each = (windowed(signal, width) for width in shorter)
-    clear = next((one for one in each if one.error <= SPEED_ERROR), None)
-    return windowed(signal, longest) if clear is None else clear
+    each = ((speed_error(signal, width), width) for width in shorter)
+    clear = next((one for one in each if one[0] <= SPEED_ERROR), None)
+    error, width = (speed_error(signal, longest), longest) if clear is None else clear
+    return speed_over(signal.samples, width, max(QUIET[0] * error, QUIET[1]))
 
 
-def windowed(signal: Signal, width: float) -> Speed:
-    """The velocity over windows of `width` s, and what noise is left in it.
+def speed_error(signal: Signal, width: float) -> float:
+    """The noise that is left in a velocity over windows of `width` s [rad/s]."""
+    count = signal.count(width)
+    if signal.velocity is not None:
+        return float(signal.velocity_noise / np.sqrt(count))
+    return float(signal.angle_noise / (np.std(np.arange(count) * signal.step) * np.sqrt(count)))
+
+
+@remembered  # the same where the noise of the same samples is another
+def speed_over(signal: Signal, width: float, still: float) -> Speed:
+    """The velocity over windows of `width` s.
 
     Half a window at either end has the value of the first whole one: shorter windows are noisier.
     """
-    time, count = signal.time, signal.count(width)
+    time = signal.time
     whole = (time >= time[0] + width / 2) & (time <= time[-1] - width / 2)
     if not whole.any():
         whole[:] = True
     if signal.velocity is not None:
         found = local_line(time, signal.velocity, width)[0]
-        error = signal.velocity_noise / np.sqrt(count)
     else:
         found = lines(signal, width)[1]
-        places = np.arange(count) * signal.step
-        error = signal.angle_noise / (np.std(places) * np.sqrt(count))
-    return Speed(np.interp(time, time[whole], found[whole]), error, width)
+    return Speed(np.interp(time, time[whole], found[whole]), still, width)
 
 
 def smoothed(signal: Signal, width: float) -> tuple[Samples, float]:
