@@ -7,6 +7,7 @@ a hand is on the leg.
 
 from dataclasses import dataclass
 from functools import cached_property
+from math import sqrt
 
 import numpy as np
 from numpy.typing import NDArray
@@ -171,8 +172,7 @@ def smoothed_over(signal: Signal, width: float) -> Derivatives:
 
 def acceleration_error(signal: Signal, width: float) -> float:
     """The noise that is left in an acceleration over `width` s [rad/s^2]."""
-    count = signal.count(width)
-    spread = float(np.std(np.arange(count) * signal.step))
+    spread, root = signal.spread(width), sqrt(signal.count(width))
     if signal.velocity is not None:
-        return float(signal.velocity_noise / (spread * np.sqrt(count)))
-    return float(np.sqrt(5) * signal.angle_noise / (spread**2 * np.sqrt(count)))
+        return signal.velocity_noise / (spread * root)
+    return sqrt(5) * signal.angle_noise / (spread**2 * root)

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, replace
 from functools import cached_property
+from math import sqrt
 
 import numpy as np
 from numpy.typing import NDArray
@@ -56,6 +57,10 @@ class Signal:
         """The samples of a window of `width` s; three carry a line and a check."""
         return max(3, round(width / self.step))
 
+    def spread(self, width: float) -> float:
+        """The standard deviation of their times [s]."""
+        return self.step * sqrt((self.count(width) ** 2 - 1) / 12)
+
 
 @dataclass(frozen=True, eq=False)
 class Speed:
@@ -109,32 +114,38 @@ def speed_of(signal: Signal) -> Speed:
 
 def speed_error(signal: Signal, width: float) -> float:
     """The noise that is left in a velocity over windows of `width` s [rad/s]."""
-    count = signal.count(width)
+    root = sqrt(signal.count(width))
     if signal.velocity is not None:
-        return float(signal.velocity_noise / np.sqrt(count))
-    return float(signal.angle_noise / (np.std(np.arange(count) * signal.step) * np.sqrt(count)))
+        return signal.velocity_noise / root
+    return signal.angle_noise / (signal.spread(width) * root)
+
+
+@remembered
+def speed_over(signal: Signal, width: float, still: float) -> Speed:
+    return Speed(velocity_over(signal, width), still, width)
 
 
 @remembered  # the same where the noise of the same samples is another
-def speed_over(signal: Signal, width: float, still: float) -> Speed:
+def velocity_over(signal: Signal, width: float) -> Samples:
     """The velocity over windows of `width` s.
 
     Half a window at either end has the value of the first whole one: shorter windows are noisier.
     """
     time = signal.time
-    whole = (time >= time[0] + width / 2) & (time <= time[-1] - width / 2)
-    if not whole.any():
-        whole[:] = True
     if signal.velocity is not None:
         found = local_line(time, signal.velocity, width)[0]
     else:
-        found = lines(signal, width)[1]
-    return Speed(np.interp(time, time[whole], found[whole]), still, width)
+        found = lines(signal, width)[1].copy()
+    first = int(time.searchsorted(time[0] + width / 2))
+    last = int(time.searchsorted(time[-1] - width / 2, side="right"))
+    if first < last:
+        found[:first], found[last:] = found[first], found[last - 1]
+    return found
 
 
 def smoothed(signal: Signal, width: float) -> tuple[Samples, float]:
     """The angle over windows of `width` s, and its error."""
-    return lines(signal, width)[0], signal.angle_noise / np.sqrt(signal.count(width))
+    return lines(signal, width)[0], signal.angle_noise / sqrt(signal.count(width))
 
 
 def lines(signal: Signal, width: float) -> tuple[Samples, Samples]:

@@ -9,7 +9,8 @@ from exoid.recordings.samples import Samples
 
 NEIGHBOURS = 3  # on either side: a quintic, from which a leg departs by 1e-5 rad even at 30 Hz
 OFFSETS = [offset for offset in range(-NEIGHBOURS, NEIGHBOURS + 1) if offset]
-EVENLY = (0.05, -0.3, 0.75, 0.75, -0.3, 0.05)  # of each in the quintic, evenly apart
+EVENLY = np.array([-0.05, 0.3, -0.75, 1.0, -0.75, 0.3, -0.05])  # less the quintic, evenly apart
+DEPARTURE = EVENLY / np.linalg.norm(EVENLY)  # scatters as the noise does
 ALIKE = 1e-7  # of a step, to which neighbours are evenly apart: a leg moves 1e-8 rad in it
 
 
@@ -29,10 +30,13 @@ class Known:
         reach = NEIGHBOURS * stride
         inside = max(self.places.size - 2 * reach, 0)
         inner = slice(reach, reach + inside, max(inside // most, 1) if most else 1)
-        departure = self.values[inner].copy()
-        for offset, weight in zip(OFFSETS, EVENLY, strict=True) if inside else ():
-            departure -= weight * self.values[beside(inner, offset * stride)]
-        departure /= np.sqrt(1 + np.square(EVENLY).sum())
+        if inside and inner.step == stride == 1:
+            departure = np.correlate(self.values, DEPARTURE, "valid")
+        else:
+            departure = DEPARTURE[NEIGHBOURS] * self.values[inner]
+            for offset in OFFSETS if inside else ():
+                weight = DEPARTURE[NEIGHBOURS + offset]
+                departure += weight * self.values[beside(inner, offset * stride)]
         if self.changes is not None and inside:
             off = self.changes[beside(inner, reach - 1)] > self.changes[beside(inner, -reach)]
             middle = np.arange(self.places.size)[inner][off]
