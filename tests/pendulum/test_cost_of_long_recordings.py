@@ -120,6 +120,27 @@ def test_an_answer_is_worked_out_once_and_goes_with_what_it_is_about():
     assert answer() is None
 
 
+def test_answers_about_each_other_go_with_what_they_are_about():
+    @dataclass(frozen=True, eq=False)
+    class Thing:
+        pass
+
+    @remembered
+    def other(thing):
+        return Thing()
+
+    @remembered
+    def between(thing, first):
+        return (thing, first)
+
+    thing = Thing()
+    between(other(thing), thing)
+    gone = weakref.ref(other(thing))
+    del thing
+    gc.collect()
+    assert gone() is None
+
+
 def test_drops_are_read_without_what_only_a_fit_needs():
     code = (
         "import sys, exoid.cli.commands.drops, exoid.pendulum.drops, exoid.report.tables.drops\n"

@@ -3,7 +3,6 @@
 from collections.abc import Callable
 from functools import wraps
 from typing import Any, ParamSpec, TypeVar
-from weakref import WeakKeyDictionary
 
 Answer = TypeVar("Answer")
 Rest = ParamSpec("Rest")
@@ -11,16 +10,17 @@ Rest = ParamSpec("Rest")
 
 def remembered(ask: Callable[..., Answer]) -> Callable[..., Answer]:
     """`ask`, which works an answer out once for each of its first arguments, a value type without
-    equality, and further ones that can be hashed.
+    equality or slots, and further ones that can be hashed.
 
     A cache of a fixed size forgets the first drop of a long recording before it is asked for again,
     and keeps the last long after nobody needs it.
     """
-    known: WeakKeyDictionary[Any, dict[tuple, Answer]] = WeakKeyDictionary()
+    name = f"{ask.__module__}.{ask.__qualname__}"
 
     @wraps(ask)
     def answer(about: Any, *more: Any) -> Answer:
-        found = known.setdefault(about, {})
+        # Kept in it: a table beside would keep two things for ever that are told of each other.
+        found = vars(about).setdefault(name, {})
         if more not in found:
             found[more] = ask(about, *more)
         return found[more]

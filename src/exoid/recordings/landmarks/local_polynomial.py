@@ -1,10 +1,10 @@
 """The angle of a drop between its samples: the polynomial through the samples around a time."""
 
 from dataclasses import dataclass
-from math import factorial
+from functools import lru_cache
+from math import perm
 
 import numpy as np
-from numpy.polynomial import polynomial
 from numpy.typing import NDArray
 
 from exoid.recordings.landmarks.track import DEGREE, FEWEST, HALF, Track
@@ -19,75 +19,97 @@ class LocalPolynomials:
     """Polynomials in x = (t - centre) / HALF, one a centre, and how their coefficients err."""
 
     coefficients: NDArray[np.float64]  # (centre, power)
-    covariance: NDArray[np.float64]  # (centre, power, power)
+    covariance: NDArray[np.float64]  # (kind of window, power, power)
+    kind: NDArray[np.int_]  # (centre)
 
     def derivative(self, order: int, x: Samples | float = 0.0) -> tuple[Samples, Samples]:
         """d^order phi / dt^order at x of each, and their standard errors."""
         row = derivative_row(order, x)
-        spread = (self.covariance @ row[..., None])[..., 0]
+        spread = (self.covariance[self.kind] @ row[..., None])[..., 0]
         return (self.coefficients * row).sum(axis=1), np.sqrt((spread * row).sum(axis=1))
 
     def value(self, order: int) -> Samples:
         """d^order phi / dt^order at each centre, without its error."""
-        return self.coefficients[:, order] * derivative_row(order, 0.0)[order]
+        return self.coefficients[:, order] * factors(order)[order]
 
     def only(self, number: int) -> "LocalPolynomials":
         """One of them."""
         one = slice(number, number + 1)
-        return LocalPolynomials(self.coefficients[one], self.covariance[one])
+        return LocalPolynomials(self.coefficients[one], self.covariance, self.kind[one])
+
+
+@lru_cache
+def factors(order: int) -> Samples:
+    """What stands before the powers of x in a derivative by time of 1, x, x^2 and so on."""
+    return np.array([perm(power, order) for power in range(DEGREE + 1)]) / HALF**order
 
 
 def derivative_row(order: int, x: Samples | float) -> Samples:
     """What the coefficients (last axis) are multiplied with to give a derivative at x."""
-    powers = np.arange(DEGREE + 1)
-    factors = [factorial(p) // factorial(p - order) if p >= order else 0 for p in powers.tolist()]
-    return (
-        np.array(factors) * np.asarray(x)[..., None] ** np.maximum(powers - order, 0) / HALF**order
-    )
+    x = np.asarray(x)
+    row = np.zeros((*x.shape, DEGREE + 1))
+    row[..., order] = 1.0
+    for power in range(order + 1, DEGREE + 1):
+        np.multiply(row[..., power - 1], x, out=row[..., power])
+    return row * factors(order)
 
 
 def local(
     track: Track, centre: Samples, begin: float = -np.inf, half: float = HALF
 ) -> LocalPolynomials:
     """Through the samples `half` s around each `centre` [s] that are not before `begin`."""
-    size = track.time.size
     first = np.searchsorted(track.time, np.maximum(centre - half, begin))
     last = np.searchsorted(track.time, centre + half, side="right")
     first = np.minimum(first, np.maximum(last - FEWEST, 0))
-    last = np.maximum(last, np.minimum(first + FEWEST, size))
-    widest = int((last - first).max())
-    pieces = np.array_split(np.arange(centre.size), -(-centre.size * widest // AT_ONCE))
-    each = [through(track, centre[at], first[at], last[at], half) for at in pieces]
-    return LocalPolynomials(*map(np.concatenate, zip(*each, strict=True)))
+    last = np.maximum(last, np.minimum(first + FEWEST, track.time.size))
+    size = max(AT_ONCE // int((last - first).max()), 1)
+    parts = [slice(begin, begin + size) for begin in range(0, centre.size, size)]
+    each = [through(track, centre[at], first[at], last[at], half) for at in parts]
+    return each[0] if len(each) == 1 else joined(each)
+
+
+def joined(each: list[LocalPolynomials]) -> LocalPolynomials:
+    before = np.cumsum([0, *(one.covariance.shape[0] for one in each)])
+    return LocalPolynomials(
+        np.concatenate([one.coefficients for one in each]),
+        np.concatenate([one.covariance for one in each]),
+        np.concatenate([one.kind + so_far for one, so_far in zip(each, before, strict=False)]),
+    )
 
 
 def through(
     track: Track, centre: Samples, first: NDArray[np.int_], last: NDArray[np.int_], half: float
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Coefficients and their covariance, by the normal equations of each window: in units of
-    `half` they lose few digits. Windows whose samples lie alike share them.
+) -> LocalPolynomials:
+    """By the normal equations of each window: in units of `half` they lose few digits. Windows
+    whose samples lie alike share them.
     """
+    begin = (track.time[first] - centre) / half
+    own, kind = kinds(begin, last - first, float(track.uneven / half))
     at = first[:, None] + np.arange((last - first).max())
     inside = at < last[:, None]
     at = np.minimum(at, track.time.size - 1)
-    x = np.where(inside, (track.time[at] - centre[:, None]) / half, np.inf)
     angle = np.where(inside, track.angle[at], 0.0)
-    own, which = unlike(x)
-    table = polynomial.polyvander(np.where(inside[own], x[own], 0.0), DEGREE)
-    table *= inside[own][:, :, None]
+    inside = inside[own]
+    x = np.where(inside, (track.time[at[own]] - centre[own, None]) / half, 0.0)
+    table = np.empty((own.size, DEGREE + 1, x.shape[1]))
+    table[:, 0] = inside
+    for power in range(DEGREE):
+        np.multiply(table[:, power], x, out=table[:, power + 1])
+    inverse = np.linalg.inv(table @ np.swapaxes(table, 1, 2))
     unit = (HALF / half) ** np.arange(DEGREE + 1)
-    inverse = np.linalg.inv(np.swapaxes(table, 1, 2) @ table) * np.outer(unit, unit)
-    hat = inverse @ np.swapaxes(table / unit, 1, 2)
-    coefficients = (hat[which] @ angle[..., None])[..., 0] if own.size > 1 else angle @ hat[0].T
-    return coefficients, track.noise**2 * inverse[which]
+    hat = inverse @ table * unit[:, None]
+    coefficients = np.einsum("cps,cs->cp", hat[kind], angle) if own.size > 1 else angle @ hat[0].T
+    return LocalPolynomials(coefficients, track.noise**2 * inverse * np.outer(unit, unit), kind)
 
 
-def unlike(x: NDArray[np.float64]) -> tuple[NDArray[np.int_], NDArray[np.int_]]:
-    """Rows that stand for all, and which of them stands for each: those that are the middle one's
-    like, and every other for itself.
+def kinds(
+    begin: Samples, count: NDArray[np.int_], uneven: float
+) -> tuple[NDArray[np.int_], NDArray[np.int_]]:
+    """Windows that stand for all, and which of them stands for each: one for those that begin alike
+    and have as many samples; every one for itself where steps are not alike.
     """
-    middle = x.shape[0] // 2
-    with np.errstate(invalid="ignore"):  # where neither has a sample
-        alike = ~(np.abs(x - x[middle]) > ALIKE).any(axis=1)
-    which = np.where(alike, 0, np.cumsum(~alike))
-    return np.concatenate([[middle], np.flatnonzero(~alike)]), which
+    if begin.size == 1 or uneven * count.max() > ALIKE:
+        return np.arange(begin.size), np.arange(begin.size)
+    each = count + 1j * np.round(begin / ALIKE)
+    _, own, kind = np.unique(each, return_index=True, return_inverse=True)
+    return own, kind

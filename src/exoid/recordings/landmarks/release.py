@@ -5,10 +5,11 @@ Held still until t0, it then falls from rest:
     phi = phi_s + a x^2 + b x^3 + c x^4 + e x^5,   x = t - t0.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from math import perm
 
 import numpy as np
-from numpy.polynomial import polynomial
 from numpy.typing import NDArray
 
 from exoid.recordings.landmarks.local_polynomial import local
@@ -24,7 +25,7 @@ MISSED = 0.05  # of its first acceleration, by what the polynomial leaves out of
 LATE = 0.025  # s by which the first sample may come after the release
 NEAR, LATER = 0.03, 0.03  # s around the release that are tried; play hides the first of a fall
 STEP = 0.001  # s between the tried times of release
-POWERS = np.array([0, 2, 3, 4, 5])
+POWERS = (0, 2, 3, 4, 5)
 FEWEST = 8  # samples of the fall
 
 Table = NDArray[np.float64]
@@ -41,7 +42,7 @@ class Release:
     def derivative(self, order: int, after: Samples) -> tuple[Samples, Samples]:
         """d^order phi / dt^order `after` s into the fall, and their standard errors."""
         rows = fall_row(after / FALL, order) / FALL**order
-        error = np.sqrt(np.einsum("ti,ij,tj->t", rows, self.covariance[:-1, :-1], rows))
+        error = np.sqrt(np.einsum("ti,ti->t", rows @ self.covariance[:-1, :-1], rows))
         return rows @ self.fall, error
 
     def steepest(self) -> tuple[float, float, float]:
@@ -81,10 +82,18 @@ def about(track: Track, extent: Extent) -> tuple[float, float, float]:
 
 def fall_row(x: Samples, order: int = 0) -> Samples:
     """A derivative of 1, x^2, x^3, x^4 and x^5."""
-    powers, factors = POWERS, np.ones(POWERS.size)
-    for _ in range(order):
-        factors, powers = factors * powers, np.maximum(powers - 1, 0)
-    return factors * polynomial.polyvander(x, int(powers[-1]))[..., powers]
+    return np.stack([perm(power, order) * one for power, one in powers_of(x, order)], axis=-1)
+
+
+def powers_of(x: Samples, less: int = 0) -> Iterator[tuple[int, Samples]]:
+    """Each of POWERS, and x to so many `less` than it, by products: a power takes ten times as
+    long.
+    """
+    found, so_far = np.ones_like(x), 0
+    for power in POWERS:
+        while so_far < power - less:
+            found, so_far = found * x, so_far + 1
+        yield power, found
 
 
 def followed(track: Track, begin: Samples) -> tuple[slice, NDArray[np.bool_]]:
@@ -103,8 +112,10 @@ def followed(track: Track, begin: Samples) -> tuple[slice, NDArray[np.bool_]]:
 def misfits(track: Track, tried: Samples) -> Samples:
     """The sums of squares for each release that is `tried`."""
     used, inside = followed(track, tried)
-    x = np.maximum(track.time[used] - tried[:, None], 0) / FALL
-    basis = orthonormal(np.moveaxis(fall_row(x) * inside[..., None], 2, 1))
+    x = np.where(inside, np.maximum(track.time[used] - tried[:, None], 0) / FALL, 0.0)
+    columns = np.stack([one for _, one in powers_of(x)], axis=1)
+    columns[:, 0] = inside
+    basis = orthonormal(columns)
     angle = np.where(inside, track.angle[used] - track.angle[used].mean(), 0.0)
     along = (basis @ angle[..., None])[..., 0]
     return (angle**2).sum(axis=1) - (along**2).sum(axis=1)

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from exoid.recordings.landmarks.measure import Mark, NotAllowed
 from exoid.recordings.motion.thresholds import BLOCK
 from exoid.recordings.recording import Segment
-from exoid.recordings.samples import Samples, block_means, block_size
+from exoid.recordings.samples import Samples, block_means, block_size, quantile, usual_step
 
 HALF = 0.1  # s to either side that a polynomial follows, a tenth of a leg's swing
 DEGREE = 4  # the middle of a swing is then followed to 1 in 2000, its acceleration included
@@ -48,7 +48,12 @@ class Track:
 
     @cached_property
     def step(self) -> float:
-        return float(np.median(np.diff(self.time)))
+        return usual_step(self.time)
+
+    @cached_property
+    def uneven(self) -> float:
+        """By how much a step is other than the usual one, at most [s]."""
+        return float(np.abs(np.diff(self.time) - self.step).max())
 
 
 def track_of(segment: Segment, noise: float) -> Track:
@@ -62,16 +67,15 @@ def track_of(segment: Segment, noise: float) -> Track:
     if time.size < FEWEST:
         raise NotAllowed(f"too short: it holds {time.size} samples of the angle")
     steps = np.diff(time)
-    if np.median(steps) > SLOWEST:
-        raise NotAllowed(
-            f"sampled too slowly: at {1 / np.median(steps):.3g} Hz, 30 Hz are the least"
-        )
+    step = quantile(steps)
+    if step > SLOWEST:
+        raise NotAllowed(f"sampled too slowly: at {1 / step:.3g} Hz, 30 Hz are the least")
     if steps.max() > HALF:
         at = int(np.argmax(steps))
         raise NotAllowed(
             f"interrupted: no angle was measured from {time[at]:.2f} to {time[at + 1]:.2f} s"
         )
-    count = block_size(float(np.median(steps)), BLOCK)
+    count = block_size(step, BLOCK)
     middle = sample[count // 2 :: count][: sample.size // count]
     angle = block_means(segment.best_angle[sample], count)
     return Track(middle, block_means(time, count), angle, noise / np.sqrt(count))

@@ -7,6 +7,7 @@ a hand is on the leg.
 
 from dataclasses import dataclass
 from functools import cached_property
+from math import sqrt
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,7 +26,7 @@ from exoid.recordings.motion.thresholds import (
     USUAL,
 )
 from exoid.recordings.remembered import remembered
-from exoid.recordings.samples import Samples
+from exoid.recordings.samples import Samples, quantile
 from exoid.recordings.signal.local_line import local_line
 
 
@@ -43,100 +44,97 @@ class Law:
         return max(ROUGH * self.usual, share * self.greatest)
 
 
-Part = tuple[Signal, slice]  # a signal, and its samples in which the leg is free
+Part = tuple["Derivatives", slice]  # of a signal, and its samples in which the leg is free
 
 
 def law_of(parts: list[Part]) -> Law | None:
     """None where the free parts are too short to tell one."""
     tables, accelerations, alike = [], [], []
-    for signal, free in parts:
-        seen = derivatives(signal)
-        inside = within(signal, free, seen.width)
+    for seen, free in parts:
+        inside = within(seen, free)
         if inside.stop - inside.start < FEWEST:
             continue
         tables.append(seen.table[inside])
         accelerations.append(seen.acceleration[inside])
-        alike.append(max(seen.width / signal.step, 1.0))  # smoothed samples share their noise
+        alike.append(max(seen.width / seen.step, 1.0))  # smoothed samples share their noise
     if not tables:
         return None
     table, acceleration = np.concatenate(tables), np.concatenate(accelerations)
-    numbers = np.linalg.lstsq(table, acceleration, rcond=None)[0]
+    inverse = np.linalg.pinv(table.T @ table)
+    numbers = inverse @ (acceleration @ table)
     share, deviations = USUAL
-    usual = float(np.quantile(np.abs(acceleration - table @ numbers), share)) / deviations
-    scatter = max(alike) * usual**2 * np.linalg.pinv(table.T @ table)
+    usual = quantile(np.abs(acceleration - table @ numbers), share) / deviations
+    scatter = max(alike) * usual**2 * inverse
     return Law(numbers, scatter, usual, float(np.abs(acceleration).max()))
 
 
 @remembered
-def own_law(signal: Signal, start: int, stop: int) -> Law | None:
+def own_law(seen: "Derivatives", start: int, stop: int) -> Law | None:
     """What the free part of one signal tells."""
-    return law_of([(signal, slice(start, stop))])
+    return law_of([(seen, slice(start, stop))])
 
 
-def within(signal: Signal, free: slice, width: float) -> slice:
-    """The samples around which a whole window of `width` s is free."""
-    first = np.searchsorted(signal.time, signal.time[free.start] + width / 2)
-    last = np.searchsorted(signal.time, signal.time[free.stop - 1] - width / 2, side="right")
+def within(seen: "Derivatives", free: slice) -> slice:
+    """The samples around which a whole window is free."""
+    time = seen.time
+    first = time.searchsorted(time[free.start] + seen.width / 2)
+    last = time.searchsorted(time[free.stop - 1] - seen.width / 2, side="right")
     return slice(int(first), max(int(first), int(last)))
 
 
-def free_until(signal: Signal, free: slice, limit: int, law: Law | None = None) -> int:
+def free_until(seen: "Derivatives", free: slice, limit: int, law: Law | None = None) -> int:
     """One past the last sample that is as free as those of `free`, and not beyond `limit`.
 
     Without a `law` that part tells its own.
     """
-    law = own_law(signal, free.start, free.stop) if law is None else law
+    law = own_law(seen, free.start, free.stop) if law is None else law
     if law is None:
         return free.stop
-    at = pushed_at(signal, free, limit, law, law.clear(PUSH))
+    at = pushed_at(seen, free, limit, law, law.clear(PUSH))
     if at is None:
         return limit
-    since, width = float(signal.time[at]), derivatives(signal).width
-    return max(int(np.searchsorted(signal.time, since - width / 2 - LATE)), free.stop)
+    since = float(seen.time[at])
+    return max(int(seen.time.searchsorted(since - seen.width / 2 - LATE)), free.stop)
 
 
-def gripped_at(signal: Signal, free: slice, limit: int, law: Law) -> int | None:
+def gripped_at(seen: "Derivatives", free: slice, limit: int, law: Law) -> int | None:
     """The first sample after those of `free` at which a hand surely slows the leg down."""
-    return pushed_at(signal, free, limit, law, max(SEIZED * law.usual, GRIP * law.greatest))
+    return pushed_at(seen, free, limit, law, max(SEIZED * law.usual, GRIP * law.greatest))
 
 
-def pushed_at(signal: Signal, free: slice, limit: int, law: Law, least: float) -> int | None:
+def pushed_at(seen: "Derivatives", free: slice, limit: int, law: Law, least: float) -> int | None:
     """The first sample from `free` to `limit` that is `least` rad/s^2 from the law for sure."""
-    seen = derivatives(signal)
-    last = within(signal, free, seen.width).stop
-    unsure = SURE * np.sqrt(np.einsum("ti,ij,tj->t", seen.table, law.scatter, seen.table))
-    pushed = (np.abs(unexplained(seen, law)) > least + unsure)[last:limit]
+    last = within(seen, free).stop
+    table = seen.table[last:limit]
+    unsure = SURE * np.sqrt(np.einsum("ti,ti->t", table @ law.scatter, table))
+    pushed = np.abs(seen.acceleration[last:limit] - table @ law.numbers) > least + unsure
     return last + int(np.argmax(pushed)) if pushed.any() else None
 
 
-def kept_there(signal: Signal, free: slice, rest: slice, law: Law | None = None) -> bool:
+def kept_there(seen: "Derivatives", free: slice, rest: slice, law: Law | None = None) -> bool:
     """Is something needed to keep the leg where it rests, if it is as in the samples `free`?"""
-    law = own_law(signal, free.start, free.stop) if law is None else law
+    law = own_law(seen, free.start, free.stop) if law is None else law
     if law is None:
         return False
-    inside = slice(int(np.searchsorted(signal.time, signal.time[rest.start] + LATE)), rest.stop)
-    seen = derivatives(signal)
-    needed = unexplained(seen, law)[inside]
-    if not needed.size:
+    inside = slice(int(seen.time.searchsorted(seen.time[rest.start] + LATE)), rest.stop)
+    table = seen.table[inside]
+    if not table.size:
         return False
-    where = seen.table[inside].mean(axis=0)
+    where = table.mean(axis=0)
+    needed = abs(float(seen.acceleration[inside].mean() - where @ law.numbers))
     unsure = float(np.sqrt(where @ law.scatter @ where))
-    return bool(abs(float(np.mean(needed))) > law.clear(LEAN) + SURE * unsure)
-
-
-def unexplained(seen: "Derivatives", law: Law) -> Samples:
-    """The acceleration that a law does not have [rad/s^2]."""
-    return seen.acceleration - seen.table @ law.numbers
+    return needed > law.clear(LEAN) + SURE * unsure
 
 
 @dataclass(frozen=True, eq=False)
 class Derivatives:
-    """Angle, speed and acceleration, smoothed over `width` s, and the acceleration's error."""
+    """Angle, speed and acceleration at every time, smoothed over `width` s."""
 
+    time: Samples  # s
+    step: float  # s
     angle: Samples  # rad
     speed: Samples  # rad/s
     acceleration: Samples  # rad/s^2
-    error: float  # rad/s^2
     width: float  # s
 
     @cached_property
@@ -144,30 +142,37 @@ class Derivatives:
         """The columns of the law: (sample, number)."""
         return np.stack([np.ones(self.angle.size), np.cos(self.angle), self.angle, self.speed], 1)
 
-    @property
-    def clear(self) -> bool:
-        """Would a hand be seen through the noise?"""
-        return bool(self.error < PUSH * np.ptp(self.acceleration) / 2 / ROUGH)
+    @cached_property
+    def greatest(self) -> float:
+        """Half of what the acceleration ranges over [rad/s^2]."""
+        return float(np.ptp(self.acceleration)) / 2
 
 
 @remembered  # who looks for a hand asks several times
 def derivatives(signal: Signal) -> Derivatives:
     """Over the shortest window through which a hand would be seen, else the longest."""
     *shorter, longest = BLUR
-    each = (smoothed_over(signal, width) for width in shorter)
-    clear = next((one for one in each if one.clear), None)
-    return smoothed_over(signal, longest) if clear is None else clear
+    for width in shorter:
+        found = smoothed_over(signal.samples, width)
+        if acceleration_error(signal, width) < PUSH * found.greatest / ROUGH:
+            return found
+    return smoothed_over(signal.samples, longest)
 
 
+@remembered  # the same where the noise of the same samples is another
 def smoothed_over(signal: Signal, width: float) -> Derivatives:
-    time, count = signal.time, signal.count(width)
-    spread = float(np.std(np.arange(count) * signal.step))
     if signal.velocity is not None:
         angle = lines(signal, width)[0]
-        speed, acceleration = local_line(time, signal.velocity, width)
-        error = signal.velocity_noise / (spread * np.sqrt(count))
+        speed, acceleration = local_line(signal.time, signal.velocity, width)
     else:  # twice: a parabola over the whole width
         angle = lines(signal, width / 2)[0]
         speed, acceleration = bends(signal, width)
-        error = float(np.sqrt(5) * signal.angle_noise / (spread**2 * np.sqrt(count)))
-    return Derivatives(angle, speed, acceleration, error, width)
+    return Derivatives(signal.time, signal.step, angle, speed, acceleration, width)
+
+
+def acceleration_error(signal: Signal, width: float) -> float:
+    """The noise that is left in an acceleration over `width` s [rad/s^2]."""
+    spread, root = signal.spread(width), sqrt(signal.count(width))
+    if signal.velocity is not None:
+        return signal.velocity_noise / (spread * root)
+    return sqrt(5) * signal.angle_noise / (spread**2 * root)

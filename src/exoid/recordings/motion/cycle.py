@@ -24,7 +24,7 @@ def find_cycle(segment: Segment, sensors: Sensors, period: float | None = None) 
     last = max(last for _, last in moving(time, speed))
     if period is None:
         back = mirrored(signal)
-        mirror = Speed(speed.velocity[::-1], speed.error, speed.width)
+        mirror = replace(speed, velocity=speed.velocity[::-1])
         ended = -edge(back, mirror, time.size - 1 - last)[0]
         stop = int(np.searchsorted(time, ended, side="right"))
     else:

@@ -7,7 +7,7 @@ rest.
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
-from exoid.recordings.motion.acceleration import Law, law_of
+from exoid.recordings.motion.acceleration import Law, derivatives, law_of
 from exoid.recordings.motion.extent import Extent, Motionless
 from exoid.recordings.motion.find_free import find_free
 from exoid.recordings.motion.free_end import Swings, free_end, swung
@@ -64,7 +64,7 @@ def compared(recording: Recording) -> ComparedDrops:
     laws: dict[int, Law] = {}
     for setup in dict.fromkeys(setup_of(recording, n) for n in moved):
         alike = [n for n in moved if setup_of(recording, n) == setup]
-        law = law_of([(signals[n], sure(signals[n], moved[n])) for n in alike])
+        law = law_of([(derivatives(signals[n]), sure(signals[n], moved[n])) for n in alike])
         if len(alike) > 1 and law is not None:
             laws |= dict.fromkeys(alike, law)
     ends = {n: ended(signals[n], moved[n], law) for n, law in laws.items()}

@@ -11,6 +11,16 @@ class Motionless(ValueError):
 
 
 @dataclass(frozen=True)
+class End:
+    """How a free motion ended."""
+
+    stop: int  # one past its last sample
+    ended: Literal["at rest", "caught", "recording stopped"]
+    why: str
+    hand: int | None = None  # the first sample at which a hand may be on the leg
+
+
+@dataclass(frozen=True)
 class Extent:
     """A movement: samples by number, times in s on the segment's clock.
 

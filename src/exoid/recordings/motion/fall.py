@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from exoid.recordings.motion.signal import Signal
 from exoid.recordings.samples import Samples
-from exoid.recordings.signal.left_over import orthonormal
+from exoid.recordings.signal.left_over import beside, left_beside, orthonormal
 
 Table = NDArray[np.float64]
 FINE = 5e-4  # s, between the entries of a response
@@ -109,11 +109,12 @@ class Rows:
         found = np.concatenate(each, axis=2) * self.scale[:, None]
         return found.reshape(-1, *found.shape[2:])
 
-    def with_levels(self, columns: Table) -> Table:
-        """An orthonormal basis of the means and of further columns (set, column, row)."""
-        apart = columns - (columns @ self.levels.T) @ self.levels
-        levels = np.broadcast_to(self.levels, (columns.shape[0], *self.levels.shape))
-        return np.concatenate([levels, orthonormal(apart)], axis=1)
+    def left(self, columns: Table, fall: Table) -> Table:
+        """Chi-square beside the means, some columns (set, column, row), which are overwritten, and
+        each further one in turn (set, row, one): (set, one).
+        """
+        basis = orthonormal(beside(columns, self.levels))
+        return left_beside(basis, self.levels, fall, self.data) + self.scatter
 
 
 def rows_of(signal: Signal, begin: float) -> Rows:

@@ -51,8 +51,14 @@ def first_movement(signal: Signal, speed: Speed) -> tuple[int, int]:
 
     **Raises** `Motionless`.
     """
-    smooth, noise = smoothed(signal, speed.width)
-    least = max(TRAVEL, CLEAR * noise)
+    _, noise = smoothed(signal, speed.width)
+    return first_beyond(speed, signal.samples, max(TRAVEL, CLEAR * noise))
+
+
+@remembered  # the same where the noise of the same samples is another
+def first_beyond(speed: Speed, signal: Signal, least: float) -> tuple[int, int]:
+    """The first stretch that moves by more than `least` rad."""
+    smooth, _ = smoothed(signal, speed.width)
     for first, last in moving(signal.time, speed):
         if np.ptp(smooth[max(first - 1, 0) : last + 2]) > least:
             return departure(smooth[: last + 1], speed, first, least), last

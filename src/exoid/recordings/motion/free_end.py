@@ -5,11 +5,19 @@ it. A turning point outside, a swing that is cut short, or a movement out of res
 """
 
 from dataclasses import dataclass
-from typing import Literal
+from functools import cached_property
 
 import numpy as np
 
-from exoid.recordings.motion.acceleration import Law, free_until, gripped_at, kept_there
+from exoid.recordings.motion.acceleration import (
+    Derivatives,
+    Law,
+    derivatives,
+    free_until,
+    gripped_at,
+    kept_there,
+)
+from exoid.recordings.motion.extent import End
 from exoid.recordings.motion.signal import Signal, Speed, smoothed
 from exoid.recordings.motion.thresholds import (
     BEYOND,
@@ -24,41 +32,38 @@ from exoid.recordings.motion.thresholds import (
     TRAVEL,
 )
 from exoid.recordings.remembered import remembered
-from exoid.recordings.samples import Samples
+from exoid.recordings.samples import quantile
 from exoid.recordings.signal.condition import reversals, runs
 
 Rest = tuple[int, int]  # its first sample, and one past its last
-Ending = Literal["at rest", "caught", "recording stopped"]
 
 
 @dataclass(frozen=True)
-class End:
-    """How a free motion ended."""
+class Bounds:
+    """Between which samples swings are looked for, and how large they are."""
 
-    stop: int  # one past its last sample
-    ended: Ending
-    why: str
-    hand: int | None = None  # the first sample at which a hand may be on the leg
+    begin: int
+    free: int  # the first sample that surely is free
+    rest: Rest | None
+    least: float  # rad, of a swing
+    room: float  # rad, by which one may lie outside the one before
 
 
 @dataclass(frozen=True, eq=False)
 class Swings:
-    """The release, where there was one, the turning points after it, and the rest or the last
-    sample.
-    """
+    """The release, where there was one, the turning points after it, and the rest or the end."""
 
     at: list[int]
-    angle: Samples  # rad, there
-    error: float  # rad
-    free: int  # the first sample that surely is free
-    rest: Rest | None
+    angle: list[float]  # rad, there
+    bounds: Bounds
 
-    @property
+    @cached_property
     def sure(self) -> slice:
         """The samples in which no hand can have ended the last swing."""
         *turns, end = self.at
-        sure = turns[-1 if len(turns) == 2 else -2] if len(turns) > 1 else (self.free + end) // 2
-        return slice(self.free, max(sure, self.free) + 1)
+        free = self.bounds.free
+        sure = turns[-1 if len(turns) == 2 else -2] if len(turns) > 1 else (free + end) // 2
+        return slice(free, max(sure, free) + 1)
 
 
 def free_end(
@@ -68,11 +73,12 @@ def free_end(
 
     A `law` is what other drops of this leg have told of it.
     """
-    rest = seen.rest
+    rest = seen.bounds.rest
     if handled:
-        hand = hand_in(signal, seen) or holding(signal, speed, seen, None)
+        moves = derivatives(signal)
+        hand = hand_in(seen, moves) or holding(seen, moves, speed, None)
         if hand is None and law is not None:
-            hand = holding(signal, speed, seen, law) or gripping(signal, seen, law)
+            hand = holding(seen, moves, speed, law) or gripping(seen, moves, law)
         if hand is not None:
             return hand
     if rest is None:
@@ -85,80 +91,84 @@ def free_end(
 @remembered
 def swung(signal: Signal, speed: Speed, begin: int, free: int) -> Swings:
     """The swings from `begin` on, and the rest that ends them, whose angle is the last."""
-    smooth, noise = smoothed(signal, speed.width)
-    rest = rest_after(signal, speed, smooth, begin, noise)
+    clear, rest = CLEAR * smoothed(signal, speed.width)[1], rest_after(signal, speed, begin)
+    bounds = Bounds(begin, free, rest, max(TRAVEL, clear), max(BEYOND, clear))
+    return swings_of(speed, signal.samples, bounds)
+
+
+@remembered  # the same where the noise of the same samples is another
+def swings_of(speed: Speed, signal: Signal, bounds: Bounds) -> Swings:
+    smooth, begin, rest = smoothed(signal, speed.width)[0], bounds.begin, bounds.rest
     end = signal.time.size - 1 if rest is None else rest[0]
-    turns = [begin + at for at in reversals(smooth[begin : end + 1], max(TRAVEL, CLEAR * noise))]
-    last = smooth[end] if rest is None else np.median(smooth[slice(*rest)])
-    at, angle = [begin, *turns, end], np.array([*smooth[[begin, *turns]], last])
+    turns = [begin + at for at in reversals(smooth[begin : end + 1], bounds.least)]
+    last = float(smooth[end]) if rest is None else quantile(smooth[slice(*rest)])
+    at, angle = [begin, *turns, end], [*smooth[[begin, *turns]].tolist(), last]
     if begin == 0 and abs(speed.velocity[0]) > speed.still and turns:
         at, angle = at[1:], angle[1:]  # it began within a swing
-    return Swings(at, angle, noise, free, rest)
+    return Swings(at, angle, bounds)
 
 
-def rest_after(
-    signal: Signal, speed: Speed, smooth: Samples, begin: int, noise: float
-) -> Rest | None:
+def rest_after(signal: Signal, speed: Speed, begin: int) -> Rest | None:
     """The samples of the first lasting rest, which nothing but a hand ends; None without one."""
-    time, angle = signal.time, smooth
+    time, (angle, noise) = signal.time, smoothed(signal, speed.width)
     band = max(ROCKING[0], ROCKING[1] * speed.still + CLEAR * noise)
     for first, last in runs(np.abs(speed.velocity[begin:]) < speed.still):
         first, last = first + begin, last + begin
         if first == begin or time[last] - time[first] < REST:
             continue
-        away = np.abs(angle[first:] - np.median(angle[first : last + 1])) > band
+        away = np.abs(angle[first:] - quantile(angle[first : last + 1])) > band
         if not away[: last - first].any():
             return first, first + int(np.argmax(away)) if away.any() else time.size
     return None
 
 
 @remembered
-def hand_in(signal: Signal, seen: Swings) -> End | None:
+def hand_in(seen: Swings, moves: Derivatives) -> End | None:
     """The first trace of a hand."""
-    place, rest = outside(seen), seen.rest
+    place, rest, time = outside(seen), seen.bounds.rest, moves.time
     if place is not None:
         sure = seen.at[max(place - 2, 1)]
-        return caught(signal, slice(seen.free, sure + 1), seen.at[place])
+        return caught(moves, slice(seen.bounds.free, sure + 1), seen.at[place])
     if rest is None:
         return None
-    if cut_short(seen.angle.tolist()):
-        return caught(signal, seen.sure, seen.at[-1])
-    if rest[1] < signal.time.size:
-        left = int(np.searchsorted(signal.time, signal.time[rest[1] - 1] - LATE))
-        kept = int(np.searchsorted(signal.time, signal.time[rest[0]] + KEPT, side="right"))
+    if cut_short(seen.angle):
+        return caught(moves, seen.sure, seen.at[-1])
+    if rest[1] < time.size:
+        left = int(time.searchsorted(time[rest[1] - 1] - LATE))
+        kept = int(time.searchsorted(time[rest[0]] + KEPT, side="right"))
         stop = max(min(left, kept), rest[0])
         return End(stop, "at rest", "the leg came to rest, then was moved", left)
     return None
 
 
 @remembered
-def holding(signal: Signal, speed: Speed, seen: Swings, law: Law | None) -> End | None:
+def holding(seen: Swings, moves: Derivatives, speed: Speed, law: Law | None) -> End | None:
     """A hand that keeps a leg where it would not stay by itself."""
-    size, rest = signal.time.size, seen.rest
+    time, rest = moves.time, seen.bounds.rest
     if rest is None:
         still = runs(np.abs(speed.velocity) < speed.still)
-        if not still or still[-1][1] < size - 1:
+        if not still or still[-1][1] < time.size - 1:
             return None
-        rest = (still[-1][0], size)
-        if signal.time[-1] - signal.time[rest[0]] < BRIEF:
+        rest = (still[-1][0], time.size)
+        if time[-1] - time[rest[0]] < BRIEF:
             return None
-    if seen.sure.stop > rest[0] or not kept_there(signal, seen.sure, slice(*rest), law):
+    if seen.sure.stop > rest[0] or not kept_there(moves, seen.sure, slice(*rest), law):
         return None
-    return caught(signal, seen.sure, rest[0], law)
+    return caught(moves, seen.sure, rest[0], law)
 
 
 @remembered
-def gripping(signal: Signal, seen: Swings, law: Law) -> End | None:
+def gripping(seen: Swings, moves: Derivatives, law: Law) -> End | None:
     """A hand that slows the leg down as no free leg of this `law` does."""
-    limit = signal.time.size if seen.rest is None else seen.rest[0]
-    at = gripped_at(signal, seen.sure, limit, law)
-    return None if at is None else caught(signal, seen.sure, at, law)
+    limit = moves.time.size if seen.bounds.rest is None else seen.bounds.rest[0]
+    at = gripped_at(moves, seen.sure, limit, law)
+    return None if at is None else caught(moves, seen.sure, at, law)
 
 
-def caught(signal: Signal, free: slice, limit: int, law: Law | None = None) -> End:
+def caught(moves: Derivatives, free: slice, limit: int, law: Law | None = None) -> End:
     """Where a hand ended what was free for sure in the samples `free`, before `limit`."""
-    stop = free_until(signal, free, limit, law)
-    since = float(signal.time[stop - 1])
+    stop = free_until(moves, free, limit, law)
+    since = float(moves.time[stop - 1])
     return End(stop, "caught", f"stopped or lifted after {since:.2f} s, as by a hand", stop)
 
 
@@ -166,9 +176,8 @@ def outside(seen: Swings) -> int | None:
     """The first turning point beyond the one before it on the same side."""
     for k in range(2, len(seen.at)):
         former, middle, now = seen.angle[k - 2 : k + 1]
-        side = np.sign(former - middle)
-        room = max(BEYOND, CLEAR * seen.error, SHARE * abs(former - middle))
-        if side * (now - former) > room:
+        room = max(seen.bounds.room, SHARE * abs(former - middle))
+        if (now - former if former > middle else former - now) > room:
             return k
     return None
 

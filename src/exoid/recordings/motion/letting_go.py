@@ -28,7 +28,6 @@ from exoid.recordings.motion.thresholds import (
     WINDOWS,
 )
 from exoid.recordings.samples import Samples
-from exoid.recordings.signal.left_over import left_beside
 
 POWERS = (3, 4, 5)
 
@@ -87,8 +86,7 @@ def table_of(case: ReleaseWindow, legs: Swings, tried: Samples, widths: Samples)
     since = rows.time - tried[:, None]
     fall = rows.fallen(since, widths, legs)
     middle = (since - widths[:, None, None] / 2).reshape(-1, rows.time.size)
-    basis = rows.with_levels(powers_of(case, rows, np.maximum(middle, 0) / FALL))
-    left = left_beside(basis, fall, rows.data) + rows.scatter
+    left = rows.left(powers_of(case, rows, np.maximum(middle, 0) / FALL), fall)
     return left.reshape(widths.size, tried.size, len(legs)).transpose(2, 0, 1)
 
 
@@ -148,6 +146,5 @@ def begun_free(case: ReleaseWindow) -> float:
     rows = rows_of(case.signal, first)
     since = rows.time[None, :] - first
     at_rest, moving = (rows.fallen(since, np.zeros(1), case.legs, begun) for begun in (0, 1))
-    basis = rows.with_levels(moving.transpose(2, 0, 1))
-    left = left_beside(basis, at_rest.transpose(2, 1, 0), rows.data)
-    return float(left.min()) + rows.scatter
+    left = rows.left(moving.transpose(2, 0, 1).copy(), at_rest.transpose(2, 1, 0))
+    return float(left.min())

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, replace
 from functools import cached_property
+from math import sqrt
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,10 +10,10 @@ from numpy.typing import NDArray
 from exoid.recordings.motion.thresholds import QUIET, SPEED_ERROR, WIDTHS
 from exoid.recordings.recording import Segment, Sensors
 from exoid.recordings.remembered import remembered
-from exoid.recordings.samples import Samples, block_means, block_size
+from exoid.recordings.samples import Samples, block_means, block_size, usual_step
 from exoid.recordings.signal.local_line import local_line
 from exoid.recordings.signal.noise import declared_angle_noise, noise_of
-from exoid.recordings.signal.spikes import find_spikes
+from exoid.recordings.signal.spikes import spikes_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,7 +34,7 @@ class Signal:
 
     @cached_property
     def step(self) -> float:
-        return float(np.median(np.diff(self.time)))
+        return usual_step(self.time)
 
     def part(self, inside: NDArray[np.bool_]) -> "Signal":
         """The samples that are `inside`."""
@@ -56,32 +57,31 @@ class Signal:
         """The samples of a window of `width` s; three carry a line and a check."""
         return max(3, round(width / self.step))
 
+    def spread(self, width: float) -> float:
+        """The standard deviation of their times [s]."""
+        return self.step * sqrt((self.count(width) ** 2 - 1) / 12)
+
 
 @dataclass(frozen=True, eq=False)
 class Speed:
     """A velocity that is smoothed over as long as its noise needs."""
 
     velocity: Samples  # rad/s
-    error: float  # rad/s, standard deviation of one value
+    still: float  # rad/s, below which a leg cannot be told from one that is held by a hand
     width: float  # s, of the window
-
-    @property
-    def still(self) -> float:
-        """The speed below which a leg cannot be told from one that is held by a hand [rad/s]."""
-        return max(QUIET[0] * self.error, QUIET[1])
 
 
 @remembered  # asked again by whoever reads the same segment
 def signal_of(segment: Segment, sensors: Sensors) -> Signal:
     """The raw channels, else the filtered ones; single wild samples are left out."""
-    angle, velocity = segment.best_angle, segment.angular_velocity
-    if segment.raw_angular_velocity is not None:
-        velocity = segment.raw_angular_velocity
-    declared = declared_angle_noise(sensors, [angle])
-    angle, noise = credible(segment.time, angle, declared, angle=True)
-    if velocity is None:
+    raw = segment.raw_angular_velocity is not None
+    rate = "raw_angular_velocity" if raw else "angular_velocity"
+    declared = declared_angle_noise(sensors, [segment.best_angle])
+    of_angle = "angle" if segment.raw_angle is None else "raw_angle"
+    angle, noise = credible(segment, of_angle, declared, angle=True)
+    if getattr(segment, rate) is None:
         return Signal(segment.time, angle, noise, None, np.inf)
-    velocity, scatter = credible(segment.time, velocity, sensors.velocity_noise, angle=False)
+    velocity, scatter = credible(segment, rate, sensors.velocity_noise, angle=False)
     return Signal(
         segment.time, angle, noise, velocity - bias(segment.time, angle, velocity), scatter
     )
@@ -94,44 +94,58 @@ def bias(time: Samples, angle: Samples, velocity: Samples) -> float:
 
 
 def credible(
-    time: Samples, samples: Samples, declared: float | None, *, angle: bool
+    segment: Segment, channel: str, declared: float | None, *, angle: bool
 ) -> tuple[Samples, float]:
     """The samples without spikes, and their noise."""
-    kept = np.where(find_spikes(time, samples, declared or 0.0), np.nan, samples)
-    return kept, noise_of([time], [kept], declared, angle=angle).level
+    samples, spikes = getattr(segment, channel), spikes_of(segment, channel, declared or 0.0)
+    kept = np.where(spikes, np.nan, samples) if spikes.any() else samples
+    return kept, noise_of([segment.time], [kept], declared, angle=angle).level
 
 
 @remembered  # every step of the search asks for it
 def speed_of(signal: Signal) -> Speed:
     """The gyro's mean, else the slope of the angle, over the shortest window that is clear."""
     *shorter, longest = WIDTHS
-    each = (windowed(signal, width) for width in shorter)
-    clear = next((one for one in each if one.error <= SPEED_ERROR), None)
-    return windowed(signal, longest) if clear is None else clear
+    each = ((speed_error(signal, width), width) for width in shorter)
+    clear = next((one for one in each if one[0] <= SPEED_ERROR), None)
+    error, width = (speed_error(signal, longest), longest) if clear is None else clear
+    return speed_over(signal.samples, width, max(QUIET[0] * error, QUIET[1]))
 
 
-def windowed(signal: Signal, width: float) -> Speed:
-    """The velocity over windows of `width` s, and what noise is left in it.
+def speed_error(signal: Signal, width: float) -> float:
+    """The noise that is left in a velocity over windows of `width` s [rad/s]."""
+    root = sqrt(signal.count(width))
+    if signal.velocity is not None:
+        return signal.velocity_noise / root
+    return signal.angle_noise / (signal.spread(width) * root)
+
+
+@remembered
+def speed_over(signal: Signal, width: float, still: float) -> Speed:
+    return Speed(velocity_over(signal, width), still, width)
+
+
+@remembered  # the same where the noise of the same samples is another
+def velocity_over(signal: Signal, width: float) -> Samples:
+    """The velocity over windows of `width` s.
 
     Half a window at either end has the value of the first whole one: shorter windows are noisier.
     """
-    time, count = signal.time, signal.count(width)
-    whole = (time >= time[0] + width / 2) & (time <= time[-1] - width / 2)
-    if not whole.any():
-        whole[:] = True
+    time = signal.time
     if signal.velocity is not None:
         found = local_line(time, signal.velocity, width)[0]
-        error = signal.velocity_noise / np.sqrt(count)
     else:
-        found = lines(signal, width)[1]
-        places = np.arange(count) * signal.step
-        error = signal.angle_noise / (np.std(places) * np.sqrt(count))
-    return Speed(np.interp(time, time[whole], found[whole]), error, width)
+        found = lines(signal, width)[1].copy()
+    first = int(time.searchsorted(time[0] + width / 2))
+    last = int(time.searchsorted(time[-1] - width / 2, side="right"))
+    if first < last:
+        found[:first], found[last:] = found[first], found[last - 1]
+    return found
 
 
 def smoothed(signal: Signal, width: float) -> tuple[Samples, float]:
     """The angle over windows of `width` s, and its error."""
-    return lines(signal, width)[0], signal.angle_noise / np.sqrt(signal.count(width))
+    return lines(signal, width)[0], signal.angle_noise / sqrt(signal.count(width))
 
 
 def lines(signal: Signal, width: float) -> tuple[Samples, Samples]:

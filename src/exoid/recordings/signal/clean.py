@@ -1,14 +1,16 @@
 """A recording without what only a sensor can have done: single spikes, tones, drift."""
 
+import operator
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
 
 from exoid.recordings.recording import Recording, Segment
+from exoid.recordings.samples import Samples
 from exoid.recordings.signal.gyro_drift import gyro_drift
 from exoid.recordings.signal.noise import Noise, declared_angle_noise, noise_of
-from exoid.recordings.signal.spikes import find_spikes
+from exoid.recordings.signal.spikes import spikes_of
 from exoid.recordings.signal.tone import find_tone, without_tone
 from exoid.recordings.signal.turns import coarse
 
@@ -68,21 +70,32 @@ def clean_channel(
         found = noise_of(times, signals, declared)
         level = found.level if declared is None else declared
         return recording, replace(found, level=level)
-    spikes = [find_spikes(*each, declared or 0.0) for each in zip(times, signals, strict=True)]
-    signals = [
-        np.where(spike, np.nan, signal) for spike, signal in zip(spikes, signals, strict=True)
-    ]
-    tone = find_tone(times, signals, noise_of(times, signals, declared).level)
-    if tone is not None:
-        signals = [without_tone(*each, tone) for each in zip(times, signals, strict=True)]
-    segments = [
-        replace(each, **{name: signal})
-        for each, signal in zip(recording.segments, signals, strict=True)
+    spikes = [spikes_of(each, name, declared or 0.0) for each in recording.segments]
+    kept = [
+        np.where(spike, np.nan, signal) if spike.any() else signal
+        for spike, signal in zip(spikes, signals, strict=True)
     ]
     count = int(sum(each.sum() for each in spikes))
     angle = name in ("raw_angle", "angle")
-    noise = replace(noise_of(times, signals, declared, angle=angle), spikes=count, tone=tone)
-    return replace(recording, segments=tuple(segments)), noise
+    noise = noise_of(times, kept, declared, angle=angle)
+    white = noise_of(times, kept, declared) if noise.alike_over else noise
+    tone = find_tone(times, kept, white.level)
+    if tone is not None:
+        kept = [without_tone(*each, tone) for each in zip(times, kept, strict=True)]
+        noise = noise_of(times, kept, declared, angle=angle)
+    return with_channel(recording, name, kept), replace(noise, spikes=count, tone=tone)
+
+
+def with_channel(recording: Recording, name: str, signals: list[Samples]) -> Recording:
+    """The recording with these samples; whatever is left as it was stays what it was, for what is
+    known of it.
+    """
+    segments = tuple(
+        each if getattr(each, name) is signal else replace(each, **{name: signal})
+        for each, signal in zip(recording.segments, signals, strict=True)
+    )
+    changed = any(map(operator.is_not, segments, recording.segments))
+    return replace(recording, segments=segments) if changed else recording
 
 
 def steady_gyro(recording: Recording, angle: Noise, gyro: Noise) -> tuple[Recording, Noise]:

@@ -71,8 +71,12 @@ def torque_frequencies(period: float) -> dict[str, float]:
 
 def runs(mask: NDArray[np.bool_]) -> list[tuple[int, int]]:
     """First and last index of every stretch of True."""
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], mask, [False]])))
-    return [(int(a), int(b) - 1) for a, b in zip(edges[::2], edges[1::2], strict=True)]
+    edges = (np.flatnonzero(mask[1:] != mask[:-1]) + 1).tolist()
+    if mask[:1].any():
+        edges.insert(0, 0)
+    if mask[-1:].any():
+        edges.append(mask.size)
+    return [(a, b - 1) for a, b in zip(edges[::2], edges[1::2], strict=True)]
 
 
 def reversals(angle: Samples, least: float) -> list[int]:

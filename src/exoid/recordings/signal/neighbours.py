@@ -9,7 +9,8 @@ from exoid.recordings.samples import Samples
 
 NEIGHBOURS = 3  # on either side: a quintic, from which a leg departs by 1e-5 rad even at 30 Hz
 OFFSETS = [offset for offset in range(-NEIGHBOURS, NEIGHBOURS + 1) if offset]
-EVENLY = (0.05, -0.3, 0.75, 0.75, -0.3, 0.05)  # of each in the quintic, evenly apart
+EVENLY = np.array([-0.05, 0.3, -0.75, 1.0, -0.75, 0.3, -0.05])  # less the quintic, evenly apart
+DEPARTURE = EVENLY / np.linalg.norm(EVENLY)  # scatters as the noise does
 ALIKE = 1e-7  # of a step, to which neighbours are evenly apart: a leg moves 1e-8 rad in it
 
 
@@ -29,14 +30,18 @@ class Known:
         reach = NEIGHBOURS * stride
         inside = max(self.places.size - 2 * reach, 0)
         inner = slice(reach, reach + inside, max(inside // most, 1) if most else 1)
-        departure = self.values[inner].copy()
-        for offset, weight in zip(OFFSETS, EVENLY, strict=True) if inside else ():
-            departure -= weight * self.values[beside(inner, offset * stride)]
-        departure /= np.sqrt(1 + np.square(EVENLY).sum())
+        if inside and inner.step == stride == 1:
+            departure = np.correlate(self.values, DEPARTURE, "valid")
+        else:
+            departure = DEPARTURE[NEIGHBOURS] * self.values[inner]
+            for offset in OFFSETS if inside else ():
+                weight = DEPARTURE[NEIGHBOURS + offset]
+                departure += weight * self.values[beside(inner, offset * stride)]
         if self.changes is not None and inside:
             off = self.changes[beside(inner, reach - 1)] > self.changes[beside(inner, -reach)]
             middle = np.arange(self.places.size)[inner][off]
-            departure[off] = departures(self.time, self.values, middle, stride)
+            near = middle + np.array(OFFSETS)[:, None] * stride
+            departure[off] = departures(self.time, self.values, middle, near)
         return inner, departure
 
 
@@ -70,16 +75,17 @@ def beside(inner: slice, lag: int) -> slice:
 
 
 def departures(
-    clock: Samples, values: Samples, middle: NDArray[np.int_], stride: int = 1
+    clock: Samples, values: Samples, middle: NDArray[np.int_], near: NDArray[np.int_]
 ) -> Samples:
-    """`interpolation_errors` of some samples, however their neighbours are apart."""
-    near = middle + np.array(OFFSETS)[:, None] * stride
+    """`interpolation_errors` of some samples beside those that are `near` (neighbour, sample),
+    however they are apart.
+    """
     lags = clock[near] - clock[middle]
-    weights = np.ones_like(lags)
-    for one, weight in enumerate(weights):
-        for other, lag in enumerate(lags):
-            if one != other:
-                weight *= lag / (lag - lags[one])
+    weights = np.empty_like(lags)
+    for one, lag in enumerate(lags):
+        away = lags - lag
+        away[one] = lag
+        np.multiply.reduce(lags / away, axis=0, out=weights[one])
     missed = values[middle] - np.sum(weights * values[near], axis=0)
     return missed / np.sqrt(1 + np.sum(weights**2, axis=0))
 
@@ -93,4 +99,5 @@ def renew(errors: Samples, time: Samples, samples: Samples, gone: NDArray[np.int
     places = np.unique(np.clip(places, 0, known.size - 1))
     errors[gone] = errors[known[places]] = np.nan
     told = places[(places >= NEIGHBOURS) & (places < known.size - NEIGHBOURS)]
-    errors[known[told]] = departures(time[known], samples[known], told)
+    near = known[told + np.array(OFFSETS)[:, None]]
+    errors[known[told]] = departures(time, samples, known[told], near)

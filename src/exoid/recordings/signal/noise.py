@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from exoid.recordings.recording import Sensors
-from exoid.recordings.samples import Samples
+from exoid.recordings.samples import Samples, usual_step
 from exoid.recordings.signal.neighbours import Known, known_of
 from exoid.recordings.signal.scatter import FAR, FEWEST, NONE, quantum, robust_deviation
 from exoid.recordings.signal.tone import Tone
@@ -83,7 +83,7 @@ def noise_of(
     measured = max(float(np.sqrt(np.mean(inside**2))), step, NONE)
     heaviness, width = measured / robust, 0.0
     if angle:
-        measured, width = smoothed(known, float(np.median(np.diff(times[0]))), measured)
+        measured, width = smoothed(known, usual_step(times[0]), measured)
     level = measured if declared is None or measured > MORE * declared else declared
     return Noise(level, measured, declared, heaviness, samples=errors.size, alike_over=width)
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from exoid.recordings.samples import Samples
+from exoid.recordings.samples import Samples, quantile
 
 FAR = 5.0  # standard deviations of a spike: of clean samples one in 1.7 million
 FEWEST = 30  # samples that tell a noise to 15 %
@@ -15,14 +15,14 @@ EVEN = 0.05  # of a step: differences that are as close to multiples of it on av
 def robust_deviation(errors: Samples, least: float = 0.0) -> float:
     """The standard deviation of a normal distribution with this median size."""
     errors = errors[~np.isnan(errors)]
-    median = float(np.median(np.abs(errors))) / NORMAL
+    median = quantile(np.abs(errors)) / NORMAL
     return max(median, least) or float(np.std(errors)) or NONE
 
 
 def quantum(signals: list[Samples]) -> float:
     """The step of a signal that only takes multiples of one, 0 where it has none."""
-    values = np.unique(np.concatenate([each[~np.isnan(each)] for each in signals]))
-    steps = np.diff(values)
+    values = np.concatenate([each[~np.isnan(each)] for each in signals])
+    steps = np.diff(np.sort(values))
     steps = steps[steps > ROUNDING]
     if steps.size < FEWEST:
         return 0.0

@@ -3,15 +3,24 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from exoid.recordings.recording import Segment
+from exoid.recordings.remembered import remembered
 from exoid.recordings.samples import Samples
-from exoid.recordings.signal.neighbours import NEIGHBOURS, interpolation_errors, renew
+from exoid.recordings.signal.neighbours import NEIGHBOURS, departures, interpolation_errors, renew
 from exoid.recordings.signal.scatter import FAR, quantum, robust_deviation
 
 REACH = 2 * NEIGHBOURS + 1
+NEAR = 3 * REACH  # samples, within which neighbours speak for one
 SMALLEST = 1e-3  # rad or rad/s, of a spike: smaller ones change nothing, and a release has them
 CLUSTER = 5  # samples, among which more than one spike are no spikes but an event
 ROUNDS = 30  # each takes the worst sample of every neighbourhood
 STILL, MOVING = 1.0, 2.0  # range of seven samples, over what a spike departs by at least
+
+
+@remembered  # asked when a recording is cleaned, and again when it is searched for its movements
+def spikes_of(segment: Segment, channel: str, least: float) -> NDArray[np.bool_]:
+    """`find_spikes` of a channel by its name."""
+    return find_spikes(segment.time, getattr(segment, channel), least)
 
 
 def find_spikes(time: Samples, samples: Samples, least: float = 0.0) -> NDArray[np.bool_]:
@@ -43,12 +52,11 @@ def find_spikes(time: Samples, samples: Samples, least: float = 0.0) -> NDArray[
         return found
     found = pardoned(time, samples, found, limit)
     kept = np.where(found, np.nan, samples)
-    single, pair = alone(found, 1), alone(found, 2)
+    single, found = alone(found, 1), alone(found, 2)
     for at in np.flatnonzero(found):
         before, after = kept[max(at - REACH, 0) : at], kept[at + 1 : at + 1 + REACH]
-        bend = begins_or_ends(before, after, limit)
-        wild = stands_out(samples[at], before, after, limit)
-        found[at] = pair[at] if wild else single[at] and not bend
+        if not stands_out(samples[at], before, after, limit):
+            found[at] = single[at] and not begins_or_ends(before, after, limit)
     return found
 
 
@@ -71,15 +79,25 @@ def begins_or_ends(before: Samples, after: Samples, limit: float) -> bool:
 def pardoned(
     time: Samples, samples: Samples, found: NDArray[np.bool_], limit: float
 ) -> NDArray[np.bool_]:
-    """Without the samples that only stood beside a spike: they agree with what is left."""
-    found = found.copy()
-    for at in np.flatnonzero(found):
-        near = slice(max(at - 3 * REACH, 0), at + 3 * REACH + 1)
-        kept = np.where(found[near], np.nan, samples[near])
-        kept[at - near.start] = samples[at]
-        error = interpolation_errors(time[near], kept)[at - near.start]
-        found[at] = abs(error) > limit  # not where nothing is left to compare with
-    return found
+    """Without the samples that only stood beside a spike: they agree with what is left.
+
+    One after the other, for who is pardoned speaks for the next: the first of every crowd at once,
+    then the second.
+    """
+    places, missing = np.flatnonzero(found), np.isnan(samples)
+    number = np.arange(places.size)
+    begins = np.concatenate([[True], np.diff(places) > NEAR])
+    turn = number - np.maximum.accumulate(np.where(begins, number, 0))
+    left = found.copy()
+    for each in range(int(turn.max()) + 1):
+        at, known = places[turn == each], np.flatnonzero(~(left | missing))
+        left[at] = False  # also where nothing near is left to compare with
+        after = np.searchsorted(known, at)
+        told = (after >= NEIGHBOURS) & (after <= known.size - NEIGHBOURS)
+        at, near = at[told], known[after[told] + np.arange(-NEIGHBOURS, NEIGHBOURS)[:, None]]
+        wild = np.abs(departures(time, samples, at, near)) > limit
+        left[at] = wild & (near[0] >= at - NEAR) & (near[-1] <= at + NEAR)
+    return left
 
 
 def alone(found: NDArray[np.bool_], most: int) -> NDArray[np.bool_]:

@@ -11,7 +11,7 @@ from scipy.interpolate import make_lsq_spline
 from scipy.ndimage import median_filter
 from scipy.special import chdtrc, chdtri  # not scipy.stats: half a second of every command
 
-from exoid.recordings.samples import Samples
+from exoid.recordings.samples import Samples, usual_step
 
 SLOWEST = 9.0  # Hz, of a tone that is no motion: tremor and clonus of a leg are slower
 KNOT = 0.08  # s between the knots of the spline that is the motion
@@ -50,7 +50,7 @@ def find_tone(times: list[Samples], signals: list[Samples], noise: float = 0.0) 
     if not parts:
         return None
     rest = [(time - time[0], signal - motion(time, signal)) for time, signal in parts]
-    step = min(float(np.median(np.diff(time))) for time, _ in rest)
+    step = min(usual_step(time) for time, _ in rest)
     size = 2 * max(int(time[-1] / step) + 1 for time, _ in rest)
     grid = np.fft.rfftfreq(size, step)
     each = [spectrum(time, left, step, size) for time, left in rest]

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from exoid.recordings.samples import Samples
+from exoid.recordings.samples import Samples, usual_step
 
 TURN = 0.1  # of its travel: how far it moves back before a turn counts
 QUICK = 25.0  # rad/s: what turns less often is a leg, or as slow as one
@@ -49,4 +49,4 @@ def bends(samples: Samples) -> np.ndarray:
 def coarse(time: Samples, samples: Samples) -> bool:
     """Does it oscillate quicker than any leg, with few samples to a period?"""
     rate = pace(time, samples)
-    return rate > QUICK and rate * float(np.median(np.diff(time))) > COARSE
+    return rate > QUICK and rate * usual_step(time) > COARSE
