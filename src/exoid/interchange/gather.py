@@ -1,0 +1,203 @@
+"""What a fit, or a diagnosis, found of a joint, by the true clock."""
+
+from collections.abc import Iterable
+from dataclasses import fields
+
+import jax.numpy as jnp
+import numpy as np
+
+from exoid.fitting.model.term_parameters import term_of
+from exoid.fitting.result.conditions import Conditions
+from exoid.fitting.result.fit_result import Estimate, FitResult, SegmentFit
+from exoid.interchange.formulas import part_of
+from exoid.interchange.joint import Joint, Number, Sensing
+from exoid.physics.leg import LegModel, LegParameters
+from exoid.physics.moment import SegmentConstants
+from exoid.physics.motion.after_release import after_release
+from exoid.physics.motion.simulate import cycle_of
+from exoid.physics.parameter import declarations
+from exoid.physics.scale import Scale
+from exoid.physics.sensing.clock_rate import ClockRate
+from exoid.physics.state import LegState
+from exoid.physics.term import Term, name_of
+from exoid.physics.torque import CycleTorque, MeasuredTorque, NoTorque, Torque
+
+DRIVE = ("amplitude", "period", "frequency", "onset")
+
+
+def gather(result: FitResult, segment: int | None) -> Joint:
+    """The joint of a fit: bare, or as one of its segments had it, with added mass and torque.
+
+    A bare one begins as the first segment did. Segments count from 0, as the table of a fit does.
+
+    **Raises** `ValueError` where the fit holds no one model, or has no such segment.
+    """
+    each, begun = chosen(result, segment)
+    whole = segment is not None
+    clock = (1 + begun.clock) * (1 + clock_error(result.fitted_terms))
+    assert result.leg is not None  # `chosen` has asked
+    leg = loaded(result.leg, begun) if whole else result.leg
+    drive = driving(each, begun, clock) if whole else NoTorque()
+    terms = tuple(by_clock(term, clock) for term in result.fitted_terms if not is_clock(term))
+    model = LegModel(leg, drive, np.asarray(begun.thigh_angle), terms)
+    first = float(begun.angle), float(begun.angular_velocity / clock)
+    memories = remembered(model, first, float(each.time[0]) * clock, begun.number)
+    return Joint(
+        title=titled(result, each, begun, whole),
+        numbers=tuple(leg_numbers(result, leg)),
+        ratios=tuple(number_of(name, one) for name, one in result.ratios.items() if one.value),
+        thigh_angle=begun.thigh_angle,
+        parts=tuple(
+            part_of(term, term_numbers(term, result), memory)
+            for term, memory in zip(terms, memories, strict=True)
+        ),
+        angle=first[0],
+        rate=first[1],
+        drive=drive,
+        drive_numbers=drive_numbers(drive, each),
+        number=begun.number,
+        times=np.asarray(each.time) * clock,
+        clock=clock,
+        sensing=sensing(each, begun),
+        astray=result.astray,
+    )
+
+
+def chosen(result: FitResult, segment: int | None) -> tuple[SegmentFit, Conditions]:
+    """The segment that is asked for, and how it began."""
+    if result.leg is None:
+        raise ValueError(
+            "every segment was fitted alone there: it holds no one model. Fit without --each."
+        )
+    number, last = segment or 0, len(result.segments) - 1
+    if not 0 <= number <= last:
+        raise ValueError(f"there is no segment {number}: the fit has the segments 0 to {last}.")
+    each = result.segments[number]
+    if each.conditions is None:
+        raise ValueError(
+            "this was saved by an older exoid, which did not keep how its segments began: fit "
+            "again, and save that."
+        )
+    return each, each.conditions
+
+
+def clock_error(terms: Iterable[Term]) -> float:
+    """What a term says of the recording's clock: true seconds in a recorded one, less 1."""
+    return sum(float(term.rate) for term in terms if isinstance(term, ClockRate))
+
+
+def is_clock(term: Term) -> bool:
+    """Is it the recording's clock alone, which an exported leg does not have?"""
+    return isinstance(term, ClockRate)
+
+
+def loaded(leg: LegParameters, begun: Conditions) -> LegParameters:
+    """The leg with the segment's added mass."""
+    mass = leg.mass + begun.added_mass
+    moment = leg.mass * leg.com_distance + begun.added_mass * begun.added_distance
+    return LegParameters(
+        np.asarray(mass),
+        np.asarray(leg.inertia + begun.added_inertia),
+        np.asarray(moment / mass),
+        leg.damping,
+        leg.stiffness,
+    )
+
+
+def driving(each: SegmentFit, begun: Conditions, clock: float) -> Torque:
+    """What drove the segment."""
+    if begun.torque is not None:
+        return MeasuredTorque(jnp.asarray(each.time * clock), jnp.asarray(begun.torque))
+    if begun.amplitude == 0.0:
+        return NoTorque()
+    period, frequency, onset = begun.period * clock, begun.frequency / clock, begun.onset * clock
+    return CycleTorque(*map(jnp.asarray, (begun.amplitude, period, frequency, onset)))
+
+
+def by_clock(term: Term, clock: float) -> Term:
+    """A term's numbers by the true clock, where they hold seconds of the recording's."""
+    scale = Scale(time=clock)
+    return term_of(
+        type(term),
+        lambda name, said: float(getattr(term, name.partition(".")[2])) * scale.of(said.unit),
+    )
+
+
+def remembered(
+    model: LegModel, first: tuple[float, float], time: float, number: int
+) -> list[np.ndarray]:
+    """What every term remembers where the motion begins: the fall from rest to there."""
+    inertia = jnp.asarray(model.leg.inertia)
+    place = SegmentConstants(
+        model.ratios(), inertia, cycle_of(model.torque), jnp.asarray(float(number))
+    )
+    at = jnp.asarray(time)
+    leg, push = LegState(*map(jnp.asarray, first)), model.torque(at) / inertia
+    return [*map(np.asarray, after_release(place, model.terms, leg, at, push).memory)]
+
+
+def number_of(name: str, each: Estimate, value: float | None = None) -> Number:
+    """An estimate, with the value that the model has where nothing tells one."""
+    found = each.value if value is None else value
+    assert found is not None
+    by = each.set_by if each.value is not None else None
+    return Number(name, each.title, each.symbol, each.unit, found, each.standard_error, by)
+
+
+def leg_numbers(result: FitResult, leg: LegParameters) -> Iterable[Number]:
+    for each in fields(leg):
+        value = float(getattr(leg, each.name))
+        yield number_of(each.name, result.parameters[each.name], value)
+
+
+def term_numbers(term: Term, result: FitResult) -> tuple[Number, ...]:
+    name = name_of(type(term))
+    return tuple(
+        number_of(f"{name}_{field}", result.terms[name][field], float(getattr(term, field)))
+        for field, _ in declarations(type(term))
+    )
+
+
+def drive_numbers(drive: Torque, each: SegmentFit) -> tuple[Number, ...]:
+    """Those of Eq. 10, as far as it acts."""
+    if not isinstance(drive, CycleTorque):
+        return ()
+    error = each.torque_amplitude.standard_error if each.torque_amplitude else None
+    by = each.torque_amplitude.set_by if each.torque_amplitude else None
+    said = dict(declarations(CycleTorque))
+    return tuple(
+        Number(
+            f"drive_{name}",
+            said[name].title,
+            said[name].symbol,
+            said[name].unit,
+            float(getattr(drive, name)),
+            error if name == "amplitude" else None,
+            by if name == "amplitude" else "the recording",
+        )
+        for name in DRIVE
+    )
+
+
+def sensing(each: SegmentFit, begun: Conditions) -> Sensing:
+    return Sensing(
+        begun.zero, begun.gyro_scale, begun.gyro_bias, each.angle_noise, each.velocity_noise
+    )
+
+
+def titled(result: FitResult, each: SegmentFit, begun: Conditions, whole: bool) -> tuple[str, ...]:
+    """What was exported, in lines."""
+    names = [name_of(type(term)).replace("_", " ") for term in result.fitted_terms]
+    lines = [f"The leg that exoid fitted, with {', '.join(names) or 'Eq. 9 alone'}."]
+    if whole and begun.added_mass:
+        lines.append(
+            f"As in segment {each.name}: with the added mass of {begun.added_mass:.3f} kg at "
+            f"{begun.added_distance:.3f} m, which m, l and J hold."
+        )
+    elif whole:
+        lines.append(f"As in segment {each.name}.")
+    else:
+        lines.append(f"Without any added mass or torque; it begins as segment {each.name} did.")
+    if result.astray is not None:
+        lines.append(f"It does not follow its recording: {result.astray}. Trust no number.")
+    return tuple(lines)
