@@ -59,6 +59,7 @@ def gather(result: FitResult, segment: int | None) -> Joint:
         times=np.asarray(each.time) * clock,
         clock=clock,
         sensing=sensing(each, begun),
+        reach=reach(result),
         astray=result.astray,
     )
 
@@ -177,6 +178,12 @@ def drive_numbers(drive: Torque, each: SegmentFit) -> tuple[Number, ...]:
         )
         for name in DRIVE
     )
+
+
+def reach(result: FitResult) -> tuple[float, float]:
+    """The lowest and the highest angle of the fitted motions [rad]."""
+    angles = np.concatenate([each.simulated_angle for each in result.segments])
+    return float(angles.min()), float(angles.max())
 
 
 def sensing(each: SegmentFit, begun: Conditions) -> Sensing:

@@ -104,6 +104,7 @@ class Joint:
     times: Float[np.ndarray, " time"]  # s, of the fitted samples
     clock: float  # true seconds in a recorded one
     sensing: Sensing
+    reach: tuple[float, float] = (-np.pi, np.pi)  # rad, between which the fitted motion went
     astray: str | None = None
 
     @property
@@ -149,9 +150,9 @@ class Kept:
 class Exported:
     """A model in the words of another tool: the `text` of a file, and what became of each thing.
 
-    >>> found = exoid.export(exoid.fit("drops.csv"), "python")
-    >>> found.text.splitlines()[0][:3], found.warnings
-    ('\"\"\"', ())
+    >>> found = exoid.export(exoid.fit("drops.csv"), "urdf")
+    >>> found.kept[0].what, found.kept[0].how
+    ('leg', 'exact')
     """
 
     text: str
