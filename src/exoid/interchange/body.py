@@ -1,4 +1,4 @@
-"""A rigid body that turns as the leg does, as engines want it: mass, place and inertia of its centre."""
+"""A rigid body that turns as the leg does, as engines want it: by its centre of mass."""
 
 from dataclasses import dataclass
 

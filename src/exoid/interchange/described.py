@@ -5,9 +5,9 @@ from collections.abc import Iterable
 from exoid.interchange.joint import Joint
 
 CONVENTION = (
-    "phi is 0 with the knee extended and the shank horizontal, -pi/2 hanging; extension is positive.",
-    "Behind a number stand its error, its unit and who told it: data, prior (which is anatomy), or",
-    "both. SI units and radians.",
+    "phi is 0 with the knee extended and the shank horizontal, -pi/2 hanging; extension is",
+    "positive. Behind a number stand its error, its unit and who told it: data, prior (which is",
+    "anatomy), or both. SI units and radians.",
 )
 
 
@@ -43,6 +43,5 @@ def sensors(joint: Joint) -> Iterable[str]:
 def xml_comment(lines: Iterable[str], inset: str = "  ") -> str:
     """An XML comment of these lines; two hyphens in a row would end it."""
     said = [each.replace("--", "- -") for each in lines]
-    return "\n".join(
-        [f"{inset}<!--", *(f"{inset}  {each}".rstrip() for each in said), f"{inset}-->"]
-    )
+    inside = (f"{inset}  {each}".rstrip() for each in said)
+    return "\n".join([f"{inset}<!--", *inside, f"{inset}-->"])

@@ -22,6 +22,9 @@ OPERATIONS: dict[str, Callable[..., Any]] = {
     "cos": np.cos,
     "tanh": np.tanh,
     "sqrt": np.sqrt,
+    "round": np.round,  # half to even
+    "floor": np.floor,
+    "two_to": np.exp2,  # of a whole number
     "lt": np.less,
     "le": np.less_equal,
     "gt": np.greater,

@@ -104,7 +104,7 @@ class Joint:
     times: Float[np.ndarray, " time"]  # s, of the fitted samples
     clock: float  # true seconds in a recorded one
     sensing: Sensing
-    reach: tuple[float, float] = (-np.pi, np.pi)  # rad, between which the fitted motion went
+    reach: tuple[float, float] = (-2.0, 0.0)  # rad, between which the fitted motion went
     astray: str | None = None
 
     @property

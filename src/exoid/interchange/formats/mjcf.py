@@ -6,17 +6,13 @@ import numpy as np
 
 from exoid.interchange.body import body
 from exoid.interchange.described import described, xml_comment
-from exoid.interchange.expression import evaluate
+from exoid.interchange.drive_over_time import drive_over_time
 from exoid.interchange.formats.mujoco.piece import Piece, together
 from exoid.interchange.formats.mujoco.pieces import piece_of
 from exoid.interchange.formats.mujoco.shapes import inertial
-from exoid.interchange.formulas import torque_over_time
 from exoid.interchange.joint import Exported, Joint, Kept
 from exoid.physics.leg import GRAVITY
-from exoid.physics.motion.step import parabola
-from exoid.physics.torque import MeasuredTorque
 
-QUARTERS = np.linspace(0.0, 1.0, 4, endpoint=False)  # of a sample's step, at which a drive is told
 CLINGS = 2.0  # over the step: how fast dry friction ends a movement, as RK4 still bears it
 HELD = "0.9999 0.9999 0.001 0.5 2"  # of dry friction: as hard as MuJoCo allows
 WHY = (
@@ -65,12 +61,8 @@ def mjcf(joint: Joint) -> Exported:
     )
     kept = [Kept("leg", "exact", "inertial, stiffness, damping"), *piece.kept]
     if driven:
-        kept.append(
-            Kept("drive", "exact", 'numeric "drive_time", "drive_torque": set ctrl by them')
-        )
-    kept.append(
-        Kept("encoder and gyro", "in words", "noise as numbers; zero, scale and bias in a comment")
-    )
+        kept.append(Kept("drive", "exact", 'numeric "drive_time" and "drive_torque", for ctrl'))
+    kept.append(Kept("encoder and gyro", "in words", "noise in the sensors, the rest in a comment"))
     return Exported(text, tuple(kept), (odd,) if odd else ())
 
 
@@ -114,34 +106,13 @@ def drive_table(joint: Joint, piece: Piece) -> Iterable[str]:
             "  data.ctrl[0] = numpy.interp(data.time + model.opt.timestep / 2, t, torque)",
         ]
     )
-    time, torque = drive_over_time(joint, piece)
+    time, torque = drive_over_time(joint, piece.drives)
     yield from section(
         "custom",
         [
             f'<numeric name="drive_{name}" size="{each.size}" data="{numbers(each)}"/>'
             for name, each in (("time", time), ("torque", torque))
         ],
-    )
-
-
-def drive_over_time(joint: Joint, piece: Piece) -> tuple[np.ndarray, np.ndarray]:
-    """As the fit had it: through its value at the begin, middle and end of every sample's step."""
-    begin, size = joint.times[:-1, None], np.diff(joint.times)[:, None]
-
-    def torque(time: np.ndarray) -> np.ndarray:
-        if isinstance(joint.drive, MeasuredTorque):
-            known = np.interp(time, joint.drive.time, joint.drive.torque)
-        else:
-            formula = torque_over_time(joint.drive)
-            known = evaluate(formula, {**joint.constants, "time": time}) * np.ones_like(time)
-        return known + sum(each(time) for each in piece.drives)
-
-    stages = (torque(begin), torque(begin + size / 2), torque(begin + size))
-    between = parabola(*stages, QUARTERS)
-    last = joint.times[-1], stages[2][-1, 0]
-    return tuple(
-        np.append(np.ravel(each), end)
-        for each, end in zip((begin + QUARTERS * size, between), last, strict=True)
     )
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from dataclasses import dataclass, fields
 
-from exoid.interchange.by_variable import Curve
+from exoid.interchange.expression import Expression
 from exoid.interchange.joint import Kept
 
 
@@ -22,7 +22,7 @@ class Piece:
     taken: tuple[float, float, float] = (0.0, 0.0, 0.0)  # off the shank: kg, kg m, kg m^2
     positions: tuple[float, ...] = ()  # of the bodies' joints, where it begins
     speeds: tuple[float, ...] = ()
-    drives: tuple[Curve, ...] = ()  # N m over time, beside the cycle
+    drives: tuple[Expression, ...] = ()  # N m over time, beside the cycle
     lag: float = 0.0  # s, by which the drive acts late
     carried: float | None = None  # N m, of the drive where it begins, where it is late
     frame: bool = False  # do the sensors ride on one

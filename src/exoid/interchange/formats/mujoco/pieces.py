@@ -87,7 +87,7 @@ def summed(part: Part, found: Sum, joint: Joint) -> Iterable[Piece]:
         yield Piece((Kept(part.name, "exact", "damping of the knee"),), damping=(a, b, c))
     if found.by_time is not None:
         yield Piece(
-            (Kept(part.name, "exact", "in the torque of the drive"),), drives=(found.by_time,)
+            (Kept(part.name, "exact", "in the torque of the drive"),), drives=(part.torque,)
         )
 
 
