@@ -2,13 +2,13 @@
 
 from collections.abc import Iterable, Mapping
 
-from exoid.interchange.described import described
-from exoid.interchange.expression import Expression, make, number, symbol
 from exoid.interchange.formats.c_frame import FRAME, HELPERS, MEMORY
-from exoid.interchange.formulas import friction
-from exoid.interchange.joint import Exported, Joint, Kept, Part
-from exoid.interchange.single import functions, used
-from exoid.interchange.spell import Language, lines, single, spell
+from exoid.interchange.formula.expression import Expression, make, number, symbol
+from exoid.interchange.formula.single import functions, used
+from exoid.interchange.formula.spell import Language, lines, single, spell
+from exoid.interchange.model.described import described
+from exoid.interchange.model.formulas import friction
+from exoid.interchange.model.joint import Exported, Joint, Kept, Part
 
 TORQUE_LIMIT, RATE_LIMIT = 5.0, 20.0  # N m and N m/s: a tenth of what moves a leg fast
 MOVING = ("angle", "rate", "seconds", "x")

@@ -4,13 +4,13 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from exoid.interchange.body import body
-from exoid.interchange.described import described, xml_comment
-from exoid.interchange.drive_over_time import drive_over_time
 from exoid.interchange.formats.mujoco.piece import Piece, together
 from exoid.interchange.formats.mujoco.pieces import piece_of
 from exoid.interchange.formats.mujoco.shapes import inertial
-from exoid.interchange.joint import Exported, Joint, Kept
+from exoid.interchange.model.body import body
+from exoid.interchange.model.described import described, xml_comment
+from exoid.interchange.model.drive_over_time import drive_over_time
+from exoid.interchange.model.joint import Exported, Joint, Kept
 from exoid.physics.leg import GRAVITY
 
 CLINGS = 2.0  # over the step: how fast dry friction ends a movement, as RK4 still bears it

@@ -4,13 +4,13 @@ from collections.abc import Iterable, Mapping
 
 import numpy as np
 
-from exoid.interchange.body import body
-from exoid.interchange.described import described, xml_comment
-from exoid.interchange.drive_over_time import drive_over_time
-from exoid.interchange.expression import Expression, known, make, number, symbol, total
-from exoid.interchange.formulas import eq9
-from exoid.interchange.joint import Exported, Joint, Kept, Part
-from exoid.interchange.spell import Language, shortest, spell
+from exoid.interchange.formula.expression import Expression, known, make, number, symbol, total
+from exoid.interchange.formula.spell import Language, shortest, spell
+from exoid.interchange.model.body import body
+from exoid.interchange.model.described import described, xml_comment
+from exoid.interchange.model.drive_over_time import drive_over_time
+from exoid.interchange.model.formulas import eq9
+from exoid.interchange.model.joint import Exported, Joint, Kept, Part
 from exoid.physics.leg import GRAVITY
 
 SMOOTH = 0.01  # rad/s, within which a smoothed friction turns round

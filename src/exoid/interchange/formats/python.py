@@ -4,11 +4,11 @@ from collections.abc import Iterable, Mapping
 
 import numpy as np
 
-from exoid.interchange.expression import Expression, known, make, number, symbol
 from exoid.interchange.formats.python_frame import FRAME
-from exoid.interchange.formulas import acceleration, eq9, friction, torque_over_time
-from exoid.interchange.joint import Exported, Joint, Kept, Number, Part
-from exoid.interchange.spell import Language, lines
+from exoid.interchange.formula.expression import Expression, known, make, number, symbol
+from exoid.interchange.formula.spell import Language, lines
+from exoid.interchange.model.formulas import acceleration, eq9, friction, torque_over_time
+from exoid.interchange.model.joint import Exported, Joint, Kept, Number, Part
 from exoid.physics.torque import MeasuredTorque
 
 MOVING = ("time", "angle", "rate", "push")

@@ -2,10 +2,10 @@
 
 from collections.abc import Iterable
 
-from exoid.interchange.body import body
-from exoid.interchange.described import described, xml_comment
-from exoid.interchange.expression import evaluate
-from exoid.interchange.joint import Exported, Joint, Kept, Part
+from exoid.interchange.formula.expression import evaluate
+from exoid.interchange.model.body import body
+from exoid.interchange.model.described import described, xml_comment
+from exoid.interchange.model.joint import Exported, Joint, Kept, Part
 from exoid.physics.terms.device.hard_stop import HardStop
 
 NO_SPRING = "URDF has no spring: add -c phi [N m] yourself"

@@ -3,8 +3,8 @@
 from collections.abc import Iterable
 from dataclasses import dataclass, fields
 
-from exoid.interchange.expression import Expression
-from exoid.interchange.joint import Kept
+from exoid.interchange.formula.expression import Expression
+from exoid.interchange.model.joint import Kept
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ torque hangs on.
 
 from collections.abc import Iterable
 
-from exoid.interchange.by_variable import (
+from exoid.interchange.formats.mujoco.by_variable import (
     FASTEST,
     HIGHEST,
     LOWEST,
@@ -14,8 +14,8 @@ from exoid.interchange.by_variable import (
 )
 from exoid.interchange.formats.mujoco.piece import Piece, together
 from exoid.interchange.formats.mujoco.shapes import SHAPES
-from exoid.interchange.joint import Joint, Kept, Part
-from exoid.interchange.spline import springs
+from exoid.interchange.formats.mujoco.spline import springs
+from exoid.interchange.model.joint import Joint, Kept, Part
 
 KNEE = '<joint joint="knee" coef="1"/>'
 FAR = -20.0  # rad, where no leg comes
@@ -59,7 +59,7 @@ def refused(part: Part) -> ValueError:
 
 def rubbing(part: Part, joint: Joint) -> Piece:
     """Dry friction of one level."""
-    from exoid.interchange.expression import evaluate
+    from exoid.interchange.formula.expression import evaluate
 
     level = float(evaluate(part.friction, joint.constants))
     if level == 0.0:

@@ -6,9 +6,9 @@ from collections.abc import Callable
 
 import numpy as np
 
-from exoid.interchange.body import Body, hung
 from exoid.interchange.formats.mujoco.piece import Piece
-from exoid.interchange.joint import Joint, Kept, Part
+from exoid.interchange.model.body import Body, hung
+from exoid.interchange.model.joint import Joint, Kept, Part
 from exoid.physics.leg import GRAVITY
 from exoid.physics.term import Term
 from exoid.physics.terms.device.cuff_compliance import CuffCompliance

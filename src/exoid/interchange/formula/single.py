@@ -9,8 +9,16 @@ from math import factorial, log, log2
 import jax.numpy as jnp
 import numpy as np
 
-from exoid.interchange.expression import Expression, evaluate, known, make, number, symbol, walk
-from exoid.interchange.trace import trace
+from exoid.interchange.formula.expression import (
+    Expression,
+    evaluate,
+    known,
+    make,
+    number,
+    symbol,
+    walk,
+)
+from exoid.interchange.formula.trace import trace
 from exoid.physics.cosine import cos
 
 X = symbol("x")

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 
-from exoid.interchange.joint import Joint
+from exoid.interchange.model.joint import Joint
 
 CONVENTION = (
     "phi is 0 with the knee extended and the shank horizontal, -pi/2 hanging; extension is",

@@ -5,9 +5,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from exoid.interchange.expression import Expression, evaluate
-from exoid.interchange.formulas import torque_over_time
-from exoid.interchange.joint import Joint
+from exoid.interchange.formula.expression import Expression, evaluate
+from exoid.interchange.model.formulas import torque_over_time
+from exoid.interchange.model.joint import Joint
 from exoid.physics.motion.step import parabola
 from exoid.physics.torque import MeasuredTorque
 

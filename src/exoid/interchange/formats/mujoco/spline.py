@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from exoid.interchange.by_variable import Curve
+from exoid.interchange.formats.mujoco.by_variable import Curve
 
 COUNTS = (8, 12, 16, 24, 32, 48, 64)  # of pieces, tried in turn
 CLOSE = 1e-5  # of the largest torque: closer than any fit tells it

@@ -10,7 +10,7 @@ from typing import Any
 import jax
 import numpy as np
 
-from exoid.interchange.expression import OPERATIONS, Expression, make, number, symbol
+from exoid.interchange.formula.expression import OPERATIONS, Expression, make, number, symbol
 
 SAME = ("convert_element_type", "copy", "stop_gradient")
 

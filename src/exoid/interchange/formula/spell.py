@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from exoid.interchange.expression import Expression, interned, walk
+from exoid.interchange.formula.expression import Expression, interned, walk
 
 INFIX = {
     "add": "+",

@@ -9,9 +9,9 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from exoid.interchange.expression import ZERO, Expression, known, make, symbol, total
-from exoid.interchange.joint import Number, Part
-from exoid.interchange.trace import Untold, trace
+from exoid.interchange.formula.expression import ZERO, Expression, known, make, symbol, total
+from exoid.interchange.formula.trace import Untold, trace
+from exoid.interchange.model.joint import Number, Part
 from exoid.physics.moment import Cycle, Moment, SegmentConstants
 from exoid.physics.ratios import Ratios
 from exoid.physics.term import Term, name_of

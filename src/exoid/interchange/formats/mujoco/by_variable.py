@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from exoid.interchange.expression import Expression, evaluate
+from exoid.interchange.formula.expression import Expression, evaluate
 
 Curve = Callable[[np.ndarray], np.ndarray]
 LOWEST, HIGHEST = -2.7, 0.3  # rad, where a knee comes

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Float
 
-from exoid.interchange.expression import ZERO, Expression
+from exoid.interchange.formula.expression import ZERO, Expression
 from exoid.physics.term import Term
 from exoid.physics.torque import Torque
 

@@ -9,8 +9,8 @@ import numpy as np
 from exoid.fitting.model.term_parameters import term_of
 from exoid.fitting.result.conditions import Conditions
 from exoid.fitting.result.fit_result import Estimate, FitResult, SegmentFit
-from exoid.interchange.formulas import part_of
-from exoid.interchange.joint import Joint, Number, Sensing
+from exoid.interchange.model.formulas import part_of
+from exoid.interchange.model.joint import Joint, Number, Sensing
 from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.moment import SegmentConstants
 from exoid.physics.motion.after_release import after_release
