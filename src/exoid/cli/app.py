@@ -20,7 +20,7 @@ COMMANDS = {
     "report": "Fit and diagnose a leg and write one page about it, to look at, print and pass on.",
     "plan": "Say which recording would narrow a quantity most, or tell rival causes apart.",
     "compare": "Show two saved results side by side: two days, two sides, or two settings.",
-    "export": "Hand a fitted leg on to MuJoCo, URDF, OpenSim, C or Python, with its terms and errors.",
+    "export": "Hand a fitted leg on to MuJoCo, URDF, OpenSim, C or Python.",
     "record": "Record the node's frames, and what is known of the leg, until Ctrl-C.",
     "node": "Commission the node on the leg: find it, set its zero, direction, id and bit rate.",
     "simulate": "Simulate drops and cycles of a leg and write them as a recording.",

@@ -51,10 +51,11 @@ def export(
     terms: OwnTerms = None,
     force: Force = False,
 ) -> None:
-    """Hand a fitted leg on to MuJoCo, URDF, OpenSim, C or Python, with its terms and errors.
+    """Hand a fitted leg on to MuJoCo, URDF, OpenSim, C or Python.
 
-    Of a saved diagnosis it is the leg with what was found. What the other tool has nothing for is
-    refused by name, approximated with its error said, or said in the file's comments.
+    Its terms go with it, and the error of every number. Of a saved diagnosis it is the leg with
+    what was found. What the other tool has nothing for is refused by name, approximated with its
+    error said, or said in the file's comments.
 
     \b
     Examples:

@@ -1,6 +1,6 @@
 """The joint as a model of MuJoCo."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 import numpy as np
 
@@ -72,7 +72,7 @@ def step_of(joint: Joint, piece: Piece) -> float:
     return between / np.ceil(between / piece.step - 1e-6)
 
 
-def knee(leg: dict[str, float], piece: Piece, step: float) -> str:
+def knee(leg: Mapping[str, float], piece: Piece, step: float) -> str:
     """The joint."""
     first, second, third = piece.damping
     damping = " ".join(f"{each:.12g}" for each in (leg["damping"] + first, second, third))

@@ -9,9 +9,11 @@ from typing import Any
 
 import jax
 import numpy as np
+from numpy.typing import NDArray
 
 from exoid.interchange.formula.expression import OPERATIONS, Expression, make, number, symbol
 
+Formulas = NDArray[np.object_]  # an array of expressions
 SAME = ("convert_element_type", "copy", "stop_gradient")
 
 
@@ -19,7 +21,7 @@ class Untold(ValueError):
     """A function of JAX that no format has a form for."""
 
 
-def trace(function: Callable[..., Any], arguments: Any, names: Sequence[str]) -> list[np.ndarray]:
+def trace(function: Callable[..., Any], arguments: Any, names: Sequence[str]) -> list[Formulas]:
     """The leaves of what `function` makes of its arguments, as arrays of expressions.
 
     `names` has one for every leaf of the arguments; the entries of an array are told apart by
@@ -31,7 +33,7 @@ def trace(function: Callable[..., Any], arguments: Any, names: Sequence[str]) ->
     return run(closed.jaxpr, [constant(each) for each in closed.consts], given)
 
 
-def named(shape: tuple[int, ...], name: str) -> np.ndarray:
+def named(shape: tuple[int, ...], name: str) -> Formulas:
     """An array of symbols."""
     made = np.empty(shape, object)
     for at in np.ndindex(shape):
@@ -39,20 +41,20 @@ def named(shape: tuple[int, ...], name: str) -> np.ndarray:
     return made
 
 
-def constant(value: Any) -> np.ndarray:
+def constant(value: Any) -> Formulas:
     """An array of numbers."""
     array = np.asarray(value)
     made = np.empty(array.shape, object)
     for at in np.ndindex(array.shape):
-        made[at] = number(array[at])
+        made[at] = number(float(array[at]))
     return made
 
 
-def run(jaxpr: Any, constants: list[np.ndarray], given: list[np.ndarray]) -> list[np.ndarray]:
+def run(jaxpr: Any, constants: list[Formulas], given: list[Formulas]) -> list[Formulas]:
     """What a traced function gives of these arrays."""
     known = dict(zip([*jaxpr.constvars, *jaxpr.invars], [*constants, *given], strict=True))
 
-    def value(variable: Any) -> np.ndarray:
+    def value(variable: Any) -> Formulas:
         return constant(variable.val) if hasattr(variable, "val") else known[variable]
 
     for each in jaxpr.eqns:
@@ -60,7 +62,7 @@ def run(jaxpr: Any, constants: list[np.ndarray], given: list[np.ndarray]) -> lis
     return [value(each) for each in jaxpr.outvars]
 
 
-def applied(equation: Any, given: list[np.ndarray]) -> list[np.ndarray]:
+def applied(equation: Any, given: list[Formulas]) -> list[Formulas]:
     """What one operation gives."""
     inner = equation.params.get("jaxpr", equation.params.get("call_jaxpr"))
     if inner is not None:
@@ -68,7 +70,7 @@ def applied(equation: Any, given: list[np.ndarray]) -> list[np.ndarray]:
     return [one(equation.primitive.name, equation.params, given)]
 
 
-def one(name: str, said: dict[str, Any], given: list[np.ndarray]) -> np.ndarray:
+def one(name: str, said: dict[str, Any], given: list[Formulas]) -> Formulas:
     """What moves numbers about, or computes with each of them."""
     first = given[0]
     if name in SAME:
@@ -91,7 +93,7 @@ def one(name: str, said: dict[str, Any], given: list[np.ndarray]) -> np.ndarray:
     return each_of(name, said, given)
 
 
-def each_of(name: str, said: dict[str, Any], given: list[np.ndarray]) -> np.ndarray:
+def each_of(name: str, said: dict[str, Any], given: list[Formulas]) -> Formulas:
     """An operation on every number."""
 
     def compute(*parts: Expression) -> Expression:
@@ -107,9 +109,8 @@ def each_of(name: str, said: dict[str, Any], given: list[np.ndarray]) -> np.ndar
             raise Untold(f"jax.lax.{name}")
         return make(name, *parts)
 
-    found = np.frompyfunc(compute, len(given), 1)(*given)
-    made = np.empty(np.shape(found), object)
-    made[...] = found
+    made = np.empty(np.broadcast_shapes(*(each.shape for each in given)), object)
+    made[...] = np.frompyfunc(compute, len(given), 1)(*given)
     return made
 
 

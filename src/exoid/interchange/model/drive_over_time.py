@@ -11,7 +11,10 @@ from exoid.interchange.model.joint import Joint
 from exoid.physics.motion.step import parabola
 from exoid.physics.torque import MeasuredTorque
 
-QUARTERS = np.linspace(0.0, 1.0, 4, endpoint=False)  # of a sample's step, at which it is told
+SMOOTH, SHARP = 4, 64  # numbers of a sample's step: where it hardly bends, and where it jumps
+BEND = (
+    1e-3  # of the largest torque, by which the middle of a step that hardly bends is off its line
+)
 
 
 class Drive(NamedTuple):
@@ -26,7 +29,7 @@ def drive_over_time(joint: Joint, more: Iterable[Expression] = ()) -> Drive:
 
     `more` are torques of terms, of which what hangs on time alone is a part of it.
     """
-    begin, size = joint.times[:-1, None], np.diff(joint.times)[:, None]
+    begin, size = joint.times[:-1], np.diff(joint.times)
     timed = [each for each in more if "time" in each.symbols]
 
     def torque(time: np.ndarray) -> np.ndarray:
@@ -37,7 +40,12 @@ def drive_over_time(joint: Joint, more: Iterable[Expression] = ()) -> Drive:
             known = known + np.interp(time, joint.drive.time, joint.drive.torque)
         return known
 
-    stages = (torque(begin), torque(begin + size / 2), torque(begin + size))
-    time, between = begin + QUARTERS * size, parabola(*stages, QUARTERS)
-    last = stages[2][-1]
-    return Drive(np.append(time, joint.times[-1]), np.append(between, last))
+    first, middle, last = torque(begin), torque(begin + size / 2), torque(begin + size)
+    bends = np.abs(first - 2 * middle + last) > BEND * np.abs(middle).max(initial=0.0)
+    times, torques = [], []
+    for at, parts in enumerate(np.where(bends, SHARP, SMOOTH)):
+        inside = np.arange(parts) / parts
+        times.append(begin[at] + inside * size[at])
+        torques.append(parabola(first[at], middle[at], last[at], inside))
+    time = np.append(np.hstack(times), joint.times[-1])
+    return Drive(time, np.append(np.hstack(torques), last[-1]))

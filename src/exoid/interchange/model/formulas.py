@@ -10,7 +10,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from exoid.interchange.formula.expression import ZERO, Expression, known, make, symbol, total
-from exoid.interchange.formula.trace import Untold, trace
+from exoid.interchange.formula.trace import Formulas, Untold, trace
 from exoid.interchange.model.joint import Number, Part
 from exoid.physics.moment import Cycle, Moment, SegmentConstants
 from exoid.physics.ratios import Ratios
@@ -43,7 +43,7 @@ def part_of(term: Term, numbers: tuple[Number, ...], begun: np.ndarray) -> Part:
     own = tuple(each.name for each in numbers)
     inside = f"{name}_memory"
 
-    def told(function: Any) -> list[np.ndarray]:
+    def told(function: Any) -> list[Formulas]:
         given = jax.tree.map(jnp.asarray, term), now, memory
         return [free(each) for each in trace(function, given, (*own, *NOW, inside))]
 
@@ -59,11 +59,11 @@ def part_of(term: Term, numbers: tuple[Number, ...], begun: np.ndarray) -> Part:
             f"{name} computes with {fault}, for which no other tool has a form here: write its "
             "torque with +, -, *, /, powers, exp, log, sin, cos, tanh, sqrt, abs, sign and where."
         ) from fault
-    angle, rate, delay = (each[()] for each in shown)
+    angle, rate, delay = (each.item() for each in shown)
     return replace(
         part,
-        torque=torque[()],
-        friction=friction[()],
+        torque=torque.item(),
+        friction=friction.item(),
         rates=tuple(rates.tolist()),
         within=tuple(within.tolist()),
         shown_angle=angle,
@@ -72,11 +72,10 @@ def part_of(term: Term, numbers: tuple[Number, ...], begun: np.ndarray) -> Part:
     )
 
 
-def free(each: np.ndarray) -> np.ndarray:
+def free(each: Formulas) -> Formulas:
     """The same, tied to nothing."""
     made = np.empty(each.shape, object)
-    for at in np.ndindex(each.shape):
-        made[at] = known(each[at], FREE)
+    made[...] = np.frompyfunc(lambda one: known(one, FREE), 1, 1)(each)
     return made
 
 
@@ -119,4 +118,4 @@ def torque_over_time(torque: Torque) -> Expression:
     names = [f"drive_{each.name}" for each in fields(torque)]
     arguments = jax.tree.map(jnp.asarray, torque), jnp.zeros(())
     (found,) = trace(lambda torque, time: torque(time), arguments, (*names, "time"))
-    return found[()]
+    return found.item()

@@ -8,7 +8,6 @@ from exoid.report.tables.table import Table, print_table
 
 def print_exported(found: Exported, console: Console) -> None:
     """Each thing, how well the file has it, and where."""
-    rows = [each.cells for each in found.kept]
-    names = ("of the model", "in the file", "where")
-    columns = dict(zip(names, zip(*rows, strict=True), strict=True))
+    what, how, where = zip(*(each.cells for each in found.kept), strict=True)
+    columns = {"of the model": what, "in the file": how, "where": where}
     print_table(Table("What was exported", columns), console)

@@ -1,7 +1,8 @@
 """What a term becomes in a model of MuJoCo."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
+from functools import reduce
 
 from exoid.interchange.formula.expression import Expression
 from exoid.interchange.model.joint import Kept
@@ -31,18 +32,28 @@ class Piece:
 
 def together(pieces: Iterable[Piece]) -> Piece:
     """All of them as one."""
-    every = [Piece(), *pieces]
+    return reduce(both, pieces, Piece())
 
-    def joined(name: str):
-        values = [getattr(each, name) for each in every]
-        if name == "step":
-            return min(values)
-        if name == "frame":
-            return any(values)
-        if name == "carried":
-            return next((each for each in values if each is not None), None)
-        if name in ("damping", "taken"):
-            return tuple(map(sum, zip(*values, strict=True)))
-        return sum(values, start=values[0]) if not isinstance(values[0], tuple) else sum(values, ())
 
-    return Piece(**{each.name: joined(each.name) for each in fields(Piece)})
+def both(one: Piece, other: Piece) -> Piece:
+    """Two as one: at most one of a model's terms has a frame, or makes the drive late."""
+    (a, b, c), (d, e, f) = one.damping, other.damping
+    (mass, moment, inertia), (more, further, larger) = one.taken, other.taken
+    return Piece(
+        kept=one.kept + other.kept,
+        rest=one.rest + other.rest,
+        friction=one.friction + other.friction,
+        damping=(a + d, b + e, c + f),
+        limits=one.limits + other.limits,
+        tendons=one.tendons + other.tendons,
+        actuators=one.actuators + other.actuators,
+        bodies=one.bodies + other.bodies,
+        taken=(mass + more, moment + further, inertia + larger),
+        positions=one.positions + other.positions,
+        speeds=one.speeds + other.speeds,
+        drives=one.drives + other.drives,
+        lag=one.lag + other.lag,
+        carried=other.carried if one.carried is None else one.carried,
+        frame=one.frame or other.frame,
+        step=min(one.step, other.step),
+    )

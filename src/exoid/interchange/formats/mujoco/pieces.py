@@ -115,7 +115,7 @@ def splined(part: Part, torque: Sum, reach: tuple[float, float]) -> Piece:
 
 def tendon(name: str, begins: float, ends: float, *powers: float) -> str:
     """A spring of these powers beyond `ends`, slack down to `begins` [rad]."""
-    stiffness = " ".join(f"{each:.12g}" for each in powers)
+    stiffness = " ".join(f"{each + 0.0:.12g}" for each in powers)
     return (
         f'<fixed name="{name}" springlength="{begins:.12g} {ends:.12g}" stiffness="{stiffness}"> '
         f"{KNEE} </fixed>"
