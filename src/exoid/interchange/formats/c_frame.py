@@ -117,7 +117,7 @@ static inline exoid_leg_memory exoid_leg_remembered(
 HELPERS = {
     "abs": """static inline float exoid_leg_abs(float x)
 {
-    return x < 0.0f ? -x : x;
+    return x > 0.0f ? x : 0.0f - x;
 }
 """,
     "sign": """static inline float exoid_leg_sign(float x)

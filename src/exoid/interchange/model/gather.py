@@ -84,7 +84,7 @@ def chosen(result: FitResult, segment: int | None) -> tuple[SegmentFit, Conditio
 
 def clock_error(terms: Iterable[Term]) -> float:
     """What a term says of the recording's clock: true seconds in a recorded one, less 1."""
-    return sum(float(term.rate) for term in terms if isinstance(term, ClockRate))
+    return sum((float(term.rate) for term in terms if isinstance(term, ClockRate)), start=0.0)
 
 
 def is_clock(term: Term) -> bool:
