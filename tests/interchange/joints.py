@@ -9,8 +9,8 @@ import numpy as np
 
 from exoid.interchange.formats.python import python
 from exoid.interchange.model.formulas import part_of
-from exoid.interchange.model.gather import DRIVE
 from exoid.interchange.model.joint import Joint, Number, Part, Sensing
+from exoid.interchange.model.numbers import DRIVE
 from exoid.physics.leg import LegModel
 from exoid.physics.library import library
 from exoid.physics.moment import SegmentConstants

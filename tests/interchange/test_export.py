@@ -1,5 +1,7 @@
 """What is handed on is the fit: its motion, added mass and clock, and what it is not sure of."""
 
+import re
+import xml.etree.ElementTree as Tree
 from dataclasses import replace
 
 import jax.numpy as jnp
@@ -122,3 +124,33 @@ def test_what_no_number_rests_on_is_warned_of(fitted):
     (lost,) = exoid.export(replace(fitted, astray="it misses"), "mjcf").warnings
     assert lost.endswith("(it misses): trust no number of it.")
     assert exoid.export(fitted, "mjcf").warnings == ()
+
+
+NASTY = 'a"""b\\--->c*/ "-\x1b[2J\n--x'
+
+
+def test_no_name_of_a_file_breaks_out_of_a_comment(fitted, tmp_path):
+    first = replace(fitted.segments[0], name=NASTY)
+    named = replace(fitted, segments=[first, *fitted.segments[1:]])
+    for form in ("mjcf", "urdf", "osim"):
+        Tree.fromstring(exoid.export(named, form).text.encode())
+    assert run(exoid.export(named, "python").text)["MASS"] == float(fitted.leg.mass)
+    code = re.sub(r"/\*.*?\*/", "", exoid.export(named, "c").text, flags=re.DOTALL)
+    assert code.lstrip().startswith("#ifndef EXOID_LEG_H")
+    for form in ("mjcf", "urdf", "osim", "python", "c"):
+        assert "\x1b" not in exoid.export(named, form).text
+
+
+def diagnosed(verdict, before, after) -> exoid.Diagnosis:
+    """A diagnosis of which nothing else is read."""
+    made = object.__new__(exoid.Diagnosis)
+    for name, value in (("verdict", verdict), ("before", before), ("after", after)):
+        object.__setattr__(made, name, value)
+    return made
+
+
+def test_a_diagnosis_that_cannot_tell_gives_the_fit_without_terms_and_says_so(fitted):
+    (said,) = exoid.export(diagnosed("cannot_tell", fitted, None), "python").warnings
+    assert said.startswith("the diagnosis cannot tell what is missing: this is the fit of Eq. 9")
+    sure = diagnosed("mismatch", replace(fitted, leg=None), fitted)
+    assert exoid.export(sure, "python") == exoid.export(fitted, "python")

@@ -4,9 +4,9 @@ from collections.abc import Iterable, Mapping
 
 from exoid.interchange.formats.c_frame import FRAME, HELPERS, MEMORY
 from exoid.interchange.formula.expression import Expression, make, number, symbol
-from exoid.interchange.formula.single import functions, used
+from exoid.interchange.formula.single import functions, made_of, used
 from exoid.interchange.formula.spell import Language, lines, single, spell
-from exoid.interchange.model.described import described
+from exoid.interchange.model.described import described, in_c_comment
 from exoid.interchange.model.formulas import friction
 from exoid.interchange.model.joint import Exported, Joint, Kept, Part
 
@@ -42,10 +42,10 @@ def c(joint: Joint) -> Exported:
     remembering = [part for part in resting if part.begun.size]
     formulas = torques(joint, resting)
     memory = memory_of(remembering)
-    needed = needs({**formulas, **memory})
+    needed = made_of({**formulas, **memory})
     return Exported(
         FRAME.format(
-            described="\n".join(f" * {each}".rstrip() for each in described(joint)),
+            described="\n".join(commented(joint)),
             torque_limit=single(TORQUE_LIMIT),
             rate_limit=single(RATE_LIMIT),
             constants="\n".join(constants(joint, acting)),
@@ -62,6 +62,11 @@ def c(joint: Joint) -> Exported:
         ),
         tuple(kept(joint, acting)),
     )
+
+
+def commented(joint: Joint) -> Iterable[str]:
+    """What it is and what its numbers rest on, as lines of a comment."""
+    return (f" * {in_c_comment(each)}".rstrip() for each in described(joint))
 
 
 def held(part: Part) -> bool:
@@ -117,16 +122,11 @@ def memory_of(parts: Iterable[Part]) -> dict[str, Expression]:
     return found
 
 
-def needs(formulas: Mapping[str, Expression]) -> set[str]:
-    """Functions, and what these are made of."""
-    direct = used(formulas)
-    return direct | used({name: functions()[name] for name in direct & set(functions())})
-
-
 def constants(joint: Joint, acting: Iterable[Part]) -> Iterable[str]:
     """Every number with its error and origin."""
     for each in (*joint.numbers, *(one for part in acting for one in part.numbers)):
-        yield f"#define {in_c(each.name)} {single(each.value)} /* {each.symbol}: {each.origin} */"
+        said = in_c_comment(f"{each.symbol}: {each.origin}")
+        yield f"#define {in_c(each.name)} {single(each.value)} /* {said} */"
     gravity = joint.value["gravity"]
     yield f"#define {in_c('gravity')} {single(gravity)} /* m l g: N m */"
     yield f"#define {in_c('thigh_angle')} {single(joint.thigh_angle)} /* rad */"
@@ -153,7 +153,7 @@ def terms(
     if remembering:
         yield remembered(remembering)
     for part in resting:
-        comment = f"\n/* {part.title} [N m]. */\n"
+        comment = f"\n/* {in_c_comment(part.title)} [N m]. */\n"
         said = function(part.name, ("angle", "rate"), formulas[part.name], comment)
         if part.begun.size:
             said = said.replace("float rate)", "float rate, exoid_leg_memory memory)", 1)

@@ -7,6 +7,7 @@ import numpy as np
 from exoid.interchange.formats.python_frame import FRAME
 from exoid.interchange.formula.expression import Expression, known, make, number, symbol
 from exoid.interchange.formula.spell import Language, lines
+from exoid.interchange.model.described import in_docstring
 from exoid.interchange.model.formulas import acceleration, eq9, friction, torque_over_time
 from exoid.interchange.model.joint import Exported, Joint, Kept, Number, Part
 from exoid.physics.torque import MeasuredTorque
@@ -34,8 +35,8 @@ def python(joint: Joint) -> Exported:
     added = "".join(f" + {each.name}" for each in joint.parts if each.pushes)
     return Exported(
         FRAME.format(
-            title="\n".join(joint.title),
-            more=f"{added}{''.join(map(explained, joint.parts))}",
+            title=in_docstring("\n".join(joint.title)),
+            more=in_docstring(f"{added}{''.join(map(explained, joint.parts))}"),
             constants="\n".join(constants(joint)),
             times=f"{float(joint.times[0])!r}, {float(joint.times[-1])!r}, {interval(joint)!r}",
             pieces=pieces(joint),

@@ -62,6 +62,12 @@ def used(formulas: Mapping[str, Expression]) -> set[str]:
     return {each.operation for root in formulas.values() for each in walk(root)}
 
 
+def made_of(formulas: Mapping[str, Expression]) -> set[str]:
+    """The same, and what those functions are made of."""
+    direct = used(formulas)
+    return direct | used({name: functions()[name] for name in direct & set(functions())})
+
+
 def single(root: Expression, values: Mapping[str, object]) -> np.float32:
     """The value in single precision, operation by operation as the exported C has it."""
     plain = inlined(root)

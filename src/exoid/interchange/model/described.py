@@ -1,9 +1,11 @@
 """What stands in the comments of every format: what was measured, and what anatomy said."""
 
+import re
 from collections.abc import Iterable
 
 from exoid.interchange.model.joint import Joint
 
+HYPHENS = re.compile("-(?=-)")
 CONVENTION = (
     "phi is 0 with the knee extended and the shank horizontal, -pi/2 hanging; extension is",
     "positive. Behind a number stand its error, its unit and who told it: data, prior (which is",
@@ -42,6 +44,15 @@ def sensors(joint: Joint) -> Iterable[str]:
 
 def xml_comment(lines: Iterable[str], inset: str = "  ") -> str:
     """An XML comment of these lines; two hyphens in a row would end it."""
-    said = [each.replace("--", "- -") for each in lines]
-    inside = (f"{inset}  {each}".rstrip() for each in said)
+    inside = (f"{inset}  {HYPHENS.sub('- ', each)}".rstrip() for each in lines)
     return "\n".join([f"{inset}<!--", *inside, f"{inset}-->"])
+
+
+def in_docstring(text: str) -> str:
+    """As it stands between triple quotes of Python."""
+    return text.replace("\\", "\\\\").replace('"', "'")
+
+
+def in_c_comment(text: str) -> str:
+    """As it stands in a comment of C, which it may not end."""
+    return text.replace("*/", "* /").replace("/*", "/ *")

@@ -1,28 +1,26 @@
 """What a fit, or a diagnosis, found of a joint, by the true clock."""
 
 from collections.abc import Iterable
-from dataclasses import fields
 
 import jax.numpy as jnp
 import numpy as np
 
+from exoid.files.visible import visible
 from exoid.fitting.model.term_parameters import term_of
 from exoid.fitting.result.conditions import Conditions
-from exoid.fitting.result.fit_result import Estimate, FitResult, SegmentFit
+from exoid.fitting.result.fit_result import FitResult, SegmentFit
 from exoid.interchange.model.formulas import part_of
-from exoid.interchange.model.joint import Joint, Number, Sensing
+from exoid.interchange.model.joint import Joint, Sensing
+from exoid.interchange.model.numbers import drive_numbers, leg_numbers, number_of, term_numbers
 from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.moment import SegmentConstants
 from exoid.physics.motion.after_release import after_release
 from exoid.physics.motion.simulate import cycle_of
-from exoid.physics.parameter import declarations
 from exoid.physics.scale import Scale
 from exoid.physics.sensing.clock_rate import ClockRate
 from exoid.physics.state import LegState
 from exoid.physics.term import Term, name_of
 from exoid.physics.torque import CycleTorque, MeasuredTorque, NoTorque, Torque
-
-DRIVE = ("amplitude", "period", "frequency", "onset")
 
 
 def gather(result: FitResult, segment: int | None) -> Joint:
@@ -137,49 +135,6 @@ def remembered(
     return [*map(np.asarray, after_release(place, model.terms, leg, at, push).memory)]
 
 
-def number_of(name: str, each: Estimate, value: float | None = None) -> Number:
-    """An estimate, with the value that the model has where nothing tells one."""
-    found = each.value if value is None else value
-    assert found is not None
-    by = each.set_by if each.value is not None else None
-    return Number(name, each.title, each.symbol, each.unit, found, each.standard_error, by)
-
-
-def leg_numbers(result: FitResult, leg: LegParameters) -> Iterable[Number]:
-    for each in fields(leg):
-        value = float(getattr(leg, each.name))
-        yield number_of(each.name, result.parameters[each.name], value)
-
-
-def term_numbers(term: Term, result: FitResult) -> tuple[Number, ...]:
-    name = name_of(type(term))
-    return tuple(
-        number_of(f"{name}_{field}", result.terms[name][field], float(getattr(term, field)))
-        for field, _ in declarations(type(term))
-    )
-
-
-def drive_numbers(drive: Torque, each: SegmentFit) -> tuple[Number, ...]:
-    """Those of Eq. 10, as far as it acts."""
-    if not isinstance(drive, CycleTorque):
-        return ()
-    error = each.torque_amplitude.standard_error if each.torque_amplitude else None
-    by = each.torque_amplitude.set_by if each.torque_amplitude else None
-    said = dict(declarations(CycleTorque))
-    return tuple(
-        Number(
-            f"drive_{name}",
-            said[name].title,
-            said[name].symbol,
-            said[name].unit,
-            float(getattr(drive, name)),
-            error if name == "amplitude" else None,
-            by if name == "amplitude" else "the recording",
-        )
-        for name in DRIVE
-    )
-
-
 def reach(result: FitResult) -> tuple[float, float]:
     """The lowest and the highest angle of the fitted motions [rad]."""
     angles = np.concatenate([each.simulated_angle for each in result.segments])
@@ -195,16 +150,19 @@ def sensing(each: SegmentFit, begun: Conditions) -> Sensing:
 def titled(result: FitResult, each: SegmentFit, begun: Conditions, whole: bool) -> tuple[str, ...]:
     """What was exported, in lines."""
     names = [name_of(type(term)).replace("_", " ") for term in result.fitted_terms]
+    called = visible(each.name)
     lines = [f"The leg that exoid fitted, with {', '.join(names) or 'Eq. 9 alone'}."]
     if whole and begun.added_mass:
         lines.append(
-            f"As in segment {each.name}: with the added mass of {begun.added_mass:.3f} kg at "
+            f"As in segment {called}: with the added mass of {begun.added_mass:.3f} kg at "
             f"{begun.added_distance:.3f} m, which m, l and J hold."
         )
     elif whole:
-        lines.append(f"As in segment {each.name}.")
+        lines.append(f"As in segment {called}.")
     else:
-        lines.append(f"Without any added mass or torque; it begins as segment {each.name} did.")
+        lines.append(f"Without any added mass or torque; it begins as segment {called} did.")
     if result.astray is not None:
-        lines.append(f"It does not follow its recording: {result.astray}. Trust no number.")
+        lines.append(
+            f"It does not follow its recording: {visible(result.astray)}. Trust no number."
+        )
     return tuple(lines)
