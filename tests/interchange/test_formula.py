@@ -36,7 +36,7 @@ def test_the_formulas_of_a_term_are_what_it_computes(name):
         now = Moment(*map(jnp.asarray, (time, angle, rate, pull)), place)
         state = {"time": time, "angle": angle, "rate": rate, "acceleration": pull}
         own = {f"{name}_memory_{at}": value for at, value in enumerate(memory)}
-        values = STILL | made.joint.constants | state | own
+        values = made.joint.constants | state | own
         shown = term.shown(now, jnp.asarray(memory))
         pairs = [
             (part.torque, term.torque(now, jnp.asarray(memory))),
@@ -50,9 +50,6 @@ def test_the_formulas_of_a_term_are_what_it_computes(name):
         for formula, wanted in pairs:
             found = evaluate(formula, values)
             assert abs(found - wanted) <= ROUNDING * max(1.0, abs(float(wanted)))
-
-
-STILL = {"drive_amplitude": 0.0, "drive_period": 1.0, "drive_frequency": 0.0, "drive_onset": 0.0}
 
 
 class Detent(exoid.PhysicsTerm):

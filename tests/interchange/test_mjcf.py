@@ -6,7 +6,11 @@ import pytest
 from engine import play
 from joints import FLOOR, TERMS, case, of_term, usual, with_sensing
 
+from exoid.interchange.formats.c import c
 from exoid.interchange.formats.mjcf import mjcf
+from exoid.interchange.formats.osim import osim
+from exoid.interchange.formats.python import python
+from exoid.interchange.formats.urdf import urdf
 from exoid.interchange.model.joint import Sensing
 from exoid.physics.term import PhysicsTerm
 
@@ -103,3 +107,15 @@ def test_an_approximation_states_its_error_and_keeps_it():
         wanted = wanted + term.flexion * np.exp(-(angle + 2.1) / term.flexion_width)
         off.append(abs(float(found - wanted)))
     assert max(off) <= 1.5 * stated  # which has one digit
+
+
+@pytest.mark.parametrize("form", [mjcf, osim, urdf, c, python])
+@pytest.mark.parametrize("name", ["fatigue", "torque_asymmetry", "torque_harmonic"])
+def test_what_changes_a_push_leaves_a_leg_alone_that_nobody_pushes(name, form):
+    made = case(usual(TERMS[name]))
+    text = form(made.joint).text
+    if form is mjcf:
+        assert mujoco.MjModel.from_xml_string(text).nnumeric == 0
+        found = play(text, made.joint.times)
+        assert np.abs(found[:, 2] - made.motion().angle).max() < CLOSE
+    assert name in text.lower()

@@ -67,6 +67,6 @@ def test_a_fit_with_every_term_that_mujoco_holds_is_replayed(name):
         joint = gather(result, number)
         found = play(exoid.export(result, "mjcf", segment=number).text, joint.times)
         script = run(exoid.export(result, "python", segment=number).text)
-        script["PIECES"] *= FINER if name in ABRUPT else 1
+        script["PIECES"] *= 4 * FINER if name in ABRUPT else 1
         motion = script["simulate"](joint.times)
         assert np.abs(found[:, 2] - motion[:, 1]).max() < PART * segment.angle_noise

@@ -7,7 +7,7 @@ from exoid.interchange.formula.expression import Expression, make, number, symbo
 from exoid.interchange.formula.single import functions, made_of, used
 from exoid.interchange.formula.spell import Language, lines, single, spell
 from exoid.interchange.model.described import described, in_c_comment
-from exoid.interchange.model.formulas import friction
+from exoid.interchange.model.formulas import friction, undriven
 from exoid.interchange.model.joint import Exported, Joint, Kept, Part
 
 TORQUE_LIMIT, RATE_LIMIT = 5.0, 20.0  # N m and N m/s: a tenth of what moves a leg fast
@@ -37,7 +37,7 @@ def c(joint: Joint) -> Exported:
 
     **Raises** `ValueError` where a term is no torque that angle, rate and a memory make.
     """
-    acting = [part for part in joint.parts if held(part)]
+    acting = [part for part in undriven(joint.parts) if held(part)]
     resting = [part for part in acting if part.torque.value != 0.0]
     remembering = [part for part in resting if part.begun.size]
     formulas = torques(joint, resting)
@@ -129,6 +129,7 @@ def constants(joint: Joint, acting: Iterable[Part]) -> Iterable[str]:
         yield f"#define {in_c(each.name)} {single(each.value)} /* {said} */"
     gravity = joint.value["gravity"]
     yield f"#define {in_c('gravity')} {single(gravity)} /* m l g: N m */"
+    yield f"#define {in_c('number')} {single(float(joint.number))} /* of the segment, from 0 */"
     yield f"#define {in_c('thigh_angle')} {single(joint.thigh_angle)} /* rad */"
 
 
@@ -188,8 +189,9 @@ def added(part: Part) -> str:
 def kept(joint: Joint, acting: list[Part]) -> Iterable[Kept]:
     """What became of each thing."""
     yield Kept("leg", "exact", "gravity, stiffness, damping, J acceleration")
+    names = [part.name for part in acting]
     for part in joint.parts:
-        if part in acting:
+        if part.name in names:
             name = "friction" if part.friction.value != 0.0 else part.name
             how = "approximate" if part.begun.size else "exact"
             remark = ", remembered by Euler's method" if part.begun.size else ""

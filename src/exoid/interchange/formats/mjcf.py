@@ -10,6 +10,7 @@ from exoid.interchange.formats.mujoco.shapes import inertial
 from exoid.interchange.model.body import body
 from exoid.interchange.model.described import described, xml_comment
 from exoid.interchange.model.drive_over_time import drive_over_time
+from exoid.interchange.model.formulas import undriven
 from exoid.interchange.model.joint import Exported, Joint, Kept
 from exoid.physics.leg import GRAVITY
 
@@ -27,7 +28,8 @@ def mjcf(joint: Joint) -> Exported:
 
     **Raises** `ValueError` where a term has nothing like it in MuJoCo.
     """
-    piece = together(piece_of(part, joint) for part in joint.parts)
+    parts = joint.parts if joint.driven else undriven(joint.parts)
+    piece = together(piece_of(part, joint) for part in parts)
     leg, step = joint.value, step_of(joint, piece)
     moment = leg["mass"] * leg["com_distance"]
     shank, odd = body(*np.subtract((leg["mass"], moment, leg["inertia"]), piece.taken).tolist())

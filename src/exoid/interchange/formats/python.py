@@ -9,7 +9,7 @@ from exoid.interchange.formula.expression import Expression, known, make, number
 from exoid.interchange.formula.spell import Language, lines
 from exoid.interchange.model.described import in_docstring
 from exoid.interchange.model.formulas import acceleration, eq9, friction, torque_over_time
-from exoid.interchange.model.joint import Exported, Joint, Kept, Number, Part
+from exoid.interchange.model.joint import STILL, Exported, Joint, Kept, Number, Part
 from exoid.physics.torque import MeasuredTorque
 
 MOVING = ("time", "angle", "rate", "push")
@@ -82,7 +82,7 @@ def constants(joint: Joint) -> Iterable[str]:
         yield f"{each}_OVER_INERTIA = {each} / INERTIA"
     yield f"THIGH_ANGLE = {joint.thigh_angle!r}  # rad, the knee above the hip"
     yield f"NUMBER = {float(joint.number)!r}  # of the segment in its session, from 0"
-    yield from map(assigned, joint.drive_numbers or STILL)
+    yield from map(assigned, joint.drive_numbers or NOBODY)
     for part in joint.parts:
         yield from map(assigned, part.numbers)
     sensing = joint.sensing
@@ -92,14 +92,8 @@ def constants(joint: Joint) -> Iterable[str]:
     yield f"CLOCK = {joint.clock!r}  # true seconds in a recorded one"
 
 
-STILL = tuple(
-    Number(f"drive_{name}", "", "", f"{unit}: no voluntary torque acts", value, None, "nobody")
-    for name, unit, value in (
-        ("amplitude", "N m", 0.0),
-        ("period", "s", 1.0),
-        ("frequency", "Hz", 0.0),
-        ("onset", "s", 0.0),
-    )
+NOBODY = tuple(
+    Number(name, "", "", "no voluntary torque acts", value) for name, value in STILL.items()
 )
 
 

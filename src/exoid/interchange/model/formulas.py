@@ -1,7 +1,7 @@
 """The formulas of a term, by the names that formats write."""
 
 import inspect
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import fields, replace
 from typing import Any
 
@@ -104,6 +104,12 @@ def acceleration(parts: Sequence[Part], push: Expression | None = None) -> Expre
         ]
         pushed = make("add", pushed, make("div", total(torques), symbol("inertia")))
     return pushed
+
+
+def undriven(parts: Iterable[Part]) -> list[Part]:
+    """The terms as they act on a leg that nobody pushes."""
+    still = {"drive_amplitude": 0.0}
+    return [replace(each, torque=known(each.torque, still)) for each in parts]
 
 
 def friction(parts: Sequence[Part]) -> Expression:

@@ -10,6 +10,12 @@ from exoid.interchange.formula.expression import ZERO, Expression
 from exoid.physics.term import Term
 from exoid.physics.torque import Torque
 
+STILL = {
+    "drive_amplitude": 0.0,
+    "drive_period": 1.0,
+    "drive_frequency": 0.0,
+    "drive_onset": 0.0,
+}  # of a drive that does nothing
 STATE = ("time", "angle", "rate", "acceleration")  # what formulas hang on, beside a memory
 
 
@@ -124,7 +130,7 @@ class Joint:
             for each in ("gravity", "stiffness", "damping")
         }
         terms = {name: value for part in self.parts for name, value in part.values.items()}
-        drive = {each.name: each.value for each in self.drive_numbers}
+        drive = STILL | {each.name: each.value for each in self.drive_numbers}
         seat = {"thigh_angle": self.thigh_angle, "number": float(self.number)}
         return leg | over | seat | drive | terms
 

@@ -33,7 +33,8 @@ def piece_of(part: Part, joint: Joint) -> Piece:
     if shape is not None:
         return shape(part, joint)
     if not part.pushes:
-        return Piece((Kept(part.name, "in words", "comment: what the sensors show"),))
+        rest = "what the sensors show" if part.shows else "nothing pushes the leg here"
+        return Piece((Kept(part.name, "in words", f"comment: {rest}"),))
     if part.hangs_on & {"memory", "acceleration"} or part.friction.symbols - {*joint.constants}:
         raise refused(part)
     found = by_variable(part.torque, joint.constants)
@@ -50,7 +51,7 @@ def refused(part: Part) -> ValueError:
         "angle": "it changes with the angle",
         "rate": "it changes with the speed",
     }
-    why = next(said for name, said in feels.items() if name in part.hangs_on)
+    why = next((said for name, said in feels.items() if name in part.hangs_on), "its form")
     return ValueError(
         f"MuJoCo's XML has nothing for {part.name} ({part.title}): {why}. Export --as python, and "
         "apply its torque by a passive callback (mjcb_passive), or fit without it."

@@ -20,7 +20,7 @@ from exoid.physics.terms.tissue.wobbling_mass import WobblingMass
 # A soft limit of MuJoCo mixes its own acceleration into the free one by this share. At the least
 # that it allows, what is left is a spring and a damper per inertia, within 1e-4.
 SOFT = "0.0001 0.0001 0.001 0.5 2"
-QUICK, QUICKEST = 2.5e-4, 1e-4  # s, steps that a cuff and a stop allow
+QUICK, QUICKEST = 2.5e-4, 5e-5  # s, steps that a cuff and a stop allow
 POINT = 1e-9  # kg m^2: a mass point has no inertia, but an engine wants one
 
 
