@@ -10,6 +10,8 @@ from .fitting.errors.profile import Profile, profiles
 from .fitting.estimate import fit
 from .fitting.result.fit_result import FitResult
 from .fitting.solve.program_cache import keep_programs_in
+from .interchange.export import export
+from .interchange.model.joint import Exported
 from .mismatch.answer.diagnosis import Diagnosis
 from .mismatch.missing_physics import diagnose
 from .pendulum.drop import PendulumTest
@@ -40,6 +42,7 @@ __all__ = [
     "Contrast",
     "CycleTorque",
     "Diagnosis",
+    "Exported",
     "FitResult",
     "Identifiability",
     "LegModel",
@@ -63,6 +66,7 @@ __all__ = [
     "Trajectory",
     "diagnose",
     "expected_leg",
+    "export",
     "fit",
     "fit_each",
     "identify",

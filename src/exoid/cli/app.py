@@ -18,6 +18,7 @@ COMMANDS = {
     "report": "Fit and diagnose a leg, and write one page about it.",
     "plan": "Say what to record next, and how much it would tell.",
     "compare": "Show two saved results side by side.",
+    "export": "Hand a fitted leg on to MuJoCo, URDF, OpenSim, C or Python.",
     "record": "Record the node's frames until Ctrl-C.",
     "node": "Find the node on the leg, and set it up.",
     "simulate": "Simulate drops and cycles of a leg, as a recording.",

@@ -10,6 +10,8 @@ exoid finds the mechanical parameters of a lower leg from recordings of a passiv
   exoid diagnose drop.csv    which physics the model lacks, proved
   exoid report drop.csv      all of it on one page, to look at and print
   exoid plan drop.csv        what to record next
+  exoid export leg.nc --as mjcf
+                             a saved fit for MuJoCo, URDF, OpenSim, C or Python
 
 'exoid --help' lists all commands, 'exoid COMMAND --help' shows one with examples, and
 'exoid --install-completion' lets the Tab key complete them."""

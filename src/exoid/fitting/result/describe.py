@@ -27,6 +27,7 @@ from exoid.fitting.result.estimates import (
     with_reasons,
     without_gain,
 )
+from exoid.fitting.result.find_conditions import find_conditions
 from exoid.fitting.result.fit_result import (
     Basis,
     Estimate,
@@ -206,6 +207,7 @@ def segment_fit(basis: Basis, number: int, torque: Estimate | None) -> SegmentFi
         simulated_angle=angle,
         simulated_velocity=velocity,
         begins=each.segment.begins,
+        conditions=find_conditions(basis.problem, basis.ended, number),
     )
 
 

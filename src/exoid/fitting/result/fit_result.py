@@ -12,6 +12,7 @@ from exoid.fitting.misfit.uncertainty import Information, Shares, Source
 from exoid.fitting.model.user_values import Means
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result import summary
+from exoid.fitting.result.conditions import Conditions
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.term import Term
@@ -77,6 +78,7 @@ class SegmentFit:
     simulated_angle: Annotated[Curve, "rad"]
     simulated_velocity: Annotated[Curve, "rad/s"]
     begins: Annotated[float, "s"] = 0.0  # its first fitted sample on the clock of the recording
+    conditions: Conditions | None = None  # to simulate it again; older files have none
 
     def __repr__(self) -> str:
         return f"<SegmentFit {self.name}: {self.kind}, {self.time.size} samples>"

@@ -1,0 +1,123 @@
+"""What every exported script of Python has around the formulas of its model."""
+
+FRAME = '''"""{title}
+
+    J phi'' = tau_h(t) - m l g cos(phi + thigh) - c phi - d phi'{more}
+
+phi is 0 with the knee extended and the shank horizontal, -pi/2 hanging; extension is positive.
+Seconds are true ones: a second of the recording is CLOCK of them. Behind every number stand its
+error, its unit and who told it: data, or a prior, which is anatomy.
+
+Needs NumPy. `simulate()` gives time, angle and rate of the leg, and what encoder and gyro show.
+Written by exoid.
+"""
+
+import math
+
+import numpy as np
+
+{constants}
+
+FIRST, LAST, INTERVAL = {times}  # s, of the recording's samples
+PIECES = {pieces}  # steps in an interval
+ANGLE, RATE = {begun}  # rad and rad/s, where it begins
+MEMORY = {memory}  # what the terms remember there
+
+
+def sign(value):
+    return float(value > 0) - float(value < 0)
+
+
+def drive(time):
+    """What muscles or a motor do [N m]."""
+    {drive}
+
+
+def acceleration(time, angle, rate, memory, push):
+    """phi'' [rad/s^2] under the torque `push` [N m], but for dry friction."""
+    {acceleration}
+
+
+def friction(time, angle, rate, memory):
+    """The level of dry friction [N m]."""
+    {friction}
+
+
+def memory_rate(time, angle, rate, memory, push):
+    """How fast what the terms remember changes."""
+    {memory_rate}
+
+
+def memory_within(time, angle, rate, memory):
+    """What the terms remember, brought back to where it can be."""
+    {memory_within}
+
+
+def shown(time, angle, rate, memory, push):
+    """Angle [rad] and rate [rad/s] as encoder and gyro show them."""
+    {shown}
+
+
+def slowed(time, state, size):
+    """The state after `size` s of dry friction, which ends a movement but never turns it round."""
+    level = friction(time, state[0], state[1], state[2:]) / INERTIA
+    rate = sign(state[1]) * max(abs(state[1]) - size * level, 0.0)
+    return np.array([state[0], rate, *state[2:]])
+
+
+def sticks(time, state, push):
+    """Does it stand still, with more friction than what pulls at it?"""
+    level = friction(time, state[0], state[1], state[2:])
+    pulled = acceleration(time, state[0], state[1], state[2:], push)
+    return state[1] == 0.0 and abs(pulled) * INERTIA <= level and level > 0.0
+
+
+def step(time, size, state, begin, middle, end):
+    """One step of Runge-Kutta of order four, between two half steps of dry friction."""
+    state = slowed(time, state, size / 2)
+    free = 0.0 if sticks(time, state, begin) else 1.0
+
+    def slope(at, state, push):
+        angle, rate, memory = state[0], state[1], state[2:]
+        pulled = acceleration(at, angle, rate, memory, push)
+        changes = memory_rate(at, angle, rate, memory, push)
+        return np.array([free * rate, free * pulled, *changes])
+
+    first = slope(time, state, begin)
+    second = slope(time + size / 2, state + size / 2 * first, middle)
+    third = slope(time + size / 2, state + size / 2 * second, middle)
+    fourth = slope(time + size, state + size * third, end)
+    state = state + size * (first + 2 * second + 2 * third + fourth) / 6
+    state = slowed(time + size, state, size / 2)
+    return np.array([*state[:2], *memory_within(time + size, state[0], state[1], state[2:])])
+
+
+def drawn(pushes, at):
+    """The torque at a fraction of an interval, through its begin, middle and end."""
+    begin, middle, end = pushes
+    return (1 - at) * (1 - 2 * at) * begin + 4 * at * (1 - at) * middle + at * (2 * at - 1) * end
+
+
+def simulate(times=None):
+    """Columns: time [s], angle [rad], rate [rad/s], shown angle [rad], shown rate [rad/s]."""
+    if times is None:
+        times = FIRST + np.arange(0.0, LAST - FIRST + INTERVAL / 2, INTERVAL)
+    state, rows = np.array([ANGLE, RATE, *MEMORY]), []
+    for number, time in enumerate(times):
+        seen = shown(time, state[0], state[1], state[2:], drive(time))
+        rows.append([time, state[0], state[1], *seen])
+        if number + 1 == len(times):
+            break
+        size = times[number + 1] - time
+        pushes = drive(time), drive(time + size / 2), drive(time + size)
+        for piece in range(PIECES):
+            thirds = [drawn(pushes, (piece + part) / PIECES) for part in (0.0, 0.5, 1.0)]
+            state = step(time + piece / PIECES * size, size / PIECES, state, *thirds)
+    return np.array(rows)
+
+
+if __name__ == "__main__":
+    print("time_s,angle_deg,rate_deg_s,shown_angle_deg,shown_rate_deg_s")
+    for row in simulate():
+        print("%.4f,%.4f,%.4f,%.4f,%.4f" % (row[0], *np.degrees(row[1:])))
+'''

@@ -1,0 +1,156 @@
+"""What is handed on is the fit: its motion, added mass and clock, and what it is not sure of."""
+
+import re
+import xml.etree.ElementTree as Tree
+from dataclasses import replace
+
+import jax.numpy as jnp
+import mujoco
+import numpy as np
+import pytest
+from engine import play
+from joints import SIMULATED, played, run
+
+import exoid
+from exoid.interchange.model.gather import gather
+from exoid.physics.leg import LegModel
+from exoid.physics.sensing.clock_rate import ClockRate
+from exoid.physics.state import LegState
+from exoid.physics.torque import NoTorque
+
+SAME = 1e-9  # rad: two programs add the same numbers in another order
+SEGMENTS = (0, 1, 2)  # a drop, one with a known mass, a cycle
+
+
+@pytest.mark.parametrize("number", SEGMENTS)
+def test_the_script_replays_every_segment_as_it_was_fitted(fitted, number):
+    segment = fitted.segments[number]
+    script = run(exoid.export(fitted, "python", segment=number).text)
+    motion = script["simulate"](gather(fitted, number).times)
+    assert np.abs(motion[:, 3] - segment.simulated_angle).max() < SAME
+    assert np.abs(motion[:, 4] - segment.simulated_velocity).max() < SAME
+    assert script["simulate"]().shape == motion.shape
+
+
+@pytest.mark.parametrize("number", SEGMENTS)
+def test_mujoco_replays_every_segment_within_a_tenth_of_its_noise(fitted, number):
+    segment, joint = fitted.segments[number], gather(fitted, number)
+    found = play(exoid.export(fitted, "mjcf", segment=number).text, joint.times)
+    shown = found[:, 0] + joint.sensing.zero
+    assert np.abs(shown - segment.simulated_angle).max() < 0.1 * segment.angle_noise
+
+
+def test_a_bare_leg_is_exported_unless_a_segment_is_asked_for(fitted):
+    bare, loaded = (
+        mujoco.MjModel.from_xml_string(exoid.export(fitted, "mjcf", segment=number).text)
+        for number in (None, 1)
+    )
+    added = fitted.segments[1].conditions
+    assert added.added_mass == pytest.approx(1.0, rel=0.05)
+    mass = bare.body("shank").mass[0]
+    assert mass == pytest.approx(float(fitted.leg.mass), rel=1e-9)
+    assert loaded.body("shank").mass[0] == pytest.approx(mass + added.added_mass, rel=1e-9)
+    data = [mujoco.MjData(each) for each in (bare, loaded)]
+    inertias = []
+    for model, each in zip((bare, loaded), data, strict=True):
+        mujoco.mj_forward(model, each)
+        inertias.append(float(each.qM[0]) if hasattr(each, "qM") else float(each.M[0]))
+    wanted = float(fitted.leg.inertia)
+    assert inertias == pytest.approx([wanted, wanted + added.added_inertia], rel=1e-9)
+    said = exoid.export(fitted, "mjcf", segment=1).text
+    assert "with the added mass of" in said
+
+
+def test_a_cycle_is_driven_only_as_its_own_segment(fitted):
+    assert mujoco.MjModel.from_xml_string(exoid.export(fitted, "mjcf").text).nnumeric == 0
+    driven = mujoco.MjModel.from_xml_string(exoid.export(fitted, "mjcf", segment=2).text)
+    time, torque = (driven.numeric(f"drive_{each}").data for each in ("time", "torque"))
+    amplitude = abs(fitted.segments[2].torque_amplitude.value)
+    assert np.abs(torque).max() == pytest.approx(amplitude, rel=2e-3)  # between its samples
+    assert time[-1] == pytest.approx(fitted.segments[2].time[-1], rel=1e-4)
+
+
+@pytest.mark.parametrize("form", ["mjcf", "urdf", "osim", "c", "python"])
+def test_a_saved_fit_gives_the_very_same_file(fitted, form, tmp_path):
+    exoid.save_result(fitted, tmp_path / "fit.nc")
+    loaded = exoid.load_result(tmp_path / "fit.nc").result
+    assert exoid.export(loaded, form, segment=1) == exoid.export(fitted, form, segment=1)
+
+
+@pytest.mark.parametrize("form", ["mjcf", "urdf", "osim", "c", "python"])
+def test_every_file_says_error_unit_and_who_told_each_number(fitted, form):
+    text = exoid.export(fitted, form).text
+    for each in (*fitted.parameters.values(), *fitted.terms["quadratic_drag"].values()):
+        if each.symbol.endswith("/ J") or each.standard_error is None:
+            continue
+        assert f"± {each.standard_error:.2g} {each.unit}, {each.set_by}" in text, each.symbol
+
+
+def test_the_clock_of_the_recording_is_no_clock_of_the_leg(fitted):
+    """By a recorded second that is 1.02 s long the leg swings as the term of that clock has it."""
+    rate, first = 0.02, fitted.segments[0]
+    begun = replace(first.conditions, clock=rate)
+    changed = replace(
+        fitted, segments=[replace(first, conditions=begun)], fitted_terms=(), terms={}
+    )
+    joint = gather(changed, 0)
+    assert joint.times[-1] == pytest.approx(1.02 * first.time[-1])
+    term = ClockRate(jnp.asarray(rate))
+    model = LegModel(fitted.leg, NoTorque(), jnp.asarray(begun.thigh_angle), (term,))
+    start = LegState(jnp.asarray(begun.angle), jnp.asarray(begun.angular_velocity))
+    motion = SIMULATED(model, start, jnp.asarray(first.time))
+    assert np.abs(played(joint)[:, 1] - motion.angle).max() < SAME
+    right = replace(first, conditions=replace(begun, clock=0.0))
+    as_term = replace(changed, segments=[right], fitted_terms=(term,))
+    assert np.abs(played(gather(as_term, 0))[:, 1] - motion.angle).max() < SAME
+
+
+def test_what_cannot_be_handed_on_is_said_in_a_sentence(fitted):
+    with pytest.raises(ValueError, match="no segment 3: the fit has the segments 0 to 2"):
+        exoid.export(fitted, "mjcf", segment=3)
+    with pytest.raises(ValueError, match="fitted alone there: it holds no one model"):
+        exoid.export(replace(fitted, leg=None), "mjcf")
+    older = [replace(each, conditions=None) for each in fitted.segments]
+    with pytest.raises(ValueError, match="older exoid, which did not keep how its segments"):
+        exoid.export(replace(fitted, segments=older), "mjcf")
+
+
+def test_what_no_number_rests_on_is_warned_of(fitted):
+    inertia = replace(fitted.parameters["inertia"], value=None, standard_error=None)
+    unknown = replace(fitted, parameters={**fitted.parameters, "inertia": inertia})
+    (scale,) = exoid.export(unknown, "mjcf").warnings
+    assert scale.startswith("nothing told m, J and l: the file holds a leg that moves alike")
+    assert "told by nothing" in exoid.export(unknown, "mjcf").text
+    (lost,) = exoid.export(replace(fitted, astray="it misses"), "mjcf").warnings
+    assert lost.endswith("(it misses): trust no number of it.")
+    assert exoid.export(fitted, "mjcf").warnings == ()
+
+
+NASTY = 'a"""b\\--->c*/ "-\x1b[2J\n--x'
+
+
+def test_no_name_of_a_file_breaks_out_of_a_comment(fitted, tmp_path):
+    first = replace(fitted.segments[0], name=NASTY)
+    named = replace(fitted, segments=[first, *fitted.segments[1:]])
+    for form in ("mjcf", "urdf", "osim"):
+        Tree.fromstring(exoid.export(named, form).text.encode())
+    assert run(exoid.export(named, "python").text)["MASS"] == float(fitted.leg.mass)
+    code = re.sub(r"/\*.*?\*/", "", exoid.export(named, "c").text, flags=re.DOTALL)
+    assert code.lstrip().startswith("#ifndef EXOID_LEG_H")
+    for form in ("mjcf", "urdf", "osim", "python", "c"):
+        assert "\x1b" not in exoid.export(named, form).text
+
+
+def diagnosed(verdict, before, after) -> exoid.Diagnosis:
+    """A diagnosis of which nothing else is read."""
+    made = object.__new__(exoid.Diagnosis)
+    for name, value in (("verdict", verdict), ("before", before), ("after", after)):
+        object.__setattr__(made, name, value)
+    return made
+
+
+def test_a_diagnosis_that_cannot_tell_gives_the_fit_without_terms_and_says_so(fitted):
+    (said,) = exoid.export(diagnosed("cannot_tell", fitted, None), "python").warnings
+    assert said.startswith("the diagnosis cannot tell what is missing: this is the fit of Eq. 9")
+    sure = diagnosed("mismatch", replace(fitted, leg=None), fitted)
+    assert exoid.export(sure, "python") == exoid.export(fitted, "python")
