@@ -1,0 +1,30 @@
+"""A leg's parameters while it moves: `init` what is believed before, then `step` by sample.
+
+belief = online.init(exoid.expected_leg(77.0, 1.80))
+for sample in samples:
+    belief, outlook = online.step(belief, sample)
+"""
+
+from exoid.online.belief import Belief
+from exoid.online.expect import init
+from exoid.online.model.model import Goals, Model, Node
+from exoid.online.model.sample import Sample
+from exoid.online.model.trust import Phase, Trust
+from exoid.online.model.unknowns import Unknowns
+from exoid.online.outlook import Outlook
+from exoid.online.replay import replay, step
+
+__all__ = [
+    "Belief",
+    "Goals",
+    "Model",
+    "Node",
+    "Outlook",
+    "Phase",
+    "Sample",
+    "Trust",
+    "Unknowns",
+    "init",
+    "replay",
+    "step",
+]

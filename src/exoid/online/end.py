@@ -1,0 +1,75 @@
+"""How a free movement ends: at rest, in a hand, or because it was none."""
+
+from dataclasses import replace
+
+import jax
+import jax.numpy as jnp
+from jaxtyping import Array, Bool
+
+from exoid.online.belief import NEVER, Belief
+from exoid.online.filter.gaussian import Gaussian
+from exoid.online.model.trust import Phase
+from exoid.online.select import select
+from exoid.online.watch import at_rest
+from exoid.online.whiteness import fails
+
+CAUGHT = 3  # samples in a row that are no leg's
+SHORTEST = 0.4  # s of a movement that counts
+SUDDEN = 3.0  # standard deviations: what was white until just now fails for a hand, not for a model
+SWUNG = 2  # turns after its end by which a movement was no hand's, but one that nobody explained
+
+
+def ended(belief: Belief, torn: Bool[Array, ""]) -> Belief:
+    """Is the movement over, and did it count?"""
+    course, older = belief.course, belief.older
+    still, _ = at_rest(belief.recent)
+    failing = fails(course.whiteness)[1]
+    cut = (course.astray >= CAUGHT) | torn
+    over = still | failing | cut
+    sound = jnp.where(failing | cut, older.unwhite < SUDDEN, True)
+    lasted = jnp.where(still & ~failing & ~cut, course.reached, older.time) - course.begun
+    counts = sound & (lasted > SHORTEST) & ((course.turns > 0) | still)
+    kept = select(failing | cut, older.filters, belief.filters)
+    known = select(counts, first_of(kept), belief.before)
+    after = replace(
+        belief,
+        filters=with_known(belief.filters, known),
+        scatter=jnp.where(counts, course.scatter, belief.scatter),
+        phase=jnp.where(counts, int(Phase.DONE), int(Phase.HELD)),
+        verdict=replace(
+            belief.verdict,
+            drops=belief.verdict.drops + counts,
+            changed=belief.verdict.changed & ~counts,
+            unexplained=belief.verdict.unexplained & ~counts,
+            suspected=jnp.where(failing | cut & ~torn, course.turns + SWUNG, NEVER),
+        ),
+    )
+    return select(over, after, belief)
+
+
+def refuted(belief: Belief) -> Belief:
+    """A movement that ended astray and swings on was no hand's: the model does not explain it."""
+    verdict = belief.verdict
+    swings = belief.course.turns >= verdict.suspected
+    counted = belief.phase == Phase.DONE
+    other = replace(
+        belief,
+        filters=with_known(belief.filters, belief.before),
+        phase=jnp.full_like(belief.phase, int(Phase.HELD)),
+        verdict=replace(
+            verdict,
+            drops=verdict.drops - counted,
+            unexplained=jnp.asarray(True),
+            suspected=jnp.full_like(verdict.suspected, NEVER),
+        ),
+    )
+    return select(swings, other, belief)
+
+
+def first_of(filters: Gaussian) -> Gaussian:
+    return jax.tree.map(lambda both: both[0], filters)
+
+
+def with_known(filters: Gaussian, known: Gaussian) -> Gaussian:
+    """The filters with what is known by all drops."""
+    return jax.tree.map(lambda both, one: both.at[0].set(one), filters, known)

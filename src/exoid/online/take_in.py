@@ -1,0 +1,83 @@
+"""One sample more, and what is known then: the whole of a step, as it is compiled."""
+
+from dataclasses import replace
+
+import jax
+import jax.numpy as jnp
+from jaxtyping import Array, Float
+
+from exoid.online.belief import Belief
+from exoid.online.change import changed, evidence
+from exoid.online.end import ended, refuted
+from exoid.online.follow import follow
+from exoid.online.model.model import Goals, Model
+from exoid.online.model.trust import Phase, Trust
+from exoid.online.model.unknowns import AT
+from exoid.online.outlook import Outlook
+from exoid.online.read_out import on_the_seat, ratios
+from exoid.online.stream import heard, is_faulty, look
+from exoid.online.watch import watch
+from exoid.online.whiteness import unwhite
+
+MOVES = 0.2  # rad/s beyond a gyro's bias: then a leg moves one way
+
+
+def take_in(model: Model, belief: Belief, row: Float[Array, " 6"]) -> tuple[Belief, Outlook]:
+    """The belief after one more sample (a row of `Sample`), and what it says."""
+    arrived = look(belief.recent, belief.stream, row)
+    torn = arrived.torn
+    moving = belief.phase == Phase.MOVING
+    cut = jax.lax.cond(moving & torn, lambda now: ended(now, torn), lambda now: now, belief)
+    lost = replace(cut, phase=jnp.where(torn, int(Phase.HELD), cut.phase))
+    now = replace(lost, recent=heard(lost.recent, row, arrived), stream=arrived.stream)
+    now = replace(now, course=turned(now, row[2]))
+
+    def go_on(now: Belief) -> Belief:
+        free = now.phase == Phase.MOVING
+        return jax.lax.cond(free, lambda at: moved(model, at), lambda at: refuted(watch(at)), now)
+
+    now = jax.lax.cond(arrived.taken, go_on, lambda at: at, now)
+    return now, outlook(model, now)
+
+
+def moved(model: Model, belief: Belief) -> Belief:
+    """A sample of a free movement."""
+    return ended(changed(model, follow(model, belief)), jnp.asarray(False))
+
+
+def turned(belief: Belief, rate: Float[Array, ""]):
+    """The movement's turns, by the gyro."""
+    course = belief.course
+    speed = rate - belief.filters.mean[1, AT["gyro_bias"]]
+    way = jnp.where(jnp.abs(speed) > MOVES, jnp.sign(speed), course.direction)
+    turns = course.turns + ((way != course.direction) & (course.direction != 0))
+    return replace(course, direction=way, turns=turns)
+
+
+def outlook(model: Model, belief: Belief) -> Outlook:
+    """What the belief says."""
+    known = jax.tree.map(lambda both: both[0], belief.filters)
+    values, errors = ratios(on_the_seat(known, model.node.tilt))
+    return Outlook(
+        trust=trust(model.goals, belief, values, errors),
+        phase=belief.phase,
+        drops=belief.verdict.drops,
+        ratios=values,
+        errors=errors,
+        unwhite=unwhite(belief.course.whiteness)[1],
+        change=evidence(belief),
+    )
+
+
+def trust(goals: Goals, belief: Belief, values, errors):
+    """How far to believe it; the worst that is to be said comes last."""
+    verdict = belief.verdict
+    gravity = jnp.abs(values[0])
+    share = jnp.max(errors / jnp.stack([gravity, gravity, jnp.sqrt(gravity)]))
+    begun = (verdict.drops > 0) | (belief.phase == Phase.MOVING)
+    said = jnp.where(begun, int(Trust.LEARNING), int(Trust.WAITING))
+    said = jnp.where(begun & (share < goals.good), int(Trust.GOOD), said)
+    said = jnp.where((verdict.drops > 0) & (share < goals.enough), int(Trust.ENOUGH), said)
+    said = jnp.where(verdict.unexplained, int(Trust.UNEXPLAINED), said)
+    said = jnp.where(verdict.changed, int(Trust.CHANGED), said)
+    return jnp.where(is_faulty(belief.stream), int(Trust.FAULTY), said)
