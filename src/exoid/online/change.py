@@ -11,9 +11,9 @@ import jax.numpy as jnp
 from jaxtyping import Array, Bool, Float
 
 from exoid.online.belief import Belief
+from exoid.online.filter.pack import where_so
 from exoid.online.model.model import Model
 from exoid.online.read_out import on_the_seat, ratios
-from exoid.online.select import select
 from exoid.online.whiteness import fails
 
 EVIDENCE = 12.0  # of the logarithm: one in 160 000 if both were as likely
@@ -32,12 +32,22 @@ def changed(model: Model, belief: Belief) -> Belief:
     course = belief.course
     sure = (evidence(belief) > EVIDENCE) & ~fails(course.whiteness)[1] & (belief.verdict.drops > 0)
     long = (course.reached - course.begun > LONG_ENOUGH) & (course.turns > 0)
-    found = sure & long & (belief.older.unwhite < WHITE) & differs(model, belief)
+    found = sure & long & (belief.older.unwhite < WHITE)
+
+    def looked_at(belief: Belief) -> Belief:
+        return where_so(differs(model, belief), begun_anew, belief)
+
+    return where_so(found, looked_at, belief)
+
+
+def begun_anew(belief: Belief) -> Belief:
+    """The drop's own filter is all that is known of the leg."""
+    course = belief.course
     filters, newer, older = (
         jax.tree.map(lambda both: jnp.stack([both[1], both[1]]), one)
         for one in (belief.filters, belief.newer.filters, belief.older.filters)
     )
-    other = replace(
+    return replace(
         belief,
         filters=filters,
         newer=replace(belief.newer, filters=newer),
@@ -50,7 +60,6 @@ def changed(model: Model, belief: Belief) -> Belief:
             changed=jnp.asarray(True),
         ),
     )
-    return select(found, other, belief)
 
 
 def differs(model: Model, belief: Belief) -> Bool[Array, ""]:

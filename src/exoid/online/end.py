@@ -8,6 +8,7 @@ from jaxtyping import Array, Bool
 
 from exoid.online.belief import NEVER, Belief
 from exoid.online.filter.gaussian import Gaussian
+from exoid.online.filter.pack import where_so
 from exoid.online.model.trust import Phase
 from exoid.online.select import select
 from exoid.online.watch import at_rest
@@ -21,17 +22,23 @@ SWUNG = 2  # turns after its end by which a movement was no hand's, but one that
 
 def ended(belief: Belief, torn: Bool[Array, ""]) -> Belief:
     """Is the movement over, and did it count?"""
-    course, older = belief.course, belief.older
+    course = belief.course
     still, _ = at_rest(belief.recent)
     failing = fails(course.whiteness)[1]
     cut = (course.astray >= CAUGHT) | torn
     over = still | failing | cut
+    return where_so(over, lambda now: closed(now, still, failing, cut, torn), belief)
+
+
+def closed(belief: Belief, still, failing, cut, torn) -> Belief:
+    """The movement is over: the belief with what it told, or without."""
+    course, older = belief.course, belief.older
     sound = jnp.where(failing | cut, older.unwhite < SUDDEN, True)
     lasted = jnp.where(still & ~failing & ~cut, course.reached, older.time) - course.begun
     counts = sound & (lasted > SHORTEST) & ((course.turns > 0) | still)
     kept = select(failing | cut, older.filters, belief.filters)
     known = select(counts, first_of(kept), belief.before)
-    after = replace(
+    return replace(
         belief,
         filters=with_known(belief.filters, known),
         scatter=jnp.where(counts, course.scatter, belief.scatter),
@@ -44,15 +51,16 @@ def ended(belief: Belief, torn: Bool[Array, ""]) -> Belief:
             suspected=jnp.where(failing | cut & ~torn, course.turns + SWUNG, NEVER),
         ),
     )
-    return select(over, after, belief)
-
-
 def refuted(belief: Belief) -> Belief:
     """A movement that ended astray and swings on was no hand's: the model does not explain it."""
+    return where_so(belief.course.turns >= belief.verdict.suspected, unexplained, belief)
+
+
+def unexplained(belief: Belief) -> Belief:
+    """The belief without its last movement."""
     verdict = belief.verdict
-    swings = belief.course.turns >= verdict.suspected
     counted = belief.phase == Phase.DONE
-    other = replace(
+    return replace(
         belief,
         filters=with_known(belief.filters, belief.before),
         phase=jnp.full_like(belief.phase, int(Phase.HELD)),
@@ -63,7 +71,6 @@ def refuted(belief: Belief) -> Belief:
             suspected=jnp.full_like(verdict.suspected, NEVER),
         ),
     )
-    return select(swings, other, belief)
 
 
 def first_of(filters: Gaussian) -> Gaussian:

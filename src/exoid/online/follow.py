@@ -10,6 +10,7 @@ from exoid.online.belief import Belief, Course, Kept
 from exoid.online.filter.absorb import TICK, Innovation, absorb
 from exoid.online.filter.gaussian import Gaussian
 from exoid.online.filter.sensor_noise import SensorNoise
+from exoid.online.filter.pack import as_long_as
 from exoid.online.model.model import Model
 from exoid.online.model.sample import Sample
 from exoid.online.model.unknowns import AT
@@ -36,7 +37,7 @@ def follow(model: Model, belief: Belief) -> Belief:
         count, now = state
         return count + 1, next_one(model, now)
 
-    return jax.lax.while_loop(waits, one, (0, belief))[1]
+    return as_long_as(waits, one, (jnp.zeros((), int), belief))[1]
 
 
 def next_one(model: Model, belief: Belief) -> Belief:

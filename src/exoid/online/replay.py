@@ -16,6 +16,7 @@ from jaxtyping import Float
 
 from exoid.online.belief import Belief
 from exoid.online.expect import begin, prior_of
+from exoid.online.filter.pack import Form
 from exoid.online.model.model import Model
 from exoid.online.model.sample import Sample
 from exoid.online.outlook import Outlook
@@ -95,13 +96,16 @@ def block(model: Model, belief: Belief, rows: Any, count: Any):
     """The rows that are filled, one after the other."""
 
     def one(index, state):
-        now, said = state
+        now, said = form.unpacked(state[:-1]), state[-1]
         after, outlook = take_in(model, now, rows[index])
         columns = [jnp.ravel(jnp.asarray(getattr(outlook, name), float)) for name in SAID]
-        return after, said.at[index].set(jnp.concatenate(columns))
+        return *form.packed(after), said.at[index].set(jnp.concatenate(columns))
 
+    form = Form(belief)
     width = sum(WIDTHS.get(name, 1) for name in SAID)
-    return jax.lax.fori_loop(0, count, one, (belief, jnp.zeros((BLOCK, width))))
+    begun = (*form.packed(belief), jnp.zeros((BLOCK, width)))
+    ended = jax.lax.fori_loop(0, count, one, begun)
+    return form.unpacked(ended[:-1]), ended[-1]
 
 
 def row_of(outlooks: Float[np.ndarray, "row column"], at: int | slice) -> Outlook:

@@ -10,6 +10,7 @@ from exoid.online.belief import Belief
 from exoid.online.change import changed, evidence
 from exoid.online.end import ended, refuted
 from exoid.online.follow import follow
+from exoid.online.filter.pack import where_so
 from exoid.online.model.model import Goals, Model
 from exoid.online.model.trust import Phase, Trust
 from exoid.online.model.unknowns import AT
@@ -27,16 +28,13 @@ def take_in(model: Model, belief: Belief, row: Float[Array, " 6"]) -> tuple[Beli
     arrived = look(belief.recent, belief.stream, row)
     torn = arrived.torn
     moving = belief.phase == Phase.MOVING
-    cut = jax.lax.cond(moving & torn, lambda now: ended(now, torn), lambda now: now, belief)
+    cut = where_so(moving & torn, lambda now: ended(now, torn), belief)
     lost = replace(cut, phase=jnp.where(torn, int(Phase.HELD), cut.phase))
     now = replace(lost, recent=heard(lost.recent, row, arrived), stream=arrived.stream)
     now = replace(now, course=turned(now, row[2]))
-
-    def go_on(now: Belief) -> Belief:
-        free = now.phase == Phase.MOVING
-        return jax.lax.cond(free, lambda at: moved(model, at), lambda at: refuted(watch(at)), now)
-
-    now = jax.lax.cond(arrived.taken, go_on, lambda at: at, now)
+    free = now.phase == Phase.MOVING
+    now = where_so(arrived.taken & free, lambda at: moved(model, at), now)
+    now = where_so(arrived.taken & ~free, lambda at: refuted(watch(at)), now)
     return now, outlook(model, now)
 
 

@@ -8,8 +8,8 @@ import numpy as np
 from jaxtyping import Array, Bool, Float
 
 from exoid.online.belief import NEVER, Belief, Course, Recent
+from exoid.online.filter.pack import where_so
 from exoid.online.model.trust import Phase
-from exoid.online.select import select
 from exoid.online.stream import window
 from exoid.online.whiteness import nothing_seen
 
@@ -46,7 +46,7 @@ def watch(belief: Belief) -> Belief:
     phase = jnp.where(still, int(Phase.WAITING), belief.phase)
     phase = jnp.where(left, int(Phase.MOVING), phase)
     watched = replace(belief, hold=hold, phase=phase)
-    return select(left, released(watched), watched)
+    return where_so(left, released, watched)
 
 
 def latest(recent: Recent) -> Float[Array, ""]:
