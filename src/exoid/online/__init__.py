@@ -5,14 +5,13 @@ for sample in samples:
     belief, outlook = online.step(belief, sample)
 """
 
-from exoid.online.belief import Belief
-from exoid.online.expect import init
+from exoid.online.belief import Belief, init
 from exoid.online.model.model import Goals, Model, Node
 from exoid.online.model.sample import Sample
 from exoid.online.model.trust import Phase, Trust
 from exoid.online.model.unknowns import Unknowns
 from exoid.online.outlook import Outlook
-from exoid.online.replay import replay, step
+from exoid.online.program import replay, step
 
 __all__ = [
     "Belief",

@@ -1,86 +1,60 @@
-"""All that an estimator remembers between two samples."""
+"""What an estimator believes of a leg, and where it stands, as one row of numbers."""
 
+from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
-import equinox as eqx
-from jaxtyping import Bool, Float, Int
+import jax
+import numpy as np
+from jaxtyping import Float
 
-from exoid.online.filter.gaussian import Gaussian
-
-NEVER = 1_000_000  # turns that no movement has
-
-
-class Recent(eqx.Module):
-    """The last samples, as rows of `Sample`; sample number k stands in row k modulo the rows."""
-
-    rows: Float[Any, "row 6"]
-    heard: Int[Any, ""]  # samples that were taken in
-    absorbed: Int[Any, ""]  # of them those that the filters have seen, or never will
+from exoid.online.filter.pack import Form
+from exoid.online.filter.prior import prior_of
+from exoid.online.model.model import Model
+from exoid.online.movement.begin import begin
+from exoid.online.movement.knowledge import Knowledge
+from exoid.physics.anatomy import ExpectedLeg, expected_leg
 
 
-class Stream(eqx.Module):
-    """How well the samples arrive."""
-
-    faults: Float[Any, ""]  # lost, doubled, missing; those of a second ago count a third
-    frozen: Int[Any, ""]  # samples that showed the same rate to the last bit
-
-
-class Whiteness(eqx.Module):
-    """Are innovations white? Sums over a window that fades, of both filters' angle and rate."""
-
-    memory: Float[Any, "2 2"]  # the innovations before, the latest most
-    lagged: Float[Any, "2 2"]  # of each by the memory before it
-    power: Float[Any, "2 2"]
-    weight: Float[Any, ""]  # of the power
-    squares: Float[Any, ""]  # of the weights of the lagged
-
-
-class Kept(eqx.Module):
-    """Both filters as they were at a time."""
-
-    filters: Gaussian
-    time: Float[Any, ""]  # s
-    unwhite: Float[Any, ""]  # of the second's innovations until then, in standard deviations
-
-
-class Course(eqx.Module):
-    """The movement that goes on, or the last one."""
-
-    begun: Float[Any, ""]  # s, from when on it is taken as free
-    reached: Float[Any, ""]  # s, up to when the filters followed
-    opened: Bool[Any, ""]  # have they begun?
-    whiteness: Whiteness
-    likelihood: Float[Any, "2"]  # logarithm, by both filters
-    astray: Int[Any, ""]  # samples in a row that cannot be the leg's
-    direction: Float[Any, ""]  # -1, 0 or 1: the way it moves
-    turns: Int[Any, ""]
-    scatter: Float[Any, "2 2"]  # that of the belief, and of this movement
-
-
-class Verdict(eqx.Module):
-    """What was found of the movements so far."""
-
-    drops: Int[Any, ""]  # free movements of this leg that count
-    changed: Bool[Any, ""]  # is this another leg than before? Until a drop of it has ended
-    unexplained: Bool[Any, ""]  # did the model fail in the last movement?
-    suspected: Int[Any, ""]  # turns from which on a movement that ended astray was no hand's
-
-
-class Belief(eqx.Module):
-    """The leg as it is known, and what is needed to learn more of it.
-
-    Of the two filters the first knows all drops, the second the present one alone.
+@jax.tree_util.register_dataclass
+@dataclass(frozen=True)
+class Belief:
+    """All that an estimator remembers between two samples. One row: what is handed to a program
+    as forty arrays takes longer to hand over than to compute.
     """
 
-    filters: Gaussian
-    newer: Kept  # a moment ago
-    older: Kept  # and before that: no hand had touched the leg
-    before: Gaussian  # the first filter before this movement
-    prior: Gaussian  # what anatomy expects
-    scatter: Float[Any, "2 2"]  # of angle and rate: squares over the declared ones, and how many
-    phase: Int[Any, ""]
-    hold: Float[Any, ""]  # rad, where it was last at rest
-    recent: Recent
-    stream: Stream
-    course: Course
-    verdict: Verdict
+    numbers: Float[Any, " number"]
+
+
+DEFAULT = Model()
+
+
+def init(expected: ExpectedLeg, model: Model = DEFAULT) -> Belief:
+    """The belief before the first sample: what anatomy expects, and how legs scatter about it.
+
+    **Raises** `ValueError` where what is expected says nothing of that scatter.
+
+    >>> belief = online.init(exoid.expected_leg(77.0, 1.80))
+    >>> online.estimates(belief)["gravity_over_inertia"].value > 20.0  # 1/s^2
+    True
+    """
+    return belief_of(begin(prior_of(expected, model)), model)
+
+
+def knowledge_of(belief: Belief, model: Model) -> Knowledge:
+    """What the numbers mean."""
+    with jax.enable_x64(True):
+        return jax.tree.map(np.asarray, form(model).unpacked((belief.numbers,)))
+
+
+def belief_of(known: Knowledge, model: Model) -> Belief:
+    """`knowledge_of` undone."""
+    with jax.enable_x64(True):
+        return Belief(np.asarray(form(model).packed(known)[0]))
+
+
+@cache
+def form(model: Model) -> Form:
+    """How knowledge lies in a row, whoever's leg it is of."""
+    with jax.enable_x64(True):
+        return Form(begin(prior_of(expected_leg(77.0, 1.80), model)), small=None)

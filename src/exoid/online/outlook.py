@@ -1,14 +1,17 @@
 """What an estimator says after a sample."""
 
+from dataclasses import dataclass
 from typing import Any
 
-import equinox as eqx
+import jax
 from jaxtyping import Float, Int
 
 from exoid.online.model.trust import Phase, Trust
 
 
-class Outlook(eqx.Module):
+@jax.tree_util.register_dataclass
+@dataclass(frozen=True)
+class Outlook:
     """The estimates, and how far to believe them.
 
     `ratios` are m l g / J, c / J and d / J [1/s^2, 1/s^2, 1/s].

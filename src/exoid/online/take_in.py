@@ -6,24 +6,24 @@ import jax
 import jax.numpy as jnp
 from jaxtyping import Array, Float
 
-from exoid.online.belief import Belief
-from exoid.online.change import changed, evidence
-from exoid.online.end import ended, refuted
-from exoid.online.follow import follow
 from exoid.online.filter.pack import where_so
+from exoid.online.filter.read_out import on_the_seat, ratios
+from exoid.online.filter.whiteness import unwhite
 from exoid.online.model.model import Goals, Model
 from exoid.online.model.trust import Phase, Trust
 from exoid.online.model.unknowns import AT
+from exoid.online.movement.change import changed, evidence
+from exoid.online.movement.end import ended, refuted
+from exoid.online.movement.follow import follow
+from exoid.online.movement.knowledge import Knowledge
+from exoid.online.movement.stream import heard, is_faulty, look
+from exoid.online.movement.watch import watch
 from exoid.online.outlook import Outlook
-from exoid.online.read_out import on_the_seat, ratios
-from exoid.online.stream import heard, is_faulty, look
-from exoid.online.watch import watch
-from exoid.online.whiteness import unwhite
 
 MOVES = 0.2  # rad/s beyond a gyro's bias: then a leg moves one way
 
 
-def take_in(model: Model, belief: Belief, row: Float[Array, " 6"]) -> tuple[Belief, Outlook]:
+def take_in(model: Model, belief: Knowledge, row: Float[Array, " 6"]) -> tuple[Knowledge, Outlook]:
     """The belief after one more sample (a row of `Sample`), and what it says."""
     arrived = look(belief.recent, belief.stream, row)
     torn = arrived.torn
@@ -38,12 +38,12 @@ def take_in(model: Model, belief: Belief, row: Float[Array, " 6"]) -> tuple[Beli
     return now, outlook(model, now)
 
 
-def moved(model: Model, belief: Belief) -> Belief:
+def moved(model: Model, belief: Knowledge) -> Knowledge:
     """A sample of a free movement."""
     return ended(changed(model, follow(model, belief)), jnp.asarray(False))
 
 
-def turned(belief: Belief, rate: Float[Array, ""]):
+def turned(belief: Knowledge, rate: Float[Array, ""]):
     """The movement's turns, by the gyro."""
     course = belief.course
     speed = rate - belief.filters.mean[1, AT["gyro_bias"]]
@@ -52,7 +52,7 @@ def turned(belief: Belief, rate: Float[Array, ""]):
     return replace(course, direction=way, turns=turns)
 
 
-def outlook(model: Model, belief: Belief) -> Outlook:
+def outlook(model: Model, belief: Knowledge) -> Outlook:
     """What the belief says."""
     known = jax.tree.map(lambda both: both[0], belief.filters)
     values, errors = ratios(on_the_seat(known, model.node.tilt))
@@ -67,7 +67,7 @@ def outlook(model: Model, belief: Belief) -> Outlook:
     )
 
 
-def trust(goals: Goals, belief: Belief, values, errors):
+def trust(goals: Goals, belief: Knowledge, values, errors):
     """How far to believe it; the worst that is to be said comes last."""
     verdict = belief.verdict
     gravity = jnp.abs(values[0])

@@ -1,12 +1,15 @@
 """One sample of the node, and what was declared of that instant."""
 
+from dataclasses import dataclass
 from typing import Any
 
-import equinox as eqx
+import jax
 from jaxtyping import Float
 
 
-class Sample(eqx.Module):
+@jax.tree_util.register_dataclass
+@dataclass(frozen=True)  # an equinox module takes as long to make as to absorb
+class Sample:
     """What encoder and gyro showed, NaN where one of them was missing; what pushed and weighed.
 
     >>> float(online.Sample(0.01, -0.35, 0.002).torque)  # N m

@@ -6,8 +6,8 @@ theta, and gamma = zero less how far the seat is tilted beyond theta, Eq. 9 says
     psi'' = tau / J - A cos(psi + theta) - B sin(psi + theta) - (c / J) psi + o - (d / J) psi',
     A = G cos(gamma),  B = G sin(gamma),  o = (c / J) zero.
 
-That is linear in A, B, c / J, o and d / J: an extended Kalman filter is hardly wrong, however little
-is known. In G, c and zero it is not, and such a filter believes ten times too much after a drop.
+That is linear in A, B, c / J, o and d / J: an extended Kalman filter is hardly wrong, however
+little is known. In G, c and zero it is not: such a filter believes ten times too much of a drop.
 """
 
 from dataclasses import dataclass

@@ -1,8 +1,8 @@
 """`step` and `replay`: samples as they come, or a whole recording, by one and the same program.
 
 Machine code that was compiled for one sample need not round as that for many does. So there is one
-program, for a block of which any number of rows may be filled: a live stream and its replay give the
-same to the last bit.
+program, for a block of which any number of rows may be filled: a live stream and its replay give
+the same to the last bit.
 """
 
 from dataclasses import fields
@@ -14,19 +14,16 @@ import jax.numpy as jnp
 import numpy as np
 from jaxtyping import Float
 
-from exoid.online.belief import Belief
-from exoid.online.expect import begin, prior_of
+from exoid.online.belief import DEFAULT, Belief, form
 from exoid.online.filter.pack import Form
 from exoid.online.model.model import Model
 from exoid.online.model.sample import Sample
 from exoid.online.outlook import Outlook
 from exoid.online.take_in import take_in
-from exoid.physics.anatomy import expected_leg
 
 BLOCK = 32  # samples: calling a program costs as much as a few
 # Small arrays: kernels that are fused further compute the same several times over.
 OPTIONS = {"xla_cpu_use_fusion_emitters": False}
-DEFAULT = Model()
 
 
 def step(belief: Belief, sample: Sample, model: Model = DEFAULT) -> tuple[Belief, Outlook]:
@@ -68,6 +65,7 @@ def replay(belief: Belief, samples: Sample, model: Model = DEFAULT) -> tuple[Bel
 FIELDS = [each.name for each in fields(Sample)]
 SAID = [each.name for each in fields(Outlook)]
 WIDTHS = {"ratios": 3, "errors": 3}  # columns of an outlook; of the others 1
+COUNTED = [np.asarray(count) for count in range(BLOCK + 1)]
 COUNTS = ("trust", "phase", "drops")
 
 
@@ -76,36 +74,35 @@ def run(
 ) -> tuple[Belief, Float[np.ndarray, "row column"]]:
     """The belief after the first `count` rows, and what it said after each."""
     with jax.enable_x64(True):
-        after, outlooks = program(model)(belief, rows, np.asarray(count))
-    return after, np.asarray(outlooks)
+        after, outlooks = program(model)(belief.numbers, rows, COUNTED[count])
+    return Belief(after), np.asarray(outlooks)
 
 
 @cache
 def program(model: Model):
     """The compiled program of a model, which takes a belief of any leg."""
     with jax.enable_x64(True):
-        like = begin(prior_of(expected_leg(77.0, 1.80), model))
-        shapes = jax.tree.map(lambda leaf: jax.ShapeDtypeStruct(leaf.shape, leaf.dtype), like)
-        rows = jax.ShapeDtypeStruct((BLOCK, len(FIELDS)), float)
+        size = sum(leaf.size for leaf in form(model).leaves)
+        shapes = ((size,), float), ((BLOCK, len(FIELDS)), float), ((), int)
         options = OPTIONS if jax.default_backend() == "cpu" else {}
         traced = jax.jit(partial(block, model), compiler_options=options)
-        return traced.lower(shapes, rows, jax.ShapeDtypeStruct((), int)).compile()
+        return traced.lower(*(jax.ShapeDtypeStruct(*each) for each in shapes)).compile()
 
 
-def block(model: Model, belief: Belief, rows: Any, count: Any):
+def block(model: Model, numbers: Any, rows: Any, count: Any):
     """The rows that are filled, one after the other."""
+    inside = Form(form(model).unpacked((numbers,)))
 
     def one(index, state):
-        now, said = form.unpacked(state[:-1]), state[-1]
+        now, said = inside.unpacked(state[:-1]), state[-1]
         after, outlook = take_in(model, now, rows[index])
         columns = [jnp.ravel(jnp.asarray(getattr(outlook, name), float)) for name in SAID]
-        return *form.packed(after), said.at[index].set(jnp.concatenate(columns))
+        return *inside.packed(after), said.at[index].set(jnp.concatenate(columns))
 
-    form = Form(belief)
     width = sum(WIDTHS.get(name, 1) for name in SAID)
-    begun = (*form.packed(belief), jnp.zeros((BLOCK, width)))
-    ended = jax.lax.fori_loop(0, count, one, begun)
-    return form.unpacked(ended[:-1]), ended[-1]
+    begun = inside.packed(form(model).unpacked((numbers,)))
+    ended = jax.lax.fori_loop(0, count, one, (*begun, jnp.zeros((BLOCK, width))))
+    return form(model).packed(inside.unpacked(ended[:-1]))[0], ended[-1]
 
 
 def row_of(outlooks: Float[np.ndarray, "row column"], at: int | slice) -> Outlook:

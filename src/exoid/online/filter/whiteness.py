@@ -1,20 +1,31 @@
 """Are innovations white, as those of a model that explains the motion are?
 
-With the whitened innovation v and the memory s <- rho s + v of those before it, v s has the mean 0 and
-the variance 1 / (1 - rho^2). What a model misses is slow beside a sample: neighbours share it, and v s
-becomes positive on the average. No size of the sensors' noise does that.
+With the whitened innovation v and the memory s <- rho s + v of those before it, v s has the mean 0
+and the variance 1 / (1 - rho^2). What a model misses is slow beside a sample: neighbours share it,
+and v s becomes positive on the average. No size of the sensors' noise does that.
 """
 
+from typing import Any
+
+import equinox as eqx
 import jax.numpy as jnp
 from jaxtyping import Array, Float
-
-from exoid.online.belief import Whiteness
 
 MEMORY = 0.9  # rho: ten samples
 FADING = 1 - 1 / 150  # per sample: a window of 150
 FEWEST = 30  # of these, before anything is said
 LIMIT = 6.0  # standard deviations
 POWER = 4.0  # mean square of an innovation from which on it is no noise of these sensors
+
+
+class Whiteness(eqx.Module):
+    """Are innovations white? Sums over a window that fades, of both filters' angle and rate."""
+
+    memory: Float[Any, "2 2"]  # the innovations before, the latest most
+    lagged: Float[Any, "2 2"]  # of each by the memory before it
+    power: Float[Any, "2 2"]
+    weight: Float[Any, ""]  # of the power
+    squares: Float[Any, ""]  # of the weights of the lagged
 
 
 def seen(white: Whiteness, whitened: Float[Array, "2 2"], used: Float[Array, "2 2"]) -> Whiteness:

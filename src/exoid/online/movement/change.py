@@ -10,11 +10,11 @@ import jax
 import jax.numpy as jnp
 from jaxtyping import Array, Bool, Float
 
-from exoid.online.belief import Belief
 from exoid.online.filter.pack import where_so
+from exoid.online.filter.read_out import on_the_seat, ratios
+from exoid.online.filter.whiteness import fails
 from exoid.online.model.model import Model
-from exoid.online.read_out import on_the_seat, ratios
-from exoid.online.whiteness import fails
+from exoid.online.movement.knowledge import Knowledge
 
 EVIDENCE = 12.0  # of the logarithm: one in 160 000 if both were as likely
 WHITE = 4.0  # standard deviations, within which the drop's own filter explains it
@@ -22,25 +22,25 @@ LONG_ENOUGH = 0.6  # s of a drop that tell its own ratios
 MATTERS = (0.03, 0.03, 0.03)  # of m l g / J, of c / J beside it, of d / J beside the frequency
 
 
-def evidence(belief: Belief) -> Float[Array, ""]:
+def evidence(belief: Knowledge) -> Float[Array, ""]:
     """Log odds of another leg, as far as the movement tells."""
     return belief.course.likelihood[1] - belief.course.likelihood[0]
 
 
-def changed(model: Model, belief: Belief) -> Belief:
+def changed(model: Model, belief: Knowledge) -> Knowledge:
     """The belief, begun anew where the leg is another one."""
     course = belief.course
     sure = (evidence(belief) > EVIDENCE) & ~fails(course.whiteness)[1] & (belief.verdict.drops > 0)
     long = (course.reached - course.begun > LONG_ENOUGH) & (course.turns > 0)
     found = sure & long & (belief.older.unwhite < WHITE)
 
-    def looked_at(belief: Belief) -> Belief:
+    def looked_at(belief: Knowledge) -> Knowledge:
         return where_so(differs(model, belief), begun_anew, belief)
 
     return where_so(found, looked_at, belief)
 
 
-def begun_anew(belief: Belief) -> Belief:
+def begun_anew(belief: Knowledge) -> Knowledge:
     """The drop's own filter is all that is known of the leg."""
     course = belief.course
     filters, newer, older = (
@@ -62,7 +62,7 @@ def begun_anew(belief: Belief) -> Belief:
     )
 
 
-def differs(model: Model, belief: Belief) -> Bool[Array, ""]:
+def differs(model: Model, belief: Knowledge) -> Bool[Array, ""]:
     """Is the drop's own leg another one by more than a leg differs from drop to drop?"""
     both = jax.tree.map(
         lambda before, filters: jnp.stack([before, filters[1]]), belief.before, belief.filters

@@ -6,16 +6,16 @@ import jax
 import jax.numpy as jnp
 from jaxtyping import Array, Bool, Float
 
-from exoid.online.belief import Belief, Course, Kept
 from exoid.online.filter.absorb import TICK, Innovation, absorb
 from exoid.online.filter.gaussian import Gaussian
-from exoid.online.filter.sensor_noise import SensorNoise
 from exoid.online.filter.pack import as_long_as
+from exoid.online.filter.select import select
+from exoid.online.filter.sensor_noise import SensorNoise
+from exoid.online.filter.whiteness import seen, unwhite
 from exoid.online.model.model import Model
 from exoid.online.model.sample import Sample
 from exoid.online.model.unknowns import AT
-from exoid.online.select import select
-from exoid.online.whiteness import seen, unwhite
+from exoid.online.movement.knowledge import Course, Kept, Knowledge
 
 AT_ONCE = 4  # samples a step that are absorbed at most, where some wait
 BRIDGED = 1.5 * TICK  # s, longer steps are taken in pieces of a tick
@@ -26,7 +26,7 @@ FIRST_RATE = 2.0  # rad/s, standard deviation of the first rate about what the g
 FIRST_ANGLE = 0.1  # rad
 
 
-def follow(model: Model, belief: Belief) -> Belief:
+def follow(model: Model, belief: Knowledge) -> Knowledge:
     """The samples that wait, a few at a time."""
 
     def waits(state):
@@ -40,7 +40,7 @@ def follow(model: Model, belief: Belief) -> Belief:
     return as_long_as(waits, one, (jnp.zeros((), int), belief))[1]
 
 
-def next_one(model: Model, belief: Belief) -> Belief:
+def next_one(model: Model, belief: Knowledge) -> Knowledge:
     """The next sample, or a tick on the way to it."""
     recent, course = belief.recent, belief.course
     row = recent.rows[recent.absorbed % recent.rows.shape[0]]
@@ -108,7 +108,7 @@ def surprised(course: Course, innovation: Innovation, time: Float[Array, ""]) ->
     )
 
 
-def remembered(belief: Belief, begins: Bool[Array, ""]) -> Belief:
+def remembered(belief: Knowledge, begins: Bool[Array, ""]) -> Knowledge:
     """With the filters kept as they are now, from time to time."""
     course = belief.course
     now = Kept(belief.filters, course.reached, unwhite(course.whiteness)[1])

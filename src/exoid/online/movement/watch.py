@@ -7,11 +7,11 @@ import jax.numpy as jnp
 import numpy as np
 from jaxtyping import Array, Bool, Float
 
-from exoid.online.belief import NEVER, Belief, Course, Recent
 from exoid.online.filter.pack import where_so
+from exoid.online.filter.whiteness import nothing_seen
 from exoid.online.model.trust import Phase
-from exoid.online.stream import window
-from exoid.online.whiteness import nothing_seen
+from exoid.online.movement.knowledge import NEVER, Course, Knowledge, Recent
+from exoid.online.movement.stream import window
 
 REST = 0.3  # s, longer than any turning point of a swing
 STILL = np.radians(1.0)  # rad that a leg at rest goes in that time: a hand trembles
@@ -36,7 +36,7 @@ def spread(values: Float[Array, " row"], inside: Bool[Array, " row"]) -> Float[A
     return high - jnp.min(jnp.where(inside, values, jnp.inf))
 
 
-def watch(belief: Belief) -> Belief:
+def watch(belief: Knowledge) -> Knowledge:
     """A sample while nothing moves freely."""
     still, place = at_rest(belief.recent)
     waiting = belief.phase == Phase.WAITING
@@ -56,7 +56,7 @@ def latest(recent: Recent) -> Float[Array, ""]:
     return jnp.where(jnp.isnan(two).any(), jnp.nan, jnp.median(two))
 
 
-def released(belief: Belief) -> Belief:
+def released(belief: Knowledge) -> Knowledge:
     """A movement begins: the filters are to see it from where the hand is off the leg."""
     recent = belief.recent
     time, angle = recent.rows[:, 0], recent.rows[:, 1]

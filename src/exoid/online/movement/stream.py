@@ -7,7 +7,7 @@ import equinox as eqx
 import jax.numpy as jnp
 from jaxtyping import Array, Bool, Float
 
-from exoid.online.belief import Recent, Stream
+from exoid.online.movement.knowledge import Recent, Stream
 
 GAP = 0.25  # s without a sample, over which nobody knows what a hand did
 LOST = 0.03  # s between samples from which on some were lost: a node sends every 5 or 10 ms

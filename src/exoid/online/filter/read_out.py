@@ -1,7 +1,7 @@
 """From what is followed to what a leg is: m l g / J, c / J and d / J.
 
-The offset o is followed as if nothing were known of it. But gravity tells gamma = B / A, and the seat
-is level but for its tilt e: o - c gamma = c e. That is a measurement of 0 with the variance
+The offset o is followed as if nothing were known of it. But gravity tells gamma = B / A, and the
+seat is level but for its tilt e: o - c gamma = c e. That is a measurement of 0 with the variance
 (c / J)^2 var(e), no line in the unknowns; so it is taken anew at every reading, where the filter
 stands, and never becomes a part of what is followed.
 """

@@ -1,75 +1,21 @@
-"""`init`: what is believed before the leg moves."""
+"""What is believed before the leg moves: anatomy, and the sensors' data sheets."""
 
 from math import log
 
-import jax
-import jax.numpy as jnp
 import numpy as np
 
-from exoid.online.belief import NEVER, Belief, Course, Kept, Recent, Stream, Verdict, Whiteness
 from exoid.online.filter.gaussian import Gaussian
 from exoid.online.model.model import Model
-from exoid.online.model.trust import Phase
 from exoid.online.model.unknowns import AT, FIRST_TERM, entry, is_positive
 from exoid.physics.anatomy import ExpectedLeg
 from exoid.physics.leg import GRAVITY
 from exoid.physics.parameter import Declaration
 
-ROWS = 128  # samples: a release is seen 0.1 to 0.5 s late
 HANGING = (-2.0, -1.0)  # rad, about where a drop ends
 KNEE = 5.0  # times what a relaxed knee has: the standard deviation of c / J and d / J
 ROOM = 10.0  # times where its searches begin, the same of a term's parameter
 FACTOR = 1.0  # of the logarithm of one that cannot be negative
-DECLARED = 20.0  # samples that the declared noise is worth
 ANYWHERE = 1.0  # rad and rad/s, of a motion that nobody has seen
-
-
-def init(expected: ExpectedLeg, model: Model | None = None) -> Belief:
-    """The belief before the first sample: what anatomy expects, and how legs scatter about it.
-
-    >>> belief = online.init(exoid.expected_leg(77.0, 1.80))
-    >>> belief.recent.heard.item()
-    0
-    """
-    model = model or Model()
-    with jax.enable_x64(True):
-        return jax.tree.map(jnp.asarray, begin(prior_of(expected, model)))
-
-
-def begin(prior: Gaussian) -> Belief:
-    """Nothing was heard yet."""
-    both = jax.tree.map(lambda one: np.stack([one, one]), prior)
-    none, never = np.zeros(()), np.asarray(-np.inf)
-    still = np.zeros((2, 2))
-    return Belief(
-        filters=both,
-        newer=Kept(both, never, none),
-        older=Kept(both, never, none),
-        before=prior,
-        prior=prior,
-        scatter=np.full((2, 2), DECLARED),
-        phase=np.asarray(int(Phase.HELD)),
-        hold=np.asarray(np.nan),
-        recent=Recent(np.full((ROWS, 6), np.nan), np.asarray(0), np.asarray(0)),
-        stream=Stream(none, np.asarray(0)),
-        course=Course(
-            begun=never,
-            reached=never,
-            opened=np.asarray(False),
-            whiteness=Whiteness(still, still, still, none, none),
-            likelihood=np.zeros(2),
-            astray=np.asarray(0),
-            direction=none,
-            turns=np.asarray(0),
-            scatter=np.full((2, 2), DECLARED),
-        ),
-        verdict=Verdict(
-            drops=np.asarray(0),
-            changed=np.asarray(False),
-            unexplained=np.asarray(False),
-            suspected=np.asarray(NEVER),
-        ),
-    )
 
 
 def prior_of(expected: ExpectedLeg, model: Model) -> Gaussian:

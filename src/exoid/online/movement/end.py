@@ -6,13 +6,13 @@ import jax
 import jax.numpy as jnp
 from jaxtyping import Array, Bool
 
-from exoid.online.belief import NEVER, Belief
 from exoid.online.filter.gaussian import Gaussian
 from exoid.online.filter.pack import where_so
+from exoid.online.filter.select import select
+from exoid.online.filter.whiteness import fails
 from exoid.online.model.trust import Phase
-from exoid.online.select import select
-from exoid.online.watch import at_rest
-from exoid.online.whiteness import fails
+from exoid.online.movement.knowledge import NEVER, Knowledge
+from exoid.online.movement.watch import at_rest
 
 CAUGHT = 3  # samples in a row that are no leg's
 SHORTEST = 0.4  # s of a movement that counts
@@ -20,7 +20,7 @@ SUDDEN = 3.0  # standard deviations: what was white until just now fails for a h
 SWUNG = 2  # turns after its end by which a movement was no hand's, but one that nobody explained
 
 
-def ended(belief: Belief, torn: Bool[Array, ""]) -> Belief:
+def ended(belief: Knowledge, torn: Bool[Array, ""]) -> Knowledge:
     """Is the movement over, and did it count?"""
     course = belief.course
     still, _ = at_rest(belief.recent)
@@ -30,7 +30,7 @@ def ended(belief: Belief, torn: Bool[Array, ""]) -> Belief:
     return where_so(over, lambda now: closed(now, still, failing, cut, torn), belief)
 
 
-def closed(belief: Belief, still, failing, cut, torn) -> Belief:
+def closed(belief: Knowledge, still, failing, cut, torn) -> Knowledge:
     """The movement is over: the belief with what it told, or without."""
     course, older = belief.course, belief.older
     sound = jnp.where(failing | cut, older.unwhite < SUDDEN, True)
@@ -51,12 +51,14 @@ def closed(belief: Belief, still, failing, cut, torn) -> Belief:
             suspected=jnp.where(failing | cut & ~torn, course.turns + SWUNG, NEVER),
         ),
     )
-def refuted(belief: Belief) -> Belief:
+
+
+def refuted(belief: Knowledge) -> Knowledge:
     """A movement that ended astray and swings on was no hand's: the model does not explain it."""
     return where_so(belief.course.turns >= belief.verdict.suspected, unexplained, belief)
 
 
-def unexplained(belief: Belief) -> Belief:
+def unexplained(belief: Knowledge) -> Knowledge:
     """The belief without its last movement."""
     verdict = belief.verdict
     counted = belief.phase == Phase.DONE
