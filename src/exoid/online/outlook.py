@@ -22,6 +22,8 @@ class Outlook:
     drops: Int[Any, "*time"]
     ratios: Float[Any, "*time 3"]
     errors: Float[Any, "*time 3"]  # standard
+    begun: Float[Any, "*time"]  # s, when the movement began to count, or the last one
+    ended: Float[Any, "*time"]  # s, up to when that counted
     unwhite: Float[Any, "*time"]  # standard deviations by which innovations are not white
     change: Float[Any, "*time"]  # log odds that this is another leg than before
 

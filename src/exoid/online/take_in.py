@@ -62,6 +62,8 @@ def outlook(model: Model, belief: Knowledge) -> Outlook:
         drops=belief.verdict.drops,
         ratios=values,
         errors=errors,
+        begun=belief.course.begun,
+        ended=belief.course.ended,
         unwhite=unwhite(belief.course.whiteness)[1],
         change=evidence(belief),
     )

@@ -14,39 +14,48 @@ from exoid.online.filter.gaussian import Gaussian
 from exoid.online.model.unknowns import AT, Row
 
 ROUNDS = 3  # of Gauss-Newton; the last moves nothing
+LEAST = 1e-3  # 1/s^2, of a torque over inertia that nobody could see
+
+Scalar = Float[Array, ""]
 
 
 def on_the_seat(belief: Gaussian, tilt: float) -> Gaussian:
     """The belief with what is known of the seat, whose tilt [rad] has this standard deviation."""
-    start = belief.mean
 
-    def tilted(row: Row) -> Float[Array, ""]:
-        turned = row[AT["upright_gravity"]] / row[AT["level_gravity"]]
-        return row[AT["offset"]] - row[AT["stiffness"]] * turned
-
-    def corrected(_, found):
-        value, slope = jax.value_and_grad(tilted)(found.mean)
+    def corrected(_, found: Gaussian) -> Gaussian:
+        value, slope, noise = slope_of_seat(found.mean, tilt)
         factor = slope @ belief.root
-        # A spring of nothing says nothing of the seat: then neither does the seat of the spring.
-        noise = (jnp.abs(found.mean[AT["stiffness"]]) * tilt) ** 2 + LEAST**2
         total = jnp.sum(factor**2) + noise
         gain = belief.root @ factor / total
-        mean = start - gain * (value + slope @ (start - found.mean))
-        return Gaussian(mean, belief.root - jnp.outer(gain, factor) / (1 + jnp.sqrt(noise / total)))
+        mean = belief.mean - gain * (value + slope @ (belief.mean - found.mean))
+        left = jnp.outer(gain, factor) / (1 + jnp.sqrt(noise / total))
+        return Gaussian(mean, belief.root - left)
 
     return jax.lax.fori_loop(0, ROUNDS, corrected, belief)
 
 
-LEAST = 1e-3  # 1/s^2, of a torque over inertia that nobody could see
+def slope_of_seat(mean: Row, tilt: float) -> tuple[Scalar, Row, Scalar]:
+    """o - c gamma, its derivative by the row, and the variance that a tilt gives it."""
+
+    def tilted(row: Row) -> Scalar:
+        turned = row[AT["upright_gravity"]] / row[AT["level_gravity"]]
+        return row[AT["offset"]] - row[AT["stiffness"]] * turned
+
+    value, slope = jax.value_and_grad(tilted)(mean)
+    return value, slope, (mean[AT["stiffness"]] * tilt) ** 2 + LEAST**2
 
 
 def ratios(belief: Gaussian) -> tuple[Float[Array, "3"], Float[Array, "3"]]:
     """m l g / J, c / J and d / J, and their standard errors."""
-    level, upright = belief.mean[AT["level_gravity"]], belief.mean[AT["upright_gravity"]]
-    gravity = jnp.hypot(level, upright)
-    pair = belief.root[jnp.array([AT["level_gravity"], AT["upright_gravity"]])]
-    along = (level * pair[0] + upright * pair[1]) / gravity
-    others = belief.root[jnp.array([AT["stiffness"], AT["damping"]])]
-    rows = jnp.concatenate([along[None], others])
-    values = jnp.stack([gravity, belief.mean[AT["stiffness"]], belief.mean[AT["damping"]]])
-    return values, jnp.sqrt(jnp.sum(rows**2, axis=1))
+    errors = jnp.sqrt(jnp.sum((slopes(belief.mean) @ belief.root) ** 2, axis=1))
+    return values(belief.mean), errors
+
+
+def values(row: Row) -> Float[Array, "3"]:
+    gravity = jnp.hypot(row[AT["level_gravity"]], row[AT["upright_gravity"]])
+    return jnp.stack([gravity, row[AT["stiffness"]], row[AT["damping"]]])
+
+
+def slopes(row: Row) -> Float[Array, "3 unknown"]:
+    """The derivatives of the ratios by the row."""
+    return jax.jacfwd(values)(jnp.asarray(row))

@@ -39,6 +39,7 @@ def begin(prior: Gaussian) -> Knowledge:
         course=Course(
             begun=never,
             reached=never,
+            ended=never,
             opened=np.asarray(False),
             whiteness=Whiteness(still, still, still, none, none),
             likelihood=np.zeros(2),

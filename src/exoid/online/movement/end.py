@@ -34,13 +34,14 @@ def closed(belief: Knowledge, still, failing, cut, torn) -> Knowledge:
     """The movement is over: the belief with what it told, or without."""
     course, older = belief.course, belief.older
     sound = jnp.where(failing | cut, older.unwhite < SUDDEN, True)
-    lasted = jnp.where(still & ~failing & ~cut, course.reached, older.time) - course.begun
-    counts = sound & (lasted > SHORTEST) & ((course.turns > 0) | still)
+    end = jnp.where(failing | cut, older.time, course.reached)
+    counts = sound & (end - course.begun > SHORTEST) & ((course.turns > 0) | still)
     kept = select(failing | cut, older.filters, belief.filters)
     known = select(counts, first_of(kept), belief.before)
     return replace(
         belief,
         filters=with_known(belief.filters, known),
+        course=replace(course, ended=end),
         scatter=jnp.where(counts, course.scatter, belief.scatter),
         phase=jnp.where(counts, int(Phase.DONE), int(Phase.HELD)),
         verdict=replace(

@@ -39,6 +39,7 @@ class Course(eqx.Module):
 
     begun: Float[Any, ""]  # s, from when on it is taken as free
     reached: Float[Any, ""]  # s, up to when the filters followed
+    ended: Float[Any, ""]  # s, up to when it counts
     opened: Bool[Any, ""]  # have they begun?
     whiteness: Whiteness
     likelihood: Float[Any, "2"]  # logarithm, by both filters

@@ -66,6 +66,7 @@ def released(belief: Knowledge) -> Knowledge:
     course = Course(
         begun=begun,
         reached=begun,
+        ended=begun,
         opened=jnp.asarray(False),
         whiteness=nothing_seen(),
         likelihood=jnp.zeros(2),
