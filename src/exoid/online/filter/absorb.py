@@ -33,6 +33,7 @@ class Innovation(eqx.Module):
     whitened: Float[Array, "2"]  # of unit variance each, where the belief is right
     square: Float[Array, "2"]  # what surprised, less what the belief allowed, over the noise
     tells: Bool[Array, "2"]  # is that square worth anything? The belief is surer than the sensor
+    white: Float[Array, "2"]  # the share of the sensors' variance that surely is white
     log_likelihood: Float[Array, ""]
     used: Bool[Array, "2"]
     far: Float[Array, ""]  # chi-square of both
@@ -46,18 +47,17 @@ def absorb(
     def arrival(row):
         reached = advance(unknowns, row, sample, step)
         both = jnp.concatenate([reached.state, reached.shown])
-        return both, (both, reached.acceleration)
+        return both, (both, reached)
 
-    slope, (arrived, acceleration) = jax.jacfwd(arrival, has_aux=True)(belief.mean)
-    slope, arrived, acceleration = jax.lax.optimization_barrier((slope, arrived, acceleration))
-    moved = jax.lax.optimization_barrier(times(slope, belief.root))
-    push = ROUGHNESS**2 * step / TICK
+    slope, (arrived, reached) = jax.jacfwd(arrival, has_aux=True)(belief.mean)
+    moved = times(slope, belief.root)
+    push = ROUGHNESS**2 * step / TICK + reached.rough**2
     root = jnp.concatenate([belief.root[:-2], carried(moved[:2], push)])
     mean = jnp.concatenate([belief.mean[:-2], arrived[:2]])
     measured = jnp.stack([jnp.asarray(sample.angle), jnp.asarray(sample.angular_velocity)])
     known = ~jnp.isnan(measured)
     off = jnp.where(known, measured - arrived[2:], 0.0)
-    sensors, seen = noise.variance(acceleration), moved[2:]
+    sensors, seen = noise.variance(reached.acceleration), moved[2:]
     far = chi_square(off, known, seen, sensors)
     used = known & (far < noise.gate)
     after, surprise, variance = corrected(Gaussian(mean, root), seen, off, sensors, used)
@@ -67,7 +67,7 @@ def absorb(
     square = jnp.where(told, (surprise**2 - variance + sensors) / sensors, 0.0)
     gated = jnp.where(far < noise.gate, 0.0, jnp.minimum(far, MOST))
     likelihood = -(jnp.sum(whitened**2 + size) + gated) / 2
-    return after, Innovation(whitened, square, told, likelihood, used, far)
+    return after, Innovation(whitened, square, told, noise.white(sensors), likelihood, used, far)
 
 
 def times(one: Float[Array, "row inner"], other: Float[Array, "inner column"]):

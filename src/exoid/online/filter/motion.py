@@ -7,9 +7,16 @@ import jax.numpy as jnp
 from jaxtyping import Array, Float
 
 from exoid.online.model.sample import Sample
-from exoid.online.model.unknowns import AT, Row, Unknowns
+from exoid.online.model.unknowns import AT, Leg, Row, Unknowns
 from exoid.physics.motion.step import Drive
-from exoid.physics.motion.with_terms import Motion, extended_step, observed
+from exoid.physics.motion.with_terms import (
+    Motion,
+    extended_step,
+    friction,
+    moment,
+    observed,
+    sticky,
+)
 
 # A loop is a wall to XLA, which else computes the step again in every kernel that uses some of it:
 # two parts take half as long as one.
@@ -22,6 +29,7 @@ class Arrival(eqx.Module):
     state: Float[Array, "2"]  # rad, rad/s
     shown: Float[Array, "2"]  # rad, rad/s
     acceleration: Float[Array, ""]  # rad/s^2
+    rough: Float[Array, ""]  # rad/s, by which dry friction may be wrong where the leg turned round
 
 
 def advance(unknowns: Unknowns, row: Row, sample: Sample, step: Any) -> Arrival:
@@ -38,4 +46,15 @@ def advance(unknowns: Unknowns, row: Row, sample: Sample, step: Any) -> Arrival:
         jnp.stack([end.leg.angle + leg.turned, end.leg.angular_velocity]),
         jnp.stack([seen.shown_angle + leg.turned, turning]),
         seen.angular_acceleration,
+        roughness(unknowns, leg, end, step),
     )
+
+
+def roughness(unknowns: Unknowns, leg: Leg, end: Motion, step: Any) -> Float[Array, ""]:
+    """Friction turns round at an instant of its own, and is followed part by part of a step."""
+    if not sticky(leg.terms):
+        return jnp.zeros(())
+    parts = max(PARTS, *(term.substeps for term in unknowns.terms))
+    level = friction(leg.terms, moment(leg.place, end.leg, step, leg.push)) / leg.place.inertia
+    turned = leg.state.angular_velocity * end.leg.angular_velocity <= 0
+    return jnp.where(turned, jnp.abs(level) * step / parts, 0.0)

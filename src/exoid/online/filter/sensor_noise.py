@@ -15,6 +15,10 @@ class SensorNoise(eqx.Module):
     wander: Float[Any, ""]  # s, by which the age of the gyro's sample scatters
     gate: Float[Any, ""]  # chi-square of a sample
 
+    def white(self, variance: Float[Array, "2"]) -> Float[Array, "2"]:
+        """Which share of it is: the age wanders like a sawtooth, which neighbours share."""
+        return jnp.stack([jnp.ones(()), self.angular_velocity / variance[1]])
+
     def variance(self, acceleration: Float[Array, ""]) -> Float[Array, "2"]:
         """Of angle and rate, at an acceleration [rad/s^2]."""
         late = (self.wander * acceleration) ** 2

@@ -9,12 +9,12 @@ from typing import Any
 
 import equinox as eqx
 import jax.numpy as jnp
-from jaxtyping import Array, Float
+from jaxtyping import Array, Bool, Float
 
 MEMORY = 0.9  # rho: ten samples
 FADING = 1 - 1 / 150  # per sample: a window of 150
 FEWEST = 30  # of these, before anything is said
-LIMIT = 6.0  # standard deviations
+LIMIT = 7.0  # standard deviations
 POWER = 4.0  # mean square of an innovation from which on it is no noise of these sensors
 
 
@@ -22,31 +22,37 @@ class Whiteness(eqx.Module):
     """Are innovations white? Sums over a window that fades, of both filters' angle and rate."""
 
     memory: Float[Any, "2 2"]  # the innovations before, the latest most
+    spread: Float[Any, "2 2"]  # its variance where they are white
     lagged: Float[Any, "2 2"]  # of each by the memory before it
+    squares: Float[Any, "2 2"]  # the variance of that where they are white
     power: Float[Any, "2 2"]
     weight: Float[Any, ""]  # of the power
-    squares: Float[Any, ""]  # of the weights of the lagged
 
 
-def seen(white: Whiteness, whitened: Float[Array, "2 2"], used: Float[Array, "2 2"]) -> Whiteness:
-    """With one more innovation of both filters."""
-    memory = MEMORY * white.memory + whitened
+Table = Float[Array, "2 2"]
+
+
+def seen(white: Whiteness, whitened: Table, used: Table, share: Table) -> Whiteness:
+    """With one more innovation of both filters, that counts for the share that is surely white."""
+    counted = share * whitened
+    memory = MEMORY * white.memory + counted
+    spread = MEMORY**2 * white.spread + share**2
     return Whiteness(
-        memory=jnp.where(used > 0, memory, white.memory),
-        lagged=FADING * white.lagged + whitened * white.memory,
+        memory=jnp.where(used, memory, white.memory),
+        spread=jnp.where(used, spread, white.spread),
+        lagged=FADING * white.lagged + counted * white.memory,
+        squares=FADING**2 * white.squares + jnp.where(used, share**2 * white.spread, 0.0),
         power=FADING * white.power + whitened**2,
         weight=FADING * white.weight + 1.0,
-        squares=FADING**2 * white.squares + 1.0,
     )
 
 
 def unwhite(white: Whiteness) -> Float[Array, "2"]:
     """Standard deviations by which the worse channel of each filter is away from white noise."""
-    each = white.lagged * jnp.sqrt((1 - MEMORY**2) / jnp.maximum(white.squares, 1.0))
-    return jnp.max(each, axis=1)
+    return jnp.max(white.lagged / jnp.sqrt(jnp.maximum(white.squares, FEWEST)), axis=1)
 
 
-def fails(white: Whiteness) -> Float[Array, "2"]:
+def fails(white: Whiteness) -> Bool[Array, "2"]:
     """Does the model fail to explain what each filter saw?"""
     loud = jnp.max(white.power, axis=1) > POWER * jnp.maximum(white.weight, 1.0)
     return ((unwhite(white) > LIMIT) | loud) & (white.weight > FEWEST)
@@ -54,4 +60,4 @@ def fails(white: Whiteness) -> Float[Array, "2"]:
 
 def nothing_seen() -> Whiteness:
     none = jnp.zeros((2, 2))
-    return Whiteness(none, none, none, jnp.zeros(()), jnp.zeros(()))
+    return Whiteness(none, none, none, none, none, jnp.zeros(()))

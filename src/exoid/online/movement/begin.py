@@ -41,7 +41,7 @@ def begin(prior: Gaussian) -> Knowledge:
             reached=never,
             ended=never,
             opened=np.asarray(False),
-            whiteness=Whiteness(still, still, still, none, none),
+            whiteness=Whiteness(still, still, still, still, still, none),
             likelihood=np.zeros(2),
             astray=np.asarray(0),
             direction=none,

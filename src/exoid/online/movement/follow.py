@@ -95,7 +95,7 @@ def surprised(course: Course, innovation: Innovation, time: Float[Array, ""]) ->
     whitened = jnp.where(innovation.used, innovation.whitened, 0.0)
     measured = innovation.used.any() | (innovation.far > 0).any()
     off = innovation.far[1] >= GATE
-    more = seen(course.whiteness, whitened, innovation.used)
+    more = seen(course.whiteness, whitened, innovation.used, innovation.white)
     learned = jnp.stack([innovation.square[1], jnp.where(innovation.tells[1], 1.0, 0.0)], axis=1)
     return replace(
         course,

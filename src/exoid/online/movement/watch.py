@@ -13,8 +13,8 @@ from exoid.online.model.trust import Phase
 from exoid.online.movement.knowledge import NEVER, Course, Knowledge, Recent
 from exoid.online.movement.stream import window
 
-REST = 0.3  # s, longer than any turning point of a swing
-STILL = np.radians(1.0)  # rad that a leg at rest goes in that time: a hand trembles
+REST = 0.5  # s, in which a leg that still swings by a degree goes farther than it may
+STILL = np.radians(0.7)  # rad that a leg at rest goes in that time: a hand trembles
 SEEN = 0.9  # of that time that must have been seen
 DEPARTED = np.radians(2.0)  # rad from its hold
 LEAVING = np.radians(0.4)  # rad, beyond the noise: there the hand begins to let go
