@@ -3,9 +3,9 @@
 from dataclasses import replace
 
 import numpy as np
+from benchmarks.online import world
 
 import exoid
-from benchmarks.online import world
 from exoid import online
 
 TOLD = 2  # drops of a leg before it becomes another

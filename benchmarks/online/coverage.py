@@ -4,9 +4,9 @@ from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
+from benchmarks.online import rivals, world
 
 import exoid
-from benchmarks.online import rivals, world
 from exoid import online
 from exoid.physics.sensing.sensor_skew import SensorSkew
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction

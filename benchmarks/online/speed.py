@@ -4,9 +4,9 @@ import time
 import tracemalloc
 
 import numpy as np
+from benchmarks.online import world
 
 import exoid
-from benchmarks.online import world
 from exoid import online
 
 HOUR = 360_000  # samples of 10 ms

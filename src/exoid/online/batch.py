@@ -55,6 +55,7 @@ def refine(
             velocity_noise=node.velocity_noise,
             angle_zero_uncertainty=node.zero,
             gyro_scale_uncertainty=node.scale,
+            clock_uncertainty=node.clock,
         ),
     )
     found = fit(recording, terms=model.unknowns.terms, multistart=multistart)

@@ -24,6 +24,7 @@ Pair = Float[Array, "2 *unknown"]
 ROUGHNESS = 1e-5  # rad/s in 10 ms: rounding, and what no model has; 400 steps add 0.2 mrad/s
 TICK = 0.01  # s
 MOST = 1e3  # chi-square that one sample counts at most for the likelihood of a belief
+WHITE = 0.5  # of a sensor's variance that must be white to tell how large that is
 UNSEEN = 1.0  # the place holder of a variance where nothing was measured
 
 
@@ -63,11 +64,12 @@ def absorb(
     after, surprise, variance = corrected(Gaussian(mean, root), seen, off, sensors, used)
     size = jnp.where(used, jnp.log(variance), 0.0)
     whitened = surprise / jnp.sqrt(variance)
-    told = (jnp.sum(seen**2, axis=1) < sensors) & used
+    white = noise.white(sensors)
+    told = (jnp.sum(seen**2, axis=1) < sensors) & used & (white > WHITE)
     square = jnp.where(told, (surprise**2 - variance + sensors) / sensors, 0.0)
     gated = jnp.where(far < noise.gate, 0.0, jnp.minimum(far, MOST))
     likelihood = -(jnp.sum(whitened**2 + size) + gated) / 2
-    return after, Innovation(whitened, square, told, noise.white(sensors), likelihood, used, far)
+    return after, Innovation(whitened, square, told, white, likelihood, used, far)
 
 
 def times(one: Float[Array, "row inner"], other: Float[Array, "inner column"]):

@@ -49,7 +49,8 @@ def seen(white: Whiteness, whitened: Table, used: Table, share: Table) -> Whiten
 
 def unwhite(white: Whiteness) -> Float[Array, "2"]:
     """Standard deviations by which the worse channel of each filter is away from white noise."""
-    return jnp.max(white.lagged / jnp.sqrt(jnp.maximum(white.squares, FEWEST)), axis=1)
+    least = FEWEST / (1 - MEMORY**2)
+    return jnp.max(white.lagged / jnp.sqrt(jnp.maximum(white.squares, least)), axis=1)
 
 
 def fails(white: Whiteness) -> Bool[Array, "2"]:

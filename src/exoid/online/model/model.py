@@ -10,11 +10,6 @@ GYRO_STEP = radians(0.07)  # rad/s, of the LSM6DS3 at 2000 deg/s
 RENEWAL = 1 / 833  # s between the LSM6DS3's samples, which the node reads at any age
 
 
-def with_steps(noise: float, step: float) -> float:
-    """The standard deviation of a signal that is read in steps."""
-    return sqrt(noise**2 + step**2 / 12)
-
-
 @dataclass(frozen=True)
 class Node:
     """One standard deviation of what a node's sensors do; the node's own by data sheet.
@@ -22,8 +17,10 @@ class Node:
     What the samples scatter by beyond, or less, is learned from them.
     """
 
-    angle_noise: float = with_steps(radians(0.043), ENCODER_STEP)  # rad
-    velocity_noise: float = with_steps(radians(7e-3) * sqrt(833 / 2), GYRO_STEP)  # rad/s
+    angle_noise: float = radians(0.043)  # rad
+    angle_step: float = ENCODER_STEP  # rad, that it counts
+    velocity_noise: float = radians(7e-3) * sqrt(833 / 2)  # rad/s
+    velocity_step: float = GYRO_STEP  # rad/s
     delay: float = RENEWAL / 2  # s, mean age of a gyro's sample
     delay_error: float = RENEWAL / 2  # s, of that mean
     # s, from sample to sample: a sawtooth, whose error neighbours share; as twice a white one's
@@ -32,6 +29,13 @@ class Node:
     tilt: float = radians(0.2)  # rad, of a seat that looks level
     bias: float = radians(5.0)  # rad/s, of the gyro
     scale: float = 0.015  # relative, of the gyro
+    clock: float = 1e-4  # relative, of a quartz; the live estimate takes it as exact
+
+    @property
+    def variances(self) -> tuple[float, float]:
+        """Of angle [rad^2] and rate [(rad/s)^2], with what reading them in steps adds."""
+        angle = self.angle_noise**2 + self.angle_step**2 / 12
+        return angle, self.velocity_noise**2 + self.velocity_step**2 / 12
 
 
 @dataclass(frozen=True)

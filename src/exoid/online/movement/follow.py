@@ -81,11 +81,11 @@ def opened(filters: Gaussian, row: Float[Array, " 6"]) -> Gaussian:
 def noise_of(model: Model, scatter: Float[Array, "2 2"]) -> SensorNoise:
     """The sensors' noise as far as it was learned."""
     times = jnp.clip(scatter[:, 0] / scatter[:, 1], *NOISY)
-    node = model.node
+    angle, rate = model.node.variances
     return SensorNoise(
-        times[0] * node.angle_noise**2,
-        times[1] * node.velocity_noise**2,
-        jnp.asarray(node.delay_wander),
+        times[0] * angle,
+        times[1] * rate,
+        jnp.asarray(model.node.delay_wander),
         jnp.asarray(GATE),
     )
 
