@@ -8,7 +8,6 @@ from benchmarks.online import rivals, world
 
 import exoid
 from exoid import online
-from exoid.physics.sensing.sensor_skew import SensorSkew
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.recordings.recording import Subject
 
@@ -36,7 +35,9 @@ def model_of(friction: float) -> online.Model:
     return online.Model(online.Unknowns((CoulombFriction,) if friction else ()))
 
 
-def answers(number: int, friction: float = 0.0, *, batch: bool = False) -> list[Answer]:
+def answers(
+    number: int, friction: float = 0.0, *, batch: bool = False, others: bool = True
+) -> list[Answer]:
     """What every method says of a leg; with `batch` also the batch fit, which takes a while."""
     rng = np.random.default_rng([number, int(1e3 * friction)])
     sensors = world.draw_sensors(rng)
@@ -53,7 +54,7 @@ def answers(number: int, friction: float = 0.0, *, batch: bool = False) -> list[
         if at.size:
             found.append(Answer("exoid", drops, said.ratios[at[0]] - truth, said.errors[at[0]]))
         stretches = [stretch(time, angle, rate, one) for one in free[:drops]]
-        for name, method in OTHERS.items() if not friction else ():
+        for name, method in OTHERS.items() if others and not friction else ():
             other = method(stretches)
             found.append(Answer(name, drops, other.values - truth, other.errors))
     if friction:
@@ -73,9 +74,8 @@ def stretch(time, angle, rate, free: tuple[float, float]) -> rivals.Stretch:
 def batch_answers(drops, model: online.Model, truth: np.ndarray) -> list[Answer]:
     """The batch fit as it is, and with the gyro's delay, which the live model always has."""
     found = []
-    unknowns = model.unknowns
-    late = replace(model, unknowns=replace(unknowns, terms=(*unknowns.terms, SensorSkew)))
-    for name, one in {"batch": model, "batch, gyro's delay": late}.items():
+    prompt = replace(model, node=replace(model.node, delay_error=0.0))
+    for name, one in {"batch": prompt, "batch, gyro's delay": model}.items():
         for count in (1, 3):
             if len(drops) < count:
                 continue

@@ -11,6 +11,7 @@ from exoid.online.belief import DEFAULT
 from exoid.online.model.model import Model
 from exoid.online.model.sample import Sample
 from exoid.online.outlook import Outlook
+from exoid.physics.sensing.sensor_skew import SensorSkew
 from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
 
 REST = 1.0  # s before a release that belong to its segment
@@ -41,7 +42,8 @@ def segment_of(samples: Sample, begun: float, ended: float) -> Segment:
 def refine(
     drops: Sequence[Segment], subject: Subject, model: Model = DEFAULT, *, multistart: int = STARTS
 ) -> FitResult:
-    """The batch fit of finished drops, with the terms and sensors of the model.
+    """The batch fit of finished drops, with the terms and sensors of the model, the gyro's delay
+    among them.
 
     Takes seconds, and pickles both ways: run it in a process of its own beside the stream.
     """
@@ -58,5 +60,6 @@ def refine(
             clock_uncertainty=node.clock,
         ),
     )
-    found = fit(recording, terms=model.unknowns.terms, multistart=multistart)
+    late = (SensorSkew,) if node.delay_error > 0 else ()
+    found = fit(recording, terms=(*model.unknowns.terms, *late), multistart=multistart)
     return replace(found, basis=None)

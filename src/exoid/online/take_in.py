@@ -44,9 +44,10 @@ def moved(model: Model, belief: Knowledge) -> Knowledge:
 
 
 def turned(belief: Knowledge, rate: Float[Array, ""]):
-    """The movement's turns, by the gyro."""
-    course = belief.course
-    speed = rate - belief.filters.mean[1, AT["gyro_bias"]]
+    """The movement's turns, by the gyro; by the filter where there is none."""
+    course, moving = belief.course, belief.phase == Phase.MOVING
+    followed = jnp.where(moving & course.opened, belief.filters.mean[1, -1], 0.0)
+    speed = jnp.where(jnp.isnan(rate), followed, rate - belief.filters.mean[1, AT["gyro_bias"]])
     way = jnp.where(jnp.abs(speed) > MOVES, jnp.sign(speed), course.direction)
     turns = course.turns + ((way != course.direction) & (course.direction != 0))
     return replace(course, direction=way, turns=turns)

@@ -19,7 +19,7 @@ from exoid.online.filter.sensor_noise import SensorNoise
 from exoid.online.model.sample import Sample
 from exoid.online.model.unknowns import Unknowns
 
-Pair = Float[Array, "2 *unknown"]
+Pair = Float[Array, "2"]
 
 ROUGHNESS = 1e-5  # rad/s in 10 ms: rounding, and what no model has; 400 steps add 0.2 mrad/s
 TICK = 0.01  # s
@@ -88,7 +88,11 @@ def carried(rows: Float[Array, "2 unknown"], push: Any) -> Float[Array, "2 unkno
 
 
 def corrected(
-    belief: Gaussian, seen: Pair, off: Pair, sensors: Pair, used: Bool[Array, "2"]
+    belief: Gaussian,
+    seen: Float[Array, "2 unknown"],
+    off: Pair,
+    sensors: Pair,
+    used: Bool[Array, "2"],
 ) -> tuple[Gaussian, Pair, Pair]:
     """The belief after both measurements, what surprised of each, and its variance.
 

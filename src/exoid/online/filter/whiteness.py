@@ -32,7 +32,7 @@ class Whiteness(eqx.Module):
 Table = Float[Array, "2 2"]
 
 
-def seen(white: Whiteness, whitened: Table, used: Table, share: Table) -> Whiteness:
+def seen(white: Whiteness, whitened: Table, used: Bool[Array, "2 2"], share: Table) -> Whiteness:
     """With one more innovation of both filters, that counts for the share that is surely white."""
     counted = share * whitened
     memory = MEMORY * white.memory + counted

@@ -46,10 +46,18 @@ class Leg(eqx.Module):
 
 @dataclass(frozen=True)
 class Unknowns:
-    """Which terms Eq. 9 is given, on a thigh that is so inclined."""
+    """Which terms Eq. 9 is given, on a thigh that is so inclined.
+
+    **Raises** `ValueError` for a term that remembers, drives, or is an unknown already.
+    """
 
     terms: tuple[type[Term], ...] = ()
     thigh_angle: float = 0.0  # rad
+
+    def __post_init__(self):
+        for term in self.terms:
+            if why := refused(term):
+                raise ValueError(f"{name_of(term)} cannot be estimated live: {why}.")
 
     @property
     def declared(self) -> list[tuple[str, Declaration]]:
@@ -121,3 +129,14 @@ def entry(value: float, declared: Declaration, inertia: float) -> float:
     if is_positive(declared):
         return float(np.log(value))
     return value / inertia**declared.inertia_power
+
+
+def refused(term: type[Term]) -> str | None:
+    """Why a term cannot be followed; None where it can."""
+    if term.memory_size > 0:
+        return "it remembers what was before the release; fit the recording instead"
+    if term.voluntary:
+        return "it is of a voluntary torque, and only free movements are followed"
+    if term.replaces or term.everyday:
+        return "zero, bias, scale and delay of the sensors are always estimated"
+    return None
