@@ -49,7 +49,7 @@ def test_a_leg_without_it_is_still_understood(term, play):
 
 def test_dry_friction_is_found_and_its_error_holds_it(play):
     model = online.Model(online.Unknowns((CoulombFriction,)))
-    samples, leg, _ = play(32, legs=lambda leg: [replace(leg, friction=0.3)] * 2)
+    samples, _, _ = play(32, legs=lambda leg: [replace(leg, friction=0.3)] * 2)
     belief, said = online.replay(online.init(EXPECTED, model), samples, model)
     level = online.estimates(belief, model)["coulomb_friction.level_over_inertia"]
     assert said.drops[-1] == 2

@@ -14,7 +14,7 @@ import numpy as np
 from jaxtyping import Array, Bool, Float
 
 from exoid.online.filter.gaussian import Gaussian
-from exoid.online.filter.motion import advance
+from exoid.online.filter.motion import Span, advance, view
 from exoid.online.filter.sensor_noise import SensorNoise
 from exoid.online.model.sample import Sample
 from exoid.online.model.unknowns import Unknowns
@@ -41,27 +41,23 @@ class Innovation(eqx.Module):
 
 
 def absorb(
-    unknowns: Unknowns, belief: Gaussian, sample: Sample, step: Any, noise: SensorNoise
+    unknowns: Unknowns, belief: Gaussian, sample: Sample, span: Span, noise: SensorNoise
 ) -> tuple[Gaussian, Innovation]:
-    """The belief after `step` [s] and the sample at its end."""
+    """The belief after a span of time and the sample at its end."""
+    ahead = carried_on(unknowns, belief, sample, span)
 
-    def arrival(row):
-        reached = advance(unknowns, row, sample, step)
-        both = jnp.concatenate([reached.state, reached.shown])
-        return both, (both, reached)
+    def shown(row):
+        seen = view(unknowns, row, sample)
+        return seen.shown, seen
 
-    slope, (arrived, reached) = jax.jacfwd(arrival, has_aux=True)(belief.mean)
-    moved = times(slope, belief.root)
-    push = ROUGHNESS**2 * step / TICK + reached.rough**2
-    root = jnp.concatenate([belief.root[:-2], carried(moved[:2], push)])
-    mean = jnp.concatenate([belief.mean[:-2], arrived[:2]])
+    slope, found = jax.jacfwd(shown, has_aux=True)(ahead.mean)
+    seen, sensors = times(slope, ahead.root), noise.variance(found.acceleration)
     measured = jnp.stack([jnp.asarray(sample.angle), jnp.asarray(sample.angular_velocity)])
     known = ~jnp.isnan(measured)
-    off = jnp.where(known, measured - arrived[2:], 0.0)
-    sensors, seen = noise.variance(reached.acceleration), moved[2:]
+    off = jnp.where(known, measured - found.shown, 0.0)
     far = chi_square(off, known, seen, sensors)
     used = known & (far < noise.gate)
-    after, surprise, variance = corrected(Gaussian(mean, root), seen, off, sensors, used)
+    after, surprise, variance = corrected(ahead, seen, off, sensors, used)
     size = jnp.where(used, jnp.log(variance), 0.0)
     whitened = surprise / jnp.sqrt(variance)
     white = noise.white(sensors)
@@ -70,6 +66,20 @@ def absorb(
     gated = jnp.where(far < noise.gate, 0.0, jnp.minimum(far, MOST))
     likelihood = -(jnp.sum(whitened**2 + size) + gated) / 2
     return after, Innovation(whitened, square, told, white, likelihood, used, far)
+
+
+def carried_on(unknowns: Unknowns, belief: Gaussian, sample: Sample, span: Span) -> Gaussian:
+    """The belief a span of time later, before the sample is looked at."""
+
+    def arrival(row):
+        reached = advance(unknowns, row, sample, span)
+        return reached.state, reached
+
+    slope, reached = jax.jacfwd(arrival, has_aux=True)(belief.mean)
+    push = ROUGHNESS**2 * span.length / TICK + reached.rough**2
+    moved = carried(times(slope, belief.root), push)
+    mean = jnp.concatenate([belief.mean[:-2], reached.state])
+    return Gaussian(mean, jnp.concatenate([belief.root[:-2], moved]))
 
 
 def times(one: Float[Array, "row inner"], other: Float[Array, "inner column"]):

@@ -23,31 +23,48 @@ from exoid.physics.motion.with_terms import (
 PARTS = 2
 
 
-class Arrival(eqx.Module):
-    """The leg at the end of a step, and what is seen of it there."""
+class Span(eqx.Module):
+    """The time from one sample to the next."""
 
-    state: Float[Array, "2"]  # rad, rad/s
-    shown: Float[Array, "2"]  # rad, rad/s
-    acceleration: Float[Array, ""]  # rad/s^2
+    length: Float[Any, ""]  # s
+    torque: Float[Any, ""]  # N m, known, at its begin
+
+
+class Arrival(eqx.Module):
+    """The leg at the end of a step."""
+
+    state: Float[Array, "2"]  # rad, rad/s: the encoder's angle
     rough: Float[Array, ""]  # rad/s, by which dry friction may be wrong where the leg turned round
 
 
-def advance(unknowns: Unknowns, row: Row, sample: Sample, step: Any) -> Arrival:
-    """From the row's motion on for `step` [s] to the sample."""
+class View(eqx.Module):
+    """What the sensors show of a row."""
+
+    shown: Float[Array, "2"]  # rad, rad/s
+    acceleration: Float[Array, ""]  # rad/s^2
+
+
+def advance(unknowns: Unknowns, row: Row, sample: Sample, span: Span) -> Arrival:
+    """From the row's motion on to the sample; a torque is linear in between."""
+    leg, step = unknowns.leg(row, sample), span.length
+    start, begun = Motion(leg.state, tuple(jnp.zeros(0) for _ in leg.terms)), sample.time - step
+    first = leg.push + (span.torque - sample.torque) / leg.place.inertia
+    drive = Drive(first, (first + leg.push) / 2, leg.push)
+    end = extended_step(leg.place, leg.terms, start, begun, step, drive, parts=PARTS)
+    state = jnp.stack([end.leg.angle + leg.turned, end.leg.angular_velocity])
+    return Arrival(state, roughness(unknowns, leg, end, step))
+
+
+def view(unknowns: Unknowns, row: Row, sample: Sample) -> View:
+    """What encoder and gyro show of the row's motion."""
     leg = unknowns.leg(row, sample)
-    push, place, terms = leg.push, leg.place, leg.terms
-    start, begun = Motion(leg.state, tuple(jnp.zeros(0) for _ in terms)), sample.time - step
-    end = extended_step(place, terms, start, begun, step, Drive(push, push, push), parts=PARTS)
-    seen = observed(place, terms, end, sample.time, push)
+    motion = Motion(leg.state, tuple(jnp.zeros(0) for _ in leg.terms))
+    seen = observed(leg.place, leg.terms, motion, sample.time, leg.push)
     late = seen.delay + row[AT["gyro_delay"]]
     rate = seen.shown_velocity - late * seen.shown_acceleration
     turning = (1 + row[AT["gyro_scale"]]) * rate + row[AT["gyro_bias"]]
-    return Arrival(
-        jnp.stack([end.leg.angle + leg.turned, end.leg.angular_velocity]),
-        jnp.stack([seen.shown_angle + leg.turned, turning]),
-        seen.angular_acceleration,
-        roughness(unknowns, leg, end, step),
-    )
+    shown = jnp.stack([seen.shown_angle + leg.turned, turning])
+    return View(shown, seen.angular_acceleration)
 
 
 def roughness(unknowns: Unknowns, leg: Leg, end: Motion, step: Any) -> Float[Array, ""]:

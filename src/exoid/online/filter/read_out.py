@@ -6,6 +6,8 @@ seat is level but for its tilt e: o - c gamma = c e. That is a measurement of 0 
 stands, and never becomes a part of what is followed.
 """
 
+from typing import Any
+
 import jax
 import jax.numpy as jnp
 from jaxtyping import Array, Float
@@ -19,7 +21,7 @@ LEAST = 1e-3  # 1/s^2, of a torque over inertia that nobody could see
 Scalar = Float[Array, ""]
 
 
-def on_the_seat(belief: Gaussian, tilt: float) -> Gaussian:
+def on_the_seat(belief: Gaussian, tilt: Any) -> Gaussian:
     """The belief with what is known of the seat, whose tilt [rad] has this standard deviation."""
 
     def corrected(_, found: Gaussian) -> Gaussian:
@@ -34,7 +36,7 @@ def on_the_seat(belief: Gaussian, tilt: float) -> Gaussian:
     return jax.lax.fori_loop(0, ROUNDS, corrected, belief)
 
 
-def slope_of_seat(mean: Row, tilt: float) -> tuple[Scalar, Row, Scalar]:
+def slope_of_seat(mean: Row, tilt: Any) -> tuple[Scalar, Row, Scalar]:
     """o - c gamma, its derivative by the row, and the variance that a tilt gives it."""
 
     def tilted(row: Row) -> Scalar:

@@ -40,6 +40,7 @@ def begin(prior: Gaussian) -> Knowledge:
             begun=never,
             reached=never,
             ended=never,
+            torque=none,
             opened=np.asarray(False),
             whiteness=Whiteness(still, still, still, still, still, none),
             likelihood=np.zeros(2),

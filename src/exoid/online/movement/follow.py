@@ -8,6 +8,7 @@ from jaxtyping import Array, Bool, Float
 
 from exoid.online.filter.absorb import TICK, Innovation, absorb
 from exoid.online.filter.gaussian import Gaussian
+from exoid.online.filter.motion import Span
 from exoid.online.filter.pack import as_long_as
 from exoid.online.filter.select import select
 from exoid.online.filter.sensor_noise import SensorNoise
@@ -47,22 +48,28 @@ def next_one(model: Model, belief: Knowledge) -> Knowledge:
     blind = jnp.isnan(row[1])
     begins = ~course.opened & ~blind
     filters = select(begins, opened(belief.filters, row), belief.filters)
-    step = jnp.where(course.opened, row[0] - course.reached, 0.0)
-    bridges = step > BRIDGED
-    step = jnp.where(bridges, TICK, step)
-    row = jnp.where(bridges, row.at[1:3].set(jnp.nan), row)
-    row = row.at[0].set(jnp.where(course.opened, course.reached + step, row[0]))
+    whole = jnp.where(course.opened, row[0] - course.reached, 0.0)
+    bridges = whole > BRIDGED
+    row = select(bridges, between(course, row, whole), row)
+    span = Span(jnp.where(bridges, TICK, whole), jnp.where(course.opened, course.torque, row[3]))
     noise = noise_of(model, course.scatter)
     taken = jax.vmap(absorb, in_axes=(None, 0, None, None, None))
-    after, innovation = taken(model.unknowns, filters, Sample(*row), step, noise)
+    after, innovation = taken(model.unknowns, filters, Sample(*row), span, noise)
     skips = ~course.opened & blind
     moved = replace(
         belief,
         filters=select(skips, belief.filters, after),
-        course=select(skips, course, surprised(course, innovation, row[0])),
+        course=select(skips, course, surprised(course, innovation, row)),
         recent=replace(recent, absorbed=recent.absorbed + jnp.where(bridges, 0, 1)),
     )
     return remembered(moved, begins)
+
+
+def between(course: Course, row: Float[Array, " 6"], whole: Float[Array, ""]):
+    """What is known a tick after the last sample: nothing was seen, and a torque is linear."""
+    torque = course.torque + (row[3] - course.torque) * TICK / whole
+    blind = row.at[1:3].set(jnp.nan)
+    return blind.at[0].set(course.reached + TICK).at[3].set(torque)
 
 
 def opened(filters: Gaussian, row: Float[Array, " 6"]) -> Gaussian:
@@ -90,7 +97,7 @@ def noise_of(model: Model, scatter: Float[Array, "2 2"]) -> SensorNoise:
     )
 
 
-def surprised(course: Course, innovation: Innovation, time: Float[Array, ""]) -> Course:
+def surprised(course: Course, innovation: Innovation, row: Float[Array, " 6"]) -> Course:
     """What innovations of both filters say. The drop's own filter judges samples."""
     whitened = jnp.where(innovation.used, innovation.whitened, 0.0)
     measured = innovation.used.any() | (innovation.far > 0).any()
@@ -99,7 +106,8 @@ def surprised(course: Course, innovation: Innovation, time: Float[Array, ""]) ->
     learned = jnp.stack([innovation.square[1], jnp.where(innovation.tells[1], 1.0, 0.0)], axis=1)
     return replace(
         course,
-        reached=time,
+        reached=row[0],
+        torque=row[3],
         opened=jnp.asarray(True),
         whiteness=select(measured, more, course.whiteness),
         likelihood=course.likelihood + innovation.log_likelihood,

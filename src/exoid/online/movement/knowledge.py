@@ -40,6 +40,7 @@ class Course(eqx.Module):
     begun: Float[Any, ""]  # s, from when on it is taken as free
     reached: Float[Any, ""]  # s, up to when the filters followed
     ended: Float[Any, ""]  # s, up to when it counts
+    torque: Float[Any, ""]  # N m, known, when they reached there
     opened: Bool[Any, ""]  # have they begun?
     whiteness: Whiteness
     likelihood: Float[Any, "2"]  # logarithm, by both filters

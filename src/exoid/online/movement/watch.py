@@ -67,6 +67,7 @@ def released(belief: Knowledge) -> Knowledge:
         begun=begun,
         reached=begun,
         ended=begun,
+        torque=jnp.zeros(()),
         opened=jnp.asarray(False),
         whiteness=nothing_seen(),
         likelihood=jnp.zeros(2),
