@@ -4,6 +4,7 @@ from dataclasses import dataclass, replace
 from functools import cache
 
 import jax
+import jax.numpy as jnp
 import numpy as np
 from jaxtyping import Float
 
@@ -105,7 +106,8 @@ def of_fit(found: FitResult) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, 
 def off_the_seat(mean: np.ndarray, covariance: Matrix, tilt: float) -> Gaussian:
     """`on_the_seat` undone: that is taken in at every reading, and counts once."""
     with jax.enable_x64(True):
-        value, slope, allowed = (np.asarray(each) for each in slope_of_seat(mean, tilt))
+        found = slope_of_seat(jnp.asarray(mean), tilt)
+    value, slope, allowed = (np.asarray(each) for each in found)
     along = covariance @ slope
     left = max(float(allowed - slope @ along), LEAST * float(allowed))
     wider = covariance + np.outer(along, along) / left

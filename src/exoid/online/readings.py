@@ -3,6 +3,7 @@
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
+from typing import Any
 
 import jax
 import jax.numpy as jnp
@@ -103,10 +104,10 @@ def quantities(model: Model, row: Row) -> Float[Array, " quantity"]:
 
 
 @cache
-def read(model: Model) -> Callable[[Array, Array], tuple[Array, Array]]:
+def read(model: Model) -> Callable[[Any, Any], tuple[Array, Array]]:
     """From mean and root to all quantities and their standard errors."""
 
-    def told(mean: Row, root: Array) -> tuple[Array, Array]:
+    def told(mean: Row, root: Any) -> tuple[Array, Array]:
         seated = on_the_seat(Gaussian(mean, root), model.node.tilt)
 
         def of_row(row: Row) -> Array:

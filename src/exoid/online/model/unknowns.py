@@ -31,7 +31,7 @@ OTHERS = ("log_inertia", "gyro_bias", "gyro_scale", "gyro_delay")
 MOTION = ("angle", "angular_velocity")  # of the encoder
 AT = {name: number for number, name in enumerate((*LINEAR, *OTHERS))}
 FIRST_TERM = len(AT)
-Row = Float[Array, " unknown"]
+Row = Float[Any, " unknown"]
 
 
 class Leg(eqx.Module):
