@@ -1,8 +1,9 @@
 """Are innovations white, as those of a model that explains the motion are?
 
 With the whitened innovation v and the memory s <- rho s + v of those before it, v s has the mean 0
-and the variance 1 / (1 - rho^2). What a model misses is slow beside a sample: neighbours share it,
-and v s becomes positive on the average. No size of the sensors' noise does that.
+and, given what was before, the variance s^2: sum(v s) / sqrt(sum(s^2)) is of a martingale, near a
+standard normal. What a model misses is slow beside a sample: neighbours share it, and v s becomes
+positive on the average. No size of the sensors' noise does that.
 """
 
 from typing import Any
@@ -14,7 +15,7 @@ from jaxtyping import Array, Bool, Float
 MEMORY = 0.9  # rho: ten samples
 FADING = 1 - 1 / 150  # per sample: a window of 150
 FEWEST = 30  # of these, before anything is said
-LIMIT = 7.0  # standard deviations
+LIMIT = 5.5  # standard deviations
 POWER = 4.0  # mean square of an innovation from which on it is no noise of these sensors
 
 
@@ -22,7 +23,6 @@ class Whiteness(eqx.Module):
     """Are innovations white? Sums over a window that fades, of both filters' angle and rate."""
 
     memory: Float[Any, "2 2"]  # the innovations before, the latest most
-    spread: Float[Any, "2 2"]  # its variance where they are white
     lagged: Float[Any, "2 2"]  # of each by the memory before it
     squares: Float[Any, "2 2"]  # the variance of that where they are white
     power: Float[Any, "2 2"]
@@ -36,12 +36,11 @@ def seen(white: Whiteness, whitened: Table, used: Bool[Array, "2 2"], share: Tab
     """With one more innovation of both filters, that counts for the share that is surely white."""
     counted = share * whitened
     memory = MEMORY * white.memory + counted
-    spread = MEMORY**2 * white.spread + share**2
+    varies = (share * white.memory) ** 2
     return Whiteness(
         memory=jnp.where(used, memory, white.memory),
-        spread=jnp.where(used, spread, white.spread),
         lagged=FADING * white.lagged + counted * white.memory,
-        squares=FADING**2 * white.squares + jnp.where(used, share**2 * white.spread, 0.0),
+        squares=FADING**2 * white.squares + jnp.where(used, varies, 0.0),
         power=FADING * white.power + whitened**2,
         weight=FADING * white.weight + 1.0,
     )
@@ -61,4 +60,4 @@ def fails(white: Whiteness) -> Bool[Array, "2"]:
 
 def nothing_seen() -> Whiteness:
     none = jnp.zeros((2, 2))
-    return Whiteness(none, none, none, none, none, jnp.zeros(()))
+    return Whiteness(none, none, none, none, jnp.zeros(()))

@@ -23,8 +23,8 @@ class Node:
     velocity_step: float = GYRO_STEP  # rad/s
     delay: float = RENEWAL / 2  # s, mean age of a gyro's sample
     delay_error: float = RENEWAL / 2  # s, of that mean
-    # s, from sample to sample: a sawtooth, whose error neighbours share, so it counts for more
-    delay_wander: float = 1.4 * RENEWAL / sqrt(12)
+    # s, from sample to sample: a sawtooth, which averages out sooner than white noise
+    delay_wander: float = RENEWAL / sqrt(12)
     zero: float = radians(3.0)  # rad, what the encoder shows with the knee extended
     tilt: float = radians(0.2)  # rad, of a seat that looks level
     bias: float = radians(5.0)  # rad/s, of the gyro

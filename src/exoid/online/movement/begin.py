@@ -42,7 +42,7 @@ def begin(prior: Gaussian) -> Knowledge:
             ended=never,
             torque=none,
             opened=np.asarray(False),
-            whiteness=Whiteness(still, still, still, still, still, none),
+            whiteness=Whiteness(still, still, still, still, none),
             likelihood=np.zeros(2),
             astray=np.asarray(0),
             direction=none,

@@ -16,7 +16,7 @@ from exoid.online.movement.watch import at_rest
 
 CAUGHT = 3  # samples in a row that are no leg's
 SHORTEST = 0.4  # s of a movement that counts
-SUDDEN = 4.5  # standard deviations: what was white until just now fails for a hand, not for a model
+SUDDEN = 3.5  # standard deviations: what was white until just now fails for a hand, not for a model
 SWUNG = 2  # turns after its end by which a movement was no hand's, but one that nobody explained
 
 
