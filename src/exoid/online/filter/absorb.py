@@ -5,6 +5,7 @@ and a measurement multiplies it by the triangle of `correct`. Nothing is ever su
 rounding makes a variance negative.
 """
 
+from collections.abc import Callable
 from typing import Any
 
 import equinox as eqx
@@ -17,7 +18,7 @@ from exoid.online.filter.gaussian import Gaussian
 from exoid.online.filter.motion import Span, advance, view
 from exoid.online.filter.sensor_noise import SensorNoise
 from exoid.online.model.sample import Sample
-from exoid.online.model.unknowns import Unknowns
+from exoid.online.model.unknowns import Row, Unknowns
 
 Pair = Float[Array, "2"]
 
@@ -77,9 +78,23 @@ def carried_on(unknowns: Unknowns, belief: Gaussian, sample: Sample, span: Span)
 
     slope, reached = jax.jacfwd(arrival, has_aux=True)(belief.mean)
     push = ROUGHNESS**2 * span.length / TICK + reached.rough**2
+    state = reached.state
+    if unknowns.curved:
+        mean, variance = bent(lambda row: arrival(row)[0][1], belief)
+        state, push = state.at[1].add(mean), push + variance
     moved = carried(times(slope, belief.root), push)
-    mean = jnp.concatenate([belief.mean[:-2], reached.state])
+    mean = jnp.concatenate([belief.mean[:-2], state])
     return Gaussian(mean, jnp.concatenate([belief.root[:-2], moved]))
+
+
+def bent(rate: Callable[[Row], Any], belief: Gaussian) -> tuple[Any, Any]:
+    """What the second derivatives of a rate make of its mean, and its variance beyond a line's.
+
+    With M = S' H S they are tr(M) / 2 and tr(M M) / 2 (second-order filter: Athans, Wishner &
+    Bertolini, IEEE TAC 13(5), 1968).
+    """
+    table = belief.root.T @ jax.jacfwd(jax.jacfwd(rate))(belief.mean) @ belief.root
+    return jnp.trace(table) / 2, jnp.sum(table**2) / 2
 
 
 def times(one: Float[Array, "row inner"], other: Float[Array, "inner column"]):

@@ -76,6 +76,14 @@ class Unknowns:
     def size(self) -> int:
         return FIRST_TERM + len(self.declared) + len(MOTION)
 
+    @property
+    def curved(self) -> bool:
+        """Has a term products of unknowns? Of dry friction of one level alone, none."""
+        return any(
+            term.torque is not Term.torque or len(list(declarations(term))) > 1
+            for term in self.terms
+        )
+
     def terms_of(self, row: Row, inertia: Any) -> tuple[Term, ...]:
         """The terms in their own units."""
         found, at = [], FIRST_TERM
