@@ -16,6 +16,7 @@ from exoid.physics.term import PhysicsTerm, name_of
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.physics.terms.muscle.torque_asymmetry import TorqueAsymmetry
 from exoid.physics.terms.tissue.hysteresis import Hysteresis
+from exoid.physics.terms.tissue.stiffness_rest_angle import StiffnessRestAngle
 
 FOLLOWED = [each for each in library() if issubclass(each, PhysicsTerm) and not refused(each)]
 EXPECTED = exoid.expected_leg(77.0, 1.80)
@@ -26,10 +27,10 @@ def test_every_torque_without_a_memory_can_be_followed():
     assert {"coulomb_friction", "stribeck_friction", "quadratic_drag", "hard_stop"} <= names
     missing = {name_of(each) for each in library() if issubclass(each, PhysicsTerm)} - names
     others = [each for each in library() if name_of(each) in missing]
-    assert all(each.memory_size or each.voluntary for each in others)
+    assert all(each.memory_size or each.voluntary or each.same_torque for each in others)
 
 
-@pytest.mark.parametrize("term", [Hysteresis, TorqueAsymmetry, GyroBias])
+@pytest.mark.parametrize("term", [Hysteresis, TorqueAsymmetry, GyroBias, StiffnessRestAngle])
 def test_what_cannot_be_followed_is_refused(term):
     with pytest.raises(ValueError, match="cannot be estimated live"):
         online.Unknowns((term,))

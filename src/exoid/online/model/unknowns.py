@@ -145,6 +145,8 @@ def refused(term: type[Term]) -> str | None:
         return "it remembers what was before the release; fit the recording instead"
     if term.voluntary:
         return "it is of a voluntary torque, and only free movements are followed"
+    if term.same_torque and term.as_same_torque(1.0, 2.0) > 1.0:
+        return f"times the unknown stiffness it is a constant torque; ask for {term.same_torque}"
     if term.replaces or term.everyday:
         return "zero, bias, scale and delay of the sensors are always estimated"
     return None
