@@ -1,0 +1,65 @@
+"""Finished drops by the batch fit."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from exoid.fitting.estimate import fit
+from exoid.fitting.result.fit_result import FitResult
+from exoid.online.belief import DEFAULT
+from exoid.online.model.model import Model
+from exoid.online.model.sample import Sample
+from exoid.online.outlook import Outlook
+from exoid.physics.sensing.sensor_skew import SensorSkew
+from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
+
+REST = 1.0  # s before a release that belong to its segment
+STARTS = 8  # of a fit of drops that were understood already: most end at the same minimum
+
+
+def drops_of(samples: Sample, outlooks: Outlook) -> tuple[Segment, ...]:
+    """The free movements that counted, each with the rest before it, of samples and what was said
+    after each of them.
+    """
+    ends = np.flatnonzero(np.diff(np.asarray(outlooks.drops)) == 1) + 1
+    return tuple(segment_of(samples, outlooks.begun[at], outlooks.ended[at]) for at in ends)
+
+
+def segment_of(samples: Sample, begun: float, ended: float) -> Segment:
+    """The samples from the rest before `begun` to `ended` [s]; NaN alone tells nothing."""
+    time = np.asarray(samples.time)
+    fresh = np.diff(time, prepend=-np.inf) > 0
+    inside = fresh & (time >= begun - REST) & (time <= ended)
+    return Segment(
+        time[inside] - time[inside][0],
+        raw_angle=np.asarray(samples.angle)[inside],
+        raw_angular_velocity=np.asarray(samples.angular_velocity)[inside],
+        begins=float(time[inside][0]),
+    )
+
+
+def refine(
+    drops: Sequence[Segment], subject: Subject, model: Model = DEFAULT, *, multistart: int = STARTS
+) -> FitResult:
+    """The batch fit of finished drops, with the terms and sensors of the model, the gyro's delay
+    among them.
+
+    Takes seconds, and pickles both ways: run it in a process of its own beside the stream.
+    """
+    node = model.node
+    recording = Recording(
+        tuple(drops),
+        subject,
+        Protocol(kind="passive", thigh_angle=model.unknowns.thigh_angle or None),
+        Sensors(
+            angle_noise=node.angle_noise,
+            velocity_noise=node.velocity_noise,
+            angle_zero_uncertainty=node.zero,
+            gyro_scale_uncertainty=node.scale,
+            clock_uncertainty=node.clock,
+        ),
+    )
+    late = (SensorSkew,) if node.delay_error > 0 else ()
+    found = fit(recording, terms=(*model.unknowns.terms, *late), multistart=multistart)
+    return replace(found, basis=None)

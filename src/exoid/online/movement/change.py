@@ -1,0 +1,75 @@
+"""Is this the leg that was known? The drop's own estimate against the belief.
+
+Both filters foresee every sample of a drop: one knows the drops before, the other only what anatomy
+expects. The logarithm of the ratio of what they gave it is the evidence for another leg.
+"""
+
+from dataclasses import replace
+
+import jax
+import jax.numpy as jnp
+from jaxtyping import Array, Bool, Float
+
+from exoid.online.filter.pack import where_so
+from exoid.online.filter.read_out import on_the_seat, ratios
+from exoid.online.filter.whiteness import fails
+from exoid.online.model.model import Model
+from exoid.online.movement.knowledge import Knowledge
+
+EVIDENCE = 12.0  # of the logarithm: one in 160 000 if both were as likely
+WHITE = 4.0  # standard deviations, within which the drop's own filter explains it
+LONG_ENOUGH = 0.6  # s of a drop that tell its own ratios
+MATTERS = (0.03, 0.03, 0.03)  # of m l g / J, of c / J beside it, of d / J beside the frequency
+
+
+def evidence(belief: Knowledge) -> Float[Array, ""]:
+    """Log odds of another leg, as far as the movement tells."""
+    return belief.course.likelihood[1] - belief.course.likelihood[0]
+
+
+def changed(model: Model, belief: Knowledge) -> Knowledge:
+    """The belief, begun anew where the leg is another one."""
+    course = belief.course
+    sure = (evidence(belief) > EVIDENCE) & ~fails(course.whiteness)[1] & (belief.verdict.drops > 0)
+    long = (course.reached - course.begun > LONG_ENOUGH) & (course.turns > 0)
+    found = sure & long & (belief.older.unwhite < WHITE)
+
+    def looked_at(belief: Knowledge) -> Knowledge:
+        return where_so(differs(model, belief), begun_anew, belief)
+
+    return where_so(found, looked_at, belief)
+
+
+def begun_anew(belief: Knowledge) -> Knowledge:
+    """The drop's own filter is all that is known of the leg."""
+    course = belief.course
+    filters, newer, older = (
+        jax.tree.map(lambda both: jnp.stack([both[1], both[1]]), one)
+        for one in (belief.filters, belief.newer.filters, belief.older.filters)
+    )
+    return replace(
+        belief,
+        filters=filters,
+        newer=replace(belief.newer, filters=newer),
+        older=replace(belief.older, filters=older),
+        before=belief.prior,
+        course=replace(course, likelihood=jnp.stack([course.likelihood[1]] * 2)),
+        verdict=replace(
+            belief.verdict,
+            drops=jnp.zeros_like(belief.verdict.drops),
+            changed=jnp.asarray(True),
+        ),
+    )
+
+
+def differs(model: Model, belief: Knowledge) -> Bool[Array, ""]:
+    """Is the drop's own leg another one by more than a leg differs from drop to drop?"""
+    both = jax.tree.map(
+        lambda before, filters: jnp.stack([before, filters[1]]), belief.before, belief.filters
+    )
+    seated = jax.vmap(on_the_seat, in_axes=(0, None))(both, model.node.tilt)
+    values, _ = jax.vmap(ratios)(seated)
+    apart = jnp.abs(values[1] - values[0])
+    gravity = values[0, 0]
+    sizes = jnp.stack([gravity, gravity, jnp.sqrt(jnp.abs(gravity))])
+    return (apart > jnp.array(MATTERS) * sizes).any()

@@ -1,0 +1,85 @@
+"""How a free movement ends: at rest, in a hand, or because it was none."""
+
+from dataclasses import replace
+
+import jax
+import jax.numpy as jnp
+from jaxtyping import Array, Bool
+
+from exoid.online.filter.gaussian import Gaussian
+from exoid.online.filter.pack import where_so
+from exoid.online.filter.select import select
+from exoid.online.filter.whiteness import fails
+from exoid.online.model.trust import Phase
+from exoid.online.movement.knowledge import NEVER, Knowledge
+from exoid.online.movement.watch import at_rest
+
+CAUGHT = 3  # samples in a row that are no leg's
+SHORTEST = 0.4  # s of a movement that counts
+SUDDEN = 3.5  # standard deviations: what was white until just now fails for a hand, not for a model
+SWUNG = 2  # turns after its end by which a movement was no hand's, but one that nobody explained
+
+
+def ended(belief: Knowledge, torn: Bool[Array, ""]) -> Knowledge:
+    """Is the movement over, and did it count?"""
+    course = belief.course
+    still, _ = at_rest(belief.recent)
+    failing = fails(course.whiteness)[1]
+    cut = (course.astray >= CAUGHT) | torn
+    over = still | failing | cut
+    return where_so(over, lambda now: closed(now, still, failing, cut, torn), belief)
+
+
+def closed(belief: Knowledge, still, failing, cut, torn) -> Knowledge:
+    """The movement is over: the belief with what it told, or without."""
+    course, older = belief.course, belief.older
+    sound = jnp.where(failing | cut, older.unwhite < SUDDEN, True)
+    end = jnp.where(failing | cut, older.time, course.reached)
+    counts = sound & (end - course.begun > SHORTEST) & ((course.turns > 0) | still)
+    kept = select(failing | cut, older.filters, belief.filters)
+    known = select(counts, first_of(kept), belief.before)
+    return replace(
+        belief,
+        filters=with_known(belief.filters, known),
+        course=replace(course, ended=end),
+        scatter=jnp.where(counts, course.scatter, belief.scatter),
+        phase=jnp.where(counts, int(Phase.DONE), int(Phase.HELD)),
+        verdict=replace(
+            belief.verdict,
+            drops=belief.verdict.drops + counts,
+            changed=belief.verdict.changed & ~counts,
+            unexplained=belief.verdict.unexplained & ~counts,
+            suspected=jnp.where(failing | cut & ~torn, course.turns + SWUNG, NEVER),
+        ),
+    )
+
+
+def refuted(belief: Knowledge) -> Knowledge:
+    """A movement that ended astray and swings on was no hand's: the model does not explain it."""
+    return where_so(belief.course.turns >= belief.verdict.suspected, unexplained, belief)
+
+
+def unexplained(belief: Knowledge) -> Knowledge:
+    """The belief without its last movement."""
+    verdict = belief.verdict
+    counted = belief.phase == Phase.DONE
+    return replace(
+        belief,
+        filters=with_known(belief.filters, belief.before),
+        phase=jnp.full_like(belief.phase, int(Phase.HELD)),
+        verdict=replace(
+            verdict,
+            drops=verdict.drops - counted,
+            unexplained=jnp.asarray(True),
+            suspected=jnp.full_like(verdict.suspected, NEVER),
+        ),
+    )
+
+
+def first_of(filters: Gaussian) -> Gaussian:
+    return jax.tree.map(lambda both: both[0], filters)
+
+
+def with_known(filters: Gaussian, known: Gaussian) -> Gaussian:
+    """The filters with what is known by all drops."""
+    return jax.tree.map(lambda both, one: both.at[0].set(one), filters, known)

@@ -1,0 +1,79 @@
+"""All that an estimator remembers between two samples."""
+
+from typing import Any
+
+import equinox as eqx
+from jaxtyping import Bool, Float, Int
+
+from exoid.online.filter.gaussian import Gaussian
+from exoid.online.filter.whiteness import Whiteness
+
+NEVER = 1_000_000  # turns that no movement has
+
+
+class Recent(eqx.Module):
+    """The last samples, as rows of `Sample`; sample number k stands in row k modulo the rows."""
+
+    rows: Float[Any, "row 6"]
+    heard: Int[Any, ""]  # samples that were taken in
+    absorbed: Int[Any, ""]  # of them those that the filters have seen, or never will
+
+
+class Stream(eqx.Module):
+    """How well the samples arrive."""
+
+    faults: Float[Any, ""]  # lost, doubled, missing; those of a second ago count a third
+    frozen: Int[Any, ""]  # samples that showed the same rate to the last bit
+
+
+class Kept(eqx.Module):
+    """Both filters as they were at a time."""
+
+    filters: Gaussian
+    time: Float[Any, ""]  # s
+    unwhite: Float[Any, ""]  # of the second's innovations until then, in standard deviations
+
+
+class Course(eqx.Module):
+    """The movement that goes on, or the last one."""
+
+    begun: Float[Any, ""]  # s, from when on it is taken as free
+    reached: Float[Any, ""]  # s, up to when the filters followed
+    ended: Float[Any, ""]  # s, up to when it counts
+    torque: Float[Any, ""]  # N m, known, when they reached there
+    opened: Bool[Any, ""]  # have they begun?
+    whiteness: Whiteness
+    likelihood: Float[Any, "2"]  # logarithm, by both filters
+    astray: Int[Any, ""]  # samples in a row that cannot be the leg's
+    direction: Float[Any, ""]  # -1, 0 or 1: the way it moves
+    turns: Int[Any, ""]
+    scatter: Float[Any, "2 2"]  # that of the belief, and of this movement
+
+
+class Verdict(eqx.Module):
+    """What was found of the movements so far."""
+
+    drops: Int[Any, ""]  # free movements of this leg that count
+    changed: Bool[Any, ""]  # is this another leg than before? Until a drop of it has ended
+    unexplained: Bool[Any, ""]  # did the model fail in the last movement?
+    suspected: Int[Any, ""]  # turns from which on a movement that ended astray was no hand's
+
+
+class Knowledge(eqx.Module):
+    """The leg as it is known, and what is needed to learn more of it.
+
+    Of the two filters the first knows all drops, the second the present one alone.
+    """
+
+    filters: Gaussian
+    newer: Kept  # a moment ago
+    older: Kept  # and before that: no hand had touched the leg
+    before: Gaussian  # the first filter before this movement
+    prior: Gaussian  # what anatomy expects
+    scatter: Float[Any, "2 2"]  # of angle and rate: squares over the declared ones, and how many
+    phase: Int[Any, ""]
+    hold: Float[Any, ""]  # rad, where it was last at rest
+    recent: Recent
+    stream: Stream
+    course: Course
+    verdict: Verdict

@@ -1,0 +1,89 @@
+"""A leg that is at rest or in a hand: when does it come to rest, and when is it let go?"""
+
+from dataclasses import replace
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jaxtyping import Array, Bool, Float
+
+from exoid.online.filter.pack import where_so
+from exoid.online.filter.whiteness import nothing_seen
+from exoid.online.model.trust import Phase
+from exoid.online.movement.knowledge import NEVER, Course, Knowledge, Recent
+from exoid.online.movement.stream import window
+
+REST = 0.5  # s, in which a leg that still swings by a degree goes farther than it may
+STILL = np.radians(0.7)  # rad that a leg at rest goes in that time: a hand trembles
+SEEN = 0.9  # of that time that must have been seen
+DEPARTED = np.radians(2.0)  # rad from its hold
+LEAVING = np.radians(0.4)  # rad, beyond the noise: there the hand begins to let go
+LETTING_GO = 0.08  # s that a hand takes to be off the leg
+
+
+def at_rest(recent: Recent) -> tuple[Bool[Array, ""], Float[Array, ""]]:
+    """Has the leg been still for a while, and where?"""
+    inside = window(recent, REST)
+    time, angle = recent.rows[:, 0], recent.rows[:, 1]
+    span = spread(time, inside)
+    mean = jnp.sum(jnp.where(inside, angle, 0.0)) / jnp.maximum(jnp.sum(inside), 1)
+    return (spread(angle, inside) < STILL) & (span > SEEN * REST), mean
+
+
+def spread(values: Float[Array, " row"], inside: Bool[Array, " row"]) -> Float[Array, ""]:
+    """The greatest less the smallest of those inside."""
+    high = jnp.max(jnp.where(inside, values, -jnp.inf))
+    return high - jnp.min(jnp.where(inside, values, jnp.inf))
+
+
+def watch(belief: Knowledge) -> Knowledge:
+    """A sample while nothing moves freely."""
+    still, place = at_rest(belief.recent)
+    waiting = belief.phase == Phase.WAITING
+    hold = jnp.where(still, place, belief.hold)
+    away = jnp.abs(latest(belief.recent) - belief.hold) > DEPARTED
+    left = waiting & away & ~still
+    phase = jnp.where(still, int(Phase.WAITING), belief.phase)
+    phase = jnp.where(left, int(Phase.MOVING), phase)
+    watched = replace(belief, hold=hold, phase=phase)
+    return where_so(left, released, watched)
+
+
+def latest(recent: Recent) -> Float[Array, ""]:
+    """The angle of which the last two samples are beyond: one alone may be a spike."""
+    rows = recent.rows.shape[0]
+    two = jnp.stack([recent.rows[(recent.heard - back) % rows, 1] for back in (1, 2)])
+    return jnp.where(jnp.isnan(two).any(), jnp.nan, jnp.median(two))
+
+
+def released(belief: Knowledge) -> Knowledge:
+    """A movement begins: the filters are to see it from where the hand is off the leg."""
+    recent = belief.recent
+    time, angle = recent.rows[:, 0], recent.rows[:, 1]
+    near = jnp.abs(angle - belief.hold) < LEAVING
+    begun = jnp.max(jnp.where(near, time, -jnp.inf)) + LETTING_GO
+    behind = jnp.sum(time >= begun)
+    course = Course(
+        begun=begun,
+        reached=begun,
+        ended=begun,
+        torque=jnp.zeros(()),
+        opened=jnp.asarray(False),
+        whiteness=nothing_seen(),
+        likelihood=jnp.zeros(2),
+        astray=jnp.zeros_like(belief.course.astray),
+        direction=jnp.zeros(()),
+        turns=jnp.zeros_like(belief.course.turns),
+        scatter=belief.scatter,
+    )
+    first = jax.tree.map(
+        lambda known, new: jnp.stack([known[0], new]), belief.filters, belief.prior
+    )
+    return replace(
+        belief,
+        verdict=replace(belief.verdict, suspected=jnp.full_like(belief.verdict.suspected, NEVER)),
+        filters=first,
+        before=jax.tree.map(lambda both: both[0], belief.filters),
+        course=course,
+        recent=replace(recent, absorbed=recent.heard - behind),
+    )

@@ -1,0 +1,36 @@
+"""What an estimator says after a sample."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import jax
+from jaxtyping import Float, Int
+
+from exoid.online.model.trust import Phase, Trust
+
+
+@jax.tree_util.register_dataclass
+@dataclass(frozen=True)
+class Outlook:
+    """The estimates, and how far to believe them.
+
+    `ratios` are m l g / J, c / J and d / J [1/s^2, 1/s^2, 1/s].
+    """
+
+    trust: Int[Any, "*time"]
+    phase: Int[Any, "*time"]
+    drops: Int[Any, "*time"]
+    ratios: Float[Any, "*time 3"]
+    errors: Float[Any, "*time 3"]  # standard
+    begun: Float[Any, "*time"]  # s, when the movement began to count, or the last one
+    ended: Float[Any, "*time"]  # s, up to when that counted
+    unwhite: Float[Any, "*time"]  # standard deviations by which innovations are not white
+    change: Float[Any, "*time"]  # log odds that this is another leg than before
+
+    @property
+    def said(self) -> Trust:
+        return Trust(int(self.trust))
+
+    @property
+    def doing(self) -> Phase:
+        return Phase(int(self.phase))

@@ -1,0 +1,84 @@
+"""One sample more, and what is known then: the whole of a step, as it is compiled."""
+
+from dataclasses import replace
+
+import jax
+import jax.numpy as jnp
+from jaxtyping import Array, Float
+
+from exoid.online.filter.pack import where_so
+from exoid.online.filter.read_out import on_the_seat, ratios
+from exoid.online.filter.whiteness import unwhite
+from exoid.online.model.model import Goals, Model
+from exoid.online.model.trust import Phase, Trust
+from exoid.online.model.unknowns import AT
+from exoid.online.movement.change import changed, evidence
+from exoid.online.movement.end import ended, refuted
+from exoid.online.movement.follow import follow
+from exoid.online.movement.knowledge import Knowledge
+from exoid.online.movement.stream import heard, is_faulty, look
+from exoid.online.movement.watch import watch
+from exoid.online.outlook import Outlook
+
+MOVES = 0.2  # rad/s beyond a gyro's bias: then a leg moves one way
+
+
+def take_in(model: Model, belief: Knowledge, row: Float[Array, " 6"]) -> tuple[Knowledge, Outlook]:
+    """The belief after one more sample (a row of `Sample`), and what it says."""
+    arrived = look(belief.recent, belief.stream, row)
+    torn = arrived.torn
+    moving = belief.phase == Phase.MOVING
+    cut = where_so(moving & torn, lambda now: ended(now, torn), belief)
+    lost = replace(cut, phase=jnp.where(torn, int(Phase.HELD), cut.phase))
+    now = replace(lost, recent=heard(lost.recent, row, arrived), stream=arrived.stream)
+    now = replace(now, course=turned(now, row[2]))
+    free = now.phase == Phase.MOVING
+    now = where_so(arrived.taken & free, lambda at: moved(model, at), now)
+    now = where_so(arrived.taken & ~free, lambda at: refuted(watch(at)), now)
+    return now, outlook(model, now)
+
+
+def moved(model: Model, belief: Knowledge) -> Knowledge:
+    """A sample of a free movement."""
+    return ended(changed(model, follow(model, belief)), jnp.asarray(False))
+
+
+def turned(belief: Knowledge, rate: Float[Array, ""]):
+    """The movement's turns, by the gyro; by the filter where there is none."""
+    course, moving = belief.course, belief.phase == Phase.MOVING
+    followed = jnp.where(moving & course.opened, belief.filters.mean[1, -1], 0.0)
+    speed = jnp.where(jnp.isnan(rate), followed, rate - belief.filters.mean[1, AT["gyro_bias"]])
+    way = jnp.where(jnp.abs(speed) > MOVES, jnp.sign(speed), course.direction)
+    turns = course.turns + ((way != course.direction) & (course.direction != 0))
+    return replace(course, direction=way, turns=turns)
+
+
+def outlook(model: Model, belief: Knowledge) -> Outlook:
+    """What the belief says."""
+    known = jax.tree.map(lambda both: both[0], belief.filters)
+    values, errors = ratios(on_the_seat(known, model.node.tilt))
+    return Outlook(
+        trust=trust(model.goals, belief, values, errors),
+        phase=belief.phase,
+        drops=belief.verdict.drops,
+        ratios=values,
+        errors=errors,
+        begun=belief.course.begun,
+        ended=belief.course.ended,
+        unwhite=unwhite(belief.course.whiteness)[1],
+        change=evidence(belief),
+    )
+
+
+def trust(goals: Goals, belief: Knowledge, values, errors):
+    """How far to believe it; the worst that is to be said comes last."""
+    verdict = belief.verdict
+    gravity = jnp.abs(values[0])
+    share = jnp.max(errors / jnp.stack([gravity, gravity, jnp.sqrt(gravity)]))
+    begun = (verdict.drops > 0) | (belief.phase == Phase.MOVING)
+    said = jnp.where(begun, int(Trust.LEARNING), int(Trust.WAITING))
+    said = jnp.where(begun & (share < goals.good), int(Trust.GOOD), said)
+    said = jnp.where((verdict.drops > 0) & (share < goals.enough), int(Trust.ENOUGH), said)
+    said = jnp.where(verdict.unexplained, int(Trust.UNEXPLAINED), said)
+    said = jnp.where(verdict.changed, int(Trust.CHANGED), said)
+    return jnp.where(is_faulty(belief.stream), int(Trust.FAULTY), said)
