@@ -9,10 +9,10 @@ import textwrap
 import tomllib
 from pathlib import Path
 
-import numpy as np
 from cantools.database import load_file
 from cantools.database.can import Database, Message
 from cpp_messages import command_code, message_code
+from learning_numbers import learning_code, single, singles
 
 from exoid.recordings.can.dbc import EXOID_DBC
 from exoid.recordings.can.node.config_crc import POLYNOMIAL, SEED, config_crc
@@ -51,6 +51,7 @@ def headers() -> dict[Path, str]:
         SOURCES / "exo_can.h": frames_header(database),
         SOURCES / "exo_commands.h": commands_header(database),
         SOURCES / "constants.h": constants_header(database),
+        SOURCES / "learning.h": learning_header(database),
     }
 
 
@@ -133,6 +134,13 @@ constexpr float START_VARIANCE[4] = {singles(START_VARIANCE)};
     return PREAMBLE.format(title=title, include="<stdint.h>", body=body)
 
 
+def learning_header(database: Database) -> str:
+    tick = database.get_message_by_name("EXO_STATE").cycle_time
+    assert tick
+    title = "The numbers by which the node learns a leg."
+    return PREAMBLE.format(title=title, include="<stdint.h>", body=learning_code(tick / 1000))
+
+
 def supply_step_mv(heartbeat: Message) -> int:
     return round(heartbeat.get_signal_by_name("SupplyVoltage").scale * 1000)
 
@@ -147,15 +155,6 @@ def version() -> str:
     project = tomllib.loads(PROJECT.read_text(encoding="utf-8"))["project"]
     major, minor, patch = (int(number) for number in project["version"].split("."))
     return f"{major}, {minor}, {patch}"
-
-
-def single(value: float) -> str:
-    """The float32 nearest to `value` as a C++ literal."""
-    return f"{np.format_float_scientific(np.float32(value), unique=True, trim='0')}F"
-
-
-def singles(values: tuple[float, ...]) -> str:
-    return f"{{{', '.join(single(value) for value in values)}}}"
 
 
 if __name__ == "__main__":

@@ -1,0 +1,61 @@
+/// What the node says of a leg: its ratios, their errors, and how far to believe them.
+
+#pragma once
+
+#include "leg_learner.h"
+
+namespace exoid {
+
+enum class Trust : uint8_t { WAITING, LEARNING, GOOD, ENOUGH, UNEXPLAINED, CHANGED, FAULTY };
+
+/// m l g / J, c / J, d / J, and the constant torque over J at the encoder's zero.
+enum Ratio : int32_t { GRAVITY_RATIO, STIFFNESS_RATIO, DAMPING_RATIO, TORQUE_RATIO, RATIOS };
+
+struct Learned {
+  float ratio[RATIOS];  // 1/s^2, 1/s^2, 1/s, 1/s^2
+  float error[RATIOS];  // standard
+  float surprise;       // mean square of the innovations; 1 of a leg that is explained
+};
+
+/// Read off what is believed of a leg. Errors grow with innovations that are larger than they should
+/// be, and never become smaller than anybody could believe.
+inline Learned learned(const Leg& leg) {
+  const Factored<UNKNOWNS>& is = leg.belief;
+  const float level = is.mean[LEVEL], upright = is.mean[UPRIGHT];
+  const float square = level * level + upright * upright;
+  const float along = level * level * covariance(is, LEVEL, LEVEL) +
+                      2.0F * level * upright * covariance(is, LEVEL, UPRIGHT) +
+                      upright * upright * covariance(is, UPRIGHT, UPRIGHT);
+  const float count = static_cast<float>(leg.counted > 0 ? leg.counted : 1);
+  const float mean = leg.squares / count;
+  const float wider = learning::CAUTION * (mean > 1.0F ? mean : 1.0F);
+  const float variance[RATIOS] = {along / square, covariance(is, STIFFNESS, STIFFNESS),
+                                  covariance(is, DAMPING, DAMPING), covariance(is, TORQUE, TORQUE)};
+  Learned found = {{root(square), is.mean[STIFFNESS], is.mean[DAMPING], is.mean[TORQUE]}, {}, mean};
+  for (int32_t k = 0; k < RATIOS; ++k) {
+    const float error = root(wider * variance[k]);
+    found.error[k] = error > learning::LEAST_ERROR[k] ? error : learning::LEAST_ERROR[k];
+  }
+  return found;
+}
+
+/// Are the errors within that share of gravity, that of damping beside the leg's own frequency?
+inline bool is_within(const Learned& found, float share) {
+  const float gravity = found.ratio[GRAVITY_RATIO];
+  return found.error[GRAVITY_RATIO] < share * gravity &&
+         found.error[STIFFNESS_RATIO] < share * gravity &&
+         found.error[DAMPING_RATIO] < share * root(gravity);
+}
+
+/// How far to believe it; the worst that is to be said counts.
+inline Trust trust(const LegLearner& learner, const Learned& found) {
+  if (learner.is_faulty()) return Trust::FAULTY;
+  if (learner.has_changed()) return Trust::CHANGED;
+  if (learner.is_unexplained()) return Trust::UNEXPLAINED;
+  if (learner.drops() > 0 && is_within(found, learning::ENOUGH)) return Trust::ENOUGH;
+  if (is_within(found, learning::GOOD)) return Trust::GOOD;
+  const bool begun = learner.drops() > 0 || learner.phase() == Phase::MOVING;
+  return begun ? Trust::LEARNING : Trust::WAITING;
+}
+
+}  // namespace exoid
