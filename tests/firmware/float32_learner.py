@@ -1,4 +1,4 @@
-"""The firmware's learner of legs once more, in NumPy float32: many nodes at a time, tick by tick."""
+"""The firmware's learner of legs once more, in NumPy float32: of many nodes at a time."""
 
 from dataclasses import dataclass
 
@@ -85,7 +85,7 @@ class Learner:
         self.known, self.expected = expected_leg(legs), expected_leg(legs)
         self.phase, self.hold, self.away, self.letting_go = (integers(legs) for _ in range(4))
         self.drops, self.failures = integers(legs), integers(legs)
-        self.faults, self.gyro, self.same = (integers(legs) for _ in range(3))
+        self.faults, self.gyro, self.same, self.silent = (integers(legs) for _ in range(4))
         self.suspected = integers(legs, NEVER)
         self.anew, self.changed, self.unexplained = (np.zeros(legs, bool) for _ in range(3))
 
@@ -109,6 +109,8 @@ class Learner:
         self.faults = np.where(bad, more, np.maximum(self.faults - 1, 0))
         same = np.where(gyro != self.gyro, 0, np.minimum(self.same + 1, LEARNING.frozen))
         self.same = np.where(sees_rate, same, self.same)
+        longer = np.minimum(self.silent + 1, LEARNING.longest_silent + 1)
+        self.silent = np.where(sees_rate, 0, longer)
         self.gyro = np.where(sees_rate, gyro, self.gyro)
 
     @property
@@ -173,7 +175,8 @@ class Learner:
         self.become(begins, MOVING)
 
     def move(self, where, missed):
-        torn = self.stillness.is_lost | (missed > 0)
+        silent = self.silent > LEARNING.longest_silent
+        torn = self.stillness.is_lost | silent | (missed > 0)
         caught = self.movement.is_cut()
         cut = caught | torn
         over = where & (cut | self.stillness.is_at_rest)

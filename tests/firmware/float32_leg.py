@@ -65,7 +65,7 @@ class Factored:
 
 
 def correct(belief: Factored, where, slope, innovation, noise, gate):
-    """Which legs used a measurement, and of these its innovation over the variance, and chi-square."""
+    """Which legs used a measurement; its innovation over the variance; its chi-square."""
     gain, total, sum_ = [], [], noise
     for k, each in enumerate(slope):
         gain.append(each * belief.variance[k])
@@ -98,8 +98,7 @@ class LegFilter:
     def open(self, where, leg: Factored, angle, rate):
         new = Factored(SIZE, angle.size)
         new.mean[:OWN] = angle - F(LEARNING.late) * rate, rate, np.zeros_like(rate)
-        first = LEARNING.angle_variance, None, None
-        new.variance[ANGLE] = F(first[0])
+        new.variance[ANGLE] = F(LEARNING.angle_variance)
         new.variance[RATE] = F(LEARNING.first_rate) * F(LEARNING.first_rate)
         new.variance[BIAS] = F(LEARNING.bias) * F(LEARNING.bias)
         new.mean[OWN:] = leg.mean

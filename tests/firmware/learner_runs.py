@@ -1,4 +1,4 @@
-"""Ticks of many nodes through the learner: by NumPy here, and as files for the firmware's programs."""
+"""Ticks of many nodes: what the learner tells of them by NumPy, and files for the firmware's."""
 
 from dataclasses import dataclass
 

@@ -5,7 +5,7 @@ import subprocess
 import numpy as np
 import pytest
 from learner_runs import EVERY, TOLD, Ticks, told_by_numpy
-from simulated_legs import Legs, held, joined, moved, session
+from simulated_legs import Legs, Motion, held, joined, moved, session
 
 from exoid.recordings.filter.learning import LEARNING
 
@@ -45,7 +45,7 @@ def everything(rng: np.random.Generator) -> Ticks:
     return ticks
 
 
-def hands(size: int, rng: np.random.Generator):
+def hands(size: int, rng: np.random.Generator) -> Motion:
     """Legs that hands lower and lift, slower and faster."""
     parts, place = [], rng.uniform(-0.5, 0.1, HANDS)
     while sum(len(part[0]) for part in parts) < size:

@@ -48,6 +48,7 @@ constexpr int32_t CAUGHT = 3;  // samples in a row that are no leg's
 constexpr int32_t SHORTEST = 40;  // ticks of a movement that counts
 constexpr int32_t KEPT = 15;  // ticks between two keepings: a hand is seen that late at most
 constexpr int32_t LONGEST_BLIND = 2;  // ticks without an angle that are bridged
+constexpr int32_t LONGEST_SILENT = 10;  // the same of the gyro, in a movement
 constexpr int32_t SWUNG = 2;  // turns after its end by which a movement was no hand's
 constexpr int32_t FAILURES = 2;  // movements in a row that fail, until the leg is learned anew
 constexpr int32_t FAULTS = 100;  // of a stream that is faulty; each lost sample is fault_weight

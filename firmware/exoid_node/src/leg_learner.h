@@ -159,7 +159,7 @@ class LegLearner {
 
   void move() {
     movement_.end_tick();
-    const bool torn = stillness_.is_lost() || seen_.missed > 0;
+    const bool torn = stillness_.is_lost() || stream_.is_silent() || seen_.missed > 0;
     const bool caught = movement_.is_cut(), cut = caught || torn;
     if (!cut && !stillness_.is_at_rest()) return movement_.keep();
     const Kept end = cut ? movement_.before_hand() : movement_.now();

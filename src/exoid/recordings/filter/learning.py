@@ -1,9 +1,9 @@
 """The numbers by which the node learns a leg, beside its Kalman filter.
 
-Until a leg has moved, the node believes what anatomy says (`exoid.expected_leg`) of anybody from a child
-of 1.20 m to a man of 2 m, whom it cannot tell apart: m l g / J is 41 to 24 1/s^2 between them. A knee
-may have five times the stiffness and damping of a relaxed one. Encoder and seat together may be 5 deg
-off. Sensors scatter as their data sheets say.
+Until a leg has moved, the node believes what anatomy says (`exoid.expected_leg`) of anybody from a
+child of 1.20 m to a man of 2 m, whom it cannot tell apart: m l g / J is 41 to 24 1/s^2 between
+them. A knee may have five times the stiffness and damping of a relaxed one. Encoder and seat
+together may be 5 deg off. Sensors scatter as their data sheets say.
 """
 
 from dataclasses import dataclass, field
@@ -41,9 +41,7 @@ class Learning:
     bias: float = number(radians(5.0), "rad/s, standard deviation of the gyro's")
     first_rate: float = number(2.0, "rad/s, of the first rate about what the gyro shows")
     angle_variance: float = number(with_steps(radians(0.043), ENCODER_STEP), "rad^2")
-    rate_variance: float = number(
-        with_steps(radians(7e-3) * sqrt(833 / 2), GYRO_STEP), "(rad/s)^2"
-    )
+    rate_variance: float = number(with_steps(radians(7e-3) * sqrt(833 / 2), GYRO_STEP), "(rad/s)^2")
     late: float = number(RENEWAL / 2, "s, mean age of a gyro's sample")
     wander_variance: float = number(RENEWAL**2 / 12, "s^2, of that age")
     roughness: float = number(2e-10, "(rad/s)^2 a tick: rounding, and what no model has")
@@ -75,6 +73,7 @@ class Learning:
     shortest: int = number(40, "ticks of a movement that counts")
     kept: int = number(15, "ticks between two keepings: a hand is seen that late at most")
     longest_blind: int = number(2, "ticks without an angle that are bridged")
+    longest_silent: int = number(10, "the same of the gyro, in a movement")
     swung: int = number(2, "turns after its end by which a movement was no hand's")
     failures: int = number(2, "movements in a row that fail, until the leg is learned anew")
     faults: int = number(100, "of a stream that is faulty; each lost sample is fault_weight")
