@@ -32,7 +32,7 @@ class Legs:
 
     @classmethod
     def drawn(cls, legs: int, rng: np.random.Generator) -> "Legs":
-        """Adults and children; knees of 1.6 times a relaxed one's either way; an encoder 3 deg off."""
+        """Adults and children with knees of half to twice a relaxed one's; an encoder 3 deg off."""
         knees = np.exp(rng.normal(0, 0.5, (2, legs)))
         return cls(
             gravity=rng.normal(28, 3.5, legs).clip(18, 42),

@@ -68,7 +68,7 @@ def expected(given):
 def assert_same(found: bytes, expected: np.ndarray) -> None:
     """Told by the firmware node after node, and by NumPy time after time."""
     told = np.frombuffer(found, TOLD).reshape(expected.T.shape).T
-    for name in TOLD.names:
+    for name in TOLD.names or ():
         np.testing.assert_array_equal(told[name], expected[name], err_msg=name)
     assert found == expected.T.tobytes()
 
