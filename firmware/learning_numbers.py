@@ -10,9 +10,9 @@ from exoid.recordings.filter.learning import LEARNING, Learning
 
 def learning_code(step: float) -> str:
     """A namespace of constants, for ticks of `step` [s]."""
-    powers = tuple(step**k / factorial for k, factorial in ((1, 1), (2, 2), (3, 6), (4, 24)))
+    powers = tuple(step**k / factorial for k, factorial in ((1, 1), (2, 2), (3, 6)))
     lines = [
-        line("step_powers", powers, "s, s^2 / 2, s^3 / 6, s^4 / 24 of a tick"),
+        line("step_powers", powers, "s, s^2 / 2, s^3 / 6 of a tick"),
         line("angle_deviation", LEARNING.angle_variance**0.5, "rad"),
         *(line(each.name, getattr(LEARNING, each.name), note(each)) for each in fields(Learning)),
     ]

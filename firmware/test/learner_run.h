@@ -33,7 +33,7 @@ bool run_learner(LegLearner& learner, Input& input, Output& output) {
     if (ticks % TOLD_EVERY != 0) continue;
     while (learner.work()) {
     }
-    const Learned found = learned(learner.leg());
+    const Learned found = learned(read_off(learner.leg()));
     Told told = {static_cast<uint32_t>(learner.phase()),
                  static_cast<uint32_t>(trust(learner, found)), learner.drops(),
                  learner.movement().now(), found};

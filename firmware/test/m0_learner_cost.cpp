@@ -1,6 +1,6 @@
 // What each tick of the learner costs, of the ticks of in.bin. With one instruction per nanosecond
 // (-icount shift=0) a count of SysTick is 62.5 instructions. Out: counts of the tick's pieces of
-// work together, of the longest piece, and of what is told.
+// work together, of the longest piece, and of the longer part of what is told.
 
 #include "learner_run.h"
 #include "semihosting.h"
@@ -30,9 +30,13 @@ Cost cost_of(const exoid::Tick& tick) {
     if (piece > cost.longest) cost.longest = piece;
   }
   before = exoid::systick_left();
-  const exoid::Learned found = exoid::learned(learner.leg());
+  const exoid::ReadOff read = exoid::read_off(learner.leg());
+  const uint32_t reading = since(before);
+  before = exoid::systick_left();
+  const exoid::Learned found = exoid::learned(read);
   keep = static_cast<float>(exoid::trust(learner, found)) + found.error[0];
   cost.telling = since(before);
+  if (reading > cost.telling) cost.telling = reading;
   return cost;
 }
 

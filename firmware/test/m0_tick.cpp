@@ -100,7 +100,7 @@ struct Given {
 
 /// The passes of a loop that have something to do: at the tick, and in the middle between two.
 void tick() {
-  constexpr uint32_t PASSES = 10;  // as many frames, packets and pieces of work as there are
+  constexpr uint32_t PASSES = 8;  // as many frames, packets and pieces of work as there are
   for (timer.age = 0; timer.age < exoid::TICK_US; timer.age += exoid::TICK_US / 2) {
     for (uint32_t pass = 0; pass < PASSES; ++pass) node.run(10 * timer.now);
   }

@@ -74,7 +74,7 @@ def learned(kept: Kept) -> Learned:
 def is_within(found: Learned, share: float):
     gravity, limit = found.ratio[0], F(share)
     of_gravity = (found.error[0] < limit * gravity) & (found.error[1] < limit * gravity)
-    return of_gravity & (found.error[2] < limit * root(gravity))
+    return of_gravity & (found.error[2] * found.error[2] < limit * limit * gravity)
 
 
 class Learner:

@@ -9,7 +9,7 @@ from exoid.recordings.filter.learning import LEARNING, UNKNOWNS
 
 F = np.float32
 ONE, ZERO = F(1), F(0)
-H1, H2, H3, H4 = (F(each) for each in (0.01, 0.01**2 / 2, 0.01**3 / 6, 0.01**4 / 24))  # s
+H1, H2, H3 = (F(each) for each in (0.01, 0.01**2 / 2, 0.01**3 / 6))  # s, s^2, s^3
 ANGLE, RATE, BIAS, SCALE, LEVEL, UPRIGHT, STIFFNESS, TORQUE, DAMPING = range(9)
 OWN, SIZE = SCALE, DAMPING + 1
 UNKNOWN = len(UNKNOWNS)
@@ -38,7 +38,7 @@ def root(square):
     """The square root, 0 of what is not positive."""
     bits = np.uint32(0x1FBD1DF5) + (square.view(np.uint32) >> np.uint32(1))
     found = bits.view(F)
-    for _ in range(3):
+    for _ in range(2):
         found = F(0.5) * (found + square / found)
     return np.where(square > 0, found, ZERO)
 
@@ -72,16 +72,18 @@ def correct(belief: Factored, where, slope, innovation, noise, gate):
         sum_ = sum_ + each * gain[k]
         total.append(sum_)
     used = where & ~(innovation * innovation > gate * sum_)
-    before, inverse = noise, ONE / noise
-    for k, each in enumerate(slope):
-        own, pull = gain[k], -each * inverse
+    inverse = ONE / total[0]
+    first = belief.variance[0] * noise * inverse
+    np.copyto(belief.variance[0], first, where=used & (slope[0] != 0))
+    for k in range(1, len(slope)):
+        own, pull = gain[k], -slope[k] * inverse
         inverse = ONE / total[k]
-        np.copyto(belief.variance[k], belief.variance[k] * before * inverse, where=used)
+        narrowed = belief.variance[k] * total[k - 1] * inverse
+        np.copyto(belief.variance[k], narrowed, where=used)
         for row in range(k):
             old = belief.upper[row, k].copy()
             np.copyto(belief.upper[row, k], old + pull * gain[row], where=used)
             gain[row] = gain[row] + own * old
-        before = total[k]
     weighed = innovation * inverse
     for k in range(len(slope)):
         np.copyto(belief.mean[k], belief.mean[k] + gain[k] * weighed, where=used)
@@ -118,19 +120,13 @@ class LegFilter:
         a = mean[TORQUE] - bend - mean[STIFFNESS] * angle - damping * rate
         jerk = slope * rate - damping * a
         snap = bend * rate * rate + slope * a - damping * jerk
-        crackle = (
-            (upright * cosine - level * sine) * rate * rate * rate
-            + F(3) * bend * rate * a
-            + slope * jerk
-            - damping * snap
-        )
         f00, f01 = ONE + H2 * slope, H1 - H2 * damping
         f10 = H1 * slope + H2 * (bend * rate - damping * slope)
         f11 = ONE - H1 * damping + H2 * (slope + damping * damping)
         shown = [-cosine, -sine, -angle, np.full_like(rate, ONE), -rate]
         turning = [sine * rate, -cosine * rate, -rate, None, -a]
-        new_angle = angle + H1 * rate + H2 * a + H3 * jerk + H4 * snap
-        new_rate = rate + H1 * a + H2 * jerk + H3 * snap + H4 * crackle
+        new_angle = angle + H1 * rate + H2 * a + H3 * jerk
+        new_rate = rate + H1 * a + H2 * jerk + H3 * snap
         np.copyto(mean[ANGLE], new_angle, where=where)
         np.copyto(mean[RATE], new_rate, where=where)
         np.copyto(self.acceleration, a + H1 * jerk, where=where)

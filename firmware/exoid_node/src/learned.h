@@ -17,34 +17,53 @@ struct Learned {
   float surprise;       // mean square of the innovations; 1 of a leg that is explained
 };
 
-/// Read off what is believed of a leg. Errors grow with innovations that are larger than they should
-/// be, and never become smaller than anybody could believe.
-inline Learned learned(const Leg& leg) {
+/// What ratios and errors are computed from.
+struct ReadOff {
+  float square;              // of m l g / J
+  float ratio[RATIOS];       // but for that
+  float variance[RATIOS];
+  float squares;
+  uint32_t counted;
+};
+
+/// Reads off what is believed of a leg; the first half of the work.
+inline ReadOff read_off(const Leg& leg) {
   const Factored<UNKNOWNS>& is = leg.belief;
   const float level = is.mean[LEVEL], upright = is.mean[UPRIGHT];
   const float square = level * level + upright * upright;
   const float along = level * level * covariance(is, LEVEL, LEVEL) +
                       2.0F * level * upright * covariance(is, LEVEL, UPRIGHT) +
                       upright * upright * covariance(is, UPRIGHT, UPRIGHT);
-  const float count = static_cast<float>(leg.counted > 0 ? leg.counted : 1);
-  const float mean = leg.squares / count;
+  return {square,
+          {0.0F, is.mean[STIFFNESS], is.mean[DAMPING], is.mean[TORQUE]},
+          {along / square, covariance(is, STIFFNESS, STIFFNESS), covariance(is, DAMPING, DAMPING),
+           covariance(is, TORQUE, TORQUE)},
+          leg.squares,
+          leg.counted};
+}
+
+/// The other half. Errors grow with innovations that are larger than they should be, and never become
+/// smaller than anybody could believe.
+inline Learned learned(const ReadOff& read) {
+  const float mean = read.squares / static_cast<float>(read.counted > 0 ? read.counted : 1);
   const float wider = learning::CAUTION * (mean > 1.0F ? mean : 1.0F);
-  const float variance[RATIOS] = {along / square, covariance(is, STIFFNESS, STIFFNESS),
-                                  covariance(is, DAMPING, DAMPING), covariance(is, TORQUE, TORQUE)};
-  Learned found = {{root(square), is.mean[STIFFNESS], is.mean[DAMPING], is.mean[TORQUE]}, {}, mean};
+  Learned found = {};
+  found.surprise = mean;
   for (int32_t k = 0; k < RATIOS; ++k) {
-    const float error = root(wider * variance[k]);
+    const float error = root(wider * read.variance[k]);
+    found.ratio[k] = read.ratio[k];
     found.error[k] = error > learning::LEAST_ERROR[k] ? error : learning::LEAST_ERROR[k];
   }
+  found.ratio[GRAVITY_RATIO] = root(read.square);
   return found;
 }
 
 /// Are the errors within that share of gravity, that of damping beside the leg's own frequency?
 inline bool is_within(const Learned& found, float share) {
-  const float gravity = found.ratio[GRAVITY_RATIO];
+  const float gravity = found.ratio[GRAVITY_RATIO], damping = found.error[DAMPING_RATIO];
   return found.error[GRAVITY_RATIO] < share * gravity &&
          found.error[STIFFNESS_RATIO] < share * gravity &&
-         found.error[DAMPING_RATIO] < share * root(gravity);
+         damping * damping < share * share * gravity;
 }
 
 /// How far to believe it; the worst that is to be said counts.

@@ -9,8 +9,8 @@ namespace exoid {
 
 namespace learning {
 
-/// s, s^2 / 2, s^3 / 6, s^4 / 24 of a tick
-constexpr float STEP_POWERS[4] = {1.0e-02F, 5.0e-05F, 1.6666667e-07F, 4.1666667e-10F};
+/// s, s^2 / 2, s^3 / 6 of a tick
+constexpr float STEP_POWERS[3] = {1.0e-02F, 5.0e-05F, 1.6666667e-07F};
 constexpr float ANGLE_DEVIATION = 8.713949e-04F;  // rad
 /// of UNKNOWNS: 1, 1/s^2 four times, 1/s
 constexpr float EXPECTED[6] = {0.0e+00F, 3.0e+01F, 0.0e+00F, 6.6e+00F, 0.0e+00F, 8.2e-01F};

@@ -50,11 +50,9 @@ class LegFilter {
     const float a = is[OWN + TORQUE] - bend - is[OWN + STIFFNESS] * is[ANGLE] - damping * rate;
     const float jerk = slope * rate - damping * a;
     const float snap = bend * rate * rate + slope * a - damping * jerk;
-    const float crackle = (upright * at.cosine - level * at.sine) * rate * rate * rate +
-                          3.0F * bend * rate * a + slope * jerk - damping * snap;
     const float angle = is[ANGLE];
-    belief_.mean[ANGLE] = angle + H1 * rate + H2 * a + H3 * jerk + H4 * snap;
-    belief_.mean[RATE] = rate + H1 * a + H2 * jerk + H3 * snap + H4 * crackle;
+    belief_.mean[ANGLE] = angle + H1 * rate + H2 * a + H3 * jerk;
+    belief_.mean[RATE] = rate + H1 * a + H2 * jerk + H3 * snap;
     acceleration_ = a + H1 * jerk;
 
     const Step step = {1.0F + H2 * slope, H1 - H2 * damping,
@@ -97,7 +95,7 @@ class LegFilter {
   enum Own : int32_t { ANGLE, RATE, BIAS, OWN };
   static constexpr int32_t SIZE = OWN + UNKNOWNS;
   static constexpr float H1 = learning::STEP_POWERS[0], H2 = learning::STEP_POWERS[1],
-                         H3 = learning::STEP_POWERS[2], H4 = learning::STEP_POWERS[3];
+                         H3 = learning::STEP_POWERS[2];
   static constexpr float ALWAYS = 1e30F;
   static constexpr float FARTHEST = 16.0F;  // rad^2; NaN is beyond, too
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "estimator.h"
-#include "learned_frames.h"
+#include "leg_teller.h"
 
 namespace exoid {
 
@@ -28,8 +28,8 @@ class Node {
     if (learner_.work() || tick_ == 0 || clock_.age_us() < TICK_US / 2) return false;
     if (tick_ - told_ >= TICKS_PER_TIME) {
       tell_time();
-    } else if (tick_ - learned_ >= TICKS_PER_LEARNED) {
-      tell_learned();
+    } else {
+      teller_.run(learner_, tick_, [this](const Frame& frame) { send(frame); });
     }
     return false;
   }
@@ -109,14 +109,6 @@ class Node {
     send(pack(time));
   }
 
-  void tell_learned() {
-    learned_ = tick_;
-    const Learned found = learned(learner_.leg());
-    send(pack(ratios_of(found)));
-    send(pack(errors_of(found)));
-    send(pack(learning_of(learner_, found, tick_)));
-  }
-
   void send(const Frame& frame) {
     const bool sent = uplink_.send(frame);
     lossy_ = lossy_ || !sent;
@@ -128,9 +120,9 @@ class Node {
   const Clock& clock_;
   Estimator estimator_;
   LegLearner learner_;
+  LegTeller teller_;
   uint32_t tick_ = 0;                     // of the last sample; 0 before the first
   uint32_t told_ = 0U - TICKS_PER_TIME;  // tick of the last TIME
-  uint32_t learned_ = 0U - TICKS_PER_LEARNED / 2;  // tick of the last LEARNING, between two TIMEs
   uint32_t missed_ = 0;
   bool healthy_ = true;
   bool lossy_ = false;  // late, or a frame lost, since the last STATE that was sent

@@ -50,18 +50,18 @@ Correction correct(Factored<SIZE>& belief, const float (&slope)[SIZE], float inn
     total[k] = sum = sum + slope[k] * gain[k];
   }
   if (innovation * innovation > gate * sum) return {false, 0.0F, 0.0F};
-  float before = noise, inverse = 1.0F / noise;
-  for (int32_t k = 0; k < SIZE; ++k) {
+  float inverse = 1.0F / total[0];
+  if (slope[0] != 0.0F) belief.variance[0] = belief.variance[0] * noise * inverse;
+  for (int32_t k = 1; k < SIZE; ++k) {
     const float own = gain[k], pull = -slope[k] * inverse;
     inverse = 1.0F / total[k];
-    belief.variance[k] = belief.variance[k] * before * inverse;
+    belief.variance[k] = belief.variance[k] * total[k - 1] * inverse;
     float* column = &belief.upper[k * (k - 1) / 2];
     for (int32_t row = 0; row < k; ++row) {
       const float old = column[row];
       column[row] = old + pull * gain[row];
       gain[row] = gain[row] + own * old;
     }
-    before = total[k];
   }
   const float weighed = innovation * inverse;
   for (int32_t k = 0; k < SIZE; ++k) belief.mean[k] = belief.mean[k] + gain[k] * weighed;
