@@ -33,9 +33,10 @@ bool run_learner(LegLearner& learner, Input& input, Output& output) {
     if (ticks % TOLD_EVERY != 0) continue;
     while (learner.work()) {
     }
-    const Learned found = learned(read_off(learner.leg()));
-    Told told = {static_cast<uint32_t>(learner.phase()),
-                 static_cast<uint32_t>(trust(learner, found)), learner.drops(),
+    const ReadOff read = read_off(learner);
+    const Learned found = learned(read);
+    Told told = {static_cast<uint32_t>(read.phase), static_cast<uint32_t>(trust(read, found)),
+                 read.drops,
                  learner.movement().now(), found};
     if (!output.write(&told, sizeof told)) return false;
   }

@@ -30,11 +30,11 @@ Cost cost_of(const exoid::Tick& tick) {
     if (piece > cost.longest) cost.longest = piece;
   }
   before = exoid::systick_left();
-  const exoid::ReadOff read = exoid::read_off(learner.leg());
+  const exoid::ReadOff read = exoid::read_off(learner);
   const uint32_t reading = since(before);
   before = exoid::systick_left();
   const exoid::Learned found = exoid::learned(read);
-  keep = static_cast<float>(exoid::trust(learner, found)) + found.error[0];
+  keep = static_cast<float>(exoid::trust(read, found)) + found.error[0];
   cost.telling = since(before);
   if (reading > cost.telling) cost.telling = reading;
   return cost;

@@ -41,10 +41,10 @@ class Ticks:
         return np.stack([*columns, forget], axis=-1).astype("<i4").tobytes()
 
 
-def told_by_numpy(ticks: Ticks) -> np.ndarray:
-    """What the nodes tell, by time and node."""
+def told_by_numpy(ticks: Ticks, every: int = EVERY) -> np.ndarray:
+    """What the nodes tell, or would tell every so many ticks, by time and node."""
     size, nodes = ticks.count.shape
-    told = np.zeros((size // EVERY, nodes), TOLD)
+    told = np.zeros((size // every, nodes), TOLD)
     learner = Learner(nodes)
     columns = [each.astype(np.int32) for each in (ticks.count, ticks.gyro)]
     with np.errstate(all="ignore"):  # of a leg that is not moving nothing is used
@@ -56,8 +56,8 @@ def told_by_numpy(ticks: Ticks) -> np.ndarray:
                 ticks.sees_rate[tick],
                 ticks.missed[tick].astype(np.int32),
             )
-            if tick % EVERY == EVERY - 1:
-                tell(learner, told[tick // EVERY])
+            if tick % every == every - 1:
+                tell(learner, told[tick // every])
     return told
 
 

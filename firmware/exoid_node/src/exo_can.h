@@ -204,8 +204,8 @@ inline Frame pack(const Fine& fine) {
 
 constexpr uint16_t RATIOS_ID = 0x108;
 
-/// Ten times a second, with EXO_RATIO_ERRORS and EXO_LEARNING behind it: what the node has learned
-/// of the leg by its free movements; until then, what anatomy expects of anybody.
+/// Ten times a second, and a tick later each EXO_RATIO_ERRORS and EXO_LEARNING: what the node has
+/// learned of the leg by its free movements; until then, what anatomy expects of anybody.
 struct Ratios {
   float gravity;  // 1/s^2
   float stiffness;  // 1/s^2
@@ -232,8 +232,8 @@ inline bool fits(const Ratios& ratios) {
 
 constexpr uint16_t RATIO_ERRORS_ID = 0x109;
 
-/// Behind EXO_RATIOS: the standard errors of these. Larger ones than the signal holds are sent as
-/// the limit.
+/// A tick behind EXO_RATIOS: the standard errors of these. Larger ones than the signal holds are
+/// sent as the limit.
 struct RatioErrors {
   float gravity;  // 1/s^2
   float stiffness;  // 1/s^2
@@ -260,7 +260,7 @@ inline bool fits(const RatioErrors& ratio_errors) {
 
 constexpr uint16_t LEARNING_ID = 0x10A;
 
-/// Behind EXO_RATIO_ERRORS: how far both can be believed.
+/// A tick behind EXO_RATIO_ERRORS: how far both can be believed.
 struct Learning {
   uint32_t counter;
   uint32_t trust;

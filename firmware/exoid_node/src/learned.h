@@ -17,17 +17,20 @@ struct Learned {
   float surprise;       // mean square of the innovations; 1 of a leg that is explained
 };
 
-/// What ratios and errors are computed from.
+/// What a node knows at a tick: the beginning of the work.
 struct ReadOff {
-  float square;              // of m l g / J
-  float ratio[RATIOS];       // but for that
+  float square;         // of m l g / J
+  float ratio[RATIOS];  // but for that
   float variance[RATIOS];
   float squares;
   uint32_t counted;
+  Phase phase;
+  uint32_t drops;
+  bool faulty, changed, unexplained;
 };
 
-/// Reads off what is believed of a leg; the first half of the work.
-inline ReadOff read_off(const Leg& leg) {
+inline ReadOff read_off(const LegLearner& learner) {
+  const Leg& leg = learner.leg();
   const Factored<UNKNOWNS>& is = leg.belief;
   const float level = is.mean[LEVEL], upright = is.mean[UPRIGHT];
   const float square = level * level + upright * upright;
@@ -39,10 +42,15 @@ inline ReadOff read_off(const Leg& leg) {
           {along / square, covariance(is, STIFFNESS, STIFFNESS), covariance(is, DAMPING, DAMPING),
            covariance(is, TORQUE, TORQUE)},
           leg.squares,
-          leg.counted};
+          leg.counted,
+          learner.phase(),
+          learner.drops(),
+          learner.is_faulty(),
+          learner.has_changed(),
+          learner.is_unexplained()};
 }
 
-/// The other half. Errors grow with innovations that are larger than they should be, and never become
+/// The rest of it. Errors grow with innovations that are larger than they should be, and never become
 /// smaller than anybody could believe.
 inline Learned learned(const ReadOff& read) {
   const float mean = read.squares / static_cast<float>(read.counted > 0 ? read.counted : 1);
@@ -67,13 +75,13 @@ inline bool is_within(const Learned& found, float share) {
 }
 
 /// How far to believe it; the worst that is to be said counts.
-inline Trust trust(const LegLearner& learner, const Learned& found) {
-  if (learner.is_faulty()) return Trust::FAULTY;
-  if (learner.has_changed()) return Trust::CHANGED;
-  if (learner.is_unexplained()) return Trust::UNEXPLAINED;
-  if (learner.drops() > 0 && is_within(found, learning::ENOUGH)) return Trust::ENOUGH;
+inline Trust trust(const ReadOff& read, const Learned& found) {
+  if (read.faulty) return Trust::FAULTY;
+  if (read.changed) return Trust::CHANGED;
+  if (read.unexplained) return Trust::UNEXPLAINED;
+  if (read.drops > 0 && is_within(found, learning::ENOUGH)) return Trust::ENOUGH;
   if (is_within(found, learning::GOOD)) return Trust::GOOD;
-  const bool begun = learner.drops() > 0 || learner.phase() == Phase::MOVING;
+  const bool begun = read.drops > 0 || read.phase == Phase::MOVING;
   return begun ? Trust::LEARNING : Trust::WAITING;
 }
 

@@ -19,13 +19,13 @@ inline RatioErrors errors_of(const Learned& found) {
 }
 
 /// Of what was read off at a tick.
-inline Learning learning_of(const LegLearner& learner, const Learned& found, uint32_t tick) {
+inline Learning learning_of(const ReadOff& read, const Learned& found, uint32_t tick) {
   constexpr float COUNTS = 16.0F, MOST = 255.0F;  // of Surprise
   const float surprise = found.surprise * COUNTS;
   return {tick & 255U,
-          static_cast<uint32_t>(trust(learner, found)),
-          static_cast<uint32_t>(learner.phase()),
-          learner.drops(),
+          static_cast<uint32_t>(trust(read, found)),
+          static_cast<uint32_t>(read.phase),
+          read.drops,
           static_cast<uint32_t>(surprise < MOST ? surprise : MOST),
           LEARNING_CRC};
 }
@@ -41,23 +41,29 @@ class LegTeller {
       case Part::READ:
         if (tick - read_at_ < TICKS_PER_LEARNED) return;
         read_at_ = tick;
-        read_ = read_off(learner.leg());
+        read_ = read_off(learner);
         part_ = Part::WEIGH;
         return;
       case Part::WEIGH:
         found_ = learned(read_);
-        part_ = Part::SEND;
+        part_ = Part::RATIOS;
         return;
-      case Part::SEND:
+      case Part::RATIOS:
         send(pack(ratios_of(found_)));
+        part_ = Part::ERRORS;
+        return;
+      case Part::ERRORS:
         send(pack(errors_of(found_)));
-        send(pack(learning_of(learner, found_, read_at_)));
+        part_ = Part::LEARNING;
+        return;
+      case Part::LEARNING:
+        send(pack(learning_of(read_, found_, read_at_)));
         part_ = Part::READ;
     }
   }
 
  private:
-  enum class Part : uint8_t { READ, WEIGH, SEND };
+  enum class Part : uint8_t { READ, WEIGH, RATIOS, ERRORS, LEARNING };
 
   uint32_t tick_ = 0;
   uint32_t read_at_ = 0U - TICKS_PER_LEARNED / 2;  // tick; between two EXO_TIME
