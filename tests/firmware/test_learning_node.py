@@ -86,7 +86,7 @@ def told_at(heard, again) -> tuple[np.ndarray, np.ndarray]:
 
 
 def test_what_it_tells_is_what_numpy_learns_from_its_readings(heard, again):
-    """Ten times a second, but where a busy machine leaves the emulator no time between its ticks."""
+    """Ten times a second, but where a busy machine leaves the emulator no time between ticks."""
     times, rows = told_at(heard, again)
     assert times.size >= 15
     assert np.diff(rows).min() == 10
