@@ -30,12 +30,12 @@ inline Turned turned(float angle) {
   }
 }
 
-/// The root of a positive number, to 3e-7 of it; 0 of any other.
+/// The root of a positive number, to 6e-7 of it; 0 of any other.
 inline float root(float square) {
   if (!(square > 0.0F)) return 0.0F;
   uint32_t bits;
   __builtin_memcpy(&bits, &square, sizeof bits);
-  bits = 0x1FBD1DF5U + (bits >> 1);  // halves the exponent: off by 3.5 % at most
+  bits = 0x1FBD1DF5U + (bits >> 1);  // halves the exponent: off by 5 % at most
   float found;
   __builtin_memcpy(&found, &bits, sizeof found);
   for (uint8_t k = 0; k < 2; ++k) found = 0.5F * (found + square / found);
