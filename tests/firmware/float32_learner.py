@@ -1,14 +1,13 @@
 """The firmware's learner of legs once more, in NumPy float32: of many nodes at a time."""
 
-from dataclasses import dataclass
-
 import numpy as np
-from float32_leg import UNKNOWN, F, Factored, root, turned
+from float32_learned import DAMPING, LEVEL, STIFFNESS, TORQUE, UPRIGHT, Learned, is_within
+from float32_leg import Factored
 from float32_movement import Kept, Movement, Stillness, integers
+from float32_sine import F, turned
 
 from exoid.recordings.filter.learning import LEARNING
 
-SCALE, LEVEL, UPRIGHT, STIFFNESS, TORQUE, DAMPING = range(UNKNOWN)
 HELD, WAITING, LEAVING, MOVING, DONE = range(5)
 TRUST_WAITING, LEARNS, GOOD, ENOUGH, UNEXPLAINED, CHANGED, FAULTY = range(7)
 GYRO_STEP, FINE_STEP, ZERO_COUNT = F(np.radians(0.07)), F(2 * np.pi / 65536), 32768
@@ -42,39 +41,6 @@ def differ(one: Factored, other: Factored):
         square = apart * apart
         found |= (square > F(LEARNING.apart) * both) & (square > matters * size)
     return found
-
-
-@dataclass
-class Learned:
-    """What nodes say: ratios and errors of gravity, stiffness, damping, torque, by leg."""
-
-    ratio: np.ndarray
-    error: np.ndarray
-    surprise: np.ndarray
-
-
-def learned(kept: Kept) -> Learned:
-    leg, two = kept.leg, F(2)
-    level, upright = leg.mean[LEVEL], leg.mean[UPRIGHT]
-    square = level * level + upright * upright
-    along = (
-        level * level * leg.covariance(LEVEL, LEVEL)
-        + two * level * upright * leg.covariance(LEVEL, UPRIGHT)
-        + upright * upright * leg.covariance(UPRIGHT, UPRIGHT)
-    )
-    mean = kept.squares / np.maximum(kept.counted, 1).astype(F)
-    wider = F(LEARNING.caution) * np.where(mean > 1, mean, F(1))
-    others = [leg.covariance(k, k) for k in (STIFFNESS, DAMPING, TORQUE)]
-    least = np.array(LEARNING.least_error, F)[:, None]
-    errors = np.stack([root(wider * each) for each in (along / square, *others)])
-    ratios = np.stack([root(square), leg.mean[STIFFNESS], leg.mean[DAMPING], leg.mean[TORQUE]])
-    return Learned(ratios, np.where(errors > least, errors, least), mean)
-
-
-def is_within(found: Learned, share: float):
-    gravity, limit = found.ratio[0], F(share)
-    of_gravity = (found.error[0] < limit * gravity) & (found.error[1] < limit * gravity)
-    return of_gravity & (found.error[2] * found.error[2] < limit * limit * gravity)
 
 
 class Learner:

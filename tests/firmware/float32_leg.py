@@ -3,44 +3,18 @@
 Each operation is one of the firmware's, in its order; a mask says in which legs it takes place.
 """
 
+from dataclasses import dataclass
+
 import numpy as np
+from float32_sine import ONE, ZERO, F, turned
 
 from exoid.recordings.filter.learning import LEARNING, UNKNOWNS
 
-F = np.float32
-ONE, ZERO = F(1), F(0)
 H1, H2, H3 = (F(each) for each in (0.01, 0.01**2 / 2, 0.01**3 / 6))  # s, s^2, s^3
 ANGLE, RATE, BIAS, SCALE, LEVEL, UPRIGHT, STIFFNESS, TORQUE, DAMPING = range(9)
 OWN, SIZE = SCALE, DAMPING + 1
 UNKNOWN = len(UNKNOWNS)
 ALWAYS = F(1e30)
-
-
-def turned(angle):
-    """Sine and cosine."""
-    quarters = angle * F(0.63661977)
-    whole = np.trunc(quarters + np.where(quarters < 0, F(-0.5), F(0.5))).astype(np.int32)
-    nearest = whole.astype(F)
-    r = (angle - nearest * F(1.5703125)) - nearest * F(4.8382679e-04)
-    z = r * r
-    sine = ((F(-1.9515296e-04) * z + F(8.332161e-03)) * z + F(-1.6666655e-01)) * z * r + r
-    even = (F(2.4433157e-05) * z + F(-1.3887316e-03)) * z + F(4.1666646e-02)
-    cosine = even * z * z - F(0.5) * z + ONE
-    at = whole & 3
-    cases = [at == 0, at == 1, at == 2]
-    return (
-        np.select(cases, [sine, cosine, -sine], -cosine),
-        np.select(cases, [cosine, -sine, -cosine], sine),
-    )
-
-
-def root(square):
-    """The square root, 0 of what is not positive."""
-    bits = np.uint32(0x1FBD1DF5) + (square.view(np.uint32) >> np.uint32(1))
-    found = bits.view(F)
-    for _ in range(2):
-        found = F(0.5) * (found + square / found)
-    return np.where(square > 0, found, ZERO)
 
 
 class Factored:
@@ -64,8 +38,18 @@ class Factored:
         return total
 
 
-def correct(belief: Factored, where, slope, innovation, noise, gate):
+@dataclass
+class Measured:
+    """Off by `innovation`, of the variance `noise`, believed up to a chi-square of `gate`."""
+
+    innovation: np.ndarray
+    noise: np.ndarray
+    gate: np.float32
+
+
+def correct(belief: Factored, where, slope, measured: Measured):
     """Which legs used a measurement; its innovation over the variance; its chi-square."""
+    innovation, noise, gate = measured.innovation, measured.noise, measured.gate
     gain, total, sum_ = [], [], noise
     for k, each in enumerate(slope):
         gain.append(each * belief.variance[k])
@@ -167,7 +151,8 @@ class LegFilter:
         slope = [np.full_like(angle, ONE), upper[ANGLE, RATE] + late]
         slope += [upper[ANGLE, k] + late * upper[RATE, k] for k in range(BIAS, SIZE)]
         expected = mean[ANGLE] + late * mean[RATE]
-        return correct(self.belief, where, slope, angle - expected, noise, F(LEARNING.gate))
+        measured = Measured(angle - expected, noise, F(LEARNING.gate))
+        return correct(self.belief, where, slope, measured)
 
     def see_rate(self, where, measured, gate=F(LEARNING.gate)):  # noqa: B008
         mean, upper = self.belief.mean, self.belief.upper
@@ -181,7 +166,7 @@ class LegFilter:
         wander = F(LEARNING.wander_variance) * self.acceleration * self.acceleration
         expected = gain * rate + mean[BIAS]
         noise = F(LEARNING.rate_variance) + wander
-        return correct(self.belief, where, slope, measured - expected, noise, gate)
+        return correct(self.belief, where, slope, Measured(measured - expected, noise, gate))
 
     @property
     def leg(self) -> Factored:

@@ -3,7 +3,8 @@
 from dataclasses import dataclass, fields
 
 import numpy as np
-from float32_leg import ONE, UNKNOWN, ZERO, F, Factored, LegFilter
+from float32_leg import UNKNOWN, Factored, LegFilter
+from float32_sine import ONE, ZERO, F
 
 from exoid.recordings.filter.learning import LEARNING
 

@@ -3,8 +3,11 @@
 from dataclasses import dataclass
 
 import numpy as np
-from float32_learner import Learner, learned
+from float32_learned import learned
+from float32_learner import Learner
+from simulated_legs import Legs, Motion
 
+SURE = 1.96  # standard errors that hold 95 of 100
 EVERY = 10  # ticks between two times at which nodes tell
 TOLD = np.dtype(
     [
@@ -80,3 +83,18 @@ def tell(learner: Learner, told: np.ndarray) -> None:
     }
     for name, value in values.items():
         told[name] = value
+
+
+def play(legs: Legs, motion: Motion, rng: np.random.Generator) -> np.ndarray:
+    return told_by_numpy(Ticks.sound(*legs.sensed(motion, rng)))
+
+
+def share_of_gravity(told: np.ndarray) -> np.ndarray:
+    """The error of gravity by it."""
+    return told["error"][..., 0] / told["ratio"][..., 0]
+
+
+def covered(legs: Legs, told: np.ndarray) -> np.ndarray:
+    """The share of the legs whose ratios are within 95 % intervals, ratio by ratio."""
+    off = np.abs(told["ratio"].T - legs.ratios) / told["error"].T
+    return (off < SURE).mean(axis=1)

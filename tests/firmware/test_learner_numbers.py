@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
-from float32_learner import learned
-from float32_leg import F, root, turned
+from float32_learned import learned
 from float32_movement import Kept
+from float32_sine import F, root, turned
 from simulated_legs import Legs
 
 import exoid

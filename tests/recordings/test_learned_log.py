@@ -9,6 +9,8 @@ from exoid.recordings.can.logs.log_files import read_log
 from exoid.recordings.can.node.config_crc import LEARNED, config_crc
 from exoid.recordings.can.node.learned import course_of
 from exoid.recordings.can.node.which import read_by
+from exoid.recordings.can.node_estimate import NodeEstimate
+from exoid.recordings.can.quality import LogQuality
 from exoid.recordings.can.sort import sort_frames
 from exoid.recordings.live.watch import Watch
 from exoid.recordings.loading.can_log import read_can_log
@@ -30,16 +32,23 @@ def times(count):
     return EPOCH + 0.506 + 0.1 * np.arange(count)
 
 
-def quality_of(path):
+def quality_of(path) -> LogQuality:
     return read_can_log(path)[1]
+
+
+def known(estimate: NodeEstimate | None) -> NodeEstimate:
+    assert estimate is not None
+    return estimate
 
 
 def test_the_last_that_was_learned_is_a_line_of_the_report(tmp_path):
     early, late = times(2)
     told = learned(early, ratios=(30.0, 1.0, 1.0, 1.0), Drops=1, Trust=1), learned(late)
     quality = quality_of(log_of(tmp_path, *told))
-    assert quality.learned.ratios == pytest.approx(ADULT, abs=2**-8)  # half a count of the coarsest
-    assert quality.learned.errors == SURE  # whole counts
+    assert known(quality.learned).ratios == pytest.approx(
+        ADULT, abs=2**-8
+    )  # half a count of the coarsest
+    assert known(quality.learned).errors == SURE  # whole counts
     assert quality.lines().count(LINE) == 1
     assert quality.frames.foreign == 0
 
@@ -59,10 +68,10 @@ def test_of_three_frames_that_belong_together_none_may_be_missing(tmp_path, lost
     whole, torn = (learned(at, Drops=k) for k, at in enumerate(times(2), start=1))
     del torn[lost]
     path = log_of(tmp_path, whole, torn)
-    assert quality_of(path).learned.drops == 1
-    assert watched([*whole, *torn]).estimate.known.drops == 1
+    assert known(quality_of(path).learned).drops == 1
+    assert known(watched([*whole, *torn]).estimate.known).drops == 1
     beginning = learned(times(1)[0], Drops=5)  # the node's next time is whole again
-    assert watched([*torn, *beginning]).estimate.known.drops == 5
+    assert known(watched([*torn, *beginning]).estimate.known).drops == 5
 
 
 def test_a_node_that_learns_by_other_numbers_is_not_believed(tmp_path):

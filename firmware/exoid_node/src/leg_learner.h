@@ -4,20 +4,12 @@
 
 #pragma once
 
+#include "glimpse.h"
 #include "movement.h"
 #include "stillness.h"
 #include "stream_health.h"
 
 namespace exoid {
-
-/// What a tick showed, in counts of EXO_FINE and of EXO_RAW.
-struct Glimpse {
-  int32_t count;
-  int32_t gyro;
-  bool sees_angle;
-  bool sees_rate;
-  uint32_t missed;  // ticks before it without a sample
-};
 
 /// What the leg does.
 enum class Phase : uint8_t { HELD, WAITING, LEAVING, MOVING, DONE };
@@ -81,19 +73,12 @@ class LegLearner {
     return true;
   }
 
-  float angle() const { return angle_of(seen_.count); }
-  float rate() const { return static_cast<float>(seen_.gyro) * GYRO_STEP; }
-
-  static float angle_of(int32_t count) {
-    return static_cast<float>(count - FINE_TURN / 2) * FINE_STEP;
-  }
-
   void see_angle() {
-    if (seen_.sees_angle) movement_.see_angle(angle());
+    if (seen_.sees_angle) movement_.see_angle(angle_of(seen_.count));
   }
 
   void see_rate() {
-    if (seen_.sees_rate) movement_.see_rate(rate());
+    if (seen_.sees_rate) movement_.see_rate(rate_of(seen_.gyro));
   }
 
   void judge() {
@@ -142,7 +127,7 @@ class LegLearner {
     }
     if (letting_go_ > 0 || !seen_.sees_angle || !seen_.sees_rate) return;
     anew_ = is_doubted();
-    movement_.open(anew_ ? expected_leg() : known_, angle(), rate());
+    movement_.open(anew_ ? expected_leg() : known_, angle_of(seen_.count), rate_of(seen_.gyro));
     stillness_.begin(seen_.count);
     phase_ = Phase::MOVING;
   }
