@@ -88,6 +88,10 @@ def test_this_machine_learns_as_numpy_does_to_the_last_bit(build, given, expecte
     assert_same((tmp_path / "out.bin").read_bytes(), expected)
 
 
+def test_it_is_told_ten_times_a_second_also_where_the_count_of_ticks_wraps(build):
+    subprocess.run([build("host_teller")], check=True, timeout=10)
+
+
 def some_of(given: Ticks, nodes) -> Ticks:
     return Ticks(*(each[:, list(nodes)] for each in vars(given).values()))
 
