@@ -11,7 +11,7 @@ namespace exoid {
 constexpr uint16_t CONFIG_CRC = 0x26D9;
 
 /// The same of what is learned of a leg.
-constexpr uint16_t LEARNING_CRC = 0xBBB2;
+constexpr uint16_t LEARNING_CRC = 0x7AA2;
 
 constexpr uint16_t TIME_ID = 0x100;
 

@@ -25,7 +25,7 @@ constexpr float WANDER_VARIANCE = 1.2009606e-07F;  // s^2, of that age
 constexpr float ROUGHNESS = 2.0e-10F;  // (rad/s)^2 a tick: rounding, and what no model has
 constexpr float FADING = 1.05e+00F;  // by which variances grow from one movement to the next
 constexpr float GATE = 2.5e+01F;  // chi-square up to which a measurement is believed
-constexpr float CAUTION = 1.15e+00F;  // by which variances are told larger: ages come in patterns
+constexpr float CAUTION = 1.25e+00F;  // by which variances are told larger: the filter is not quite linear
 /// of RATIOS: no error is told smaller
 constexpr float LEAST_ERROR[4] = {1.0e-02F, 1.0e-02F, 5.0e-04F, 1.0e-02F};
 constexpr float GOOD = 1.0e-02F;  // share of gravity that errors may be

@@ -47,7 +47,9 @@ class Learning:
     roughness: float = number(2e-10, "(rad/s)^2 a tick: rounding, and what no model has")
     fading: float = number(1.05, "by which variances grow from one movement to the next")
     gate: float = number(25.0, "chi-square up to which a measurement is believed")
-    caution: float = number(1.15, "by which variances are told larger: ages come in patterns")
+    caution: float = number(
+        1.25, "by which variances are told larger: the filter is not quite linear"
+    )
     least_error: tuple[float, ...] = number(
         (0.01, 0.01, 0.0005, 0.01), "of RATIOS: no error is told smaller"
     )
