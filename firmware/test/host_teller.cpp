@@ -39,6 +39,23 @@ void check_in_order(const std::vector<Heard>& heard, uint32_t stride, uint32_t p
   }
 }
 
+/// Whoever begins to listen hears nothing that was read off before.
+void nothing_of_before() {
+  exoid::LegLearner learner;
+  exoid::LegTeller teller;
+  std::vector<exoid::Frame> heard;
+  const auto hear = [&heard](const exoid::Frame& frame) { heard.push_back(frame); };
+  for (uint32_t started = 100; started < 110; ++started) {  // wherever it is in its parts
+    uint32_t tick = 50;
+    for (; tick < started; ++tick) teller.run(learner, tick, hear);
+    heard.clear();
+    teller.restart();
+    for (; tick < started + 30; ++tick) teller.run(learner, tick, hear);
+    check(heard.front().id == exoid::RATIOS_ID, "it begins with ratios");
+    check(heard[2].data[0] >= started, "what was read off at the restart, or later");
+  }
+}
+
 void ten_times_a_second(uint32_t first) {
   const std::vector<Heard> heard = told(first, 1000, 1);
   check(heard.size() / 3 >= 99 && heard.size() / 3 <= 100, "they come ten times a second");
@@ -51,6 +68,7 @@ int main() {
   ten_times_a_second(1);
   ten_times_a_second(0U - 500U);      // the count wraps
   ten_times_a_second(0x80000000U - 500U);
+  nothing_of_before();
   check_in_order(told(1, 500, 10), 10, 50);  // of ten ticks nine are missed
   return 0;
 }

@@ -32,6 +32,9 @@ inline Learning learning_of(const ReadOff& read, const Learned& found, uint32_t 
 
 class LegTeller {
  public:
+  /// What was read off and not yet sent is of before.
+  void restart() { part_ = Part::READ; }
+
   /// Does what is due at a tick, once in each. `send(frame)` is called for each frame.
   template <class Send>
   void run(const LegLearner& learner, uint32_t tick, Send send) {

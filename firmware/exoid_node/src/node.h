@@ -39,6 +39,7 @@ class Node {
   void restart() {
     estimator_.restart();
     learner_.forget();
+    teller_.restart();
   }
 
   /// A frame was lost that the node has not sent itself; the next STATE tells it.
