@@ -107,7 +107,7 @@ def note(signal: Signal) -> str:
         return f"  // {signal.unit}"
     if signal.scale == 1:
         return f"  // {signal.unit}" if signal.unit else ""
-    return f"  // counts of {signal.scale:.8g} {signal.unit}"
+    return f"  // counts of {signal.scale:.8g} {signal.unit or ''}".rstrip()
 
 
 def bits(signal: Signal, variable: str) -> str:

@@ -9,13 +9,19 @@ import textwrap
 import tomllib
 from pathlib import Path
 
-import numpy as np
 from cantools.database import load_file
 from cantools.database.can import Database, Message
 from cpp_messages import command_code, message_code
+from learning_numbers import learning_code, single, singles
 
 from exoid.recordings.can.dbc import EXOID_DBC
-from exoid.recordings.can.node.config_crc import POLYNOMIAL, SEED, config_crc
+from exoid.recordings.can.node.config_crc import (
+    LEARNED,
+    POLYNOMIAL,
+    SEED,
+    config_crc,
+    learning_crc,
+)
 from exoid.recordings.filter.constants import MEASUREMENT_NOISE, PROCESS_NOISE, START_VARIANCE
 from exoid.twin.sensors import OUTPUT_RATE
 
@@ -51,6 +57,7 @@ def headers() -> dict[Path, str]:
         SOURCES / "exo_can.h": frames_header(database),
         SOURCES / "exo_commands.h": commands_header(database),
         SOURCES / "constants.h": constants_header(database),
+        SOURCES / "learning.h": learning_header(database),
     }
 
 
@@ -58,6 +65,8 @@ def frames_header(database: Database) -> str:
     crc = (
         "\n/// CRC of what the frames of a recording mean and of the filter's constants.\n"
         f"constexpr uint16_t CONFIG_CRC = 0x{config_crc():04X};\n"
+        "\n/// The same of what is learned of a leg.\n"
+        f"constexpr uint16_t LEARNING_CRC = 0x{learning_crc():04X};\n"
     )
     body = crc + "".join(message_code(each) for each in sent_by(NODE, database))
     return PREAMBLE.format(title="The node's CAN frames.", include='"frame.h"', body=body)
@@ -102,6 +111,8 @@ def constants_header(database: Database) -> str:
     assert beat.cycle_time == settings.cycle_time == health.cycle_time, "they are told together"
     bit_rate = settings.get_signal_by_name("BitRate")
     heartbeat = beat.cycle_time // state.cycle_time
+    (learned,) = {database.get_message_by_name(name).cycle_time for name in LEARNED}
+    assert learned
     fine = database.get_message_by_name("EXO_FINE")
     angle, fine_angle = (each.get_signal_by_name("Angle") for each in (raw, fine))
     title = "Times, scales, and the constants of the Kalman filter."
@@ -109,6 +120,7 @@ def constants_header(database: Database) -> str:
 constexpr uint32_t TICK_US = {state.cycle_time * 1000};  // us between samples
 constexpr uint32_t TICKS_PER_TIME = {time.cycle_time // state.cycle_time};  // one EXO_TIME
 constexpr uint32_t TICKS_PER_HEARTBEAT = {heartbeat};  // one EXO_HEARTBEAT, SETTINGS and HEALTH
+constexpr uint32_t TICKS_PER_LEARNED = {learned // state.cycle_time};  // one EXO_LEARNING
 constexpr uint32_t AGE_STEP_US = {acc.get_signal_by_name("SampleAge").scale};  // us per count
 constexpr uint32_t BIT_RATE_STEP = {bit_rate.scale};  // bit/s per count
 constexpr uint32_t SUPPLY_STEP_MV = {supply_step_mv(beat)};  // mV per count
@@ -133,6 +145,13 @@ constexpr float START_VARIANCE[4] = {singles(START_VARIANCE)};
     return PREAMBLE.format(title=title, include="<stdint.h>", body=body)
 
 
+def learning_header(database: Database) -> str:
+    tick = database.get_message_by_name("EXO_STATE").cycle_time
+    assert tick
+    title = "The numbers by which the node learns a leg."
+    return PREAMBLE.format(title=title, include="<stdint.h>", body=learning_code(tick / 1000))
+
+
 def supply_step_mv(heartbeat: Message) -> int:
     return round(heartbeat.get_signal_by_name("SupplyVoltage").scale * 1000)
 
@@ -147,15 +166,6 @@ def version() -> str:
     project = tomllib.loads(PROJECT.read_text(encoding="utf-8"))["project"]
     major, minor, patch = (int(number) for number in project["version"].split("."))
     return f"{major}, {minor}, {patch}"
-
-
-def single(value: float) -> str:
-    """The float32 nearest to `value` as a C++ literal."""
-    return f"{np.format_float_scientific(np.float32(value), unique=True, trim='0')}F"
-
-
-def singles(values: tuple[float, ...]) -> str:
-    return f"{{{', '.join(single(value) for value in values)}}}"
 
 
 if __name__ == "__main__":

@@ -1,25 +1,7 @@
 // host_filter INPUT OUTPUT: the filter on this machine.
 
-#include <cstdio>
-
 #include "filter_run.h"
-
-class File {
- public:
-  File(const char* name, const char* mode) : file_(std::fopen(name, mode)) {}
-  File(const File&) = delete;
-  File& operator=(const File&) = delete;
-  ~File() {
-    if (file_ != nullptr) std::fclose(file_);
-  }
-  bool read(void* to, size_t size) { return file_ && std::fread(to, 1, size, file_) == size; }
-  bool write(const void* from, size_t size) {
-    return file_ && std::fwrite(from, 1, size, file_) == size;
-  }
-
- private:
-  std::FILE* file_;
-};
+#include "host_file.h"
 
 int main(int count, char** names) {
   if (count != 3) return 2;

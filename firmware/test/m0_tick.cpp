@@ -1,6 +1,6 @@
 // What a whole tick costs but for the waiting: sensors, filter, frames, CAN controller and USB.
-// in.bin: a byte for each tick, 1 where a host has opened the channel on USB from then on. Out: the
-// counts of SysTick, at 62.5 instructions each with -icount shift=0.
+// in.bin: what befalls each tick. Out: the counts of SysTick, at 62.5 instructions each with
+// -icount shift=0.
 
 #include "as504x_model.h"
 #include "can_timing.h"
@@ -91,9 +91,16 @@ SetClock timer;
 Well well;
 exoid::TendedNode<Kinds> node({encoder, imu, uplink, plain, plain, timer, well});
 
+/// A tick, in words of 16 bits.
+struct Given {
+  uint16_t opens;  // 1 where a host opens the channel on USB
+  uint16_t count;  // of the encoder
+  int16_t rate;    // of the gyro, positive in extension
+};
+
 /// The passes of a loop that have something to do: at the tick, and in the middle between two.
 void tick() {
-  constexpr uint32_t PASSES = 6;  // as many frames and packets as there are
+  constexpr uint32_t PASSES = 8;  // as many frames, packets and pieces of work as there are
   for (timer.age = 0; timer.age < exoid::TICK_US; timer.age += exoid::TICK_US / 2) {
     for (uint32_t pass = 0; pass < PASSES; ++pass) node.run(10 * timer.now);
   }
@@ -106,11 +113,12 @@ int main() {
   semihosting::File output("out.bin", 7, semihosting::WRITE_BINARY);
   node.begin();
   exoid::systick_begin(exoid::SYSTICK_LONGEST);
-  uint8_t opens = 0;
-  while (input.read(&opens, sizeof opens)) {
-    if (opens) port.typed = "O\r";
+  Given given;
+  while (input.read(&given, sizeof given)) {
+    if (given.opens) port.typed = "O\r";
     chips::Exposure now = {};
-    now.count = static_cast<uint16_t>(1500 + timer.now % 50);
+    now.count = given.count;
+    now.gyro[1] = static_cast<int16_t>(-given.rate);
     chips_on_bus.expose(now);
     on_spi.expose(now);
     const uint32_t before = exoid::systick_left();

@@ -11,7 +11,7 @@ import cantools
 import numpy as np
 
 from exoid.recordings.can.dbc import EXOID_DBC
-from exoid.recordings.can.node.config_crc import config_crc
+from exoid.recordings.can.node.config_crc import LEARNED, config_crc, learning_crc
 
 EPOCH = 1_600_000_000.0  # s; when the host's clock began to log
 FRAME = 0.00027  # s; one frame on a bus of 500 kbit/s
@@ -145,6 +145,22 @@ WELL = {  # EXO_HEALTH
 def health(timestamp, **told) -> can.Message:
     """EXO_HEALTH of a node that is well but for what is told."""
     return message("EXO_HEALTH", WELL | told, timestamp)
+
+
+ADULT = (27.4, 6.25, 0.8, -0.5)  # ratios in the order of EXO_RATIOS
+SURE = (0.125, 0.25, 0.0078125, 0.25)  # their errors
+
+
+def learned(timestamp, ratios=ADULT, errors=SURE, node=0, **told) -> list[can.Message]:
+    """What a node says it has learned of a leg; three frames."""
+    names = "Gravity", "Stiffness", "Damping", "Torque"
+    how = dict(Counter=0, Trust=2, Phase=1, Drops=3, Surprise=1.0, LearningCrc=learning_crc())
+    values = (dict(zip(names, each, strict=True)) for each in (ratios, errors))
+    messages = zip(LEARNED, (*values, how | told), strict=True)
+    return [
+        message(name, each, timestamp + place * FRAME, node)
+        for place, (name, each) in enumerate(messages)
+    ]
 
 
 def message(name, values, timestamp, node=0) -> can.Message:

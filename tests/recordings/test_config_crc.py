@@ -2,6 +2,7 @@
 
 import re
 from binascii import crc_hqx
+from dataclasses import fields, replace
 
 import pytest
 
@@ -9,14 +10,17 @@ from exoid.recordings.can.dbc import EXOID_DBC, messages_in
 from exoid.recordings.can.node import config_crc as crc_module
 from exoid.recordings.can.node.config_crc import (
     EARLIER,
+    LEARNED,
     RECORDED,
     SEED,
     config_crc,
     filter_of,
     layout,
+    learning_crc,
 )
 from exoid.recordings.can.node.rows import FINE, SAMPLED, TIME
 from exoid.recordings.filter.constants import CURRENT
+from exoid.recordings.filter.learning import LEARNING, Learning
 
 MEASURED_EARLIER = 0xAD7F  # CRC of the frames of a tick and of EXO_TIME by all of `EARLIER`
 
@@ -102,8 +106,28 @@ def test_the_crc_changes_with_the_filters_constants(monkeypatch, name):
     assert config_crc() != before
 
 
-def test_the_crc_covers_all_that_comes_by_itself(text):
-    assert {name for name, plan in messages_in(text).items() if plan.period} == {*RECORDED, FINE}
+def test_the_crcs_cover_all_that_comes_by_itself(text):
+    sent = {name for name, plan in messages_in(text).items() if plan.period}
+    assert sent == {*RECORDED, FINE, *LEARNED}
+
+
+def test_what_is_learned_has_a_crc_of_its_own(text, tmp_path, monkeypatch):
+    """A log of a node that learns otherwise, or not at all, is measured alike and is read."""
+    measured, learned = config_crc(), learning_crc()
+    other = tmp_path / "exoid.dbc"
+    other.write_text(text.replace("(0.00390625,0)", "(0.0078125,0)"), encoding="utf-8")
+    assert other.read_text(encoding="utf-8") != text
+    monkeypatch.setattr(crc_module, "EXOID_DBC", other)
+    assert config_crc() == measured
+    assert learning_crc() != learned
+
+
+@pytest.mark.parametrize("name", [each.name for each in fields(Learning)])
+def test_each_number_by_which_a_leg_is_learned_is_in_its_crc(name, monkeypatch):
+    before, value = learning_crc(), getattr(LEARNING, name)
+    changed = (*value[:-1], value[-1] + 1) if isinstance(value, tuple) else value + 1
+    monkeypatch.setattr(crc_module, "LEARNING", replace(LEARNING, **{name: changed}))
+    assert learning_crc() != before
 
 
 def test_the_crc_is_the_published_one():

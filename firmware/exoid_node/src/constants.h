@@ -10,6 +10,7 @@ namespace exoid {
 constexpr uint32_t TICK_US = 10000;  // us between samples
 constexpr uint32_t TICKS_PER_TIME = 10;  // one EXO_TIME
 constexpr uint32_t TICKS_PER_HEARTBEAT = 100;  // one EXO_HEARTBEAT, SETTINGS and HEALTH
+constexpr uint32_t TICKS_PER_LEARNED = 10;  // one EXO_LEARNING
 constexpr uint32_t AGE_STEP_US = 50;  // us per count
 constexpr uint32_t BIT_RATE_STEP = 125000;  // bit/s per count
 constexpr uint32_t SUPPLY_STEP_MV = 20;  // mV per count

@@ -45,6 +45,12 @@ inline bool gyro_saturated(const Sample& sample) {
   return !sample.imu_fault && (rate >= GYRO_LIMIT || rate <= -GYRO_LIMIT);
 }
 
+inline bool sees_angle(const Sample& sample) {
+  return !sample.encoder_fault && !sample.magnet_missing;
+}
+
+inline bool sees_rate(const Sample& sample) { return !sample.imu_fault && !gyro_saturated(sample); }
+
 /// The filter with its faults: it predicts over a missing measurement, stands still when nothing
 /// at all was measured for LONGEST_BLIND ticks, and then starts afresh from the next measurement.
 class Estimator {
@@ -55,12 +61,11 @@ class Estimator {
   /// STATE of this tick but for counter and overrun; `missed` ticks before it had no sample.
   State update(const Sample& sample, uint32_t missed) {
     const bool saturated = gyro_saturated(sample);
-    const bool sees_angle = !sample.encoder_fault && !sample.magnet_missing;
-    const bool sees_rate = !sample.imu_fault && !saturated;
-    const bool reset = !started_ || (blind_ + missed >= LONGEST_BLIND && (sees_angle || sees_rate));
+    const bool angle_seen = sees_angle(sample), rate_seen = sees_rate(sample);
+    const bool reset = !started_ || (blind_ + missed >= LONGEST_BLIND && (angle_seen || rate_seen));
     if (reset) count_ = ZERO_COUNT;
-    const Measurement angle = {angle_of(sample, sees_angle), sees_angle};
-    const Measurement rate = {static_cast<float>(sample.gyro[1]) * GYRO_STEP, sees_rate};
+    const Measurement angle = {angle_of(sample, angle_seen), angle_seen};
+    const Measurement rate = {static_cast<float>(sample.gyro[1]) * GYRO_STEP, rate_seen};
     filter(reset, missed, angle, rate);
 
     State state = {belief_.x0, belief_.x1, belief_.x2, 0, sample.encoder_fault,

@@ -10,6 +10,9 @@ namespace exoid {
 /// CRC of what the frames of a recording mean and of the filter's constants.
 constexpr uint16_t CONFIG_CRC = 0x26D9;
 
+/// The same of what is learned of a leg.
+constexpr uint16_t LEARNING_CRC = 0x7AA2;
+
 constexpr uint16_t TIME_ID = 0x100;
 
 /// Ten times a second, half a period after the ticks: the device clock. A sample's time is
@@ -196,6 +199,85 @@ inline Frame pack(const Fine& fine) {
   put(frame, 0, 16, at_most(fine.angle, 65535U));
   put(frame, 16, 8, at_most(fine.counter, 255U));
   put(frame, 24, 8, at_most(fine.encoder_bits, 255U));
+  return frame;
+}
+
+constexpr uint16_t RATIOS_ID = 0x108;
+
+/// Ten times a second, and a tick later each EXO_RATIO_ERRORS and EXO_LEARNING: what the node has
+/// learned of the leg by its free movements; until then, what anatomy expects of anybody.
+struct Ratios {
+  float gravity;  // 1/s^2
+  float stiffness;  // 1/s^2
+  float damping;  // 1/s
+  float torque;  // 1/s^2
+};
+
+inline Frame pack(const Ratios& ratios) {
+  Frame frame = {RATIOS_ID, {0, 0, 0, 0, 0, 0, 0, 0}};
+  put(frame, 0, 16, quantise(ratios.gravity * 256.0F, -32768, 32767));
+  put(frame, 16, 16, quantise(ratios.stiffness * 128.0F, -32768, 32767));
+  put(frame, 32, 16, quantise(ratios.damping * 2048.0F, -32768, 32767));
+  put(frame, 48, 16, quantise(ratios.torque * 256.0F, -32768, 32767));
+  return frame;
+}
+
+/// Whether no value is cut off when it is packed.
+inline bool fits(const Ratios& ratios) {
+  return fits(ratios.gravity * 256.0F, -32768, 32767) &&
+         fits(ratios.stiffness * 128.0F, -32768, 32767) &&
+         fits(ratios.damping * 2048.0F, -32768, 32767) &&
+         fits(ratios.torque * 256.0F, -32768, 32767);
+}
+
+constexpr uint16_t RATIO_ERRORS_ID = 0x109;
+
+/// A tick behind EXO_RATIOS: the standard errors of these. Larger ones than the signal holds are
+/// sent as the limit.
+struct RatioErrors {
+  float gravity;  // 1/s^2
+  float stiffness;  // 1/s^2
+  float damping;  // 1/s
+  float torque;  // 1/s^2
+};
+
+inline Frame pack(const RatioErrors& ratio_errors) {
+  Frame frame = {RATIO_ERRORS_ID, {0, 0, 0, 0, 0, 0, 0, 0}};
+  put(frame, 0, 16, quantise(ratio_errors.gravity * 1024.0F, -32768, 32767));
+  put(frame, 16, 16, quantise(ratio_errors.stiffness * 512.0F, -32768, 32767));
+  put(frame, 32, 16, quantise(ratio_errors.damping * 8192.0F, -32768, 32767));
+  put(frame, 48, 16, quantise(ratio_errors.torque * 1024.0F, -32768, 32767));
+  return frame;
+}
+
+/// Whether no value is cut off when it is packed.
+inline bool fits(const RatioErrors& ratio_errors) {
+  return fits(ratio_errors.gravity * 1024.0F, -32768, 32767) &&
+         fits(ratio_errors.stiffness * 512.0F, -32768, 32767) &&
+         fits(ratio_errors.damping * 8192.0F, -32768, 32767) &&
+         fits(ratio_errors.torque * 1024.0F, -32768, 32767);
+}
+
+constexpr uint16_t LEARNING_ID = 0x10A;
+
+/// A tick behind EXO_RATIO_ERRORS: how far both can be believed.
+struct Learning {
+  uint32_t counter;
+  uint32_t trust;
+  uint32_t phase;
+  uint32_t drops;
+  uint32_t surprise;  // counts of 0.0625
+  uint32_t learning_crc;
+};
+
+inline Frame pack(const Learning& learning) {
+  Frame frame = {LEARNING_ID, {0, 0, 0, 0, 0, 0, 0, 0}};
+  put(frame, 0, 8, at_most(learning.counter, 255U));
+  put(frame, 8, 4, at_most(learning.trust, 15U));
+  put(frame, 12, 4, at_most(learning.phase, 15U));
+  put(frame, 16, 8, at_most(learning.drops, 255U));
+  put(frame, 24, 8, at_most(learning.surprise, 255U));
+  put(frame, 32, 16, at_most(learning.learning_crc, 65535U));
   return frame;
 }
 

@@ -1,8 +1,10 @@
-/// The node's work: one sample per tick of the timer, its three or four frames, and the clock.
+/// The node's work: one sample per tick of the timer, its three or four frames, what it says of the
+/// leg, and the clock.
 
 #pragma once
 
 #include "estimator.h"
+#include "leg_teller.h"
 
 namespace exoid {
 
@@ -23,12 +25,22 @@ class Node {
       sample(now);
       return true;
     }
-    if (tick_ > 0 && tick_ - told_ >= TICKS_PER_TIME && clock_.age_us() >= TICK_US / 2) tell_time();
+    if (learner_.work() || tick_ == 0 || clock_.age_us() < TICK_US / 2) return false;
+    if (tick_ - told_ >= TICKS_PER_TIME) {
+      tell_time();
+    } else {
+      teller_.run(learner_, tick_, [this](const Frame& frame) { send(frame); });
+    }
     return false;
   }
 
-  /// Starts the filter again at the next tick: whoever now begins to listen hears all of it.
-  void restart() { estimator_.restart(); }
+  /// Starts the filter again at the next tick, and learns the leg anew: whoever now begins to listen
+  /// hears all of it.
+  void restart() {
+    estimator_.restart();
+    learner_.forget();
+    teller_.restart();
+  }
 
   /// A frame was lost that the node has not sent itself; the next STATE tells it.
   void tell_loss() { lossy_ = true; }
@@ -54,6 +66,7 @@ class Node {
     state.overrun = lossy_;
     lossy_ = !uplink_.send(pack(state));
     send_readings(sample, age);
+    learner_.take({sample.count, sample.gyro[1], sees_angle(sample), sees_rate(sample), missed});
   }
 
   void read_encoder(Sample& sample) {
@@ -107,6 +120,8 @@ class Node {
   Uplink& uplink_;
   const Clock& clock_;
   Estimator estimator_;
+  LegLearner learner_;
+  LegTeller teller_;
   uint32_t tick_ = 0;                     // of the last sample; 0 before the first
   uint32_t told_ = 0U - TICKS_PER_TIME;  // tick of the last TIME
   uint32_t missed_ = 0;

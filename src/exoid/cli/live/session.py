@@ -136,4 +136,5 @@ def live_line(now: Status) -> str:
         f"{now.lost} lost",
     ]
     parts += [f"{now.bad} bad"] if now.bad else []
+    parts += [now.learned.short] if now.learned is not None and now.learned.drops else []
     return "  ".join([*parts, *(f"{name} {count}" for name, count in now.faults)])

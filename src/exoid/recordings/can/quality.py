@@ -8,6 +8,7 @@ from jaxtyping import Float, Int
 
 from exoid.recordings.can.clock_rate import ClockRate, clock_lines
 from exoid.recordings.can.frames import CanLogError
+from exoid.recordings.can.node_estimate import NodeEstimate
 from exoid.recordings.filter.constants import UNTOLD
 from exoid.recordings.filter.effect import FilterEffect
 
@@ -75,6 +76,7 @@ class LogQuality:
     config_crc: int | None = None
     design: str | None = None  # which of the node's filters ran, as [sensors] filter has it
     commissioned: tuple[str, ...] = ()  # zero, direction and firmware, and what changed of them
+    learned: NodeEstimate | None = None  # what the node said of the leg at last
     encoder_counts: int | None = None  # a turn, of the node's encoder
     filter: FilterEffect | None = None
     announced: int | None = None
@@ -153,6 +155,7 @@ class LogQuality:
         lines += [f"{name}: {count} sample(s)" for name, count in self.faults if count]
         lines += [f"the node missed {self.missed_ticks} tick(s)"] if self.missed_ticks else []
         lines += self.filter_lines()
+        lines += [self.learned.line] if self.learned is not None else []
         return lines + [note for note in self.notes if note not in lines]
 
     def filter_lines(self) -> list[str]:

@@ -7,16 +7,17 @@ from dataclasses import dataclass
 from typing import Any
 
 import can
-import numpy as np
 
 from exoid.recordings.can.decode import MessagePlan
 from exoid.recordings.can.node.commissioned import SETTINGS
-from exoid.recordings.can.node.config_crc import filter_of
+from exoid.recordings.can.node.config_crc import LEARNED, filter_of
 from exoid.recordings.can.node.health import HEALTH
-from exoid.recordings.can.node.one_frame import unsigned
+from exoid.recordings.can.node.last_estimate import LastEstimate
+from exoid.recordings.can.node.one_frame import unsigned, values_of
 from exoid.recordings.can.node.rows import SAMPLED, STATE, TIME
 from exoid.recordings.can.node.samples import STATUS
 from exoid.recordings.can.node.which import MEASURED, messages_of, senders
+from exoid.recordings.can.node_estimate import NodeEstimate
 from exoid.recordings.live.health_watch import HealthWatch
 from exoid.recordings.live.mounting_watch import MountingWatch
 from exoid.recordings.live.second_node import Alternation
@@ -25,7 +26,7 @@ from exoid.recordings.live.tick_count import TickCount
 
 SILENCE = 2.0  # s without a frame of the node, after which a person should know
 RATED_OVER = 1.0  # s
-SEEN = (*MEASURED, SETTINGS, HEALTH)
+SEEN = (*MEASURED, SETTINGS, HEALTH, *LEARNED)
 START_BIT = "FilterReset"  # a status bit that is no fault
 
 
@@ -40,6 +41,7 @@ class Status:
     lost: int
     bad: int
     faults: tuple[tuple[str, int], ...]
+    learned: NodeEstimate | None = None
 
 
 class Watch:
@@ -55,6 +57,7 @@ class Watch:
         self.ticks = TickCount()
         self.alternation = Alternation()
         self.mounting, self.health = MountingWatch(), HealthWatch()
+        self.estimate = LastEstimate()
         self.told_crc: int | None = None  # by the last EXO_TIME
         self.faults: Counter[str] = Counter()
         self.state: bytes | None = None  # of the last EXO_STATE
@@ -106,7 +109,7 @@ class Watch:
         )
 
     def see_ours(self, plan: MessagePlan, data: bytes, host: float) -> None:
-        if plan.name in (SETTINGS, HEALTH):
+        if plan.name not in MEASURED:
             self.see_told(plan, data)
             return
         told = {each.name: each for each in plan.signals}
@@ -130,7 +133,8 @@ class Watch:
         """Only a node that is known to tell of itself is believed to be the sender."""
         if self.told_crc != self.config_crc:
             return
-        for sentence in (self.health if plan.name == HEALTH else self.mounting).see(plan, data):
+        watches = {HEALTH: self.health, SETTINGS: self.mounting}
+        for sentence in watches.get(plan.name, self.estimate).see(plan, data):
             self.tell(sentence)
 
     def check_config(self, told: int) -> None:
@@ -179,18 +183,14 @@ class Watch:
             lost=self.ticks.lost,
             bad=bad,
             faults=tuple(sorted(self.faults.items())),
+            learned=self.estimate.known,
         )
 
-    def motion(self) -> tuple[float, float]:
+    def motion(self) -> tuple[float, ...]:
         """Angle [rad] and rate [rad/s] of the last EXO_STATE."""
         if self.state is None:
             return float("nan"), float("nan")
-        plan, frame = (
-            messages_of(self.node)[STATE],
-            np.frombuffer(self.state, np.uint8).reshape(1, -1),
-        )
-        angle, velocity = (plan.values(frame, name) for name in ("Angle", "AngularVelocity"))
-        return float(angle[0]), float(velocity[0])
+        return values_of(messages_of(self.node)[STATE], self.state, ("Angle", "AngularVelocity"))
 
     def rate(self) -> float:
         """Frames/s over the last second."""

@@ -11,6 +11,7 @@ from exoid.recordings.filter.constants import (
     PROCESS_NOISE,
     START_VARIANCE,
 )
+from exoid.recordings.filter.learning import LEARNING
 
 # What firmware of before ran, whose measured frames mean the same: the filter by its ConfigCrc.
 EARLIER = {0x99CA: "3 states"}
@@ -21,12 +22,19 @@ RECORDED = (
     *("EXO_TIME", "EXO_STATE", "EXO_RAW", "EXO_ACC"),
     *("EXO_SETTINGS", "EXO_HEARTBEAT", "EXO_HEALTH"),
 )
+LEARNED = ("EXO_RATIOS", "EXO_RATIO_ERRORS", "EXO_LEARNING")  # in the order in which they come
 VERSION = re.compile(r'^VERSION "(.*)"', re.MULTILINE)
 
 
 def config_crc() -> int:
     """CRC-16/CCITT-FALSE of what this exoid reads a recording by; the node sends its own."""
     return crc_hqx(meaning(EXOID_DBC.read_text(encoding="utf-8")).encode(), SEED)
+
+
+def learning_crc() -> int:
+    """The same of what the node has learned of a leg, which no measured frame depends on."""
+    text = EXOID_DBC.read_text(encoding="utf-8")
+    return crc_hqx("\n".join([repr(LEARNING), *layout(text, LEARNED)]).encode(), SEED)
 
 
 def filter_of(told: int | None) -> str | None:

@@ -9,6 +9,7 @@ from exoid.recordings.can.frames import CanLogError, Log
 from exoid.recordings.can.node.commissioned import commissioned_lines
 from exoid.recordings.can.node.config_crc import config_crc, filter_of
 from exoid.recordings.can.node.health import HEALTH, health_lines
+from exoid.recordings.can.node.learned import LEARNING, course_of
 from exoid.recordings.can.node.rows import (
     FINE,
     MISSING,
@@ -61,6 +62,7 @@ def read_exo(log: Log) -> tuple[Segment, LogQuality]:
         quality,
         filter=filter_effect(segment),
         commissioned=commissioned_lines(nodes[0], ordered.messages, found),
+        learned=course_of(ordered.messages).last if LEARNING in ordered.messages else None,
         notes=several(nodes) + health_lines(ordered.messages.get(HEALTH)),
     )
 

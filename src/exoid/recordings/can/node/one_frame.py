@@ -2,6 +2,8 @@
 
 from collections.abc import Mapping
 
+import numpy as np
+
 from exoid.recordings.can.decode import MessagePlan, SignalPlan
 
 
@@ -30,3 +32,9 @@ def counts(message: str, signal: SignalPlan, value: float | int) -> int:
 def unsigned(data: bytes, signal: SignalPlan) -> int:
     """A little-endian unsigned signal of one frame, as it was sent."""
     return int.from_bytes(data, "little") >> signal.start & ((1 << signal.length) - 1)
+
+
+def values_of(plan: MessagePlan, data: bytes, names: tuple[str, ...]) -> tuple[float, ...]:
+    """Signals of one frame, in their units."""
+    frame = np.frombuffer(data, np.uint8).reshape(1, -1)
+    return tuple(float(plan.values(frame, name)[0]) for name in names)
