@@ -11,7 +11,7 @@ from exoid.recordings.live.decoding.tick import Tick
 
 
 class Counts:
-    """Encoder and gyro in SI units, faulty ones NaN; the encoder on the turn of the filtered angle."""
+    """Encoder and gyro in SI units, faulty ones NaN; the encoder on the filtered angle's turn."""
 
     def __init__(self):
         plans = messages_of(0)  # those of any other node lie alike
@@ -25,8 +25,9 @@ class Counts:
         self.of_state, self.of_rate = state.signal("Angle"), state.signal("AngularVelocity")
         self.of_raw, self.of_gyro = raw.signal("Angle"), raw.signal("GyroY")
         self.of_fine = fine.signal("Angle")
-        self.turn, self.finer = 2**self.of_raw.length, 2 ** (
-            self.of_fine.length - self.of_raw.length
+        self.turn, self.finer = (
+            2**self.of_raw.length,
+            2 ** (self.of_fine.length - self.of_raw.length),
         )
         self.expected = 0.0  # rad, where the encoder was last
 

@@ -1,6 +1,6 @@
 """The node's samples as their frames come, tick by tick: the same live and of a log.
 
-A sample is complete with its last frame, or when a frame of a later tick shows that the rest is lost.
+A sample is complete with its last frame, or when one of a later tick shows that the rest is lost.
 """
 
 from math import nan
@@ -20,12 +20,12 @@ UNHEARD = 50  # ticks without an EXO_RAW, from which on the filtered motion is t
 SILENT = 1.0  # s after which a counter of eight bits may have gone round: EXO_TIME tells
 TOLD_WITHIN = 30  # ticks in which EXO_TIME comes, where it comes at all
 TWO_NODES = (
-    "two nodes send with the same ids: nobody can tell their samples apart, so nothing is estimated. "
-    "Unplug one of them, or give it its own id (exoid node set)."
+    "two nodes send with the same ids: nobody can tell their samples apart, so nothing is "
+    "estimated. Unplug one of them, or give it its own id (exoid node set)."
 )
 OTHER_FIRMWARE = (
-    "the node was built with another exoid.dbc or other filter constants (ConfigCrc): its numbers may "
-    "mean something else, so nothing is estimated. Flash the firmware of this exoid."
+    "the node was built with another exoid.dbc or other filter constants (ConfigCrc): its numbers "
+    "may mean something else, so nothing is estimated. Flash the firmware of this exoid."
 )
 
 

@@ -1,0 +1,61 @@
+"""A board as the page gets it: all of it when it is opened, then what has changed."""
+
+from typing import Any
+
+from exoid.cli.live import words
+from exoid.cli.live.json_lines import document, number
+from exoid.files.visible import visible
+from exoid.watching.board import Board
+from exoid.watching.estimator import RATIOS
+from exoid.watching.moment import Moment
+
+
+def now(board: Board) -> dict[str, Any]:
+    """This moment, in words and numbers."""
+    moment = board.moment
+    return {
+        "moment": None if moment is None else document(moment),
+        "trust": visible(words.trust(board)),
+        "level": level(board),
+        "doing": words.doing(board),
+        "stream": visible(board.stream),
+        "drops": words.drops(board),
+        "next": visible(words.next_movement(board)),
+        "fit": visible(words.batch(board)),
+        "rows": [row(board, each) for each in words.quantities(board)],
+        "reached": board.reached,
+        "ended": board.state in ("ended", "failed"),
+    }
+
+
+def level(board: Board) -> str:
+    """How to colour what is said of trust."""
+    if board.spoiled or board.fault or board.silent:
+        return "bad"
+    if board.moment is None:
+        return "none"
+    return ("none", "none", "good", "good", "bad", "care", "bad")[int(board.moment.trust)]
+
+
+def row(board: Board, each) -> dict[str, Any]:
+    value, error = words.rounded(each.value, each.error)
+    return {
+        "name": words.title(each.name),
+        "value": value,
+        "error": error,
+        "unit": each.unit,
+        "goal": words.progress(board, each.name),
+    }
+
+
+def past(board: Board) -> list[list[Any]]:
+    """Time, then value and error of each ratio, of moments in which they could be believed."""
+    return [point(each) for each in board.history if each.believed]
+
+
+def point(moment: Moment) -> list[Any]:
+    known = {each.name: each for each in moment.ratios}
+    found: list[Any] = [round(moment.time, 2)]
+    for name in RATIOS:
+        found += [number(known[name].value), number(known[name].error)]
+    return found

@@ -1,0 +1,43 @@
+"""Looks for the movement that would tell most next, beside the stream: of the newest belief alone."""
+
+from concurrent.futures import Future, ThreadPoolExecutor
+
+from exoid import online
+from exoid.watching.next_movement import Advice, Wish, advise
+
+
+class Coach:
+    """Is asked between drops; `latest` is the answer to the last question that is answered."""
+
+    def __init__(self, wish: Wish):
+        self.wish = wish
+        self.pool = ThreadPoolExecutor(1)
+        self.running: Future[Advice] | None = None
+        self.waiting: tuple[online.Belief, float] | None = None
+        self.latest: Advice | None = None
+
+    def ask(self, belief: online.Belief, after: float) -> None:
+        """What to do after this belief, whose last sample is of the time `after` [s]."""
+        self.waiting = belief, after
+        self.look()
+
+    def look(self) -> None:
+        """Take what is done, and begin what waits."""
+        if self.running is not None and self.running.done():
+            if self.running.exception() is None:  # a belief of which nothing can be made
+                self.latest = self.running.result()
+            self.running = None
+        if self.running is None and self.waiting is not None:
+            belief, after = self.waiting
+            self.waiting = None
+            self.running = self.pool.submit(advise, belief, self.wish, after)
+
+    def wait(self) -> None:
+        """Until nothing is left to answer."""
+        while self.running is not None or self.waiting is not None:
+            self.look()
+            if self.running is not None:
+                self.running.exception()
+
+    def close(self) -> None:
+        self.pool.shutdown(wait=False, cancel_futures=True)

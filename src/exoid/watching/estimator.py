@@ -1,0 +1,120 @@
+"""Samples in, moments out: ten a second of the stream, and one at the end of every drop."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from jaxtyping import Float
+
+from exoid import online
+from exoid.physics.anatomy import ExpectedLeg
+from exoid.recordings.live.decoding.reading import Reading
+from exoid.recordings.recording import Segment
+from exoid.watching.known import RATIOS, told_of
+from exoid.watching.load import Load
+from exoid.watching.moment import Moment, Quantity
+
+EVERY = 0.1  # s of the stream between two moments
+TOGETHER = 96  # samples that are handed over at once, at most
+KEPT = 600.0  # s of samples: the longest drop
+UNITS = ("1/s^2", "1/s^2", "1/s")  # of the ratios
+ROUNDING = 1e-6  # of a moment's number
+
+Rows = Float[np.ndarray, "row 6"]
+
+
+@dataclass(frozen=True, eq=False)
+class Drop:
+    """A free movement that has ended: its samples, the mass it had, and what is known after it."""
+
+    number: int
+    segment: Segment
+    mass: float  # kg
+    distance: float  # m
+    belief: online.Belief
+    moment: Moment
+
+
+class Estimator:
+    """One leg, followed. What it gives depends on the samples alone, not on when they come."""
+
+    def __init__(self, expected: ExpectedLeg, model: online.Model, load: Load):
+        self.model, self.load = model, load
+        self.belief = online.init(expected, model)
+        self.mark: float | None = None  # number of the last moment
+        self.drops = 0
+        self.others: tuple[Quantity, ...] = ()
+        self.rows: list[Rows] = []  # the last samples
+        self.said: list[online.Outlook] = []  # and what was said after each of them
+
+    def warm(self) -> None:
+        """Have the program compiled or loaded, and forget what it said."""
+        nothing = np.full((1, len(Reading._fields) + 2), np.nan)
+        online.replay(self.belief, online.Sample(*nothing.T), self.model)
+
+    def take(self, readings: Sequence[Reading]) -> Iterator[Moment | Drop]:
+        """What is to be told after these samples."""
+        for first in range(0, len(readings), TOGETHER):
+            rows = np.array([self.row(each) for each in readings[first : first + TOGETHER]])
+            yield from self.absorbed(rows)
+
+    def row(self, reading: Reading) -> tuple[float, ...]:
+        return (*reading, *self.load.at(reading.time))
+
+    def absorbed(self, rows: Rows) -> Iterator[Moment | Drop]:
+        """The rows up to the first that ends a drop, then the others."""
+        while len(rows):
+            belief, outlook = online.replay(self.belief, online.Sample(*rows.T), self.model)
+            changes = np.flatnonzero(outlook.drops != self.drops)
+            part = len(rows) if not changes.size else int(changes[0]) + 1
+            if part < len(rows):
+                belief, outlook = online.replay(
+                    self.belief, online.Sample(*rows[:part].T), self.model
+                )
+            self.belief = belief
+            self.keep(rows[:part], outlook)
+            yield from self.moments(rows[:part], outlook)
+            if changes.size:
+                yield from self.ended(rows[part - 1], outlook, part - 1)
+            rows = rows[part:]
+
+    def keep(self, rows: Rows, outlook: online.Outlook) -> None:
+        """Remember the samples of the last drop."""
+        self.rows.append(rows)
+        self.said.append(outlook)
+        while self.rows[-1][-1, 0] - self.rows[0][-1, 0] > KEPT:
+            del self.rows[0], self.said[0]
+
+    def moments(self, rows: Rows, outlook: online.Outlook) -> Iterator[Moment]:
+        marks = np.floor(rows[:, 0] / EVERY + ROUNDING)
+        before = np.concatenate([[np.nan if self.mark is None else self.mark], marks[:-1]])
+        for at in np.flatnonzero(marks != before):
+            yield self.moment(rows[at], outlook, int(at))
+        self.mark = float(marks[-1])
+
+    def moment(self, row: Rows, outlook: online.Outlook, at: int) -> Moment:
+        values, errors = (each[at].tolist() for each in (outlook.ratios, outlook.errors))
+        each = zip(RATIOS, values, errors, UNITS, strict=True)
+        return Moment(
+            time=float(row[0]),
+            angle=float(row[1]),
+            angular_velocity=float(row[2]),
+            phase=online.Phase(int(outlook.phase[at])),
+            trust=online.Trust(int(outlook.trust[at])),
+            drops=int(outlook.drops[at]),
+            ratios=tuple(Quantity(*one) for one in each),
+            others=self.others,
+        )
+
+    def ended(self, row: Rows, outlook: online.Outlook, at: int) -> Iterator[Drop]:
+        """The number of drops has changed: one has ended, or the leg is another one."""
+        before, self.drops = self.drops, int(outlook.drops[at])
+        self.others = told_of(self.belief, self.model, self.load.doubt)
+        if self.drops != before + 1:
+            return
+        begun, end = float(outlook.begun[at]), float(outlook.ended[at])
+        every = np.concatenate(self.rows)
+        segment = online.segment_of(online.Sample(*every.T), begun, end)
+        mass, distance = self.load.at(begun)
+        moment = replace(self.moment(row, outlook, at), others=self.others)
+        yield Drop(self.drops, segment, mass, distance, self.belief, moment)

@@ -1,0 +1,116 @@
+"""A thread that follows a leg: readings go in as they come, and what is known appears on a board.
+
+Reading a bus must wait for nothing, and the estimator takes seconds to load where it is compiled.
+"""
+
+from collections.abc import Callable, Sequence
+from queue import Queue
+from threading import Thread
+
+from exoid.recordings.live.decoding.reading import Reading
+from exoid.watching.board import Board, Ended
+from exoid.watching.coach import Coach
+from exoid.watching.estimator import Drop, Estimator
+from exoid.watching.goals import reached
+from exoid.watching.moment import Moment
+from exoid.watching.refinement import Refinement
+
+Sink = Callable[[Moment], None]
+
+
+class Follower:
+    """Gives `sinks` every moment, in order. Where the goals are reached, it looks at nothing more.
+
+    Of readings that are given faster than they are taken in, `most` batches wait; then `give` does.
+    """
+
+    def __init__(
+        self,
+        make: Callable[[], "Company"],
+        board: Board,
+        sinks: Sequence[Sink] = (),
+        most: int = 0,
+    ):
+        self.make, self.board, self.sinks = make, board, sinks
+        self.queue: Queue[list[Reading] | None] = Queue(most)
+        self.company: Company | None = None
+        self.thread = Thread(target=self.run, daemon=True)
+        self.thread.start()
+
+    def give(self, readings: list[Reading]) -> None:
+        if readings:
+            self.queue.put(readings)
+
+    def end(self, patience: float | None = None) -> None:
+        """No more will come: wait until all is taken in, or for so long [s]."""
+        self.queue.put(None)
+        self.thread.join(patience)
+
+    def run(self) -> None:
+        try:
+            self.company = self.make()
+            self.board.state = "following"
+            while (readings := self.queue.get()) is not None:
+                self.follow(readings)
+            self.board.state = "ended"
+        except BaseException as fault:
+            self.board.fault, self.board.state = fault, "failed"
+            while self.queue.get() is not None:  # who gives must not wait for ever
+                pass
+
+    def follow(self, readings: list[Reading]) -> None:
+        assert self.company is not None
+        for news in self.company.estimator.take(readings):
+            if self.board.reached:
+                return
+            if isinstance(news, Drop):
+                self.ended(news)
+            else:
+                self.told(news)
+
+    def told(self, moment: Moment) -> None:
+        self.board.reached = reached(self.board.goals, moment)
+        self.board.show(moment)
+        for sink in self.sinks:
+            sink(moment)
+
+    def ended(self, drop: Drop) -> None:
+        """A drop has ended: what to do next, and what the batch fit says, is found beside this."""
+        assert self.company is not None
+        self.board.ended = (*self.board.ended, Ended(drop.number, drop.moment.time, drop.mass))
+        if self.company.coach is not None:
+            self.company.coach.ask(drop.belief, drop.moment.time)
+        if self.company.refinement is not None:
+            self.company.refinement.add(drop)
+
+
+class Company:
+    """An estimator with who helps it: found in the background, or not at all."""
+
+    def __init__(
+        self, estimator: Estimator, coach: Coach | None = None, refinement: Refinement | None = None
+    ):
+        self.estimator, self.coach, self.refinement = estimator, coach, refinement
+        if coach is not None:
+            coach.ask(estimator.belief, 0.0)
+
+    def look(self, board: Board) -> None:
+        """Put on the board what was found meanwhile."""
+        if self.coach is not None:
+            self.coach.look()
+            board.advice = self.coach.latest
+        if self.refinement is not None:
+            self.refinement.look()
+            board.refined, board.unrefined = self.refinement.latest, self.refinement.failed
+
+    def wait(self, board: Board) -> None:
+        """Until all that was asked is found."""
+        for each in (self.coach, self.refinement):
+            if each is not None:
+                each.wait()
+        self.look(board)
+
+    def close(self) -> None:
+        for each in (self.coach, self.refinement):
+            if each is not None:
+                each.close()

@@ -1,0 +1,48 @@
+"""Who is followed and by what model: from what is known of a person, and what was asked for."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from exoid import online
+from exoid.recordings.recording import Subject
+from exoid.watching.coach import Coach
+from exoid.watching.estimator import Estimator
+from exoid.watching.expect import expected_of
+from exoid.watching.follower import Company
+from exoid.watching.goals import Goal
+from exoid.watching.load import Load
+from exoid.watching.next_movement import Wish
+from exoid.watching.refinement import Refinement
+
+
+@dataclass(frozen=True)
+class Origin:
+    """Whose leg, with what on it, on a thigh that is inclined so [rad]; the terms, and the goals."""
+
+    subject: Subject
+    load: Load = Load()
+    thigh_angle: float = 0.0
+    terms: tuple[type[Any], ...] = ()
+    goals: Sequence[Goal] = ()
+
+    @property
+    def model(self) -> online.Model:
+        return online.Model(online.Unknowns(self.terms, self.thigh_angle))
+
+    def company(self, *, coached: bool, refined: bool) -> Company:
+        """Its estimator, compiled or loaded, with who helps it. Takes seconds."""
+        model = self.model
+        estimator = Estimator(expected_of(self.subject), model, self.load)
+        estimator.warm()
+        coach = Coach(Wish(model, self.load, self.goals)) if coached else None
+        return Company(estimator, coach, Refinement(self.subject, model) if refined else None)
+
+
+def check_subject(subject: Subject) -> None:
+    """**Raises** `ValueError` for what is no leg."""
+    if subject.kind == "rig":
+        raise ValueError(
+            "live estimates are of legs: what a rig may be is not expected beforehand. Record it "
+            "and fit it (exoid record, exoid fit)."
+        )

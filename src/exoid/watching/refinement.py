@@ -1,0 +1,106 @@
+"""The batch fit of the drops so far, beside the stream: in a process of its own, newest first."""
+
+import os
+from concurrent.futures import Future, ProcessPoolExecutor
+from dataclasses import dataclass, replace
+from multiprocessing import get_context
+
+import numpy as np
+
+from exoid import online
+from exoid.fitting.solve.program_cache import keep_programs_in
+from exoid.recordings.recording import Subject
+from exoid.watching.estimator import Drop
+
+LEAST = np.radians(10.0)  # that a leg swings in a drop which a fit can use
+BACKGROUND = 10  # niceness: the stream comes first
+
+
+@dataclass(frozen=True)
+class Refined:
+    """The ratios of the batch fit of so many drops, and whether the live ones agree."""
+
+    drops: int
+    ratios: dict[str, tuple[float, float]]  # value and standard error, by name
+    apart: dict[str, float]  # standard errors between the two, by ratio
+    agrees: bool
+
+
+class Refinement:
+    """Takes drops as they end; `latest` is what the last fit that is done has found."""
+
+    def __init__(self, subject: Subject, model: online.Model):
+        self.subject, self.model = subject, model
+        self.drops: list[Drop] = []
+        self.pool: ProcessPoolExecutor | None = None
+        self.running: tuple[Future, Drop, int] | None = None
+        self.latest: Refined | None = None
+        self.failed: str | None = None
+
+    def add(self, drop: Drop) -> None:
+        """One more drop of the same leg; the first one of another leg begins anew."""
+        if drop.number <= len(self.drops):
+            self.drops = []
+        if np.ptp(drop.segment.best_angle[np.isfinite(drop.segment.best_angle)]) >= LEAST:
+            self.drops.append(drop)
+        self.look()
+
+    def look(self) -> None:
+        """Take what is done, and begin what waits."""
+        if self.running is not None and self.running[0].done():
+            self.finish(*self.running)
+            self.running = None
+        waits = self.drops and (self.latest is None or self.latest.drops != len(self.drops))
+        if self.running is None and waits and self.failed is None:
+            self.begin()
+
+    def begin(self) -> None:
+        if self.pool is None:
+            self.pool = ProcessPoolExecutor(1, get_context("spawn"), prepare)
+        masses = tuple(each.mass for each in self.drops)
+        distances = tuple(each.distance for each in self.drops)
+        carried = {"added_mass": masses, "added_mass_distance": distances} if any(masses) else {}
+        subject = replace(self.subject, added_mass=None, added_mass_distance=None, **carried)
+        segments = [each.segment for each in self.drops]
+        future = self.pool.submit(online.refine, segments, subject, self.model)
+        self.running = future, self.drops[-1], len(self.drops)
+
+    def finish(self, future: Future, drop: Drop, count: int) -> None:
+        """What the fit says beside the belief after its last drop."""
+        try:
+            found = future.result()
+            apart = online.agreement(drop.belief, found, self.model)
+        except Exception as fault:  # whatever a fit may raise, the stream goes on
+            self.failed = " ".join(str(fault).split()) or type(fault).__name__
+            return
+        ratios = {name: found.ratios[name] for name in apart.differences}
+        self.latest = Refined(
+            drops=count,
+            ratios={name: (each.value, each.standard_error) for name, each in ratios.items()},
+            apart=dict(apart.differences),
+            agrees=apart.holds,
+        )
+
+    def wait(self) -> None:
+        """Until nothing is left to fit."""
+        self.look()
+        while self.running is not None:
+            self.running[0].exception()
+            self.look()
+
+    def close(self) -> None:
+        """Whatever still runs ends with it."""
+        pool, self.pool = self.pool, None
+        if pool is not None:
+            for process in (pool._processes or {}).values():
+                process.terminate()
+            pool.shutdown(wait=False, cancel_futures=True)
+
+
+def prepare() -> None:
+    """In the other process: programs are kept, Ctrl-C is left to the one that started it."""
+    import signal
+
+    os.nice(BACKGROUND)
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    keep_programs_in()
