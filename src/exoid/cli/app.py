@@ -21,6 +21,7 @@ COMMANDS = {
     "plan": "Say which recording would narrow a quantity most, or tell rival causes apart.",
     "compare": "Show two saved results side by side: two days, two sides, or two settings.",
     "record": "Record the node's frames, and what is known of the leg, until Ctrl-C.",
+    "live": "Estimate a leg while it moves: its ratios, their errors, and what to do next.",
     "node": "Commission the node on the leg: find it, set its zero, direction, id and bit rate.",
     "simulate": "Simulate drops and cycles of a leg and write them as a recording.",
     "convert": "Write a recording as exoid's table (.csv or .parquet) with its sidecar (.toml).",

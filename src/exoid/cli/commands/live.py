@@ -1,6 +1,5 @@
 """exoid live: a leg's parameters while it moves."""
 
-from contextlib import ExitStack
 from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
@@ -12,8 +11,14 @@ from exoid.cli.inputs.choices import FlipOption, Side, ZeroOption
 from exoid.cli.inputs.node import BITRATE, INTERFACE
 from exoid.cli.inputs.reading import Columns, Dbc, Signals
 from exoid.cli.inputs.terms import OwnTerms, With, own_terms, terms_asked
-from exoid.cli.inputs.watching import check_source, goals_asked, speed_asked
-from exoid.cli.outputs.destination import Force, check_absent, check_apart, check_destination
+from exoid.cli.inputs.watching import (
+    check_files,
+    check_source,
+    followed_terms,
+    goals_asked,
+    speed_asked,
+)
+from exoid.cli.outputs.destination import Force
 from exoid.cli.terminal.keys import check_keyboard, keyboard
 from exoid.cli.terminal.stopping import stoppable
 
@@ -58,7 +63,9 @@ def live(
     ] = None,
     with_term: With = None,
     terms: OwnTerms = None,
-    body_mass: Annotated[Number, typer.Option(help="For what is expected [kg].", metavar="KG")] = None,
+    body_mass: Annotated[
+        Number, typer.Option(help="For what is expected [kg].", metavar="KG")
+    ] = None,
     height: Annotated[Number, typer.Option(help="For what is expected [m].", metavar="M")] = None,
     added_mass: Annotated[
         Number, typer.Option(help="On the shank, weighed [kg].", metavar="KG")
@@ -112,3 +119,35 @@ def live(
       exoid live session.blf --speed 1 --serve     as it was, on http://127.0.0.1:8710
       exoid live session.blf --json-lines - --with coulomb_friction
     """
+    of_bus = {"-o": output, "--segment": segment, "--duration": duration, "--id": subject_id}
+    of_file = {"--column": column, "--dbc": dbc, "--signal": signal, "--flip": flip, "--zero": zero}
+    check_source(recording, channel, of_bus | {"--side": side}, of_file)
+    pace = speed_asked(speed)
+    check_files(recording, output, json_lines, force=force)
+    if segment:
+        check_keyboard()
+    body = given_body(
+        body_mass=body_mass,
+        height=height,
+        added_mass=added_mass,
+        added_mass_distance=added_mass_distance,
+    )
+    if added_mass_distance is not None and added_mass is None:
+        raise ValueError("--added-mass-distance is given without --added-mass. Give both.")
+    terms_wanted = followed_terms(terms_asked(with_term, own_terms(terms)))
+    goals = goals_asked(until, terms_wanted)
+    from exoid.cli.live.run import Views, Wanted, run_bus, run_file
+
+    wanted = Wanted(terms_wanted, goals, Views(json_lines, serve, host, port), refine)
+    if recording is not None:
+        from exoid.cli.live.opened import open_recording
+
+        reading = {"column": column, "dbc": dbc, "signal": signal, "flip": flip, "zero": zero}
+        run_file(recording, open_recording(recording, body, node, **reading), wanted, pace)
+    elif channel is not None:
+        from exoid.cli.live.follow import bus_of
+        from exoid.recordings.recording import Subject
+
+        subject = replace(Subject(kind="leg", id=subject_id, side=side), **ask_body(body))
+        bus = bus_of((interface, channel, bitrate), output, subject, node, force=force)
+        run_bus(bus, wanted, marked=segment, duration=duration)

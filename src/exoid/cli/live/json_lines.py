@@ -44,7 +44,9 @@ def document(moment: "Moment") -> dict[str, Any]:
         },
         "trust": moment.trust.name.lower(),
         "ratios": told(moment.ratios, moment.believed),
-        "absolute": told([each for name, each in others.items() if "." not in name], moment.believed),
+        "absolute": told(
+            [each for name, each in others.items() if "." not in name], moment.believed
+        ),
         "terms": told([each for name, each in others.items() if "." in name], moment.believed),
     }
 

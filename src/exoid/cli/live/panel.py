@@ -22,15 +22,14 @@ CALM = {3: "green", 2: "green", 4: "red", 5: "yellow", 6: "red"}  # by trust
 class Panel:
     """Shows the board on stderr; `name` is what is followed."""
 
-    def __init__(self, board: "Board", name: str, *, alone: bool):
+    def __init__(self, board: "Board", name: str):
         self.board, self.name = board, name
-        self.alone = alone  # nobody else writes on this terminal
         self.live: Any = None
         self.drawn = 0.0
         self.said: dict[str, str] = {}
 
     def __enter__(self) -> "Panel":
-        if self.alone and sys.stderr.isatty():
+        if sys.stderr.isatty():
             from rich.console import Console
             from rich.live import Live
 
@@ -69,7 +68,9 @@ class Panel:
     def say_news(self) -> None:
         """What has changed since it was said last."""
         news = {
-            "trust": words.trust(self.board) if not self.board.silent else self.said.get("trust", ""),
+            "trust": words.trust(self.board)
+            if not self.board.silent
+            else self.said.get("trust", ""),
             "drop": self.last_drop(),
             "next": words.next_movement(self.board),
             "fit": words.batch(self.board),
@@ -86,7 +87,8 @@ class Panel:
         last = self.board.ended[-1]
         loaded = f" with {last.mass:g} kg" if last.mass else ""
         known = "; ".join(
-            f"{words.title(each.name)} {words.stated(each)}" for each in words.quantities(self.board)
+            f"{words.title(each.name)} {words.stated(each)}"
+            for each in words.quantities(self.board)
         )
         return f"{last.number} ended at {last.time:.1f} s{loaded}: {known}"
 
@@ -111,8 +113,13 @@ def drawing(board: "Board", name: str) -> Any:
     ]
     where = Text(visible(f"exoid live  {name}"))
     return Frame(
-        Group(*lines), title=where, title_align="left", box=box.ROUNDED, border_style="dim",
-        padding=(0, 1), width=WIDTH,
+        Group(*lines),
+        title=where,
+        title_align="left",
+        box=box.ROUNDED,
+        border_style="dim",
+        padding=(0, 1),
+        width=WIDTH,
     )
 
 

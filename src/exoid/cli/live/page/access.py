@@ -53,7 +53,9 @@ def guarded(app: App, access: Access) -> App:
         if scope["type"] != "http":
             await app(scope, receive, send)
             return
-        headers = {key.decode("latin-1"): value.decode("latin-1") for key, value in scope["headers"]}
+        headers = {
+            key.decode("latin-1"): value.decode("latin-1") for key, value in scope["headers"]
+        }
         if not access.allows_name(name_in(headers.get("host", ""))):
             await refuse(send, 421, "This is not the name of this computer.")
         elif not access.allows_token(token_in(headers, scope["query_string"].decode("latin-1"))):

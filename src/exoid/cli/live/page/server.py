@@ -65,7 +65,9 @@ class PageServer:
         self.listening.close()
 
     async def page(self, request: Request) -> HTMLResponse:
-        return HTMLResponse(templates().get_template("live.html").render(name=self.name), headers=HEADERS)
+        return HTMLResponse(
+            templates().get_template("live.html").render(name=self.name), headers=HEADERS
+        )
 
     async def events(self, request: Request) -> StreamingResponse:
         return StreamingResponse(self.told(), media_type="text/event-stream", headers=HEADERS)
