@@ -2,8 +2,8 @@
 
 from concurrent.futures import Future, ThreadPoolExecutor
 
-from exoid import online
-from exoid.watching.next_movement import Advice, Wish, advise
+from exoid.watching.load import Mass
+from exoid.watching.next_movement import Advice, Beliefs, Wish, advise
 
 
 class Coach:
@@ -13,12 +13,12 @@ class Coach:
         self.wish = wish
         self.pool = ThreadPoolExecutor(1)
         self.running: Future[Advice] | None = None
-        self.waiting: tuple[online.Belief, float] | None = None
+        self.waiting: tuple[Beliefs, Mass, float] | None = None
         self.latest: Advice | None = None
 
-    def ask(self, belief: online.Belief, after: float) -> None:
-        """What to do after this belief, whose last sample is of the time `after` [s]."""
-        self.waiting = belief, after
+    def ask(self, beliefs: Beliefs, now: Mass, after: float) -> None:
+        """What to do with the weight `now` on the leg, after the time `after` [s]."""
+        self.waiting = beliefs, now, after
         self.look()
 
     def look(self) -> None:
@@ -28,9 +28,9 @@ class Coach:
                 self.latest = self.running.result()
             self.running = None
         if self.running is None and self.waiting is not None:
-            belief, after = self.waiting
+            beliefs, now, after = self.waiting
             self.waiting = None
-            self.running = self.pool.submit(advise, belief, self.wish, after)
+            self.running = self.pool.submit(advise, beliefs, self.wish, now, after)
 
     def wait(self) -> None:
         """Until nothing is left to answer."""

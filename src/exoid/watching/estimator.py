@@ -11,7 +11,6 @@ from exoid.physics.anatomy import ExpectedLeg
 from exoid.recordings.live.decoding.reading import Reading
 from exoid.recordings.recording import Segment
 from exoid.watching.known import RATIOS, told_of
-from exoid.watching.load import Load
 from exoid.watching.moment import Moment, Quantity
 
 EVERY = 0.1  # s of the stream between two moments
@@ -19,47 +18,48 @@ TOGETHER = 96  # samples that are handed over at once, at most
 KEPT = 600.0  # s of samples: the longest drop
 UNITS = ("1/s^2", "1/s^2", "1/s")  # of the ratios
 ROUNDING = 1e-6  # of a moment's number
+ROW, TORQUE = 6, 3  # columns of samples, and which of them is the torque
 
 Rows = Float[np.ndarray, "row 6"]
 
 
 @dataclass(frozen=True, eq=False)
 class Drop:
-    """A free movement that has ended: its samples, the mass it had, and what is known after it."""
+    """A free movement that has ended: its samples, and what is known after it."""
 
     number: int
     segment: Segment
-    mass: float  # kg
-    distance: float  # m
-    belief: online.Belief
     moment: Moment
 
 
 class Estimator:
-    """One leg, followed. What it gives depends on the samples alone, not on when they come."""
+    """One leg, with whatever is on it, as one body.
 
-    def __init__(self, expected: ExpectedLeg, model: online.Model, load: Load):
-        self.model, self.load = model, load
+    What it gives depends on the samples alone, not on when they come.
+    """
+
+    def __init__(self, expected: ExpectedLeg, model: online.Model):
+        self.model = model
         self.belief = online.init(expected, model)
         self.mark: float | None = None  # number of the last moment
         self.drops = 0
+        self.torque = False  # was any known?
         self.others: tuple[Quantity, ...] = ()
         self.rows: list[Rows] = []  # the last samples
         self.said: list[online.Outlook] = []  # and what was said after each of them
 
     def warm(self) -> None:
         """Have the program compiled or loaded, and forget what it said."""
-        nothing = np.full((1, len(Reading._fields) + 2), np.nan)
+        nothing = np.full((1, ROW), np.nan)
         online.replay(self.belief, online.Sample(*nothing.T), self.model)
 
     def take(self, readings: Sequence[Reading]) -> Iterator[Moment | Drop]:
         """What is to be told after these samples."""
         for first in range(0, len(readings), TOGETHER):
-            rows = np.array([self.row(each) for each in readings[first : first + TOGETHER]])
+            rows = np.zeros((len(readings[first : first + TOGETHER]), ROW))
+            rows[:, : len(Reading._fields)] = readings[first : first + TOGETHER]
+            self.torque = self.torque or bool(rows[:, TORQUE].any())
             yield from self.absorbed(rows)
-
-    def row(self, reading: Reading) -> tuple[float, ...]:
-        return (*reading, *self.load.at(reading.time))
 
     def absorbed(self, rows: Rows) -> Iterator[Moment | Drop]:
         """The rows up to the first that ends a drop, then the others."""
@@ -109,12 +109,11 @@ class Estimator:
     def ended(self, row: Rows, outlook: online.Outlook, at: int) -> Iterator[Drop]:
         """The number of drops has changed: one has ended, or the leg is another one."""
         before, self.drops = self.drops, int(outlook.drops[at])
-        self.others = told_of(self.belief, self.model, self.load.doubt)
+        self.others = told_of(self.belief, self.model, torque=self.torque)
         if self.drops != before + 1:
             return
         begun, end = float(outlook.begun[at]), float(outlook.ended[at])
         every = np.concatenate(self.rows)
         segment = online.segment_of(online.Sample(*every.T), begun, end)
-        mass, distance = self.load.at(begun)
         moment = replace(self.moment(row, outlook, at), others=self.others)
-        yield Drop(self.drops, segment, mass, distance, self.belief, moment)
+        yield Drop(self.drops, segment, moment)

@@ -10,8 +10,8 @@ from threading import Thread
 from exoid.recordings.live.decoding.reading import Reading
 from exoid.watching.board import Board, Ended
 from exoid.watching.coach import Coach
-from exoid.watching.estimator import Drop, Estimator
 from exoid.watching.goals import reached
+from exoid.watching.leg import Leg, LegDrop
 from exoid.watching.moment import Moment
 from exoid.watching.refinement import Refinement
 
@@ -60,10 +60,10 @@ class Follower:
 
     def follow(self, readings: list[Reading]) -> None:
         assert self.company is not None
-        for news in self.company.estimator.take(readings):
+        for news in self.company.leg.take(readings):
             if self.board.reached:
                 return
-            if isinstance(news, Drop):
+            if isinstance(news, LegDrop):
                 self.ended(news)
             else:
                 self.told(news)
@@ -74,25 +74,26 @@ class Follower:
         for sink in self.sinks:
             sink(moment)
 
-    def ended(self, drop: Drop) -> None:
+    def ended(self, drop: LegDrop) -> None:
         """A drop has ended: what to do next, and what the batch fit says, is found beside this."""
         assert self.company is not None
-        self.board.ended = (*self.board.ended, Ended(drop.number, drop.moment.time, drop.mass))
+        self.board.ended = (
+            *self.board.ended,
+            Ended(drop.number, drop.moment.time, drop.mass.weight),
+        )
         if self.company.coach is not None:
-            self.company.coach.ask(drop.belief, drop.moment.time)
+            self.company.coach.ask(drop.beliefs, drop.mass, drop.moment.time)
         if self.company.refinement is not None:
             self.company.refinement.add(drop)
 
 
 class Company:
-    """An estimator with who helps it: found in the background, or not at all."""
+    """A leg that is followed, with who helps: in the background, or not at all."""
 
-    def __init__(
-        self, estimator: Estimator, coach: Coach | None = None, refinement: Refinement | None = None
-    ):
-        self.estimator, self.coach, self.refinement = estimator, coach, refinement
+    def __init__(self, leg: Leg, coach: Coach | None = None, refinement: Refinement | None = None):
+        self.leg, self.coach, self.refinement = leg, coach, refinement
         if coach is not None:
-            coach.ask(estimator.belief, 0.0)
+            coach.ask(leg.beliefs, leg.now, 0.0)
 
     def look(self, board: Board) -> None:
         """Put on the board what was found meanwhile."""

@@ -6,25 +6,25 @@ from exoid.watching.moment import Quantity
 RATIOS = ("gravity_over_inertia", "stiffness_over_inertia", "damping_over_inertia")
 SENSORS = ("zero", "gyro_bias", "gyro_scale", "gyro_delay")
 ABSOLUTE = ("inertia", "gravity", "stiffness", "damping")
-SCALED = ("kg", "N")  # units begin so of what is as large as J
+SCALED = ("kg", "N")  # units of what is as large as J begin so
 
 
-def known_of(belief: online.Belief, model: online.Model, doubt: float) -> dict[str, Quantity]:
-    """Every quantity; `doubt` is the share of J that a mass leaves open which tells of it."""
-    found = {}
-    for name, each in online.estimates(belief, model).items():
-        error = each.error
-        if each.unit.startswith(SCALED):
-            error = (error**2 + (doubt * each.value) ** 2) ** 0.5
-        found[name] = Quantity(name, each.value, error, each.unit)
-    return found
+def known_of(belief: online.Belief, model: online.Model) -> dict[str, Quantity]:
+    """Every quantity of the leg and of the terms, whoever told it."""
+    return {
+        name: Quantity(name, each.value, each.error, each.unit)
+        for name, each in online.estimates(belief, model).items()
+        if name not in SENSORS
+    }
 
 
-def told_of(belief: online.Belief, model: online.Model, doubt: float) -> tuple[Quantity, ...]:
-    """The leg where a known mass or torque tells of it, and what motion tells of the terms."""
+def told_of(belief: online.Belief, model: online.Model, *, torque: bool) -> tuple[Quantity, ...]:
+    """Besides the ratios: what motion tells of the terms, and with a known torque the leg itself."""
     by = {name: each.set_by for name, each in online.estimates(belief, model).items()}
     return tuple(
         each
-        for name, each in known_of(belief, model, doubt).items()
-        if name not in (*RATIOS, *SENSORS) and by[name] != "prior"
+        for name, each in known_of(belief, model).items()
+        if name not in RATIOS
+        and by[name] != "prior"
+        and (torque or not each.unit.startswith(SCALED))
     )

@@ -1,66 +1,70 @@
 """The weighed mass on the shank, as it changes in the course of a stream."""
 
 from bisect import bisect_right
-from dataclasses import dataclass
-from math import hypot
+from dataclasses import dataclass, replace
 
-from exoid.fitting.model.systematics import GYRATION, MEASURED_GYRATION, PLACED, WEIGHED
+from exoid.fitting.model.systematics import SOMEWHERE
+from exoid.physics.anatomy import ExpectedLeg
+from exoid.physics.anatomy.expected import Expected
 from exoid.recordings.recording import Subject
 
 
 @dataclass(frozen=True)
-class Load:
-    """From each of the times on [s], a mass [kg] and its distance from the knee [m].
+class Mass:
+    """A weight [kg] and its distance from the knee [m]; where that is unknown, about where."""
 
-    >>> Load((0.0, 30.0), (0.0, 1.5), (0.0, 0.4)).at(31.0)
-    (1.5, 0.4)
+    weight: float = 0.0
+    distance: float = SOMEWHERE
+    placed: bool = True  # is the distance known?
+
+
+@dataclass(frozen=True)
+class Load:
+    """From each of the times on [s], a mass.
+
+    >>> Load((0.0, 30.0), (Mass(), Mass(1.5, 0.4))).at(31.0).weight  # kg
+    1.5
     """
 
     begins: tuple[float, ...] = (0.0,)
-    masses: tuple[float, ...] = (0.0,)
-    distances: tuple[float, ...] = (0.0,)
-    doubt: float = 0.0  # relative standard error of J that comes of weighing and placing it
+    masses: tuple[Mass, ...] = (Mass(),)
 
-    def at(self, time: float) -> tuple[float, float]:
-        place = max(0, bisect_right(self.begins, time) - 1)
-        return self.masses[place], self.distances[place]
+    def at(self, time: float) -> Mass:
+        return self.masses[max(0, bisect_right(self.begins, time) - 1)]
+
+    @property
+    def known(self) -> bool:
+        """Is there any?"""
+        return any(each.weight for each in self.masses)
 
 
-def doubt_of(subject: Subject, mass: float, distance: float) -> float:
-    """How much of J a mass leaves open that was weighed, placed and shaped as well as is said.
-
-    J is measured in its m (l^2 + k^2), of which the estimator knows m and l. What nobody said is as
-    a fit believes it: by a kitchen scale, by tape, and anything up to a wide cuff.
-    """
-    said, placed = subject.added_mass_uncertainty, subject.added_mass_distance_uncertainty
-    weighed = WEIGHED if said is None else said / mass
-    away = (PLACED if placed is None else placed) / distance
-    gyration = subject.added_mass_gyration
-    if gyration is None:
-        extent = 3**0.5 * GYRATION**2  # it is there, and scatters by as much again and a half
-    else:
-        extent = hypot(1.0, 2 * MEASURED_GYRATION) * gyration**2
-    return hypot(weighed, 2 * away, extent / distance**2)
+def mass_of(weight: float | None, distance: float | None) -> Mass:
+    if not weight:
+        return Mass()
+    return Mass(weight) if distance is None else Mass(weight, distance)
 
 
 def constant_load(subject: Subject) -> Load:
-    """One mass for the whole stream, or none.
-
-    **Raises** `ValueError` where it is not said where the mass sits.
-    """
-    mass, distance = subject.added_mass or 0.0, subject.added_mass_distance or 0.0
-    assert not isinstance(mass, tuple)
+    """One mass for the whole stream, or none."""
+    weight, distance = subject.added_mass, subject.added_mass_distance
+    assert not isinstance(weight, tuple)
     assert not isinstance(distance, tuple)
-    if not mass:
-        return Load()
-    check_placed(distance)
-    return Load((0.0,), (mass,), (distance,), doubt_of(subject, mass, distance))
+    if weight and distance is None:
+        return Load(masses=(Mass(weight, placed=False),))
+    return Load(masses=(mass_of(weight, distance),))
 
 
-def check_placed(distance: float) -> None:
-    """**Raises** `ValueError` for a mass of which nobody said where it sits."""
-    if distance <= 0:
-        raise ValueError(
-            "a mass is on the shank and nothing says where: a live estimate needs its distance "
-            "from the knee. Give --added-mass-distance M, or added_mass_distance_m in the sidecar."
-        )
+def expected_with(expected: ExpectedLeg, mass: Mass) -> ExpectedLeg:
+    """The leg with the mass on it, as if it were one body."""
+    bare, weight, distance = expected, mass.weight, mass.distance
+    if not weight:
+        return bare
+    total = bare.mass.value + weight
+    moment = bare.mass.value * bare.com_distance.value + weight * distance
+    inertia = bare.inertia.value + weight * distance**2
+    return replace(
+        bare,
+        mass=Expected(total, bare.mass.standard_deviation),
+        com_distance=Expected(moment / total, bare.com_distance.standard_deviation),
+        inertia=Expected(inertia, bare.inertia.standard_deviation),
+    )

@@ -12,6 +12,7 @@ from jaxtyping import Float
 from exoid import online
 from exoid.online.belief import knowledge_of
 from exoid.online.filter.motion import advance
+from exoid.watching.load import Mass
 
 STEP = 0.01  # s, of the node
 HELD, FREE = 0.6, 6.0  # s: a rest that is seen as one, and a drop
@@ -21,47 +22,48 @@ SEED = 1  # of the noise: what is advised depends on the belief alone
 
 @dataclass(frozen=True)
 class Movement:
-    """A drop from an angle [rad] at which the leg is held, with a mass [kg] far from the knee."""
+    """A drop from an angle [rad] at which the leg is held, with a mass on it."""
 
     hold: float
-    mass: float = 0.0
-    distance: float = 0.0  # m
+    mass: Mass = Mass()
 
     @property
     def words(self) -> str:
-        loaded = f" with {self.mass:g} kg at {self.distance:g} m" if self.mass else ""
+        mass = self.mass
+        loaded = f" with {mass.weight:g} kg at {mass.distance:g} m" if mass.weight else ""
         return f"let it drop from {degrees(self.hold):.0f} deg{loaded}"
 
 
 def samples_of(
     movement: Movement, belief: online.Belief, model: online.Model, after: float
 ) -> online.Sample:
-    """What the node would send of it, after the time `after` [s], of the leg that is believed."""
+    """What the node would send of it after the time `after` [s], where the leg with the mass is as it
+    is believed to be.
+    """
     held, free = (round(each / STEP) for each in (HELD, FREE))
     known = knowledge_of(belief, model).filters.mean[0]
     time = after + LATER + STEP * np.arange(held + free)
     start = np.concatenate([known[:-2], [movement.hold, 0.0]])
-    loaded = np.array([movement.mass, movement.distance])
     with jax.enable_x64(True):
-        fallen = np.asarray(falling(model)(start, loaded, free))
-    still = np.full((held, 2), [movement.hold, known[online_bias(model)]])
+        fallen = np.asarray(falling(model)(start, free))
+    still = np.full((held, 2), [movement.hold, known[bias_in(model)]])
     noise = np.random.default_rng(SEED).normal(size=(held + free, 2))
     node = model.node
     shown = np.concatenate([still, fallen]) + noise * [node.angle_noise, node.velocity_noise]
-    return online.Sample(time, shown[:, 0], shown[:, 1], 0.0, movement.mass, movement.distance)
+    return online.Sample(time, shown[:, 0], shown[:, 1])
 
 
-def online_bias(model: online.Model) -> int:
+def bias_in(model: online.Model) -> int:
     """Where in a row the gyro's bias stands."""
     return model.unknowns.names.index("gyro_bias")
 
 
 @cache
 def falling(model: online.Model):
-    """The compiled function from a row and a load to encoder and gyro, step by step."""
+    """The compiled function from a row to encoder and gyro, step by step."""
 
-    def fall(start: Float[jax.Array, " unknown"], load: Float[jax.Array, "2"], steps: int):
-        sample = online.Sample(0.0, 0.0, 0.0, 0.0, load[0], load[1])
+    def fall(start: Float[jax.Array, " unknown"], steps: int):
+        sample = online.Sample(0.0, 0.0, 0.0)
 
         def one(row, _):
             arrived = advance(model.unknowns, row, sample, STEP)
@@ -69,4 +71,4 @@ def falling(model: online.Model):
 
         return jax.lax.scan(one, start, length=steps)[1]
 
-    return jax.jit(fall, static_argnums=2)
+    return jax.jit(fall, static_argnums=1)

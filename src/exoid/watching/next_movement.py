@@ -9,18 +9,20 @@ from dataclasses import dataclass
 from math import radians
 
 from exoid import online
-from exoid.recordings.recording import Subject
 from exoid.watching.goals import Goal
 from exoid.watching.known import RATIOS, SCALED, known_of
-from exoid.watching.load import Load, doubt_of
+from exoid.watching.leg import Person
+from exoid.watching.load import Mass, expected_with
 from exoid.watching.moment import Quantity
 from exoid.watching.movement import Movement, samples_of
+from exoid.watching.unload import Told, unloaded, unloading
 
 HOLDS = tuple(radians(each) for each in (-10, -30, -50, -70))  # the leg hangs at about -75
 WEIGHT = 1.0, 0.4  # kg, m: what a person may strap on
 WORTH = 0.9  # of an error, which is left at most by a movement that is worth its time
 
 Errors = Mapping[str, Quantity]
+Beliefs = Mapping[Mass, online.Belief]
 
 
 @dataclass(frozen=True)
@@ -44,20 +46,18 @@ class Advice:
 
 @dataclass(frozen=True)
 class Wish:
-    """What is to be known better, of a leg that is estimated by a model, with what hangs on it."""
+    """What is to be known better, and of whom; the weight that is on the leg now."""
 
-    model: online.Model
-    load: Load
+    person: Person
     goals: Sequence[Goal] = ()
 
 
-def advise(belief: online.Belief, wish: Wish, after: float) -> Advice:
-    """What to do after the time `after` [s] of the belief's last sample."""
-    before = known_of(belief, wish.model, wish.load.doubt)
-    carried = wish.load.at(after)
+def advise(beliefs: Beliefs, wish: Wish, now: Mass, after: float) -> Advice:
+    """What to do after the time `after` [s] of the last sample, with a weight on the leg now."""
+    before = known_of_all(beliefs, wish)
     found = {
-        each: expected_after(each, belief, wish, after)
-        for each in candidates(before, wish.goals, carried)
+        each: known_of_all({**beliefs, each.mass: expected_after(each, beliefs, wish, after)}, wish)
+        for each in candidates(beliefs, wish.goals, before, now)
     }
     best = min(found, key=lambda each: lacking(found[each], wish.goals)[1])
     name, left = lacking(found[best], wish.goals)
@@ -73,26 +73,45 @@ def advise(belief: online.Belief, wish: Wish, after: float) -> Advice:
 
 
 def candidates(
-    known: Errors, goals: Sequence[Goal], carried: tuple[float, float]
+    beliefs: Beliefs, goals: Sequence[Goal], known: Errors, now: Mass
 ) -> Iterator[Movement]:
-    """Drops with what is on the leg; and with a mass of another weight where a goal is as large as
-    the inertia, which no drop of one weight tells.
+    """Drops with the weight that is on the leg; and with another one where a goal is as large as
+    the inertia, which no drops of one weight tell.
     """
-    for hold in HOLDS:
-        yield Movement(hold, *carried)
+    masses = {now: None}
     if any(known[goal.name].unit.startswith(SCALED) for goal in goals):
-        other = (0.0, 0.0) if carried[0] else WEIGHT
+        masses |= dict.fromkeys([*beliefs, Mass() if now.weight else Mass(*WEIGHT)])
+    for mass in masses:
         for hold in HOLDS:
-            yield Movement(hold, *other)
+            yield Movement(hold, mass)
 
 
-def expected_after(movement: Movement, belief: online.Belief, wish: Wish, after: float) -> Errors:
-    """What would be known after it."""
-    samples = samples_of(movement, belief, wish.model, after)
-    doubt = wish.load.doubt
-    if movement.mass and not doubt:
-        doubt = doubt_of(Subject(), movement.mass, movement.distance)
-    return known_of(online.replay(belief, samples, wish.model)[0], wish.model, doubt)
+def expected_after(movement: Movement, beliefs: Beliefs, wish: Wish, after: float) -> online.Belief:
+    """What would be believed after it of the leg with that weight."""
+    person, mass = wish.person, movement.mass
+    belief = beliefs.get(mass)
+    if belief is None:
+        belief = online.init(expected_with(person.expected, mass), person.model)
+    samples = samples_of(movement, belief, person.model, after)
+    return online.replay(belief, samples, person.model)[0]
+
+
+def known_of_all(beliefs: Beliefs, wish: Wish) -> dict[str, Quantity]:
+    """Every quantity of the bare leg by what is believed of it with each weight."""
+    person = wish.person
+    each = {mass: known_of(belief, person.model) for mass, belief in beliefs.items()}
+    first = each.get(Mass(), next(iter(each.values())))
+    if not any(mass.weight for mass in beliefs):
+        return first
+    before = unloading(person.expected, person.subject, list(beliefs))
+    bare = unloaded(before, {mass: told_in(known) for mass, known in each.items()})
+    return first | {one.name: one for one in (*bare.ratios, *bare.absolute)}
+
+
+def told_in(known: Errors) -> Told:
+    return Told(
+        tuple(known[name].value for name in RATIOS), tuple(known[name].error for name in RATIOS)
+    )
 
 
 def lacking(known: Errors, goals: Sequence[Goal]) -> tuple[str, float]:

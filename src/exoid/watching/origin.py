@@ -7,10 +7,10 @@ from typing import Any
 from exoid import online
 from exoid.recordings.recording import Subject
 from exoid.watching.coach import Coach
-from exoid.watching.estimator import Estimator
 from exoid.watching.expect import expected_of
 from exoid.watching.follower import Company
 from exoid.watching.goals import Goal
+from exoid.watching.leg import Leg, Person
 from exoid.watching.load import Load
 from exoid.watching.next_movement import Wish
 from exoid.watching.refinement import Refinement
@@ -31,12 +31,12 @@ class Origin:
         return online.Model(online.Unknowns(self.terms, self.thigh_angle))
 
     def company(self, *, coached: bool, refined: bool) -> Company:
-        """Its estimator, compiled or loaded, with who helps it. Takes seconds."""
-        model = self.model
-        estimator = Estimator(expected_of(self.subject), model, self.load)
-        estimator.warm()
-        coach = Coach(Wish(model, self.load, self.goals)) if coached else None
-        return Company(estimator, coach, Refinement(self.subject, model) if refined else None)
+        """The leg, its estimator compiled or loaded, with who helps. Takes seconds."""
+        person = Person(self.subject, expected_of(self.subject), self.model)
+        leg = Leg(person, self.load)
+        leg.warm()
+        coach = Coach(Wish(person, self.goals)) if coached else None
+        return Company(leg, coach, Refinement(self.subject, self.model) if refined else None)
 
 
 def check_subject(subject: Subject) -> None:

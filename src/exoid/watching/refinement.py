@@ -8,11 +8,15 @@ from multiprocessing import get_context
 import numpy as np
 
 from exoid import online
+from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.solve.program_cache import keep_programs_in
 from exoid.recordings.recording import Subject
-from exoid.watching.estimator import Drop
+from exoid.watching.known import RATIOS
+from exoid.watching.leg import LegDrop
 
 LEAST = np.radians(10.0)  # that a leg swings in a drop which a fit can use
+FAR = 3.0  # standard errors of their difference, from which on two estimates disagree
+MASS = ("added_mass", "added_mass_distance")
 BACKGROUND = 10  # niceness: the stream comes first
 
 
@@ -31,13 +35,13 @@ class Refinement:
 
     def __init__(self, subject: Subject, model: online.Model):
         self.subject, self.model = subject, model
-        self.drops: list[Drop] = []
+        self.drops: list[LegDrop] = []
         self.pool: ProcessPoolExecutor | None = None
-        self.running: tuple[Future, Drop, int] | None = None
+        self.running: tuple[Future, LegDrop, int] | None = None
         self.latest: Refined | None = None
         self.failed: str | None = None
 
-    def add(self, drop: Drop) -> None:
+    def add(self, drop: LegDrop) -> None:
         """One more drop of the same leg; the first one of another leg begins anew."""
         if drop.number <= len(self.drops):
             self.drops = []
@@ -57,29 +61,28 @@ class Refinement:
     def begin(self) -> None:
         if self.pool is None:
             self.pool = ProcessPoolExecutor(1, get_context("spawn"), prepare)
-        masses = tuple(each.mass for each in self.drops)
-        distances = tuple(each.distance for each in self.drops)
-        carried = {"added_mass": masses, "added_mass_distance": distances} if any(masses) else {}
-        subject = replace(self.subject, added_mass=None, added_mass_distance=None, **carried)
+        masses = [each.mass for each in self.drops]
+        carried = {}
+        if any(each.weight for each in masses):
+            placed = all(each.placed for each in masses)
+            carried["added_mass"] = tuple(each.weight for each in masses)
+            carried["added_mass_distance"] = (
+                tuple(each.distance for each in masses) if placed else None
+            )
+        subject = replace(self.subject, **dict.fromkeys(MASS) | carried)
         segments = [each.segment for each in self.drops]
         future = self.pool.submit(online.refine, segments, subject, self.model)
         self.running = future, self.drops[-1], len(self.drops)
 
-    def finish(self, future: Future, drop: Drop, count: int) -> None:
-        """What the fit says beside the belief after its last drop."""
+    def finish(self, future: Future, drop: LegDrop, count: int) -> None:
+        """What the fit says beside what was known after its last drop."""
         try:
             found = future.result()
-            apart = online.agreement(drop.belief, found, self.model)
+            if not found.follows:
+                raise ValueError(f"it does not follow the drops: {found.astray}")
+            self.latest = beside(drop, found, count)
         except Exception as fault:  # whatever a fit may raise, the stream goes on
             self.failed = " ".join(str(fault).split()) or type(fault).__name__
-            return
-        ratios = {name: found.ratios[name] for name in apart.differences}
-        self.latest = Refined(
-            drops=count,
-            ratios={name: (each.value, each.standard_error) for name, each in ratios.items()},
-            apart=dict(apart.differences),
-            agrees=apart.holds,
-        )
 
     def wait(self) -> None:
         """Until nothing is left to fit."""
@@ -95,6 +98,19 @@ class Refinement:
             for process in (pool._processes or {}).values():
                 process.terminate()
             pool.shutdown(wait=False, cancel_futures=True)
+
+
+def beside(drop: LegDrop, found: FitResult, count: int) -> Refined:
+    """Both saw the same samples: where both are right, they are closer than these errors say."""
+    live = {each.name: each for each in drop.moment.ratios}
+    ratios, apart = {}, {}
+    for name in RATIOS:
+        value, error = found.ratios[name].value, found.ratios[name].standard_error
+        if value is None or error is None:
+            raise ValueError(f"it tells no error of {name}")
+        ratios[name] = value, error
+        apart[name] = (live[name].value - value) / np.hypot(live[name].error, error)
+    return Refined(count, ratios, apart, max(map(abs, apart.values())) < FAR)
 
 
 def prepare() -> None:

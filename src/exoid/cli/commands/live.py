@@ -19,8 +19,7 @@ from exoid.cli.inputs.watching import (
     speed_asked,
 )
 from exoid.cli.outputs.destination import Force
-from exoid.cli.terminal.keys import check_keyboard, keyboard
-from exoid.cli.terminal.stopping import stoppable
+from exoid.cli.terminal.keys import check_keyboard
 
 Number = float | None
 PORT = 8710

@@ -12,7 +12,7 @@ from exoid.recordings.live.decoding.node_stream import NodeStream
 from exoid.recordings.live.decoding.reading import Reading
 from exoid.recordings.motion.split import cut_apart
 from exoid.recordings.recording import Recording, Sensors, Subject
-from exoid.watching.load import Load, check_placed, doubt_of
+from exoid.watching.load import Load, Mass, mass_of
 from exoid.watching.origin import check_subject
 
 ANOTHER_SEAT = "the seat was tilted in several ways: follow recordings of one seat each."
@@ -82,19 +82,17 @@ def load_of(recording: Recording, factor: float) -> Load:
     if not any(numbers(subject.added_mass)):
         return Load()
     spans = spans_of(recording)
-    masses = [recording.added_mass(number) for number in range(len(spans))]
-    places = [recording.added_mass_distance(number) or 0.0 for number in range(len(spans))]
-    for mass, place in zip(masses, places, strict=True):
-        if mass:
-            check_placed(place)
+    masses = [mass_in(recording, number) for number in range(len(spans))]
     between = [(end + start) / 2 for (_, end), (start, _) in zip(spans, spans[1:], strict=False)]
-    heaviest = max(range(len(spans)), key=masses.__getitem__)
-    return Load(
-        begins=tuple(each / factor for each in (0.0, *between)),
-        masses=tuple(masses),
-        distances=tuple(places),
-        doubt=doubt_of(subject, masses[heaviest], places[heaviest]),
-    )
+    return Load(tuple(each / factor for each in (0.0, *between)), tuple(masses))
+
+
+def mass_in(recording: Recording, number: int) -> Mass:
+    """What was on the shank in a segment."""
+    weight, distance = recording.added_mass(number), recording.added_mass_distance(number)
+    if weight and distance is None:
+        return Mass(weight, placed=False)
+    return mass_of(weight, distance)
 
 
 def numbers(value: float | tuple[float, ...] | None) -> Sequence[float]:

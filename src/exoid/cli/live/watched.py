@@ -9,7 +9,6 @@ from exoid.cli.live.panel import Panel
 from exoid.cli.live.result import chime
 from exoid.recordings.live.decoding.node_stream import NodeStream
 from exoid.recordings.live.decoding.reading import Reading
-from exoid.watching.board import Board
 from exoid.watching.follower import Follower, Sink
 from exoid.watching.origin import Origin
 

@@ -6,7 +6,7 @@ from exoid.cli.live import words
 from exoid.cli.live.json_lines import document, number
 from exoid.files.visible import visible
 from exoid.watching.board import Board
-from exoid.watching.estimator import RATIOS
+from exoid.watching.known import RATIOS
 from exoid.watching.moment import Moment
 
 

@@ -1,0 +1,164 @@
+"""The bare leg, from what drops with several weights told: weighted least squares.
+
+With the leg's G = m l g / J, c and b of d / J and a mass M at r with the radius of gyration k, a drop
+has
+
+    J' = J + M (r^2 + k^2),   G' = (J G + M g r) / J',   (c / J)' = J c / J',   b' = J b / J'.
+
+Two weights tell J, and r and k as far as they are not known: a mass that is 5 mm off its place would
+else make J wrong by 6 %. That is why every weight is followed as a leg of its own.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from math import exp, inf, log
+
+import numpy as np
+from jaxtyping import Float
+
+from exoid.fitting.model.systematics import GYRATION, MEASURED_GYRATION, PLACED, WEIGHED
+from exoid.physics.anatomy import ExpectedLeg
+from exoid.physics.leg import GRAVITY
+from exoid.recordings.recording import Subject
+from exoid.watching.load import Mass
+from exoid.watching.moment import Quantity
+
+NAMES = ("gravity_over_inertia", "stiffness_over_inertia", "damping_over_inertia")
+UNITS = ("1/s^2", "1/s^2", "1/s")
+ABSOLUTE = {"gravity": "N m", "stiffness": "N m/rad", "damping": "N m s/rad"}
+ANYWHERE = 0.5  # of the logarithm of a distance that nobody measured
+KNEE = 5.0  # times what a relaxed knee has, where nothing else is known
+ROUNDS = 8  # of Gauss-Newton at most
+SETTLED = 1e-6  # standard deviations that the last step moves
+STEP = 1e-6  # of a standard deviation a priori, for slopes
+
+Row = Float[np.ndarray, " unknown"]  # log J, G, c / J, d / J, log of weight and distance off, k^2
+
+
+@dataclass(frozen=True)
+class Told:
+    """The ratios of a leg with a mass on it, and J with it where a known torque told that."""
+
+    ratios: tuple[float, ...]
+    errors: tuple[float, ...]
+    inertia: tuple[float, float] | None = None  # kg m^2, with its standard error
+
+
+@dataclass(frozen=True)
+class Bare:
+    """The quantities of the bare leg, and how much of log J the prior left."""
+
+    ratios: tuple[Quantity, ...]
+    absolute: tuple[Quantity, ...]
+    narrowed: float  # error of log J over that a priori
+
+
+@dataclass(frozen=True, eq=False)
+class Unloading:
+    """What is believed of a leg, and of the masses that are put on it."""
+
+    prior: Row
+    root: Float[np.ndarray, "unknown unknown"]  # of its information: whitens a deviation
+    deviation: Row
+
+
+def unloading(expected: ExpectedLeg, subject: Subject, masses: list[Mass]) -> Unloading:
+    """Before any drop: the leg by anatomy, the masses as well as they were weighed and placed."""
+    inertia = expected.inertia.value
+    gravity = expected.mass.value * expected.com_distance.value * GRAVITY / inertia
+    knee = expected.stiffness.value / inertia, expected.damping.value / inertia
+    heaviest = max(masses, key=lambda each: each.weight)
+    said, by_tape = subject.added_mass_uncertainty, subject.added_mass_distance_uncertainty
+    weighed = WEIGHED if said is None or not heaviest.weight else said / heaviest.weight
+    away = (PLACED if by_tape is None else by_tape) / heaviest.distance
+    gyration = subject.added_mass_gyration
+    extent = GYRATION**2 if gyration is None else gyration**2
+    spread = 2**0.5 * extent if gyration is None else 2 * MEASURED_GYRATION * extent
+    prior = np.array([log(inertia), gravity, *knee, 0.0, 0.0, extent])
+    deviation = np.array(
+        [
+            1.0,
+            1.0,
+            KNEE * knee[0],
+            KNEE * knee[1],
+            weighed,
+            away if heaviest.placed else ANYWHERE,
+            1.0,
+        ]
+    )
+    deviation[-1] = max(spread, 1e-9)
+    covariance = np.diag(deviation**2)
+    covariance[:2, :2] = of_size(expected, gravity)
+    return Unloading(
+        prior, np.linalg.inv(np.linalg.cholesky(covariance)), np.sqrt(np.diag(covariance))
+    )
+
+
+def of_size(expected: ExpectedLeg, gravity: float) -> Float[np.ndarray, "2 2"]:
+    """The covariance of log J and G."""
+    assert expected.covariance is not None
+    rows = np.array([[1.0, 1.0, 1.0], [0.0, 0.0, -gravity]])
+    return rows @ np.array(expected.covariance) @ rows.T
+
+
+def unloaded(before: Unloading, told: Mapping[Mass, Told]) -> Bare:
+    """The bare leg by all weights that were told of."""
+    row, slopes = before.prior.copy(), before.root
+    for each in told.values():
+        row[1:4] = each.ratios
+    for _ in range(ROUNDS):
+        off, slopes = residual(before, told, row), slopes_of(before, told, row)
+        step = np.linalg.lstsq(slopes, -off, rcond=None)[0]
+        row = row + step
+        if np.max(np.abs(step) / before.deviation) < SETTLED:
+            break
+    covariance = np.linalg.inv(slopes.T @ slopes)
+    return read(row, covariance, before)
+
+
+def residual(before: Unloading, told: Mapping[Mass, Told], row: Row) -> np.ndarray:
+    """What was told less what the row says, and the row less the prior, over standard errors."""
+    parts = [before.root @ (row - before.prior)]
+    for mass, one in told.items():
+        shown, inertia = with_mass(row, mass)
+        parts.append((shown - np.array(one.ratios)) / np.array(one.errors))
+        if one.inertia is not None:
+            value, error = one.inertia
+            parts.append(np.array([(inertia - value) / error]))
+    return np.concatenate(parts)
+
+
+def slopes_of(before: Unloading, told: Mapping[Mass, Told], row: Row) -> np.ndarray:
+    steps = STEP * before.deviation
+    columns = [
+        (residual(before, told, row + step) - residual(before, told, row - step)) / (2 * step[at])
+        for at, step in enumerate(np.diag(steps))
+    ]
+    return np.stack(columns, axis=1)
+
+
+def with_mass(row: Row, mass: Mass) -> tuple[Float[np.ndarray, "3"], float]:
+    """The ratios of the loaded leg, and its J."""
+    inertia, gravity, stiffness, damping = exp(row[0]), row[1], row[2], row[3]
+    if not mass.weight:
+        return np.array([gravity, stiffness, damping]), inertia
+    weight, distance = mass.weight * exp(row[4]), mass.distance * exp(row[5])
+    loaded = inertia + weight * (distance**2 + row[6])
+    share = inertia / loaded
+    gravity = share * gravity + weight * GRAVITY * distance / loaded
+    return np.array([gravity, share * stiffness, share * damping]), loaded
+
+
+def read(row: Row, covariance: np.ndarray, before: Unloading) -> Bare:
+    """The row in the numbers that people read."""
+    errors = np.sqrt(np.diag(covariance))
+    inertia = exp(row[0])
+    ratios = zip(NAMES, row[1:4].tolist(), errors[1:4].tolist(), UNITS, strict=True)
+    absolute = [Quantity("inertia", inertia, inertia * float(errors[0]), "kg m^2")]
+    for at, (name, unit) in enumerate(ABSOLUTE.items(), start=1):
+        value = inertia * float(row[at])
+        slope = np.zeros(row.size)
+        slope[0], slope[at] = value, inertia
+        absolute.append(Quantity(name, value, float(np.sqrt(slope @ covariance @ slope)), unit))
+    narrowed = float(errors[0] / before.deviation[0]) if before.deviation[0] > 0 else inf
+    return Bare(tuple(Quantity(*each) for each in ratios), tuple(absolute), narrowed)
