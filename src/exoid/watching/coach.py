@@ -1,4 +1,4 @@
-"""Looks for the movement that would tell most next, beside the stream: of the newest belief alone."""
+"""Looks for the movement that would tell most next, beside the stream, by the newest belief."""
 
 from concurrent.futures import Future, ThreadPoolExecutor
 

@@ -19,7 +19,7 @@ def known_of(belief: online.Belief, model: online.Model) -> dict[str, Quantity]:
 
 
 def told_of(belief: online.Belief, model: online.Model, *, torque: bool) -> tuple[Quantity, ...]:
-    """Besides the ratios: what motion tells of the terms, and with a known torque the leg itself."""
+    """Besides the ratios: what motion tells of the terms, and with a torque the leg itself."""
     by = {name: each.set_by for name, each in online.estimates(belief, model).items()}
     return tuple(
         each

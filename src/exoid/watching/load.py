@@ -18,6 +18,9 @@ class Mass:
     placed: bool = True  # is the distance known?
 
 
+BARE = Mass()
+
+
 @dataclass(frozen=True)
 class Load:
     """From each of the times on [s], a mass.
@@ -27,7 +30,7 @@ class Load:
     """
 
     begins: tuple[float, ...] = (0.0,)
-    masses: tuple[Mass, ...] = (Mass(),)
+    masses: tuple[Mass, ...] = (BARE,)
 
     def at(self, time: float) -> Mass:
         return self.masses[max(0, bisect_right(self.begins, time) - 1)]

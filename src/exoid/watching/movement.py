@@ -12,7 +12,7 @@ from jaxtyping import Float
 from exoid import online
 from exoid.online.belief import knowledge_of
 from exoid.online.filter.motion import advance
-from exoid.watching.load import Mass
+from exoid.watching.load import BARE, Mass
 
 STEP = 0.01  # s, of the node
 HELD, FREE = 0.6, 6.0  # s: a rest that is seen as one, and a drop
@@ -25,7 +25,7 @@ class Movement:
     """A drop from an angle [rad] at which the leg is held, with a mass on it."""
 
     hold: float
-    mass: Mass = Mass()
+    mass: Mass = BARE
 
     @property
     def words(self) -> str:
@@ -37,8 +37,8 @@ class Movement:
 def samples_of(
     movement: Movement, belief: online.Belief, model: online.Model, after: float
 ) -> online.Sample:
-    """What the node would send of it after the time `after` [s], where the leg with the mass is as it
-    is believed to be.
+    """What the node would send of it after the time `after` [s], by what is believed of the leg with
+    that mass.
     """
     held, free = (round(each / STEP) for each in (HELD, FREE))
     known = knowledge_of(belief, model).filters.mean[0]

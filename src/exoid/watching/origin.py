@@ -1,7 +1,7 @@
 """Who is followed and by what model: from what is known of a person, and what was asked for."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from exoid import online
@@ -18,10 +18,10 @@ from exoid.watching.refinement import Refinement
 
 @dataclass(frozen=True)
 class Origin:
-    """Whose leg, with what on it, on a thigh that is inclined so [rad]; the terms, and the goals."""
+    """Whose leg, with what on it, how the thigh is inclined [rad]; the terms, and the goals."""
 
     subject: Subject
-    load: Load = Load()
+    load: Load = field(default_factory=Load)
     thigh_angle: float = 0.0
     terms: tuple[type[Any], ...] = ()
     goals: Sequence[Goal] = ()

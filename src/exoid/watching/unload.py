@@ -1,12 +1,12 @@
 """The bare leg, from what drops with several weights told: weighted least squares.
 
-With the leg's G = m l g / J, c and b of d / J and a mass M at r with the radius of gyration k, a drop
-has
+With the leg's G = m l g / J, c / J and b = d / J, and a mass M at r with the radius of gyration k, a
+drop has
 
     J' = J + M (r^2 + k^2),   G' = (J G + M g r) / J',   (c / J)' = J c / J',   b' = J b / J'.
 
-Two weights tell J, and r and k as far as they are not known: a mass that is 5 mm off its place would
-else make J wrong by 6 %. That is why every weight is followed as a leg of its own.
+Two weights tell J, and r and k as far as they are not known: a mass that is 5 mm off its place
+would else make J wrong by 6 %. That is why every weight is followed as a leg of its own.
 """
 
 from collections.abc import Mapping

@@ -1,4 +1,4 @@
-"""What is to be followed, by what model, how fast, and until when, as the options of `live` say it."""
+"""What `live` is to follow, by what model, how fast, and until when, as its options say it."""
 
 from math import inf
 from pathlib import Path
@@ -8,7 +8,7 @@ ALWAYS = ("angle_offset", "gyro_bias", "gyro_scale")  # terms that an estimator 
 
 
 def check_source(recording: Path | None, channel: str | None, of_bus: dict, of_file: dict) -> None:
-    """Refuse no source and two, and options of the other one; `of_bus` and `of_file` by their names.
+    """Refuse no source and two, and options of the other one, which are given by their names.
 
     **Raises** `ValueError`.
     """

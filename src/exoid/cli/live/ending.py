@@ -12,7 +12,7 @@ from exoid.recordings.loading.can_log import read_can_log
 
 
 def conclude(session: Session, *, err: bool = False) -> None:
-    """What was recorded, as `exoid fit` will read it, and what to do with it; on stdout or stderr."""
+    """What was recorded, as `exoid fit` will read it, and what to do with it."""
     watch, log = session.watch, session.log
     kept = isinstance(log, LogFile)
     if not watch.frames:

@@ -36,7 +36,7 @@ class Bus:
         duration: float | None,
         refined: bool,
     ) -> Session:
-        """Until it is `stopped`, has lasted, or the goals are reached; the recording is complete."""
+        """Until it is `stopped`, has lasted, or the goals are reached."""
         watched = Watched(origin, viewer.panel, viewer.sinks, refined=refined)
         watched.stream = NodeStream(self.node or 0)
         session = Session(self.log, self.subject, watched, pressed, self.node)

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from pathlib import Path
 
 from exoid.cli.inputs.reading import take
@@ -83,7 +84,7 @@ def load_of(recording: Recording, factor: float) -> Load:
         return Load()
     spans = spans_of(recording)
     masses = [mass_in(recording, number) for number in range(len(spans))]
-    between = [(end + start) / 2 for (_, end), (start, _) in zip(spans, spans[1:], strict=False)]
+    between = [(end + start) / 2 for (_, end), (start, _) in pairwise(spans)]
     return Load(tuple(each / factor for each in (0.0, *between)), tuple(masses))
 
 

@@ -9,6 +9,7 @@ import numpy as np
 from exoid.recordings.can.frames import Log
 from exoid.recordings.live.decoding.node_stream import NodeStream
 from exoid.recordings.live.decoding.reading import Reading
+from exoid.recordings.live.decoding.stretch import take_all
 from exoid.recordings.recording import Recording, Segment
 
 AT_ONCE = 3100  # frames: ten seconds of a node
@@ -19,14 +20,9 @@ LOOKED_EVERY = 0.1  # s
 
 def of_log(log: Log, stream: NodeStream, together: int) -> Iterator[list[Reading]]:
     """Samples of the node's frames."""
-    frames = log.frames
-    plain = np.flatnonzero((frames.flags == 0) & (frames.length == 8))
-    for first in range(0, plain.size, together):
-        part = plain[first : first + together]
-        data = frames.data[part].tobytes()
-        each = zip(frames.identifier[part].tolist(), frames.time[part].tolist(), strict=True)
-        for place, (identifier, host) in enumerate(each):
-            stream.take(identifier, host, data[8 * place : 8 * place + 8])
+    for first in range(0, len(log.frames), together):
+        part = np.arange(first, min(first + together, len(log.frames)))
+        take_all(stream, log.frames.where(part))
         yield stream.drained()
 
 

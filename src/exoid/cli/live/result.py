@@ -17,8 +17,8 @@ NAMES, NUMBERS = 26, 12  # letters of a column
 def give(board: "Board", *, err: bool) -> None:
     """The last of it, on stdout, or on stderr where that is another's.
 
-    **Raises** what ended the estimator; `typer.Exit` with 1 where goals were not reached, or nothing
-    of the stream could be believed.
+    **Raises** what ended the estimator; `typer.Exit` with 1 where goals were not reached, or
+    nothing of the stream could be believed.
     """
     if board.fault is not None:
         raise board.fault

@@ -16,7 +16,7 @@ def record(
     going: Callable[[], bool],
     hear: Callable[[can.Message], None] = lambda message: None,
 ) -> None:
-    """Write every frame that comes and is wanted, as long as `going`; `hear` gets each of them, too.
+    """Write every frame that comes and is wanted, as long as `going`; `hear` gets each, too.
 
     That is asked at least every 50 ms.
 

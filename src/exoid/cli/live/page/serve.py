@@ -25,8 +25,8 @@ def listening_on(host: str, port: int) -> socket:
     except (OSError, gaierror, UnicodeError) as fault:
         reason = getattr(fault, "strerror", None) or fault
         raise ValueError(
-            f"--serve: nobody can listen on port {port} of {host}: {reason}. Give another --port, or "
-            "0 for any, or another --host."
+            f"--serve: nobody can listen on port {port} of {host}: {reason}. Give another --port, "
+            "or 0 for any, or another --host."
         ) from fault
     made.listen()
     return made

@@ -33,6 +33,7 @@ class NodeStream:
     """Takes frames, gives samples. `spoiled` says why nothing can be believed any more."""
 
     def __init__(self, node: int = 0):
+        self.node = node
         plans = messages_of(node)
         takers = {TIME: self.clock, STATE: self.state, RAW: self.raw, FINE: self.fine}
         self.takers = {plans[name].identifier: taker for name, taker in takers.items()}
@@ -77,7 +78,8 @@ class NodeStream:
             self.spoiled = OTHER_FIRMWARE
             return
         self.ticks.clock(self.counter[TIME](word), self.device_time(word), host)
-        self.unsure = 0
+        if self.unsure:
+            self.unsure, self.open = 0, None
         if self.ticks.restarts != before:
             self.begin_anew()
 
