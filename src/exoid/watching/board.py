@@ -13,11 +13,10 @@ MOST = 600  # points of the history; of more, every second one is dropped
 
 @dataclass(frozen=True)
 class Ended:
-    """A drop that has ended."""
+    """A drop that has ended, with a weight [kg] on the leg, and what was known then."""
 
-    number: int
-    time: float  # s, when
-    mass: float  # kg
+    weight: float
+    moment: Moment
 
 
 @dataclass

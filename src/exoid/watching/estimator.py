@@ -14,7 +14,7 @@ from exoid.watching.known import RATIOS, told_of
 from exoid.watching.moment import Moment, Quantity
 
 EVERY = 0.1  # s of the stream between two moments
-TOGETHER = 96  # samples that are handed over at once, at most
+TOGETHER = 256  # samples that are handed over at once, at most
 KEPT = 600.0  # s of samples: the longest drop
 UNITS = ("1/s^2", "1/s^2", "1/s")  # of the ratios
 ROUNDING = 1e-6  # of a moment's number
@@ -49,9 +49,10 @@ class Estimator:
         self.said: list[online.Outlook] = []  # and what was said after each of them
 
     def warm(self) -> None:
-        """Have the program compiled or loaded, and forget what it said."""
+        """Have the programs compiled or loaded, and forget what they said."""
         nothing = np.full((1, ROW), np.nan)
         online.replay(self.belief, online.Sample(*nothing.T), self.model)
+        told_of(self.belief, self.model, torque=False)
 
     def take(self, readings: Sequence[Reading]) -> Iterator[Moment | Drop]:
         """What is to be told after these samples."""

@@ -79,7 +79,7 @@ class Follower:
         assert self.company is not None
         self.board.ended = (
             *self.board.ended,
-            Ended(drop.number, drop.moment.time, drop.mass.weight),
+            Ended(drop.mass.weight, drop.moment),
         )
         if self.company.coach is not None:
             self.company.coach.ask(drop.beliefs, drop.mass, drop.moment.time)

@@ -47,6 +47,7 @@ class Leg:
         self.changed = float("-inf")  # s, when another weight was put on
         self.before = unloading(person.expected, person.subject, list(load.masses))
         self.latest: dict[Mass, Moment] = {}  # of each weight, its last one
+        self.solved: tuple[dict[Mass, Told], Bare] | None = None  # what they told, and the bare leg
         self.estimator_of(self.now)
 
     @property
@@ -90,8 +91,7 @@ class Leg:
         trust = moment.trust
         if trust is online.Trust.FAULTY and moment.time < self.changed + SETTLING:
             trust = online.Trust.WAITING
-        seen = {mass: each for mass, each in self.latest.items() if is_told(each)}
-        bare = unloaded(self.before, {mass: told_of(each) for mass, each in seen.items()})
+        bare = self.bare()
         others = [each for each in moment.others if not each.unit.startswith(SCALED)]
         return replace(
             moment,
@@ -100,6 +100,14 @@ class Leg:
             ratios=bare.ratios,
             others=(*absolute_of(bare), *others),
         )
+
+    def bare(self) -> Bare:
+        """By what all weights have told until now; most moments tell nothing new."""
+        told = {mass: told_of(each) for mass, each in self.latest.items() if is_told(each)}
+        if self.solved is None or self.solved[0] != told:
+            near = None if self.solved is None else self.solved[1].row
+            self.solved = told, unloaded(self.before, told, near)
+        return self.solved[1]
 
 
 def is_told(moment: Moment) -> bool:

@@ -37,8 +37,8 @@ class Movement:
 def samples_of(
     movement: Movement, belief: online.Belief, model: online.Model, after: float
 ) -> online.Sample:
-    """What the node would send of it after the time `after` [s], by what is believed of the leg with
-    that mass.
+    """What the node would send of it after the time `after` [s], as the leg with that mass is
+    believed to be.
     """
     held, free = (round(each / STEP) for each in (HELD, FREE))
     known = knowledge_of(belief, model).filters.mean[0]

@@ -1,7 +1,7 @@
 """The bare leg, from what drops with several weights told: weighted least squares.
 
-With the leg's G = m l g / J, c / J and b = d / J, and a mass M at r with the radius of gyration k, a
-drop has
+With the leg's G = m l g / J, c / J and b = d / J, and a mass M at r with the radius of gyration k,
+a drop has
 
     J' = J + M (r^2 + k^2),   G' = (J G + M g r) / J',   (c / J)' = J c / J',   b' = J b / J'.
 
@@ -30,7 +30,6 @@ ANYWHERE = 0.5  # of the logarithm of a distance that nobody measured
 KNEE = 5.0  # times what a relaxed knee has, where nothing else is known
 ROUNDS = 8  # of Gauss-Newton at most
 SETTLED = 1e-6  # standard deviations that the last step moves
-STEP = 1e-6  # of a standard deviation a priori, for slopes
 
 Row = Float[np.ndarray, " unknown"]  # log J, G, c / J, d / J, log of weight and distance off, k^2
 
@@ -44,13 +43,14 @@ class Told:
     inertia: tuple[float, float] | None = None  # kg m^2, with its standard error
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Bare:
     """The quantities of the bare leg, and how much of log J the prior left."""
 
     ratios: tuple[Quantity, ...]
     absolute: tuple[Quantity, ...]
     narrowed: float  # error of log J over that a priori
+    row: Row
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,52 +101,53 @@ def of_size(expected: ExpectedLeg, gravity: float) -> Float[np.ndarray, "2 2"]:
     return rows @ np.array(expected.covariance) @ rows.T
 
 
-def unloaded(before: Unloading, told: Mapping[Mass, Told]) -> Bare:
-    """The bare leg by all weights that were told of."""
-    row, slopes = before.prior.copy(), before.root
-    for each in told.values():
-        row[1:4] = each.ratios
+def unloaded(before: Unloading, told: Mapping[Mass, Told], near: Row | None = None) -> Bare:
+    """The bare leg by all weights that were told of; the search begins `near` a row."""
+    row, slopes = (before.prior if near is None else near).copy(), before.root
+    if near is None:
+        for each in told.values():
+            row[1:4] = each.ratios
     for _ in range(ROUNDS):
-        off, slopes = residual(before, told, row), slopes_of(before, told, row)
+        off, slopes = residual(before, told, row)
         step = np.linalg.lstsq(slopes, -off, rcond=None)[0]
         row = row + step
         if np.max(np.abs(step) / before.deviation) < SETTLED:
             break
-    covariance = np.linalg.inv(slopes.T @ slopes)
-    return read(row, covariance, before)
+    return read(row, np.linalg.inv(slopes.T @ slopes), before)
 
 
-def residual(before: Unloading, told: Mapping[Mass, Told], row: Row) -> np.ndarray:
-    """What was told less what the row says, and the row less the prior, over standard errors."""
-    parts = [before.root @ (row - before.prior)]
+def residual(
+    before: Unloading, told: Mapping[Mass, Told], row: Row
+) -> tuple[Float[np.ndarray, " residual"], Float[np.ndarray, "residual unknown"]]:
+    """What the row says less what was told and believed before, over standard errors; its slopes."""
+    off, slopes = [before.root @ (row - before.prior)], [before.root]
     for mass, one in told.items():
-        shown, inertia = with_mass(row, mass)
-        parts.append((shown - np.array(one.ratios)) / np.array(one.errors))
+        values, errors = [*one.ratios], [*one.errors]
         if one.inertia is not None:
-            value, error = one.inertia
-            parts.append(np.array([(inertia - value) / error]))
-    return np.concatenate(parts)
+            values, errors = [*values, one.inertia[0]], [*errors, one.inertia[1]]
+        shown, slope = with_mass(row, mass)
+        size, scale = len(values), np.array(errors)
+        off.append((shown[:size] - np.array(values)) / scale)
+        slopes.append(slope[:size] / scale[:, None])
+    return np.concatenate(off), np.concatenate(slopes)
 
 
-def slopes_of(before: Unloading, told: Mapping[Mass, Told], row: Row) -> np.ndarray:
-    steps = STEP * before.deviation
-    columns = [
-        (residual(before, told, row + step) - residual(before, told, row - step)) / (2 * step[at])
-        for at, step in enumerate(np.diag(steps))
-    ]
-    return np.stack(columns, axis=1)
-
-
-def with_mass(row: Row, mass: Mass) -> tuple[Float[np.ndarray, "3"], float]:
-    """The ratios of the loaded leg, and its J."""
-    inertia, gravity, stiffness, damping = exp(row[0]), row[1], row[2], row[3]
-    if not mass.weight:
-        return np.array([gravity, stiffness, damping]), inertia
-    weight, distance = mass.weight * exp(row[4]), mass.distance * exp(row[5])
-    loaded = inertia + weight * (distance**2 + row[6])
-    share = inertia / loaded
-    gravity = share * gravity + weight * GRAVITY * distance / loaded
-    return np.array([gravity, share * stiffness, share * damping]), loaded
+def with_mass(row: Row, mass: Mass) -> tuple[Float[np.ndarray, "4"], Float[np.ndarray, "4 7"]]:
+    """The ratios of the loaded leg and its J, and their slopes in the row."""
+    _, gravity, stiffness, damping, heavier, farther, extent = row.tolist()
+    inertia, weight = exp(row[0]), mass.weight * exp(heavier)
+    distance = mass.distance * exp(farther)
+    moment, spread = weight * GRAVITY * distance, weight * distance**2
+    added = spread + weight * extent
+    loaded = inertia + added
+    own = np.array([inertia * gravity + moment, inertia * stiffness, inertia * damping]) / loaded
+    of_own = np.zeros((3, row.size))
+    of_own[:, 0] = inertia * row[1:4]
+    of_own[:, 1:4] = inertia * np.eye(3)
+    of_own[0, 4:6] = moment
+    of_loaded = np.array([inertia, 0.0, 0.0, 0.0, added, 2 * spread, weight])
+    slopes = (of_own - np.outer(own, of_loaded)) / loaded
+    return np.append(own, loaded), np.concatenate([slopes, of_loaded[None]])
 
 
 def read(row: Row, covariance: np.ndarray, before: Unloading) -> Bare:
@@ -161,4 +162,4 @@ def read(row: Row, covariance: np.ndarray, before: Unloading) -> Bare:
         slope[0], slope[at] = value, inertia
         absolute.append(Quantity(name, value, float(np.sqrt(slope @ covariance @ slope)), unit))
     narrowed = float(errors[0] / before.deviation[0]) if before.deviation[0] > 0 else inf
-    return Bare(tuple(Quantity(*each) for each in ratios), tuple(absolute), narrowed)
+    return Bare(tuple(Quantity(*each) for each in ratios), tuple(absolute), narrowed, row)

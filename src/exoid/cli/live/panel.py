@@ -11,7 +11,7 @@ from exoid.cli.terminal.screen import NOBODY
 from exoid.files.visible import visible
 
 if TYPE_CHECKING:
-    from exoid.watching.board import Board
+    from exoid.watching.board import Board, Ended
 
 EVERY = 0.1  # s between two drawings, at least
 ROWS = 7  # of the table: a panel that grows and shrinks is not calm
@@ -27,6 +27,7 @@ class Panel:
         self.live: Any = None
         self.drawn = 0.0
         self.said: dict[str, str] = {}
+        self.told = 0  # drops
 
     def __enter__(self) -> "Panel":
         if sys.stderr.isatty():
@@ -71,26 +72,27 @@ class Panel:
             "trust": words.trust(self.board)
             if not self.board.silent
             else self.said.get("trust", ""),
-            "drop": self.last_drop(),
             "next": words.next_movement(self.board),
             "fit": words.batch(self.board),
         }
+        for ended in self.board.ended[self.told :]:
+            say(f"exoid: {drop_line(ended)}", err=True)
+        self.told = len(self.board.ended)
         for key, line in news.items():
             if line and line != self.said.get(key):
-                time = "" if self.board.moment is None else f"{self.board.moment.time:.1f} s, "
-                say(f"exoid: {time}{key}: {line}", err=True)
+                now = "" if self.board.moment is None else f"{self.board.moment.time:.1f} s, "
+                say(f"exoid: {now}{key}: {line}", err=True)
         self.said = news
 
-    def last_drop(self) -> str:
-        if not self.board.ended:
-            return ""
-        last = self.board.ended[-1]
-        loaded = f" with {last.mass:g} kg" if last.mass else ""
-        known = "; ".join(
-            f"{words.title(each.name)} {words.stated(each)}"
-            for each in words.quantities(self.board)
-        )
-        return f"{last.number} ended at {last.time:.1f} s{loaded}: {known}"
+
+def drop_line(ended: "Ended") -> str:
+    """A drop that has ended, and what was known then."""
+    moment = ended.moment
+    loaded = f" with {ended.weight:g} kg" if ended.weight else ""
+    known = "; ".join(
+        f"{words.title(each.name)} {words.stated(each)}" for each in moment.quantities.values()
+    )
+    return f"{moment.time:.1f} s, drop {moment.drops}{loaded}: {known or moment.trust.words}"
 
 
 def drawing(board: "Board", name: str) -> Any:

@@ -18,6 +18,7 @@ from exoid.recordings.can.device_clock import (
     nearest_tick,
 )
 from exoid.recordings.can.frames import Frames
+from exoid.recordings.can.node.config_crc import filter_of
 from exoid.recordings.can.node.rows import FINE, RAW, SAMPLED, STATE, TIME
 from exoid.recordings.can.node.samples import RAW_LIMIT
 from exoid.recordings.can.node.which import messages_of
@@ -74,7 +75,7 @@ def stretch_of(stream: NodeStream, frames: Frames) -> Stretch | None:
     usual = not (stream.spoiled or stream.filtered or stream.unsure or stream.finer)
     if not usual or ticks.tick is None or ticks.anchor is None or stream.last != ticks.tick:
         return None
-    if not {STATE, RAW} <= ticks.tracks.keys():
+    if stream.heard is None or not {STATE, RAW} <= ticks.tracks.keys():
         return None
     plans = messages_of(stream.node)
     ends = np.flatnonzero(frames.identifier == plans[RAW].identifier)
@@ -137,7 +138,7 @@ def anchored(stream: NodeStream, plan, clocks, at: Int[np.ndarray, " clock"]):
     elapsed = np.diff(every) % CLOCK_WRAP
     steps = np.diff(np.concatenate([[tick_before], at]))
     sound = (
-        ((told == 0) | (told == stream.crc)).all()
+        all(each == 0 or filter_of(int(each)) is not None for each in np.unique(told))
         and (counter == at % COUNTER).all()
         and (np.rint(elapsed * MICROSECOND / PERIOD) == steps).all()
     )
