@@ -96,6 +96,7 @@ class Estimator:
     def moment(self, row: Rows, outlook: online.Outlook, at: int) -> Moment:
         values, errors = (each[at].tolist() for each in (outlook.ratios, outlook.errors))
         each = zip(RATIOS, values, errors, UNITS, strict=True)
+        ratios = tuple(Quantity(*one) for one in each)
         return Moment(
             time=float(row[0]),
             angle=float(row[1]),
@@ -103,7 +104,8 @@ class Estimator:
             phase=online.Phase(int(outlook.phase[at])),
             trust=online.Trust(int(outlook.trust[at])),
             drops=int(outlook.drops[at]),
-            ratios=tuple(Quantity(*one) for one in each),
+            ratios=ratios,
+            as_loaded=ratios,
             others=self.others,
         )
 

@@ -14,6 +14,7 @@ from exoid.watching.moment import Moment, Quantity
 from exoid.watching.unload import Bare, Told, unloaded, unloading
 
 TOLD = 0.5  # of what the prior left open of log J: what leaves more tells no J
+SOUND = (online.Trust.WAITING, online.Trust.LEARNING, online.Trust.GOOD, online.Trust.ENOUGH)
 SETTLING = 1.0  # s after another weight was put on, in which the pause counts as no fault
 
 
@@ -88,18 +89,25 @@ class Leg:
         self.latest[self.now] = moment
         if not self.load.known:
             return moment
-        trust = moment.trust
-        if trust is online.Trust.FAULTY and moment.time < self.changed + SETTLING:
-            trust = online.Trust.WAITING
         bare = self.bare()
         others = [each for each in moment.others if not each.unit.startswith(SCALED)]
         return replace(
             moment,
-            trust=trust,
+            trust=self.trust(moment),
             drops=sum(each.drops for each in self.latest.values()),
             ratios=bare.ratios,
             others=(*absolute_of(bare), *others),
         )
+
+    def trust(self, moment: Moment) -> online.Trust:
+        """What one weight has made sure of stays so while another one is learned."""
+        trust = moment.trust
+        if trust is online.Trust.FAULTY and moment.time < self.changed + SETTLING:
+            trust = online.Trust.WAITING
+        if trust not in SOUND:
+            return trust
+        others = [each.trust for each in self.latest.values() if each.drops and each.trust in SOUND]
+        return max([trust, *others])
 
     def bare(self) -> Bare:
         """By what all weights have told until now; most moments tell nothing new."""

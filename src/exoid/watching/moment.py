@@ -22,8 +22,8 @@ class Quantity:
 class Moment:
     """Motion, phase and trust, and the quantities, of which none is told that cannot be believed.
 
-    `ratios` are of this moment; `others` (the leg with a known mass or torque, terms) of the end of
-    the last drop.
+    `ratios` are of the bare leg at this moment, `as_loaded` of the leg as it swings; `others` (J
+    where a known mass or torque tells it, terms) of the end of the last drop.
     """
 
     time: float  # s, on the stream's clock
@@ -33,6 +33,7 @@ class Moment:
     trust: Trust
     drops: int
     ratios: tuple[Quantity, ...]
+    as_loaded: tuple[Quantity, ...]
     others: tuple[Quantity, ...] = ()
 
     @property

@@ -60,8 +60,8 @@ def advise(beliefs: Beliefs, wish: Wish, now: Mass, after: float) -> Advice:
         for each in candidates(beliefs, wish.goals, before, now)
     }
     best = min(found, key=lambda each: lacking(found[each], wish.goals)[1])
-    name, left = lacking(found[best], wish.goals)
-    had = lacking(before, wish.goals)[1]
+    left = lacking(found[best], wish.goals)[1]
+    name, had = lacking(before, wish.goals)
     known = before[name]
     return Advice(
         movement=best if left < WORTH * had else None,

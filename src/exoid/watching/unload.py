@@ -119,7 +119,7 @@ def unloaded(before: Unloading, told: Mapping[Mass, Told], near: Row | None = No
 def residual(
     before: Unloading, told: Mapping[Mass, Told], row: Row
 ) -> tuple[Float[np.ndarray, " residual"], Float[np.ndarray, "residual unknown"]]:
-    """What the row says less what was told and believed before, over standard errors; its slopes."""
+    """What the row says less what was told and believed, over standard errors; and its slopes."""
     off, slopes = [before.root @ (row - before.prior)], [before.root]
     for mass, one in told.items():
         values, errors = [*one.ratios], [*one.errors]

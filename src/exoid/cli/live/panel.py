@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 EVERY = 0.1  # s between two drawings, at least
 ROWS = 7  # of the table: a panel that grows and shrinks is not calm
-BAR = 10  # letters
+BAR = 8  # letters
 CALM = {3: "green", 2: "green", 4: "red", 5: "yellow", 6: "red"}  # by trust
 
 
@@ -109,6 +109,7 @@ def drawing(board: "Board", name: str) -> Any:
         Text(visible(board.stream), no_wrap=True, overflow="ellipsis"),
         Text.assemble((words.doing(board) or " ", "bold"), "   ", words.drops(board)),
         Text(visible(words.trust(board)), style=color, no_wrap=True, overflow="ellipsis"),
+        Text(),
         table(board),
         labelled("next", words.next_movement(board)),
         labelled("check", words.batch(board)),
@@ -125,7 +126,7 @@ def drawing(board: "Board", name: str) -> Any:
     )
 
 
-WIDTH = 88  # letters, on a terminal that has them
+WIDTH = 82  # letters, on a terminal that has them
 
 
 def labelled(label: str, text: str) -> Any:
@@ -141,8 +142,8 @@ def table(board: "Board") -> Any:
     """The quantities, as many as fit, and blank rows where there are fewer."""
     from rich.table import Table
 
-    shown = Table(box=None, padding=(0, 2, 0, 0), pad_edge=False)
-    shown.add_column("", min_width=24, no_wrap=True)
+    shown = Table(box=None, padding=(0, 1, 0, 0), pad_edge=False)
+    shown.add_column("", min_width=22, no_wrap=True)
     for head in ("value", "± error"):
         shown.add_column(head, justify="right", min_width=9, no_wrap=True)
     shown.add_column("unit", min_width=8, no_wrap=True)

@@ -15,6 +15,7 @@ def now(board: Board) -> dict[str, Any]:
     moment = board.moment
     return {
         "moment": None if moment is None else document(moment),
+        "swing": None if moment is None or not moment.believed else swing(moment),
         "trust": visible(words.trust(board)),
         "level": level(board),
         "doing": words.doing(board),
@@ -37,13 +38,18 @@ def level(board: Board) -> str:
     return ("none", "none", "good", "good", "bad", "care", "bad")[int(board.moment.trust)]
 
 
+def swing(moment: Moment) -> list[float | None]:
+    """The ratios by which the leg swings that is seen, with what is on it."""
+    return [number(each.value) for each in moment.as_loaded]
+
+
 def row(board: Board, each) -> dict[str, Any]:
     value, error = words.rounded(each.value, each.error)
     return {
         "name": words.title(each.name),
         "value": value,
         "error": error,
-        "unit": each.unit,
+        "unit": each.unit.replace("^2", "²").replace("^3", "³"),
         "goal": words.progress(board, each.name),
     }
 

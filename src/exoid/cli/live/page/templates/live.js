@@ -29,12 +29,12 @@ function fall(state, [gravity, stiffness, damping], until) {
   return state;
 }
 
-function follow(moment) {
+function follow(moment, swing) {
   const { phase, angle_rad: angle, velocity_rad_s: rate } = moment.state;
   const known = RATIOS.map((name) => moment.ratios[name].value);
-  const moves = phase === "moving" && !known.includes(null);
+  const moves = phase === "moving" && swing !== null && !swing.includes(null);
   const goesOn = simulated && moment.time_s > simulated.time && moment.time_s - simulated.time < 1;
-  if (moves && goesOn) simulated = fall(simulated, known, moment.time_s);
+  if (moves && goesOn) simulated = fall(simulated, swing, moment.time_s);
   else simulated = moves && angle !== null && rate !== null ? { time: moment.time_s, angle, rate } : null;
   turn("measured", angle);
   turn("simulated", simulated ? simulated.angle : angle);
@@ -104,7 +104,7 @@ function show(board) {
   tell("fit", board.fit || "-");
   tell("stream", board.stream || "-");
   list(board.rows);
-  if (board.moment) follow(board.moment);
+  if (board.moment) follow(board.moment, board.swing);
   draw();
 }
 
