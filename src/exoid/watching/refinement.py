@@ -1,5 +1,6 @@
 """The batch fit of the drops so far, beside the stream: in a process of its own, newest first."""
 
+import gc
 import os
 from concurrent.futures import Future, ProcessPoolExecutor
 from dataclasses import dataclass, replace
@@ -95,9 +96,12 @@ class Refinement:
         """Whatever still runs ends with it."""
         pool, self.pool = self.pool, None
         if pool is not None:
-            for process in (pool._processes or {}).values():
+            for process in list((pool._processes or {}).values()) if self.running else ():
                 process.terminate()
-            pool.shutdown(wait=False, cancel_futures=True)
+            pool.shutdown(cancel_futures=True)
+            self.running = None
+            del pool
+            gc.collect()  # its semaphores go with it, as they would not with this process
 
 
 def beside(drop: LegDrop, found: FitResult, count: int) -> Refined:

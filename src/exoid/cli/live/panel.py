@@ -72,7 +72,7 @@ class Panel:
             "trust": words.trust(self.board)
             if not self.board.silent
             else self.said.get("trust", ""),
-            "next": words.next_movement(self.board),
+            "next": words.advice(self.board),
             "fit": words.batch(self.board),
         }
         for ended in self.board.ended[self.told :]:
@@ -112,6 +112,7 @@ def drawing(board: "Board", name: str) -> Any:
         Text(),
         table(board),
         labelled("next", words.next_movement(board)),
+        labelled("", words.gain(board)),
         labelled("check", words.batch(board)),
     ]
     where = Text(visible(f"exoid live  {name}"))
@@ -134,7 +135,7 @@ def labelled(label: str, text: str) -> Any:
 
     line = Text(no_wrap=True, overflow="ellipsis")
     line.append(f"{label:7}", style="dim")
-    line.append(visible(text) or "-", style="" if text else "dim")
+    line.append(visible(text) or ("-" if label else ""), style="" if text else "dim")
     return line
 
 

@@ -53,7 +53,8 @@ class Watched:
     def show(self, line: str) -> None:
         """A moment of the stream, in a line."""
         quiet = time.monotonic() - self.given
-        self.board.silent = quiet if quiet > QUIET and self.board.moment is not None else 0.0
+        waits = self.board.state == "following" and self.board.moment is not None
+        self.board.silent = quiet if quiet > QUIET and waits else 0.0
         self.look()
         self.panel.show(line)
 

@@ -64,14 +64,22 @@ def progress(board: "Board", name: str) -> float | None:
 
 
 def next_movement(board: "Board") -> str:
-    """What to do, and what it would bring."""
+    """What to do."""
+    return "" if board.advice is None else board.advice.words
+
+
+def gain(board: "Board") -> str:
+    """What that would bring."""
     found = board.advice
-    if found is None:
+    if found is None or found.movement is None:
         return ""
-    if found.movement is None:
-        return found.words
     before, after = (f"{each:.2g}" for each in (found.before, found.after))
-    return f"{found.words}: error of {title(found.name)} {before} → {after} {found.unit}"
+    return f"error of {title(found.name)} {before} → {after} {found.unit}"
+
+
+def advice(board: "Board") -> str:
+    """Both."""
+    return ": ".join(filter(None, [next_movement(board), gain(board)]))
 
 
 def batch(board: "Board") -> str:

@@ -21,7 +21,7 @@ def now(board: Board) -> dict[str, Any]:
         "doing": words.doing(board),
         "stream": visible(board.stream),
         "drops": words.drops(board),
-        "next": visible(words.next_movement(board)),
+        "next": visible(words.advice(board)),
         "fit": visible(words.batch(board)),
         "rows": [row(board, each) for each in words.quantities(board)],
         "reached": board.reached,
