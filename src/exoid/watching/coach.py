@@ -7,7 +7,10 @@ from exoid.watching.next_movement import Advice, Beliefs, Wish, advise
 
 
 class Coach:
-    """Is asked between drops; `latest` is the answer to the last question that is answered."""
+    """Is asked between drops; `latest` is the answer to the last question that is answered.
+
+    One thread asks, another one looks.
+    """
 
     def __init__(self, wish: Wish):
         self.wish = wish
@@ -19,7 +22,6 @@ class Coach:
     def ask(self, beliefs: Beliefs, now: Mass, after: float) -> None:
         """What to do with the weight `now` on the leg, after the time `after` [s]."""
         self.waiting = beliefs, now, after
-        self.look()
 
     def look(self) -> None:
         """Take what is done, and begin what waits."""

@@ -32,7 +32,10 @@ class Refined:
 
 
 class Refinement:
-    """Takes drops as they end; `latest` is what the last fit that is done has found."""
+    """Takes drops as they end; `latest` is what the last fit that is done has found.
+
+    One thread adds, another one looks: what they share is replaced as a whole.
+    """
 
     def __init__(self, subject: Subject, model: online.Model):
         self.subject, self.model = subject, model
@@ -47,8 +50,7 @@ class Refinement:
         if drop.number <= len(self.drops):
             self.drops = []
         if np.ptp(drop.segment.best_angle[np.isfinite(drop.segment.best_angle)]) >= LEAST:
-            self.drops.append(drop)
-        self.look()
+            self.drops = [*self.drops, drop]
 
     def look(self) -> None:
         """Take what is done, and begin what waits."""

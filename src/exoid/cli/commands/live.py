@@ -6,19 +6,20 @@ from typing import Annotated
 
 import typer
 
+from exoid.cli.commands.analysis import prepare
 from exoid.cli.inputs.body import ask_body, given_body
 from exoid.cli.inputs.choices import FlipOption, Side, ZeroOption
 from exoid.cli.inputs.node import BITRATE, INTERFACE
 from exoid.cli.inputs.reading import Columns, Dbc, Signals
 from exoid.cli.inputs.terms import OwnTerms, With, own_terms, terms_asked
 from exoid.cli.inputs.watching import (
-    check_files,
     check_source,
     followed_terms,
     goals_asked,
     speed_asked,
 )
 from exoid.cli.outputs.destination import Force
+from exoid.cli.outputs.streamed import check_files
 from exoid.cli.terminal.keys import check_keyboard
 
 Number = float | None
@@ -137,6 +138,7 @@ def live(
     goals = goals_asked(until, terms_wanted)
     from exoid.cli.live.run import Views, Wanted, run_bus, run_file
 
+    prepare()
     wanted = Wanted(terms_wanted, goals, Views(json_lines, serve, host, port), refine)
     if recording is not None:
         from exoid.cli.live.opened import open_recording

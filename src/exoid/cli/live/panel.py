@@ -5,7 +5,7 @@ import time
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
-from exoid.cli.live import words
+from exoid.cli.live.saying import words
 from exoid.cli.terminal.say import say
 from exoid.cli.terminal.screen import NOBODY
 from exoid.files.visible import visible

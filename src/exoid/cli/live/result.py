@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from exoid.cli.live import words
+from exoid.cli.live.saying import words
 from exoid.cli.terminal.say import say
 
 if TYPE_CHECKING:

@@ -5,7 +5,6 @@ from dataclasses import dataclass
 from math import inf
 from pathlib import Path
 
-from exoid.cli.commands.analysis import prepare
 from exoid.cli.live.ending import conclude
 from exoid.cli.live.follow import Bus, follow_file
 from exoid.cli.live.opened import Opened
@@ -43,7 +42,6 @@ def run_bus(bus: Bus, wanted: Wanted, *, marked: bool, duration: float | None) -
     """Follow a node until somebody stops it, it has lasted, or the goals are reached."""
     board = Board(wanted.goals)
     origin = wanted.origin(bus.subject, load=constant_load(bus.subject))
-    prepare()
     with (
         stoppable() as stopped,
         viewing(board, str(bus.address), wanted.views) as viewer,
@@ -67,7 +65,6 @@ def run_file(name: Path, opened: Opened, wanted: Wanted, speed: float) -> None:
     board = Board(wanted.goals)
     placed = {"load": opened.load, "thigh_angle": opened.thigh_angle}
     refined = speed != inf if wanted.refine is None else wanted.refine
-    prepare()
     with stoppable() as stopped, viewing(board, name.name, wanted.views) as viewer:
         tell_of(opened.subject, viewer)
         origin = wanted.origin(opened.subject, **placed)

@@ -5,8 +5,8 @@ from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from exoid.cli.live.json_lines import STDOUT, JsonLines
 from exoid.cli.live.panel import Panel
+from exoid.cli.live.saying.json_lines import STDOUT, JsonLines
 from exoid.watching.board import Board
 from exoid.watching.follower import Sink
 

@@ -2,8 +2,8 @@
 
 from typing import Any
 
-from exoid.cli.live import words
-from exoid.cli.live.json_lines import document, number
+from exoid.cli.live.saying import words
+from exoid.cli.live.saying.json_lines import document, number
 from exoid.files.visible import visible
 from exoid.watching.board import Board
 from exoid.watching.known import RATIOS
