@@ -3,10 +3,10 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from exoid.watching.goals import Goal
-from exoid.watching.moment import Moment
-from exoid.watching.next_movement import Advice
-from exoid.watching.refinement import Refined
+from exoid.watching.beside.goals import Goal
+from exoid.watching.beside.next_movement import Advice
+from exoid.watching.beside.refinement import Refined
+from exoid.watching.estimate.moment import Moment
 
 MOST = 600  # points of the history; of more, every second one is dropped
 

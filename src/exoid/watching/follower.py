@@ -8,12 +8,12 @@ from queue import Queue
 from threading import Thread
 
 from exoid.recordings.live.decoding.reading import Reading
+from exoid.watching.beside.coach import Coach
+from exoid.watching.beside.goals import reached
+from exoid.watching.beside.refinement import Refinement
 from exoid.watching.board import Board, Ended
-from exoid.watching.coach import Coach
-from exoid.watching.goals import reached
-from exoid.watching.leg import Leg, LegDrop
-from exoid.watching.moment import Moment
-from exoid.watching.refinement import Refinement
+from exoid.watching.estimate.leg import Leg, LegDrop
+from exoid.watching.estimate.moment import Moment
 
 Sink = Callable[[Moment], None]
 

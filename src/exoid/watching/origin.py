@@ -4,16 +4,17 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from exoid import online
+from exoid.online.model.model import Model
+from exoid.online.model.unknowns import Unknowns
 from exoid.recordings.recording import Subject
-from exoid.watching.coach import Coach
-from exoid.watching.expect import expected_of
+from exoid.watching.beside.coach import Coach
+from exoid.watching.beside.goals import Goal
+from exoid.watching.beside.next_movement import Wish
+from exoid.watching.beside.refinement import Refinement
+from exoid.watching.estimate.expect import expected_of
+from exoid.watching.estimate.leg import Leg, Person
+from exoid.watching.estimate.load import Load
 from exoid.watching.follower import Company
-from exoid.watching.goals import Goal
-from exoid.watching.leg import Leg, Person
-from exoid.watching.load import Load
-from exoid.watching.next_movement import Wish
-from exoid.watching.refinement import Refinement
 
 
 @dataclass(frozen=True)
@@ -27,8 +28,8 @@ class Origin:
     goals: Sequence[Goal] = ()
 
     @property
-    def model(self) -> online.Model:
-        return online.Model(online.Unknowns(self.terms, self.thigh_angle))
+    def model(self) -> Model:
+        return Model(Unknowns(self.terms, self.thigh_angle))
 
     def company(self, *, coached: bool, refined: bool) -> Company:
         """The leg, its estimator compiled or loaded, with who helps. Takes seconds."""
@@ -37,12 +38,3 @@ class Origin:
         leg.warm()
         coach = Coach(Wish(person, self.goals)) if coached else None
         return Company(leg, coach, Refinement(self.subject, self.model) if refined else None)
-
-
-def check_subject(subject: Subject) -> None:
-    """**Raises** `ValueError` for what is no leg."""
-    if subject.kind == "rig":
-        raise ValueError(
-            "live estimates are of legs: what a rig may be is not expected beforehand. Record it "
-            "and fit it (exoid record, exoid fit)."
-        )

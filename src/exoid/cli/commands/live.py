@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from exoid.cli.commands.analysis import prepare
+from exoid.cli.analysis import prepare
 from exoid.cli.inputs.body import ask_body, given_body
 from exoid.cli.inputs.choices import FlipOption, Side, ZeroOption
 from exoid.cli.inputs.node import BITRATE, INTERFACE

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from exoid.cli.commands.analysis import compute, prepare
+from exoid.cli.analysis import compute, prepare
 from exoid.cli.inputs.assumptions import Bound, BoundsOption, Fix, Prior, assumed
 from exoid.cli.inputs.body import BodyMass, Height, given_body
 from exoid.cli.inputs.choices import FlipOption, Seed, ZeroOption

@@ -5,7 +5,7 @@ from typing import Annotated, Any
 
 import typer
 
-from exoid.cli.commands.analysis import ask, compute, diagnosed
+from exoid.cli.analysis import ask, compute, diagnosed
 from exoid.cli.inputs.assumptions import Bound, BoundsOption, Fix, Prior, assumed
 from exoid.cli.inputs.body import BodyMass, Height, given_body
 from exoid.cli.inputs.choices import FlipOption, Seed, ZeroOption

@@ -65,8 +65,8 @@ def goals_asked(until: list[str] | None, terms: tuple[type, ...]) -> tuple[Any, 
         return ()
     from exoid import online
     from exoid.online.readings import units
-    from exoid.watching.goals import goal_of
-    from exoid.watching.known import SENSORS
+    from exoid.watching.beside.goals import goal_of
+    from exoid.watching.estimate.known import SENSORS
 
     names = [name for name in units(online.Model(online.Unknowns(terms))) if name not in SENSORS]
     goals = tuple(goal_of(text, names) for text in until)

@@ -13,8 +13,8 @@ from exoid.recordings.live.decoding.node_stream import NodeStream
 from exoid.recordings.live.decoding.reading import Reading
 from exoid.recordings.motion.split import cut_apart
 from exoid.recordings.recording import Recording, Sensors, Subject
-from exoid.watching.load import Load, Mass, mass_of
-from exoid.watching.origin import check_subject
+from exoid.watching.estimate.expect import check_subject
+from exoid.watching.estimate.load import Load, Mass, mass_of
 
 ANOTHER_SEAT = "the seat was tilted in several ways: follow recordings of one seat each."
 

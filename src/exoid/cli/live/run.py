@@ -13,10 +13,10 @@ from exoid.cli.live.viewing import Viewer, Views, viewing
 from exoid.cli.terminal.keys import keyboard
 from exoid.cli.terminal.stopping import stoppable
 from exoid.recordings.recording import Subject
+from exoid.watching.beside.goals import Goal
 from exoid.watching.board import Board
-from exoid.watching.expect import is_known
-from exoid.watching.goals import Goal
-from exoid.watching.load import constant_load
+from exoid.watching.estimate.expect import is_known
+from exoid.watching.estimate.load import constant_load
 from exoid.watching.origin import Origin
 
 ANYBODY = (

@@ -6,8 +6,8 @@ from exoid.cli.live.saying import words
 from exoid.cli.live.saying.json_lines import document, number
 from exoid.files.visible import visible
 from exoid.watching.board import Board
-from exoid.watching.known import RATIOS
-from exoid.watching.moment import Moment
+from exoid.watching.estimate.known import RATIOS
+from exoid.watching.estimate.moment import Moment
 
 
 def now(board: Board) -> dict[str, Any]:

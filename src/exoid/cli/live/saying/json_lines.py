@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, TextIO
 
 if TYPE_CHECKING:
-    from exoid.watching.moment import Moment, Quantity
+    from exoid.watching.estimate.moment import Moment, Quantity
 
 STDOUT = Path("-")
 

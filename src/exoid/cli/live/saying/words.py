@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from exoid.watching.board import Board
-    from exoid.watching.moment import Quantity
+    from exoid.watching.estimate.moment import Quantity
 
 DOING = ("held, or nobody knows", "at rest: let it drop", "moving freely", "at rest, or caught")
 STARTING = "the estimator is loading; what moves meanwhile is kept and taken in afterwards"

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from exoid.online import Phase, Trust
+from exoid.online.model.trust import Phase, Trust
 
 # With these a number that looks sure may be wrong: none is told.
 UNBELIEVABLE = (Trust.UNEXPLAINED, Trust.FAULTY)

@@ -6,12 +6,16 @@ from dataclasses import dataclass, replace
 import numpy as np
 from jaxtyping import Float
 
-from exoid import online
-from exoid.physics.anatomy import ExpectedLeg
+from exoid.online.model.model import Model
+from exoid.online.model.sample import Sample
+from exoid.online.model.trust import Phase, Trust
+from exoid.online.outlook import Outlook
+from exoid.physics.anatomy.expected import ExpectedLeg
 from exoid.recordings.live.decoding.reading import Reading
 from exoid.recordings.recording import Segment
-from exoid.watching.known import RATIOS, told_of
-from exoid.watching.moment import Moment, Quantity
+from exoid.watching.estimate.known import RATIOS, told_of
+from exoid.watching.estimate.moment import Moment, Quantity
+from exoid.watching.estimate.online import init, replay, segment_of
 
 EVERY = 0.1  # s of the stream between two moments
 TOGETHER = 256  # samples that are handed over at once, at most
@@ -38,20 +42,20 @@ class Estimator:
     What it gives depends on the samples alone, not on when they come.
     """
 
-    def __init__(self, expected: ExpectedLeg, model: online.Model):
+    def __init__(self, expected: ExpectedLeg, model: Model):
         self.model = model
-        self.belief = online.init(expected, model)
+        self.belief = init(expected, model)
         self.mark: float | None = None  # number of the last moment
         self.drops = 0
         self.torque = False  # was any known?
         self.others: tuple[Quantity, ...] = ()
         self.rows: list[Rows] = []  # the last samples
-        self.said: list[online.Outlook] = []  # and what was said after each of them
+        self.said: list[Outlook] = []  # and what was said after each of them
 
     def warm(self) -> None:
         """Have the programs compiled or loaded, and forget what they said."""
         nothing = np.full((1, ROW), np.nan)
-        online.replay(self.belief, online.Sample(*nothing.T), self.model)
+        replay(self.belief, Sample(*nothing.T), self.model)
         told_of(self.belief, self.model, torque=False)
 
     def take(self, readings: Sequence[Reading]) -> Iterator[Moment | Drop]:
@@ -65,13 +69,11 @@ class Estimator:
     def absorbed(self, rows: Rows) -> Iterator[Moment | Drop]:
         """The rows up to the first that ends a drop, then the others."""
         while len(rows):
-            belief, outlook = online.replay(self.belief, online.Sample(*rows.T), self.model)
+            belief, outlook = replay(self.belief, Sample(*rows.T), self.model)
             changes = np.flatnonzero(outlook.drops != self.drops)
             part = len(rows) if not changes.size else int(changes[0]) + 1
             if part < len(rows):
-                belief, outlook = online.replay(
-                    self.belief, online.Sample(*rows[:part].T), self.model
-                )
+                belief, outlook = replay(self.belief, Sample(*rows[:part].T), self.model)
             self.belief = belief
             self.keep(rows[:part], outlook)
             yield from self.moments(rows[:part], outlook)
@@ -79,21 +81,21 @@ class Estimator:
                 yield from self.ended(rows[part - 1], outlook, part - 1)
             rows = rows[part:]
 
-    def keep(self, rows: Rows, outlook: online.Outlook) -> None:
+    def keep(self, rows: Rows, outlook: Outlook) -> None:
         """Remember the samples of the last drop."""
         self.rows.append(rows)
         self.said.append(outlook)
         while self.rows[-1][-1, 0] - self.rows[0][-1, 0] > KEPT:
             del self.rows[0], self.said[0]
 
-    def moments(self, rows: Rows, outlook: online.Outlook) -> Iterator[Moment]:
+    def moments(self, rows: Rows, outlook: Outlook) -> Iterator[Moment]:
         marks = np.floor(rows[:, 0] / EVERY + ROUNDING)
         before = np.concatenate([[np.nan if self.mark is None else self.mark], marks[:-1]])
         for at in np.flatnonzero(marks != before):
             yield self.moment(rows[at], outlook, int(at))
         self.mark = float(marks[-1])
 
-    def moment(self, row: Rows, outlook: online.Outlook, at: int) -> Moment:
+    def moment(self, row: Rows, outlook: Outlook, at: int) -> Moment:
         values, errors = (each[at].tolist() for each in (outlook.ratios, outlook.errors))
         each = zip(RATIOS, values, errors, UNITS, strict=True)
         ratios = tuple(Quantity(*one) for one in each)
@@ -101,15 +103,15 @@ class Estimator:
             time=float(row[0]),
             angle=float(row[1]),
             angular_velocity=float(row[2]),
-            phase=online.Phase(int(outlook.phase[at])),
-            trust=online.Trust(int(outlook.trust[at])),
+            phase=Phase(int(outlook.phase[at])),
+            trust=Trust(int(outlook.trust[at])),
             drops=int(outlook.drops[at]),
             ratios=ratios,
             as_loaded=ratios,
             others=self.others,
         )
 
-    def ended(self, row: Rows, outlook: online.Outlook, at: int) -> Iterator[Drop]:
+    def ended(self, row: Rows, outlook: Outlook, at: int) -> Iterator[Drop]:
         """The number of drops has changed: one has ended, or the leg is another one."""
         before, self.drops = self.drops, int(outlook.drops[at])
         self.others = told_of(self.belief, self.model, torque=self.torque)
@@ -117,6 +119,6 @@ class Estimator:
             return
         begun, end = float(outlook.begun[at]), float(outlook.ended[at])
         every = np.concatenate(self.rows)
-        segment = online.segment_of(online.Sample(*every.T), begun, end)
+        segment = segment_of(Sample(*every.T), begun, end)
         moment = replace(self.moment(row, outlook, at), others=self.others)
         yield Drop(self.drops, segment, moment)

@@ -3,18 +3,20 @@
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from exoid import online
-from exoid.physics.anatomy import ExpectedLeg
+from exoid.online.model.model import Model
+from exoid.online.model.trust import Phase, Trust
+from exoid.physics.anatomy.expected import ExpectedLeg
 from exoid.recordings.live.decoding.reading import Reading
 from exoid.recordings.recording import Segment, Subject
-from exoid.watching.estimator import Drop, Estimator
-from exoid.watching.known import ABSOLUTE, RATIOS, SCALED
-from exoid.watching.load import Load, Mass, expected_with
-from exoid.watching.moment import Moment, Quantity
-from exoid.watching.unload import Bare, Told, unloaded, unloading
+from exoid.watching.estimate.estimator import Drop, Estimator
+from exoid.watching.estimate.known import ABSOLUTE, RATIOS, SCALED
+from exoid.watching.estimate.load import Load, Mass, expected_with
+from exoid.watching.estimate.moment import Moment, Quantity
+from exoid.watching.estimate.online import Belief
+from exoid.watching.estimate.unload import Bare, Told, unloaded, unloading
 
 TOLD = 0.5  # of what the prior left open of log J: what leaves more tells no J
-SOUND = (online.Trust.WAITING, online.Trust.LEARNING, online.Trust.GOOD, online.Trust.ENOUGH)
+SOUND = (Trust.WAITING, Trust.LEARNING, Trust.GOOD, Trust.ENOUGH)
 SETTLING = 1.0  # s after another weight was put on, in which the pause counts as no fault
 
 
@@ -24,7 +26,7 @@ class Person:
 
     subject: Subject
     expected: ExpectedLeg
-    model: online.Model
+    model: Model
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,7 +37,7 @@ class LegDrop:
     segment: Segment
     mass: Mass
     moment: Moment
-    beliefs: Mapping[Mass, online.Belief]
+    beliefs: Mapping[Mass, Belief]
 
 
 class Leg:
@@ -52,7 +54,7 @@ class Leg:
         self.estimator_of(self.now)
 
     @property
-    def beliefs(self) -> dict[Mass, online.Belief]:
+    def beliefs(self) -> dict[Mass, Belief]:
         return {mass: each.belief for mass, each in self.estimators.items()}
 
     def warm(self) -> None:
@@ -99,11 +101,11 @@ class Leg:
             others=(*absolute_of(bare), *others),
         )
 
-    def trust(self, moment: Moment) -> online.Trust:
+    def trust(self, moment: Moment) -> Trust:
         """What one weight has made sure of stays so while another one is learned."""
         trust = moment.trust
-        if trust is online.Trust.FAULTY and moment.time < self.changed + SETTLING:
-            trust = online.Trust.WAITING
+        if trust is Trust.FAULTY and moment.time < self.changed + SETTLING:
+            trust = Trust.WAITING
         if trust not in SOUND:
             return trust
         others = [each.trust for each in self.latest.values() if each.drops and each.trust in SOUND]
@@ -120,7 +122,7 @@ class Leg:
 
 def is_told(moment: Moment) -> bool:
     """Has the leg moved with this weight?"""
-    moves = moment.phase is online.Phase.MOVING and moment.believed
+    moves = moment.phase is Phase.MOVING and moment.believed
     return moment.drops > 0 or moves
 
 

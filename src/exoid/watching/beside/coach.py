@@ -2,8 +2,8 @@
 
 from concurrent.futures import Future, ThreadPoolExecutor
 
-from exoid.watching.load import Mass
-from exoid.watching.next_movement import Advice, Beliefs, Wish, advise
+from exoid.watching.beside.next_movement import Advice, Beliefs, Wish, advise
+from exoid.watching.estimate.load import Mass
 
 
 class Coach:

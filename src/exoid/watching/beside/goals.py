@@ -3,8 +3,8 @@
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from exoid.online import Phase, Trust
-from exoid.watching.moment import Moment
+from exoid.online.model.trust import Phase, Trust
+from exoid.watching.estimate.moment import Moment
 
 SURE = (Trust.LEARNING, Trust.GOOD, Trust.ENOUGH)  # of a leg that was seen moving
 

@@ -5,15 +5,14 @@ import os
 from concurrent.futures import Future, ProcessPoolExecutor
 from dataclasses import dataclass, replace
 from multiprocessing import get_context
+from typing import Any
 
 import numpy as np
 
-from exoid import online
-from exoid.fitting.result.fit_result import FitResult
-from exoid.fitting.solve.program_cache import keep_programs_in
+from exoid.online.model.model import Model
 from exoid.recordings.recording import Subject
-from exoid.watching.known import RATIOS
-from exoid.watching.leg import LegDrop
+from exoid.watching.estimate.known import RATIOS
+from exoid.watching.estimate.leg import LegDrop
 
 LEAST = np.radians(10.0)  # that a leg swings in a drop which a fit can use
 FAR = 3.0  # standard errors of their difference, from which on two estimates disagree
@@ -37,7 +36,7 @@ class Refinement:
     One thread adds, another one looks: what they share is replaced as a whole.
     """
 
-    def __init__(self, subject: Subject, model: online.Model):
+    def __init__(self, subject: Subject, model: Model):
         self.subject, self.model = subject, model
         self.drops: list[LegDrop] = []
         self.pool: ProcessPoolExecutor | None = None
@@ -62,6 +61,8 @@ class Refinement:
             self.begin()
 
     def begin(self) -> None:
+        from exoid.online.batch import refine
+
         if self.pool is None:
             self.pool = ProcessPoolExecutor(1, get_context("spawn"), prepare)
         masses = [each.mass for each in self.drops]
@@ -74,7 +75,7 @@ class Refinement:
             )
         subject = replace(self.subject, **dict.fromkeys(MASS) | carried)
         segments = [each.segment for each in self.drops]
-        future = self.pool.submit(online.refine, segments, subject, self.model)
+        future = self.pool.submit(refine, segments, subject, self.model)
         self.running = future, self.drops[-1], len(self.drops)
 
     def finish(self, future: Future, drop: LegDrop, count: int) -> None:
@@ -106,7 +107,7 @@ class Refinement:
             gc.collect()  # its semaphores go with it, as they would not with this process
 
 
-def beside(drop: LegDrop, found: FitResult, count: int) -> Refined:
+def beside(drop: LegDrop, found: Any, count: int) -> Refined:
     """Both saw the same samples: where both are right, they are closer than these errors say."""
     live = {each.name: each for each in drop.moment.ratios}
     ratios, apart = {}, {}
@@ -122,6 +123,8 @@ def beside(drop: LegDrop, found: FitResult, count: int) -> Refined:
 def prepare() -> None:
     """In the other process: programs are kept, Ctrl-C is left to the one that started it."""
     import signal
+
+    from exoid.fitting.solve.program_cache import keep_programs_in
 
     os.nice(BACKGROUND)
     signal.signal(signal.SIGINT, signal.SIG_IGN)

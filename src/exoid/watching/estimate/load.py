@@ -4,8 +4,7 @@ from bisect import bisect_right
 from dataclasses import dataclass, replace
 
 from exoid.fitting.model.systematics import SOMEWHERE
-from exoid.physics.anatomy import ExpectedLeg
-from exoid.physics.anatomy.expected import Expected
+from exoid.physics.anatomy.expected import Expected, ExpectedLeg
 from exoid.recordings.recording import Subject
 
 

@@ -9,10 +9,10 @@ import jax.numpy as jnp
 import numpy as np
 from jaxtyping import Float
 
-from exoid import online
-from exoid.online.belief import knowledge_of
-from exoid.online.filter.motion import advance
-from exoid.watching.load import BARE, Mass
+from exoid.online.model.model import Model
+from exoid.online.model.sample import Sample
+from exoid.watching.estimate.load import BARE, Mass
+from exoid.watching.estimate.online import Belief
 
 STEP = 0.01  # s, of the node
 HELD, FREE = 0.6, 6.0  # s: a rest that is seen as one, and a drop
@@ -34,12 +34,12 @@ class Movement:
         return f"let it drop from {degrees(self.hold):.0f} deg{loaded}"
 
 
-def samples_of(
-    movement: Movement, belief: online.Belief, model: online.Model, after: float
-) -> online.Sample:
+def samples_of(movement: Movement, belief: Belief, model: Model, after: float) -> Sample:
     """What the node would send of it after the time `after` [s], as the leg with that mass is
     believed to be.
     """
+    from exoid.online.belief import knowledge_of
+
     held, free = (round(each / STEP) for each in (HELD, FREE))
     known = knowledge_of(belief, model).filters.mean[0]
     time = after + LATER + STEP * np.arange(held + free)
@@ -50,24 +50,28 @@ def samples_of(
     noise = np.random.default_rng(SEED).normal(size=(held + free, 2))
     node = model.node
     shown = np.concatenate([still, fallen]) + noise * [node.angle_noise, node.velocity_noise]
-    return online.Sample(time, shown[:, 0], shown[:, 1])
+    return Sample(time, shown[:, 0], shown[:, 1])
 
 
-def bias_in(model: online.Model) -> int:
+def bias_in(model: Model) -> int:
     """Where in a row the gyro's bias stands."""
     return model.unknowns.names.index("gyro_bias")
 
 
 @cache
-def falling(model: online.Model):
+def falling(model: Model):
     """The compiled function from a row to encoder and gyro, step by step."""
 
+    from exoid.online.filter.motion import Span, advance, view
+
     def fall(start: Float[jax.Array, " unknown"], steps: int):
-        sample = online.Sample(0.0, 0.0, 0.0)
+        sample = Sample(jnp.zeros(()), 0.0, 0.0)
+        span = Span(jnp.asarray(STEP), jnp.zeros(()))
 
         def one(row, _):
-            arrived = advance(model.unknowns, row, sample, STEP)
-            return jnp.concatenate([row[:-2], arrived.state]), arrived.shown
+            arrived = advance(model.unknowns, row, sample, span)
+            row = jnp.concatenate([row[:-2], arrived.state])
+            return row, view(model.unknowns, row, sample).shown
 
         return jax.lax.scan(one, start, length=steps)[1]
 

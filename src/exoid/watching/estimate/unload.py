@@ -17,11 +17,11 @@ import numpy as np
 from jaxtyping import Float
 
 from exoid.fitting.model.systematics import GYRATION, MEASURED_GYRATION, PLACED, WEIGHED
-from exoid.physics.anatomy import ExpectedLeg
+from exoid.physics.anatomy.expected import ExpectedLeg
 from exoid.physics.leg import GRAVITY
 from exoid.recordings.recording import Subject
-from exoid.watching.load import Mass
-from exoid.watching.moment import Quantity
+from exoid.watching.estimate.load import Mass
+from exoid.watching.estimate.moment import Quantity
 
 NAMES = ("gravity_over_inertia", "stiffness_over_inertia", "damping_over_inertia")
 UNITS = ("1/s^2", "1/s^2", "1/s")

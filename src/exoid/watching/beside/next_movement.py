@@ -8,21 +8,21 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from math import radians
 
-from exoid import online
-from exoid.watching.goals import Goal
-from exoid.watching.known import RATIOS, SCALED, known_of
-from exoid.watching.leg import Person
-from exoid.watching.load import Mass, expected_with
-from exoid.watching.moment import Quantity
-from exoid.watching.movement import Movement, samples_of
-from exoid.watching.unload import Told, unloaded, unloading
+from exoid.watching.beside.goals import Goal
+from exoid.watching.beside.movement import Movement, samples_of
+from exoid.watching.estimate.known import RATIOS, SCALED, known_of
+from exoid.watching.estimate.leg import Person
+from exoid.watching.estimate.load import Mass, expected_with
+from exoid.watching.estimate.moment import Quantity
+from exoid.watching.estimate.online import Belief, init, replay
+from exoid.watching.estimate.unload import Told, unloaded, unloading
 
 HOLDS = tuple(radians(each) for each in (-10, -30, -50, -70))  # the leg hangs at about -75
 WEIGHT = 1.0, 0.4  # kg, m: what a person may strap on
 WORTH = 0.9  # of an error, which is left at most by a movement that is worth its time
 
 Errors = Mapping[str, Quantity]
-Beliefs = Mapping[Mass, online.Belief]
+Beliefs = Mapping[Mass, Belief]
 
 
 @dataclass(frozen=True)
@@ -86,14 +86,14 @@ def candidates(
             yield Movement(hold, mass)
 
 
-def expected_after(movement: Movement, beliefs: Beliefs, wish: Wish, after: float) -> online.Belief:
+def expected_after(movement: Movement, beliefs: Beliefs, wish: Wish, after: float) -> Belief:
     """What would be believed after it of the leg with that weight."""
     person, mass = wish.person, movement.mass
     belief = beliefs.get(mass)
     if belief is None:
-        belief = online.init(expected_with(person.expected, mass), person.model)
+        belief = init(expected_with(person.expected, mass), person.model)
     samples = samples_of(movement, belief, person.model, after)
-    return online.replay(belief, samples, person.model)[0]
+    return replay(belief, samples, person.model)[0]
 
 
 def known_of_all(beliefs: Beliefs, wish: Wish) -> dict[str, Quantity]:
