@@ -1,6 +1,7 @@
 """A bus or a file, followed to its end."""
 
 from collections.abc import Callable
+from functools import partial
 from math import degrees, inf, isfinite
 from pathlib import Path
 
@@ -37,7 +38,8 @@ class Bus:
         refined: bool,
     ) -> Session:
         """Until it is `stopped`, has lasted, or the goals are reached."""
-        watched = Watched(origin, viewer.panel, viewer.sinks, refined=refined)
+        make = partial(origin.company, coached=True, refined=refined)
+        watched = Watched(make, viewer.panel, viewer.sinks)
         watched.stream = NodeStream(self.node or 0)
         session = Session(self.log, self.subject, watched, pressed, self.node)
         session.hear = watched.hear
@@ -72,9 +74,8 @@ def follow_file(
 ) -> None:
     """Until its end, or until it is `stopped` or the goals are reached."""
     fast = speed == inf
-    watched = Watched(
-        origin, viewer.panel, viewer.sinks, refined=refined, most=WAITING if fast else 0
-    )
+    make = partial(origin.company, coached=True, refined=refined)
+    watched = Watched(make, viewer.panel, viewer.sinks, WAITING if fast else 0)
     watched.stream = opened.stream
 
     def going(_: float) -> bool:

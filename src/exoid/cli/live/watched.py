@@ -1,7 +1,7 @@
 """A leg that is watched: a stream goes to its follower, and what is found to the board."""
 
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import can
 
@@ -9,8 +9,7 @@ from exoid.cli.live.panel import Panel
 from exoid.cli.live.result import chime
 from exoid.recordings.live.decoding.node_stream import NodeStream
 from exoid.recordings.live.decoding.reading import Reading
-from exoid.watching.follower import Follower, Sink
-from exoid.watching.origin import Origin
+from exoid.watching.follower import Company, Follower, Sink
 
 QUIET = 1.0  # s without a sample, from which on a person should know
 FILTERED = (
@@ -24,15 +23,13 @@ class Watched:
     """The board, who writes on it, and the panel that shows it."""
 
     def __init__(
-        self, origin: Origin, panel: Panel, sinks: Sequence[Sink], *, refined: bool, most: int = 0
+        self, make: Callable[[], Company], panel: Panel, sinks: Sequence[Sink], most: int = 0
     ):
         self.board, self.panel = panel.board, panel
         self.stream: NodeStream | None = None
         self.given = time.monotonic()
         self.told: set[str] = set()
-        self.follower = Follower(
-            lambda: origin.company(coached=True, refined=refined), self.board, sinks, most
-        )
+        self.follower = Follower(make, self.board, sinks, most)
 
     def hear(self, message: can.Message) -> None:
         """A frame of the bus."""

@@ -22,9 +22,10 @@ TOGETHER = 256  # samples that are handed over at once, at most
 KEPT = 600.0  # s of samples: the longest drop
 UNITS = ("1/s^2", "1/s^2", "1/s")  # of the ratios
 ROUNDING = 1e-6  # of a moment's number
-ROW, TORQUE = 6, 3  # columns of samples, and which of them is the torque
+COLUMNS, TORQUE = 6, 3  # columns of samples, and which of them is the torque
 
-Rows = Float[np.ndarray, "row 6"]
+Rows = Float[np.ndarray, "row 6"]  # of samples
+Row = Float[np.ndarray, "6"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,14 +55,14 @@ class Estimator:
 
     def warm(self) -> None:
         """Have the programs compiled or loaded, and forget what they said."""
-        nothing = np.full((1, ROW), np.nan)
+        nothing = np.full((1, COLUMNS), np.nan)
         replay(self.belief, Sample(*nothing.T), self.model)
         told_of(self.belief, self.model, torque=False)
 
     def take(self, readings: Sequence[Reading]) -> Iterator[Moment | Drop]:
         """What is to be told after these samples."""
         for first in range(0, len(readings), TOGETHER):
-            rows = np.zeros((len(readings[first : first + TOGETHER]), ROW))
+            rows = np.zeros((len(readings[first : first + TOGETHER]), COLUMNS))
             rows[:, : len(Reading._fields)] = readings[first : first + TOGETHER]
             self.torque = self.torque or bool(rows[:, TORQUE].any())
             yield from self.absorbed(rows)
@@ -95,7 +96,7 @@ class Estimator:
             yield self.moment(rows[at], outlook, int(at))
         self.mark = float(marks[-1])
 
-    def moment(self, row: Rows, outlook: Outlook, at: int) -> Moment:
+    def moment(self, row: Row, outlook: Outlook, at: int) -> Moment:
         values, errors = (each[at].tolist() for each in (outlook.ratios, outlook.errors))
         each = zip(RATIOS, values, errors, UNITS, strict=True)
         ratios = tuple(Quantity(*one) for one in each)
@@ -111,7 +112,7 @@ class Estimator:
             others=self.others,
         )
 
-    def ended(self, row: Rows, outlook: Outlook, at: int) -> Iterator[Drop]:
+    def ended(self, row: Row, outlook: Outlook, at: int) -> Iterator[Drop]:
         """The number of drops has changed: one has ended, or the leg is another one."""
         before, self.drops = self.drops, int(outlook.drops[at])
         self.others = told_of(self.belief, self.model, torque=self.torque)
