@@ -4,6 +4,7 @@ import gc
 import os
 from concurrent.futures import Future, ProcessPoolExecutor
 from dataclasses import dataclass, replace
+from math import hypot
 from multiprocessing import get_context
 from typing import Any
 
@@ -116,7 +117,7 @@ def beside(drop: LegDrop, found: Any, count: int) -> Refined:
         if value is None or error is None:
             raise ValueError(f"it tells no error of {name}")
         ratios[name] = value, error
-        apart[name] = (live[name].value - value) / np.hypot(live[name].error, error)
+        apart[name] = (live[name].value - value) / hypot(live[name].error, error)
     return Refined(count, ratios, apart, max(map(abs, apart.values())) < FAR)
 
 
