@@ -14,6 +14,7 @@ from exoid.recordings.live.bus import BusAddress
 from exoid.recordings.live.decoding.node_stream import NodeStream
 from exoid.recordings.live.log_file import LogFile, Unkept
 from exoid.recordings.recording import Subject
+from exoid.watching.estimate.expect import is_known
 from exoid.watching.origin import Origin
 
 WAITING = 4  # batches of samples of a file that are read ahead
@@ -41,6 +42,7 @@ class Bus:
         make = partial(origin.company, coached=True, refined=refined)
         watched = Watched(make, viewer.panel, viewer.sinks)
         watched.stream = NodeStream(self.node or 0)
+        watched.known = is_known(origin.subject)
         session = Session(self.log, self.subject, watched, pressed, self.node)
         session.hear = watched.hear
         try:
@@ -77,6 +79,7 @@ def follow_file(
     make = partial(origin.company, coached=True, refined=refined)
     watched = Watched(make, viewer.panel, viewer.sinks, WAITING if fast else 0)
     watched.stream = opened.stream
+    watched.known = is_known(origin.subject)
 
     def going(_: float) -> bool:
         watched.show(line_of(watched))

@@ -9,20 +9,14 @@ from exoid.cli.live.ending import conclude
 from exoid.cli.live.follow import Bus, follow_file
 from exoid.cli.live.opened import Opened
 from exoid.cli.live.result import give
-from exoid.cli.live.viewing import Viewer, Views, viewing
+from exoid.cli.live.viewing import Views, viewing
 from exoid.cli.terminal.keys import keyboard
 from exoid.cli.terminal.stopping import stoppable
 from exoid.recordings.recording import Subject
 from exoid.watching.beside.goals import Goal
 from exoid.watching.board import Board
-from exoid.watching.estimate.expect import is_known
 from exoid.watching.estimate.load import constant_load
 from exoid.watching.origin import Origin
-
-ANYBODY = (
-    "nobody says whose leg it is, so that of any adult is expected: give --body-mass KG and "
-    "--height M."
-)
 
 
 @dataclass(frozen=True)
@@ -47,7 +41,6 @@ def run_bus(bus: Bus, wanted: Wanted, *, marked: bool, duration: float | None) -
         viewing(board, str(bus.address), wanted.views) as viewer,
         keyboard(marked) as pressed,
     ):
-        tell_of(bus.subject, viewer)
         session = bus.follow(
             origin,
             viewer,
@@ -66,12 +59,6 @@ def run_file(name: Path, opened: Opened, wanted: Wanted, speed: float) -> None:
     placed = {"load": opened.load, "thigh_angle": opened.thigh_angle}
     refined = speed != inf if wanted.refine is None else wanted.refine
     with stoppable() as stopped, viewing(board, name.name, wanted.views) as viewer:
-        tell_of(opened.subject, viewer)
         origin = wanted.origin(opened.subject, **placed)
         follow_file(opened, origin, viewer, stopped, speed=speed, refined=refined)
     give(board, err=wanted.views.err)
-
-
-def tell_of(subject: Subject, viewer: Viewer) -> None:
-    if not is_known(subject):
-        viewer.panel.tell(ANYBODY)

@@ -16,6 +16,10 @@ FILTERED = (
     "the node sends no encoder and gyro of its own (EXO_RAW): its filtered motion is taken, which "
     "is smooth and late; errors are too small by what that hides."
 )
+ANYBODY = (
+    "nobody says whose leg it is, so that of any adult is expected: give --body-mass KG and "
+    "--height M."
+)
 PATIENCE = 3.0  # s that what was heard may take to be taken in at the end
 
 
@@ -27,6 +31,7 @@ class Watched:
     ):
         self.board, self.panel = panel.board, panel
         self.stream: NodeStream | None = None
+        self.known = True  # whose leg it is
         self.given = time.monotonic()
         self.told: set[str] = set()
         self.follower = Follower(make, self.board, sinks, most)
@@ -57,6 +62,7 @@ class Watched:
 
     def look(self) -> None:
         """At what is wrong with the stream, and at what was found beside it."""
+        self.once(None if self.known else ANYBODY)
         if self.stream is not None:
             self.board.spoiled = self.stream.spoiled
             self.once(self.stream.spoiled)
