@@ -62,7 +62,7 @@ class Watched:
 
     def look(self) -> None:
         """At what is wrong with the stream, and at what was found beside it."""
-        self.once(None if self.known else ANYBODY)
+        self.once(None if self.known or self.board.moment is None else ANYBODY)
         if self.stream is not None:
             self.board.spoiled = self.stream.spoiled
             self.once(self.stream.spoiled)
