@@ -62,7 +62,10 @@ def test_a_coach_answers_the_last_question_alone(person, first, monkeypatch):
         coach.ask(first.beliefs, Mass(), after)
     coach.wait()
     assert (asked, coach.latest) == ([3.0], 3.0)
+    coach.ask(first.beliefs, Mass(), 4.0)
     coach.close()
+    coach.look()
+    assert asked == [3.0]
 
 
 class Pool:

@@ -89,7 +89,7 @@ def follow_file(
         play(opened.parts(AT_ONCE if fast else IN_PACE), watched.give, going, speed)
     finally:
         watched.end(patient=not stopped())
-        watched.show(line_of(watched))
+        watched.panel.show(line_of(watched))
 
 
 def line_of(watched: Watched) -> str:

@@ -84,12 +84,11 @@ class Watched:
         """Take in what was heard; one who is `patient` waits for what helpers still look for."""
         self.follower.end(None if patient else PATIENCE)
         company = self.follower.company
-        if company is not None:
-            if patient and not self.over:
-                company.wait(self.board)
-            company.look(self.board)
-            company.close()
+        if company is not None and patient and not self.over:
+            company.wait(self.board)
         self.look()
+        if company is not None:
+            company.close()
         self.board.silent = 0.0
         if self.board.reached:
             chime()

@@ -42,4 +42,6 @@ class Coach:
                 self.running.exception()
 
     def close(self) -> None:
+        """Nothing is asked any more."""
+        self.waiting = None
         self.pool.shutdown(wait=False, cancel_futures=True)
