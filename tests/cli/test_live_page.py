@@ -1,4 +1,4 @@
-"""The page of `exoid live --serve`: who may look, what is seen, and that nobody holds up the leg."""
+"""The page of `exoid live --serve`: who may look, what is seen, and who is held up: nobody."""
 
 import json
 import re
@@ -14,6 +14,7 @@ from command_line import LIMIT
 from exoid.cli.inputs.reading import EXAMPLE
 from exoid.cli.live.page.access import Access, name_in, token_in
 from exoid.cli.live.page.serve import listening_on, serving
+from exoid.cli.live.page.server import PageServer
 from exoid.watching.board import Board
 from exoid.watching.estimate.moment import Moment, Quantity
 
@@ -162,7 +163,7 @@ def test_readers_are_let_go_at_the_end(board):
     assert time.monotonic() - begin < 5.0
     assert answer.read().decode().rstrip().endswith("event: end\ndata: null")
     connection.close()
-    with pytest.raises(OSError):
+    with pytest.raises(ConnectionRefusedError):
         status(address)
 
 
@@ -231,21 +232,25 @@ def test_a_browser_shows_the_moving_leg_and_what_is_known(page, address, board):
 
 
 @pytest.mark.slow
-def test_a_browser_says_that_it_lost_the_connection_and_comes_back(page, board):
-    made = listening_on("127.0.0.1", 0)
-    port = made.getsockname()[1]
-    with serving(board, "leg", made, "127.0.0.1") as address:
-        page.goto(address)
-        page.wait_for_selector("#link:text-is('live')", timeout=PATIENCE)
-        # A reader whose connection breaks, as in a network that drops it, tries again by itself.
-        page.context.set_offline(True)
-        page.evaluate("() => 0")
-        page.context.set_offline(False)
-        page.reload()
-        page.wait_for_selector("#link:text-is('live')", timeout=PATIENCE)
-        page.wait_for_selector("#rows tr", timeout=PATIENCE)
-    page.wait_for_selector("#link:text-is('ended')", timeout=PATIENCE)
-    assert port == urlsplit(address).port
+def test_a_browser_whose_connection_breaks_comes_back_by_itself(page, address, board, monkeypatch):
+    whole, begun = PageServer.told, []
+
+    async def breaking(self):
+        begun.append(1)
+        sent = 0
+        async for each in whole(self):
+            yield each
+            sent += 1
+            if len(begun) == 1 and sent == 2:
+                return  # as where a network drops it: nobody said that this is the end
+
+    monkeypatch.setattr(PageServer, "told", breaking)
+    page.goto(address)
+    page.wait_for_selector("#link:has-text('trying again')", timeout=PATIENCE)
+    board.show(moment(2.0, 28.5))
+    page.wait_for_selector("#link:text-is('live')", timeout=PATIENCE)
+    page.wait_for_selector("#rows td:text-is('28.50')", timeout=PATIENCE)
+    assert len(begun) == 2
 
 
 @pytest.mark.slow

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from socket import AF_INET, AF_INET6, SO_REUSEADDR, SOL_SOCKET, gaierror, getaddrinfo, socket
+from socket import SO_REUSEADDR, SOCK_STREAM, SOL_SOCKET, gaierror, getaddrinfo, socket
 
 from exoid.cli.live.page.access import access_to
 from exoid.files.extras import require
@@ -18,17 +18,25 @@ def check_server() -> None:
 def listening_on(host: str, port: int) -> socket:
     """**Raises** `ValueError` where nobody can listen there."""
     try:
-        family, *_, address = getaddrinfo(host, port)[0]
-        made = socket(family if family in (AF_INET, AF_INET6) else AF_INET)
-        made.setsockopt(SOL_SOCKET, SO_REUSEADDR, 1)
-        made.bind(address)
+        family, *_, address = getaddrinfo(host, port, type=SOCK_STREAM)[0]
+        return bound(socket(family, SOCK_STREAM), address)
     except (OSError, gaierror, UnicodeError) as fault:
         reason = getattr(fault, "strerror", None) or fault
         raise ValueError(
             f"--serve: nobody can listen on port {port} of {host}: {reason}. Give another --port, "
             "or 0 for any, or another --host."
         ) from fault
-    made.listen()
+
+
+def bound(made: socket, address) -> socket:
+    """The socket, listening there, or closed."""
+    try:
+        made.setsockopt(SOL_SOCKET, SO_REUSEADDR, 1)
+        made.bind(address)
+        made.listen()
+    except OSError:
+        made.close()
+        raise
     return made
 
 
