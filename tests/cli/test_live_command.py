@@ -152,6 +152,7 @@ def test_at_its_own_pace_a_file_takes_its_time(command, log):
         (["leg.blf", "--with", "friction"], "there is no such term"),
         (["leg.blf", "--with", "hysteresis"], "it has a memory of its own"),
         (["leg.blf", "--with", "gyro_bias"], "it is estimated in any case"),
+        (["leg.blf", "--with", "stiffness_rest_angle"], "cannot be estimated live"),
         (["leg.blf", "--with", "coulomb_friction=0.1"], "Name it alone"),
         (["leg.blf", "--json-lines", "nowhere/rows"], "the folder nowhere does not exist"),
         (["leg.blf", "--body-mass", "7700"], "--body-mass is 7700 kg"),

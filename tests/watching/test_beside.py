@@ -5,8 +5,8 @@ from concurrent.futures import Future
 from math import radians
 
 import pytest
+from bundled_session import SUBJECT, until
 
-from conftest import SUBJECT, until
 from exoid.online.model.trust import Trust
 from exoid.watching.beside.coach import Coach
 from exoid.watching.beside.goals import goal_of

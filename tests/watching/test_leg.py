@@ -5,8 +5,8 @@ from math import nan
 
 import numpy as np
 import pytest
+from bundled_session import LIKELY, SUBJECT, TRUTH, WEIGHT, nan_equal, until
 
-from conftest import LIKELY, SUBJECT, TRUTH, WEIGHT, nan_equal, until
 from exoid.online.model.trust import Phase, Trust
 from exoid.recordings.recording import Subject
 from exoid.watching.estimate.expect import expected_of, is_known

@@ -56,6 +56,10 @@ def followed_terms(chosen: tuple[Any, ...]) -> tuple[type, ...]:
             )
         if name in ALWAYS:
             raise ValueError(f"--with {name}: it is estimated in any case. Leave it out.")
+    if chosen:
+        from exoid.online.model.unknowns import Unknowns
+
+        Unknowns(chosen)  # which refuses what motion alone does not tell apart
     return chosen
 
 

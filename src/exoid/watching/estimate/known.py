@@ -21,11 +21,10 @@ def known_of(belief: Belief, model: Model) -> dict[str, Quantity]:
 
 def told_of(belief: Belief, model: Model, *, torque: bool) -> tuple[Quantity, ...]:
     """Besides the ratios: what motion tells of the terms, and with a torque the leg itself."""
-    by = {name: each.set_by for name, each in estimates(belief, model).items()}
     return tuple(
-        each
-        for name, each in known_of(belief, model).items()
-        if name not in RATIOS
-        and by[name] != "prior"
+        Quantity(name, each.value, each.error, each.unit)
+        for name, each in estimates(belief, model).items()
+        if name not in (*RATIOS, *SENSORS)
+        and each.set_by != "prior"
         and (torque or not each.unit.startswith(SCALED))
     )

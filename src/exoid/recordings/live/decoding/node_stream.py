@@ -6,7 +6,7 @@ A sample is complete with its last frame, or when one of a later tick shows that
 from math import nan
 
 from exoid.recordings.can.device_clock import COUNTER, PERIOD, nearest_tick
-from exoid.recordings.can.node.config_crc import config_crc, filter_of
+from exoid.recordings.can.node.config_crc import filter_of
 from exoid.recordings.can.node.rows import FINE, RAW, SAMPLED, STATE, TIME
 from exoid.recordings.can.node.which import messages_of
 from exoid.recordings.live.decoding.bits import Word, reader_of
@@ -41,7 +41,7 @@ class NodeStream:
         self.device_time = reader_of(plans[TIME], "DeviceTime")
         self.told_crc = reader_of(plans[TIME], "ConfigCrc")
         self.restarted = reader_of(plans[STATE], "FilterReset")
-        self.crc = config_crc()
+        self.meant: dict[int, bool] = {0: True}  # by ConfigCrc: does it mean what this exoid reads?
         self.counts, self.ticks, self.alternation = Counts(), TickCount(), Alternation()
         self.open: Tick | None = None
         self.last: int | None = None  # the latest tick that was opened
@@ -72,9 +72,15 @@ class NodeStream:
         found, self.ready = self.ready, []
         return found
 
+    def means_ours(self, told: int) -> bool:
+        """Do the frames of a node with this ConfigCrc mean what they mean here?"""
+        if told not in self.meant:
+            self.meant[told] = filter_of(told) is not None
+        return self.meant[told]
+
     def clock(self, word: Word, host: float) -> None:
         told, before = self.told_crc(word), self.ticks.restarts
-        if told and told != self.crc and filter_of(told) is None:
+        if not self.means_ours(told):
             self.spoiled = OTHER_FIRMWARE
             return
         self.ticks.clock(self.counter[TIME](word), self.device_time(word), host)

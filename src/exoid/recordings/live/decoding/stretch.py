@@ -18,7 +18,6 @@ from exoid.recordings.can.device_clock import (
     nearest_tick,
 )
 from exoid.recordings.can.frames import Frames
-from exoid.recordings.can.node.config_crc import filter_of
 from exoid.recordings.can.node.rows import FINE, RAW, SAMPLED, STATE, TIME
 from exoid.recordings.can.node.samples import RAW_LIMIT
 from exoid.recordings.can.node.which import messages_of
@@ -138,7 +137,7 @@ def anchored(stream: NodeStream, plan, clocks, at: Int[np.ndarray, " clock"]):
     elapsed = np.diff(every) % CLOCK_WRAP
     steps = np.diff(np.concatenate([[tick_before], at]))
     sound = (
-        all(each == 0 or filter_of(int(each)) is not None for each in np.unique(told))
+        all(map(stream.means_ours, np.unique(told).tolist()))
         and (counter == at % COUNTER).all()
         and (np.rint(elapsed * MICROSECOND / PERIOD) == steps).all()
     )
