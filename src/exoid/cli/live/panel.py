@@ -111,6 +111,7 @@ def drawing(board: "Board", name: str) -> Any:
         Text(visible(words.trust(board)), style=color, no_wrap=True, overflow="ellipsis"),
         Text(),
         table(board),
+        Text(),
         labelled("next", words.next_movement(board)),
         labelled("", words.gain(board)),
         labelled("check", words.batch(board)),

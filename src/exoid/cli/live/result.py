@@ -40,7 +40,7 @@ def lines(board: "Board") -> list[str]:
     said = [f"{seconds}{words.trust(board)}", *found]
     if (fit := words.batch(board)) != "":
         said.append(fit)
-    if (then := words.advice(board)) != "" and not board.reached:
+    if (then := words.advice(board)) != "":
         said.append(f"next: {then}")
     return said
 

@@ -24,6 +24,7 @@ from exoid.cli.live.page.state import now, past
 from exoid.watching.board import Board
 
 EVERY = 0.1  # s between two events
+MANY = 5  # moments that a reader can miss without a gap in a curve
 SIGN = 2.0  # s after which one is sent where nothing has changed, so that a lost reader is seen
 PATIENCE = 1  # s that readers have to hear of the end
 HEADERS = {
@@ -73,10 +74,14 @@ class PageServer:
         return StreamingResponse(self.told(), media_type="text/event-stream", headers=HEADERS)
 
     async def told(self) -> AsyncIterator[str]:
-        """The whole first, then the newest, as soon as the reader has taken what was before."""
-        yield event("past", past(self.board))
-        said, quiet = "", 0.0
+        """The past first, then the newest, as soon as the reader has taken what was before; and the
+        past again, where much has come meanwhile.
+        """
+        seen, said, quiet = -MANY, "", 0.0
         while not self.closing:
+            if self.board.number > seen + MANY or seen < 0:
+                yield event("past", past(self.board))
+            seen = self.board.number
             news = event("now", now(self.board))
             if news != said or quiet >= SIGN:
                 said, quiet = news, 0.0

@@ -21,12 +21,17 @@ def now(board: Board) -> dict[str, Any]:
         "doing": words.doing(board),
         "stream": visible(board.stream),
         "drops": words.drops(board),
-        "next": visible(words.advice(board)),
+        "next": raised(visible(words.advice(board))),
         "fit": visible(words.batch(board)),
         "rows": [row(board, each) for each in words.quantities(board)],
         "reached": board.reached,
         "ended": board.state in ("ended", "failed"),
     }
+
+
+def raised(words: str) -> str:
+    """With powers as a page can write them."""
+    return words.replace("^2", "²").replace("^3", "³")
 
 
 def level(board: Board) -> str:
@@ -49,7 +54,7 @@ def row(board: Board, each) -> dict[str, Any]:
         "name": words.title(each.name),
         "value": value,
         "error": error,
-        "unit": each.unit.replace("^2", "²").replace("^3", "³"),
+        "unit": raised(each.unit),
         "goal": words.progress(board, each.name),
     }
 

@@ -64,14 +64,14 @@ def progress(board: "Board", name: str) -> float | None:
 
 
 def next_movement(board: "Board") -> str:
-    """What to do."""
-    return "" if board.advice is None else board.advice.words
+    """What to do, while there is something left to do."""
+    return "" if board.advice is None or board.reached else board.advice.words
 
 
 def gain(board: "Board") -> str:
     """What that would bring."""
     found = board.advice
-    if found is None or found.movement is None:
+    if found is None or found.movement is None or board.reached:
         return ""
     before, after = (f"{each:.2g}" for each in (found.before, found.after))
     return f"error of {title(found.name)} {before} → {after} {found.unit}"
