@@ -158,7 +158,7 @@ def arrows(boxes: dict[str, Box]) -> list[str]:
     imports, found = imports_in("exoid"), []
     for room in boxes:
         shown = [each for each in imports[room] if not implied(imports, room, each)]
-        shown.sort(key=lambda each: boxes[each][0] + boxes[each][2] / 2)
+        shown.sort(key=lambda each: (boxes[each][0] + boxes[each][2] / 2, boxes[each][1]))
         for at, other in enumerate(shown, start=1):
             found.append(arrow(boxes[room], boxes[other], at / (len(shown) + 1)))
     return found

@@ -95,7 +95,7 @@ def test_help_says_of_a_command_what_it_says_of_itself(name):
 
 def test_every_command_is_listed():
     files = {each.stem for each in Path(commands.__path__[0]).glob("*.py")}
-    assert files - {"__init__", "analysis"} == COMMANDS.keys()
+    assert files - {"__init__"} == COMMANDS.keys()
 
 
 @pytest.mark.parametrize(

@@ -20,6 +20,7 @@ COMMANDS = {
     "compare": "Show two saved results side by side.",
     "export": "Hand a fitted leg on to MuJoCo, URDF, OpenSim, C or Python.",
     "record": "Record the node's frames until Ctrl-C.",
+    "live": "Estimate a leg while it moves, and what to do next.",
     "node": "Find the node on the leg, and set it up.",
     "simulate": "Simulate drops and cycles of a leg, as a recording.",
     "convert": "Write a recording as exoid's table, with its sidecar.",

@@ -2,7 +2,14 @@
 
 from importlib.util import find_spec
 
-EXTRAS = {"ezc3d": "c3d", "openpyxl": "excel", "pyarrow": "parquet", "pandas": "pandas"}
+EXTRAS = {
+    "ezc3d": "c3d",
+    "openpyxl": "excel",
+    "pyarrow": "parquet",
+    "pandas": "pandas",
+    "starlette": "live",
+    "uvicorn": "live",
+}
 
 
 def require(package: str, what: str) -> None:

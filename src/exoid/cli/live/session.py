@@ -4,13 +4,15 @@ import time
 from collections.abc import Callable
 from math import degrees, inf
 from pathlib import Path
+from typing import Protocol
+
+import can
 
 from exoid.cli.terminal.faults import one_line
-from exoid.cli.terminal.screen import Screen
 from exoid.recordings.can.node.config_crc import config_crc
 from exoid.recordings.live.bus import LiveBus
 from exoid.recordings.live.channel.address import BusAddress
-from exoid.recordings.live.log_file import LogFile
+from exoid.recordings.live.log_file import LogFile, Unkept
 from exoid.recordings.live.marks import Marks
 from exoid.recordings.live.record import record
 from exoid.recordings.live.watch import Status, Watch
@@ -25,18 +27,27 @@ BESIDE = ".recorded.toml"
 HELP = "keys: d a drop begins, c a cycle begins, space it ends; Ctrl-C ends the recording."
 
 
+class Shown(Protocol):
+    """Where a person looks."""
+
+    def tell(self, sentence: str) -> None: ...
+
+    def show(self, line: str) -> None: ...
+
+
 class Session:
     """Records until it is stopped; the sidecar is there with the first frame and with each mark."""
 
     def __init__(
         self,
-        log: LogFile,
+        log: LogFile | Unkept,
         subject: Subject,
-        screen: Screen,
+        screen: Shown,
         pressed: Callable[[], str] | None,
         node: int | None = None,
     ):
         self.log, self.subject, self.screen, self.pressed = log, subject, screen, pressed
+        self.hear: Callable[[can.Message], None] = lambda message: None
         self.watch = Watch(screen.tell, config_crc(), node)
         self.marks = Marks()
         self.described: bytes | None = None  # what the sidecar says, as it was written
@@ -50,7 +61,8 @@ class Session:
     def run(self, address: BusAddress, stopped: Callable[[], bool], duration: float | None) -> None:
         """Record from the bus; whatever ends it, the files are complete."""
         self.bus = LiveBus(address, self.screen.tell)
-        self.screen.tell(f"recording {address} at {address.bitrate} bit/s. Ctrl-C ends it.")
+        doing = "following" if isinstance(self.log, Unkept) else "recording"
+        self.screen.tell(f"{doing} {address} at {address.bitrate} bit/s. Ctrl-C ends it.")
         if self.pressed is not None:
             self.screen.tell(HELP)
         begin = time.monotonic()
@@ -64,7 +76,7 @@ class Session:
             return not stopped() and now < since + (inf if duration is None else duration)
 
         try:
-            record(self.bus, self.log, self.watch, going)
+            record(self.bus, self.log, self.watch, going, self.hear)
         finally:
             self.bus.close()
             self.marks.end(self.watch.seconds)

@@ -33,7 +33,7 @@ from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.misfit.condensed import Sensed
 from exoid.fitting.solve.program_values import SENSED, Solved, solved_structure
 
-SHOWING = ("cli", "report")  # rooms that only say what was computed: no program imports them
+SHOWING = ("cli", "report", "watching")  # rooms above every program: none imports them
 LIBRARIES = ("jax", "jaxlib", "equinox", "lineax", "optimistix")  # whose code is in a program
 # How far XLA optimises: as fast machine code as by default, and half as long to wait for it.
 LEAN = {"xla_backend_optimization_level": 1, "xla_cpu_use_fusion_emitters": False}

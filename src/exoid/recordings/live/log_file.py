@@ -86,6 +86,23 @@ class LogFile:
             ) from fault
 
 
+class Unkept:
+    """In the place of a log where none was asked for."""
+
+    frames = 0
+    replace = False
+    path = Path()
+
+    def write(self, message: can.Message) -> None:
+        """A frame is heard and forgotten."""
+
+    def save(self) -> None:
+        """There is nothing to keep."""
+
+    def close(self) -> None:
+        """There is nothing to complete."""
+
+
 def begin(path: Path, mode: str) -> Any:
     """python-can's writer of a new file."""
     kind = path.suffix.lower()

@@ -25,6 +25,13 @@ class Alternation:
             self.before = self.last[0]
         self.last = (counter, data)
 
+    def follow(self, counters: list[int], data: bytes, count: int) -> None:
+        """So many frames that go on from the last one: the last two counters, the last data."""
+        before = counters[0] if len(counters) > 1 else None
+        self.before = before if before is not None or self.last is None else self.last[0]
+        self.last = (counters[-1], data)
+        self.odd.extend([False] * min(count, REMEMBERED))
+
     @property
     def found(self) -> bool:
         return sum(self.odd) >= ENOUGH

@@ -21,6 +21,11 @@ class Track:
         self.count += tick != self.last
         self.last = max(self.last, tick)
 
+    def add_all(self, last: int, count: int) -> None:
+        """So many ticks up to `last`, each of which came."""
+        self.count += count
+        self.last = last
+
     @property
     def lost(self) -> int:
         return max(0, self.last - self.first + 1 - self.count)

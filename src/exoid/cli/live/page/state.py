@@ -1,0 +1,72 @@
+"""A board as the page gets it: all of it when it is opened, then what has changed."""
+
+from typing import Any
+
+from exoid.cli.live.saying import words
+from exoid.cli.live.saying.json_lines import document, number
+from exoid.files.visible import visible
+from exoid.watching.board import Board
+from exoid.watching.estimate.known import RATIOS
+from exoid.watching.estimate.moment import Moment
+
+
+def now(board: Board) -> dict[str, Any]:
+    """This moment, in words and numbers."""
+    moment = board.moment
+    return {
+        "moment": None if moment is None else document(moment),
+        "swing": None if moment is None or not moment.believed else swing(moment),
+        "trust": visible(words.trust(board)),
+        "level": level(board),
+        "doing": words.doing(board),
+        "stream": visible(board.stream),
+        "drops": words.drops(board),
+        "next": raised(visible(words.advice(board))),
+        "fit": visible(words.batch(board)),
+        "rows": [row(board, each) for each in words.quantities(board)],
+        "reached": board.reached,
+        "ended": board.state in ("ended", "failed"),
+    }
+
+
+def raised(words: str) -> str:
+    """With powers as a page can write them."""
+    return words.replace("^2", "²").replace("^3", "³")
+
+
+def level(board: Board) -> str:
+    """How to colour what is said of trust."""
+    if board.spoiled or board.fault or board.silent:
+        return "bad"
+    if board.moment is None:
+        return "none"
+    return ("none", "none", "good", "good", "bad", "care", "bad")[int(board.moment.trust)]
+
+
+def swing(moment: Moment) -> list[float | None]:
+    """The ratios by which the leg swings that is seen, with what is on it."""
+    return [number(each.value) for each in moment.as_loaded]
+
+
+def row(board: Board, each) -> dict[str, Any]:
+    value, error = words.rounded(each.value, each.error)
+    return {
+        "name": words.title(each.name),
+        "value": value,
+        "error": error,
+        "unit": raised(each.unit),
+        "goal": words.progress(board, each.name),
+    }
+
+
+def past(board: Board) -> list[list[Any]]:
+    """Time, then value and error of each ratio, of moments in which they could be believed."""
+    return [point(each) for each in board.history if each.believed]
+
+
+def point(moment: Moment) -> list[Any]:
+    known = {each.name: each for each in moment.ratios}
+    found: list[Any] = [round(moment.time, 2)]
+    for name in RATIOS:
+        found += [number(known[name].value), number(known[name].error)]
+    return found

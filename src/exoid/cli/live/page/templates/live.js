@@ -1,0 +1,116 @@
+"use strict";
+const at = (id) => document.getElementById(id);
+const RATIOS = ["gravity_over_inertia", "stiffness_over_inertia", "damping_over_inertia"];
+const STEP = 0.002; // s
+const KEPT = 1500; // points of a curve
+const NEAR = 12; // times the latest error: what was less sure is not what a curve is scaled by
+let past = [];
+let simulated = null; // time, angle and rate of the leg that the estimates make
+
+function tell(id, text, level) {
+  const shown = at(id);
+  if (shown.textContent !== text) shown.textContent = text;
+  if (level) for (const each of ["none", "good", "care", "bad"]) shown.classList.toggle(each, each === level);
+}
+
+function turn(id, angle) {
+  if (angle !== null) at(id).style.transform = `rotate(${(-angle * 180) / Math.PI}deg)`;
+}
+
+// phi'' = -(m l g / J) cos(phi) - (c / J) phi - (d / J) phi', by the midpoint rule.
+function fall(state, [gravity, stiffness, damping], until) {
+  const push = (angle, rate) => -gravity * Math.cos(angle) - stiffness * angle - damping * rate;
+  for (let left = until - state.time; left > 1e-9; left -= STEP) {
+    const step = Math.min(STEP, left);
+    const angle = state.angle + (step / 2) * state.rate;
+    const rate = state.rate + (step / 2) * push(state.angle, state.rate);
+    state = { time: state.time + step, angle: state.angle + step * rate, rate: state.rate + step * push(angle, rate) };
+  }
+  return state;
+}
+
+function follow(moment, swing) {
+  const { phase, angle_rad: angle, velocity_rad_s: rate } = moment.state;
+  const known = RATIOS.map((name) => moment.ratios[name].value);
+  const moves = phase === "moving" && swing !== null && !swing.includes(null);
+  const goesOn = simulated && moment.time_s > simulated.time && moment.time_s - simulated.time < 1;
+  if (moves && goesOn) simulated = fall(simulated, swing, moment.time_s);
+  else simulated = moves && angle !== null && rate !== null ? { time: moment.time_s, angle, rate } : null;
+  turn("measured", angle);
+  turn("simulated", simulated ? simulated.angle : angle);
+  tell("angle", angle === null ? "no angle" : `${((angle * 180) / Math.PI).toFixed(1)}°`);
+  const last = past.length ? past[past.length - 1][0] : -1;
+  if (known.includes(null) || moment.time_s === last) return;
+  if (moment.time_s < last) past = [];
+  past.push([moment.time_s, ...RATIOS.flatMap((name) => [moment.ratios[name].value, moment.ratios[name].standard_error])]);
+  if (past.length > KEPT) past = past.filter((_, place) => place % 2);
+}
+
+function made(name, attributes) {
+  const found = document.createElementNS("http://www.w3.org/2000/svg", name);
+  for (const [key, value] of Object.entries(attributes)) found.setAttribute(key, value);
+  return found;
+}
+
+function draw() {
+  if (past.length < 2) return;
+  document.querySelectorAll("figure").forEach((figure, place) => {
+    const column = 1 + 2 * place;
+    const newest = past[past.length - 1];
+    const sure = past.filter((each) => each[column + 1] <= NEAR * newest[column + 1]);
+    const low = Math.min(...sure.map((each) => each[column] - each[column + 1]));
+    const high = Math.max(...sure.map((each) => each[column] + each[column + 1]));
+    const room = (high - low) * 0.08 || 1e-9;
+    const x = (time) => (320 * (time - past[0][0])) / (newest[0] - past[0][0] || 1);
+    const y = (value) => Math.max(-200, Math.min(330, 130 - (130 * (value - low + room)) / (high - low + 2 * room)));
+    const corner = (sign) => (each) => `${x(each[0]).toFixed(1)},${y(each[column] + sign * each[column + 1]).toFixed(1)}`;
+    const band = [...past.map(corner(1)), ...past.map(corner(-1)).reverse()].join(" ");
+    const chart = figure.querySelector("svg");
+    chart.replaceChildren(
+      made("polygon", { class: "band", points: band }),
+      made("polyline", { class: "curve", points: past.map(corner(0)).join(" ") }),
+    );
+    const digits = Math.max(0, 1 - Math.floor(Math.log10(newest[column + 1] || 1)));
+    const ends = [`${past[0][0].toFixed(0)} s`, `${newest[column].toFixed(digits)} ± ${newest[column + 1].toFixed(digits)}`, `${newest[0].toFixed(0)} s`];
+    figure.querySelector(".ends").replaceChildren(...ends.map((text) => Object.assign(document.createElement("span"), { textContent: text })));
+  });
+}
+
+function cell(content, kind) {
+  const found = document.createElement("td");
+  if (kind) found.className = kind;
+  found.append(content);
+  return found;
+}
+
+function goal(share) {
+  if (share === null) return "";
+  return Object.assign(document.createElement("progress"), { max: 1, value: share, title: `${Math.round(100 * share)} %` });
+}
+
+function list(rows) {
+  at("rows").replaceChildren(...rows.map((each) => {
+    const found = document.createElement("tr");
+    found.append(cell(each.name), cell(each.value, "right"), cell(each.error, "right"), cell(each.unit), cell(goal(each.goal)));
+    return found;
+  }));
+}
+
+function show(board) {
+  tell("trust", board.reached ? "enough: the goal is reached" : board.trust, board.reached ? "good" : board.level);
+  tell("doing", board.doing || "\u00a0");
+  tell("drops", board.drops);
+  tell("next", board.next || "-");
+  tell("fit", board.fit || "-");
+  tell("stream", board.stream || "-");
+  list(board.rows);
+  if (board.moment) follow(board.moment, board.swing);
+  draw();
+}
+
+const source = new EventSource(`events${location.search}`);
+source.onopen = () => tell("link", "live", "good");
+source.onerror = () => tell("link", "connection lost; trying again", "bad");
+source.addEventListener("past", (message) => { past = JSON.parse(message.data); simulated = null; });
+source.addEventListener("now", (message) => show(JSON.parse(message.data)));
+source.addEventListener("end", () => { source.close(); tell("link", "ended", "none"); });

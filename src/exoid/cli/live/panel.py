@@ -1,0 +1,169 @@
+"""A board as a panel on a terminal; where there is none, a line for whatever is new."""
+
+import sys
+import time
+from contextlib import suppress
+from typing import TYPE_CHECKING, Any
+
+from exoid.cli.live.saying import words
+from exoid.cli.terminal.say import say
+from exoid.cli.terminal.screen import NOBODY
+from exoid.files.visible import visible
+
+if TYPE_CHECKING:
+    from exoid.watching.board import Board, Ended
+
+EVERY = 0.1  # s between two drawings, at least
+ROWS = 7  # of the table: a panel that grows and shrinks is not calm
+BAR = 8  # letters
+CALM = {3: "green", 2: "green", 4: "red", 5: "yellow", 6: "red"}  # by trust
+
+
+class Panel:
+    """Shows the board on stderr; `name` is what is followed."""
+
+    def __init__(self, board: "Board", name: str):
+        self.board, self.name = board, name
+        self.live: Any = None
+        self.drawn = 0.0
+        self.said: dict[str, str] = {}
+        self.told = 0  # drops
+
+    def __enter__(self) -> "Panel":
+        if sys.stderr.isatty():
+            from rich.console import Console
+            from rich.live import Live
+
+            console = Console(stderr=True)
+            self.live = Live(console=console, auto_refresh=False, transient=True)
+            self.live.start()
+        return self
+
+    def __exit__(self, *_) -> None:
+        if self.live is not None:
+            with suppress(*NOBODY):
+                self.live.stop()
+
+    def tell(self, sentence: str) -> None:
+        """Say something that stays."""
+        with suppress(*NOBODY):
+            if self.live is None:
+                say(f"exoid: {sentence}", err=True)
+            else:
+                said = visible(f"exoid: {sentence}")
+                self.live.console.print(said, markup=False, highlight=False)
+
+    def show(self, line: str) -> None:
+        """How the stream is at this moment; the rest is on the board."""
+        self.board.stream = line
+        now = time.monotonic()
+        if now < self.drawn + EVERY:
+            return
+        self.drawn = now
+        with suppress(*NOBODY):
+            if self.live is None:
+                self.say_news()
+            else:
+                self.live.update(drawing(self.board, self.name), refresh=True)
+
+    def say_news(self) -> None:
+        """What has changed since it was said last."""
+        news = {
+            "trust": words.trust(self.board)
+            if not self.board.silent
+            else self.said.get("trust", ""),
+            "next": words.advice(self.board),
+            "fit": words.batch(self.board),
+        }
+        for ended in self.board.ended[self.told :]:
+            say(f"exoid: {drop_line(ended)}", err=True)
+        self.told = len(self.board.ended)
+        for key, line in news.items():
+            if line and line != self.said.get(key):
+                now = "" if self.board.moment is None else f"{self.board.moment.time:.1f} s, "
+                say(f"exoid: {now}{key}: {line}", err=True)
+        self.said = news
+
+
+def drop_line(ended: "Ended") -> str:
+    """A drop that has ended, and what was known then."""
+    moment = ended.moment
+    loaded = f" with {ended.weight:g} kg" if ended.weight else ""
+    known = "; ".join(
+        f"{words.title(each.name)} {words.stated(each)}" for each in moment.quantities.values()
+    )
+    return f"{moment.time:.1f} s, drop {moment.drops}{loaded}: {known or moment.trust.words}"
+
+
+def drawing(board: "Board", name: str) -> Any:
+    """The panel."""
+    from rich import box
+    from rich.console import Group
+    from rich.panel import Panel as Frame
+    from rich.text import Text
+
+    color = "dim" if board.moment is None else CALM.get(int(board.moment.trust), "default")
+    if board.spoiled is not None or board.fault is not None or board.silent:
+        color = "red"
+    lines = [
+        Text(visible(board.stream), no_wrap=True, overflow="ellipsis"),
+        Text.assemble((words.doing(board) or " ", "bold"), "   ", words.drops(board)),
+        Text(visible(words.trust(board)), style=color, no_wrap=True, overflow="ellipsis"),
+        Text(),
+        table(board),
+        Text(),
+        labelled("next", words.next_movement(board)),
+        labelled("", words.gain(board)),
+        labelled("check", words.batch(board)),
+    ]
+    where = Text(visible(f"exoid live  {name}"))
+    return Frame(
+        Group(*lines),
+        title=where,
+        title_align="left",
+        box=box.ROUNDED,
+        border_style="dim",
+        padding=(0, 1),
+        width=WIDTH,
+    )
+
+
+WIDTH = 82  # letters, on a terminal that has them
+
+
+def labelled(label: str, text: str) -> Any:
+    from rich.text import Text
+
+    line = Text(no_wrap=True, overflow="ellipsis")
+    line.append(f"{label:7}", style="dim")
+    line.append(visible(text) or ("-" if label else ""), style="" if text else "dim")
+    return line
+
+
+def table(board: "Board") -> Any:
+    """The quantities, as many as fit, and blank rows where there are fewer."""
+    from rich.table import Table
+
+    shown = Table(box=None, padding=(0, 1, 0, 0), pad_edge=False)
+    shown.add_column("", min_width=22, no_wrap=True)
+    for head in ("value", "± error"):
+        shown.add_column(head, justify="right", min_width=9, no_wrap=True)
+    shown.add_column("unit", min_width=8, no_wrap=True)
+    shown.add_column("of it", justify="right", min_width=8, no_wrap=True)
+    shown.add_column("goal" if board.goals else "", min_width=BAR + 6, no_wrap=True)
+    found = words.quantities(board)[:ROWS]
+    for each in found:
+        value, error = words.rounded(each.value, each.error)
+        share = f"{100 * each.error / abs(each.value):.2g} %" if each.value else ""
+        shown.add_row(words.title(each.name), value, error, each.unit, share, bar(board, each.name))
+    for _ in range(ROWS - len(found)):
+        shown.add_row("", "", "", "", "", "")
+    return shown
+
+
+def bar(board: "Board", name: str) -> str:
+    reached = words.progress(board, name)
+    if reached is None:
+        return ""
+    full = int(BAR * reached)
+    return f"{'━' * full}{'╌' * (BAR - full)} {100 * reached:3.0f} %"

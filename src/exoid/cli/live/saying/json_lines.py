@@ -1,0 +1,66 @@
+"""A line of JSON for every moment, for other programs, as it comes."""
+
+import json
+import sys
+from collections.abc import Iterable
+from math import isfinite
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TextIO
+
+if TYPE_CHECKING:
+    from exoid.watching.estimate.moment import Moment, Quantity
+
+STDOUT = Path("-")
+
+
+class JsonLines:
+    """Writes to a file, or to the standard output; every line is there when it is written."""
+
+    def __init__(self, path: Path):
+        self.path = path
+        self.file: TextIO = (
+            sys.stdout if path == STDOUT else path.open("w", encoding="utf-8", buffering=1)
+        )
+
+    def __call__(self, moment: "Moment") -> None:
+        self.file.write(json.dumps(document(moment), allow_nan=False) + "\n")
+        self.file.flush()
+
+    def close(self) -> None:
+        if self.file is not sys.stdout:
+            self.file.close()
+
+
+def document(moment: "Moment") -> dict[str, Any]:
+    """A moment in SI units; null where a number is missing, or cannot be believed."""
+    others = {each.name: each for each in moment.others}
+    return {
+        "time_s": round(moment.time, 6),
+        "state": {
+            "phase": moment.phase.name.lower(),
+            "angle_rad": number(moment.angle),
+            "velocity_rad_s": number(moment.angular_velocity),
+            "drops": moment.drops,
+        },
+        "trust": moment.trust.name.lower(),
+        "ratios": told(moment.ratios, moment.believed),
+        "absolute": told(
+            [each for name, each in others.items() if "." not in name], moment.believed
+        ),
+        "terms": told([each for name, each in others.items() if "." in name], moment.believed),
+    }
+
+
+def told(quantities: Iterable["Quantity"], believed: bool) -> dict[str, dict[str, Any]]:
+    return {
+        each.name: {
+            "value": number(each.value) if believed else None,
+            "standard_error": number(each.error) if believed else None,
+            "unit": each.unit,
+        }
+        for each in quantities
+    }
+
+
+def number(value: float) -> float | None:
+    return value if isfinite(value) else None

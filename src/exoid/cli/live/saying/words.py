@@ -1,0 +1,99 @@
+"""What is on a board, in words and numbers as people read them; nothing here loads JAX."""
+
+from math import floor, log10
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from exoid.watching.board import Board
+    from exoid.watching.estimate.moment import Quantity
+
+DOING = ("held, or nobody knows", "at rest: let it drop", "moving freely", "at rest, or caught")
+STARTING = "the estimator is loading; what moves meanwhile is kept and taken in afterwards"
+BY_RATIOS = "one kind of drop tells ratios; a weighed mass on the shank for some of them tells J"
+DIGITS = 2  # of an error
+
+
+def title(name: str) -> str:
+    return name.replace("_", " ").replace(".", ": ")
+
+
+def rounded(value: float, error: float) -> tuple[str, str]:
+    """Both to two digits of the error."""
+    if not error > 0:
+        return f"{value:.4g}", f"{error:.2g}"
+    places = max(0, DIGITS - 1 - floor(log10(error)))
+    return f"{value:.{places}f}", f"{error:.{places}f}"
+
+
+def stated(each: "Quantity") -> str:
+    """As 27.32 ± 0.02 1/s^2."""
+    return "{} ± {} ".format(*rounded(each.value, each.error)) + each.unit
+
+
+def trust(board: "Board") -> str:
+    """How far to believe it, in a sentence."""
+    if board.spoiled is not None:
+        return board.spoiled
+    if board.fault is not None:
+        return f"the estimator has failed: {' '.join(str(board.fault).split())}"
+    if board.moment is None:
+        return STARTING if board.state == "starting" else "waiting for the first sample"
+    if board.silent:
+        return f"nothing has come for {board.silent:.0f} s"
+    return board.moment.trust.words
+
+
+def doing(board: "Board") -> str:
+    return "" if board.moment is None else DOING[int(board.moment.phase)]
+
+
+def quantities(board: "Board") -> list["Quantity"]:
+    """Those that can be believed."""
+    if board.moment is None or board.spoiled is not None:
+        return []
+    return list(board.moment.quantities.values())
+
+
+def progress(board: "Board", name: str) -> float | None:
+    """How much of a goal is reached, 1 being all; None where the quantity is no goal."""
+    goals = [goal for goal in board.goals if goal.name == name]
+    if not goals or board.moment is None:
+        return None
+    share = goals[0].share(board.moment)
+    return 0.0 if share is None else min(1.0, 1.0 / share) if share > 0 else 1.0
+
+
+def next_movement(board: "Board") -> str:
+    """What to do, while there is something left to do."""
+    return "" if board.advice is None or board.reached else board.advice.words
+
+
+def gain(board: "Board") -> str:
+    """What that would bring."""
+    found = board.advice
+    if found is None or found.movement is None or board.reached:
+        return ""
+    before, after = (f"{each:.2g}" for each in (found.before, found.after))
+    return f"error of {title(found.name)} {before} → {after} {found.unit}"
+
+
+def advice(board: "Board") -> str:
+    """Both."""
+    return ": ".join(filter(None, [next_movement(board), gain(board)]))
+
+
+def batch(board: "Board") -> str:
+    """What the fit of the finished drops says beside it."""
+    if board.unrefined is not None:
+        return f"no fit of these drops: {board.unrefined}"
+    found = board.refined
+    if found is None:
+        return ""
+    far = max(map(abs, found.apart.values()))
+    verdict = "agrees" if found.agrees else "DISAGREES"
+    drops = "drop" if found.drops == 1 else f"{found.drops} drops"
+    return f"the fit of {drops} {verdict}: {far:.1f} standard errors apart at most"
+
+
+def drops(board: "Board") -> str:
+    return f"{len(board.ended)} drop{'' if len(board.ended) == 1 else 's'} so far"

@@ -1,0 +1,59 @@
+"""Where a board is shown: the panel or its lines, a file of JSON lines, and the page."""
+
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+from exoid.cli.live.panel import Panel
+from exoid.cli.live.saying.json_lines import STDOUT, JsonLines
+from exoid.watching.board import Board
+from exoid.watching.follower import Sink
+
+
+@dataclass(frozen=True)
+class Views:
+    """What was asked for."""
+
+    json_lines: Path | None
+    serve: bool
+    host: str
+    port: int
+
+    @property
+    def err(self) -> bool:
+        """Does stdout belong to another program?"""
+        return self.json_lines == STDOUT
+
+
+@dataclass(frozen=True)
+class Viewer:
+    """The panel, and who gets every moment."""
+
+    panel: Panel
+    sinks: tuple[Sink, ...]
+
+
+@contextmanager
+def viewing(board: Board, name: str, views: Views) -> Iterator[Viewer]:
+    """All of it, until the end.
+
+    **Raises** `ValueError` where the page cannot be served.
+    """
+    with ExitStack() as inside:
+        sinks: tuple[Sink, ...] = ()
+        address = None
+        if views.serve:
+            from exoid.cli.live.page.serve import check_server, listening_on, serving
+
+            check_server()
+            made = listening_on(views.host, views.port)
+            address = inside.enter_context(serving(board, name, made, views.host))
+        if views.json_lines is not None:
+            lines = JsonLines(views.json_lines)
+            inside.callback(lines.close)
+            sinks = (lines,)
+        panel = inside.enter_context(Panel(board, name))
+        if address is not None:
+            panel.tell(f"the page: {address}")
+        yield Viewer(panel, sinks)

@@ -1,0 +1,47 @@
+"""Looks for the movement that would tell most next, beside the stream, by the newest belief."""
+
+from concurrent.futures import Future, ThreadPoolExecutor
+
+from exoid.watching.beside.next_movement import Advice, Beliefs, Wish, advise
+from exoid.watching.estimate.load import Mass
+
+
+class Coach:
+    """Is asked between drops; `latest` is the answer to the last question that is answered.
+
+    One thread asks, another one looks.
+    """
+
+    def __init__(self, wish: Wish):
+        self.wish = wish
+        self.pool = ThreadPoolExecutor(1)
+        self.running: Future[Advice] | None = None
+        self.waiting: tuple[Beliefs, Mass, float] | None = None
+        self.latest: Advice | None = None
+
+    def ask(self, beliefs: Beliefs, now: Mass, after: float) -> None:
+        """What to do with the weight `now` on the leg, after the time `after` [s]."""
+        self.waiting = beliefs, now, after
+
+    def look(self) -> None:
+        """Take what is done, and begin what waits."""
+        if self.running is not None and self.running.done():
+            if self.running.exception() is None:  # a belief of which nothing can be made
+                self.latest = self.running.result()
+            self.running = None
+        if self.running is None and self.waiting is not None:
+            beliefs, now, after = self.waiting
+            self.waiting = None
+            self.running = self.pool.submit(advise, beliefs, self.wish, now, after)
+
+    def wait(self) -> None:
+        """Until nothing is left to answer."""
+        while self.running is not None or self.waiting is not None:
+            self.look()
+            if self.running is not None:
+                self.running.exception()
+
+    def close(self) -> None:
+        """Nothing is asked any more."""
+        self.waiting = None
+        self.pool.shutdown(wait=False, cancel_futures=True)

@@ -1,0 +1,132 @@
+"""The batch fit of the drops so far, beside the stream: in a process of its own, newest first."""
+
+import gc
+import os
+from concurrent.futures import Future, ProcessPoolExecutor
+from dataclasses import dataclass, replace
+from math import hypot
+from multiprocessing import get_context
+from typing import Any
+
+import numpy as np
+
+from exoid.online.model.model import Model
+from exoid.recordings.recording import Subject
+from exoid.watching.estimate.known import RATIOS
+from exoid.watching.estimate.leg import LegDrop
+
+LEAST = np.radians(10.0)  # that a leg swings in a drop which a fit can use
+FAR = 3.0  # standard errors of their difference, from which on two estimates disagree
+MASS = ("added_mass", "added_mass_distance")
+BACKGROUND = 10  # niceness: the stream comes first
+
+
+@dataclass(frozen=True)
+class Refined:
+    """The ratios of the batch fit of so many drops, and whether the live ones agree."""
+
+    drops: int
+    ratios: dict[str, tuple[float, float]]  # value and standard error, by name
+    apart: dict[str, float]  # standard errors between the two, by ratio
+    agrees: bool
+
+
+class Refinement:
+    """Takes drops as they end; `latest` is what the last fit that is done has found.
+
+    One thread adds, another one looks: what they share is replaced as a whole.
+    """
+
+    def __init__(self, subject: Subject, model: Model):
+        self.subject, self.model = subject, model
+        self.drops: list[LegDrop] = []
+        self.pool: ProcessPoolExecutor | None = None
+        self.running: tuple[Future, LegDrop, int] | None = None
+        self.latest: Refined | None = None
+        self.failed: str | None = None
+
+    def add(self, drop: LegDrop) -> None:
+        """One more drop of the same leg; the first one of another leg begins anew."""
+        if drop.number <= len(self.drops):
+            self.drops = []
+        if np.ptp(drop.segment.best_angle[np.isfinite(drop.segment.best_angle)]) >= LEAST:
+            self.drops = [*self.drops, drop]
+
+    def look(self) -> None:
+        """Take what is done, and begin what waits."""
+        if self.running is not None and self.running[0].done():
+            self.finish(*self.running)
+            self.running = None
+        waits = self.drops and (self.latest is None or self.latest.drops != len(self.drops))
+        if self.running is None and waits and self.failed is None:
+            self.begin()
+
+    def begin(self) -> None:
+        from exoid.online.batch import refine
+
+        if self.pool is None:
+            self.pool = ProcessPoolExecutor(1, get_context("spawn"), prepare)
+        masses = [each.mass for each in self.drops]
+        carried = {}
+        if any(each.weight for each in masses):
+            placed = all(each.placed for each in masses)
+            carried["added_mass"] = tuple(each.weight for each in masses)
+            carried["added_mass_distance"] = (
+                tuple(each.distance for each in masses) if placed else None
+            )
+        subject = replace(self.subject, **dict.fromkeys(MASS) | carried)
+        segments = [each.segment for each in self.drops]
+        future = self.pool.submit(refine, segments, subject, self.model)
+        self.running = future, self.drops[-1], len(self.drops)
+
+    def finish(self, future: Future, drop: LegDrop, count: int) -> None:
+        """What the fit says beside what was known after its last drop."""
+        try:
+            found = future.result()
+            if not found.follows:
+                raise ValueError(f"it does not follow the drops: {found.astray}")
+            self.latest = beside(drop, found, count)
+        except Exception as fault:  # whatever a fit may raise, the stream goes on
+            self.failed = " ".join(str(fault).split()) or type(fault).__name__
+
+    def wait(self) -> None:
+        """Until nothing is left to fit."""
+        self.look()
+        while self.running is not None:
+            self.running[0].exception()
+            self.look()
+
+    def close(self) -> None:
+        """Whatever still runs ends with it."""
+        pool, self.pool = self.pool, None
+        if pool is not None:
+            for process in list((pool._processes or {}).values()) if self.running else ():
+                process.terminate()
+            pool.shutdown(cancel_futures=True)
+            self.running = None
+            del pool
+            gc.collect()  # its semaphores go with it, as they would not with this process
+
+
+def beside(drop: LegDrop, found: Any, count: int) -> Refined:
+    """Both saw the same samples: where both are right, they are closer than these errors say."""
+    live = {each.name: each for each in drop.moment.ratios}
+    ratios, apart = {}, {}
+    for name in RATIOS:
+        value, error = found.ratios[name].value, found.ratios[name].standard_error
+        if value is None or error is None:
+            raise ValueError(f"it tells no error of {name}")
+        ratios[name] = value, error
+        apart[name] = (live[name].value - value) / hypot(live[name].error, error)
+    return Refined(count, ratios, apart, max(map(abs, apart.values())) < FAR)
+
+
+def prepare() -> None:
+    """In the other process: programs are kept, Ctrl-C is left to the one that started it."""
+    import signal
+
+    from exoid.fitting.solve.program_cache import keep_programs_in
+
+    os.nice(BACKGROUND)
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    keep_programs_in()

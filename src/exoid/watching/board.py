@@ -1,0 +1,47 @@
+"""What is shown of a leg that is watched: written by who follows it, read by panel and page."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from exoid.watching.beside.goals import Goal
+from exoid.watching.beside.next_movement import Advice
+from exoid.watching.beside.refinement import Refined
+from exoid.watching.estimate.moment import Moment
+
+MOST = 600  # points of the history; of more, every second one is dropped
+
+
+@dataclass(frozen=True)
+class Ended:
+    """A drop that has ended, with a weight [kg] on the leg, and what was known then."""
+
+    weight: float
+    moment: Moment
+
+
+@dataclass
+class Board:
+    """The latest of everything. Each field is replaced as a whole, so that no lock is needed."""
+
+    goals: Sequence[Goal] = ()
+    state: str = "starting"  # then "following", "ended", or "failed"
+    fault: BaseException | None = None
+    spoiled: str | None = None  # why nothing of the stream can be believed
+    filtered: bool = False
+    moment: Moment | None = None
+    reached: bool = False
+    ended: tuple[Ended, ...] = ()
+    advice: Advice | None = None
+    refined: Refined | None = None
+    unrefined: str | None = None  # why no fit was made
+    stream: str = ""  # how the frames come, in words
+    silent: float = 0.0  # s since the last sample
+    history: list[Moment] = field(default_factory=list)
+    number: int = 0  # of the changes so far
+
+    def show(self, moment: Moment) -> None:
+        """A new moment."""
+        self.moment = moment
+        history = [*self.history, moment]
+        self.history = history if len(history) <= MOST else history[::2]
+        self.number += 1

@@ -1,0 +1,125 @@
+"""Samples in, moments out: ten a second of the stream, and one at the end of every drop."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from jaxtyping import Float
+
+from exoid.online.model.model import Model
+from exoid.online.model.sample import Sample
+from exoid.online.model.trust import Phase, Trust
+from exoid.online.outlook import Outlook
+from exoid.physics.anatomy.expected import ExpectedLeg
+from exoid.recordings.live.decoding.reading import Reading
+from exoid.recordings.recording import Segment
+from exoid.watching.estimate.known import RATIOS, told_of
+from exoid.watching.estimate.moment import Moment, Quantity
+from exoid.watching.estimate.online import init, replay, segment_of
+
+EVERY = 0.1  # s of the stream between two moments
+TOGETHER = 256  # samples that are handed over at once, at most
+KEPT = 600.0  # s of samples: the longest drop
+UNITS = ("1/s^2", "1/s^2", "1/s")  # of the ratios
+ROUNDING = 1e-6  # of a moment's number
+COLUMNS, TORQUE = 6, 3  # columns of samples, and which of them is the torque
+
+Rows = Float[np.ndarray, "row 6"]  # of samples
+Row = Float[np.ndarray, "6"]
+
+
+@dataclass(frozen=True, eq=False)
+class Drop:
+    """A free movement that has ended: its samples, and what is known after it."""
+
+    number: int
+    segment: Segment
+    moment: Moment
+
+
+class Estimator:
+    """One leg, with whatever is on it, as one body.
+
+    What it gives depends on the samples alone, not on when they come.
+    """
+
+    def __init__(self, expected: ExpectedLeg, model: Model):
+        self.model = model
+        self.belief = init(expected, model)
+        self.mark: float | None = None  # number of the last moment
+        self.drops = 0
+        self.torque = False  # was any known?
+        self.others: tuple[Quantity, ...] = ()
+        self.rows: list[Rows] = []  # the last samples
+        self.said: list[Outlook] = []  # and what was said after each of them
+
+    def warm(self) -> None:
+        """Have the programs compiled or loaded, and forget what they said."""
+        nothing = np.full((1, COLUMNS), np.nan)
+        replay(self.belief, Sample(*nothing.T), self.model)
+        told_of(self.belief, self.model, torque=False)
+
+    def take(self, readings: Sequence[Reading]) -> Iterator[Moment | Drop]:
+        """What is to be told after these samples."""
+        for first in range(0, len(readings), TOGETHER):
+            rows = np.zeros((len(readings[first : first + TOGETHER]), COLUMNS))
+            rows[:, : len(Reading._fields)] = readings[first : first + TOGETHER]
+            self.torque = self.torque or bool(rows[:, TORQUE].any())
+            yield from self.absorbed(rows)
+
+    def absorbed(self, rows: Rows) -> Iterator[Moment | Drop]:
+        """The rows up to the first that ends a drop, then the others."""
+        while len(rows):
+            belief, outlook = replay(self.belief, Sample(*rows.T), self.model)
+            changes = np.flatnonzero(outlook.drops != self.drops)
+            part = len(rows) if not changes.size else int(changes[0]) + 1
+            if part < len(rows):
+                belief, outlook = replay(self.belief, Sample(*rows[:part].T), self.model)
+            self.belief = belief
+            self.keep(rows[:part], outlook)
+            yield from self.moments(rows[:part], outlook)
+            if changes.size:
+                yield from self.ended(rows[part - 1], outlook, part - 1)
+            rows = rows[part:]
+
+    def keep(self, rows: Rows, outlook: Outlook) -> None:
+        """Remember the samples of the last drop."""
+        self.rows.append(rows)
+        self.said.append(outlook)
+        while self.rows[-1][-1, 0] - self.rows[0][-1, 0] > KEPT:
+            del self.rows[0], self.said[0]
+
+    def moments(self, rows: Rows, outlook: Outlook) -> Iterator[Moment]:
+        marks = np.floor(rows[:, 0] / EVERY + ROUNDING)
+        before = np.concatenate([[np.nan if self.mark is None else self.mark], marks[:-1]])
+        for at in np.flatnonzero(marks != before):
+            yield self.moment(rows[at], outlook, int(at))
+        self.mark = float(marks[-1])
+
+    def moment(self, row: Row, outlook: Outlook, at: int) -> Moment:
+        values, errors = (each[at].tolist() for each in (outlook.ratios, outlook.errors))
+        each = zip(RATIOS, values, errors, UNITS, strict=True)
+        ratios = tuple(Quantity(*one) for one in each)
+        return Moment(
+            time=float(row[0]),
+            angle=float(row[1]),
+            angular_velocity=float(row[2]),
+            phase=Phase(int(outlook.phase[at])),
+            trust=Trust(int(outlook.trust[at])),
+            drops=int(outlook.drops[at]),
+            ratios=ratios,
+            as_loaded=ratios,
+            others=self.others,
+        )
+
+    def ended(self, row: Row, outlook: Outlook, at: int) -> Iterator[Drop]:
+        """The number of drops has changed: one has ended, or the leg is another one."""
+        before, self.drops = self.drops, int(outlook.drops[at])
+        self.others = told_of(self.belief, self.model, torque=self.torque)
+        if self.drops != before + 1:
+            return
+        begun, end = float(outlook.begun[at]), float(outlook.ended[at])
+        every = np.concatenate(self.rows)
+        segment = segment_of(Sample(*every.T), begun, end)
+        moment = replace(self.moment(row, outlook, at), others=self.others)
+        yield Drop(self.drops, segment, moment)

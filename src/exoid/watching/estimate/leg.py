@@ -1,0 +1,141 @@
+"""A leg whose load may change: every weight on it is followed as a leg of its own."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from exoid.online.model.model import Model
+from exoid.online.model.trust import Phase, Trust
+from exoid.physics.anatomy.expected import ExpectedLeg
+from exoid.recordings.live.decoding.reading import Reading
+from exoid.recordings.recording import Segment, Subject
+from exoid.watching.estimate.estimator import Drop, Estimator
+from exoid.watching.estimate.known import ABSOLUTE, RATIOS, SCALED
+from exoid.watching.estimate.load import Load, Mass, expected_with
+from exoid.watching.estimate.moment import Moment, Quantity
+from exoid.watching.estimate.online import Belief
+from exoid.watching.estimate.unload import Bare, Told, unloaded, unloading
+
+TOLD = 0.5  # of what the prior left open of log J: what leaves more tells no J
+SOUND = (Trust.WAITING, Trust.LEARNING, Trust.GOOD, Trust.ENOUGH)
+SETTLING = 1.0  # s after another weight was put on, in which the pause counts as no fault
+
+
+@dataclass(frozen=True)
+class Person:
+    """Whose leg it is, what is expected of it, by which model it is followed."""
+
+    subject: Subject
+    expected: ExpectedLeg
+    model: Model
+
+
+@dataclass(frozen=True, eq=False)
+class LegDrop:
+    """A drop that has ended: with what on the leg, and what is believed of it by every weight."""
+
+    number: int  # of all weights
+    segment: Segment
+    mass: Mass
+    moment: Moment
+    beliefs: Mapping[Mass, Belief]
+
+
+class Leg:
+    """Takes samples, and says of the bare leg what all weights told."""
+
+    def __init__(self, person: Person, load: Load):
+        self.person, self.load = person, load
+        self.estimators: dict[Mass, Estimator] = {}
+        self.now = load.at(0.0)
+        self.changed = float("-inf")  # s, when another weight was put on
+        self.before = unloading(person.expected, person.subject, list(load.masses))
+        self.latest: dict[Mass, Moment] = {}  # of each weight, its last one
+        self.solved: tuple[dict[Mass, Told], Bare] | None = None  # what they told, and the bare leg
+        self.estimator_of(self.now)
+
+    @property
+    def beliefs(self) -> dict[Mass, Belief]:
+        return {mass: each.belief for mass, each in self.estimators.items()}
+
+    def warm(self) -> None:
+        """Have the program compiled or loaded."""
+        self.estimators[self.now].warm()
+
+    def estimator_of(self, mass: Mass) -> Estimator:
+        if mass not in self.estimators:
+            expected = expected_with(self.person.expected, mass)
+            self.estimators[mass] = Estimator(expected, self.person.model)
+        return self.estimators[mass]
+
+    def take(self, readings: Sequence[Reading]) -> Iterator[Moment | LegDrop]:
+        """What is to be told after these samples."""
+        begin = 0
+        for at, each in enumerate(readings if self.load.known else ()):
+            mass = self.load.at(each.time)
+            if mass != self.now:
+                yield from self.taken(readings[begin:at])
+                begin, self.now, self.changed = at, mass, each.time
+        yield from self.taken(readings[begin:])
+
+    def taken(self, readings: Sequence[Reading]) -> Iterator[Moment | LegDrop]:
+        estimator = self.estimator_of(self.now)
+        for news in estimator.take(readings):
+            moment = self.of_all(news if isinstance(news, Moment) else news.moment)
+            if isinstance(news, Drop):
+                yield LegDrop(moment.drops, news.segment, self.now, moment, self.beliefs)
+            else:
+                yield moment
+
+    def of_all(self, moment: Moment) -> Moment:
+        """What this weight tells at the moment, together with what the others have told."""
+        self.latest[self.now] = moment
+        if not self.load.known:
+            return moment
+        bare = self.bare()
+        others = [each for each in moment.others if not each.unit.startswith(SCALED)]
+        return replace(
+            moment,
+            trust=self.trust(moment),
+            drops=sum(each.drops for each in self.latest.values()),
+            ratios=bare.ratios,
+            others=(*absolute_of(bare), *others),
+        )
+
+    def trust(self, moment: Moment) -> Trust:
+        """What one weight has made sure of stays so while another one is learned."""
+        trust = moment.trust
+        if trust is Trust.FAULTY and moment.time < self.changed + SETTLING:
+            trust = Trust.WAITING
+        if trust not in SOUND:
+            return trust
+        others = [each.trust for each in self.latest.values() if each.drops and each.trust in SOUND]
+        return max([trust, *others])
+
+    def bare(self) -> Bare:
+        """By what all weights have told until now; most moments tell nothing new."""
+        told = {mass: told_of(each) for mass, each in self.latest.items() if is_told(each)}
+        if self.solved is None or self.solved[0] != told:
+            near = None if self.solved is None else self.solved[1].row
+            self.solved = told, unloaded(self.before, told, near)
+        return self.solved[1]
+
+
+def is_told(moment: Moment) -> bool:
+    """Has the leg moved with this weight?"""
+    moves = moment.phase is Phase.MOVING and moment.believed
+    return moment.drops > 0 or moves
+
+
+def told_of(moment: Moment) -> Told:
+    """The ratios of the leg as it was loaded, and its J where a torque told that."""
+    known = {each.name: each for each in (*moment.ratios, *moment.others)}
+    values, errors = (
+        tuple(getattr(known[name], what) for name in RATIOS) for what in ("value", "error")
+    )
+    inertia = known.get(ABSOLUTE[0])
+    return Told(values, errors, None if inertia is None else (inertia.value, inertia.error))
+
+
+def absolute_of(bare: Bare) -> tuple[Quantity, ...]:
+    """The leg in kg m^2 and N m, where it was not the prior that told it."""
+    return bare.absolute if bare.narrowed < TOLD else ()

@@ -1,0 +1,46 @@
+"""What is known of a leg at a moment of its stream."""
+
+from dataclasses import dataclass
+
+from exoid.online.model.trust import Phase, Trust
+
+# With these a number that looks sure may be wrong: none is told.
+UNBELIEVABLE = (Trust.UNEXPLAINED, Trust.FAULTY)
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A value with its standard error, both in `unit`."""
+
+    name: str
+    value: float
+    error: float
+    unit: str
+
+
+@dataclass(frozen=True)
+class Moment:
+    """Motion, phase and trust, and the quantities, of which none is told that cannot be believed.
+
+    `ratios` are of the bare leg at this moment, `as_loaded` of the leg as it swings; `others` (J
+    where a known mass or torque tells it, terms) of the end of the last drop.
+    """
+
+    time: float  # s, on the stream's clock
+    angle: float  # rad, of the encoder
+    angular_velocity: float  # rad/s
+    phase: Phase
+    trust: Trust
+    drops: int
+    ratios: tuple[Quantity, ...]
+    as_loaded: tuple[Quantity, ...]
+    others: tuple[Quantity, ...] = ()
+
+    @property
+    def believed(self) -> bool:
+        return self.trust not in UNBELIEVABLE
+
+    @property
+    def quantities(self) -> dict[str, Quantity]:
+        """By name; none where none can be believed."""
+        return {each.name: each for each in (*self.ratios, *self.others)} if self.believed else {}

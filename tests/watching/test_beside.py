@@ -1,0 +1,151 @@
+"""What goes on beside a stream: advice, the batch fit, and the thread that follows."""
+
+import time
+from concurrent.futures import Future
+from math import radians
+
+import pytest
+from bundled_session import SUBJECT, until
+
+from exoid.online.model.trust import Trust
+from exoid.watching.beside.coach import Coach
+from exoid.watching.beside.goals import goal_of
+from exoid.watching.beside.next_movement import Wish, advise
+from exoid.watching.beside.refinement import Refinement
+from exoid.watching.board import MOST, Board
+from exoid.watching.estimate.leg import Leg, LegDrop
+from exoid.watching.estimate.load import Load, Mass
+from exoid.watching.follower import Company, Follower
+
+INERTIA = (goal_of("inertia=2%", ["inertia"]),)
+
+
+@pytest.fixture(scope="session")
+def first(told):
+    """The first drop of the session, a bare one."""
+    return next(each for each in told if isinstance(each, LegDrop))
+
+
+def test_the_next_drop_is_from_where_it_tells_most(person, first):
+    found = advise(first.beliefs, Wish(person), first.mass, first.moment.time)
+    assert found.movement is not None
+    # The largest swing tells most, and nothing on the leg tells more of ratios than the leg alone.
+    assert found.movement.hold == radians(-10)
+    assert found.movement.mass == Mass()
+    assert found.after < 0.9 * found.before
+
+
+def test_an_inertia_asks_for_a_weight(person, first):
+    found = advise(first.beliefs, Wish(person, INERTIA), first.mass, first.moment.time)
+    assert found.movement is not None
+    assert found.movement.mass.weight > 0
+    assert found.name == "inertia"
+    assert found.after < 0.3 * found.before
+
+
+def test_what_is_foretold_of_a_drop_is_about_what_it_brings(person, readings):
+    """The second drop of the session is like the first: its errors were foreseen within a third."""
+    leg = Leg(person, Load())
+    one, two = [each for each in leg.take(until(readings, 27.0)) if isinstance(each, LegDrop)]
+    found = advise(one.beliefs, Wish(person), one.mass, one.moment.time)
+    came = {each.name: each.error for each in two.moment.ratios}[found.name]
+    assert came == pytest.approx(found.after, rel=0.35)
+
+
+def test_a_coach_answers_the_last_question_alone(person, first, monkeypatch):
+    asked = []
+    monkeypatch.setattr(
+        "exoid.watching.beside.coach.advise", lambda *given: asked.append(given[-1]) or given[-1]
+    )
+    coach = Coach(Wish(person))
+    for after in (1.0, 2.0, 3.0):
+        coach.ask(first.beliefs, Mass(), after)
+    coach.wait()
+    assert (asked, coach.latest) == ([3.0], 3.0)
+    coach.ask(first.beliefs, Mass(), 4.0)
+    coach.close()
+    coach.look()
+    assert asked == [3.0]
+
+
+class Pool:
+    """In the place of another process: what is handed to it is done when it is told to be."""
+
+    def __init__(self):
+        self.handed = []
+        self._processes = {}
+
+    def submit(self, work, *given):
+        self.handed.append((given, Future()))
+        return self.handed[-1][1]
+
+    def shutdown(self, **_):
+        self.handed.clear()
+
+
+def test_drops_are_fitted_all_together_the_newest_set_after_the_one_that_runs(person, told):
+    drops = [each for each in told if isinstance(each, LegDrop)]
+    refinement = Refinement(SUBJECT, person.model)
+    refinement.pool = pool = Pool()
+    for each in drops[:1]:
+        refinement.add(each)
+    refinement.look()
+    for each in drops[1:]:
+        refinement.add(each)
+        refinement.look()
+    assert [len(given[0]) for given, _ in pool.handed] == [1]
+    pool.handed[0][1].set_exception(ValueError("it is of no use"))
+    refinement.look()
+    assert refinement.failed == "it is of no use"
+
+
+@pytest.mark.slow
+def test_the_batch_fit_agrees_with_what_is_told_of_the_same_drops(person, first):
+    from exoid.online.batch import refine
+    from exoid.watching.beside.refinement import beside
+
+    found = beside(first, refine([first.segment], SUBJECT, person.model), 1)
+    assert found.agrees
+    assert max(map(abs, found.apart.values())) < 2.0  # both saw the same samples
+
+
+def followed(person, readings, **options):
+    board, seen = Board(**options), []
+    follower = Follower(lambda: Company(Leg(person, Load())), board, [seen.append])
+    for at in range(0, len(readings), 100):
+        follower.give(readings[at : at + 100])
+    follower.end()
+    return board, seen
+
+
+def test_a_follower_tells_every_moment_in_order_and_stops_at_the_goal(person, readings):
+    goals = (goal_of("gravity_over_inertia=1%", ["gravity_over_inertia"]),)
+    board, seen = followed(person, until(readings, 20.0), goals=goals)
+    assert board.reached
+    assert [each.time for each in seen] == sorted(each.time for each in seen)
+    assert 11.0 < seen[-1].time < 13.0  # with the end of the first drop
+    assert board.moment is seen[-1]
+    assert len(board.ended) == 1
+
+
+def test_an_estimator_that_fails_is_told_and_holds_nobody_up(person, readings):
+    def fails():
+        raise ValueError("no such leg")
+
+    board = Board()
+    follower = Follower(fails, board, most=1)
+    begin = time.monotonic()
+    for at in range(0, 1000, 100):
+        follower.give(readings[at : at + 100])
+    follower.end()
+    assert time.monotonic() - begin < 5.0
+    assert (board.state, str(board.fault)) == ("failed", "no such leg")
+
+
+def test_a_history_does_not_grow_for_ever(told):
+    board, moments = Board(), [each for each in told if not isinstance(each, LegDrop)]
+    for each in moments * 3:
+        board.show(each)
+    assert len(board.history) <= MOST
+    assert board.history[-1] is moments[-1]
+    assert moments[-1].trust is Trust.ENOUGH

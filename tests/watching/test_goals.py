@@ -1,0 +1,63 @@
+"""How well is well enough: goals as they are said, and when they are reached."""
+
+import pytest
+
+from exoid.online.model.trust import Phase, Trust
+from exoid.watching.beside.goals import goal_of, reached
+from exoid.watching.estimate.moment import Moment, Quantity
+
+NAMES = ("gravity_over_inertia", "inertia")
+
+
+def moment(error=0.2, trust=Trust.GOOD, phase=Phase.DONE, drops=1) -> Moment:
+    known = (Quantity("gravity_over_inertia", 20.0, error, "1/s^2"),)
+    return Moment(1.0, -1.0, 0.0, phase, trust, drops, known, known)
+
+
+@pytest.mark.parametrize(
+    ("said", "share"),
+    [
+        ("gravity_over_inertia=1%", 1.0),
+        ("gravity_over_inertia = 2 %", 0.5),
+        ("gravity_over_inertia=0.4", 0.5),
+        ("gravity_over_inertia=0.1", 2.0),
+    ],
+)
+def test_a_goal_is_a_share_of_the_value_or_an_error_in_its_unit(said, share):
+    assert goal_of(said, NAMES).share(moment()) == pytest.approx(share)
+
+
+@pytest.mark.parametrize(
+    ("said", "named"),
+    [
+        ("weight=2%", "there is no 'weight'; it can be gravity_over_inertia, inertia"),
+        ("inertia", "this is not like --until inertia=2%"),
+        ("inertia=", "this is not like"),
+        ("inertia=-2%", "this is not like"),
+        ("inertia=nan", "this is not like"),
+        ("inertia=0", "this is not like"),
+        ("inertia=two%", "this is not like"),
+    ],
+)
+def test_what_is_no_goal_is_refused(said, named):
+    with pytest.raises(ValueError, match=named):
+        goal_of(said, NAMES)
+
+
+def test_a_goal_is_reached_by_a_drop_that_has_ended():
+    goals = [goal_of("gravity_over_inertia=1%", NAMES)]
+    assert reached(goals, moment())
+    assert not reached(goals, moment(error=0.21))
+    assert not reached(goals, moment(phase=Phase.MOVING))
+    assert not reached(goals, moment(drops=0))
+    assert not reached([], moment())
+
+
+@pytest.mark.parametrize("trust", [Trust.WAITING, Trust.UNEXPLAINED, Trust.CHANGED, Trust.FAULTY])
+def test_no_goal_is_reached_where_nothing_can_be_believed(trust):
+    assert not reached([goal_of("gravity_over_inertia=1%", NAMES)], moment(trust=trust))
+
+
+def test_what_is_not_known_is_not_reached():
+    assert goal_of("inertia=2%", NAMES).share(moment()) is None
+    assert not reached([goal_of("inertia=2%", NAMES)], moment())

@@ -1,0 +1,140 @@
+"""A leg that is followed: what is told, when, and that it does not hang on how samples come."""
+
+from dataclasses import replace
+from math import nan
+
+import numpy as np
+import pytest
+from bundled_session import LIKELY, SUBJECT, TRUTH, WEIGHT, nan_equal, until
+
+from exoid.online.model.trust import Phase, Trust
+from exoid.recordings.recording import Subject
+from exoid.watching.estimate.expect import expected_of, is_known
+from exoid.watching.estimate.leg import Leg, LegDrop
+from exoid.watching.estimate.load import Load, Mass, constant_load, expected_with
+from exoid.watching.estimate.moment import Moment
+
+
+def moments(told) -> list[Moment]:
+    return [each for each in told if isinstance(each, Moment)]
+
+
+def drops(told) -> list[LegDrop]:
+    return [each for each in told if isinstance(each, LegDrop)]
+
+
+def numbers(told) -> list[tuple]:
+    """Everything of it that is a number, in order."""
+    found = []
+    for each in told:
+        moment = each if isinstance(each, Moment) else each.moment
+        known = [
+            value for one in (*moment.ratios, *moment.others) for value in (one.value, one.error)
+        ]
+        motion = (moment.time, moment.angle, moment.angular_velocity)
+        found.append((*motion, moment.phase, moment.trust, moment.drops, sum(known)))
+    return found
+
+
+def test_there_is_one_moment_for_every_tenth_of_a_second(told):
+    times = np.array([each.time for each in moments(told)])
+    assert times[0] == 0.0
+    np.testing.assert_allclose(np.diff(times), 0.1, atol=0.0101)  # a sample is every 10 ms
+    assert times.size == 885
+
+
+@pytest.mark.parametrize("size", [1, 7, 96, 1000])
+def test_it_does_not_hang_on_how_many_samples_come_at_once(readings, leg, told, size):
+    some = until(readings, 13.0)
+    found = [news for at in range(0, len(some), size) for news in leg.take(some[at : at + size])]
+    assert nan_equal(numbers(found), numbers(told)[: len(found)])
+    assert len(drops(found)) == 1
+
+
+def test_the_ratios_are_the_legs_within_their_errors_at_every_drop(told):
+    assert [each.mass for each in drops(told)] == [Mass(), Mass(), Mass(), WEIGHT]
+    for drop in drops(told):
+        for each in drop.moment.ratios:
+            assert abs(each.value - TRUTH[each.name]) < LIKELY * each.error, each
+
+
+def test_errors_shrink_from_the_release_on(told):
+    errors = {each.time: each.ratios[0].error for each in moments(told)}
+    first, later, last = (errors[min(errors, key=lambda t: abs(t - at))] for at in (0.5, 2.5, 11.5))
+    assert last < 0.5 * later < 0.25 * first
+
+
+def test_a_loaded_drop_tells_the_inertia_and_no_drop_before_it(told):
+    before, after = drops(told)[2].moment, drops(told)[3].moment
+    assert before.others == ()
+    known = {each.name: each for each in after.others}
+    assert known["inertia"].error < 0.02 * 0.42
+    assert abs(known["inertia"].value - 0.42) < LIKELY * known["inertia"].error
+
+
+def test_another_weight_is_no_fault_and_no_other_leg(told):
+    trusts = {each.trust for each in moments(told) if 12.0 < each.time < 57.0}
+    assert trusts <= {Trust.WAITING, Trust.LEARNING, Trust.GOOD, Trust.ENOUGH}
+
+
+def test_a_leg_that_never_moves_has_the_errors_of_anatomy(readings, leg):
+    still = until(readings, 0.5)
+    held = [still[at % 50]._replace(time=0.01 * at) for at in range(1000)]
+    last = moments(leg.take(held))[-1]
+    assert (last.trust, last.drops) == (Trust.WAITING, 0)
+    assert last.ratios[0].error > 0.02 * last.ratios[0].value
+    assert last.ratios[1].error > last.ratios[1].value
+
+
+def test_a_stream_that_loses_much_tells_no_number(readings, leg):
+    bad = [each for at, each in enumerate(until(readings, 8.0)) if each.time < 4.0 or not at % 7]
+    last = moments(leg.take(bad))[-1]
+    assert last.trust is Trust.FAULTY
+    assert last.quantities == {}
+
+
+def test_doubled_samples_change_nothing(readings, leg):
+    some = until(readings, 8.0)
+    plain = moments(Leg(leg.person, leg.load).take(some))
+    rare = [each for at, each in enumerate(some) for _ in range(2 if at % 97 == 0 else 1)]
+    doubled = moments(leg.take(rare))
+    assert doubled[-1].ratios == plain[-1].ratios
+
+
+def test_missing_values_are_no_values(readings, leg):
+    blind = [each._replace(angle=nan, angular_velocity=nan) for each in until(readings, 3.0)]
+    last = moments(leg.take(blind))[-1]
+    assert last.drops == 0
+    assert last.trust is Trust.FAULTY
+
+
+def test_a_mass_from_the_beginning_makes_the_bare_leg_as_unsure_as_its_inertia(readings, person):
+    shifted = [each for each in readings if 41.0 < each.time < 57.0]
+    known = drops(Leg(person, Load(masses=(WEIGHT,))).take(shifted))[0].moment
+    assert known.others == ()
+    stiffness = known.ratios[1]
+    assert stiffness.error > 0.1
+    assert abs(stiffness.value - TRUTH["stiffness_over_inertia"]) < 3 * stiffness.error
+    assert known.as_loaded[1].error < 0.1 * stiffness.error
+
+
+def test_the_loaded_leg_is_expected_as_one_body(person):
+    loaded = expected_with(person.expected, Mass(2.0, 0.3))
+    bare = person.expected
+    assert loaded.inertia.value == pytest.approx(bare.inertia.value + 2.0 * 0.3**2)
+    moment = loaded.mass.value * loaded.com_distance.value
+    assert moment == pytest.approx(bare.mass.value * bare.com_distance.value + 2.0 * 0.3)
+
+
+def test_anybodys_leg_scatters_more_than_a_known_persons():
+    known, anybody = expected_of(SUBJECT), expected_of(Subject())
+    assert is_known(SUBJECT)
+    assert not is_known(Subject())
+    assert anybody.covariance[0][0] > 4 * known.covariance[0][0]
+
+
+def test_a_mass_without_a_place_is_one_to_be_placed():
+    load = constant_load(replace(SUBJECT, added_mass=1.5))
+    assert load.at(3.0) == Mass(1.5, placed=False)
+    assert constant_load(SUBJECT) == Load()
+    assert Phase.DONE > Phase.MOVING  # what panels count on
