@@ -25,6 +25,7 @@ COMMANDS = {
     "simulate": "Simulate drops and cycles of a leg, as a recording.",
     "convert": "Write a recording as exoid's table, with its sidecar.",
 }
+ON_BUS = ("record", "live", "node")
 PLAIN: dict[str, Any] = {"pretty_exceptions_enable": False, "rich_markup_mode": None}
 
 app = typer.Typer(
@@ -39,7 +40,8 @@ app = typer.Typer(
 
 def load(name: str):
     """The command of that name: in `commands`, a function, or a group, and its file bear it."""
-    found = getattr(import_module(f"exoid.cli.commands.{name}"), name)
+    room = "commands.on_bus" if name in ON_BUS else "commands"
+    found = getattr(import_module(f"exoid.cli.{room}.{name}"), name)
     if isinstance(found, typer.Typer):
         return get_command(found)
     alone = typer.Typer(add_completion=False, **PLAIN)

@@ -2,11 +2,11 @@
 
 import typer
 
-from exoid.cli.commands.on_node.find import find
-from exoid.cli.commands.on_node.identify import identify
-from exoid.cli.commands.on_node.set import set_up
-from exoid.cli.commands.on_node.show import show
-from exoid.cli.commands.on_node.zero import zero
+from exoid.cli.commands.on_bus.on_node.find import find
+from exoid.cli.commands.on_bus.on_node.identify import identify
+from exoid.cli.commands.on_bus.on_node.set import set_up
+from exoid.cli.commands.on_bus.on_node.show import show
+from exoid.cli.commands.on_bus.on_node.zero import zero
 
 node = typer.Typer(
     name="node",

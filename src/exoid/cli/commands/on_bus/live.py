@@ -105,7 +105,7 @@ def live(
     zero: ZeroOption = None,
     force: Force = False,
 ) -> None:
-    """Estimate a leg while it moves: its ratios, their errors, and what to do next.
+    """Estimate a leg while it moves, and what to do next.
 
     From the first drop on the errors shrink while one watches; a mass that is known and changes
     tells kg m^2 as well. A bus is followed until Ctrl-C, a file to its end, either until a goal is
