@@ -2,14 +2,16 @@
 
 import time
 from collections.abc import Callable, Sequence
-
-import can
+from typing import TYPE_CHECKING
 
 from exoid.cli.live.panel import Panel
 from exoid.cli.live.result import chime
 from exoid.recordings.live.decoding.node_stream import NodeStream
 from exoid.recordings.live.decoding.reading import Reading
 from exoid.watching.follower import Company, Follower, Sink
+
+if TYPE_CHECKING:
+    import can
 
 QUIET = 1.0  # s without a sample, from which on a person should know
 FILTERED = (
@@ -36,7 +38,7 @@ class Watched:
         self.told: set[str] = set()
         self.follower = Follower(make, self.board, sinks, most)
 
-    def hear(self, message: can.Message) -> None:
+    def hear(self, message: "can.Message") -> None:
         """A frame of the bus."""
         assert self.stream is not None
         strange = message.is_extended_id or message.is_remote_frame or message.is_fd

@@ -136,17 +136,19 @@ def live(
         raise ValueError("--added-mass-distance is given without --added-mass. Give both.")
     terms_wanted = followed_terms(terms_asked(with_term, own_terms(terms)))
     goals = goals_asked(until, terms_wanted)
-    from exoid.cli.live.run import Views, Wanted, run_bus, run_file
+    from exoid.cli.live.viewing import Views
+    from exoid.cli.live.wanted import Wanted
 
     prepare()
     wanted = Wanted(terms_wanted, goals, Views(json_lines, serve, host, port), refine)
     if recording is not None:
+        from exoid.cli.live.follow_file import run_file
         from exoid.cli.live.opened import open_recording
 
         reading = {"column": column, "dbc": dbc, "signal": signal, "flip": flip, "zero": zero}
         run_file(recording, open_recording(recording, body, node, **reading), wanted, pace)
     elif channel is not None:
-        from exoid.cli.live.follow import bus_of
+        from exoid.cli.live.follow_bus import bus_of, run_bus
         from exoid.recordings.recording import Subject
 
         subject = replace(Subject(kind="leg", id=subject_id, side=side), **ask_body(body))

@@ -1,23 +1,25 @@
-"""A bus or a file, followed to its end."""
+"""`exoid live` of a node on a bus, from its beginning to its end."""
 
 from collections.abc import Callable
 from functools import partial
-from math import degrees, inf, isfinite
 from pathlib import Path
 
-from exoid.cli.live.opened import Opened
-from exoid.cli.live.replay import AT_ONCE, IN_PACE, play
+from exoid.cli.live.ending import conclude
+from exoid.cli.live.result import give
 from exoid.cli.live.session import Session
-from exoid.cli.live.viewing import Viewer
+from exoid.cli.live.viewing import Viewer, viewing
+from exoid.cli.live.wanted import Wanted
 from exoid.cli.live.watched import Watched
+from exoid.cli.terminal.keys import keyboard
+from exoid.cli.terminal.stopping import stoppable
 from exoid.recordings.live.channel.address import BusAddress
 from exoid.recordings.live.decoding.node_stream import NodeStream
 from exoid.recordings.live.log_file import LogFile, Unkept
 from exoid.recordings.recording import Subject
+from exoid.watching.board import Board
 from exoid.watching.estimate.expect import is_known
+from exoid.watching.estimate.load import constant_load
 from exoid.watching.origin import Origin
-
-WAITING = 4  # batches of samples of a file that are read ahead
 
 
 class Bus:
@@ -65,40 +67,22 @@ def bus_of(
     return Bus(BusAddress(*where), log, subject, node)
 
 
-def follow_file(
-    opened: Opened,
-    origin: Origin,
-    viewer: Viewer,
-    stopped: Callable[[], bool],
-    *,
-    speed: float,
-    refined: bool,
-) -> None:
-    """Until its end, or until it is `stopped` or the goals are reached."""
-    fast = speed == inf
-    make = partial(origin.company, coached=True, refined=refined)
-    watched = Watched(make, viewer.panel, viewer.sinks, WAITING if fast else 0)
-    watched.stream = opened.stream
-    watched.known = is_known(origin.subject)
-
-    def going(_: float) -> bool:
-        watched.show(line_of(watched))
-        return not (stopped() or watched.over)
-
-    try:
-        play(opened.parts(AT_ONCE if fast else IN_PACE), watched.give, going, speed)
-    finally:
-        watched.end(patient=not stopped())
-        watched.panel.show(line_of(watched))
-
-
-def line_of(watched: Watched) -> str:
-    """A moment of a file in one line, in degrees."""
-    moment, stream = watched.board.moment, watched.stream
-    if moment is None:
-        return ""
-    turning = moment.angular_velocity
-    parts = [f"{moment.time:7.1f} s", f"{degrees(moment.angle):+7.1f} deg"]
-    parts += [f"{degrees(turning):+7.1f} deg/s"] if isfinite(turning) else []
-    parts += [f"{stream.ticks.lost} lost"] if stream is not None else []
-    return "  ".join(parts)
+def run_bus(bus: Bus, wanted: Wanted, *, marked: bool, duration: float | None) -> None:
+    """Follow a node until somebody stops it, it has lasted, or the goals are reached."""
+    board = Board(wanted.goals)
+    origin = wanted.origin(bus.subject, load=constant_load(bus.subject))
+    with (
+        stoppable() as stopped,
+        viewing(board, str(bus.address), wanted.views) as viewer,
+        keyboard(marked) as pressed,
+    ):
+        session = bus.follow(
+            origin,
+            viewer,
+            stopped,
+            pressed=pressed if marked else None,
+            duration=duration,
+            refined=wanted.refine is not False,
+        )
+    conclude(session, err=wanted.views.err)
+    give(board, err=wanted.views.err)
