@@ -1,5 +1,6 @@
 """The command line: one file, one command. Only this floor prints."""
 
+import gc
 import os
 import sys
 
@@ -10,11 +11,13 @@ from exoid.cli.terminal.streams import lost_output, outlast_readers
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 # XLA writes about its own affairs to stderr, past Python.
 os.environ.setdefault("TF_CPP_MIN_LOG_LEVEL", "3")
+OBJECTS = 100_000  # between looks for cycles of them: every 700, they take a fiftieth of a command
 
 
 def main() -> None:
     """Run a command. Bad input ends with one line and exit code 2, a failed computation with 1."""
     try:
+        gc.set_threshold(OBJECTS)
         outlast_readers()
         silence_libraries()
         from exoid.cli.app import app

@@ -19,7 +19,7 @@ class LocalPolynomials:
     """Polynomials in x = (t - centre) / HALF, one a centre, and how their coefficients err."""
 
     coefficients: NDArray[np.float64]  # (centre, power)
-    covariance: NDArray[np.float64]  # (kind of window, power, power)
+    covariance: NDArray[np.floating]  # (kind of window, power, power)
     kind: NDArray[np.int_]  # (centre)
 
     def derivative(self, order: int, x: Samples | float = 0.0) -> tuple[Samples, Samples]:

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import chdtrc
 
+from exoid.recordings.chi_square import chance_above
 from exoid.recordings.samples import Samples
 
 WINDOW = 0.5  # s; half a swing: short enough to separate motion and drift
@@ -61,7 +61,7 @@ def gyro_drift(
     together = np.concatenate(zeros)
     explained = left < EXPLAINED * (size - count)
     matters = np.std(together) >= MATTERS * noise[1]
-    if chdtrc(count - 1, gain) > FALSE or not matters or not explained:
+    if chance_above(count - 1, gain) > FALSE or not matters or not explained:
         return None
     return [
         np.interp(time, places(part.time), own - together.mean())

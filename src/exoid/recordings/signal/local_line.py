@@ -3,6 +3,7 @@
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from exoid.recordings.samples import Samples
 
@@ -11,6 +12,7 @@ WINDOWS = 8  # the least at once, for what is read beyond a part to be little
 SMALLEST = 16  # samples of a block
 FAR = 100.0  # times the shortest window, of two blocks with a pause in them: more costs digits
 Signal = Any  # a NumPy or a JAX array, time first
+Sums = NDArray[np.complex128]
 
 
 def interpolated(time: Signal, samples: Signal) -> Samples:
@@ -54,7 +56,7 @@ def lines_at(time: Samples, value: Samples, width: float, part: slice) -> tuple[
     return value[used][first] + (above + slope * since) / count, slope
 
 
-def window_sums(time: Samples, value: Samples, first: np.ndarray, last: np.ndarray) -> np.ndarray:
+def window_sums(time: Samples, value: Samples, first: np.ndarray, last: np.ndarray) -> Sums:
     """Sums of z = t + i x and of t z over the samples from `first` to before `last`, relative to
     the first.
 
@@ -71,8 +73,9 @@ def window_sums(time: Samples, value: Samples, first: np.ndarray, last: np.ndarr
     begin = place + block
     count = last - first
     running = running.reshape(2, -1)
-    z, tz = np.take(running, begin + count, axis=1) - np.take(running, begin, axis=1)
-    shift = np.take(terms[0], place)
+    sums: Sums = np.take(running, begin + count, axis=1) - np.take(running, begin, axis=1)
+    z, tz = sums
+    shift: Sums = np.take(terms[0], place)
     own = z - count * shift
     found = np.stack([own, tz - shift.real * z - shift * own.real])
     lasting = terms[0, :, -1].real
@@ -82,7 +85,7 @@ def window_sums(time: Samples, value: Samples, first: np.ndarray, last: np.ndarr
     return found
 
 
-def in_blocks(time: Samples, value: Samples, size: int, blocks: int) -> np.ndarray:
+def in_blocks(time: Samples, value: Samples, size: int, blocks: int) -> Sums:
     """z and t z (first axis) in every block (second) of `size` samples and the block after it
     (third), relative to its first sample.
     """

@@ -7,11 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import make_lsq_spline
-from scipy.ndimage import median_filter
-from scipy.special import chdtrc, chdtri  # not scipy.stats: half a second of every command
 
+from exoid.recordings.chi_square import chance_above, median_of
 from exoid.recordings.samples import Samples, usual_step
+from exoid.recordings.signal.spline import follow
 
 SLOWEST = 9.0  # Hz, of a tone that is no motion: tremor and clonus of a leg are slower
 KNOT = 0.08  # s between the knots of the spline that is the motion
@@ -27,6 +26,7 @@ SURGES = 2.0  # of its size, that it exceeds in no more than one of four: a fram
 IN_PHASE = 0.6  # of its size, that is left of the middle of its pieces: noise has any phase
 PIECE, FEW = 0.3, 24  # s, and samples, of a piece at least
 STRETCH = 5_000  # samples of one spline
+AT_ONCE = 2**12  # medians: 3 MB
 PAUSE = 1.0  # s without a sample
 FEWEST = 64  # samples of a segment that can tell a tone
 
@@ -49,7 +49,10 @@ def find_tone(times: list[Samples], signals: list[Samples], noise: float = 0.0) 
     parts = [part for parts in each for part in parts if part[0].size >= FEWEST]
     if not parts:
         return None
-    rest = [(time - time[0], signal - motion(time, signal)) for time, signal in parts]
+    rest = [
+        (time - time[0], signal - moved)
+        for (time, signal), moved in zip(parts, motions(parts), strict=True)
+    ]
     step = min(usual_step(time) for time, _ in rest)
     size = 2 * max(int(time[-1] / step) + 1 for time, _ in rest)
     grid = np.fft.rfftfreq(size, step)
@@ -58,9 +61,8 @@ def find_tone(times: list[Samples], signals: list[Samples], noise: float = 0.0) 
     freedom = 2 * len(rest)
     if power.size < FEWEST or not power.all():
         return None
-    around = median_filter(power, AROUND, mode="mirror") / chdtri(freedom, 0.5)
-    top = int(np.argmax(power / around))
-    if top < EDGE or power.size * chdtrc(freedom, power[top] / around[top]) > FALSE:
+    top, ratio = standing_out(power)
+    if top < EDGE or power.size * chance_above(freedom, ratio * median_of(freedom)) > FALSE:
         return None
     near = grid[grid >= SLOWEST][top] + grid[1] * np.arange(-1, 1, FINER)
     frequency = float(near[np.argmax(sum(powers(*each, near) for each in rest))])
@@ -144,17 +146,46 @@ def powers(time: Samples, left: Samples, grid: Samples) -> Samples:
     return (np.cos(turns) @ left) ** 2 + (np.sin(turns) @ left) ** 2
 
 
-def motion(time: Samples, signal: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The part of the signal (time first) that a cubic spline with a knot each 0.1 s follows; anew
-    after so many samples, for its cost grows with their square.
+def standing_out(power: Samples) -> tuple[int, float]:
+    """The frequency that is the most times the median of the `AROUND` about it, mirrored at both
+    ends, and how many times.
+
+    Three whole quarters of 25 are among 101, and 26 others: the median, the 51st, is no less than
+    the 25th of those 75. Where the power is too small even for that, no median is asked for.
     """
-    parts = np.array_split(np.arange(time.size), -(-time.size // STRETCH))
-    return np.concatenate([spline(time[part], signal[part]) for part in parts])
+    mirrored = np.pad(power, AROUND // 2, mode="reflect")
+    quarter = AROUND // 4
+    parts = np.lib.stride_tricks.sliding_window_view(mirrored, 3 * quarter)[::quarter]
+    least = np.partition(parts, quarter - 1, axis=1)[:, quarter - 1]
+    most = power / least[-(-np.arange(power.size) // quarter)]
+    found = times_the_median(power, mirrored, np.argpartition(most, -FEWEST)[-FEWEST:])
+    at = np.flatnonzero(most >= found.max())
+    found = times_the_median(power, mirrored, at)
+    return int(at[np.argmax(found)]), float(found.max())
 
 
-def spline(time: Samples, signal: NDArray[np.float64]) -> NDArray[np.float64]:
-    count = max(int((time[-1] - time[0]) / KNOT), 1)
-    places = np.linspace(0, time.size - 1, count + 1)[1:-1]  # as dense as the samples, gaps too
-    inner = np.interp(places, np.arange(time.size), time)
-    knots = np.concatenate([[time[0]] * 4, inner, [time[-1]] * 4])
-    return np.asarray(make_lsq_spline(time, signal, knots, method="norm-eq")(time))
+def times_the_median(power: Samples, mirrored: Samples, at: NDArray[np.int_]) -> Samples:
+    """How many times the median about it the power at some frequencies is."""
+    windows, middle = np.lib.stride_tricks.sliding_window_view(mirrored, AROUND), AROUND // 2
+    parts = [at[begin : begin + AT_ONCE] for begin in range(0, at.size, AT_ONCE)]
+    medians = [np.partition(windows[part], middle, axis=1)[:, middle] for part in parts]
+    return power[at] / np.concatenate(medians)
+
+
+def motion(time: Samples, signal: NDArray[np.float64]) -> NDArray[np.float64]:
+    """`motions` of one signal."""
+    return motions([(time, signal)])[0]
+
+
+def motions(signals: list[tuple[Samples, NDArray[np.float64]]]) -> list[NDArray[np.float64]]:
+    """The part of every signal (time first) that a cubic spline with a knot each 0.08 s follows;
+    anew after so many samples, for rounding grows with them.
+    """
+    counts = [-(-time.size // STRETCH) for time, _ in signals]
+    pieces = [
+        (time[at], signal[at])
+        for (time, signal), count in zip(signals, counts, strict=True)
+        for at in np.array_split(np.arange(time.size), count)
+    ]
+    followed = iter(follow(pieces, KNOT))
+    return [np.concatenate([next(followed) for _ in range(count)]) for count in counts]
