@@ -1,36 +1,17 @@
-"""`exoid live`: what it says of a leg while it moves, from a cable or from a file."""
+"""`exoid live` of files: what it says of a leg, when it ends, and what it does not say."""
 
 import json
-import os
-import signal
-import subprocess
-import sys
 import time
 
-import can
 import numpy as np
 import pytest
-from command_line import HEEDING, LIMIT, SCRIPT, refusal
-from sessions import EPOCH, LEG, RATIOS, TWO_DROPS, session, write_frames
-from test_record_command import terminal
+from command_line import refusal
+from live_runs import LIKELY, as_sent, near_truth, rows_of
+from sessions import LEG, TWO_DROPS, session, write_frames
 
 from exoid.cli.inputs.reading import EXAMPLE
-from exoid.recordings.can.node.config_crc import config_crc
 from exoid.recordings.formats.own_table import write_table
 from exoid.recordings.motion.split import split
-from live_node import Cable
-from node_frames import frames
-
-FAST = 1000.0  # frames/s; the node itself sends 310
-LIKELY = 4.5  # standard errors within which the truth lies, but for one draw in 100 000
-BODY = ("--body-mass", 74, "--height", 1.78)
-READY = 60.0  # s in which the estimator is compiled on a busy machine
-
-
-def as_sent(recording, **options):
-    """The frames of a session, as the node sends them."""
-    given = {"epoch": EPOCH, "jitter": 0.0, "config_crc": config_crc(), **options}
-    return list(frames(recording.segments[0], np.random.default_rng(3), **given))
 
 
 @pytest.fixture(scope="module")
@@ -43,16 +24,6 @@ def log(drops, tmp_path_factory):
     """Two drops, as a log with its sidecar."""
     path = tmp_path_factory.mktemp("live") / "two.blf"
     return write_frames(as_sent(drops), drops, path)
-
-
-def rows_of(path) -> list[dict]:
-    return [json.loads(line) for line in path.read_text().splitlines()]
-
-
-def near_truth(ratios: dict) -> None:
-    for name, truth in RATIOS.items():
-        found = ratios[name]
-        assert abs(found["value"] - truth) < LIKELY * found["standard_error"], name
 
 
 def test_a_log_is_followed_to_its_end(command, log, tmp_path):
@@ -135,61 +106,6 @@ def test_at_its_own_pace_a_file_takes_its_time(command, log):
     assert time.monotonic() - begin > float(done.stdout.split()[0]) / 4 - 0.1
 
 
-@pytest.mark.parametrize(
-    ("options", "said"),
-    [
-        ([], "give a recording to follow, or --channel of a bus: neither is given"),
-        (["leg.blf", "--channel", "x"], "both are given"),
-        (["leg.blf", "-o", "other.blf"], "-o is of a bus"),
-        (["leg.blf", "--duration", "3"], "--duration is of a bus"),
-        (["--channel", "x", "--flip", "all"], "--flip is of a recording"),
-        (["leg.blf", "--speed", "fast"], "--speed fast: give a number such as 1 or 2.5, or max"),
-        (["leg.blf", "--speed", "0"], "--speed 0"),
-        (["leg.blf", "--speed", "inf"], "--speed inf"),
-        (["leg.blf"], "leg.blf: No such file or directory"),
-        (["leg.blf", "--until", "weight=2%"], "--until weight=2%: there is no 'weight'"),
-        (["leg.blf", "--until", "inertia=1%", "--until", "inertia=2%"], "names a quantity twice"),
-        (["leg.blf", "--with", "friction"], "there is no such term"),
-        (["leg.blf", "--with", "hysteresis"], "it has a memory of its own"),
-        (["leg.blf", "--with", "gyro_bias"], "it is estimated in any case"),
-        (["leg.blf", "--with", "stiffness_rest_angle"], "cannot be estimated live"),
-        (["leg.blf", "--with", "coulomb_friction=0.1"], "Name it alone"),
-        (["leg.blf", "--json-lines", "nowhere/rows"], "the folder nowhere does not exist"),
-        (["leg.blf", "--body-mass", "7700"], "--body-mass is 7700 kg"),
-        (["--channel", "x", "--added-mass-distance", "0.4"], "without --added-mass"),
-        (["--channel", "x", "-o", "leg.csv"], "a recording ends in .blf"),
-        (["--channel", "x", "--segment"], "the standard input is no terminal"),
-        (["--channel", "no-port"], "slcan no-port cannot be opened"),
-        (["--channel", "x", "--port", "70000"], "'--port'"),
-    ],
-)
-def test_an_absurd_option_is_refused(command, tmp_path, options, said):
-    done = command("live", *options, cwd=tmp_path)
-    assert said in refusal(done)
-    assert not list(tmp_path.iterdir())
-
-
-def test_what_is_there_is_not_replaced(command, log, tmp_path):
-    (tmp_path / "rows").write_text("old")
-    done = command("live", log, "--json-lines", tmp_path / "rows")
-    assert "exists. Name another file, or replace it with --force" in refusal(done)
-    assert (tmp_path / "rows").read_text() == "old"
-
-
-def test_a_page_without_its_packages_is_refused_in_one_line(command, log, monkeypatch):
-    from exoid.files import extras
-
-    found = extras.find_spec
-    monkeypatch.setattr(
-        extras, "find_spec", lambda name: None if name == "uvicorn" else found(name)
-    )
-    done = command("live", log, "--serve")
-    assert done.returncode == 2
-    assert done.stderr.splitlines()[-1] == (
-        'exoid: a page is served by uvicorn, which is missing: pip install "exoid[live]"'
-    )
-
-
 def test_two_nodes_of_one_id_are_told_and_no_number_is(command, drops, tmp_path):
     other = [
         (at + 0.002, identifier, data) for at, identifier, data in as_sent(session(*TWO_DROPS[:1]))
@@ -212,133 +128,3 @@ def test_two_nodes_of_one_id_are_told_and_no_number_is(command, drops, tmp_path)
 def test_firmware_that_means_something_else_tells_no_number(command, drops, tmp_path):
     path = write_frames(as_sent(drops, config_crc=0xBEEF), drops, tmp_path / "other.blf")
     assert "ConfigCrc 0xBEEF" in refusal(command("live", path))
-
-
-@pytest.fixture
-def cable(tmp_path):
-    made = Cable(tmp_path / "port")
-    yield made
-    made.pull_out()
-
-
-@pytest.fixture
-def start(command, cable):
-    """`exoid live` on the cable."""
-    environment = command.environment | {"CAN_CONFIG": '{"sleep_after_open": 0}'}
-    running = []
-
-    def started(*options, **streams) -> subprocess.Popen[str]:
-        arguments = ("live", "--channel", cable.path, *BODY, *options)
-        process = subprocess.Popen(
-            [sys.executable, "-c", HEEDING, SCRIPT, *map(str, arguments)],
-            env=environment,
-            stdout=subprocess.PIPE,
-            text=True,
-            **{"stdin": subprocess.DEVNULL, "stderr": subprocess.PIPE, **streams},
-        )
-        running.append(process)
-        return process
-
-    yield started
-    for process in running:
-        process.kill()
-        process.communicate()
-
-
-def messages(sent) -> list[can.Message]:
-    return [
-        can.Message(timestamp=at, arbitration_id=identifier, is_extended_id=False, data=data)
-        for at, identifier, data in sent
-    ]
-
-
-def test_a_leg_on_a_cable_is_recorded_and_its_replay_is_the_same(
-    command, start, cable, drops, tmp_path
-):
-    rows = tmp_path / "live.jsonl"
-    process = start("-o", tmp_path / "leg.blf", "--json-lines", rows, "--no-refine")
-    cable.heard()
-    cable.stream(messages(as_sent(drops)), FAST).join()
-    cable.taken()
-    wait_for(lambda: rows.exists() and 'drops": 2' in rows.read_text())
-    process.send_signal(signal.SIGINT)
-    said, told = process.communicate(timeout=LIMIT)
-    assert process.returncode == 0, told
-    assert f"next: exoid fit {tmp_path / 'leg.blf'}" in said
-    assert "gravity over inertia" in said
-    again = command("live", tmp_path / "leg.blf", "--json-lines", tmp_path / "again.jsonl")
-    assert again.returncode == 0, again.stderr
-    live, replayed = rows.read_text().splitlines(), (tmp_path / "again.jsonl").read_text()
-    assert replayed.splitlines() == live
-
-
-def wait_for(condition) -> None:
-    end = time.monotonic() + READY
-    while not condition():
-        assert time.monotonic() < end
-        time.sleep(0.1)
-
-
-def test_it_ends_by_itself_where_the_goal_is_reached(start, cable, drops):
-    process = start("--until", "gravity_over_inertia=1%", "--no-refine")
-    cable.heard()
-    cable.stream(messages(as_sent(drops)), FAST).join()
-    said, told = process.communicate(timeout=LIMIT)
-    assert process.returncode == 0, told
-    assert said.splitlines()[-1] == "enough: gravity_over_inertia=1% is reached"
-    assert not list(cable.path.parent.glob("*.blf"))  # nobody asked to keep it
-
-
-def test_a_stream_that_stalls_bursts_and_comes_back_is_told_and_followed(
-    start, cable, drops, tmp_path
-):
-    rows = tmp_path / "rows"
-    process = start("--json-lines", rows, "--no-refine")
-    cable.heard()
-    sent = messages(as_sent(drops))
-    cable.stream(sent[:1200], FAST).join()
-    time.sleep(2.6)  # it stalls, and what it could not send comes at once
-    cable.send(*sent[1200:1500])
-    cable.taken()
-    cable.pull_out()
-    cable.plug_in()
-    cable.heard()
-    cable.stream(sent[1800:2400], FAST).join()
-    cable.taken()
-    wait_for(lambda: rows.exists() and '"time_s": 7' in rows.read_text())
-    process.send_signal(signal.SIGTERM)
-    _, told = process.communicate(timeout=LIMIT)
-    assert process.returncode == 0, told
-    assert "2 s without a frame of the node: it has fallen silent" in told
-    assert "is gone" in told
-    assert "is back" in told
-    trusts = {each["trust"] for each in rows_of(rows)}
-    assert "faulty" in trusts
-    for each in rows_of(rows):
-        for name, found in each["ratios"].items():
-            if each["trust"] == "faulty":
-                assert found["value"] is None
-            else:
-                assert abs(found["value"] - RATIOS[name]) < LIKELY * found["standard_error"]
-
-
-def test_a_silent_bus_is_named(start):
-    process = start("--duration", 2.5)
-    said, told = process.communicate(timeout=LIMIT)
-    assert (process.returncode, said) == (2, "")
-    assert "nothing was heard from slcan" in told.splitlines()[-1]
-
-
-def test_a_person_at_a_terminal_sees_a_panel(start, cable, drops):
-    with terminal() as (_, program, read_until):
-        process = start("--no-refine", stderr=program)
-        cable.heard()
-        cable.stream(messages(as_sent(drops)), FAST)
-        read_until("moving freely")
-        shown = read_until("1 drop so far")
-        assert "exoid live" in shown
-        process.send_signal(signal.SIGINT)
-        said, _ = process.communicate(timeout=LIMIT)
-    assert process.returncode == 0
-    assert "stiffness over inertia" in said
-    assert os.linesep not in said[:1]

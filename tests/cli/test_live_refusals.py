@@ -1,0 +1,61 @@
+"""`exoid live` on bad options: one line that says what and where, and nothing written."""
+
+import pytest
+from command_line import refusal
+
+from exoid.cli.inputs.reading import EXAMPLE
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        ([], "give a recording to follow, or --channel of a bus: neither is given"),
+        (["leg.blf", "--channel", "x"], "both are given"),
+        (["leg.blf", "-o", "other.blf"], "-o is of a bus"),
+        (["leg.blf", "--duration", "3"], "--duration is of a bus"),
+        (["--channel", "x", "--flip", "all"], "--flip is of a recording"),
+        (["leg.blf", "--speed", "fast"], "--speed fast: give a number such as 1 or 2.5, or max"),
+        (["leg.blf", "--speed", "0"], "--speed 0"),
+        (["leg.blf", "--speed", "inf"], "--speed inf"),
+        (["leg.blf"], "leg.blf: No such file or directory"),
+        (["leg.blf", "--until", "weight=2%"], "--until weight=2%: there is no 'weight'"),
+        (["leg.blf", "--until", "inertia=1%", "--until", "inertia=2%"], "names a quantity twice"),
+        (["leg.blf", "--with", "friction"], "there is no such term"),
+        (["leg.blf", "--with", "hysteresis"], "it has a memory of its own"),
+        (["leg.blf", "--with", "gyro_bias"], "it is estimated in any case"),
+        (["leg.blf", "--with", "stiffness_rest_angle"], "cannot be estimated live"),
+        (["leg.blf", "--with", "coulomb_friction=0.1"], "Name it alone"),
+        (["leg.blf", "--json-lines", "nowhere/rows"], "the folder nowhere does not exist"),
+        (["leg.blf", "--body-mass", "7700"], "--body-mass is 7700 kg"),
+        (["--channel", "x", "--added-mass-distance", "0.4"], "without --added-mass"),
+        (["--channel", "x", "-o", "leg.csv"], "a recording ends in .blf"),
+        (["--channel", "x", "--segment"], "the standard input is no terminal"),
+        (["--channel", "no-port"], "slcan no-port cannot be opened"),
+        (["--channel", "x", "--port", "70000"], "'--port'"),
+    ],
+)
+def test_an_absurd_option_is_refused(command, tmp_path, options, said):
+    done = command("live", *options, cwd=tmp_path)
+    assert said in refusal(done)
+    assert not list(tmp_path.iterdir())
+
+
+def test_what_is_there_is_not_replaced(command, tmp_path):
+    (tmp_path / "rows").write_text("old")
+    done = command("live", EXAMPLE, "--json-lines", tmp_path / "rows")
+    assert "exists. Name another file, or replace it with --force" in refusal(done)
+    assert (tmp_path / "rows").read_text() == "old"
+
+
+def test_a_page_without_its_packages_is_refused_in_one_line(command, monkeypatch):
+    from exoid.files import extras
+
+    found = extras.find_spec
+    monkeypatch.setattr(
+        extras, "find_spec", lambda name: None if name == "uvicorn" else found(name)
+    )
+    done = command("live", EXAMPLE, "--serve")
+    assert done.returncode == 2
+    assert done.stderr.splitlines()[-1] == (
+        'exoid: a page is served by uvicorn, which is missing: pip install "exoid[live]"'
+    )
