@@ -5,12 +5,10 @@ there (StableHLO, by jax.export) beside XLA's own compilation cache, and the nex
 both without importing the solver.
 """
 
-import ctypes
 import hashlib
 import inspect
 import logging
 import platform
-import sys
 import time
 import warnings
 from collections.abc import Callable
@@ -31,6 +29,7 @@ from platformdirs import user_cache_path
 from exoid.files.replacing import begun
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.misfit.condensed import Sensed
+from exoid.fitting.solve.memory import give_back
 from exoid.fitting.solve.program_values import SENSED, Solved, solved_structure
 
 SHOWING = ("cli", "report", "watching")  # rooms above every program: none imports them
@@ -146,9 +145,7 @@ def program(name: str, structure, shapes, static, brief: bool = False):
 def compiled(found, shapes):
     """The machine code; what compiling took of memory goes back to the system."""
     code = found.lower(*shapes).compile()
-    if sys.platform == "linux":
-        trim = getattr(ctypes.CDLL(None), "malloc_trim", lambda _: 0)  # of glibc alone
-        trim(0)
+    give_back()
     return code
 
 

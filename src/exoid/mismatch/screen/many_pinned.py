@@ -26,7 +26,7 @@ from exoid.mismatch.screen.segment_groups import of, of_all_segments, summed
 
 FEW = 4  # parameters that it has room for in a candidate, or twice as many, and so on
 LARGEST = 150_000  # samples of candidates that are worked out together: some 100 MB
-KEPT = 600_000  # samples of candidates whose terms' effects are held at once: some 100 MB
+KEPT = 300_000  # samples of candidates whose terms' effects are held at once: some 50 MB
 PROGRAM = 200_000  # derivatives by a sample and a column in one program: some 100 MB
 FOLD = "exoid.mismatch.screen.pinned:fold"
 GRAM = jax.tree.structure(np.zeros(()))
