@@ -89,12 +89,12 @@ def in_blocks(time: Samples, value: Samples, size: int, blocks: int) -> Sums:
     """z and t z (first axis) in every block (second) of `size` samples and the block after it
     (third), relative to its first sample.
     """
-    padded = np.empty((blocks + 1) * size, dtype=complex)
+    padded: Sums = np.empty((blocks + 1) * size, dtype=complex)
     padded.real[: time.size], padded.imag[: time.size] = time, value
     padded[time.size :] = padded[time.size - 1]
     alone = padded.reshape(blocks + 1, size)
     both = np.concatenate([alone[:-1], alone[1:]], axis=1)
-    terms = np.empty((2, blocks, 2 * size), dtype=complex)
+    terms: Sums = np.empty((2, blocks, 2 * size), dtype=complex)
     np.subtract(both, both[:, :1], out=terms[0])
     np.multiply(terms[0].real, terms[0], out=terms[1])
     return terms
