@@ -75,6 +75,12 @@ class Cable:
             time.sleep(0.01)
         time.sleep(KEPT)
 
+    def let_go(self, sending: threading.Thread) -> None:
+        """What is still sent goes nowhere: the other side has ended."""
+        while sending.is_alive():
+            termios.tcflush(self.port, termios.TCIFLUSH)
+            time.sleep(0.01)
+
     def stream(self, messages: list[can.Message], rate: float) -> threading.Thread:
         """Send so many frames a second, each at its own time."""
 

@@ -88,8 +88,9 @@ def wait_for(condition) -> None:
 def test_it_ends_by_itself_where_the_goal_is_reached(start, cable, drops):
     process = start("--until", "gravity_over_inertia=1%", "--no-refine")
     cable.heard()
-    cable.stream(messages(as_sent(drops)), FAST).join()
+    sending = cable.stream(messages(as_sent(drops)), FAST)
     said, told = process.communicate(timeout=LIMIT)
+    cable.let_go(sending)
     assert process.returncode == 0, told
     assert said.splitlines()[-1] == "enough: gravity_over_inertia=1% is reached"
     assert not list(cable.path.parent.glob("*.blf"))  # nobody asked to keep it

@@ -10,7 +10,6 @@ from exoid.cli.terminal.say import say
 if TYPE_CHECKING:
     from exoid.watching.board import Board
 
-BELL = "\a"
 NAMES, NUMBERS = 26, 12  # letters of a column
 
 
@@ -56,12 +55,3 @@ def verdict(board: "Board") -> str:
         known = "it is not known" if share is None else f"its error is {share:.2g} times that"
         parts.append(f"{goal}: {known}")
     return f"not enough yet: {'; '.join(parts)}"
-
-
-def chime() -> None:
-    """On the terminal, whatever goes to a file."""
-    import sys
-
-    if sys.stderr.isatty():
-        sys.stderr.write(BELL)
-        sys.stderr.flush()

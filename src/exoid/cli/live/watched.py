@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from exoid.cli.live.panel import Panel
-from exoid.cli.live.result import chime
+from exoid.cli.terminal.say import ring
 from exoid.recordings.live.decoding.node_stream import NodeStream
 from exoid.recordings.live.decoding.reading import Reading
 from exoid.watching.follower import Company, Follower, Sink
@@ -93,4 +93,4 @@ class Watched:
             company.close()
         self.board.silent = 0.0
         if self.board.reached:
-            chime()
+            ring()
