@@ -21,6 +21,7 @@ from exoid.recordings.recording import Segment
 TURN = 4096  # counts
 FULL_SCALE = (-32768, 32767)  # counts of a 16-bit register
 SERIAL = 0xC0FFEE02  # of the emulated board
+PACE = ("-icount", "shift=4")  # 16 ns an instruction: a busy machine makes it late, and no tick lost
 STARTING = 10.0  # s within which QEMU names its pty
 PTY = re.compile(rb"char device redirected to (\S+)")
 
@@ -80,7 +81,7 @@ def emulated_node(samples: Samples, flash: Path | None = None) -> Iterator[str]:
         for slot in ("slot0.bin", "slot1.bin"):
             Path(folder, slot).touch()
         with Path(folder, "qemu.log").open("wb") as said:
-            command = [*QEMU, "-serial", "pty", "-kernel", image()]
+            command = [*QEMU, *PACE, "-serial", "pty", "-kernel", image()]
             emulator = subprocess.Popen(
                 command, cwd=folder, stdin=subprocess.DEVNULL, stdout=said, stderr=said
             )
