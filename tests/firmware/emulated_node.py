@@ -21,7 +21,7 @@ from exoid.recordings.recording import Segment
 TURN = 4096  # counts
 FULL_SCALE = (-32768, 32767)  # counts of a 16-bit register
 SERIAL = 0xC0FFEE02  # of the emulated board
-PACE = ("-icount", "shift=4")  # 16 ns an instruction: a busy machine makes it late, and no tick lost
+PACE = ("-icount", "shift=4")  # 16 ns an instruction: a busy machine makes it late, not lossy
 STARTING = 10.0  # s within which QEMU names its pty
 PTY = re.compile(rb"char device redirected to (\S+)")
 
