@@ -7,7 +7,8 @@ import pytest
 
 from exoid.recordings.formats.own_table import write_table
 from exoid.recordings.loading.load import load
-from exoid.recordings.motion.split import cut_table
+from exoid.recordings.motion.pieces import Piece
+from exoid.recordings.motion.split import SHOWN, cut_table, notes_of
 from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
 
 DOWN = np.radians(-72)
@@ -52,6 +53,14 @@ def test_a_continuous_table_is_cut_into_its_drops_and_says_what_it_left_out(rate
     assert note.startswith("left out, for a hand moved the leg: a lift from 9.")
     assert note.count("a lift") == 2
     assert "shaking from 2" in note
+
+
+def test_of_hundreds_of_lifts_the_first_are_named_and_the_rest_counted():
+    log = Segment(np.arange(4000) * 0.1, raw_angle=np.zeros(4000))
+    lifts = [Piece(10 * each, 10 * each + 5, None, "a lift") for each in range(300)]
+    (note,) = notes_of(log, lifts)
+    assert note.count("a lift") == SHOWN
+    assert note.endswith(f"s, and {300 - SHOWN} more times")
 
 
 def test_load_cuts_a_table_and_names_what_it_left_out(tmp_path):

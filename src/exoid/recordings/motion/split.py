@@ -11,6 +11,7 @@ from exoid.recordings.motion.thresholds import PAUSE, REST_KEPT, TAKEN
 from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, known
 from exoid.recordings.signal.condition import classify, cut
 
+SHOWN = 8  # of what was left out, by their times: a line that can be read
 Marks = tuple[float, ...]  # s, on the log's clock
 
 
@@ -111,7 +112,8 @@ def notes_of(log: Segment, pieces: list[Piece]) -> tuple[str, ...]:
         for each in pieces
         if each.kind is None
     ]
-    return (f"left out, for a hand moved the leg: {', '.join(left)}",) if left else ()
+    more = f", and {len(left) - SHOWN} more times" if len(left) > SHOWN else ""
+    return (f"left out, for a hand moved the leg: {', '.join(left[:SHOWN])}{more}",) if left else ()
 
 
 def marked_parts(log: Segment, starts: Marks, ends: Marks | None) -> list[slice]:
