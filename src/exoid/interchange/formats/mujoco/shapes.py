@@ -38,8 +38,9 @@ def stop(part: Part, joint: Joint) -> Piece:
     """A range with a spring and a damper per inertia, which never pull."""
     own = values(part)
     rate = np.pi / own["contact_time"]
+    where = "range, solreflimit: 1e-4 of J phi'' less while it touches"
     return Piece(
-        (Kept(part.name, "exact", "range, solreflimit: within 1e-4 of its torque"),),
+        (Kept(part.name, "approximate", where),),
         limits=(
             f'range="{own["flexion_angle"]:.12g} {own["extension_angle"]:.12g}"',
             f'solreflimit="{-(rate**2):.12g} {-2 * own["damping_ratio"] * rate:.12g}"',
