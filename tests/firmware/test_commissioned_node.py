@@ -132,5 +132,6 @@ def test_a_change_in_a_recording_is_told_by_its_log(exoid, flash, tmp_path):
     at = float(change.partition(", at ")[2].partition(" s")[0])
     angle = recording.segments[0].raw_angle
     assert angle is not None
-    jump = recording.segments[0].time[np.flatnonzero(np.diff(angle))]
+    known = np.isfinite(angle)  # the log may end before the last tick's frames are whole
+    jump = recording.segments[0].time[known][np.flatnonzero(np.diff(angle[known]))]
     assert jump == pytest.approx([at], abs=0.05)  # settings come within three ticks of the change
