@@ -17,6 +17,7 @@ from .reading import Rows, Sample, Unread
 
 TWO_IN_A_LINE = re.compile(rb"^[ \t]*SG_[^\n]*[ \t]SG_[ \t]", re.MULTILINE)
 DEFINED = re.compile(rb'^BA_DEF_ +BO_ +"GenMsgCycleTime" .*^BA_DEF_DEF_', re.MULTILINE | re.DOTALL)
+TYPE_ABOVE = re.compile(rb"^SIG_VALTYPE_ .*^BO_ ", re.MULTILINE | re.DOTALL)
 NO_FLOAT = re.compile(rb"^SIG_VALTYPE_ [^\n]*:(?!\s*[12]\s*;)", re.MULTILINE)
 
 
@@ -29,6 +30,8 @@ def plans_by_canmatrix(path: Path, _sample: Sample) -> Rows:
         raise Unread("canmatrix reads one signal of a line")
     if b"BA_DEF_DEF_" in content and not DEFINED.search(content):
         raise Unread("canmatrix has no default of what is not defined above it")
+    if TYPE_ABOVE.search(content):
+        raise Unread("canmatrix knows nothing of a message that stands below its SIG_VALTYPE_")
     if NO_FLOAT.search(content):
         raise Unread("canmatrix takes any SIG_VALTYPE_ for that of a float")
     with path.open("rb") as file, redirect_stdout(StringIO()) as said:

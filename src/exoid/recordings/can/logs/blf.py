@@ -12,32 +12,16 @@ from pathlib import Path
 
 import numpy as np
 
-from exoid.recordings.can.frames import (
-    ERROR,
-    EXTENDED,
-    FD,
-    REMOTE,
-    UNEVEN,
-    CanLogError,
-    Frames,
-    Log,
-)
+from exoid.recordings.can.frames import CanLogError, Log
 from exoid.recordings.can.logs.blf_blocks import (
     LONGEST_PADDING,
     OBJECT_HEADER,
     SIGNATURE,
     unbroken_pieces,
 )
+from exoid.recordings.can.logs.blf_objects import frames_at, gather, is_known
 
 FILE_HEADER = struct.Struct("<4sL8B2Q2L8H8H")  # as python-can; the fields used are named below
-VERSIONS = (1, 2)  # of an object's head
-MESSAGE_TYPES = (1, 86)  # CAN_MESSAGE, CAN_MESSAGE2
-ERROR_TYPE = 73  # CAN_ERROR_EXT
-FD_TYPES = (100, 101)  # CAN_FD_MESSAGE, CAN_FD_MESSAGE_64
-EXTENDED_BIT = 0x80000000
-REMOTE_BIT = 0x80
-TEN_MICROSECONDS = 1  # the object flag for times in 10 us instead of 1 ns
-LONGEST_READ = 64  # bytes of an object that are looked at
 
 
 def read_blf(path: Path) -> Log:
@@ -81,13 +65,13 @@ def start_time(system_time: tuple[int, ...]) -> float:
 def object_positions(stream: bytes):
     """Where the objects begin.
 
-    Every signature is one, unless it stands inside another object: then the chain of sizes, from
-    object to object, says which are.
+    Every signature in a whole word is one, unless it stands inside another object, or objects have
+    odd lengths: then the chain of sizes, from object to object, says which are.
     """
     words = np.frombuffer(stream, dtype="<u4", count=len(stream) // 4)
     at = np.flatnonzero(words == np.frombuffer(SIGNATURE, dtype="<u4")[0]) * 4
     at = at[at + OBJECT_HEADER.size <= len(stream)]
-    slack = np.diff(at) - words[at // 4 + 2][:-1].astype(np.int64)
+    slack = np.diff(np.append(at, len(stream))) - words[at // 4 + 2].astype(np.int64)
     if not ((slack >= 0) & (slack < 4)).all() or (at.size and at[0] > 0):
         at = np.array(list(walk(stream)), dtype=np.int64)
     return at
@@ -113,53 +97,9 @@ def misfits(stream: bytes, at) -> int:
     return int(((gaps < 0) | (gaps > LONGEST_PADDING)).sum() + strange.sum())
 
 
-def is_known(stream: bytes, at):
-    """Are the heads of these objects of a version that is known?"""
-    return np.isin(gather(stream, at + 6, "<u2"), VERSIONS)
-
-
 def walk(stream: bytes) -> Iterator[int]:
     at = stream.find(SIGNATURE)
     while at >= 0 and at + OBJECT_HEADER.size <= len(stream):
         yield at
         size = OBJECT_HEADER.unpack_from(stream, at)[3]
         at = stream.find(SIGNATURE, at + max(size, OBJECT_HEADER.size))
-
-
-def gather(stream: bytes, at, kind: str):
-    """The number of this kind at each of the positions."""
-    size = np.dtype(kind).itemsize
-    everything = np.frombuffer(stream, dtype=np.uint8)
-    picked = np.lib.stride_tricks.sliding_window_view(everything, size)[at]
-    return np.ascontiguousarray(picked).view(kind)[:, 0]
-
-
-def frames_at(stream: bytes, at, start: float) -> Frames:
-    """The objects that are frames, in their order."""
-    padded = stream + bytes(LONGEST_READ)  # so that a short last object can be read like the rest
-    kinds = gather(padded, at + 12, "<u4")
-    frames = np.isin(kinds, (*MESSAGE_TYPES, ERROR_TYPE, *FD_TYPES)) & is_known(padded, at)
-    at, kinds = at[frames], kinds[frames]
-    ticks = gather(padded, at + 24, "<u8")
-    unit = np.where(gather(padded, at + 16, "<u4") == TEN_MICROSECONDS, 1e-5, 1e-9)
-    body = at + np.where(gather(padded, at + 6, "<u2") == 2, 40, 32)
-    identifier, flags, length = frame_heads(padded, body, kinds)
-    data = gather(padded, body + 8, "<u8").reshape(-1, 1).view(np.uint8).copy()
-    data[np.arange(8) >= length[:, None]] = 0
-    return Frames(start + ticks * unit, identifier & 0x1FFFFFFF, flags, length, data)
-
-
-def frame_heads(stream: bytes, body, kinds):
-    """Id, flags and length of each frame; of error and FD frames only that they are such."""
-    error = kinds == ERROR_TYPE
-    identifier = gather(stream, body + np.where(error, 16, 4), "<u4")
-    message = np.isin(kinds, MESSAGE_TYPES)
-    control = gather(stream, body + 2, "<u1")
-    length = np.where(message, gather(stream, body + 3, "<u1"), 0).astype(np.uint8)
-    flags = np.zeros(body.size, dtype=np.uint8)
-    flags[(identifier & EXTENDED_BIT) > 0] |= EXTENDED
-    flags[message & ((control & REMOTE_BIT) > 0)] |= REMOTE
-    flags[message & (length > 8)] |= UNEVEN
-    flags[error] |= ERROR
-    flags[~message & ~error] |= FD
-    return identifier, flags, np.minimum(length, 8)
