@@ -8,6 +8,7 @@ from exoid.recordings.can.logs.log_files import FORMATS
 from exoid.recordings.formats.sheets import READERS
 from exoid.studies.dataset.entry import Dataset
 from exoid.studies.dataset.layout import entry_of
+from exoid.studies.dataset.motion_bids.labels import SUFFIX
 from exoid.studies.dataset.participants import ENDINGS, Table, read_participants
 from exoid.studies.dataset.walk import walk
 
@@ -15,7 +16,6 @@ READABLE = {*FORMATS, *READERS}
 PARTICIPANTS = "participants"
 ABOUT = {"readme", "changes", "license", "licence", "citation", PARTICIPANTS}  # beside recordings
 DESCRIPTION = "dataset_description.json"
-MOTION = "_motion.tsv"
 
 
 def open_dataset(folder: str | Path) -> Dataset:
@@ -50,7 +50,7 @@ def open_dataset(folder: str | Path) -> Dataset:
 
 def is_motion(name: str) -> bool:
     """Is this a recording of Motion-BIDS, and not derived from one?"""
-    return name.startswith("sub-") and name.endswith(MOTION)
+    return name.startswith("sub-") and name.endswith(SUFFIX)
 
 
 def is_recording(name: str) -> bool:
@@ -63,7 +63,7 @@ def none_found(folder: Path, bids: bool, unread: tuple[str, ...]) -> str:
     if unread:
         return f"{folder}: no recording was found, and {len(unread)} folders not read. {unread[0]}"
     kinds = f"a table or a CAN log ({' '.join(sorted(READABLE))})"
-    wanted = f"sub-*{MOTION}, as Motion-BIDS has it" if bids else kinds
+    wanted = f"sub-*{SUFFIX}, as Motion-BIDS has it" if bids else kinds
     return f"{folder}: no recording was found in it. One is {wanted}."
 
 

@@ -9,8 +9,8 @@ from types import MappingProxyType
 
 from exoid.files.text_file import naming, read_text
 from exoid.files.visible import visible
-from exoid.studies.dataset.cells import Row, rows_of
 from exoid.studies.dataset.entry import Participant, Said
+from exoid.studies.dataset.tables.cells import Row, rows_of
 
 ENDINGS = (".csv", ".tsv", ".parquet", ".xlsx")
 IDS = ("participant_id", "id", "participant", "subject_id", "subject")

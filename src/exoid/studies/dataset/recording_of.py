@@ -2,9 +2,11 @@
 
 from dataclasses import replace
 
-from exoid.recordings.loading.load import load
+from exoid.recordings.loading.load import Loaded, load
 from exoid.recordings.recording import Recording, Subject
 from exoid.studies.dataset.entry import Dataset, Entry, Participant
+from exoid.studies.dataset.motion_bids.labels import SUFFIX
+from exoid.studies.dataset.motion_bids.read_motion import read_motion
 
 
 def recording_of(entry: Entry, dataset: Dataset) -> Recording:
@@ -15,8 +17,15 @@ def recording_of(entry: Entry, dataset: Dataset) -> Recording:
 
     **Raises** `ValueError` and `OSError` as `load` does, in one line.
     """
-    recording = load(entry.path).recording
+    recording = loaded(entry).recording
     return replace(recording, subject=joined(recording.subject, entry, dataset))
+
+
+def loaded(entry: Entry, *, whole: bool = False) -> Loaded:
+    """The recording by its own files alone, and what its reader noticed."""
+    if entry.path.name.endswith(SUFFIX):
+        return read_motion(entry.path, whole=whole)
+    return load(entry.path, whole=whole)
 
 
 def joined(subject: Subject, entry: Entry, dataset: Dataset) -> Subject:
