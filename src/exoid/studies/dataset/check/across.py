@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable
 from exoid.recordings.conventions.balance import Balance
 from exoid.recordings.conventions.other_leg import apart, middle
 from exoid.studies.dataset.check.finding import Findings, error, warning
-from exoid.studies.dataset.check.look import Looked
+from exoid.studies.dataset.check.looked import Looked
 
 SAME_RATE = 0.05  # relative; clocks differ by less
 CHANGES = {"body_mass": 1.1, "height": 1.02}  # factors beyond which it is not one person

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from exoid.recordings.recording import Subject, known
 from exoid.recordings.unit_hint import unit_hint
 from exoid.studies.dataset.check.finding import Finding, Findings, error, warning
-from exoid.studies.dataset.check.look import Looked
+from exoid.studies.dataset.check.looked import Looked
 from exoid.studies.dataset.entry import Dataset, Participant
 
 GROWN = 16.0  # years

@@ -4,7 +4,7 @@ from collections import defaultdict
 from collections.abc import Iterable
 
 from exoid.studies.dataset.check.finding import Findings, error, warning
-from exoid.studies.dataset.check.look import Looked
+from exoid.studies.dataset.check.looked import Looked
 from exoid.studies.dataset.check.same_content import same_content
 from exoid.studies.dataset.entry import Dataset, Entry
 from exoid.studies.dataset.layout import said
