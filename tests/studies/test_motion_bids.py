@@ -5,11 +5,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from same import assert_same
 
 from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
 from exoid.studies.dataset.motion_bids.read_motion import read_motion
 from exoid.studies.dataset.motion_bids.write_motion import write_motion
+from study_folders import same
 
 NAME = "sub-01_task-knee_tracksys-knee_acq-left_motion.tsv"
 NAN = float("nan")
@@ -52,7 +52,7 @@ def everything() -> Recording:
 
 def test_a_recording_that_is_written_and_read_is_the_same(path):
     write_motion(everything(), path, "knee")
-    assert_same(read_motion(path)[0], everything())
+    same(read_motion(path)[0], everything())
 
 
 def test_the_segments_are_events_on_one_clock(path):

@@ -44,7 +44,7 @@ def mixed(name: str, group: list[Looked]) -> Findings:
     read = [each.facts for each in group if each.facts is not None]
     rates = [facts.rate for facts in read]
     if rates and max(rates) > (1 + SAME_RATE) * min(rates):
-        says = f"was recorded at {min(rates):.4g} and at {max(rates):.4g} Hz."
+        says = f"was recorded at {min(rates):.3g} and at {max(rates):.3g} Hz."
         yield warning("mixed rates", name, f"{says} Compare with care: noise and errors differ.")
     devices = sorted({facts.device for facts in read})
     if len(devices) > 1:

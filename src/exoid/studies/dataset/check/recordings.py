@@ -45,9 +45,8 @@ def twice_in_name(entry: Entry, ids: frozenset[str]) -> Findings:
     for field in FIELDS:
         values = [*told[field].values()]
         if len(values) > 1:
-            says = (
-                f"its name tells two of {field}: {' and '.join(values)}. Rename it or its folder."
-            )
+            both = " and ".join(values)
+            says = f"its name tells the {field} twice: {both}. Rename the file or its folder."
             yield error("told twice", entry.name, says)
 
 
