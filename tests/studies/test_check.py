@@ -228,7 +228,7 @@ assert check_dataset(open_dataset(sys.argv[1]), 20, lambda word: None).recording
 
 
 def test_twenty_thousand_tiny_files_take_bounded_time(tmp_path):
-    """70 us of a processor each for name, sidecar and content, and four times that on a slow one."""
+    """70 us of a processor each for name, sidecar and content; four times that where it is slow."""
     for person in range(200):
         there = tmp_path / f"P{person:03d}"
         there.mkdir()
