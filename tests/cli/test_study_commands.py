@@ -144,7 +144,8 @@ def test_one_unreadable_recording_leaves_everything_as_it_was(command, folder, t
     before = whole(tmp_path)
     said = refusal(command("convert", folder, "-o", tmp_path / "out"))
     assert "1 of 16 recordings cannot be read, and nothing was written" in said
-    assert "left_1.csv" in said
+    assert "P01/pre/left_1.csv: " in said
+    assert str(folder) not in said
     assert whole(tmp_path) == before
     assert [each.name for each in tmp_path.iterdir()] == ["study"]
 

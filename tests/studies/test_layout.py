@@ -56,3 +56,8 @@ def test_letters_that_steer_a_terminal_are_escaped_and_the_file_is_still_found()
     entry = entry_of(Path("study"), "P01_\x1b[31m_left.csv", frozenset())
     assert entry.name == r"P01_\u001b[31m_left.csv"
     assert entry.path == Path("study/P01_\x1b[31m_left.csv")
+
+
+def test_a_line_break_in_a_name_parts_its_words_and_is_shown_escaped():
+    entry = entry_of(Path("study"), "P01\n_left.csv", frozenset())
+    assert (entry.participant, entry.side, entry.name) == ("P01", "left", r"P01\n_left.csv")

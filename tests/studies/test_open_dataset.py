@@ -1,6 +1,7 @@
 """A folder as a data set, and the recordings in it."""
 
 import os
+from contextlib import chdir
 from pathlib import Path
 
 import pytest
@@ -81,7 +82,7 @@ def test_a_folder_that_cannot_be_read_is_a_problem_and_the_others_are_read(tmp_p
     dataset = open_dataset(tmp_path)
     assert [each.name for each in dataset.entries] == ["a/P01_left.csv"]
     (problem,) = dataset.problems
-    assert problem.startswith(f"{tmp_path / 'locked'}: Permission denied. Ask for the right")
+    assert problem.startswith("locked/: Permission denied. Ask for the right")
 
 
 def test_the_results_of_a_run_within_it_are_not_recordings(tmp_path):
@@ -112,3 +113,14 @@ def test_a_hundred_thousand_files_take_seconds(tmp_path):
     entries = open_dataset(tmp_path).entries
     assert len(entries) == 10_000
     assert {each.run for each in entries} == {str(trial) for trial in range(50)}
+
+
+def test_folders_too_deep_to_be_entered_are_a_problem_in_a_line_that_can_be_read(tmp_path):
+    study(tmp_path, ["P01_left.csv"])
+    with chdir(tmp_path):
+        for _ in range(100):
+            Path("d" * 50).mkdir()
+            os.chdir("d" * 50)
+    (problem,) = open_dataset(tmp_path).problems
+    assert problem.endswith("File name too long. Choose a shorter name.")
+    assert len(problem) < 200

@@ -49,9 +49,8 @@ def entry_of(folder: Path, name: str, ids: frozenset[str]) -> Entry:
 
     Where a folder and the file in it say different things, it is the file's.
     """
-    shown = visible(name)
-    told = {each.field: each.value for each in said(shown, ids)}
-    return Entry(folder / name, shown, **told)
+    told = {each.field: visible(each.value) for each in said(name, ids)}
+    return Entry(folder / name, visible(name), **told)
 
 
 def said(name: str, ids: frozenset[str] = frozenset()) -> list[Said]:

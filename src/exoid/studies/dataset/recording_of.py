@@ -70,3 +70,9 @@ def person_of(identity: str, dataset: Dataset) -> Participant:
     """
     people, name = dataset.participants, identity.removeprefix("sub-")
     return people.get(name) or people.get(label(name)) or Participant(identity)
+
+
+def bare(said: str, entry: Entry) -> str:
+    """A reason on one line, without the path that is named beside it."""
+    line = " ".join(said.split())
+    return visible(line.replace(f"{visible(str(entry.path))}: ", "").replace(f"{entry.path} ", ""))

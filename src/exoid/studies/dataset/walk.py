@@ -8,6 +8,8 @@ from exoid.files.system_errors import told
 
 RESULTS = {"recordings.parquet", "quantities.parquet"}  # a folder with both is what a run has made
 
+SHOWN = 60  # letters at either end of a long name
+
 
 @dataclass(frozen=True)
 class Walked:
@@ -35,8 +37,13 @@ def walk(folder: Path) -> Walked:
                 elif may_be_read(entry):
                     names.append(f"{below}{entry.name}")
         except OSError as fault:
-            unread.append(f"{folder / below}: {told(fault)}")
+            unread.append(f"{short(below)}: {told(fault)}")
     return Walked(tuple(sorted(names)), tuple(sorted(unread)))
+
+
+def short(name: str) -> str:
+    """The name of a folder in a line that can be read, however deep it lies."""
+    return name if len(name) <= 2 * SHOWN else f"{name[:SHOWN]}...{name[-SHOWN:]}"
 
 
 def entries_of(folder: Path, seen: set[tuple[int, int]]) -> list[os.DirEntry[str]]:

@@ -14,7 +14,7 @@ from exoid.recordings.recording import Recording, Subject
 from exoid.recordings.signal.condition import classify
 from exoid.studies.dataset.check.looked import Facts, Looked
 from exoid.studies.dataset.entry import Dataset, Entry
-from exoid.studies.dataset.recording_of import loaded, told_beside, with_sidecar
+from exoid.studies.dataset.recording_of import bare, loaded, told_beside, with_sidecar
 
 NODE = "exoid node"
 OFTEN = 0.2  # s between two words of progress
@@ -46,12 +46,6 @@ def look_at(entry: Entry, *, read: bool) -> Looked:
         return Looked(with_sidecar(entry, subject), subject, entry, bare(str(fault), entry))
     except OSError as fault:
         return Looked(with_sidecar(entry, subject), subject, entry, told(fault))
-
-
-def bare(said: str, entry: Entry) -> str:
-    """A reason on one line, without the path that is named beside it."""
-    line = " ".join(said.split())
-    return visible(line.replace(f"{visible(str(entry.path))}: ", "").replace(f"{entry.path} ", ""))
 
 
 def facts_of(read: Loaded) -> Facts:

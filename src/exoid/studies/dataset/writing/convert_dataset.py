@@ -13,7 +13,7 @@ from exoid.recordings.formats.own_table import write_table
 from exoid.recordings.recording import Recording
 from exoid.studies.dataset.entry import Dataset, Entry
 from exoid.studies.dataset.motion_bids.write_motion import write_motion
-from exoid.studies.dataset.recording_of import loaded, told_beside, with_sidecar
+from exoid.studies.dataset.recording_of import bare, loaded, told_beside, with_sidecar
 from exoid.studies.dataset.writing.describe import description, events, readme
 from exoid.studies.dataset.writing.init import recorded
 from exoid.studies.dataset.writing.names import bids_name, numbered, plain_name
@@ -21,7 +21,6 @@ from exoid.studies.dataset.writing.people_table import bids_table, plain_table
 
 Layout = Literal["bids", "plain"]
 KEPT = ("README*", "CHANGES*", "LICENSE*", "CITATION*")  # at the top, as they are
-SHOWN = 3  # of the recordings that cannot be read
 OFTEN = 0.2  # s between two words of progress
 Progress = Callable[[str], None]
 
@@ -43,7 +42,7 @@ def convert_dataset(
         try:
             write(described(loaded(entry, whole=whole).recording, entry), folder, target, layout)
         except ValueError as fault:
-            faults.append(" ".join(str(fault).split()))
+            faults.append(f"{entry.name}: {bare(str(fault), entry)}")
         if monotonic() - spoken > OFTEN:
             spoken = monotonic()
             say(f"writing recording {number + 1} of {len(entries)}")
@@ -54,10 +53,10 @@ def convert_dataset(
 
 
 def refused(faults: list[str], count: int) -> str:
-    more = f" And {len(faults) - SHOWN} more." if len(faults) > SHOWN else ""
+    first = f"The first is {faults[0]}" if len(faults) > 1 else faults[0]
     return (
-        f"{len(faults)} of {count} recordings cannot be read, and nothing was written. "
-        f"{' '.join(faults[:SHOWN])}{more} Mend them, or move them away."
+        f"{len(faults)} of {count} recordings cannot be read, and nothing was written. {first} "
+        "Mend them, or move them away; exoid study check names all."
     )
 
 
