@@ -18,7 +18,7 @@ def table_of(seed: float = 0.0, rate: float = 100.0, seconds: float = 3.0) -> st
     Each seed swings a little differently, so that no two of them hold the same.
     """
     time = np.arange(round(seconds * rate)) / rate
-    swing = HANGING + (1.1 + 0.3 * (0.618 * seed % 1)) * np.exp(-0.4 * time) * np.cos(5 * time)
+    swing = HANGING + (1.1 + 0.3 * (0.618034 * seed % 1)) * np.exp(-0.4 * time) * np.cos(5 * time)
     rows = (f"{t:.4f},{angle:.6f}" for t, angle in zip(time, swing, strict=True))
     return "\n".join(["time_s,raw_angle_rad", *rows, ""])
 

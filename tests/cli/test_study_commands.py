@@ -1,10 +1,13 @@
 """`exoid study init` and `check`, and `exoid convert` of a data set."""
 
 import json
+import os
+import signal
 from pathlib import Path
+from time import monotonic, sleep
 
 import pytest
-from command_line import refusal
+from command_line import LIMIT, refusal
 
 from exoid.studies.dataset.open_dataset import open_dataset
 from exoid.studies.dataset.recording_of import recording_of
@@ -127,6 +130,18 @@ def test_recordings_that_are_told_alike_all_come_along(command, tmp_path):
     assert {each.run for each in open_dataset(tmp_path / "out").entries} == {"1", "2", "3"}
 
 
+def test_files_that_do_not_come_along_are_named_and_what_describes_the_study_does(
+    command, folder, tmp_path
+):
+    (folder / "README.md").write_text("ours")
+    (folder / "P01" / "consent.pdf").write_text("")
+    for source, target in ((folder, tmp_path / "bids"), (tmp_path / "bids", tmp_path / "back")):
+        done = command("convert", source, "-o", target)
+        assert (target / "README.md").read_text() == "ours"
+        left = "exoid: 1 other file left behind: P01/consent.pdf\n" if source == folder else ""
+        assert (done.returncode, done.stderr) == (0, left)
+
+
 def test_a_folder_is_replaced_only_by_force_and_then_kept_aside(command, folder, tmp_path):
     target = tmp_path / "out"
     target.mkdir()
@@ -180,3 +195,18 @@ def test_what_a_data_set_cannot_be_converted_to_is_refused(command, folder, word
     before = whole(folder.parent)
     assert said in refusal(command("convert", *words, cwd=folder.parent))
     assert whole(folder.parent) == before
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no such signal to send")
+def test_ctrl_c_leaves_nothing_of_a_conversion(command, tmp_path):
+    names = [f"P{person:03d}_left_{trial}.csv" for person in range(100) for trial in range(20)]
+    study(tmp_path / "study", names)
+    running = command.start("convert", tmp_path / "study", "-o", tmp_path / "out")
+    deadline = monotonic() + LIMIT
+    while not [*tmp_path.glob(".out*.part/sub-*")] and monotonic() < deadline:
+        assert running.poll() is None, running.communicate()
+        sleep(0.01)
+    running.send_signal(signal.SIGINT)
+    said = running.communicate(timeout=LIMIT)
+    assert (running.returncode, said) == (130, ("", "exoid: interrupted\n"))
+    assert [each.name for each in tmp_path.iterdir()] == ["study"]

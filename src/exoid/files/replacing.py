@@ -60,7 +60,15 @@ def replacing_folder(folder: Path) -> Iterator[Path]:
             put_aside(target)
             part.rename(target)
     finally:
-        rmtree(part, ignore_errors=True)
+        discard(part)
+
+
+def discard(folder: Path) -> None:
+    """Remove a folder, even while another thread still fills it: at once it is nowhere."""
+    gone = folder.with_name(f"{folder.name}.gone")
+    with suppress(FileNotFoundError):  # it is in its place
+        folder.rename(gone)
+    rmtree(gone, ignore_errors=True)
 
 
 def put_aside(folder: Path) -> None:

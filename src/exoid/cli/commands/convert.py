@@ -12,6 +12,7 @@ from exoid.cli.terminal.say import say
 from exoid.cli.terminal.waiting import in_phases, patiently
 
 Layout = Literal["bids", "plain"]
+SHOWN = 5  # of the files that do not come along
 WORDS = {"bids": "Motion-BIDS", "plain": "exoid's tables"}
 
 
@@ -91,6 +92,7 @@ def convert_folder(
     """A data set as the layout that it has not, unless one is named."""
     check_folder(output, force, [folder])
     from exoid.files.replacing import name_aside, replacing_folder
+    from exoid.recordings.tables.sheet import listed
     from exoid.report.words.text import counted
     from exoid.studies.dataset.open_dataset import open_dataset
     from exoid.studies.dataset.writing.convert_dataset import convert_dataset
@@ -100,10 +102,13 @@ def convert_folder(
         raise ValueError(f"{folder}: {each}")
     chosen, aside = layout or ("plain" if dataset.bids else "bids"), name_aside(output)
     with replacing_folder(output) as part:
-        count = in_phases(
+        done = in_phases(
             lambda said: convert_dataset(dataset, part, chosen, whole=whole, say=said),
             f"writing {output.name}",
         )
-    say(f"{output}: {counted(count, 'recording')} as {WORDS[chosen]}")
+    say(f"{output}: {counted(done.recordings, 'recording')} as {WORDS[chosen]}")
+    if done.others:
+        count = counted(len(done.others), "other file")
+        say(f"exoid: {count} left behind: {listed([*done.others], SHOWN)}", err=True)
     if aside is not None:
         say(f"what was there is {aside}")

@@ -22,6 +22,7 @@ def init(dataset: Folder) -> None:
     Examples:
       exoid study init study
     """
+    from exoid.recordings.tables.sheet import listed
     from exoid.report.words.text import counted
     from exoid.studies.dataset.open_dataset import open_dataset
     from exoid.studies.dataset.writing.init import begin_study
@@ -34,18 +35,15 @@ def init(dataset: Folder) -> None:
         say(f"wrote {path}")
     if begun.of_nobody:
         count = counted(len(begun.of_nobody), "recording")
-        say(f"{count} of nobody: put an id into the name or the sidecar: {listed(begun.of_nobody)}")
+        say(
+            f"{count} of nobody: put an id into the name or the sidecar: {listed([*begun.of_nobody], SHOWN)}"
+        )
     if begun.table in begun.written:
         say(
             f"Fill in {begun.table.name}: body mass and height give masses and torques; without "
             "them only ratios are told. Columns of your own (dose, diagnosis) are kept."
         )
     elif begun.absent:
-        say(f"{begun.table} is kept as it is. It lacks rows for: {listed(begun.absent)}")
+        say(f"{begun.table} is kept as it is. It lacks rows for: {listed([*begun.absent], SHOWN)}")
     elif not begun.written:
         say(f"{dataset}: nothing is missing.")
-
-
-def listed(names: tuple[str, ...]) -> str:
-    more = f" and {len(names) - SHOWN} more" if len(names) > SHOWN else ""
-    return f"{', '.join(names[:SHOWN])}{more}"

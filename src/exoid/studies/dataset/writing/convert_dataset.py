@@ -2,7 +2,7 @@
 
 import shutil
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from time import monotonic
 from typing import Literal
@@ -14,6 +14,7 @@ from exoid.recordings.recording import Recording
 from exoid.studies.dataset.entry import Dataset, Entry
 from exoid.studies.dataset.motion_bids.write_motion import write_motion
 from exoid.studies.dataset.recording_of import bare, loaded, told_beside, with_sidecar
+from exoid.studies.dataset.walk import walk
 from exoid.studies.dataset.writing.describe import description, events, readme
 from exoid.studies.dataset.writing.init import recorded
 from exoid.studies.dataset.writing.names import bids_name, numbered, plain_name
@@ -21,14 +22,24 @@ from exoid.studies.dataset.writing.people_table import bids_table, plain_table
 
 Layout = Literal["bids", "plain"]
 KEPT = ("README*", "CHANGES*", "LICENSE*", "CITATION*")  # at the top, as they are
+BESIDE = ("participants.", "dataset_description.", "task-")  # made anew
+PARTS = ("_motion", "_channels", "_events")
 OFTEN = 0.2  # s between two words of progress
 Progress = Callable[[str], None]
 
 
+@dataclass(frozen=True)
+class Converted:
+    """How many recordings came along, and the files that did not."""
+
+    recordings: int
+    others: tuple[str, ...]
+
+
 def convert_dataset(
     dataset: Dataset, folder: Path, layout: Layout, *, whole: bool, say: Progress
-) -> int:
-    """Fills an empty `folder` with the recordings of a data set; how many they are.
+) -> Converted:
+    """Fills an empty `folder` with the recordings of a data set.
 
     Each keeps its own sidecar, with who it is of; the table of participants goes along.
 
@@ -49,7 +60,7 @@ def convert_dataset(
     if faults:
         raise ValueError(refused(faults, len(entries)))
     beside(dataset, folder, layout, {each.task for each in targets})
-    return len(entries)
+    return Converted(len(entries), others(dataset))
 
 
 def refused(faults: list[str], count: int) -> str:
@@ -70,7 +81,8 @@ def described(recording: Recording, entry: Entry) -> Recording:
 
 def write(recording: Recording, folder: Path, target: Entry, layout: Layout) -> None:
     path = folder / (bids_name(target) if layout == "bids" else plain_name(target))
-    path.parent.mkdir(parents=True, exist_ok=True)
+    for inside in [*path.relative_to(folder).parents][-2::-1]:
+        (folder / inside).mkdir(exist_ok=True)  # not `folder`, which is gone where one interrupts
     if layout == "bids":
         write_motion(recording, path, target.task)
     else:
@@ -97,3 +109,21 @@ def beside(dataset: Dataset, folder: Path, layout: Layout, tasks: set[str]) -> N
 def same_file(one: str, other: str) -> bool:
     """README and README.md say the same: BIDS wants one."""
     return Path(one).stem.lower() == Path(other).stem.lower()
+
+
+def others(dataset: Dataset) -> tuple[str, ...]:
+    """Files of a data set that are no part of a recording, nor of what stands beside them all."""
+    own = {stem(each.path.relative_to(dataset.folder).as_posix()) for each in dataset.entries}
+    tops = [each.rstrip("*").lower() for each in KEPT]
+    return tuple(
+        visible(name)
+        for name in walk(dataset.folder).names
+        if stem(name) not in own
+        and not ("/" not in name and name.lower().startswith((*tops, *BESIDE)))
+    )
+
+
+def stem(name: str) -> str:
+    """What the files of one recording have in common."""
+    bare = name.rpartition(".")[0]
+    return bare.rpartition("_")[0] if bare.endswith(PARTS) else bare
