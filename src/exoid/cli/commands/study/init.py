@@ -35,9 +35,8 @@ def init(dataset: Folder) -> None:
         say(f"wrote {path}")
     if begun.of_nobody:
         count = counted(len(begun.of_nobody), "recording")
-        say(
-            f"{count} of nobody: put an id into the name or the sidecar: {listed([*begun.of_nobody], SHOWN)}"
-        )
+        names = listed([*begun.of_nobody], SHOWN)
+        say(f"{count} of nobody: put an id into the name or the sidecar: {names}")
     if begun.table in begun.written:
         say(
             f"Fill in {begun.table.name}: body mass and height give masses and torques; without "
