@@ -122,6 +122,21 @@ def test_anothers_latency_is_the_time_and_what_holds_for_all_stands_above(path):
     assert recording.subject.side == "right"
 
 
+def test_of_two_knees_the_one_of_the_side_that_is_told_is_taken(path):
+    knees = [[side, "n/a", "JNTANG", f"{side}Knee", "rad"] for side in ("Right", "Left")]
+    right, left = swing(3, 1.1), swing(3, 1.2)
+    write_others(path, knees, np.column_stack([right.best_angle, left.best_angle]))
+    (segment,) = read_motion(path)[0].segments
+    np.testing.assert_allclose(segment.best_angle, left.best_angle, atol=1e-8)  # of acq-left
+    untold = path.with_name(NAME.replace("_acq-left", ""))
+    for ending in ("_motion.tsv", "_channels.tsv", "_motion.json"):
+        named = path.with_name(path.name.replace("_motion.tsv", ending))
+        named.rename(untold.with_name(untold.name.replace("_motion.tsv", ending)))
+    with pytest.raises(ValueError, match=r"has no angle\. It holds: Right, Left") as refused:
+        read_motion(untold)
+    assert "call it raw_angle_deg in _channels.tsv" in str(refused.value)
+
+
 @pytest.mark.parametrize(
     ("ending", "text", "said"),
     [

@@ -37,7 +37,7 @@ def can_be_run(found: "Checked") -> Iterator[str]:
     yield f"  read      {found.readable} of {found.read}{which}"
     yield f"  drops     in {found.drops} of those read: clinical measures can be told"
     ratios = f"; for {people(found.ratios_only)} ratios only" if found.ratios_only else ""
-    yield f"  fit       can be run on {found.readable} of those read{ratios}"
+    yield f"  fit       and diagnose can be run on {found.readable} of those read{ratios}"
 
 
 def grouped(findings: "list[Finding]") -> Iterator[str]:

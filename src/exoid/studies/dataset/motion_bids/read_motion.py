@@ -13,7 +13,7 @@ from exoid.recordings.columns import NUMERIC, SEGMENT
 from exoid.recordings.conventions.apply import understand
 from exoid.recordings.formats.own_table import build, late_starts
 from exoid.recordings.motion.split import cut_table
-from exoid.recordings.recording import Recording, Subject
+from exoid.recordings.recording import SIDES, Recording, Subject
 from exoid.recordings.sidecar import TABLES, parse_keys
 from exoid.recordings.tables.assemble import Named, assemble
 from exoid.recordings.tables.sheet import Place, Sheet
@@ -25,6 +25,7 @@ from exoid.studies.dataset.tables.cells import rows_of
 
 Told = dict[str, Any]
 OF_LEG = ("knee", "shank", "tibia")
+SAYING = ("name", "tracked_point", "placement")
 CHANNEL_OF = {"LATENCY": "time", "JNTANG": "raw_angle", "GYRO": "raw_angular_velocity"}
 
 
@@ -38,8 +39,9 @@ def read_motion(path: Path, *, whole: bool = False) -> tuple[Recording, Notes]:
     tables, extra = sidecar_of(path, told)
     channels = read_channels(path)
     with naming(path):
+        side = tables["subject"].side or side_of(path)
         own = is_own(channels)
-        named = own_columns(path, channels) if own else others_columns(channels, told)
+        named = own_columns(path, channels) if own else others_columns(channels, told, side)
         built = build(named, Subject(kind=tables["subject"].kind))
         recording = built.described(tables | {"extra_tables": extra})
         notes = (*named.notes, *built.notes, *late_starts(recording))
@@ -116,23 +118,32 @@ def segments_of(path: Path, size: int) -> np.ndarray:
     return np.searchsorted(starts, np.arange(size), side="right") - 1.0
 
 
-def others_columns(channels: Channels, told: Told) -> Named:
+def others_columns(channels: Channels, told: Told, side: str) -> Named:
     """Of another's channels the knee's angle, its gyro and the time, where they are told apart."""
     names = {}
     for kind, target in CHANNEL_OF.items():
         of_kind = [row for row in channels.rows if row["type"].upper() == kind]
-        likely = [row for row in of_kind if is_of_leg(row)] or of_kind
+        likely = having(having(of_kind, OF_LEG), (side,))
         names |= {row["name"]: target for row in likely if len(likely) == 1}
     columns = tuple(replace(c, name=names.get(c.name, c.name)) for c in channels.columns)
-    sheet = Sheet(columns, Place("line", 1), rate_of(told.get("SamplingFrequency")))
+    rate = rate_of(told.get("SamplingFrequency"))
+    sheet = Sheet(columns, Place("line", 1), rate, ask="call it {} in _channels.tsv")
     return assemble(sheet, {})
+
+
+def having(rows: list[dict[str, str]], words: tuple[str, ...]) -> list[dict[str, str]]:
+    """The channels that say one of these words of themselves; all, where none does."""
+    said = [" ".join(row.get(key, "") for key in SAYING).lower() for row in rows]
+    found = [row for row, text in zip(rows, said, strict=True) if any(w in text for w in words)]
+    return found or rows
+
+
+def side_of(path: Path) -> str:
+    """The side that a file name tells by its `acq-` entity."""
+    words = path.name.split("_")
+    return next((side for side in SIDES if f"acq-{side}" in words), "")
 
 
 def rate_of(told: Any) -> float | None:
     """A rate [Hz] where it can be one."""
     return float(told) if isinstance(told, int | float) and 0 < told < float("inf") else None
-
-
-def is_of_leg(row: dict[str, str]) -> bool:
-    words = " ".join(row.get(key, "") for key in ("name", "tracked_point", "placement")).lower()
-    return any(each in words for each in OF_LEG)
