@@ -25,6 +25,7 @@ def told(name: str, *ids: str) -> tuple[str, ...]:
         ("2024-03-01_P07_R_2.csv", ("P07", "2024-03-01", "right", "2")),
         ("session 2/S12 l.csv", ("S12", "2", "left", "")),
         ("P01/P01_left_1.csv", ("P01", "", "left", "1")),
+        ("study2024/group1/T2_P01_left.csv", ("P01", "t2", "left", "")),
     ],
 )
 def test_a_name_tells_person_session_side_and_run(name, says):

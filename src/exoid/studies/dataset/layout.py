@@ -16,7 +16,7 @@ from exoid.studies.dataset.entry import Entry
 
 PEOPLE = ("sub", "subject", "patient", "participant", "proband")
 VISITS = ("ses", "session", "visit")
-TIMES = ("day", "week", "month", "year")  # a number of one is not that of another: day1, week1
+TIMES = ("day", "week", "month", "year", "t")  # a number of one is not another's: day1, week1
 KEYS = {
     **dict.fromkeys(PEOPLE, "participant"),
     **dict.fromkeys((*VISITS, *TIMES), "session"),
@@ -26,7 +26,11 @@ KEYS = {
 }
 SESSIONS = ("pre", "post", "before", "after", "baseline", "followup", "test", "retest")
 OF_SIDES = {"left": "left", "l": "left", "right": "right", "r": "right"}
-NOBODY = ("knee", "shank", "imu", "node", "rec", "recording", "data", "file", "log", "version", "v")
+NOBODY = (  # with a number behind them they count something else
+    *("knee", "shank", "imu", "node", "rec", "recording", "data", "file", "log", "version", "v"),
+    *("study", "site", "group", "cohort", "batch", "set", "dataset", "arm", "centre", "center"),
+    *("clinic", "wave", "phase", "series", "exp", "experiment", "block", "part", "protocol"),
+)
 KEYED = re.compile(r"([a-z]+)-(.+)", re.IGNORECASE)
 NUMBERED = re.compile(r"([a-z]+)(\d+)", re.IGNORECASE)
 APART = re.compile(rf"(?<![^\W_])({'|'.join(KEYS)})[ _](?=\d+(?![^\W_]))", re.IGNORECASE)
