@@ -1,12 +1,15 @@
 """exoid study init: what a data set lacks, written to be filled in."""
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from exoid.cli.terminal.say import say
 from exoid.cli.terminal.waiting import patiently
+
+if TYPE_CHECKING:
+    from exoid.studies.dataset.writing.init import Begun
 
 Folder = Annotated[Path, typer.Argument(help="The folder of a data set.", metavar="DATASET")]
 SHOWN = 8  # ids or names in a line
@@ -22,8 +25,6 @@ def init(dataset: Folder) -> None:
     Examples:
       exoid study init study
     """
-    from exoid.recordings.tables.sheet import listed
-    from exoid.report.words.text import counted
     from exoid.studies.dataset.open_dataset import open_dataset
     from exoid.studies.dataset.writing.init import begin_study
 
@@ -31,6 +32,14 @@ def init(dataset: Folder) -> None:
     for each in found.problems:
         say(f"exoid: {each}", err=True)
     begun = patiently(lambda: begin_study(found), "asking the sidecars")
+    tell(dataset, begun)
+
+
+def tell(dataset: Path, begun: "Begun") -> None:
+    """What was written, and what is left to be filled in."""
+    from exoid.recordings.tables.sheet import listed
+    from exoid.report.words.text import counted
+
     for path in begun.written:
         say(f"wrote {path}")
     if begun.of_nobody:
