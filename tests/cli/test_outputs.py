@@ -6,12 +6,13 @@ import stat
 import subprocess
 from errno import ENOSPC
 from pathlib import Path
+from threading import Event, Thread
 
 import pytest
 
 from cli.command_line import refusal
 from exoid.files import replacing as whole
-from exoid.files.replacing import replace_files, replacing
+from exoid.files.replacing import replace_files, replacing, replacing_folder
 
 FULL = Path("/dev/full")
 needs_full = pytest.mark.skipif(not FULL.exists(), reason=f"{FULL} is absent: no disk that is full")
@@ -153,3 +154,36 @@ def test_a_figure_goes_through_a_pipe(command, recordings, tmp_path):
             assert other.communicate(timeout=10)[0].startswith(b"%PDF")
         finally:
             other.kill()
+
+
+def test_a_folder_is_put_in_its_place_when_it_is_whole(tmp_path):
+    with replacing_folder(tmp_path / "out") as part:
+        (part / "in").mkdir()
+        assert not (tmp_path / "out").exists()
+    assert [each.name for each in tmp_path.rglob("*")] == ["out", "in"]
+
+
+def test_of_a_folder_that_fails_nothing_stays_though_another_thread_still_fills_it(tmp_path):
+    stopped, failed, filling = Event(), [], []
+
+    def fill(part: Path) -> None:
+        number = 0
+        while not stopped.is_set():
+            try:
+                (part / f"{(number := number + 1)}").write_text("")
+            except OSError as fault:
+                failed.append(fault)
+                return
+
+    def interrupted() -> None:
+        with replacing_folder(tmp_path / "out") as part:
+            filling.append(Thread(target=fill, args=(part,)))
+            filling[0].start()
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        interrupted()
+    filling[0].join(10)
+    stopped.set()
+    assert failed
+    assert [*tmp_path.iterdir()] == []

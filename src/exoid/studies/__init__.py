@@ -1,0 +1,1 @@
+"""Many recordings of many people: a data set, a run over it, what is asked of a study."""
