@@ -7,25 +7,9 @@
 
 #include "kalman.h"
 #include "sine.h"
+#include "torque_parameters.h"
 
 namespace exoid {
-
-/// A leg of J phi'' = tau - m l g cos(phi + thigh) - c phi - d phi' - friction sign(phi'), how much of
-/// it is to be taken off, and how much torque there may be. Extension is positive.
-struct LegParameters {
-  float gravity;          // m l g [N m]
-  float thigh_angle;      // of the thigh above level [rad]
-  float stiffness;        // c [N m/rad]
-  float damping;          // d [N m s/rad]
-  float friction;         // dry [N m]
-  float inertia;          // J [kg m^2]
-  float gravity_share;    // 0: all is left to the leg, 1: all is taken off; so are the next
-  float stiffness_share;
-  float damping_share;
-  float friction_share;
-  float limit;            // of the torque [N m]
-  float rate_limit;       // of the torque [N m/s]
-};
 
 constexpr float FURTHEST = 8.0F;        // rad, as far as EXO_STATE tells an angle
 constexpr float PER_CREEPING = 10.0F;   // s/rad: below 0.1 rad/s friction is taken off in part
@@ -41,7 +25,7 @@ inline float way(float velocity) {
 
 /// The torque [N m] on a leg at `angle` [rad] and `velocity` [rad/s] that is to be accelerated by
 /// `acceleration` [rad/s^2]; not finite where one of them is not, or the angle is out of reach.
-inline float wanted_torque(const LegParameters& leg, float angle, float velocity,
+inline float wanted_torque(const TorqueParameters& leg, float angle, float velocity,
                            float acceleration) {
   if (!(angle > -FURTHEST && angle < FURTHEST)) return NO_TORQUE;
   const float weight = leg.gravity * turned(angle + leg.thigh_angle).cosine;
@@ -61,18 +45,18 @@ inline float limited(float wanted, float before, float limit, float step) {
   return torque < -limit ? -limit : torque;
 }
 
-/// Is each of these numbers that of a leg and of a small motor? NaN is not.
-inline bool is_plausible(const LegParameters& leg) {
-  constexpr float LEVEL = 1.5707964F;  // rad
-  const float* number[] = {&leg.gravity,         &leg.thigh_angle,   &leg.stiffness,
-                           &leg.damping,         &leg.friction,      &leg.inertia,
-                           &leg.gravity_share,   &leg.stiffness_share, &leg.damping_share,
-                           &leg.friction_share,  &leg.limit,         &leg.rate_limit};
-  constexpr float LOWEST[] = {0.0F, -LEVEL, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F};
-  constexpr float HIGHEST[] = {60.0F, LEVEL, 60.0F, 10.0F, 10.0F, 2.0F,
-                               1.0F,  1.0F,  1.0F,  1.0F,  15.0F, 100.0F};
-  for (uint8_t at = 0; at < sizeof LOWEST / sizeof LOWEST[0]; ++at) {
-    if (!(*number[at] >= LOWEST[at] && *number[at] <= HIGHEST[at])) return false;
+/// One of the parameters by its place.
+inline float parameter(const TorqueParameters& leg, uint32_t place) {
+  float number[PARAMETERS];
+  __builtin_memcpy(number, &leg, sizeof number);
+  return number[place];
+}
+
+/// Is each of them that of a leg and of a small motor? NaN is not.
+inline bool is_plausible(const TorqueParameters& leg) {
+  for (uint32_t place = 0; place < PARAMETERS; ++place) {
+    const float number = parameter(leg, place);
+    if (!(number >= LOWEST_PARAMETER[place] && number <= HIGHEST_PARAMETER[place])) return false;
   }
   return true;
 }

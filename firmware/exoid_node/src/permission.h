@@ -8,14 +8,11 @@
 namespace exoid {
 
 /// What stands against a torque, a bit each. The first eight are the bits of EXO_STATE.
-enum Doubt : uint32_t {
-  STATE_FAULTS = 0xFF,
-  ANGLE_STALE = 1U << 8,    // encoder and gyro no longer agree, or have just begun to be filtered
-  NO_PARAMETERS = 1U << 9,  // none, damaged, or no leg's
-  NOT_FINITE = 1U << 10,    // the torque is no number
-  HOST_SILENT = 1U << 11,
-  SWITCHED_OFF = 1U << 12,  // by the host
-};
+constexpr uint32_t ANGLE_STALE = 1U << 8;    // encoder and gyro do not agree, or the filter begins
+constexpr uint32_t NO_PARAMETERS = 1U << 9;  // none that are whole
+constexpr uint32_t NOT_FINITE = 1U << 10;    // the torque is no number
+constexpr uint32_t HOST_SILENT = 1U << 11;
+constexpr uint32_t SWITCHED_OFF = 1U << 12;  // by the host
 
 enum class Permit : uint8_t { DISABLED, ARMED, ENABLED };
 
@@ -42,6 +39,14 @@ class Permission {
     wish_ = wish;
     arming_ = wish == Wish::ARM;
     return true;
+  }
+
+  /// What it was armed for is no more: disabled, for such doubts, until a host arms it anew.
+  void forbid(uint32_t doubts) {
+    if (permit_ != Permit::DISABLED) cut_by_ = doubts;
+    permit_ = Permit::DISABLED;
+    wish_ = Wish::OFF;
+    arming_ = false;
   }
 
   /// Once a tick, with the doubts that are not about the host.
