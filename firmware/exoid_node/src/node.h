@@ -76,8 +76,8 @@ class Node {
   /// Before the readings, as a drive waits for it.
   void command(const Sample& sample, const State& state, const Frame& told) {
     constexpr uint32_t FAULTS = 7;  // byte of EXO_STATE
-    const Torque torque = command_.update(sample, state, told.data[FAULTS], estimator_.bias());
-    if (command_.is_asked()) send(pack(torque));
+    if (!command_.is_asked()) return;
+    send(pack(command_.update(sample, state, told.data[FAULTS], estimator_.bias())));
   }
 
   void read_encoder(Sample& sample) {
