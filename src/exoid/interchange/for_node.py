@@ -13,6 +13,7 @@ from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.recordings.commissioning.torque_parameters import TorqueParameters
 
+ROUNDING = 1e-6  # by which a solver may stop beyond its bound of 0
 UNTOLD = (
     "nothing told the leg's inertia, and its ratios alone make no torque in N m. Fit with body "
     "mass and height or with a known mass, or give --inertia where you know it."
@@ -86,4 +87,5 @@ def held(joint: Joint, acting: Iterable[Part]) -> dict[str, float]:
         names = ", ".join(f"{part.name} ({part.title})" for part in others)
         raise ValueError(NO_COUNTERPART.format(names=names))
     own = {name: joint.value[name] for name in ("gravity", "stiffness", "damping", "inertia")}
-    return own | {"friction": sum(part.values[f"{part.name}_level"] for part in acting)}
+    own |= {"friction": sum(part.values[f"{part.name}_level"] for part in acting)}
+    return {name: 0.0 if -ROUNDING < value < 0.0 else value for name, value in own.items()}
