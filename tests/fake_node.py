@@ -201,7 +201,8 @@ class FakeBus:
         values = definition.decode(bytes(message.data))
         self.heard.append(definition.name)
         for node in self.nodes:
-            if node.answers and node.obey(definition.name, values) and definition.name not in SILENT:
+            obeys = node.answers and node.obey(definition.name, values)
+            if obeys and definition.name not in SILENT:
                 for name, said in node.says(message.arbitration_id):
                     self.send(node, name, said)
 

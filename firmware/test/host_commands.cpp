@@ -43,7 +43,7 @@ Words taken(const exoid::Frame& frame) {
     case IDENTIFY_ID:
       return read<Identify>(frame, [](const Identify& identify) { return identify.duration; });
     case LOAD_ID:
-      return read<Load>(frame, [](const Load& load) { return load.place << 16 | load.data; });
+      return read<Load>(frame, [](const Load& load) { return load.place | load.data << 8; });
     case ALLOW_ID: return read<Allow>(frame, wish_of);
     default: return {{is_command(frame), 0, 0, 0}};
   }

@@ -23,7 +23,7 @@ def saved(recordings, tmp_path_factory):
     folder = tmp_path_factory.mktemp("saved")
     result = exoid.fit(recordings / "drop.csv", terms=(CoulombFriction,), multistart=1)
     exoid.save_result(result, folder / "leg.nc")
-    drag, (told,) = QuadraticDrag(jnp.asarray(0.1)), result.terms["coulomb_friction"].values()
+    drag, told = QuadraticDrag(jnp.asarray(0.1)), result.terms["coulomb_friction"]["level"]
     said = {"quadratic_drag": {"coefficient": told}}
     exoid.save_result(replace(result, fitted_terms=(drag,), terms=said), folder / "drag.nc")
     return folder

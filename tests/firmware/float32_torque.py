@@ -16,7 +16,8 @@ FINE_STEP = F(2 * np.pi / FINE_TURN)
 NAMES = tuple(each.name for each in fields(TorqueParameters))
 OFF, ARM, ENABLE = range(3)  # wishes
 DISABLED, ARMED, ENABLED = range(3)  # permits
-ANGLE_STALE, NO_PARAMETERS, NOT_FINITE, HOST_SILENT, SWITCHED_OFF = (1 << bit for bit in range(8, 13))
+ANGLE_STALE, NO_PARAMETERS, NOT_FINITE = (1 << bit for bit in (8, 9, 10))
+HOST_SILENT, SWITCHED_OFF = 1 << 11, 1 << 12
 LONGEST_UNHEARD, SETTLING = 10, 50  # ticks
 FADING, APART = F(0.98), F(0.1)
 

@@ -106,7 +106,7 @@ def test_the_echo_of_a_frame_is_no_host_but_off_is_off_even_as_an_echo():
 
 @pytest.mark.parametrize(("rate", "ticks"), [(0.5, 26), (1.0, 12), (3.0, 4), (10.0, 2)])
 def test_an_encoder_that_hangs_while_the_gyro_turns_cuts_within(rate, ticks):
-    """0.1 rad at `rate`, and by how much is forgotten meanwhile: ln(1 - 0.002 / 0.01 rate) / ln 0.98."""
+    """0.1 rad at `rate` [rad/s], and what is forgotten meanwhile: ln(1 - 0.2 / rate) / ln 0.98."""
     one, tick = enabled()
     gyro = np.array([round(rate / np.radians(0.07))])
     torques = [one.tick(replace(still(ENABLE, tick + k), gyro=gyro))[0][0] for k in range(40)]
@@ -154,8 +154,10 @@ def test_no_sequence_leads_beyond_the_limits(leg, ticks):
     for angle, velocity, acceleration, wish, number, limit, faults in ticks:
         now = replace(
             still(wish, number, limit),
-            **{"angle": np.array([angle], F), "velocity": np.array([velocity], F)},
-            **{"acceleration": np.array([acceleration], F), "faults": np.array([faults])},
+            angle=np.array([angle], F),
+            velocity=np.array([velocity], F),
+            acceleration=np.array([acceleration], F),
+            faults=np.array([faults]),
         )
         counts = wish is not None and number != one.number[0]
         unheard = 0 if counts else unheard + 1
@@ -175,7 +177,8 @@ def test_no_sequence_leads_beyond_the_limits(leg, ticks):
 @given(angle=st.floats(-8, 8, width=32, exclude_min=True, exclude_max=True))
 def test_all_of_a_leg_that_is_taken_off_is_what_acts_on_it(angle):
     """The order of the sums and the sine's own 1e-7 make 2e-6 N m of these."""
-    leg = replace(LEG, gravity_share=1.0, stiffness_share=1.0, damping_share=1.0, friction_share=1.0)
+    shares = ("gravity_share", "stiffness_share", "damping_share", "friction_share")
+    leg = replace(LEG, **dict.fromkeys(shares, 1.0))
     given = {name: np.array([getattr(leg, name)], F) for name in NAMES}
     at, velocity = np.array([angle], F), np.array([0.7], F)
     torque = wanted_torque(given, at, velocity, np.array([2.0], F))[0]

@@ -18,7 +18,7 @@ LEVEL = 0.2  # N m
 @pytest.fixture(scope="module")
 def weighed(fitted):
     """A fit that knows the inertia, by a known mass, with dry friction in place of its own term."""
-    (told,) = fitted.terms["quadratic_drag"].values()
+    told = fitted.terms["quadratic_drag"]["coefficient"]
     friction = CoulombFriction(jnp.asarray(LEVEL))
     return replace(fitted, fitted_terms=(friction,), terms={"coulomb_friction": {"level": told}})
 

@@ -27,7 +27,7 @@ NO_COUNTERPART = (
 
 @dataclass(frozen=True)
 class Wanted:
-    """What of a leg is to be taken off by the motor, from 0 to 1 of each, and within what limits."""
+    """What of a leg the motor is to take off, from 0 to 1 of each, and within what limits."""
 
     gravity_share: float
     stiffness_share: float

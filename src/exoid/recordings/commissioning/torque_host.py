@@ -72,9 +72,7 @@ class TorqueHost:
         with suppress(CanBusError):
             self.keep_saying(OFF, LEAVING, lambda now: now.permit != DISABLED)
 
-    def keep_saying(
-        self, wish: int, seconds: float, goes_on: Callable[[Commanded], bool]
-    ) -> bool:
+    def keep_saying(self, wish: int, seconds: float, goes_on: Callable[[Commanded], bool]) -> bool:
         """Whether the time was over before what the node told ended it."""
         end, due = time.monotonic() + seconds, 0.0
         while (now := time.monotonic()) < end:

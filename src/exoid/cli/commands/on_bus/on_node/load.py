@@ -73,9 +73,7 @@ def load(
 
     wanted = Wanted(gravity, stiffness, damping, friction, limit, rate_limit)
     try:
-        found = for_node(
-            saved.diagnosis or saved.result, wanted, segment=segment, inertia=inertia
-        )
+        found = for_node(saved.diagnosis or saved.result, wanted, segment=segment, inertia=inertia)
     except ValueError as fault:
         raise ValueError(f"{result}: {fault}") from fault
     with talking_to(node, channel, interface, bitrate) as (dialogue, asked):

@@ -36,7 +36,9 @@ def torque(
         float,
         typer.Option(min=0, max=15.75, help="Of the torque, in steps of 0.25 [N m].", metavar="NM"),
     ] = 1.0,
-    seconds: Annotated[float, typer.Option(min=0.1, max=3600, help="How long.", metavar="S")] = 10.0,
+    seconds: Annotated[
+        float, typer.Option(min=0.1, max=3600, help="How long.", metavar="S")
+    ] = 10.0,
 ) -> None:
     """Let a node command a torque by its parameters, on a bench.
 
