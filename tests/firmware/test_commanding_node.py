@@ -15,7 +15,7 @@ from emulated_node import ENCODER_SILENT, SERIAL, Samples, emulated_node
 from exoid.recordings.commissioning.commands import LOAD, command
 from exoid.recordings.commissioning.dialogue import Dialogue
 from exoid.recordings.commissioning.download import download
-from exoid.recordings.commissioning.torque_host import ENABLED, TorqueHost
+from exoid.recordings.commissioning.torque_host import ENABLE, ENABLED, Commanded, TorqueHost
 from exoid.recordings.commissioning.torque_parameters import TorqueParameters, from_data
 from exoid.recordings.live.bus import LiveBus
 from exoid.recordings.live.channel.address import BusAddress, CanBusError
@@ -28,6 +28,8 @@ SCRIPT = Path(sys.executable).with_name("exoid")
 COUNTS = 1 / 1024  # N m, a count of the frame
 TICK = 0.01  # s
 LATE = 0.3  # s, of a busy machine
+TRIES = 8  # on a busy machine a host is late, and the node goes by its own time
+UNHEARD = "it did not hear this host"
 
 
 @contextmanager
@@ -55,11 +57,26 @@ def flash(tmp_path):
     return folder
 
 
-def armed(dialogue: Dialogue) -> TorqueHost:
+@pytest.fixture(autouse=True)
+def patience(monkeypatch):
+    monkeypatch.setattr("exoid.recordings.commissioning.torque_host.ARMING", 10.0)
+
+
+def host_on(dialogue: Dialogue) -> TorqueHost:
     (there,) = dialogue.find()
-    host = TorqueHost(dialogue.bus, there, 5.0)
-    host.arm()
-    return host
+    return TorqueHost(dialogue.bus, there, 5.0)
+
+
+def enabled(host: TorqueHost, seconds: float) -> tuple[Commanded | None, list[Commanded]]:
+    """What ended it, and all that was told."""
+    ended, told = None, []
+    for _ in range(TRIES):
+        told.clear()
+        host.arm()
+        ended = host.enable(seconds, told.append)
+        if ended is None or UNHEARD not in ended.doubts:
+            break
+    return ended, told
 
 
 def test_what_is_downloaded_is_commanded_after_a_reset_too(flash):
@@ -69,8 +86,9 @@ def test_what_is_downloaded_is_commanded_after_a_reset_too(flash):
         held = download(dialogue, there, LEG)
         assert (held.values, held.stored) == (from_data(LEG.data), True)
     with node(flash) as channel, talking(channel) as dialogue:
-        host, told = armed(dialogue), []
-        assert host.enable(0.6, told.append) is None
+        host = host_on(dialogue)
+        ended, told = enabled(host, 0.6)
+        assert ended is None
         host.stop()
     expected = 0.5 * 8.0 * np.cos(ANGLE + 0.1) + 0.25 * 2.0 * ANGLE
     assert told[-1].torque == pytest.approx(expected, abs=2 * COUNTS)  # and the filter's rounding
@@ -105,30 +123,30 @@ def test_parameters_that_are_damaged_in_flash_are_none(flash):
     with (
         node(flash) as channel,
         talking(channel) as dialogue,
-        pytest.raises(CanBusError, match="is not armed: it holds no whole parameters"),
+        pytest.raises(CanBusError, match="is not armed: .*it holds no whole parameters"),
     ):
-        armed(dialogue)
+        host_on(dialogue).arm()
 
 
 def test_a_sensor_that_dies_cuts_the_torque_at_its_tick(flash):
     with node(flash) as channel, talking(channel) as dialogue:
         download(dialogue, dialogue.find()[0], LEG)
-    faults = np.zeros(1500, int)
-    faults[600:620] = ENCODER_SILENT  # six seconds after the channel was opened
+    faults = np.zeros(6000, int)
+    faults[np.arange(6000) % 400 > 380] = ENCODER_SILENT  # every four seconds
     with node(flash, faults) as channel, talking(channel) as dialogue:
-        host, told = armed(dialogue), []
-        ended = host.enable(20.0, told.append)
+        host = host_on(dialogue)
+        ended, told = enabled(host, 20.0)
         assert ended is not None
         assert ended.doubts[0] == "its encoder does not answer"
         torques = [each.torque for each in told]
         assert torques[-1] == 0.0
         assert abs(torques[-2]) > 1.0  # no ramp
         later = []
-        host.keep_saying(2, 1.0, lambda now: later.append(now) is None)
+        host.keep_saying(ENABLE, 1.0, lambda now: later.append(now) is None)
+        assert len(later) > 10
         assert not any(each.torque for each in later)  # though the encoder answers again
-        host.arm()
-        assert host.enable(0.3, later.append) is None
-        assert later[-1].permit == ENABLED
+        _, again = enabled(host, 0.3)
+        assert any(each.permit == ENABLED for each in again)
 
 
 def test_a_host_that_is_killed_cuts_the_torque(flash, tmp_path):
@@ -136,8 +154,8 @@ def test_a_host_that_is_killed_cuts_the_torque(flash, tmp_path):
     with node(flash) as channel:
         with talking(channel) as dialogue:
             download(dialogue, dialogue.find()[0], LEG)
-            host, told = armed(dialogue), []
-            host.enable(0.3, told.append)
+            host = host_on(dialogue)
+            _, told = enabled(host, 0.3)
             assert told[-1].permit == ENABLED
             last, after = time.monotonic(), []
             while time.monotonic() < last + 0.1 + LATE:
@@ -145,12 +163,23 @@ def test_a_host_that_is_killed_cuts_the_torque(flash, tmp_path):
                 after += [] if heard is None else [heard]
             assert sum(each.permit == ENABLED for each in after) <= 10 + LATE / TICK
             assert (after[-1].torque, after[-1].permit) == (0.0, 0)
-            assert after[-1].doubts == ("it did not hear this host",)
-        environment = os.environ | {
-            "XDG_CACHE_HOME": str(tmp_path),
-            "CAN_CONFIG": '{"sleep_after_open": 0}',
-        }
-        asked = ("--enable", "--limit", "2", "--seconds", "60")
+            assert after[-1].doubts == (UNHEARD,)
+        killed(channel, tmp_path)
+        with talking(channel) as dialogue:
+            host, heard = host_on(dialogue), None
+            while heard is None:
+                heard = host.heard(dialogue.bus.receive())
+            assert (heard.torque, heard.permit) == (0.0, 0)
+
+
+def killed(channel: str, cache: Path) -> None:
+    """The real command, killed once it has said a torque."""
+    environment = os.environ | {
+        "XDG_CACHE_HOME": str(cache),
+        "CAN_CONFIG": '{"sleep_after_open": 0}',
+    }
+    asked = ("--enable", "--limit", "2", "--seconds", "60")
+    for _ in range(TRIES):
         process = subprocess.Popen(
             [SCRIPT, "node", "torque", "--channel", channel, *asked],
             env=environment,
@@ -159,14 +188,10 @@ def test_a_host_that_is_killed_cuts_the_torque(flash, tmp_path):
         )
         assert process.stdout is not None
         lines = [process.stdout.readline() for _ in range(3)]
-        assert "is armed." in lines[0]
-        assert lines[2].endswith(" N m\n")
         process.send_signal(signal.SIGKILL)
         process.wait(10)
-        with talking(channel) as dialogue:
-            (there,) = dialogue.find()
-            host = TorqueHost(dialogue.bus, there, 2.0)
-            heard = None
-            while heard is None:
-                heard = host.heard(dialogue.bus.receive())
-            assert (heard.torque, heard.permit) == (0.0, 0)
+        process.stdout.close()
+        if lines[2].endswith(" N m\n"):
+            break
+    assert "is armed." in lines[0]
+    assert lines[2].endswith(" N m\n")
