@@ -1,4 +1,4 @@
-"""The firmware on an emulated Cortex-M0 commands a torque, as `exoid node` downloads and lets it."""
+"""The firmware on an emulated Cortex-M0 commands a torque, as `exoid node` lets it."""
 
 import os
 import signal
@@ -34,7 +34,7 @@ UNHEARD = "it did not hear this host"
 
 @contextmanager
 def node(flash: Path, faults: np.ndarray | None = None):
-    """A node whose leg rests; `faults` befall it tick by tick from when a host opens the channel."""
+    """A node whose leg rests; `faults` befall it from when a host opens the channel, one a tick."""
     faults = np.zeros(1, int) if faults is None else faults
     nothing = np.zeros((faults.size, 3), int)
     with emulated_node(Samples(np.full(faults.size, COUNT), nothing, nothing, faults), flash) as at:
@@ -123,7 +123,7 @@ def test_parameters_that_are_damaged_in_flash_are_none(flash):
     with (
         node(flash) as channel,
         talking(channel) as dialogue,
-        pytest.raises(CanBusError, match="is not armed: .*it holds no whole parameters"),
+        pytest.raises(CanBusError, match=r"is not armed: .*it holds no whole parameters"),
     ):
         host_on(dialogue).arm()
 
