@@ -19,8 +19,8 @@ std::vector<Frame> told_parameters() {
 /// A node that commands a torque.
 Insisting enabled_node(uint32_t limit = 63) {
   still_node(COUNT);
-  run_ms(600);  // until the angle is trusted
   download(LEG);
+  run_ms(600);  // until the angle is trusted
   Insisting host(limit);
   check(permit_of(host.says(ARM, 60).back()) == ARMED, "it is armed");
   check(permit_of(host.says(ENABLE, 600).back()) == ENABLED, "and enabled");
@@ -95,7 +95,7 @@ void flash_that_is_damaged() {
     run_ms(900);
     check(told_parameters().empty(), "a bit that fell leaves none");
     Insisting host;
-    const Frame told = host.says(ARM, 100).back();
+    const Frame told = host.says(ARM, 700).back();
     check(permit_of(told) == DISABLED && doubts_of(told) == exoid::NO_PARAMETERS, "and no torque");
     board.flash.slots[2][bit / 8] ^= static_cast<uint8_t>(1U << bit % 8);
   }
