@@ -1,0 +1,108 @@
+"""A study as its two tables tell it: one row per recording, one row per quantity."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import pandas as pd
+
+RECORDINGS = ("recording", "name", "participant", "session", "side", "status")
+QUANTITIES = ("recording", "participant", "session", "side", "quantity", "value")
+WORDS = {  # columns that may be absent, and what is taken instead
+    "recordings": ("task", "run", "reason", "duplicate_of", "device"),
+    "quantities": ("name", "task", "run", "step", "unit", "determined_by", "note"),
+}
+KEYS = ("recording", "name", "participant", "session", "side", "status", "quantity")
+
+
+@dataclass(frozen=True, eq=False)
+class Study:
+    """The tables; words that are missing in them are empty."""
+
+    recordings: pd.DataFrame
+    quantities: pd.DataFrame
+
+    @property
+    def told(self) -> tuple[str, ...]:
+        """The quantities that have values, in the order of the table."""
+        found = self.quantities.loc[self.quantities["value"].notna(), "quantity"]
+        return tuple(found.unique())
+
+
+def open_study(folder: str | Path) -> Study:
+    """Reads what `exoid study run` wrote.
+
+    **Raises** `ValueError` (what, where, what to do) where that is not what lies there.
+    """
+    folder = Path(folder)
+    if not folder.is_dir():
+        raise ValueError(f"{folder}: there is no such folder. Name what 'exoid study run' wrote.")
+    return study_of(
+        read(folder / "recordings.parquet"), read(folder / "quantities.parquet"), str(folder)
+    )
+
+
+def study_of(recordings: pd.DataFrame, quantities: pd.DataFrame, where: str = "tables") -> Study:
+    """A study of tables that are at hand.
+
+    **Raises** `ValueError` (what, where, what to do) where they lack a column, or hold words where
+    numbers belong.
+    """
+    tables = {"recordings": recordings, "quantities": quantities}
+    for (name, table), needed in zip(tables.items(), (RECORDINGS, QUANTITIES), strict=True):
+        lacking = [each for each in needed if each not in table]
+        if lacking:
+            raise ValueError(
+                f"{where}: the table of {name} has no column {', '.join(lacking)}. Run 'exoid "
+                "study run' again."
+            )
+        tables[name] = filled(table, WORDS[name])
+    tables["quantities"] = with_numbers(tables["quantities"], where)
+    return Study(**tables)
+
+
+def read(path: Path) -> pd.DataFrame:
+    """A table of Parquet."""
+    if not path.is_file():
+        raise ValueError(
+            f"{path.parent}: there is no {path.name} in it. Name the folder that 'exoid study run' "
+            "wrote, and let the run end."
+        )
+    try:
+        return pd.read_parquet(path)
+    except Exception as fault:  # pyarrow has many
+        raise ValueError(
+            f"{path}: this is no sound Parquet file. Run 'exoid study run' again."
+        ) from fault
+
+
+def filled(table: pd.DataFrame, words: tuple[str, ...]) -> pd.DataFrame:
+    """With all columns of words, none of them missing."""
+    texts = {
+        each: "" if each not in table else table[each].map(as_words)
+        for each in (*words, *KEYS)
+        if each in words or each in table
+    }
+    return table.assign(**texts)
+
+
+def as_words(cell: object) -> str:
+    """What a cell says; nothing where it is empty."""
+    return "" if pd.isna(cell) else str(cell)  # pyright: ignore[reportArgumentType,reportGeneralTypeIssues]
+
+
+def with_numbers(quantities: pd.DataFrame, where: str) -> pd.DataFrame:
+    """Values and errors as numbers; infinite ones are missing."""
+    errors = quantities.get("standard_error", pd.Series(float("nan"), quantities.index))
+    try:
+        each = {
+            "value": quantities["value"].astype("float64"),
+            "standard_error": errors.astype("float64"),
+            "segment": quantities.get("segment", pd.Series(-1, quantities.index)),
+        }
+    except (ValueError, TypeError) as fault:
+        raise ValueError(
+            f"{where}: the table of quantities has words where values belong. Run 'exoid study "
+            "run' again."
+        ) from fault
+    infinite = [float("inf"), float("-inf")]
+    return quantities.assign(**each).replace({"value": infinite, "standard_error": infinite}, None)
