@@ -59,6 +59,6 @@ def pairs_of(values: Values, column: str, first: str, second: str) -> Pairs:
             f"{len(found)} people have both {first!r} and {second!r}: at least {FEWEST} are needed."
         )
     for name in ("first", "second"):
-        square = whole[f"{name}_square"].agg(lambda each: each.sum(skipna=False))
+        square = whole[f"{name}_square"].sum(skipna=False)
         found[f"{name}_error"] = np.sqrt(square) / whole.size()
     return Pairs(values.quantity, values.unit, first, second, found)

@@ -98,7 +98,7 @@ def means(values: Values, over: list[str]) -> pd.DataFrame:
     grouped = values.frame.groupby(over, sort=True)
     squares = values.frame.assign(square=values.frame["error"] ** 2).groupby(over, sort=True)
     drops = grouped["value"].size()
-    error = np.sqrt(squares["square"].agg(lambda each: each.sum(skipna=False))) / drops
+    error = np.sqrt(squares["square"].sum(skipna=False)) / drops
     return pd.DataFrame({"value": grouped["value"].mean(), "error": error, "drops": drops})
 
 
@@ -110,7 +110,7 @@ def per_person(values: Values) -> pd.DataFrame:
     for level in (["person", "side"], ["person"]):
         grouped = found.groupby(level=level)
         size = grouped["value"].size()
-        square = (found["error"] ** 2).groupby(level=level).agg(lambda each: each.sum(skipna=False))
+        square = (found["error"] ** 2).groupby(level=level).sum(skipna=False)
         found = pd.DataFrame(
             {
                 "value": grouped["value"].mean(),

@@ -1,0 +1,36 @@
+"""What failed, what was asked, and how to make the page again."""
+
+from collections.abc import Iterator
+
+from exoid.report.sections.provenance import COMMAND, listed
+from exoid.report.sections.section import Block, element
+from exoid.studies.page.part import Told, part
+from exoid.studies.page.tables import failures
+from exoid.studies.statistics.multiple import WORDS
+
+
+@part("failures", "Recordings that failed")
+def failed(told: Told) -> Iterator[Block]:
+    table = failures(told.answers.study.recordings)
+    if table.rows:
+        yield table
+
+
+@part("origin", "Where this comes from")
+def origin(told: Told) -> Iterator[Block]:
+    answers, made = told.answers, told.origin
+    notes = {note: None for each in answers.each for note in notes_of(each)}
+    yield list(notes)
+    yield (
+        f"p is corrected over the {len(answers.each)} quantities by "
+        f"{WORDS[answers.asked.correction]}."
+    )
+    yield element("p", f"Made on {made.made} by the command")
+    yield COMMAND.format(made.command)
+    yield listed("Files that were read", ("file", "SHA-256"), made.files)
+    yield listed("Settings", ("setting", "value"), made.settings)
+    yield listed("Versions", ("software", "version"), made.versions)
+
+
+def notes_of(answer) -> list[str]:
+    return [f"{answer.quantity}: {note}" for note in answer.values.notes]

@@ -1,0 +1,175 @@
+"""What a study found, in sentences: a terminal and a page say the same."""
+
+from math import isfinite
+
+from exoid.report.words.text import capital, counted, exponent, quantity_words, shown_unit
+from exoid.studies.statistics.agreement import Agreement
+from exoid.studies.statistics.asked import Answer, Answers, Asked
+from exoid.studies.statistics.groups import Comparison
+from exoid.studies.statistics.physics import Cause
+from exoid.studies.statistics.reliability import Reliability
+from exoid.studies.statistics.said import Interval, Untold
+
+MOST_DECIMALS, LARGE = 6, 1e5
+SURE = 0.05  # p, below which a difference is called one
+# Koo & Li (2016), J Chiropr Med 15: 155-163, of the lower end of the interval.
+GRADES = ((0.9, "excellent"), (0.75, "good"), (0.5, "moderate"), (-1.0, "poor"))
+NOT_FOUND = "the interval could not be found"
+
+
+def number(value: float, like: float | None = None) -> str:
+    """With as many decimals as make two digits of `like`, a half width."""
+    like = value if like is None else like
+    if not isfinite(value):
+        return "not known"
+    if not isfinite(like) or like == 0 or abs(value) >= LARGE:
+        return f"{value:.4g}"
+    decimals = 1 - exponent(abs(like))
+    if decimals > MOST_DECIMALS:
+        return f"{value:.3g}"
+    return f"{value:.{max(decimals, 0)}f}"
+
+
+def with_interval(each: Interval, unit: str = "1") -> str:
+    """0.21 rad (95 % 0.12 to 0.30)."""
+    shown = f" {shown_unit(unit)}".rstrip()
+    if not (isfinite(each.low) and isfinite(each.high)):
+        return f"{number(each.value)}{shown} ({NOT_FOUND})"
+    half = (each.high - each.low) / 2
+    value, low, high = (number(one, half) for one in (each.value, each.low, each.high))
+    return f"{value}{shown} (95 % {low} to {high})"
+
+
+def chance(p: float) -> str:
+    """A p as it is read."""
+    if not isfinite(p):
+        return ""
+    return "p < 0.001" if p < 0.001 else f"p = {p:.3f}" if p < 0.1 else f"p = {p:.2f}"
+
+
+def p_cell(p: float) -> str:
+    return chance(p).removeprefix("p = ").removeprefix("p ")
+
+
+def column_words(column: str) -> str:
+    """A column of participants as a sentence has it."""
+    return column.removeprefix("participant_").replace("_", " ")
+
+
+def grade(each: Reliability) -> str:
+    """Of the lower end of its interval, which is what is sure."""
+    low = each.agreement.low if isfinite(each.agreement.low) else each.agreement.value
+    return next(word for least, word in GRADES if low >= least)
+
+
+def grouped(found: Comparison, corrected: float, asked: Asked) -> str:
+    """Whether groups, or doses, differ."""
+    what, by = capital(quantity_words(found.quantity)), column_words(found.by)
+    odds = chance(corrected)
+    if found.slope is not None:
+        change = with_interval(found.slope, found.unit)
+        verb = "changes with" if corrected < SURE else "shows no change that is sure with"
+        return f"{what} {verb} {by}: {change} per unit of {by}, {odds}."
+    if len(found.differences) == 1:
+        one = found.differences[0]
+        apart = with_interval(Interval(abs(one.effect.value), *span(one.effect)), found.unit)
+        more = "higher" if one.effect.value > 0 else "lower"
+        if corrected < SURE:
+            return f"{what} is {more} by {apart} in {one.second} than in {one.first}, {odds}."
+        shown = with_interval(one.effect, found.unit)
+        return (
+            f"{what}: no difference that is sure between {one.first} and {one.second}; "
+            f"{one.second} less {one.first} is {shown}, {odds}."
+        )
+    named = "differs" if corrected < SURE else "shows no difference that is sure"
+    means = "; ".join(f"{each.name} {with_interval(each.mean, found.unit)}" for each in found.groups)
+    return f"{what} {named} between the groups of {by}, {odds}: {means}."
+
+
+def span(effect: Interval) -> tuple[float, float]:
+    """The interval of a size, whatever its sign."""
+    return (effect.low, effect.high) if effect.value > 0 else (-effect.high, -effect.low)
+
+
+def changed(found: Agreement, corrected: float) -> str:
+    """Whether it changed from before to after."""
+    pairs = found.pairs
+    what, effect = capital(quantity_words(pairs.quantity)), found.difference
+    when = f"from {pairs.first} to {pairs.second}"
+    if corrected < SURE:
+        verb = "rose" if effect.value > 0 else "fell"
+        size = with_interval(Interval(abs(effect.value), *span(effect)), pairs.unit)
+        return f"{what} {verb} by {size} {when}, {chance(corrected)}, in {found.people} people."
+    shown = with_interval(effect, pairs.unit)
+    return f"{what}: no change that is sure {when}: {shown}, {chance(corrected)}."
+
+
+def sided(found: Agreement, corrected: float) -> str:
+    """Whether sides differ, on average and in single people."""
+    pairs, effect = found.pairs, found.difference
+    what = quantity_words(pairs.quantity)
+    shown = with_interval(effect, pairs.unit)
+    verb = "differ on average" if corrected < SURE else "do not surely differ on average"
+    return (
+        f"{capital(what)}: sides {verb}, right less left is {shown}, {chance(corrected)}; in 95 % of "
+        f"people between {limits(found)}."
+    )
+
+
+def limits(found: Agreement) -> str:
+    half = (found.upper.high - found.upper.low) / 2
+    ends = (number(each.value, half) for each in (found.lower, found.upper))
+    return f"{' and '.join(ends)} {shown_unit(found.pairs.unit)}".rstrip()
+
+
+def repeated(found: Reliability) -> str:
+    """How far one day tells people apart, and what change is more than chance."""
+    what = quantity_words(found.quantity)
+    drops = counted(round(found.drops), "drop")
+    change = with_interval(found.change, found.unit)
+    return (
+        f"{capital(what)} of {drops} on one day is {grade(found)} at telling people apart: ICC(A,1) "
+        f"{with_interval(found.agreement)}. In one leg, only a change of more than {change} is more "
+        "than chance."
+    )
+
+
+def shares(each: Cause) -> str:
+    one = each.share
+    return f"{one.value:.0%} of people (95 % {one.low:.0%} to {one.high:.0%})"
+
+
+def finding(answers: Answers) -> str:
+    """The main one, of the first quantity: the change by groups, the change, the groups, else how
+    well it repeats.
+    """
+    if not answers.each:
+        return "No quantity has values that recordings told."
+    first = answers.each[0]
+    p = first.corrected
+    if isinstance(first.change_by_group, Comparison):
+        said = grouped(first.change_by_group, p["change_by_group"], answers.asked)
+        when = f"{answers.asked.before} to {answers.asked.after}"
+        return f"The change from {when}. {said}"
+    if isinstance(first.change, Agreement):
+        return changed(first.change, p["change"])
+    if isinstance(first.groups, Comparison):
+        return grouped(first.groups, p["groups"], answers.asked)
+    found = first.reliability
+    return found.why if isinstance(found, Untold) else repeated(found)
+
+
+def leading(answers: Answers, kind: str) -> Answer | None:
+    """The first quantity that has an answer of this kind."""
+    found = (each for each in answers.each if not isinstance(getattr(each, kind), Untold | None))
+    return next(found, None)
+
+
+def why_not(answers: Answers, kind: str) -> dict[str, str]:
+    """Why quantities have no answer of this kind, those of one reason together."""
+    found: dict[str, list[str]] = {}
+    for each in answers.each:
+        told = getattr(each, kind)
+        if isinstance(told, Untold):
+            found.setdefault(told.why, []).append(quantity_words(each.quantity))
+    return {", ".join(names): why for why, names in found.items()}
