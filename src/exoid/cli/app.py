@@ -24,6 +24,7 @@ COMMANDS = {
     "node": "Find the node on the leg, and set it up.",
     "simulate": "Simulate drops and cycles of a leg, as a recording.",
     "convert": "Write a recording as exoid's table, with its sidecar.",
+    "study": "Ask many recordings of many people.",
 }
 ON_BUS = ("record", "live", "node")
 PLAIN: dict[str, Any] = {"pretty_exceptions_enable": False, "rich_markup_mode": None}
@@ -41,6 +42,7 @@ app = typer.Typer(
 def load(name: str):
     """The command of that name: in `commands`, a function, or a group, and its file bear it."""
     room = "commands.on_bus" if name in ON_BUS else "commands"
+    room = "commands.study" if name == "study" else room
     found = getattr(import_module(f"exoid.cli.{room}.{name}"), name)
     if isinstance(found, typer.Typer):
         return get_command(found)

@@ -7,6 +7,7 @@ EXTRAS = {
     "openpyxl": "excel",
     "pyarrow": "parquet",
     "pandas": "pandas",
+    "statsmodels": "study",
     "starlette": "live",
     "uvicorn": "live",
 }

@@ -85,7 +85,8 @@ class Role(Enum):
     MEAN = "mean with 95 % interval", Look(BLACK, marker="diamond", size=6.0)
     AGREED = " limits of agreement", Look(RED, 0.9, (4.0, 2.0))
     BIAS = " mean difference", Look(BLUE, 1.1)
-    SURE = " 95 % interval", Look(SKY, opacity=0.5)
+    CENTRE = " value with its interval", Look(BLACK, marker="diamond", size=6.0)
+    SURE = " 95 % interval", Look("#BFE1F6")
 
     @property
     def title(self) -> str:

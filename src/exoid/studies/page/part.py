@@ -8,6 +8,7 @@ from exoid.report.sections.section import Block
 from exoid.studies.statistics.asked import Answers
 
 PICTURED = 4  # quantities that have pictures; the others stand in the tables
+COMPARED = 2  # that have pictures of differences
 
 
 @dataclass(frozen=True, eq=False)

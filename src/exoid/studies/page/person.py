@@ -6,6 +6,7 @@ from typing import Any
 import pandas as pd
 
 from exoid.report.words.text import quantity_words, shown_unit
+from exoid.report.words.typeset import tidy
 from exoid.studies.page.words import column_words, number
 from exoid.studies.statistics.asked import Answers
 from exoid.studies.statistics.groups import label
@@ -36,7 +37,7 @@ def shown(answers: Answers) -> dict[str, Any]:
     columns = {}
     for each in answers.each[:SHOWN]:
         unit = shown_unit(each.values.unit)
-        head = f"{quantity_words(each.quantity)}{f' [{unit}]' if unit else ''}"
+        head = tidy(f"{quantity_words(each.quantity)}{f' [{unit}]' if unit else ''}")
         columns[head] = each.values.frame.groupby("recording")["value"].mean()
     return columns
 

@@ -6,7 +6,16 @@ import pandas as pd
 
 from exoid.report.tables.table import Column, Table
 from exoid.report.words.text import quantity_words, shown_unit
-from exoid.studies.page.words import column_words, grade, limits, number, p_cell, shares, with_interval
+from exoid.studies.page.words import (
+    cause_words,
+    column_words,
+    grade,
+    in_brackets,
+    limits,
+    number,
+    p_cell,
+    shares,
+)
 from exoid.studies.statistics.agreement import Agreement
 from exoid.studies.statistics.asked import Answer, Answers
 from exoid.studies.statistics.groups import Comparison
@@ -23,18 +32,20 @@ def reliabilities(answers: Answers) -> Table:
     columns = {
         "quantity": [quantity_words(one.quantity) for one in found],
         "people": [str(one.people) for one in found],
-        "ICC(A,1)": [with_interval(one.agreement) for one in found],
-        "ICC(C,1)": Column([with_interval(one.consistency) for one in found], only="page"),
+        "ICC(A,1)": [in_brackets(one.agreement) for one in found],
+        "ICC(C,1)": Column([in_brackets(one.consistency) for one in found], only="page"),
         "it is": [grade(one) for one in found],
-        "SEM": Column([with_interval(one.sem, one.unit) for one in found], only="page"),
-        "detectable change": [with_interval(one.change, one.unit) for one in found],
+        "SEM": Column([in_brackets(one.sem, one.unit) for one in found], only="page"),
+        "detectable change": [in_brackets(one.change, one.unit) for one in found],
         "of one drop": Column(
-            ["" if one.one_drop is None else with_interval(one.one_drop) for one in found],
+            ["" if one.one_drop is None else in_brackets(one.one_drop) for one in found],
             only="page",
         ),
     }
     title = "Test and retest"
-    return Table("How well one day of one leg tells people apart", columns, title)
+    return Table(
+        "How well one day of one leg tells people apart; 95 % intervals in brackets", columns, title
+    )
 
 
 def comparisons(answers: Answers, kind: str, title: str) -> Table:
@@ -46,21 +57,21 @@ def comparisons(answers: Answers, kind: str, title: str) -> Table:
         for row in pairs(found, each.corrected[kind])
     ]
     heads = ("quantity", "compared", "difference", "Hedges g", "p", "corrected p")
-    return Table(title, columns(heads, rows), title)
+    return Table(f"{title}; 95 % intervals in brackets", columns(heads, rows), title)
 
 
 def pairs(found: Comparison, corrected: float) -> list[tuple[str, ...]]:
     """Two groups have one p; of more, the corrected one asks whether there is any difference."""
     name, by = quantity_words(found.quantity), column_words(found.by)
     if found.slope is not None:
-        effect = with_interval(found.slope, found.unit)
+        effect = in_brackets(found.slope, found.unit)
         return [(name, f"per unit of {by}", effect, "", p_cell(found.p), p_cell(corrected))]
     return [
         (
             name if not at else "",
             f"{one.second} - {one.first}",
-            with_interval(one.effect, found.unit),
-            with_interval(one.g),
+            in_brackets(one.effect, found.unit),
+            in_brackets(one.g),
             p_cell(one.p),
             p_cell(corrected) if not at else "",
         )
@@ -74,7 +85,7 @@ def agreements(answers: Answers, kind: str, title: str) -> Table:
         (
             quantity_words(each.quantity),
             str(found.people),
-            with_interval(found.difference, found.pairs.unit),
+            in_brackets(found.difference, found.pairs.unit),
             limits(found),
             grown(found),
             "" if found.by_error is None else f"{found.by_error:.0%}",
@@ -91,7 +102,7 @@ def agreements(answers: Answers, kind: str, title: str) -> Table:
     made = columns(heads, rows)
     for head in ("grows with size", "by errors"):
         made[head] = Column(made[head], only="page")
-    return Table(title, made, title)
+    return Table(f"{title}; 95 % intervals in brackets", made, title)
 
 
 def grown(found: Agreement) -> str:
@@ -105,7 +116,7 @@ def causes(found: Sequence[Cause], groups: Sequence[str]) -> Table:
     """Missing physics, by group."""
     kept = [each for each in found if each.group in groups]
     made = {
-        "cause": [each.name for each in kept],
+        "cause": [cause_words(each.name) for each in kept],
         "group": [each.group if len(groups) > 1 else "" for each in kept],
         "recordings": [f"{each.recordings} of {each.of_recordings}" for each in kept],
         "people": [f"{each.people} of {each.of_people}" for each in kept],
@@ -135,9 +146,14 @@ def values(answers: Sequence[Answer]) -> Table:
         "unit": [shown_unit(each.values.unit) for each in answers],
         "people": [str(each.values.people) for each in answers],
         "values": [str(len(each.values.frame)) for each in answers],
-        "median": [number(float(each.values.frame["value"].median())) for each in answers],
+        "median": [median(each) for each in answers],
     }
     return Table("Quantities that recordings told", made, "Quantities")
+
+
+def median(each: Answer) -> str:
+    value = float(each.values.frame["value"].median())
+    return number(value, value / 10)
 
 
 def columns(heads: Sequence[str], rows: Sequence[tuple[str, ...]]) -> dict:

@@ -4,7 +4,7 @@ from math import isfinite
 
 from exoid.report.words.text import capital, counted, exponent, quantity_words, shown_unit
 from exoid.studies.statistics.agreement import Agreement
-from exoid.studies.statistics.asked import Answer, Answers, Asked
+from exoid.studies.statistics.asked import Answer, Answers
 from exoid.studies.statistics.groups import Comparison
 from exoid.studies.statistics.physics import Cause
 from exoid.studies.statistics.reliability import Reliability
@@ -40,11 +40,24 @@ def with_interval(each: Interval, unit: str = "1") -> str:
     return f"{value}{shown} (95 % {low} to {high})"
 
 
+def in_brackets(each: Interval, unit: str = "1") -> str:
+    """0.21 rad (0.12 to 0.30), for a table that says what the brackets hold."""
+    return with_interval(each, unit).replace("(95 % ", "(")
+
+
 def chance(p: float) -> str:
     """A p as it is read."""
     if not isfinite(p):
         return ""
     return "p < 0.001" if p < 0.001 else f"p = {p:.3f}" if p < 0.1 else f"p = {p:.2f}"
+
+
+def odds(p: float, corrected: float, count: int) -> str:
+    """Of one test, and among all of its kind."""
+    if count < 2:
+        return chance(p)
+    among = p_cell(corrected)
+    return f"{chance(p)} (corrected for {count} quantities: {among})"
 
 
 def p_cell(p: float) -> str:
@@ -62,28 +75,30 @@ def grade(each: Reliability) -> str:
     return next(word for least, word in GRADES if low >= least)
 
 
-def grouped(found: Comparison, corrected: float, asked: Asked) -> str:
+def grouped(found: Comparison, corrected: float, count: int) -> str:
     """Whether groups, or doses, differ."""
     what, by = capital(quantity_words(found.quantity)), column_words(found.by)
-    odds = chance(corrected)
+    p = odds(found.p, corrected, count)
     if found.slope is not None:
         change = with_interval(found.slope, found.unit)
         verb = "changes with" if corrected < SURE else "shows no change that is sure with"
-        return f"{what} {verb} {by}: {change} per unit of {by}, {odds}."
+        return f"{what} {verb} {by}: {change} per unit of {by}, {p}."
     if len(found.differences) == 1:
         one = found.differences[0]
         apart = with_interval(Interval(abs(one.effect.value), *span(one.effect)), found.unit)
         more = "higher" if one.effect.value > 0 else "lower"
         if corrected < SURE:
-            return f"{what} is {more} by {apart} in {one.second} than in {one.first}, {odds}."
+            return f"{what} is {more} by {apart} in {one.second} than in {one.first}, {p}."
         shown = with_interval(one.effect, found.unit)
         return (
             f"{what}: no difference that is sure between {one.first} and {one.second}; "
-            f"{one.second} less {one.first} is {shown}, {odds}."
+            f"{one.second} less {one.first} is {shown}, {p}."
         )
     named = "differs" if corrected < SURE else "shows no difference that is sure"
-    means = "; ".join(f"{each.name} {with_interval(each.mean, found.unit)}" for each in found.groups)
-    return f"{what} {named} between the groups of {by}, {odds}: {means}."
+    means = "; ".join(
+        f"{each.name} {with_interval(each.mean, found.unit)}" for each in found.groups
+    )
+    return f"{what} {named} between the groups of {by}, {p}: {means}."
 
 
 def span(effect: Interval) -> tuple[float, float]:
@@ -91,7 +106,7 @@ def span(effect: Interval) -> tuple[float, float]:
     return (effect.low, effect.high) if effect.value > 0 else (-effect.high, -effect.low)
 
 
-def changed(found: Agreement, corrected: float) -> str:
+def changed(found: Agreement, corrected: float, count: int) -> str:
     """Whether it changed from before to after."""
     pairs = found.pairs
     what, effect = capital(quantity_words(pairs.quantity)), found.difference
@@ -99,19 +114,19 @@ def changed(found: Agreement, corrected: float) -> str:
     if corrected < SURE:
         verb = "rose" if effect.value > 0 else "fell"
         size = with_interval(Interval(abs(effect.value), *span(effect)), pairs.unit)
-        return f"{what} {verb} by {size} {when}, {chance(corrected)}, in {found.people} people."
+        return f"{what} {verb} by {size} {when}, {odds(found.p, corrected, count)}, in {found.people} people."
     shown = with_interval(effect, pairs.unit)
-    return f"{what}: no change that is sure {when}: {shown}, {chance(corrected)}."
+    return f"{what}: no change that is sure {when}: {shown}, {odds(found.p, corrected, count)}."
 
 
-def sided(found: Agreement, corrected: float) -> str:
+def sided(found: Agreement, corrected: float, count: int) -> str:
     """Whether sides differ, on average and in single people."""
     pairs, effect = found.pairs, found.difference
     what = quantity_words(pairs.quantity)
     shown = with_interval(effect, pairs.unit)
     verb = "differ on average" if corrected < SURE else "do not surely differ on average"
     return (
-        f"{capital(what)}: sides {verb}, right less left is {shown}, {chance(corrected)}; in 95 % of "
+        f"{capital(what)}: sides {verb}, right less left is {shown}, {odds(found.p, corrected, count)}; in 95 % of "
         f"people between {limits(found)}."
     )
 
@@ -134,9 +149,15 @@ def repeated(found: Reliability) -> str:
     )
 
 
+def cause_words(name: str) -> str:
+    """As a table has it, among causes."""
+    return {"none": "nothing was missing", "cannot tell": "cannot be told"}.get(name, name)
+
+
 def shares(each: Cause) -> str:
     one = each.share
-    return f"{one.value:.0%} of people (95 % {one.low:.0%} to {one.high:.0%})"
+    value, low, high = (f"{100 * each:.0f} %" for each in (one.value, one.low, one.high))
+    return f"{value} (95 % {low} to {high})"
 
 
 def finding(answers: Answers) -> str:
@@ -145,16 +166,15 @@ def finding(answers: Answers) -> str:
     """
     if not answers.each:
         return "No quantity has values that recordings told."
-    first = answers.each[0]
+    first, count = answers.each[0], len(answers.each)
     p = first.corrected
     if isinstance(first.change_by_group, Comparison):
-        said = grouped(first.change_by_group, p["change_by_group"], answers.asked)
-        when = f"{answers.asked.before} to {answers.asked.after}"
-        return f"The change from {when}. {said}"
+        said = grouped(first.change_by_group, p["change_by_group"], count)
+        return f"Change from {answers.asked.before} to {answers.asked.after}. {said}"
     if isinstance(first.change, Agreement):
-        return changed(first.change, p["change"])
+        return changed(first.change, p["change"], count)
     if isinstance(first.groups, Comparison):
-        return grouped(first.groups, p["groups"], answers.asked)
+        return grouped(first.groups, p["groups"], count)
     found = first.reliability
     return found.why if isinstance(found, Untold) else repeated(found)
 

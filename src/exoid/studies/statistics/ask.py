@@ -85,7 +85,7 @@ def answer(values: Values, asked: Asked) -> Answer:
     return Answer(
         values.quantity,
         values,
-        answered(lambda: reliability(steady)),
+        only_steady(answered(lambda: reliability(steady)), asked),
         answered(lambda: paired(first, "side", "left", "right")),
         answered(lambda: retested(steady)),
         change,
@@ -100,6 +100,13 @@ def answered(work: Callable[[], Result]) -> Result | Untold:
         return work()
     except NotTold as why:
         return Untold(str(why))
+
+
+def only_steady(found: Result | Untold, asked: Asked) -> Result | Untold:
+    """Why there is no test and retest, where a session was left out of it."""
+    if isinstance(found, Untold) and asked.after:
+        return Untold(f"{found.why} {asked.after!r} is none of them: something was to change.")
+    return found
 
 
 def paired(values: Values, column: str, first: str, second: str) -> Agreement:

@@ -9,6 +9,7 @@ from exoid.studies.statistics.said import Interval, NotTold
 from exoid.studies.statistics.study import Study
 
 ALL = "all"
+NOTHING = ("cannot tell", "none")  # answers that name no cause: told last
 
 
 @dataclass(frozen=True)
@@ -36,14 +37,17 @@ def missing_physics(study: Study, by: str = "") -> tuple[Cause, ...]:
     rows = rows[rows["participant"] != ""].drop_duplicates(["recording", "note"])
     if rows.empty:
         raise NotTold("No recording was diagnosed: run 'exoid study run' with the step diagnose.")
-    causes = rows.groupby("note")["recording"].nunique().sort_values(ascending=False, kind="stable")
+    causes = rows["note"].value_counts()
+    named = [each for each in causes.index if each not in NOTHING]
     found = {ALL: rows}
     if by and by in study.recordings:
         group = study.recordings.drop_duplicates("recording").set_index("recording")[by]
         of = rows["recording"].map(group)
         found |= {str(each): rows[of == each] for each in sorted(of.dropna().unique(), key=str)}
     return tuple(
-        counted(cause, group, each) for cause in causes.index for group, each in found.items()
+        counted(cause, group, each)
+        for cause in (*named, *(each for each in NOTHING if each in causes.index))
+        for group, each in found.items()
     )
 
 

@@ -10,6 +10,7 @@ from exoid.studies.page.words import number
 from exoid.studies.statistics.agreement import Agreement
 
 HEIGHT = 4.6  # size of the panel
+ABOVE = 0.035  # of the panel, by which words stand above their line
 
 
 def bland_altman(found: Agreement, name: str) -> Picture:
@@ -29,14 +30,18 @@ def bland_altman(found: Agreement, name: str) -> Picture:
         ("lower limit", found.lower, Role.AGREED),
     )
     marks: list[Mark] = [Rule(Role.ZERO, 0.0)]
+    low, high = seen = view(ends, apart)
+    above = ABOVE * (high - low)
     for words, each, role in lines:
         marks += [Band(Role.INTERVAL, each.low, each.high), Rule(role, each.value)]
-        marks.append(Note(f"{words} {number(each.value, half)}", 0.99, each.value))
-    marks.append(Points(Role.EITHER, mean, apart, told=told, opens=tuple(map(str, pairs.frame.index))))
+        marks.append(Note(f"{words} {number(each.value, half)}", 0.99, each.value + above))
+    marks.append(
+        Points(Role.EITHER, mean, apart, told=told, opens=tuple(map(str, pairs.frame.index)))
+    )
     what = quantity_words(pairs.quantity)
     panel = Panel(
-        Axis(f"mean of {pairs.first} and {pairs.second}", pairs.unit, view([], mean)),
-        Axis(f"{pairs.second} - {pairs.first}", pairs.unit, view(ends, apart)),
+        Axis(f"mean of {pairs.first} and {pairs.second}", shown_unit(pairs.unit), view([], mean)),
+        Axis(f"{pairs.second} - {pairs.first}", shown_unit(pairs.unit), seen),
         tuple(marks),
         size=HEIGHT,
     )

@@ -8,7 +8,7 @@ from exoid.report.pictures.axis import view
 from exoid.report.pictures.panel import Axis, Bars, Panel, Picture, Points, Rule
 from exoid.report.pictures.role import Role
 from exoid.report.words.text import quantity_words
-from exoid.studies.page.words import column_words, with_interval
+from exoid.studies.page.words import cause_words, column_words, with_interval
 from exoid.studies.statistics.groups import Comparison
 from exoid.studies.statistics.physics import Cause
 from exoid.studies.statistics.reliability import Reliability
@@ -23,7 +23,9 @@ def intervals(
     """Rows of a value with its interval; `said` is for those who do not see it, and do."""
     at = np.arange(len(rows), dtype=float)
     each = list(rows.values())
-    low, value, high = (np.array([getattr(one, end) for one in each]) for end in ("low", "value", "high"))
+    low, value, high = (
+        np.array([getattr(one, end) for one in each]) for end in ("low", "value", "high")
+    )
     told = tuple(f"{row}: {with_interval(one)}" for row, one in rows.items())
     ticks = tuple((float(place), row) for place, row in zip(at, rows, strict=True))
     panel = Panel(
@@ -32,7 +34,7 @@ def intervals(
         (
             *(Rule(Role.GUIDE, guide, upright=True) for guide in guides),
             Bars(Role.SURE, at, high - low, low),
-            Points(Role.MEAN, value, at, told=told),
+            Points(Role.CENTRE, value, at, told=told),
         ),
         size=ROW * len(rows) + 0.4,
     )
@@ -84,7 +86,7 @@ def causes(found: Sequence[Cause], groups: Sequence[str], by: str) -> Picture:
     kept = [each for each in found if each.group in groups]
     several = len(groups) > 1
     rows = {
-        f"{each.name}, {each.group}" if several else each.name: Interval(
+        f"{cause_words(each.name)}{f', {each.group}' if several else ''}": Interval(
             *(100 * end for end in (each.share.value, each.share.low, each.share.high))
         )
         for each in kept

@@ -32,7 +32,7 @@ def people(answer: Answer, by: str) -> Picture:
     name = capital(quantity_words(values.quantity))
     panel = Panel(
         Axis(ticks=ticks, limits=(-0.6, len(groups) - 0.4)),
-        Axis(name, values.unit, view([], legs["value"].to_numpy(float))),
+        Axis(name, shown_unit(values.unit), view([], legs["value"].to_numpy(float))),
         tuple(marks),
         size=HEIGHT,
     )

@@ -40,7 +40,7 @@ def compared(answers: Answers, kind: str, title: str) -> Iterator[Block]:
         for each in answers.each
         if isinstance(found := getattr(each, kind), Comparison)
     ]
-    yield [grouped(*each, answers.asked) for each in told if each[1] < 0.05] or (
+    yield [grouped(*each, len(answers.each)) for each in told if each[1] < 0.05] or (
         ["No difference that is sure."] if told else []
     )
     yield comparisons(answers, kind, title)

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from exoid.report.sections.section import Block, Group, element
-from exoid.studies.page.part import PICTURED, Told, part
+from exoid.studies.page.part import COMPARED, Told, part
 from exoid.studies.page.pictures.bland_altman import bland_altman
 from exoid.studies.page.tables import agreements
 from exoid.studies.page.words import why_not
@@ -34,9 +34,7 @@ def sides(told: Told) -> Iterator[Block]:
 
 def paired(answers: Answers, kind: str, title: str) -> Iterator[Block]:
     """The table, and a picture of each of the first quantities."""
-    found = [
-        each for each in answers.each[:PICTURED] if isinstance(getattr(each, kind), Agreement)
-    ]
+    found = [each for each in answers.each[:COMPARED] if isinstance(getattr(each, kind), Agreement)]
     yield agreements(answers, kind, title)
     if found:
         yield Group("details", [element("summary", "What the columns mean"), WORDS])

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from exoid.report.sections.section import Block, Group, element
-from exoid.studies.page.part import PICTURED, Told, part
+from exoid.studies.page.part import COMPARED, Told, part
 from exoid.studies.page.pictures.bland_altman import bland_altman
 from exoid.studies.page.pictures.intervals import reliabilities as drawn
 from exoid.studies.page.tables import reliabilities
@@ -37,7 +37,7 @@ def reliability(told: Told) -> Iterator[Block]:
         yield drawn(found)
     pictures = [
         bland_altman(each.retest, f"retest-{each.quantity}")
-        for each in answers.each[:PICTURED]
+        for each in answers.each[:COMPARED]
         if isinstance(each.retest, Agreement)
     ]
     yield Group("div", pictures, "grid" if len(pictures) > 1 else "")

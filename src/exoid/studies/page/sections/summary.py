@@ -10,6 +10,7 @@ from exoid.studies.page.tables import values
 from exoid.studies.page.words import changed, finding, grade, leading, repeated, shares, sided
 from exoid.studies.statistics.agreement import Agreement
 from exoid.studies.statistics.asked import Answers
+from exoid.studies.statistics.physics import NOTHING
 from exoid.studies.statistics.reliability import Reliability
 from exoid.studies.statistics.said import Untold
 
@@ -48,8 +49,9 @@ def whole(answers: Answers) -> Group:
     lost += [f"{twice} more are the same as another and count once"] * bool(twice)
     if not lost:
         return card(question, "good", "Yes.", said)
-    answer = "No." if failed else "Yes."
-    return card(question, "care" if failed else "good", answer, f"{said} {capital('; '.join(lost))}.")
+    answer = "Not all of them." if failed else "Yes."
+    why = f"{said} {capital('; '.join(lost))}."
+    return card(question, "care" if failed else "good", answer, why)
 
 
 def trusted(answers: Answers) -> Group:
@@ -72,7 +74,12 @@ def alike(answers: Answers) -> Group | None:
     p = first.corrected["sides"]
     differ = p < 0.05
     answer = "Not on average." if differ else "On average, as far as can be told."
-    return card("Are both sides alike?", "care" if differ else "good", answer, sided(first.sides, p))
+    return card(
+        "Are both sides alike?",
+        "care" if differ else "good",
+        answer,
+        sided(first.sides, p, len(answers.each)),
+    )
 
 
 def moved(answers: Answers) -> Group | None:
@@ -84,7 +91,9 @@ def moved(answers: Answers) -> Group | None:
     question = f"Did it change from {answers.asked.before} to {answers.asked.after}?"
     sure = p < 0.05
     answer = "Yes." if sure else "Not surely."
-    return card(question, "good" if sure else "open", answer, changed(first.change, p))
+    return card(
+        question, "good" if sure else "open", answer, changed(first.change, p, len(answers.each))
+    )
 
 
 def missing(answers: Answers) -> Group | None:
@@ -92,10 +101,10 @@ def missing(answers: Answers) -> Group | None:
     if isinstance(answers.physics, Untold):
         return None
     found = [each for each in answers.physics if each.group == "all"]
-    named = [each for each in found if each.name not in ("none", "cannot tell")]
+    named = [each for each in found if each.name not in NOTHING]
     question = "What was the model missing?"
     if not named:
         return card(question, "good", "Nothing that has a name.", f"{amount(answers)}.")
     most = named[0]
-    why = f"Found in {most.people} of {most.of_people} people: {shares(most)}."
+    why = f"Found in {most.people} of {most.of_people} people, {shares(most)}."
     return card(question, "care", f"{capital(most.name)}, most often.", why)
