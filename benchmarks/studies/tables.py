@@ -9,7 +9,7 @@ from hashlib import sha256
 import numpy as np
 import pandas as pd
 
-from exoid.studies.statistics.study import Study, study_of
+from exoid.studies.statistics.tables.study import Study, study_of
 
 SIDES = ("left", "right")
 GROUPS = ("control", "spastic")

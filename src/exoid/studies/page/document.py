@@ -3,10 +3,10 @@
 from typing import Any
 
 from exoid.report.document.plain_json import plain, shown
-from exoid.studies.page.words import finding
+from exoid.studies.page.parts.words import finding
 from exoid.studies.statistics.agreement import Agreement
 from exoid.studies.statistics.asked import Answer, Answers
-from exoid.studies.statistics.said import Untold
+from exoid.studies.statistics.tables.said import Untold
 
 KINDS = ("reliability", "retest", "sides", "change", "groups", "change_by_group")
 

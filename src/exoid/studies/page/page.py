@@ -9,8 +9,8 @@ from exoid.files.replacing import replacing
 from exoid.files.visible import visible
 from exoid.report.page import packed_library
 from exoid.report.page import templates as of_report
-from exoid.studies.page.part import Told
-from exoid.studies.page.person import people as everyone
+from exoid.studies.page.parts.part import Told
+from exoid.studies.page.parts.person import people as everyone
 from exoid.studies.page.sections.groups import groups
 from exoid.studies.page.sections.origin import failed, origin
 from exoid.studies.page.sections.pairs import change, sides

@@ -4,7 +4,7 @@ from rich.console import Console
 
 from exoid.report.tables.table import print_table
 from exoid.report.words.text import note, say
-from exoid.studies.page.tables import (
+from exoid.studies.page.parts.tables import (
     agreements,
     causes,
     comparisons,
@@ -12,11 +12,11 @@ from exoid.studies.page.tables import (
     reliabilities,
     values,
 )
-from exoid.studies.page.words import column_words, finding, why_not
+from exoid.studies.page.parts.words import column_words, finding, why_not
 from exoid.studies.statistics.asked import Answers
 from exoid.studies.statistics.multiple import WORDS
 from exoid.studies.statistics.physics import ALL
-from exoid.studies.statistics.said import Untold
+from exoid.studies.statistics.tables.said import Untold
 
 
 def print_study(answers: Answers, console: Console) -> None:

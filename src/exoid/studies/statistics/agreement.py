@@ -4,14 +4,15 @@ Bland & Altman (1986), Lancet 327: 307-310, and (1999), Stat Methods Med Res 8: 
 """
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
-import pandas as pd
 from scipy.stats import linregress, norm, t
 
 from exoid.studies.statistics.mixed.fit_mixed import fit_mixed
 from exoid.studies.statistics.pairs import Pairs
-from exoid.studies.statistics.said import Interval, NotTold
+from exoid.studies.statistics.tables.frames import frame_of
+from exoid.studies.statistics.tables.said import Interval, NotTold
 
 WITHIN = float(norm.ppf(0.975))  # standard deviations that hold 95 % of a normal distribution
 
@@ -57,6 +58,7 @@ def agreement(pairs: Pairs) -> Agreement:
     limit = more * deviation * (1 / n + WITHIN**2 / (2 * (n - 1))) ** 0.5
     lower, upper = (bias + sign * WITHIN * deviation for sign in (-1, 1))
     difference, p = carried(pairs)
+    slope, slope_p = proportional(pairs)
     error = pairs.error.to_numpy(float)
     told = bool(np.isfinite(error).all())
     return Agreement(
@@ -68,13 +70,14 @@ def agreement(pairs: Pairs) -> Agreement:
         difference=difference,
         p=p,
         by_error=min(float(np.mean(error**2)) / deviation**2, 1.0) if told else None,
-        **dict(zip(("slope", "slope_p"), proportional(pairs), strict=True)),
+        slope=slope,
+        slope_p=slope_p,
     )
 
 
 def carried(pairs: Pairs) -> tuple[Interval, float]:
     """The mean difference and its p, by a model in which each difference has its own error."""
-    frame = pd.DataFrame(
+    frame = frame_of(
         {
             "person": pairs.frame.index.to_numpy(str),
             "side": "",
@@ -98,7 +101,7 @@ def proportional(pairs: Pairs) -> tuple[Interval, float]:
     mean = pairs.mean.to_numpy(float)
     if mean.size < 4 or not np.ptp(mean) > 0:
         return around(float("nan"), float("nan")), float("nan")
-    line = linregress(mean, pairs.difference.to_numpy(float))
+    line: Any = linregress(mean, pairs.difference.to_numpy(float))
     half = float(t.ppf(0.975, mean.size - 2)) * float(line.stderr)
     return around(float(line.slope), half), float(line.pvalue)
 

@@ -11,9 +11,9 @@ from exoid.studies.statistics.multiple import corrected
 from exoid.studies.statistics.pairs import Pairs, pairs_of
 from exoid.studies.statistics.physics import missing_physics
 from exoid.studies.statistics.reliability import reliability
-from exoid.studies.statistics.said import NotTold, Untold
-from exoid.studies.statistics.study import Study
-from exoid.studies.statistics.values import PERSONAL, Values, values_of
+from exoid.studies.statistics.tables.said import NotTold, Untold
+from exoid.studies.statistics.tables.study import Study
+from exoid.studies.statistics.tables.values import PERSONAL, Values, values_of
 
 Result = TypeVar("Result")
 TESTED = ("sides", "change", "groups", "change_by_group")

@@ -8,9 +8,9 @@ from exoid.studies.statistics.groups import Comparison
 from exoid.studies.statistics.multiple import Correction
 from exoid.studies.statistics.physics import Cause
 from exoid.studies.statistics.reliability import Reliability
-from exoid.studies.statistics.said import Untold
-from exoid.studies.statistics.study import Study
-from exoid.studies.statistics.values import Values
+from exoid.studies.statistics.tables.said import Untold
+from exoid.studies.statistics.tables.study import Study
+from exoid.studies.statistics.tables.values import Values
 
 
 @dataclass(frozen=True)

@@ -6,16 +6,16 @@ from itertools import combinations
 from typing import Literal
 
 import numpy as np
-import pandas as pd
 from jaxtyping import Float
-from scipy.special import gammaln
-from scipy.stats import f, norm
+from scipy.stats import f
 
-from exoid.studies.statistics.agreement import around, wald
+from exoid.studies.statistics.agreement import wald
+from exoid.studies.statistics.hedges import hedges
 from exoid.studies.statistics.mixed.fit_mixed import Mixed, fit_mixed
 from exoid.studies.statistics.multiple import corrected
-from exoid.studies.statistics.said import Interval, NotTold
-from exoid.studies.statistics.values import Values, per_person
+from exoid.studies.statistics.tables.frames import Frame
+from exoid.studies.statistics.tables.said import Interval, NotTold
+from exoid.studies.statistics.tables.values import Values, per_person
 
 FEWEST = 2  # people of a group
 MOST_GROUPS = 12
@@ -82,7 +82,7 @@ def compare_groups(values: Values, by: str, adjust: Sequence[str] = ()) -> Compa
     )
 
 
-def complete(values: Values, columns: Sequence[str]) -> tuple[pd.DataFrame, tuple[str, ...]]:
+def complete(values: Values, columns: Sequence[str]) -> tuple[Frame, tuple[str, ...]]:
     """Rows of people of whom all columns are known, once each."""
     frame = values.frame
     for column in columns:
@@ -100,7 +100,7 @@ def complete(values: Values, columns: Sequence[str]) -> tuple[pd.DataFrame, tupl
     return frame[known].reset_index(drop=True), notes
 
 
-def centred(frame: pd.DataFrame, column: str) -> Float[np.ndarray, " row"]:
+def centred(frame: Frame, column: str) -> Float[np.ndarray, " row"]:
     try:
         found = frame[column].to_numpy(float)
     except (ValueError, TypeError) as fault:
@@ -125,7 +125,7 @@ def check(by: str, sizes: dict[str, int]) -> None:
         )
 
 
-def of_dose(values: Values, frame: pd.DataFrame, by: str, held: list, notes) -> Comparison:
+def of_dose(values: Values, frame: Frame, by: str, held: list, notes) -> Comparison:
     """The change per unit of dose."""
     dose = frame[by].to_numpy(float)
     effects = np.column_stack([np.ones(len(frame)), dose - dose.mean(), *held])
@@ -139,7 +139,7 @@ def of_dose(values: Values, frame: pd.DataFrame, by: str, held: list, notes) -> 
 
 
 def of_groups(
-    values: Values, frame: pd.DataFrame, by: str, mixed: Mixed, said: tuple[dict[str, int], tuple]
+    values: Values, frame: Frame, by: str, mixed: Mixed, said: tuple[dict[str, int], tuple]
 ) -> Comparison:
     """Means, any difference at all, and each pair."""
     sizes, notes = said
@@ -187,16 +187,3 @@ def told(mixed: Mixed, contrast: Contrast, freedom: int) -> tuple[Interval, floa
     """A sum of effects."""
     error = float(contrast @ mixed.covariance @ contrast) ** 0.5
     return wald(float(contrast @ mixed.effects), error, freedom)
-
-
-def hedges(first: pd.Series, second: pd.Series) -> Interval:
-    """The difference of the means of people over their standard deviation (Hedges 1981)."""
-    m, n = len(first), len(second)
-    freedom = m + n - 2
-    pooled = ((m - 1) * first.var() + (n - 1) * second.var()) / freedom
-    if not pooled > 0:
-        return around(float("nan"), float("nan"))
-    small = float(np.exp(gammaln(freedom / 2) - gammaln((freedom - 1) / 2))) * (2 / freedom) ** 0.5
-    g = small * float(second.mean() - first.mean()) / float(pooled) ** 0.5
-    variance = (m + n) / (m * n) + g**2 / (2 * (m + n))
-    return around(g, float(norm.ppf(0.975)) * variance**0.5)

@@ -10,7 +10,7 @@ import numpy as np
 from jaxtyping import Float
 from scipy.stats import chi2, f
 
-from exoid.studies.statistics.said import Interval, NotTold
+from exoid.studies.statistics.tables.said import Interval, NotTold
 
 TAIL = 0.025  # of either side of a 95 % interval
 Table = Float[np.ndarray, "person occasion"]
@@ -79,14 +79,14 @@ def one_way(each: Squares) -> Interval:
     n, k, ratio = each.people, each.occasions, each.rows / each.within
     low = ratio / f.isf(TAIL, n - 1, n * (k - 1))
     high = ratio * f.isf(TAIL, n * (k - 1), n - 1)
-    return Interval(*((one - 1) / (one + k - 1) for one in (ratio, low, high)))
+    return Interval(*(float((one - 1) / (one + k - 1)) for one in (ratio, low, high)))
 
 
 def consistency(each: Squares) -> Interval:
     n, k, ratio = each.people, each.occasions, each.rows / each.error
     low = ratio / f.isf(TAIL, n - 1, (n - 1) * (k - 1))
     high = ratio * f.isf(TAIL, (n - 1) * (k - 1), n - 1)
-    return Interval(*((one - 1) / (one + k - 1) for one in (ratio, low, high)))
+    return Interval(*(float((one - 1) / (one + k - 1)) for one in (ratio, low, high)))
 
 
 def agreement(each: Squares) -> Interval:

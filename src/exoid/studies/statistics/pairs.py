@@ -3,10 +3,10 @@
 from dataclasses import dataclass
 
 import numpy as np
-import pandas as pd
 
-from exoid.studies.statistics.said import NotTold
-from exoid.studies.statistics.values import OCCASION, Values, means
+from exoid.studies.statistics.tables.frames import Column, Frame, frame_of
+from exoid.studies.statistics.tables.said import NotTold
+from exoid.studies.statistics.tables.values import OCCASION, Values, means
 
 FEWEST = 3
 
@@ -19,19 +19,19 @@ class Pairs:
     unit: str
     first: str
     second: str
-    frame: pd.DataFrame
+    frame: Frame
 
     @property
-    def difference(self) -> pd.Series:
+    def difference(self) -> Column:
         """Second less first."""
         return self.frame["second"] - self.frame["first"]
 
     @property
-    def mean(self) -> pd.Series:
+    def mean(self) -> Column:
         return (self.frame["second"] + self.frame["first"]) / 2
 
     @property
-    def error(self) -> pd.Series:
+    def error(self) -> Column:
         """Of the difference, by the errors of the estimates; NaN where one is unknown."""
         return np.hypot(self.frame["first_error"], self.frame["second_error"])
 
@@ -52,7 +52,7 @@ def pairs_of(values: Values, column: str, first: str, second: str) -> Pairs:
         "first_square": both["error", first] ** 2,
         "second_square": both["error", second] ** 2,
     }
-    whole = pd.DataFrame(columns).dropna(subset=["first", "second"]).groupby(level="person")
+    whole = frame_of(columns).dropna(subset=["first", "second"]).groupby(level="person")
     found = whole[["first", "second"]].mean()
     if len(found) < FEWEST:
         raise NotTold(

@@ -2,11 +2,11 @@
 
 from dataclasses import dataclass
 
-import pandas as pd
 from statsmodels.stats.proportion import proportion_confint
 
-from exoid.studies.statistics.said import Interval, NotTold
-from exoid.studies.statistics.study import Study
+from exoid.studies.statistics.tables.frames import Frame
+from exoid.studies.statistics.tables.said import Interval, NotTold
+from exoid.studies.statistics.tables.study import Study
 
 ALL = "all"
 NOTHING = ("cannot tell", "none")  # answers that name no cause: told last
@@ -51,7 +51,7 @@ def missing_physics(study: Study, by: str = "") -> tuple[Cause, ...]:
     )
 
 
-def counted(cause: str, group: str, rows: pd.DataFrame) -> Cause:
+def counted(cause: str, group: str, rows: Frame) -> Cause:
     having = rows[rows["note"] == cause]
     people, of_people = having["participant"].nunique(), rows["participant"].nunique()
     low, high = proportion_confint(people, of_people, method="wilson")

@@ -15,8 +15,8 @@ from exoid.studies.statistics.icc import icc
 from exoid.studies.statistics.mixed.fit_mixed import Mixed, fit_mixed
 from exoid.studies.statistics.mixed.intervals import Sum, correlation_interval, error_interval
 from exoid.studies.statistics.mixed.stacks import DROP, Effects
-from exoid.studies.statistics.said import Interval, NotTold
-from exoid.studies.statistics.values import LEG, OCCASION, Values, means
+from exoid.studies.statistics.tables.said import Interval, NotTold
+from exoid.studies.statistics.tables.values import LEG, OCCASION, Values, means
 
 DETECTABLE = float(norm.ppf(0.975)) * 2**0.5  # standard errors of measurement
 TRUE = ("person", "side")  # what lasts from one day to another
@@ -57,10 +57,9 @@ def reliability(values: Values) -> Reliability:
     """**Raises** `NotTold` (why) where too few people came twice, or nothing varies."""
     frame = values.frame
     often = frame.groupby("person")["session"].nunique()
-    if (often > 1).sum() < 3:
-        raise NotTold(
-            f"{(often > 1).sum()} people have values of two sessions or more: at least 3 are needed."
-        )
+    twice = int((often > 1).sum())
+    if twice < 3:
+        raise NotTold(f"{twice} people have values of two sessions or more: 3 are needed.")
     sessions = sorted(frame["session"].unique())
     mixed = fit_mixed(frame, shifts(values))
     drops = float(frame.groupby(OCCASION)["value"].size().median())

@@ -65,7 +65,10 @@ def report(
             quantities=tuple(quantity or ()),
             adjust=tuple(adjust or ()),
             correction=correction,
-            **{"by": by or "", "before": before or "", "after": after or "", "task": task or ""},
+            by=by or "",
+            before=before or "",
+            after=after or "",
+            task=task or "",
         ),
         "asking the study",
     )
@@ -86,13 +89,13 @@ def report(
 def answered(results: Path, **asked):
     from exoid.studies.statistics.ask import ask
     from exoid.studies.statistics.asked import Asked
-    from exoid.studies.statistics.study import open_study
+    from exoid.studies.statistics.tables.study import open_study
 
     return ask(open_study(results), Asked(**asked))
 
 
 def put_page(answers, origin, results: Path, path: Path) -> None:
     from exoid.studies.page.page import write_page
-    from exoid.studies.page.part import Told
+    from exoid.studies.page.parts.part import Told
 
     write_page(Told(answers, origin, results.resolve().name), path)

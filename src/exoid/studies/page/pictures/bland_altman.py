@@ -1,12 +1,10 @@
 """Differences over means, a person a point."""
 
-import numpy as np
-
 from exoid.report.pictures.axis import view
 from exoid.report.pictures.panel import Axis, Band, Mark, Note, Panel, Picture, Points, Rule
 from exoid.report.pictures.role import Role
 from exoid.report.words.text import capital, quantity_words, shown_unit
-from exoid.studies.page.words import number
+from exoid.studies.page.parts.words import number
 from exoid.studies.statistics.agreement import Agreement
 
 HEIGHT = 4.6  # size of the panel

@@ -1,18 +1,19 @@
 """Every leg of every person as a point, in the groups that are compared."""
 
 from collections.abc import Sequence
+from math import isnan
 
 import numpy as np
-import pandas as pd
 
 from exoid.report.pictures.axis import view
 from exoid.report.pictures.panel import Axis, Mark, Panel, Picture, Points
 from exoid.report.pictures.role import Role
 from exoid.report.words.text import capital, counted, quantity_words, shown_unit
-from exoid.studies.page.words import number, with_interval
+from exoid.studies.page.parts.words import number, with_interval
 from exoid.studies.statistics.asked import Answer
 from exoid.studies.statistics.groups import MOST_GROUPS, Comparison, label
-from exoid.studies.statistics.values import Values, means
+from exoid.studies.statistics.tables.frames import Frame
+from exoid.studies.statistics.tables.values import Values, means
 
 SIDES = {"left": Role.LEFT, "right": Role.RIGHT}
 GOLDEN = 0.618034  # steps by it fill a width evenly
@@ -46,7 +47,7 @@ def people(answer: Answer, by: str) -> Picture:
     )
 
 
-def legs_of(values: Values, by: str) -> pd.DataFrame:
+def legs_of(values: Values, by: str) -> Frame:
     """Means of legs with their group."""
     legs = means(values, ["person", "side"]).reset_index()
     days = values.frame.groupby(["person", "side"])["session"].nunique()
@@ -58,7 +59,7 @@ def legs_of(values: Values, by: str) -> pd.DataFrame:
     return legs.assign(group=group)
 
 
-def clouds(legs: pd.DataFrame, groups: Sequence[str], values: Values) -> list[Mark]:
+def clouds(legs: Frame, groups: Sequence[str], values: Values) -> list[Mark]:
     """The points of each side."""
     place = legs["group"].map({each: float(at) for at, each in enumerate(groups)})
     order = legs.groupby("group").cumcount().to_numpy(float)
@@ -82,7 +83,7 @@ def clouds(legs: pd.DataFrame, groups: Sequence[str], values: Values) -> list[Ma
 def told_of(leg, values: Values) -> str:
     """What is said of a point: who, which side, how often, the value with its error."""
     unit = f" {shown_unit(values.unit)}".rstrip()
-    error = "" if not leg.error == leg.error else f" ± {number(leg.error)}"
+    error = "" if isnan(leg.error) else f" ± {number(leg.error)}"
     amount = f"{counted(leg.drops, 'value')} of {counted(leg.days, 'session')}"
     who = f"{leg.person}, {leg.side}" if leg.side else str(leg.person)
     return f"{who}\n{number(leg.value, leg.value / 100)}{error}{unit}\n{amount}"

@@ -3,10 +3,10 @@
 from collections.abc import Iterator
 
 from exoid.report.sections.section import Block, Group, element
-from exoid.studies.page.part import Told, part
+from exoid.studies.page.parts.part import Told, part
+from exoid.studies.page.parts.tables import comparisons
+from exoid.studies.page.parts.words import column_words, grouped, why_not
 from exoid.studies.page.pictures.intervals import effects
-from exoid.studies.page.tables import comparisons
-from exoid.studies.page.words import column_words, grouped, why_not
 from exoid.studies.statistics.asked import Answers
 from exoid.studies.statistics.groups import Comparison
 

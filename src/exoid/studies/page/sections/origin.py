@@ -4,8 +4,8 @@ from collections.abc import Iterator
 
 from exoid.report.sections.provenance import COMMAND, listed
 from exoid.report.sections.section import Block, element
-from exoid.studies.page.part import Told, part
-from exoid.studies.page.tables import failures
+from exoid.studies.page.parts.part import Told, part
+from exoid.studies.page.parts.tables import failures
 from exoid.studies.statistics.multiple import WORDS
 
 

@@ -3,10 +3,10 @@
 from collections.abc import Iterator
 
 from exoid.report.sections.section import Block, Group, element
-from exoid.studies.page.part import COMPARED, Told, part
+from exoid.studies.page.parts.part import COMPARED, Told, part
+from exoid.studies.page.parts.tables import agreements
+from exoid.studies.page.parts.words import why_not
 from exoid.studies.page.pictures.bland_altman import bland_altman
-from exoid.studies.page.tables import agreements
-from exoid.studies.page.words import why_not
 from exoid.studies.statistics.agreement import Agreement
 from exoid.studies.statistics.asked import Answers
 

@@ -3,11 +3,11 @@
 from collections.abc import Iterator
 
 from exoid.report.sections.section import Block
-from exoid.studies.page.part import Told, part
+from exoid.studies.page.parts.part import Told, part
+from exoid.studies.page.parts.tables import causes
 from exoid.studies.page.pictures.intervals import causes as drawn
-from exoid.studies.page.tables import causes
 from exoid.studies.statistics.physics import ALL
-from exoid.studies.statistics.said import Untold
+from exoid.studies.statistics.tables.said import Untold
 
 MOST_GROUPS = 6  # side by side
 

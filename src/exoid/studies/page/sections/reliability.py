@@ -3,17 +3,18 @@
 from collections.abc import Iterator
 
 from exoid.report.sections.section import Block, Group, element
-from exoid.studies.page.part import COMPARED, Told, part
+from exoid.studies.page.parts.part import COMPARED, Told, part
+from exoid.studies.page.parts.tables import reliabilities
+from exoid.studies.page.parts.words import repeated, why_not
 from exoid.studies.page.pictures.bland_altman import bland_altman
 from exoid.studies.page.pictures.intervals import reliabilities as drawn
-from exoid.studies.page.tables import reliabilities
-from exoid.studies.page.words import repeated, why_not
 from exoid.studies.statistics.agreement import Agreement
 from exoid.studies.statistics.reliability import Reliability
 
 WORDS = {
     "ICC(A,1)": "The share of the differences between values that lasts from one day to another "
-    "(McGraw and Wong; ICC(2,1) of Shrout and Fleiss). A shift of everybody between days lowers it.",
+    "(McGraw and Wong; ICC(2,1) of Shrout and Fleiss). A shift of everybody between days lowers "
+    "it.",
     "ICC(C,1)": "The same without that shift: ICC(3,1) of Shrout and Fleiss.",
     "it is": "Of the lower end of the interval: poor below 0.5, moderate, good from 0.75, "
     "excellent from 0.9 (Koo and Li).",

@@ -5,14 +5,14 @@ from collections.abc import Iterator
 from exoid.report.sections.section import Block, Group, element
 from exoid.report.sections.summary import card
 from exoid.report.words.text import capital, counted
-from exoid.studies.page.part import Told, part
-from exoid.studies.page.tables import values
-from exoid.studies.page.words import changed, finding, grade, leading, repeated, shares, sided
+from exoid.studies.page.parts.part import Told, part
+from exoid.studies.page.parts.tables import values
+from exoid.studies.page.parts.words import changed, finding, grade, leading, repeated, shares, sided
 from exoid.studies.statistics.agreement import Agreement
 from exoid.studies.statistics.asked import Answers
 from exoid.studies.statistics.physics import NOTHING
 from exoid.studies.statistics.reliability import Reliability
-from exoid.studies.statistics.said import Untold
+from exoid.studies.statistics.tables.said import Untold
 
 
 @part("summary", "Summary")

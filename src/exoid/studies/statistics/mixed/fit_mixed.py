@@ -4,13 +4,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-import pandas as pd
 from jaxtyping import Float
 from scipy.optimize import minimize
 
 from exoid.studies.statistics.mixed.likelihood import Fitted, Variances, likelihood
 from exoid.studies.statistics.mixed.stacks import Effects, Problem, problem_of
-from exoid.studies.statistics.said import NotTold
+from exoid.studies.statistics.tables.frames import Frame
+from exoid.studies.statistics.tables.said import NotTold
 
 LEAST = 1e-9  # of the variance of all values: what each value has for itself
 STARTS = (1.0,)  # of the variance of all values, shared by the levels
@@ -29,7 +29,7 @@ class Mixed:
     fitted: Fitted
 
 
-def fit_mixed(frame: pd.DataFrame, effects: Effects) -> Mixed:
+def fit_mixed(frame: Frame, effects: Effects) -> Mixed:
     """The most likely variances; the first of the effects is the mean.
 
     **Raises** `NotTold` (why) where the frame does not tell them.

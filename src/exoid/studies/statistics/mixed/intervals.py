@@ -13,7 +13,7 @@ from scipy.stats import chi2, norm
 
 from exoid.studies.statistics.mixed.fit_mixed import Mixed
 from exoid.studies.statistics.mixed.likelihood import Variances, spread
-from exoid.studies.statistics.said import Interval
+from exoid.studies.statistics.tables.said import Interval
 
 Square = Float[np.ndarray, "level level"]
 TAIL = 0.025  # of either side of a 95 % interval

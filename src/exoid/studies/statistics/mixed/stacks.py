@@ -4,10 +4,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-import pandas as pd
 from jaxtyping import Float, Int
 
-from exoid.studies.statistics.said import NotTold
+from exoid.studies.statistics.tables.frames import Frame
+from exoid.studies.statistics.tables.said import NotTold
 
 Rows = Float[np.ndarray, " row"]
 Effects = Float[np.ndarray, "row effect"]
@@ -52,7 +52,7 @@ class Problem:
         return self.stacks[0].effects.shape[-1]
 
 
-def problem_of(frame: pd.DataFrame, effects: Effects) -> Problem:
+def problem_of(frame: Frame, effects: Effects) -> Problem:
     """Of columns `person`, `side`, `session`, `value` and `error`, and the fixed effects of each
     row. Errors count where all are known; where one is not, scatter alone tells them.
 
@@ -73,7 +73,7 @@ def problem_of(frame: pd.DataFrame, effects: Effects) -> Problem:
     return Problem(stacks, tuple(levels), origin, scale)
 
 
-def levels_of(frame: pd.DataFrame) -> dict[str, Codes]:
+def levels_of(frame: Frame) -> dict[str, Codes]:
     """Who shares each level; a level that parts the values as one before it does is left out."""
     each = {name: frame.groupby(keys).ngroup().to_numpy() for name, keys in LEVELS.items()}
     each[DROP] = np.arange(len(frame))
@@ -89,7 +89,7 @@ def same_parting(one: Codes, other: Codes) -> bool:
     return both == len(np.unique(one)) == len(np.unique(other))
 
 
-def equally_many(frame: pd.DataFrame) -> list[Codes]:
+def equally_many(frame: Frame) -> list[Codes]:
     """Rows of people who have equally many values, person by person."""
     order = np.argsort(frame["person"].to_numpy(str), kind="stable")
     counts = frame["person"].map(frame["person"].value_counts()).to_numpy()[order]
@@ -97,7 +97,7 @@ def equally_many(frame: pd.DataFrame) -> list[Codes]:
 
 
 def stack_of(
-    frame: pd.DataFrame,
+    frame: Frame,
     columns: tuple[Rows, Effects, Rows],
     levels: Mapping[str, Codes],
     rows: Codes,

@@ -2,11 +2,9 @@
 
 from collections.abc import Sequence
 
-import pandas as pd
-
 from exoid.report.tables.table import Column, Table
 from exoid.report.words.text import quantity_words, shown_unit
-from exoid.studies.page.words import (
+from exoid.studies.page.parts.words import (
     cause_words,
     column_words,
     grade,
@@ -21,6 +19,7 @@ from exoid.studies.statistics.asked import Answer, Answers
 from exoid.studies.statistics.groups import Comparison
 from exoid.studies.statistics.physics import Cause
 from exoid.studies.statistics.reliability import Reliability
+from exoid.studies.statistics.tables.frames import Frame
 
 SHOWN = 200  # rows of a list of recordings; the rest is counted
 
@@ -125,7 +124,7 @@ def causes(found: Sequence[Cause], groups: Sequence[str]) -> Table:
     return Table("Which physics was missing", made, "Missing physics")
 
 
-def failures(recordings: pd.DataFrame) -> Table:
+def failures(recordings: Frame) -> Table:
     """Reasons, the most frequent first."""
     failed = recordings[recordings["status"] == "failed"]
     count = failed["reason"].value_counts()

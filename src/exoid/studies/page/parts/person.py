@@ -3,14 +3,13 @@
 import json
 from typing import Any
 
-import pandas as pd
-
 from exoid.report.words.text import quantity_words, shown_unit
 from exoid.report.words.typeset import tidy
-from exoid.studies.page.words import column_words, number
+from exoid.studies.page.parts.words import column_words, number
 from exoid.studies.statistics.asked import Answers
 from exoid.studies.statistics.groups import label
-from exoid.studies.statistics.values import PERSONAL
+from exoid.studies.statistics.tables.frames import Frame
+from exoid.studies.statistics.tables.values import PERSONAL
 
 SHOWN = 4  # quantities of a recording
 MOST = 20_000  # recordings that a page lists
@@ -42,7 +41,7 @@ def shown(answers: Answers) -> dict[str, Any]:
     return columns
 
 
-def facts(rows: pd.DataFrame) -> list[tuple[str, str]]:
+def facts(rows: Frame) -> list[tuple[str, str]]:
     """What the table of participants says."""
     known = [each for each in rows if each.startswith("participant_") or each in PERSONAL]
     first = {each: rows[each].dropna() for each in known}
@@ -57,7 +56,7 @@ def said(column: str, cell: Any) -> str:
     return f"{cell:.3g} {UNITS[column]}" if column in UNITS else label(cell)
 
 
-def recordings(rows: pd.DataFrame, columns: dict[str, Any]) -> list[list[str]]:
+def recordings(rows: Frame, columns: dict[str, Any]) -> list[list[str]]:
     """A row of words for each."""
     return [
         [

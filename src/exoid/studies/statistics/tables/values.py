@@ -3,10 +3,10 @@
 from dataclasses import dataclass
 
 import numpy as np
-import pandas as pd
 
-from exoid.studies.statistics.said import NotTold
-from exoid.studies.statistics.study import Study
+from exoid.studies.statistics.tables.frames import Frame, frame_of
+from exoid.studies.statistics.tables.said import NotTold
+from exoid.studies.statistics.tables.study import Study
 
 # Who told a value that no recording told: such values compare bodies and settings, not legs.
 ELSEWHERE = ("prior", "anatomy", "bound", "fixed", "your")
@@ -25,7 +25,7 @@ class Values:
 
     quantity: str
     unit: str
-    frame: pd.DataFrame
+    frame: Frame
     notes: tuple[str, ...] = ()
 
     @property
@@ -60,7 +60,7 @@ def values_of(study: Study, quantity: str, task: str = "") -> Values:
     return Values(quantity, str(units[0]), with_people(once(named), sound), notes)
 
 
-def told_by_recordings(rows: pd.DataFrame) -> tuple[pd.DataFrame, tuple[str, ...]]:
+def told_by_recordings(rows: Frame) -> tuple[Frame, tuple[str, ...]]:
     """Without those that anatomy or a limit set, and those of nobody; what is left out is said."""
     elsewhere = rows["determined_by"].str.startswith(ELSEWHERE)
     nobody = (rows["participant"] == "") & ~elsewhere
@@ -74,14 +74,14 @@ def told_by_recordings(rows: pd.DataFrame) -> tuple[pd.DataFrame, tuple[str, ...
     return rows[~elsewhere & ~nobody], tuple(notes)
 
 
-def once(rows: pd.DataFrame) -> pd.DataFrame:
+def once(rows: Frame) -> Frame:
     """The value of the whole recording where there is one, else those of its segments."""
     whole = rows["segment"] == WHOLE
     has_whole = rows["recording"].isin(rows.loc[whole, "recording"])
     return rows[whole | ~has_whole]
 
 
-def with_people(rows: pd.DataFrame, recordings: pd.DataFrame) -> pd.DataFrame:
+def with_people(rows: Frame, recordings: Frame) -> Frame:
     """Values beside what is known of their people."""
     known = [each for each in recordings if each.startswith("participant_") or each in PERSONAL]
     people = recordings.drop_duplicates("recording").set_index("recording")[known]
@@ -91,7 +91,7 @@ def with_people(rows: pd.DataFrame, recordings: pd.DataFrame) -> pd.DataFrame:
     return found.join(people, on="recording").reset_index(drop=True)
 
 
-def means(values: Values, over: list[str]) -> pd.DataFrame:
+def means(values: Values, over: list[str]) -> Frame:
     """The mean of the drops of each of `over`, its standard `error` by those of the drops, and how
     many `drops` there were.
     """
@@ -99,10 +99,10 @@ def means(values: Values, over: list[str]) -> pd.DataFrame:
     squares = values.frame.assign(square=values.frame["error"] ** 2).groupby(over, sort=True)
     drops = grouped["value"].size()
     error = np.sqrt(squares["square"].sum(skipna=False)) / drops
-    return pd.DataFrame({"value": grouped["value"].mean(), "error": error, "drops": drops})
+    return frame_of({"value": grouped["value"].mean(), "error": error, "drops": drops})
 
 
-def per_person(values: Values) -> pd.DataFrame:
+def per_person(values: Values) -> Frame:
     """One value for each person: the mean of their sides, each the mean of its days, each the mean
     of its drops; so no leg or day counts more because it has more drops.
     """
@@ -111,7 +111,7 @@ def per_person(values: Values) -> pd.DataFrame:
         grouped = found.groupby(level=level)
         size = grouped["value"].size()
         square = (found["error"] ** 2).groupby(level=level).sum(skipna=False)
-        found = pd.DataFrame(
+        found = frame_of(
             {
                 "value": grouped["value"].mean(),
                 "error": np.sqrt(square) / size,

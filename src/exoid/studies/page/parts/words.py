@@ -8,7 +8,7 @@ from exoid.studies.statistics.asked import Answer, Answers
 from exoid.studies.statistics.groups import Comparison
 from exoid.studies.statistics.physics import Cause
 from exoid.studies.statistics.reliability import Reliability
-from exoid.studies.statistics.said import Interval, Untold
+from exoid.studies.statistics.tables.said import Interval, Untold
 
 MOST_DECIMALS, LARGE = 6, 1e5
 SURE = 0.05  # p, below which a difference is called one
@@ -111,12 +111,13 @@ def changed(found: Agreement, corrected: float, count: int) -> str:
     pairs = found.pairs
     what, effect = capital(quantity_words(pairs.quantity)), found.difference
     when = f"from {pairs.first} to {pairs.second}"
+    p = odds(found.p, corrected, count)
     if corrected < SURE:
         verb = "rose" if effect.value > 0 else "fell"
         size = with_interval(Interval(abs(effect.value), *span(effect)), pairs.unit)
-        return f"{what} {verb} by {size} {when}, {odds(found.p, corrected, count)}, in {found.people} people."
+        return f"{what} {verb} by {size} {when}, {p}, in {found.people} people."
     shown = with_interval(effect, pairs.unit)
-    return f"{what}: no change that is sure {when}: {shown}, {odds(found.p, corrected, count)}."
+    return f"{what}: no change that is sure {when}: {shown}, {p}."
 
 
 def sided(found: Agreement, corrected: float, count: int) -> str:
@@ -126,8 +127,8 @@ def sided(found: Agreement, corrected: float, count: int) -> str:
     shown = with_interval(effect, pairs.unit)
     verb = "differ on average" if corrected < SURE else "do not surely differ on average"
     return (
-        f"{capital(what)}: sides {verb}, right less left is {shown}, {odds(found.p, corrected, count)}; in 95 % of "
-        f"people between {limits(found)}."
+        f"{capital(what)}: sides {verb}, right less left is {shown}, "
+        f"{odds(found.p, corrected, count)}; in 95 % of people between {limits(found)}."
     )
 
 
@@ -143,9 +144,9 @@ def repeated(found: Reliability) -> str:
     drops = counted(round(found.drops), "drop")
     change = with_interval(found.change, found.unit)
     return (
-        f"{capital(what)} of {drops} on one day is {grade(found)} at telling people apart: ICC(A,1) "
-        f"{with_interval(found.agreement)}. In one leg, only a change of more than {change} is more "
-        "than chance."
+        f"{capital(what)} of {drops} on one day is {grade(found)} at telling people apart: "
+        f"ICC(A,1) {with_interval(found.agreement)}. In one leg, only a change of more than "
+        f"{change} is more than chance."
     )
 
 

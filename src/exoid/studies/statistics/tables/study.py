@@ -5,6 +5,8 @@ from pathlib import Path
 
 import pandas as pd
 
+from exoid.studies.statistics.tables.frames import Frame
+
 RECORDINGS = ("recording", "name", "participant", "session", "side", "status")
 QUANTITIES = ("recording", "participant", "session", "side", "quantity", "value")
 WORDS = {  # columns that may be absent, and what is taken instead
@@ -18,8 +20,8 @@ KEYS = ("recording", "name", "participant", "session", "side", "status", "quanti
 class Study:
     """The tables; words that are missing in them are empty."""
 
-    recordings: pd.DataFrame
-    quantities: pd.DataFrame
+    recordings: Frame
+    quantities: Frame
 
     @property
     def told(self) -> tuple[str, ...]:
@@ -41,7 +43,7 @@ def open_study(folder: str | Path) -> Study:
     )
 
 
-def study_of(recordings: pd.DataFrame, quantities: pd.DataFrame, where: str = "tables") -> Study:
+def study_of(recordings: Frame, quantities: Frame, where: str = "tables") -> Study:
     """A study of tables that are at hand.
 
     **Raises** `ValueError` (what, where, what to do) where they lack a column, or hold words where
@@ -60,7 +62,7 @@ def study_of(recordings: pd.DataFrame, quantities: pd.DataFrame, where: str = "t
     return Study(**tables)
 
 
-def read(path: Path) -> pd.DataFrame:
+def read(path: Path) -> Frame:
     """A table of Parquet."""
     if not path.is_file():
         raise ValueError(
@@ -75,7 +77,7 @@ def read(path: Path) -> pd.DataFrame:
         ) from fault
 
 
-def filled(table: pd.DataFrame, words: tuple[str, ...]) -> pd.DataFrame:
+def filled(table: Frame, words: tuple[str, ...]) -> Frame:
     """With all columns of words, none of them missing."""
     texts = {
         each: "" if each not in table else table[each].map(as_words)
@@ -90,7 +92,7 @@ def as_words(cell: object) -> str:
     return "" if pd.isna(cell) else str(cell)  # pyright: ignore[reportArgumentType,reportGeneralTypeIssues]
 
 
-def with_numbers(quantities: pd.DataFrame, where: str) -> pd.DataFrame:
+def with_numbers(quantities: Frame, where: str) -> Frame:
     """Values and errors as numbers; infinite ones are missing."""
     errors = quantities.get("standard_error", pd.Series(float("nan"), quantities.index))
     try:
