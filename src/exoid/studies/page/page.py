@@ -7,8 +7,8 @@ from jinja2 import ChoiceLoader, Environment, PackageLoader
 
 from exoid.files.replacing import replacing
 from exoid.files.visible import visible
-from exoid.report.page import packed_library
-from exoid.report.page import templates as of_report
+from exoid.report.templating import packed_library
+from exoid.report.templating import templates as of_report
 from exoid.studies.page.parts.part import Told
 from exoid.studies.page.parts.person import people as everyone
 from exoid.studies.page.sections.groups import groups

@@ -3,8 +3,8 @@
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
-from exoid.report.parts.case import Origin
-from exoid.report.sections.section import Block
+from exoid.report.parts.origin import Origin
+from exoid.report.sections.blocks import Block
 from exoid.studies.statistics.asked import Answers
 
 PICTURED = 4  # quantities that have pictures; the others stand in the tables

@@ -2,8 +2,8 @@
 
 from collections.abc import Iterator
 
-from exoid.report.sections.provenance import COMMAND, listed
-from exoid.report.sections.section import Block, element
+from exoid.report.sections.blocks import Block
+from exoid.report.sections.made import made
 from exoid.studies.page.parts.part import Told, part
 from exoid.studies.page.parts.tables import failures
 from exoid.studies.statistics.multiple import WORDS
@@ -18,18 +18,14 @@ def failed(told: Told) -> Iterator[Block]:
 
 @part("origin", "Where this comes from")
 def origin(told: Told) -> Iterator[Block]:
-    answers, made = told.answers, told.origin
+    answers = told.answers
     notes = {note: None for each in answers.each for note in notes_of(each)}
     yield list(notes)
     yield (
         f"p is corrected over the {len(answers.each)} quantities by "
         f"{WORDS[answers.asked.correction]}."
     )
-    yield element("p", f"Made on {made.made} by the command")
-    yield COMMAND.format(made.command)
-    yield listed("Files that were read", ("file", "SHA-256"), made.files)
-    yield listed("Settings", ("setting", "value"), made.settings)
-    yield listed("Versions", ("software", "version"), made.versions)
+    yield from made(told.origin)
 
 
 def notes_of(answer) -> list[str]:

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from markupsafe import Markup
 
-from exoid.report.sections.section import Block, Group
+from exoid.report.sections.blocks import Block, Group
 from exoid.studies.page.parts.part import PICTURED, Told, part
 from exoid.studies.page.pictures.people import people as drawn
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from exoid.report.sections.section import Block
+from exoid.report.sections.blocks import Block
 from exoid.studies.page.parts.part import Told, part
 from exoid.studies.page.parts.tables import causes
 from exoid.studies.page.pictures.intervals import causes as drawn

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from exoid.report.sections.section import Block, Group, element
+from exoid.report.sections.blocks import Block, Group, element
 from exoid.studies.page.parts.part import COMPARED, Told, part
 from exoid.studies.page.parts.tables import reliabilities
 from exoid.studies.page.parts.words import repeated, why_not

@@ -2,8 +2,7 @@
 
 from collections.abc import Iterator
 
-from exoid.report.sections.section import Block, Group, element
-from exoid.report.sections.summary import card
+from exoid.report.sections.blocks import Block, Group, card, element
 from exoid.report.words.text import capital, counted
 from exoid.studies.page.parts.part import Told, part
 from exoid.studies.page.parts.tables import values
