@@ -89,7 +89,7 @@ def same_parting(one: Codes, other: Codes) -> bool:
     return both == len(np.unique(one)) == len(np.unique(other))
 
 
-def equally_many(frame: Frame) -> list[Codes]:
+def equally_many(frame: Frame) -> list[Int[np.ndarray, " chosen"]]:
     """Rows of people who have equally many values, person by person."""
     order = np.argsort(frame["person"].to_numpy(str), kind="stable")
     counts = frame["person"].map(frame["person"].value_counts()).to_numpy()[order]
@@ -100,7 +100,7 @@ def stack_of(
     frame: Frame,
     columns: tuple[Rows, Effects, Rows],
     levels: Mapping[str, Codes],
-    rows: Codes,
+    rows: Int[np.ndarray, " chosen"],
 ) -> Stack:
     names = frame["person"].to_numpy(str)[rows]
     people = tuple(dict.fromkeys(names.tolist()))
