@@ -1,6 +1,19 @@
-"""Studies are simulated by the benchmark, which is imported from the repository."""
+"""Studies are simulated by the benchmark, which is imported from the repository; what reads pages
+and runs commands is that of the tests of the report and of the command line.
+"""
 
 import sys
 from pathlib import Path
 
-sys.path.append(str(Path(__file__).parents[2]))
+import pytest
+
+TESTS = Path(__file__).parents[1]
+sys.path += [str(TESTS.parent), str(TESTS / "report"), str(TESTS / "cli")]
+
+
+@pytest.fixture(scope="session")
+def command(common):
+    """`exoid` in this process."""
+    from command_line import Command
+
+    return Command(common)

@@ -23,7 +23,9 @@ def frame(seed, people=20, days=2, drops=3, error=0.0, absent=0.0):
             for _ in range(drops):
                 known = error * float(draw.uniform(0.2, 2.0))
                 value = 5 + mean + shift + draw.normal(0, 0.4) + draw.normal(0, known)
-                rows.append((f"p{person:02d}", "left", f"d{day}", value, known or np.nan, person % 2))
+                rows.append(
+                    (f"p{person:02d}", "left", f"d{day}", value, known or np.nan, person % 2)
+                )
     return pd.DataFrame(rows, columns=["person", "side", "session", "value", "error", "group"])
 
 
