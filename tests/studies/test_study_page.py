@@ -129,7 +129,7 @@ def test_an_empty_study_has_a_page_that_says_so(study):
     [
         (Interval(0.2134, 0.121, 0.299), "1", "0.213 (95 % 0.121 to 0.299)"),
         (Interval(31.27, 28.1, 34.4), "1/s^2", "31.3 1/s^2 (95 % 28.1 to 34.4)"),
-        (Interval(0.5, float("nan"), 0.7), "N m", "0.5 N m (the interval could not be found)"),
+        (Interval(0.5, float("nan"), 0.7), "N m", "0.50 N m (the interval could not be found)"),
         (Interval(1234.5, 1100.0, 1400.0), "m", "1234 m (95 % 1100 to 1400)"),
     ],
 )
