@@ -90,13 +90,21 @@ def visits(design: Design, draw: np.random.Generator) -> Iterator[tuple[int, int
             yield from ((side, day) for side in range(design.sides))
 
 
-def person(truth: Truth, design: Design, group: int, draw: np.random.Generator) -> np.ndarray:
-    """What a person's legs are on each day, side by day."""
+@dataclass(frozen=True, eq=False)
+class Legs:
+    """What a person's sides are, and what they are on each day."""
+
+    lasting: np.ndarray  # side
+    by_day: np.ndarray  # side, day
+
+
+def person(truth: Truth, design: Design, group: int, draw: np.random.Generator) -> Legs:
     shape = (design.sides, design.days)
     mean = truth.mean + truth.effect * group + draw.normal(0, truth.between)
     legs = draw.normal(0, truth.side, (design.sides, 1))
     days = draw.normal(0, truth.day, (1, design.days)) + truth.shift * (np.arange(design.days) > 0)
-    return mean + legs + days + draw.normal(0, truth.side_on_day, shape)
+    by_day = mean + legs + days + draw.normal(0, truth.side_on_day, shape)
+    return Legs((mean + legs)[:, 0], by_day)
 
 
 def recording(about: dict, side: int, day: int) -> dict:
@@ -131,7 +139,8 @@ def drops_of(row: dict, values: dict, design: Design, draw: np.random.Generator)
                 "segment": drop,
                 "step": "drops",
                 "quantity": truth.quantity,
-                "value": float(values[truth.quantity][side, day] + scatter),
+                "value": float(values[truth.quantity].by_day[side, day] + scatter),
+                "truth": float(values[truth.quantity].lasting[side]),
                 "standard_error": error,
                 "unit": truth.unit,
                 "determined_by": "recording",

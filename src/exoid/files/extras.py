@@ -8,6 +8,7 @@ EXTRAS = {
     "pyarrow": "parquet",
     "pandas": "pandas",
     "statsmodels": "study",
+    "numpyro": "bayes",
     "starlette": "live",
     "uvicorn": "live",
 }

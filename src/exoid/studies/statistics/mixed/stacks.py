@@ -31,7 +31,7 @@ class Stack:
     level, so that `V = sum_k theta_k same_k + diag(known)` of each person.
     """
 
-    people: tuple[str, ...]
+    rows: Int[np.ndarray, "person value"]  # of the frame
     value: Float[np.ndarray, "person value"]
     effects: Float[np.ndarray, "person value effect"]
     known: Float[np.ndarray, "person value"]
@@ -102,14 +102,12 @@ def stack_of(
     levels: Mapping[str, Codes],
     rows: Int[np.ndarray, " chosen"],
 ) -> Stack:
-    names = frame["person"].to_numpy(str)[rows]
-    people = tuple(dict.fromkeys(names.tolist()))
-    shape = (len(people), -1)
+    shape = (frame["person"].iloc[rows].nunique(), -1)
     value, effects, known = (each[rows] for each in columns)
     codes = np.stack([codes[rows].reshape(shape) for codes in levels.values()])
     same = (codes[..., :, None] == codes[..., None, :]).astype(float)
     return Stack(
-        people,
+        rows.reshape(shape),
         value.reshape(shape),
         effects.reshape(*shape, effects.shape[1]),
         known.reshape(shape),
