@@ -143,44 +143,34 @@ def of_groups(
 ) -> Comparison:
     """Means, any difference at all, and each pair."""
     sizes, notes = said
-    names, freedom = list(sizes), mixed.people - mixed.effects.size
-    rows = np.eye(mixed.effects.size)[: len(names)]
-    at_mean = np.array([rows[0] if not at else rows[0] + rows[at] for at in range(len(names))])
+    freedom = mixed.people - mixed.effects.size
+    rows = np.eye(mixed.effects.size)[: len(sizes)]
+    at_mean = np.vstack([rows[:1], rows[0] + rows[1:]])  # the others are added to the first
     groups = tuple(
-        Group(name, sizes[name], told(mixed, each, freedom)[0])
-        for name, each in zip(names, at_mean, strict=True)
+        Group(name, people, told(mixed, each, freedom)[0])
+        for (name, people), each in zip(sizes.items(), at_mean, strict=True)
     )
-    apart = rows[1:]
+    means = per_person(Values(values.quantity, values.unit, frame))["value"]
+    of_whom = frame.groupby("person")["group"].first()
+    pairs = list(combinations(range(len(sizes)), 2))
+    each = [told(mixed, at_mean[second] - at_mean[first], freedom) for first, second in pairs]
+    among = corrected([p for _, p in each], "holm")
+    names = [(groups[first].name, groups[second].name) for first, second in pairs]
+    differences = tuple(
+        Difference(*both, effect, p, hedges(*(means[of_whom == name] for name in both)))
+        for both, (effect, _), p in zip(names, each, among, strict=True)
+    )
+    p = any_difference(mixed, rows[1:], freedom)
+    about = (values.quantity, values.unit, by, "groups", mixed.people, p)
+    return Comparison(*about, groups, differences, notes=notes)
+
+
+def any_difference(mixed: Mixed, apart: Float[np.ndarray, "difference effect"], freedom: int):
+    """p of Wald's F over all differences at once."""
     away = apart @ mixed.effects
     wide = apart @ mixed.covariance @ apart.T
     ratio = float(away @ np.linalg.solve(wide, away)) / len(apart)
-    pairs = list(combinations(range(len(names)), 2))
-    each = [told(mixed, at_mean[b] - at_mean[a], freedom) for a, b in pairs]
-    among = corrected([p for _, p in each], "holm")
-    means = per_person(Values(values.quantity, values.unit, frame))["value"]
-    of_whom = frame.groupby("person")["group"].first()
-    differences = tuple(
-        Difference(
-            names[a],
-            names[b],
-            effect,
-            p,
-            hedges(means[of_whom == names[a]], means[of_whom == names[b]]),
-        )
-        for (a, b), (effect, _), p in zip(pairs, each, among, strict=True)
-    )
-    p = float(f.sf(ratio, len(apart), freedom))
-    return Comparison(
-        values.quantity,
-        values.unit,
-        by,
-        "groups",
-        mixed.people,
-        p,
-        groups,
-        differences,
-        notes=notes,
-    )
+    return float(f.sf(ratio, len(apart), freedom))
 
 
 def told(mixed: Mixed, contrast: Contrast, freedom: int) -> tuple[Interval, float]:
