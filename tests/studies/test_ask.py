@@ -118,10 +118,42 @@ def test_errors_that_are_not_known_leave_the_scatter(study):
     assert found.sides.by_error is None
 
 
-def test_values_of_the_whole_recording_come_before_those_of_its_segments(study):
-    whole = study.quantities.assign(segment=-1, value=9.0).drop_duplicates("recording")
-    both = study_of(study.recordings, pd.concat([study.quantities, whole]))
-    assert set(values_of(both, "relaxation_index").frame["value"]) == {9.0}
+def with_whole(study, of_recording):
+    """The study with a value of each whole recording beside those of its drops."""
+    drops = study.quantities[study.quantities["step"] == "drops"]
+    whole = drops.drop_duplicates("recording").assign(segment=-1)
+    mean = drops.groupby("recording")["value"].mean()
+    whole["value"] = of_recording(whole["recording"].map(mean))
+    return study_of(study.recordings, pd.concat([study.quantities, whole]))
+
+
+def test_drops_count_where_the_recording_is_their_mean_else_the_recording(study):
+    means = values_of(with_whole(study, lambda mean: mean), "relaxation_index").frame
+    alone = values_of(study, "relaxation_index").frame
+    assert sorted(means["value"]) == sorted(alone["value"])
+    fitted = values_of(with_whole(study, lambda mean: 0 * mean + 9.0), "relaxation_index").frame
+    assert fitted["value"].tolist() == [9.0] * 48  # recordings
+    assert set(fitted["recording"]) == set(alone["recording"])
+
+
+def test_what_leads_is_asked_first_and_what_is_not_of_a_leg_only_by_name(study):
+    rows = study.quantities[study.quantities["step"] == "drops"]
+    others = [
+        rows.assign(quantity="start_angle", unit="rad"),
+        rows,
+        rows.assign(quantity="noise_scale", step="fit", determined_by=""),
+        rows.assign(quantity="friction", step="diagnose"),
+    ]
+    found = study_of(study.recordings, pd.concat(others))
+    assert found.of_legs == ("relaxation_index", "start_angle")
+    asked = ask(found, Asked(quantities=("noise_scale",)))
+    assert [each.quantity for each in asked.each] == ["noise_scale"]
+
+
+def test_of_several_steps_the_first_that_told_a_quantity_counts(study):
+    again = study.quantities.assign(step="diagnose", value=9.0)
+    both = study_of(study.recordings, pd.concat([again, study.quantities]))
+    assert 9.0 not in set(values_of(both, "relaxation_index").frame["value"])
 
 
 def test_recordings_that_failed_or_are_there_twice_do_not_count(study):

@@ -27,7 +27,7 @@ def ask(study: Study, asked: Asked) -> Answers:
     """
     asked = known(study, asked)
     answers, silent = [], {}
-    for quantity in asked.quantities or study.told:
+    for quantity in asked.quantities or study.of_legs:
         try:
             values = values_of(study, quantity, asked.task)
         except NotTold as why:

@@ -16,7 +16,7 @@ from exoid.studies.statistics.tables.values import Values
 @dataclass(frozen=True)
 class Asked:
     """`by` is a column of people; `before` and `after` are sessions. Without `quantities`, all that
-    have values.
+    were read off legs or fitted to them.
     """
 
     quantities: tuple[str, ...] = ()

@@ -25,7 +25,8 @@ LEAST = 1e-6  # of the variance of all values, that none is without
 @dataclass(frozen=True, eq=False)
 class Shrunk:
     """`legs` has a row per leg: `plain`, the mean of its drops, and what the model says, `value`
-    with its standard `error`.
+    with its standard `error`. Of people who came on one day only it is the leg on that day: how far
+    days differ nobody told.
     """
 
     quantity: str

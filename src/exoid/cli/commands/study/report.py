@@ -17,7 +17,9 @@ Column = Annotated[
 Session = Annotated[str | None, typer.Option(help="A session, with the other.", metavar="SESSION")]
 Quantities = Annotated[
     list[str] | None,
-    typer.Option("--quantity", help="One to ask about; the first leads.", metavar="NAME"),
+    typer.Option(
+        "--quantity", help="One to ask about; the first leads. [default: all]", metavar="NAME"
+    ),
 ]
 Adjust = Annotated[
     list[str] | None,

@@ -1,4 +1,4 @@
-"""exoid study: the commands for many recordings of many people."""
+"""exoid study: the commands of a study of many people."""
 
 import typer
 
@@ -6,7 +6,7 @@ from exoid.cli.commands.study.report import report
 
 study = typer.Typer(
     name="study",
-    help="""Ask many recordings of many people.
+    help="""Many people: look at a data set, run it, report it.
 
     \b
     Examples:
@@ -17,12 +17,9 @@ study = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-for name, command in {
-    "report": report,
-}.items():
-    study.command(name)(command)
+study.command("report")(report)
 
 
 @study.callback()
 def chosen() -> None:
-    """Ask many recordings of many people."""
+    """A group of commands, however few it has."""

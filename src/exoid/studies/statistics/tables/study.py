@@ -13,6 +13,15 @@ WORDS = {  # columns that may be absent, and what is taken instead
     "recordings": ("task", "run", "reason", "duplicate_of", "device"),
     "quantities": ("name", "task", "run", "step", "unit", "determined_by", "note"),
 }
+# What is asked first where nobody says what: the measure of the pendulum test, and the ratios that
+# motion alone tells.
+LEADING = (
+    "relaxation_index",
+    "first_flexion_amplitude",
+    "damping_over_inertia",
+    "stiffness_over_inertia",
+    "gravity_over_inertia",
+)
 KEYS = ("recording", "name", "participant", "session", "side", "status", "quantity")
 
 
@@ -25,9 +34,26 @@ class Study:
 
     @property
     def told(self) -> tuple[str, ...]:
-        """The quantities that have values, in the order of the table."""
-        found = self.quantities.loc[self.quantities["value"].notna(), "quantity"]
-        return tuple(found.unique())
+        """The quantities that have values, those that lead first, others in the table's order."""
+        found = self.quantities.loc[self.quantities["value"].notna(), "quantity"].unique()
+        return tuple(sorted(found, key=lambda each: (each not in LEADING, place(each))))
+
+    @property
+    def of_legs(self) -> tuple[str, ...]:
+        """Of these, what was read off a leg or fitted to it: neither how well a fit follows, nor
+        the size of what a diagnosis found here and there.
+        """
+        rows = self.quantities
+        of_leg = (
+            (rows["determined_by"] != "") & (rows["step"] != "diagnose") & rows["value"].notna()
+        )
+        kept = {*rows.loc[of_leg, "quantity"]}
+        return tuple(each for each in self.told if each in kept)
+
+
+def place(quantity: str) -> int:
+    """Among those that lead."""
+    return LEADING.index(quantity) if quantity in LEADING else len(LEADING)
 
 
 def open_study(folder: str | Path) -> Study:

@@ -13,6 +13,8 @@ ELSEWHERE = ("prior", "anatomy", "bound", "fixed", "your")
 PARTLY = "both"
 PERSONAL = ("age_years", "body_mass_kg", "height_m")
 WHOLE = -1  # the segment that is the whole recording
+SAME = 1e-9  # relative, of a mean and that of the same drops
+STEPS = ("fit", "drops", "diagnose")
 LEG = ["person", "side"]
 OCCASION = [*LEG, "session"]
 
@@ -43,7 +45,6 @@ class Values:
 def values_of(study: Study, quantity: str, task: str = "") -> Values:
     """The values that recordings told, of people who are named.
 
-    A recording that has a value for the whole of it counts by that one, any other by each segment.
     **Raises** `NotTold` (why) where there is none.
     """
     rows = study.quantities
@@ -51,7 +52,7 @@ def values_of(study: Study, quantity: str, task: str = "") -> Values:
     rows = rows[rows["task"] == task] if task else rows
     sound = study.recordings.loc[study.recordings["status"] == "ok"]
     rows = rows[rows["recording"].isin(sound["recording"])]
-    named, notes = told_by_recordings(rows)
+    named, notes = told_by_recordings(of_one_step(rows))
     if named.empty:
         raise NotTold(" ".join([f"No recording tells {quantity}.", *notes]))
     units = named["unit"].unique()
@@ -75,10 +76,22 @@ def told_by_recordings(rows: Frame) -> tuple[Frame, tuple[str, ...]]:
 
 
 def once(rows: Frame) -> Frame:
-    """The value of the whole recording where there is one, else those of its segments."""
+    """Each drop where the value of the recording is the mean of its drops, so that their scatter is
+    told; else the value of the recording: of a fit to all of it, or of the drops that count.
+    """
     whole = rows["segment"] == WHOLE
-    has_whole = rows["recording"].isin(rows.loc[whole, "recording"])
-    return rows[whole | ~has_whole]
+    of_recording = rows[whole].groupby("recording")["value"].mean()
+    of_drops = rows[~whole].groupby("recording")["value"].mean()
+    both = of_recording.reindex(rows["recording"]).to_numpy(float)
+    mean = of_drops.reindex(rows["recording"]).to_numpy(float)
+    drops = np.isnan(both) | np.isclose(mean, both, rtol=SAME, atol=0.0)
+    return rows[np.where(whole, ~drops, drops)]
+
+
+def of_one_step(rows: Frame) -> Frame:
+    """A diagnosis may fit again what a fit has told: the first of the steps that told it."""
+    steps = [each for each in STEPS if (rows["step"] == each).any()]
+    return rows[rows["step"] == steps[0]] if steps else rows
 
 
 def with_people(rows: Frame, recordings: Frame) -> Frame:
