@@ -3,8 +3,8 @@
 python -m benchmarks.studies.shrunk --replications 5
 
 Studies of 40 people, two days, few drops a day, of which some are badly recorded: the root mean
-square error of a leg's value against what the leg is, for the mean of its drops and for the hierarchical
-model, and how many 95 % intervals hold it.
+square error of a leg's value against what the leg is, for the mean of its drops and for the
+hierarchical model, and how many 95 % intervals hold it.
 """
 
 import argparse

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pandas as pd
 
-from exoid.studies.statistics.tables.frames import Frame
+from exoid.studies.statistics.tables.frames import Column, Frame
 
 RECORDINGS = ("recording", "name", "participant", "session", "side", "status")
 QUANTITIES = ("recording", "participant", "session", "side", "quantity", "value")
@@ -106,16 +106,16 @@ def read(path: Path) -> Frame:
 def filled(table: Frame, words: tuple[str, ...]) -> Frame:
     """With all columns of words, none of them missing."""
     texts = {
-        each: "" if each not in table else table[each].map(as_words)
+        each: "" if each not in table else as_words(table[each])
         for each in (*words, *KEYS)
         if each in words or each in table
     }
     return table.assign(**texts)
 
 
-def as_words(cell: object) -> str:
-    """What a cell says; nothing where it is empty."""
-    return "" if pd.isna(cell) else str(cell)  # pyright: ignore[reportArgumentType,reportGeneralTypeIssues]
+def as_words(column: Column) -> Column:
+    """What cells say; nothing where they are empty."""
+    return column.astype(object).where(column.notna(), "").map(str)
 
 
 def with_numbers(quantities: Frame, where: str) -> Frame:
