@@ -26,7 +26,7 @@ def people(answer: Answer, by: str) -> Picture:
     """Every leg of every person by the mean of its drops, in the groups of `by`."""
     values = answer.values
     legs = legs_of(values, by)
-    groups = sorted(legs["group"].unique())
+    groups = sorted(legs["group"].unique(), key=in_order)
     counts = legs.groupby("group")["person"].nunique()
     ticks = tuple((float(at), f"{each} ({counts[each]})") for at, each in enumerate(groups))
     marks = [*clouds(legs, groups, values), *averages(answer.groups, groups)]
@@ -45,6 +45,14 @@ def people(answer: Answer, by: str) -> Picture:
         "choose it to open that person.",
         (panel,),
     )
+
+
+def in_order(group: str) -> tuple[bool, float, str]:
+    """Doses by their size, words by their letters."""
+    try:
+        return False, float(group), group
+    except ValueError:
+        return True, 0.0, group
 
 
 def legs_of(values: Values, by: str) -> Frame:
