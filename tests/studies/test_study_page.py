@@ -10,9 +10,10 @@ from html_tree import parse
 
 from exoid.report.parts.origin import Origin
 from exoid.studies.page.page import PARTS, build_page
+from exoid.studies.page.parts.numbers import with_interval
 from exoid.studies.page.parts.part import Told
 from exoid.studies.page.parts.person import people
-from exoid.studies.page.parts.words import finding, with_interval
+from exoid.studies.page.parts.words import finding
 from exoid.studies.statistics.ask import ask
 from exoid.studies.statistics.asked import Asked
 from exoid.studies.statistics.tables.said import Interval

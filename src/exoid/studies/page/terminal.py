@@ -12,7 +12,7 @@ from exoid.studies.page.parts.tables import (
     reliabilities,
     values,
 )
-from exoid.studies.page.parts.words import column_words, finding, why_not
+from exoid.studies.page.parts.words import column_words, finding, silent, why_not
 from exoid.studies.statistics.asked import Answers
 from exoid.studies.statistics.multiple import WORDS
 from exoid.studies.statistics.physics import ALL
@@ -47,7 +47,7 @@ def notes(answers: Answers) -> list[str]:
         f"p is corrected over {len(answers.each)} quantities by {WORDS[answers.asked.correction]}."
     ]
     said += [f"{each.quantity}: {one}" for each in answers.each for one in each.values.notes]
-    said += [f"{name}: {why}" for name, why in answers.silent.items()]
+    said += silent(answers)
     for kind in ("reliability", "groups", "change", "change_by_group", "sides"):
         said += [f"{names}: {why}" for names, why in why_not(answers, kind).items()]
     return [*said, answers.physics.why] if isinstance(answers.physics, Untold) else said

@@ -5,7 +5,8 @@ from typing import Any
 
 from exoid.report.words.text import quantity_words, shown_unit
 from exoid.report.words.typeset import tidy
-from exoid.studies.page.parts.words import column_words, number
+from exoid.studies.page.parts.numbers import number
+from exoid.studies.page.parts.words import column_words
 from exoid.studies.statistics.asked import Answers
 from exoid.studies.statistics.groups import label
 from exoid.studies.statistics.tables.frames import Frame

@@ -4,16 +4,8 @@ from collections.abc import Sequence
 
 from exoid.report.tables.table import Column, Table
 from exoid.report.words.text import quantity_words, shown_unit
-from exoid.studies.page.parts.words import (
-    cause_words,
-    column_words,
-    grade,
-    in_brackets,
-    limits,
-    number,
-    p_cell,
-    shares,
-)
+from exoid.studies.page.parts.numbers import in_brackets, number, p_cell
+from exoid.studies.page.parts.words import cause_words, column_words, grade, limits, shares
 from exoid.studies.statistics.agreement import Agreement
 from exoid.studies.statistics.asked import Answer, Answers
 from exoid.studies.statistics.groups import Comparison

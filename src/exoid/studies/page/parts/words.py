@@ -2,7 +2,14 @@
 
 from math import isfinite
 
-from exoid.report.words.text import capital, counted, exponent, quantity_words, shown_unit
+from exoid.report.words.text import (
+    by_reason,
+    capital,
+    counted,
+    quantity_words,
+    shown_unit,
+)
+from exoid.studies.page.parts.numbers import number, odds, with_interval
 from exoid.studies.statistics.agreement import Agreement
 from exoid.studies.statistics.asked import Answer, Answers
 from exoid.studies.statistics.groups import Comparison
@@ -10,58 +17,9 @@ from exoid.studies.statistics.physics import Cause
 from exoid.studies.statistics.reliability import Reliability
 from exoid.studies.statistics.tables.said import Interval, Untold
 
-MOST_DECIMALS, LARGE = 6, 1e5
 SURE = 0.05  # p, below which a difference is called one
 # Koo & Li (2016), J Chiropr Med 15: 155-163, of the lower end of the interval.
 GRADES = ((0.9, "excellent"), (0.75, "good"), (0.5, "moderate"), (-1.0, "poor"))
-NOT_FOUND = "the interval could not be found"
-
-
-def number(value: float, like: float | None = None) -> str:
-    """With as many decimals as make two digits of `like`, a half width."""
-    like = value if like is None else like
-    if not isfinite(value):
-        return "not known"
-    if not isfinite(like) or like == 0 or abs(value) >= LARGE:
-        return f"{value:.4g}"
-    decimals = 1 - exponent(abs(like))
-    if decimals > MOST_DECIMALS:
-        return f"{value:.3g}"
-    return f"{value:.{max(decimals, 0)}f}"
-
-
-def with_interval(each: Interval, unit: str = "1") -> str:
-    """0.21 rad (95 % 0.12 to 0.30)."""
-    shown = f" {shown_unit(unit)}".rstrip()
-    if not (isfinite(each.low) and isfinite(each.high)):
-        return f"{number(each.value)}{shown} ({NOT_FOUND})"
-    half = (each.high - each.low) / 2
-    value, low, high = (number(one, half) for one in (each.value, each.low, each.high))
-    return f"{value}{shown} (95 % {low} to {high})"
-
-
-def in_brackets(each: Interval, unit: str = "1") -> str:
-    """0.21 rad (0.12 to 0.30), for a table that says what the brackets hold."""
-    return with_interval(each, unit).replace("(95 % ", "(")
-
-
-def chance(p: float) -> str:
-    """A p as it is read."""
-    if not isfinite(p):
-        return ""
-    return "p < 0.001" if p < 0.001 else f"p = {p:.3f}" if p < 0.1 else f"p = {p:.2f}"
-
-
-def odds(p: float, corrected: float, count: int) -> str:
-    """Of one test, and among all of its kind."""
-    if count < 2:
-        return chance(p)
-    among = p_cell(corrected)
-    return f"{chance(p)} (corrected for {count} quantities: {among})"
-
-
-def p_cell(p: float) -> str:
-    return chance(p).removeprefix("p = ").removeprefix("p ")
 
 
 def column_words(column: str) -> str:
@@ -176,14 +134,23 @@ def finding(answers: Answers) -> str:
         return changed(first.change, p["change"], count)
     if isinstance(first.groups, Comparison):
         return grouped(first.groups, p["groups"], count)
-    found = first.reliability
-    return found.why if isinstance(found, Untold) else repeated(found)
+    if isinstance(first.reliability, Reliability):
+        return repeated(first.reliability)
+    if isinstance(first.sides, Agreement):
+        return sided(first.sides, p["sides"], count)
+    return f"{counted(first.values.people, 'person', 'people')}. {first.reliability.why}"
 
 
 def leading(answers: Answers, kind: str) -> Answer | None:
     """The first quantity that has an answer of this kind."""
     found = (each for each in answers.each if not isinstance(getattr(each, kind), Untold | None))
     return next(found, None)
+
+
+def silent(answers: Answers) -> list[str]:
+    """The quantities without values, those of one reason together."""
+    found = by_reason((quantity_words(name), why) for name, why in answers.silent.items())
+    return [f"{', '.join(names)}: {why}" for why, names in found.items()]
 
 
 def why_not(answers: Answers, kind: str) -> dict[str, str]:

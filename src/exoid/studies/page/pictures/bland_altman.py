@@ -6,7 +6,7 @@ from exoid.report.pictures.axis import view
 from exoid.report.pictures.panel import Axis, Band, Mark, Note, Panel, Picture, Points, Rule
 from exoid.report.pictures.role import Role
 from exoid.report.words.text import capital, quantity_words, shown_unit
-from exoid.studies.page.parts.words import number
+from exoid.studies.page.parts.numbers import number
 from exoid.studies.statistics.agreement import Agreement
 
 HEIGHT = 4.6  # size of the panel

@@ -8,7 +8,8 @@ from exoid.report.pictures.axis import view
 from exoid.report.pictures.panel import Axis, Bars, Panel, Picture, Points, Rule
 from exoid.report.pictures.role import Role
 from exoid.report.words.text import quantity_words
-from exoid.studies.page.parts.words import cause_words, column_words, with_interval
+from exoid.studies.page.parts.numbers import with_interval
+from exoid.studies.page.parts.words import cause_words, column_words
 from exoid.studies.statistics.groups import Comparison
 from exoid.studies.statistics.physics import Cause
 from exoid.studies.statistics.reliability import Reliability

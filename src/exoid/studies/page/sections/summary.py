@@ -6,7 +6,16 @@ from exoid.report.sections.blocks import Block, Group, card, element
 from exoid.report.words.text import capital, counted
 from exoid.studies.page.parts.part import Told, part
 from exoid.studies.page.parts.tables import values
-from exoid.studies.page.parts.words import changed, finding, grade, leading, repeated, shares, sided
+from exoid.studies.page.parts.words import (
+    changed,
+    finding,
+    grade,
+    leading,
+    repeated,
+    shares,
+    sided,
+    silent,
+)
 from exoid.studies.statistics.agreement import Agreement
 from exoid.studies.statistics.asked import Answers
 from exoid.studies.statistics.physics import NOTHING
@@ -24,10 +33,6 @@ def summary(told: Told) -> Iterator[Block]:
     yield values(answers.each)
     if answers.silent:
         yield Group("details", [element("summary", "Quantities without values"), silent(answers)])
-
-
-def silent(answers: Answers) -> list[str]:
-    return [f"{name}: {why}" for name, why in answers.silent.items()]
 
 
 def amount(answers: Answers) -> str:

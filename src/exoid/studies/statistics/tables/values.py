@@ -54,7 +54,7 @@ def values_of(study: Study, quantity: str, task: str = "") -> Values:
     rows = rows[rows["recording"].isin(sound["recording"])]
     named, notes = told_by_recordings(of_one_step(rows))
     if named.empty:
-        raise NotTold(" ".join([f"No recording tells {quantity}.", *notes]))
+        raise NotTold(" ".join(notes) or "No recording that was read has a value.")
     units = named["unit"].unique()
     if len(units) > 1:
         raise NotTold(f"{quantity} has several units: {', '.join(units)}. Compare within one.")
