@@ -19,7 +19,8 @@ from exoid.planning.plan import plan
 from exoid.recordings.can.quality import FrameCounts, LogQuality
 from exoid.recordings.loading.load import load
 from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
-from exoid.report.parts.case import Case, Origin, Source
+from exoid.report.parts.case import Case, Source
+from exoid.report.parts.origin import Origin
 from exoid.trust.identify import identify
 from exoid.twin.motion import Movement
 from exoid.twin.protocols import record

@@ -1,16 +1,9 @@
 """A report as one HTML file that needs nothing else: no network, no second file."""
 
-import base64
-import gzip
-from functools import cache
 from pathlib import Path
-
-from jinja2 import Environment, PackageLoader, StrictUndefined
-from plotly.offline import get_plotlyjs
 
 from exoid.files.replacing import replacing
 from exoid.files.visible import visible
-from exoid.report.figures.draw import draw
 from exoid.report.parts.case import Case
 from exoid.report.sections.advice import advice
 from exoid.report.sections.determined import determined
@@ -24,7 +17,7 @@ from exoid.report.sections.parameters import parameters
 from exoid.report.sections.provenance import provenance
 from exoid.report.sections.quality import quality
 from exoid.report.sections.summary import summary
-from exoid.report.words.typeset import tidy, typeset
+from exoid.report.templating import packed_library, templates
 
 SECTIONS = (
     summary,
@@ -58,26 +51,3 @@ def build_page(case: Case) -> str:
     template = templates().get_template("page.html")
     text = template.render(case=case, sections=found, library=packed_library())
     return visible(text, "\n\t")
-
-
-@cache
-def templates() -> Environment:
-    """Whatever a template shows is escaped."""
-    made = Environment(
-        loader=PackageLoader("exoid.report"),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
-    made.filters["kind"] = lambda block: type(block).__name__
-    made.filters["tidy"] = tidy
-    made.filters["drawn"] = draw
-    made.filters["typeset"] = typeset
-    return made
-
-
-@cache
-def packed_library() -> str:
-    """plotly.js, compressed as a browser can unpack it: a third of its size."""
-    return base64.b64encode(gzip.compress(get_plotlyjs().encode(), mtime=0)).decode("ascii")

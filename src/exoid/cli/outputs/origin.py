@@ -15,7 +15,7 @@ COMPUTED_WITH = ("jax", "jaxlib", "equinox", "optimistix", "diffrax", "numpy", "
 
 def origin_of(files: Iterable[Path], settings: Mapping[str, Any]):
     """What a report says of itself; call it where the command is done."""
-    from exoid.report.parts.case import Origin
+    from exoid.report.parts.origin import Origin
 
     versions = {name: version(name) for name in ("exoid", *COMPUTED_WITH)}
     return Origin(

@@ -74,12 +74,8 @@ def draw_mark(mark: Mark, place: Place) -> None:
     match mark:
         case Line(role, x, y):
             draw_line(role, x, y, place)
-        case Points(role, x, y, dx, dy):
-            each = {axis: [error] * x.size for axis, error in (("x", dx), ("y", dy)) if error}
-            look = {"color": role.look.colour, "thickness": 1.6}
-            errors = {f"error_{axis}": {"array": bars, **look} for axis, bars in each.items()}
-            look = {"mode": "markers", "marker": dots(role.look), "hovertemplate": place.point()}
-            place.add("scatter", role, x=compact(x), y=compact(y), **look, **errors)
+        case Points():
+            draw_points(mark, place)
         case Band(role, low, high, upright):
             place.shape(area(role.look), low, high, upright)
         case Rule(role, at, upright):
@@ -101,6 +97,25 @@ def draw_mark(mark: Mark, place: Place) -> None:
         case Note(words, across, height):
             side = "left" if across < 0.1 else "right" if across > 0.9 else "center"
             place.say(words, across, height, xref=f"{place.x} domain", xanchor=side)
+
+
+def draw_points(mark: Points, place: Place) -> None:
+    """Markers with their errors."""
+    ends = {"x": mark.x_error, "y": mark.y_error}
+    look = {"color": mark.role.look.colour, "thickness": 1.6}
+    errors = {
+        f"error_{axis}": {"array": [error] * mark.x.size, **look}
+        for axis, error in ends.items()
+        if error
+    }
+    told: dict[str, Any] = {"hovertemplate": place.point()}
+    if mark.told:
+        text = [with_formulas(words) for words in mark.told]
+        told = {"text": text, "hovertemplate": "%{text}<extra></extra>"}
+    if mark.opens:
+        told["customdata"] = mark.opens
+    where = {"x": compact(mark.x), "y": compact(mark.y), "marker": dots(mark.role.look)}
+    place.add("scatter", mark.role, mode="markers", **where, **told, **errors)
 
 
 def draw_line(role: Role, x: Values, y: Values, place: Place) -> None:

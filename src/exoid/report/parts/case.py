@@ -1,6 +1,5 @@
 """All that a report is made of: what was read, what was found in it, and how to do it again."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 
 from exoid.fitting.result.fit_result import FitResult
@@ -8,6 +7,7 @@ from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.planning.planned import Plan
 from exoid.recordings.can.quality import LogQuality
 from exoid.recordings.recording import Recording
+from exoid.report.parts.origin import Origin
 from exoid.report.words.person import people
 from exoid.trust.identifiability import Identifiability
 
@@ -20,17 +20,6 @@ class Source:
     recording: Recording
     notes: tuple[str, ...] = ()
     quality: LogQuality | None = None  # of a CAN log
-
-
-@dataclass(frozen=True)
-class Origin:
-    """How a result came about, so that it can be made again."""
-
-    command: str
-    made: str  # date and time with their zone
-    settings: Mapping[str, str]
-    versions: Mapping[str, str]  # of exoid and of what it computed with
-    files: Mapping[str, str]  # path: SHA-256
 
 
 @dataclass(frozen=True, eq=False)

@@ -45,13 +45,18 @@ class Line:
 
 @dataclass(frozen=True, eq=False)
 class Points:
-    """Places, each with the errors of all of them where they are known."""
+    """Places, each with the errors of all of them where they are known.
+
+    `told` is what a page says of each that is pointed at, `opens` what it opens where it is chosen.
+    """
 
     role: Role
     x: Values
     y: Values
     x_error: float | None = None
     y_error: float | None = None
+    told: tuple[str, ...] = ()
+    opens: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)

@@ -79,6 +79,14 @@ class Role(Enum):
     EXTENSION = "peak of extension", Look(BLUE, marker="up")
     RELEASE = "release", Look(BLACK, marker="circle")
     CAME = "at rest from here", Look(GREEN, marker="square")
+    LEFT = "left", Look(BLUE, marker="circle", size=4.0, opacity=0.75)
+    RIGHT = "right", Look(RED, marker="square", size=3.6, opacity=0.75)
+    EITHER = " side not told", Look(BLUE, marker="circle", size=4.0, opacity=0.75)
+    MEAN = "mean with 95 % interval", Look(BLACK, marker="diamond", size=6.0)
+    AGREED = " limits of agreement", Look(RED, 0.9, (4.0, 2.0))
+    BIAS = " mean difference", Look(BLUE, 1.1)
+    CENTRE = " value with its interval", Look(BLACK, marker="diamond", size=6.0)
+    SURE = " 95 % interval", Look("#BFE1F6")
 
     @property
     def title(self) -> str:

@@ -11,7 +11,7 @@ from exoid.fitting.result.fit_result import FitResult
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.physics.term import Term
 from exoid.planning.planned import Plan
-from exoid.report.parts.case import Origin
+from exoid.report.parts.origin import Origin
 from exoid.report.saved.document import read, write
 from exoid.report.saved.node import DocumentError
 from exoid.trust.identifiability import Identifiability

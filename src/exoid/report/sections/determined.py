@@ -4,7 +4,8 @@ from collections.abc import Iterator
 
 from exoid.report.parts.case import Case
 from exoid.report.pictures.determined import show_shares
-from exoid.report.sections.section import Block, Group, element, section
+from exoid.report.sections.blocks import Block, Group, element
+from exoid.report.sections.section import section
 from exoid.report.tables.leg import quantities_of
 from exoid.report.tables.table import Column, Table
 from exoid.trust.identifiability import Identifiability

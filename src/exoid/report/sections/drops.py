@@ -6,7 +6,8 @@ from exoid.pendulum.drop import Drop, PendulumTest
 from exoid.pendulum.drops import measure_drops
 from exoid.report.parts.case import Case
 from exoid.report.pictures.drops import show_drop
-from exoid.report.sections.section import Block, element, section, some
+from exoid.report.sections.blocks import Block, element, some
+from exoid.report.sections.section import section
 from exoid.report.tables.drops import SOURCE, loaded, mean, shown_unit, value
 from exoid.report.tables.table import Column, Table
 from exoid.report.words.text import by_reason, counted

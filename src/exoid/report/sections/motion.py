@@ -5,7 +5,8 @@ from collections.abc import Iterator
 from exoid.fitting.result.fit_result import SegmentFit
 from exoid.report.parts.case import Case
 from exoid.report.pictures.motion import chosen_segments, show_motion
-from exoid.report.sections.section import Block, Group, element, section
+from exoid.report.sections.blocks import Block, Group, element
+from exoid.report.sections.section import section
 from exoid.report.tables.fit import reading
 from exoid.report.tables.leg import segments
 

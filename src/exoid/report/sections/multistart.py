@@ -5,7 +5,8 @@ from collections.abc import Iterator
 from exoid.fitting.result.fit_result import MultistartReport
 from exoid.report.parts.case import Case
 from exoid.report.pictures.search import pairs_of, show_costs, show_family
-from exoid.report.sections.section import Block, Group, section
+from exoid.report.sections.blocks import Block, Group
+from exoid.report.sections.section import section
 from exoid.report.tables.fit import span
 from exoid.report.tables.table import Table
 from exoid.report.words.text import counted, in_words

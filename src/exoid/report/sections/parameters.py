@@ -5,7 +5,8 @@ from collections.abc import Iterator
 from exoid.fitting.result.fit_result import Estimate, FitResult
 from exoid.report.parts.case import Case
 from exoid.report.pictures.determined import show_parameters
-from exoid.report.sections.section import Block, element, section
+from exoid.report.sections.blocks import Block, element
+from exoid.report.sections.section import section
 from exoid.report.tables import leg as tables
 from exoid.report.tables.fit import remarks
 

@@ -2,27 +2,13 @@
 
 from collections.abc import Iterator
 
-from markupsafe import Markup
-
 from exoid.report.parts.case import Case
-from exoid.report.sections.section import Block, element, section
-from exoid.report.tables.table import Table
-
-COMMAND = Markup('<pre class="wide" tabindex="0" aria-label="Command"><code>{}</code></pre>')
+from exoid.report.sections.blocks import Block
+from exoid.report.sections.made import made
+from exoid.report.sections.section import section
 
 
 @section("provenance", "Where this comes from")
 def provenance(case: Case) -> Iterator[Block]:
-    """Versions, settings, files with their SHA-256, time, and the command."""
-    origin = case.origin
-    yield element("p", f"Made on {origin.made} by the command")
-    yield COMMAND.format(origin.command)
-    yield "which repeats it where the files, settings and versions below are the same."
-    yield listed("Files that were read", ("file", "SHA-256"), origin.files)
-    yield listed("Settings", ("setting", "value"), origin.settings)
-    yield listed("Versions", ("software", "version"), origin.versions)
-
-
-def listed(caption: str, heads: tuple[str, str], each) -> Table:
-    """Names and what they are."""
-    return Table(caption, dict(zip(heads, (list(each), list(each.values())), strict=True)))
+    """Of the case's origin."""
+    yield from made(case.origin)

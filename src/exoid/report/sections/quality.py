@@ -9,7 +9,8 @@ from exoid.fitting.result.fit_result import SegmentFit
 from exoid.recordings.recording import Subject
 from exoid.report.parts.appraisal import Appraisal, appraise
 from exoid.report.parts.case import Case, Source
-from exoid.report.sections.section import Block, element, section
+from exoid.report.sections.blocks import Block, element
+from exoid.report.sections.section import section
 from exoid.report.tables.table import Table
 from exoid.report.words.text import in_degrees
 

@@ -1,7 +1,6 @@
 """The whole report on half a page, in plain words."""
 
 from collections.abc import Iterator
-from typing import Literal
 
 from markupsafe import Markup
 
@@ -10,17 +9,15 @@ from exoid.fitting.result.agreement import of_the_rest
 from exoid.fitting.result.fit_result import Estimate
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.report.parts.case import Case
+from exoid.report.sections.blocks import Block, Group, State, card, element
 from exoid.report.sections.parameters import parameters_of
 from exoid.report.sections.quality import appraisals
-from exoid.report.sections.section import Block, Group, element, section
+from exoid.report.sections.section import section
 from exoid.report.tables.leg import quantities_of
 from exoid.report.tables.table import Column, Table
 from exoid.report.words import diagnosis as words
 from exoid.report.words.diagnosis import only_sensors, verdict
 from exoid.report.words.text import capital, counted, in_degrees, in_words
-from exoid.report.words.typeset import typeset
-
-State = Literal["good", "care", "open"]
 
 BELIEF = {
     "data": "measured: this recording determines it",
@@ -44,7 +41,6 @@ that are listed, if any; what else acts on a leg is missing physics.</p>
 <p>Motion alone tells ratios to the inertia <i>J</i>. Mass and distance of its centre can never be
 told apart by motion; J can, by a drop with a known mass beside a bare one. Compare legs, days and
 sides by the ratios.</p>""")
-ANSWER = Markup("<p><strong>{}</strong></p>\n<p>{}</p>")
 INCOMPLETE = "measured, but with a model that misses something: ± is not complete"
 
 
@@ -59,12 +55,6 @@ def summary(case: Case) -> Iterator[Block]:
     yield Group("div", [*told, *asked, numbers(case)], "cards")
     yield believed(case)
     yield element("details", HOW)
-
-
-def card(question: str, state: State, answer: str, because: str) -> Group:
-    """One question with its answer."""
-    said = ANSWER.format(typeset(answer), typeset(because))
-    return Group("div", [element("h3", question), said], f"card {state}")
 
 
 def recording(case: Case) -> Group:

@@ -5,7 +5,8 @@ from collections.abc import Iterator
 from exoid.mismatch.evidence.location import Location
 from exoid.report.parts.case import Case
 from exoid.report.pictures.mismatch.torque import parting_of, show_plane, show_torque, worst
-from exoid.report.sections.section import Block, section, some
+from exoid.report.sections.blocks import Block, some
+from exoid.report.sections.section import section
 from exoid.report.tables.table import Table
 from exoid.report.words.diagnosis import parted, where
 from exoid.report.words.text import capital

@@ -7,7 +7,8 @@ from markupsafe import Markup
 from exoid.mismatch.answer.diagnosis import Parameter
 from exoid.report.parts.case import Case
 from exoid.report.pictures.mismatch.causes import show_causes
-from exoid.report.sections.section import Block, element, section
+from exoid.report.sections.blocks import Block, element
+from exoid.report.sections.section import section
 from exoid.report.tables.diagnosis import LEGEND, candidates, suspects
 from exoid.report.tables.leg import before_and_after
 from exoid.report.tables.table import Table

@@ -6,7 +6,8 @@ from exoid.mismatch.answer.diagnosis import Booked, Diagnosis
 from exoid.report.parts.case import Case
 from exoid.report.pictures.mismatch.proof import show_proof
 from exoid.report.pictures.mismatch.torque import worst
-from exoid.report.sections.section import Block, section, some
+from exoid.report.sections.blocks import Block, some
+from exoid.report.sections.section import section
 from exoid.report.tables.table import Table
 from exoid.report.words import diagnosis as words
 from exoid.report.words.text import capital, in_degrees

@@ -1,0 +1,163 @@
+"""What a study found, in sentences: a terminal and a page say the same."""
+
+from math import isfinite
+
+from exoid.report.words.text import (
+    by_reason,
+    capital,
+    counted,
+    quantity_words,
+    shown_unit,
+)
+from exoid.studies.page.parts.numbers import number, odds, with_interval
+from exoid.studies.statistics.agreement import Agreement
+from exoid.studies.statistics.asked import Answer, Answers
+from exoid.studies.statistics.groups import Comparison
+from exoid.studies.statistics.physics import Cause
+from exoid.studies.statistics.reliability import Reliability
+from exoid.studies.statistics.tables.said import Interval, Untold
+
+SURE = 0.05  # p, below which a difference is called one
+# Koo & Li (2016), J Chiropr Med 15: 155-163, of the lower end of the interval.
+GRADES = ((0.9, "excellent"), (0.75, "good"), (0.5, "moderate"), (-1.0, "poor"))
+
+
+def column_words(column: str) -> str:
+    """A column of participants as a sentence has it."""
+    return column.removeprefix("participant_").replace("_", " ")
+
+
+def grade(each: Reliability) -> str:
+    """Of the lower end of its interval, which is what is sure."""
+    low = each.agreement.low if isfinite(each.agreement.low) else each.agreement.value
+    return next(word for least, word in GRADES if low >= least)
+
+
+def grouped(found: Comparison, corrected: float, count: int) -> str:
+    """Whether groups, or doses, differ."""
+    what, by = capital(quantity_words(found.quantity)), column_words(found.by)
+    p = odds(found.p, corrected, count)
+    if found.slope is not None:
+        change = with_interval(found.slope, found.unit)
+        verb = "changes with" if corrected < SURE else "shows no change that is sure with"
+        return f"{what} {verb} {by}: {change} per unit of {by}, {p}."
+    if len(found.differences) == 1:
+        one = found.differences[0]
+        apart = with_interval(Interval(abs(one.effect.value), *span(one.effect)), found.unit)
+        more = "higher" if one.effect.value > 0 else "lower"
+        if corrected < SURE:
+            return f"{what} is {more} by {apart} in {one.second} than in {one.first}, {p}."
+        shown = with_interval(one.effect, found.unit)
+        return (
+            f"{what}: no difference that is sure between {one.first} and {one.second}; "
+            f"{one.second} less {one.first} is {shown}, {p}."
+        )
+    named = "differs" if corrected < SURE else "shows no difference that is sure"
+    means = "; ".join(
+        f"{each.name} {with_interval(each.mean, found.unit)}" for each in found.groups
+    )
+    return f"{what} {named} between the groups of {by}, {p}: {means}."
+
+
+def span(effect: Interval) -> tuple[float, float]:
+    """The interval of a size, whatever its sign."""
+    return (effect.low, effect.high) if effect.value > 0 else (-effect.high, -effect.low)
+
+
+def changed(found: Agreement, corrected: float, count: int) -> str:
+    """Whether it changed from before to after."""
+    pairs = found.pairs
+    what, effect = capital(quantity_words(pairs.quantity)), found.difference
+    when = f"from {pairs.first} to {pairs.second}"
+    p = odds(found.p, corrected, count)
+    if corrected < SURE:
+        verb = "rose" if effect.value > 0 else "fell"
+        size = with_interval(Interval(abs(effect.value), *span(effect)), pairs.unit)
+        return f"{what} {verb} by {size} {when}, {p}, in {found.people} people."
+    shown = with_interval(effect, pairs.unit)
+    return f"{what}: no change that is sure {when}: {shown}, {p}."
+
+
+def sided(found: Agreement, corrected: float, count: int) -> str:
+    """Whether sides differ, on average and in single people."""
+    pairs, effect = found.pairs, found.difference
+    what = quantity_words(pairs.quantity)
+    shown = with_interval(effect, pairs.unit)
+    verb = "differ on average" if corrected < SURE else "do not surely differ on average"
+    return (
+        f"{capital(what)}: sides {verb}, right less left is {shown}, "
+        f"{odds(found.p, corrected, count)}; in 95 % of people between {limits(found)}."
+    )
+
+
+def limits(found: Agreement) -> str:
+    half = (found.upper.high - found.upper.low) / 2
+    ends = (number(each.value, half) for each in (found.lower, found.upper))
+    return f"{' and '.join(ends)} {shown_unit(found.pairs.unit)}".rstrip()
+
+
+def repeated(found: Reliability) -> str:
+    """How far one day tells people apart, and what change is more than chance."""
+    what = quantity_words(found.quantity)
+    drops = counted(round(found.drops), "drop")
+    change = with_interval(found.change, found.unit)
+    return (
+        f"{capital(what)} of {drops} on one day is {grade(found)} at telling people apart: "
+        f"ICC(A,1) {with_interval(found.agreement)}. In one leg, only a change of more than "
+        f"{change} is more than chance."
+    )
+
+
+def cause_words(name: str) -> str:
+    """As a table has it, among causes."""
+    return {"none": "nothing was missing", "cannot tell": "cannot be told"}.get(name, name)
+
+
+def shares(each: Cause) -> str:
+    one = each.share
+    value, low, high = (f"{100 * each:.0f} %" for each in (one.value, one.low, one.high))
+    return f"{value} (95 % {low} to {high})"
+
+
+def finding(answers: Answers) -> str:
+    """The main one, of the first quantity: the change by groups, the change, the groups, else how
+    well it repeats.
+    """
+    if not answers.each:
+        return "No quantity has values that recordings told."
+    first, count = answers.each[0], len(answers.each)
+    p = first.corrected
+    if isinstance(first.change_by_group, Comparison):
+        said = grouped(first.change_by_group, p["change_by_group"], count)
+        return f"Change from {answers.asked.before} to {answers.asked.after}. {said}"
+    if isinstance(first.change, Agreement):
+        return changed(first.change, p["change"], count)
+    if isinstance(first.groups, Comparison):
+        return grouped(first.groups, p["groups"], count)
+    if isinstance(first.reliability, Reliability):
+        return repeated(first.reliability)
+    if isinstance(first.sides, Agreement):
+        return sided(first.sides, p["sides"], count)
+    return f"{counted(first.values.people, 'person', 'people')}. {first.reliability.why}"
+
+
+def leading(answers: Answers, kind: str) -> Answer | None:
+    """The first quantity that has an answer of this kind."""
+    found = (each for each in answers.each if not isinstance(getattr(each, kind), Untold | None))
+    return next(found, None)
+
+
+def silent(answers: Answers) -> list[str]:
+    """The quantities without values, those of one reason together."""
+    found = by_reason((quantity_words(name), why) for name, why in answers.silent.items())
+    return [f"{', '.join(names)}: {why}" for why, names in found.items()]
+
+
+def why_not(answers: Answers, kind: str) -> dict[str, str]:
+    """Why quantities have no answer of this kind, those of one reason together."""
+    found: dict[str, list[str]] = {}
+    for each in answers.each:
+        told = getattr(each, kind)
+        if isinstance(told, Untold):
+            found.setdefault(told.why, []).append(quantity_words(each.quantity))
+    return {", ".join(names): why for why, names in found.items()}

@@ -1,0 +1,114 @@
+"""The study on half a page: the main finding first, in plain words."""
+
+from collections.abc import Iterator
+
+from exoid.report.sections.blocks import Block, Group, card, element
+from exoid.report.words.text import capital, counted
+from exoid.studies.page.parts.part import Told, part
+from exoid.studies.page.parts.tables import values
+from exoid.studies.page.parts.words import (
+    changed,
+    finding,
+    grade,
+    leading,
+    repeated,
+    shares,
+    sided,
+    silent,
+)
+from exoid.studies.statistics.agreement import Agreement
+from exoid.studies.statistics.asked import Answers
+from exoid.studies.statistics.physics import NOTHING
+from exoid.studies.statistics.reliability import Reliability
+from exoid.studies.statistics.tables.said import Untold
+
+
+@part("summary", "Summary")
+def summary(told: Told) -> Iterator[Block]:
+    """What was found, how far to trust it, and what the study is."""
+    answers = told.answers
+    yield element("p", finding(answers), "verdict")
+    cards = (whole(answers), trusted(answers), alike(answers), missing(answers), moved(answers))
+    yield Group("div", [each for each in cards if each is not None], "cards")
+    yield values(answers.each)
+    if answers.silent:
+        yield Group("details", [element("summary", "Quantities without values"), silent(answers)])
+
+
+def amount(answers: Answers) -> str:
+    """People and recordings."""
+    table = answers.study.recordings
+    people = table.loc[table["participant"] != "", "participant"].nunique()
+    ok = int((table["status"] == "ok").sum())
+    return f"{counted(people, 'person', 'people')}, {counted(ok, 'recording')} read"
+
+
+def whole(answers: Answers) -> Group:
+    """How many recordings there are, and how many failed."""
+    table = answers.study.recordings
+    failed, twice = (int((table["status"] == each).sum()) for each in ("failed", "duplicate"))
+    question = "Were all recordings read?"
+    said = f"{amount(answers)}."
+    lost = [f"{counted(failed, 'recording')} failed"] * bool(failed)
+    lost += [f"{twice} more are the same as another and count once"] * bool(twice)
+    if not lost:
+        return card(question, "good", "Yes.", said)
+    answer = "Not all of them." if failed else "Yes."
+    why = f"{said} {capital('; '.join(lost))}."
+    return card(question, "care" if failed else "good", answer, why)
+
+
+def trusted(answers: Answers) -> Group:
+    """Test and retest of the first quantity."""
+    question = "How far does one day tell people apart?"
+    first = leading(answers, "reliability")
+    if first is None or isinstance(first.reliability, Untold):
+        why = answers.each[0].reliability if answers.each else Untold("There are no values.")
+        return card(question, "open", "Not told.", why.why if isinstance(why, Untold) else "")
+    found: Reliability = first.reliability
+    good = grade(found) in ("good", "excellent")
+    return card(question, "good" if good else "care", f"{capital(grade(found))}.", repeated(found))
+
+
+def alike(answers: Answers) -> Group | None:
+    """Left against right."""
+    first = leading(answers, "sides")
+    if first is None or not isinstance(first.sides, Agreement):
+        return None
+    p = first.corrected["sides"]
+    differ = p < 0.05
+    answer = "Not on average." if differ else "On average, as far as can be told."
+    return card(
+        "Are both sides alike?",
+        "care" if differ else "good",
+        answer,
+        sided(first.sides, p, len(answers.each)),
+    )
+
+
+def moved(answers: Answers) -> Group | None:
+    """Before against after."""
+    first = leading(answers, "change")
+    if first is None or not isinstance(first.change, Agreement):
+        return None
+    p = first.corrected["change"]
+    question = f"Did it change from {answers.asked.before} to {answers.asked.after}?"
+    sure = p < 0.05
+    answer = "Yes." if sure else "Not surely."
+    return card(
+        question, "good" if sure else "open", answer, changed(first.change, p, len(answers.each))
+    )
+
+
+def missing(answers: Answers) -> Group | None:
+    """Which physics was missing most often."""
+    if isinstance(answers.physics, Untold):
+        return None
+    found = [each for each in answers.physics if each.group == "all"]
+    named = [each for each in found if each.name not in NOTHING]
+    question = "What was the model missing?"
+    if not named:
+        return card(question, "good", "Nothing that has a name.", f"{amount(answers)}.")
+    most = named[0]
+    why = f"Found in {most.people} of {most.of_people} people, {shares(most)}."
+    return card(question, "care", f"{capital(most.name)}, most often.", why)

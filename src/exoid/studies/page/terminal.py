@@ -1,0 +1,53 @@
+"""A study as a terminal shows it."""
+
+from rich.console import Console
+
+from exoid.report.tables.table import print_table
+from exoid.report.words.text import note, say
+from exoid.studies.page.parts.tables import (
+    agreements,
+    causes,
+    comparisons,
+    failures,
+    reliabilities,
+    values,
+)
+from exoid.studies.page.parts.words import column_words, finding, silent, why_not
+from exoid.studies.statistics.asked import Answers
+from exoid.studies.statistics.multiple import WORDS
+from exoid.studies.statistics.physics import ALL
+from exoid.studies.statistics.tables.said import Untold
+
+
+def print_study(answers: Answers, console: Console) -> None:
+    """The main finding, then every table that holds something, then why others do not."""
+    say(console, finding(answers))
+    asked = answers.asked
+    found = [values(answers.each), reliabilities(answers)]
+    if asked.by:
+        found.append(comparisons(answers, "groups", f"By {column_words(asked.by)}"))
+    if asked.before:
+        when = f"{asked.after} - {asked.before}"
+        found.append(agreements(answers, "change", when))
+        found.append(comparisons(answers, "change_by_group", f"{when}, by group"))
+    found.append(agreements(answers, "sides", "right - left"))
+    if not isinstance(answers.physics, Untold):
+        groups = dict.fromkeys(each.group for each in answers.physics)
+        found.append(causes(answers.physics, list(groups) or [ALL]))
+    found.append(failures(answers.study.recordings))
+    for each in found:
+        if each.rows:
+            print_table(each, console)
+    note(console, notes(answers))
+
+
+def notes(answers: Answers) -> list[str]:
+    """How p is corrected, what was left out, and what is not told."""
+    said = [
+        f"p is corrected over {len(answers.each)} quantities by {WORDS[answers.asked.correction]}."
+    ]
+    said += [f"{each.quantity}: {one}" for each in answers.each for one in each.values.notes]
+    said += silent(answers)
+    for kind in ("reliability", "groups", "change", "change_by_group", "sides"):
+        said += [f"{names}: {why}" for names, why in why_not(answers, kind).items()]
+    return [*said, answers.physics.why] if isinstance(answers.physics, Untold) else said

@@ -1,0 +1,134 @@
+"""The values of one quantity: whose, of which side and day, and how sure each is."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from exoid.studies.statistics.tables.frames import Frame, frame_of
+from exoid.studies.statistics.tables.said import NotTold
+from exoid.studies.statistics.tables.study import Study
+
+# Who told a value that no recording told: such values compare bodies and settings, not legs.
+ELSEWHERE = ("prior", "anatomy", "bound", "fixed", "your")
+PARTLY = "both"
+PERSONAL = ("age_years", "body_mass_kg", "height_m")
+WHOLE = -1  # the segment that is the whole recording
+SAME = 1e-9  # relative, of a mean and that of the same drops
+STEPS = ("fit", "drops", "diagnose")
+LEG = ["person", "side"]
+OCCASION = [*LEG, "session"]
+
+
+@dataclass(frozen=True, eq=False)
+class Values:
+    """`frame` has a row per value: `person`, `side`, `session`, `value`, its standard `error`
+    (NaN where unknown), `recording`, and what is known of the person.
+    """
+
+    quantity: str
+    unit: str
+    frame: Frame
+    notes: tuple[str, ...] = ()
+
+    @property
+    def people(self) -> int:
+        return self.frame["person"].nunique()
+
+    def where(self, **chosen: str) -> "Values":
+        """Those of a side or a session."""
+        kept = self.frame
+        for column, name in chosen.items():
+            kept = kept[kept[column] == name]
+        return Values(self.quantity, self.unit, kept, self.notes)
+
+
+def values_of(study: Study, quantity: str, task: str = "") -> Values:
+    """The values that recordings told, of people who are named.
+
+    **Raises** `NotTold` (why) where there is none.
+    """
+    rows = study.quantities
+    rows = rows[(rows["quantity"] == quantity) & rows["value"].notna()]
+    rows = rows[rows["task"] == task] if task else rows
+    sound = study.recordings.loc[study.recordings["status"] == "ok"]
+    rows = rows[rows["recording"].isin(sound["recording"])]
+    named, notes = told_by_recordings(of_one_step(rows))
+    if named.empty:
+        raise NotTold(" ".join(notes) or "No recording that was read has a value.")
+    units = named["unit"].unique()
+    if len(units) > 1:
+        raise NotTold(f"{quantity} has several units: {', '.join(units)}. Compare within one.")
+    return Values(quantity, str(units[0]), with_people(once(named), sound), notes)
+
+
+def told_by_recordings(rows: Frame) -> tuple[Frame, tuple[str, ...]]:
+    """Without those that anatomy or a limit set, and those of nobody; what is left out is said."""
+    elsewhere = rows["determined_by"].str.startswith(ELSEWHERE)
+    nobody = (rows["participant"] == "") & ~elsewhere
+    partly = rows["determined_by"].str.startswith(PARTLY) & ~nobody
+    said = (
+        (elsewhere, "left out: no recording told them, but anatomy, a limit or a setting"),
+        (nobody, "left out: their recordings name no participant"),
+        (partly, "rest partly on anatomy, which draws people together"),
+    )
+    notes = (f"{which.sum()} of {len(rows)} values {why}." for which, why in said if which.any())
+    return rows[~elsewhere & ~nobody], tuple(notes)
+
+
+def once(rows: Frame) -> Frame:
+    """Each drop where the value of the recording is the mean of its drops, so that their scatter is
+    told; else the value of the recording: of a fit to all of it, or of the drops that count.
+    """
+    whole = rows["segment"] == WHOLE
+    of_recording = rows[whole].groupby("recording")["value"].mean()
+    of_drops = rows[~whole].groupby("recording")["value"].mean()
+    both = of_recording.reindex(rows["recording"]).to_numpy(float)
+    mean = of_drops.reindex(rows["recording"]).to_numpy(float)
+    drops = np.isnan(both) | np.isclose(mean, both, rtol=SAME, atol=0.0)
+    return rows[np.where(whole, ~drops, drops)]
+
+
+def of_one_step(rows: Frame) -> Frame:
+    """A diagnosis may fit again what a fit has told: the first of the steps that told it."""
+    steps = [each for each in STEPS if (rows["step"] == each).any()]
+    return rows[rows["step"] == steps[0]] if steps else rows
+
+
+def with_people(rows: Frame, recordings: Frame) -> Frame:
+    """Values beside what is known of their people."""
+    known = [each for each in recordings if each.startswith("participant_") or each in PERSONAL]
+    people = recordings.drop_duplicates("recording").set_index("recording")[known]
+    error = rows["standard_error"].where(rows["standard_error"] >= 0)
+    told = rows[["recording", "session", "side", "value"]]
+    found = told.assign(person=rows["participant"], error=error)
+    return found.join(people, on="recording").reset_index(drop=True)
+
+
+def means(values: Values, over: list[str]) -> Frame:
+    """The mean of the drops of each of `over`, its standard `error` by those of the drops, and how
+    many `drops` there were.
+    """
+    grouped = values.frame.groupby(over, sort=True)
+    squares = values.frame.assign(square=values.frame["error"] ** 2).groupby(over, sort=True)
+    drops = grouped["value"].size()
+    error = np.sqrt(squares["square"].sum(skipna=False)) / drops
+    return frame_of({"value": grouped["value"].mean(), "error": error, "drops": drops})
+
+
+def per_person(values: Values) -> Frame:
+    """One value for each person: the mean of their sides, each the mean of its days, each the mean
+    of its drops; so no leg or day counts more because it has more drops.
+    """
+    found = means(values, ["person", "side", "session"])
+    for level in (["person", "side"], ["person"]):
+        grouped = found.groupby(level=level)
+        size = grouped["value"].size()
+        square = (found["error"] ** 2).groupby(level=level).sum(skipna=False)
+        found = frame_of(
+            {
+                "value": grouped["value"].mean(),
+                "error": np.sqrt(square) / size,
+                "drops": grouped["drops"].sum(),
+            }
+        )
+    return found

@@ -1,0 +1,138 @@
+"""The page of a study: what it says, that it escapes, and that it needs nothing else."""
+
+import json
+import re
+from dataclasses import replace
+
+import pytest
+from benchmarks.studies.tables import Design, Truth, simulate
+from html_tree import parse
+
+from exoid.report.parts.origin import Origin
+from exoid.studies.page.page import PARTS, build_page
+from exoid.studies.page.parts.numbers import with_interval
+from exoid.studies.page.parts.part import Told
+from exoid.studies.page.parts.person import people
+from exoid.studies.page.parts.words import finding
+from exoid.studies.statistics.ask import ask
+from exoid.studies.statistics.asked import Asked
+from exoid.studies.statistics.tables.said import Interval
+from exoid.studies.statistics.tables.study import study_of
+
+TRUTHS = (
+    Truth(effect=-0.6),
+    Truth("period", "s", 1.1, 0.05, 0.02, 0.02, 0.01, 0.01, 0.01, effect=0.0),
+)
+ORIGIN = Origin("exoid study report results", "2026-01-01", {"by": "group"}, {"exoid": "1"}, {})
+STRANGE = "</script><img src=x onerror=alert(1)>\x1b[31m"
+
+
+def told(study, **asked):
+    return Told(ask(study, Asked(**asked)), ORIGIN, "results")
+
+
+@pytest.fixture(scope="module")
+def study():
+    return simulate(Design(people=16, drops=2, truths=TRUTHS), 0)
+
+
+@pytest.fixture(scope="module")
+def page(study):
+    return build_page(told(study, by="group"))
+
+
+def test_it_holds_every_part_that_was_asked_with_the_finding_first(page, study):
+    tree = parse(page)
+    named = [each.attributes["id"] for each in tree.all("section")]
+    assert named == [each.name for each in PARTS if each.name not in ("change", "failures")]
+    said = tree.by_id("summary").of_class("verdict")[0].text
+    assert said == finding(ask(study, Asked(by="group")))
+    found = (
+        r"Relaxation index is lower by [\d.]+ \(95 % [\d.]+ to [\d.]+\) in spastic than in control"
+    )
+    assert re.match(found, said)
+
+
+def test_before_and_after_have_a_part_of_their_own(study):
+    tree = parse(build_page(told(study, by="group", before="day1", after="day2")))
+    text = tree.by_id("change").text
+    assert "day2 - day1" in text
+    assert "'day2' is none of them" in tree.by_id("reliability").text
+    assert "Change from day1 to day2, by group" in tree.by_id("groups").text
+
+
+def test_it_asks_nothing_of_a_network(page):
+    assert "default-src 'none'" in page
+    asked = re.findall(r"""(?:src|href)=["'](?!#|data:)([^"']+)""", page)
+    assert asked == []
+
+
+def strange(study):
+    """The study with every name of a file, person, group and reason as bad as can be."""
+
+    def spoil(each):
+        return f"{each}{STRANGE}"
+
+    recordings = study.recordings.copy()
+    for column in ("name", "participant", "side", "session", "participant_group", "recording"):
+        recordings[column] = recordings[column].map(spoil)
+    recordings.loc[0, ["status", "reason"]] = ["failed", STRANGE]
+    quantities = study.quantities.copy()
+    for column in ("participant", "side", "session", "recording", "note", "quantity"):
+        kept = quantities["quantity"] == "missing_physics" if column == "quantity" else None
+        spoiled = quantities[column].map(spoil)
+        quantities[column] = spoiled if kept is None else quantities[column].where(kept, spoiled)
+    return study_of(recordings, quantities)
+
+
+def test_whatever_files_say_is_shown_and_never_obeyed(study):
+    spoiled = strange(study)
+    page = build_page(replace(told(spoiled, by="group"), title=STRANGE))
+    assert "<img" not in page
+    assert "\x1b" not in page
+    # Three scripts and the figures' numbers, none of which was ended by a name.
+    tree = parse(page)
+    figures = len(tree.all("figure"))
+    assert len(tree.all("script")) == figures + 3
+    assert "onerror=alert(1)" in tree.by_id("failures").text
+
+
+def test_everybody_can_be_opened_with_their_recordings(study):
+    document = json.loads(people(ask(study, Asked(by="group"))))
+    assert document["heads"] == [
+        "recording", "session", "side", "relaxation index", "period [s]", "what became of it",
+    ]  # fmt: skip
+    assert [*document["people"]] == sorted({*study.recordings["participant"]})
+    first = document["people"]["sub-000"]
+    assert ["group", "control"] in first["facts"]
+    assert first["rows"][0][:3] == ["sub-000/day1/left.csv", "day1", "left"]
+    assert len(first["rows"]) == 4
+
+
+def test_points_say_whose_they_are_and_open_that_person(page, study):
+    figure = parse(page).by_id("people-relaxation_index")
+    drawing = json.loads(next(each.text for each in figure.all("script")))
+    points = [trace for trace in drawing["data"] if trace.get("customdata")]
+    opened = {who for trace in points for who in trace["customdata"]}
+    assert opened == {*study.recordings["participant"]}
+    words = points[0]["text"][0]
+    assert words.startswith("sub-000, left<br>")
+    assert "of 2 sessions" in words
+
+
+def test_an_empty_study_has_a_page_that_says_so(study):
+    empty = study_of(study.recordings[:0], study.quantities[:0])
+    assert "No quantity has values that recordings told." in build_page(told(empty))
+
+
+@pytest.mark.parametrize(
+    ("interval", "unit", "words"),
+    [
+        (Interval(0.2134, 0.121, 0.299), "1", "0.213 (95 % 0.121 to 0.299)"),
+        (Interval(31.27, 28.1, 34.4), "1/s^2", "31.3 1/s^2 (95 % 28.1 to 34.4)"),
+        (Interval(0.5, float("nan"), 0.7), "N m", "0.50 N m (the interval could not be found)"),
+        (Interval(1234.5, 1100.0, 1400.0), "m", "1234 m (95 % 1100 to 1400)"),
+    ],
+)
+def test_a_number_has_the_digits_that_its_interval_allows(interval, unit, words):
+    assert with_interval(interval, unit) == words
