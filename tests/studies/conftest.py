@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 import pytest
+
 from study_checks import NAMES, PEOPLE
 from study_folders import study
 

@@ -25,7 +25,6 @@ COMMANDS = {
     "simulate": "Simulate drops and cycles of a leg, as a recording.",
     "study": "Many people: look at a data set, run it, report it.",
     "convert": "Write a recording as exoid's table, with its sidecar.",
-    "study": "Many people: look at a data set, run it, report it.",
 }
 ROOMS = {**dict.fromkeys(("record", "live", "node"), "on_bus"), "study": "study"}
 PLAIN: dict[str, Any] = {"pretty_exceptions_enable": False, "rich_markup_mode": None}
