@@ -12,6 +12,7 @@ from typing import Any
 import jax
 import jax.numpy as jnp
 import numpy as np
+from jax.experimental.xla_metadata import set_xla_metadata
 from jaxtyping import Float
 
 from exoid.online.belief import DEFAULT, Belief, form
@@ -22,8 +23,10 @@ from exoid.online.outlook import Outlook
 from exoid.online.take_in import take_in
 
 BLOCK = 32  # samples: calling a program costs as much as a few
-# Small arrays: kernels that are fused further compute the same several times over.
-OPTIONS = {"xla_cpu_use_fusion_emitters": False}
+# Of XLA for processors: one kernel for all, as of small arrays starting one costs more than its work.
+# That takes no parts of other libraries; and parts that are fused further compute the same again.
+ONE_KERNEL = {"xla_cpu_small_call": "true", "inlineable": "false"}
+OPTIONS = {"xla_cpu_use_fusion_emitters": False, "xla_cpu_experimental_ynn_fusion_type": ""}
 
 
 def step(belief: Belief, sample: Sample, model: Model = DEFAULT) -> tuple[Belief, Outlook]:
@@ -90,6 +93,12 @@ def program(model: Model):
 
 
 def block(model: Model, numbers: Any, rows: Any, count: Any):
+    """The rows that are filled, one after the other, by one kernel."""
+    whole = jax.jit(partial(filled, model))(numbers, rows, count)
+    return set_xla_metadata(whole, **ONE_KERNEL) if jax.default_backend() == "cpu" else whole
+
+
+def filled(model: Model, numbers: Any, rows: Any, count: Any):
     """The rows that are filled, one after the other."""
     inside = Form(form(model).unpacked((numbers,)))
 

@@ -13,6 +13,7 @@ import jax.numpy as jnp
 from jaxtyping import Array, Float
 
 from exoid.online.filter.gaussian import Gaussian
+from exoid.online.filter.times import times
 from exoid.online.model.unknowns import AT, Row
 
 ROUNDS = 3  # of Gauss-Newton; the last moves nothing
@@ -26,12 +27,13 @@ def on_the_seat(belief: Gaussian, tilt: Any) -> Gaussian:
 
     def corrected(_, found: Gaussian) -> Gaussian:
         value, slope, noise = slope_of_seat(found.mean, tilt)
-        factor = slope @ belief.root
+        factor = times(slope[None], belief.root)[0]
         total = jnp.sum(factor**2) + noise
-        gain = belief.root @ factor / total
-        mean = belief.mean - gain * (value + slope @ (belief.mean - found.mean))
-        left = jnp.outer(gain, factor) / (1 + jnp.sqrt(noise / total))
-        return Gaussian(mean, belief.root - left)
+        gain = times(belief.root, factor[:, None])[:, 0] / total
+        left = value + jnp.sum(slope * (belief.mean - found.mean))
+        mean = belief.mean - gain * left
+        narrower = jnp.outer(gain, factor) / (1 + jnp.sqrt(noise / total))
+        return Gaussian(mean, belief.root - narrower)
 
     return jax.lax.fori_loop(0, ROUNDS, corrected, belief)
 
@@ -49,7 +51,7 @@ def slope_of_seat(mean: Row, tilt: Any) -> tuple[Scalar, Row, Scalar]:
 
 def ratios(belief: Gaussian) -> tuple[Float[Array, "3"], Float[Array, "3"]]:
     """m l g / J, c / J and d / J, and their standard errors."""
-    errors = jnp.sqrt(jnp.sum((slopes(belief.mean) @ belief.root) ** 2, axis=1))
+    errors = jnp.sqrt(jnp.sum(times(slopes(belief.mean), belief.root) ** 2, axis=1))
     return values(belief.mean), errors
 
 
