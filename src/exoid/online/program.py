@@ -23,8 +23,8 @@ from exoid.online.outlook import Outlook
 from exoid.online.take_in import take_in
 
 BLOCK = 32  # samples: calling a program costs as much as a few
-# Of XLA for processors: one kernel for all, as of small arrays starting one costs more than its work.
-# That takes no parts of other libraries; and parts that are fused further compute the same again.
+# Of XLA for processors: one kernel for all, as with small arrays starting one costs more than what
+# it does. No part of another library fits into it; parts that are fused further compute much twice.
 ONE_KERNEL = {"xla_cpu_small_call": "true", "inlineable": "false"}
 OPTIONS = {"xla_cpu_use_fusion_emitters": False, "xla_cpu_experimental_ynn_fusion_type": ""}
 
