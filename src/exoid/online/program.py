@@ -12,21 +12,17 @@ from typing import Any
 import jax
 import jax.numpy as jnp
 import numpy as np
-from jax.experimental.xla_metadata import set_xla_metadata
 from jaxtyping import Float
 
 from exoid.online.belief import DEFAULT, Belief, form
 from exoid.online.filter.pack import Form
 from exoid.online.model.model import Model
 from exoid.online.model.sample import Sample
+from exoid.online.one_kernel import one_kernel
 from exoid.online.outlook import Outlook
 from exoid.online.take_in import take_in
 
 BLOCK = 32  # samples: calling a program costs as much as a few
-# Of XLA for processors: one kernel for all, as with small arrays starting one costs more than what
-# it does. No part of another library fits into it; parts that are fused further compute much twice.
-ONE_KERNEL = {"xla_cpu_small_call": "true", "inlineable": "false"}
-OPTIONS = {"xla_cpu_use_fusion_emitters": False, "xla_cpu_experimental_ynn_fusion_type": ""}
 
 
 def step(belief: Belief, sample: Sample, model: Model = DEFAULT) -> tuple[Belief, Outlook]:
@@ -87,18 +83,11 @@ def program(model: Model):
     with jax.enable_x64(True):
         size = sum(leaf.size for leaf in form(model).leaves)
         shapes = ((size,), float), ((BLOCK, len(FIELDS)), float), ((), int)
-        options = OPTIONS if jax.default_backend() == "cpu" else {}
-        traced = jax.jit(partial(block, model), compiler_options=options)
+        traced = one_kernel(partial(block, model))
         return traced.lower(*(jax.ShapeDtypeStruct(*each) for each in shapes)).compile()
 
 
 def block(model: Model, numbers: Any, rows: Any, count: Any):
-    """The rows that are filled, one after the other, by one kernel."""
-    whole = jax.jit(partial(filled, model))(numbers, rows, count)
-    return set_xla_metadata(whole, **ONE_KERNEL) if jax.default_backend() == "cpu" else whole
-
-
-def filled(model: Model, numbers: Any, rows: Any, count: Any):
     """The rows that are filled, one after the other."""
     inside = Form(form(model).unpacked((numbers,)))
 
