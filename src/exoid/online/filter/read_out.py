@@ -10,13 +10,14 @@ from typing import Any
 
 import jax
 import jax.numpy as jnp
-from jaxtyping import Array, Float
+from jaxtyping import Array, Bool, Float
 
 from exoid.online.filter.gaussian import Gaussian
 from exoid.online.filter.times import times
 from exoid.online.model.unknowns import AT, Row
 
 ROUNDS = 3  # of Gauss-Newton; the last moves nothing
+FAR = 5.0  # standard deviations from the seat, which no level lets it be tilted by
 LEAST = 1e-3  # 1/s^2, of a torque over inertia that nobody could see
 
 Scalar = Float[Array, ""]
@@ -36,6 +37,15 @@ def on_the_seat(belief: Gaussian, tilt: Any) -> Gaussian:
         return Gaussian(mean, belief.root - narrower)
 
     return jax.lax.fori_loop(0, ROUNDS, corrected, belief)
+
+
+def off_the_seat(belief: Gaussian, tilt: Any) -> Bool[Array, ""]:
+    """Do the drops contradict what is known of the seat? Then the spring rests elsewhere, or a
+    constant torque acts, and the ratios that the seat makes sure of are wrong.
+    """
+    value, slope, noise = slope_of_seat(belief.mean, tilt)
+    total = jnp.sum(times(slope[None], belief.root) ** 2) + noise
+    return value**2 > FAR**2 * total
 
 
 def slope_of_seat(mean: Row, tilt: Any) -> tuple[Scalar, Row, Scalar]:
