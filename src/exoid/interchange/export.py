@@ -30,6 +30,10 @@ UNTOLD = (
     "nothing told {names}: the file holds a leg that moves alike, right but for one factor of all "
     "masses and torques. Give body mass and height, or record a drop with a known mass."
 )
+SIZELESS = (
+    "nothing told m, J and l: every torque of a C header would be off by one unknown factor, "
+    "before a motor and a person. Give body mass and height, or record a drop with a known mass."
+)
 UNSETTLED = (
     "the diagnosis cannot tell what is missing: this is the fit of Eq. 9 alone, which does not "
     "explain all of the recording."
@@ -43,13 +47,16 @@ def export(found: FitResult | Diagnosis, form: Form, *, segment: int | None = No
     first segment did; of a `segment`, counted from 0, it has the added mass and the torque, too.
 
     **Raises** `ValueError` where the form has nothing that acts like a term, by its name and with
-    advice; where every segment was fitted alone; for a fit that an older exoid saved.
+    advice; where every segment was fitted alone; for a fit that an older exoid saved; for C where
+    nothing told how large torques are.
 
     >>> found = exoid.export(exoid.fit("drops.csv"), "mjcf")
     >>> found.text.splitlines()[0], found.warnings
     ('<mujoco model="leg">', ())
     """
     result = found.fit if isinstance(found, Diagnosis) else found
+    if form == "c" and result.leg is not None and result.parameters["inertia"].value is None:
+        raise ValueError(SIZELESS)
     with jax.enable_x64(True):  # else formulas and memories would lose half of their digits
         made = FORMATS[form](gather(result, segment))
     return replace(made, warnings=(*cautions(found, result), *made.warnings))
