@@ -6,6 +6,7 @@ from functools import partial
 import jax
 import jax.numpy as jnp
 from jax.flatten_util import ravel_pytree
+from jaxtyping import Array, Int
 
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.observation import Observation
@@ -32,8 +33,51 @@ from exoid.physics.motion.step import Drive
 
 
 @partial(jax.jit, static_argnames="chain")
-@partial(jax.vmap, in_axes=(0, 0, *[None] * 6))
 def solve(
+    starts: Coordinates,
+    requests: StartRequest,
+    observation: Observation,
+    known: Unknowns,
+    prior: Prior,
+    limits: Limits,
+    task: Task,
+    chain: Chain,
+) -> Solved:
+    """Fit from every start. `starts` and `requests` carry a leading axis; all else is shared."""
+
+    def one(start: Coordinates, request: StartRequest) -> Solved:
+        return solved_from(start, request, observation, known, prior, limits, task, chain)
+
+    return jax.vmap(one)(starts, requests)
+
+
+@partial(jax.jit, static_argnames="chain")
+def solve_many(
+    starts: Coordinates,
+    requests: StartRequest,
+    each: tuple[Observation, Unknowns, Prior, Limits, Task],
+    steps: Int[Array, ""],
+    chain: Chain,
+) -> Solved:
+    """The same of many fits at once, where every start has a problem and a task of its own: all
+    carry a leading axis. `steps` are the most of all tasks; what is beyond its own weighs nothing.
+    """
+
+    def one(start: Coordinates, request: StartRequest, own) -> Solved:
+        observation, *others, task = own
+        inside = jnp.arange(observation.time.shape[-1]) <= task.stage.steps
+        observation = replace(
+            observation,
+            angle_weight=observation.angle_weight * inside,
+            velocity_weight=observation.velocity_weight * inside,
+        )
+        task = replace(task, stage=replace(task.stage, steps=steps))
+        return solved_from(start, request, observation, *others, task, chain)
+
+    return jax.vmap(one)(starts, requests, each)
+
+
+def solved_from(
     start: Coordinates,
     request: StartRequest,
     observation: Observation,
@@ -43,7 +87,7 @@ def solve(
     task: Task,
     chain: Chain,
 ) -> Solved:
-    """Fit from every start. `start` and `request` carry a leading axis; all else is shared."""
+    """Where the fit from one start ends."""
 
     def at(point: Coordinates) -> Condensed:
         each = partial(condense, stage=task.stage, chain=chain)
@@ -108,3 +152,19 @@ def sense_all(
     """Residual and sensitivities of every sample of every segment, at one point."""
     each = partial(sense, stage=stage, chain=chain)
     return jax.vmap(each)(of_segments(point, observation.owner), observation, known, pushes)
+
+
+@partial(jax.jit, static_argnames="chain")
+def sense_many(
+    each: tuple[Coordinates, Observation, Unknowns, Drive, Stage],
+    steps: Int[Array, ""],
+    chain: Chain,
+) -> Sensed:
+    """The same of many fits at once, by a leading axis; over the most `steps` of all."""
+
+    def one(point, observation, known, pushes, stage):
+        return sense_all(
+            point, observation, known, pushes, replace(stage, steps=steps), chain
+        )
+
+    return jax.vmap(lambda own: one(*own))(each)
