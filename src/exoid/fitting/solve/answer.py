@@ -1,20 +1,17 @@
 """One run of a program for what many fits ask of it."""
 
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import jax
 import numpy as np
 
-from exoid.fitting.model.coordinates import take
 from exoid.fitting.solve.meeting import PROGRAM, SOLVE, Question
 from exoid.fitting.solve.program_cache import called
 
 # Lanes of a run, each with its own recording: more leave the fast path of the compiled loop, and a
 # run ends when its slowest lane has.
 LANES = 8
-COARSENESS = 2.0  # times the steps of the shortest that one run simulates for all
 
 
 def answer(asked: Sequence[Question]) -> dict[int, Any]:
@@ -24,72 +21,54 @@ def answer(asked: Sequence[Question]) -> dict[int, Any]:
     """
     groups: dict[Any, list[int]] = {}
     for at, each in enumerate(asked):
-        groups.setdefault(kind(each), []).append(at)
+        groups.setdefault(each.kind, []).append(at)
     chosen = max(groups.values(), key=len)
     each = [asked[at] for at in chosen]
     found = solved(each) if each[0].name == SOLVE else sensed(each)
     return dict(zip(chosen, found, strict=True))
 
 
-def kind(question: Question) -> tuple:
-    """Questions of one kind can be answered by one run."""
-    alike = question.arguments[1:] if question.name != SOLVE else question.arguments[2:]
-    of_start = question.arguments[:2] if question.name == SOLVE else question.arguments[:1]
-    leaves, structure = jax.tree.flatten((of_start, alike))
-    own = [np.shape(leaf)[question.name == SOLVE :] for leaf in jax.tree.leaves(of_start)]
-    shapes = (*own, *map(np.shape, jax.tree.leaves(alike)))
-    reach = int(np.log(max(steps_of(question), 1)) / np.log(COARSENESS))
-    return question.name, structure, shapes, question.static, reach
-
-
-def steps_of(question: Question) -> int:
-    stage = question.arguments[6].stage if question.name == SOLVE else question.arguments[4]
-    return int(stage.steps)
-
-
 def solved(asked: Sequence[Question]) -> list[Any]:
     """Of every question, where its starts end."""
-    lanes = [(at, row) for at, one in enumerate(asked) for row in range(starts_of(one))]
-    steps = np.asarray(max(map(steps_of, asked)))
+    lanes = [(one, row) for one in asked for row in range(one.starts)]
+    own = asked[0].lane_leaves
     parts = []
-    for first in range(0, len(lanes), LANES):
-        own = np.resize(np.arange(first, min(first + LANES, len(lanes))), LANES)
-        chosen = [lanes[number] for number in own]
-        given = [take(asked[at].arguments[:2], row) for at, row in chosen]
-        starts, requests = stacked(given)
-        each = stacked([asked[at].arguments[2:] for at, _ in chosen])
-        made = called(
-            f"{PROGRAM}:solve_many",
-            (starts, requests, each, steps),
-            asked[0].static,
-            asked[0].structure,
-        )
-        parts.append(made)
+    for chosen in filled(lanes):
+        columns = zip(*(one.leaves for one, _ in chosen), strict=True)
+        rows = [row for _, row in chosen]
+        leaves = [
+            np.stack([leaf[row] for leaf, row in zip(column, rows, strict=True)])
+            if at < own
+            else np.stack(column)
+            for at, column in enumerate(columns)
+        ]
+        parts.append(answered("solve_many", asked, leaves))
     whole = jax.tree.map(lambda *every: np.concatenate(every), *parts)
-    rows = np.cumsum([0, *map(starts_of, asked)])
-    return [
-        jax.tree.map(lambda leaf, a=a, b=b: leaf[a:b], whole)
-        for a, b in zip(rows[:-1], rows[1:], strict=True)
-    ]
-
-
-def starts_of(question: Question) -> int:
-    return question.arguments[0].log_mass.shape[0]
+    leaves, structure = jax.tree.flatten(whole)
+    ends = np.cumsum([one.starts for one in asked])
+    each = zip(*(np.split(leaf[: ends[-1]], ends[:-1]) for leaf in leaves), strict=True)
+    return [jax.tree.unflatten(structure, one) for one in each]
 
 
 def sensed(asked: Sequence[Question]) -> list[Any]:
     """Of every question, the sensitivities at its point."""
-    steps = np.asarray(max(map(steps_of, asked)))
-    found = []
-    for first in range(0, len(asked), LANES):
-        own = list(asked[first : first + LANES])
-        each = stacked([one.arguments for one in (own * LANES)[:LANES]])
-        made = called(
-            f"{PROGRAM}:sense_many", (each, steps), asked[0].static, asked[0].structure
-        )
-        found += [take(made, at) for at in range(len(own))]
-    return found
+    found: list[Any] = []
+    for chosen in filled(asked):
+        leaves = map(np.stack, zip(*(one.leaves for one in chosen), strict=True))
+        made = answered("sense_many", asked, leaves)
+        found += [jax.tree.map(lambda leaf, at=at: leaf[at], made) for at in range(LANES)]
+    return found[: len(asked)]
 
 
-def stacked(trees: Sequence[Any]) -> Any:
-    return jax.tree.map(lambda *every: np.stack(every), *trees)
+def filled(each: Sequence[Any]) -> Iterator[list[Any]]:
+    """So many at a time, the last again where there are fewer."""
+    for first in range(0, len(each), LANES):
+        own = list(each[first : first + LANES])
+        yield own + own[-1:] * (LANES - len(own))
+
+
+def answered(program: str, asked: Sequence[Question], leaves) -> Any:
+    """One run, over the most steps that anybody asks for."""
+    first, steps = asked[0], np.asarray(max(one.steps for one in asked))
+    arguments = jax.tree.unflatten(first.given, list(leaves))
+    return called(f"{PROGRAM}:{program}", (arguments, steps), first.static, first.structure)

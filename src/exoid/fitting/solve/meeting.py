@@ -6,26 +6,39 @@ program at about the same time, and lanes of several recordings fill one run of 
 
 from collections.abc import Callable, Sequence
 from contextvars import ContextVar, copy_context
-from dataclasses import dataclass
 from queue import SimpleQueue
 from threading import Thread
 from typing import Any, Generic, TypeVar
+
+import jax
+import numpy as np
 
 Result = TypeVar("Result")
 
 PROGRAM = "exoid.fitting.solve.program"
 SOLVE, SENSE = f"{PROGRAM}:solve", f"{PROGRAM}:sense_all"
 ASKED_TOGETHER = (SOLVE, SENSE)  # programs that can answer several at once
+OF_START = 2  # arguments of SOLVE that are of every start
 
 
-@dataclass(frozen=True, eq=False)
 class Question:
-    """What a fit asks of a program."""
+    """What a fit asks of a program; those of one `kind` can be answered by one run."""
 
-    name: str
-    arguments: tuple
-    static: Any
-    structure: Any
+    def __init__(self, name: str, arguments: tuple, static: Any, structure: Any):
+        self.name, self.static, self.structure = name, static, structure
+        leaves, self.given = jax.tree.flatten(arguments)
+        self.leaves = [np.asarray(leaf) for leaf in leaves]
+        solves = name == SOLVE
+        self.lane_leaves = len(jax.tree.leaves(arguments[:OF_START])) if solves else 0
+        self.starts = len(self.leaves[0]) if solves else 1
+        self.steps = int((arguments[6].stage if solves else arguments[4]).steps)
+        shapes = [
+            leaf.shape[1:] if at < self.lane_leaves else leaf.shape
+            for at, leaf in enumerate(self.leaves)
+        ]
+        # A run goes over the most steps of all that it answers: those with half as many wait.
+        reach = self.steps.bit_length()
+        self.kind = name, self.given, tuple(shapes), static, reach
 
 
 class Guest(Generic[Result]):
@@ -34,8 +47,7 @@ class Guest(Generic[Result]):
     def __init__(self, task: Callable[[], Result]):
         self.task = task
         self.answers, self.said = SimpleQueue(), SimpleQueue()
-        context = copy_context()
-        self.thread = Thread(target=context.run, args=(self.work,), daemon=True)
+        self.thread = Thread(target=copy_context().run, args=(self.work,), daemon=True)
         self.thread.start()
 
     def work(self) -> None:
@@ -46,13 +58,10 @@ class Guest(Generic[Result]):
         except Exception as fault:
             self.said.put((True, fault))
 
-    def ask(self, *question) -> Any:
-        """The answer to a question, once the meeting has it."""
-        self.said.put((False, Question(*question)))
-        answer = self.answers.get()
-        if isinstance(answer, Exception):
-            raise answer
-        return answer
+    def ask(self, name: str, arguments: tuple, static: Any, structure: Any) -> Any:
+        """The answer of a program, once the meeting has it."""
+        self.said.put((False, Question(name, arguments, static, structure)))
+        return self.answers.get()
 
     def go_on(self, answer: Any = None) -> Question | None:
         """Its next question; None where it has ended, with its `result`."""
@@ -74,7 +83,7 @@ def meet(
 ) -> list[Result | Exception]:
     """What every task returns, or the exception that it ends with.
 
-    `answer` is given all that is asked, and answers some of it, by its number.
+    `answer` is given all that is asked, and answers some of it, by its number there.
     """
     guests = [Guest(task) for task in tasks]
     asked = {at: guest.go_on() for at, guest in enumerate(guests)}

@@ -52,19 +52,13 @@ def solve(
 
 
 @partial(jax.jit, static_argnames="chain")
-def solve_many(
-    starts: Coordinates,
-    requests: StartRequest,
-    each: tuple[Observation, Unknowns, Prior, Limits, Task],
-    steps: Int[Array, ""],
-    chain: Chain,
-) -> Solved:
-    """The same of many fits at once, where every start has a problem and a task of its own: all
-    carry a leading axis. `steps` are the most of all tasks; what is beyond its own weighs nothing.
+def solve_many(each: tuple, steps: Int[Array, ""], chain: Chain) -> Solved:
+    """`solve` of many fits at once: every start, by a leading axis, has arguments of its own.
+
+    `steps` are the most of all tasks; what is beyond its own weighs nothing.
     """
 
-    def one(start: Coordinates, request: StartRequest, own) -> Solved:
-        observation, *others, task = own
+    def one(start, request, observation, known, prior, limits, task) -> Solved:
         inside = jnp.arange(observation.time.shape[-1]) <= task.stage.steps
         observation = replace(
             observation,
@@ -72,9 +66,9 @@ def solve_many(
             velocity_weight=observation.velocity_weight * inside,
         )
         task = replace(task, stage=replace(task.stage, steps=steps))
-        return solved_from(start, request, observation, *others, task, chain)
+        return solved_from(start, request, observation, known, prior, limits, task, chain)
 
-    return jax.vmap(one)(starts, requests, each)
+    return jax.vmap(lambda own: one(*own))(each)
 
 
 def solved_from(
@@ -155,16 +149,10 @@ def sense_all(
 
 
 @partial(jax.jit, static_argnames="chain")
-def sense_many(
-    each: tuple[Coordinates, Observation, Unknowns, Drive, Stage],
-    steps: Int[Array, ""],
-    chain: Chain,
-) -> Sensed:
-    """The same of many fits at once, by a leading axis; over the most `steps` of all."""
+def sense_many(each: tuple, steps: Int[Array, ""], chain: Chain) -> Sensed:
+    """`sense_all` of many fits at once, by a leading axis; over the most `steps` of all."""
 
-    def one(point, observation, known, pushes, stage):
-        return sense_all(
-            point, observation, known, pushes, replace(stage, steps=steps), chain
-        )
+    def one(point, observation, known, pushes, stage) -> Sensed:
+        return sense_all(point, observation, known, pushes, replace(stage, steps=steps), chain)
 
     return jax.vmap(lambda own: one(*own))(each)
