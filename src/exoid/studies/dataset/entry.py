@@ -30,7 +30,8 @@ class Participant:
 class Entry:
     """A recording as the layout of the folders tells it, before it is read.
 
-    What the layout does not tell is empty; the recording's own sidecar may tell it.
+    What the layout does not tell is empty; the recording's own sidecar may tell it. Letters of a
+    name that cannot be shown are escaped, in all but `path`.
     """
 
     path: Path  # absolute
@@ -44,8 +45,15 @@ class Entry:
 
 @dataclass(frozen=True)
 class Dataset:
-    """The recordings of a folder in the order of their names, and who the people are."""
+    """The recordings of a folder in the order of their names, and who the people are.
+
+    `problems` are what is wrong with folders and table, one line each: what of them could not be
+    read or is contradictory is not told.
+    """
 
     folder: Path
     entries: tuple[Entry, ...]
     participants: Mapping[str, Participant] = field(default_factory=lambda: MappingProxyType({}))
+    table: Path | None = None  # where the participants stand
+    bids: bool = False
+    problems: tuple[str, ...] = ()

@@ -1,0 +1,49 @@
+"""The recording of an entry, with what table and layout say of its person."""
+
+from dataclasses import replace
+
+from exoid.recordings.loading.load import Loaded, load
+from exoid.recordings.recording import Recording, Subject
+from exoid.studies.dataset.entry import Dataset, Entry, Participant
+from exoid.studies.dataset.motion_bids.labels import SUFFIX
+from exoid.studies.dataset.motion_bids.read_motion import read_motion
+
+
+def recording_of(entry: Entry, dataset: Dataset) -> Recording:
+    """The recording, cut into its movements; whose leg it is, is told by its `subject`.
+
+    What its own sidecar says stands. What that leaves open is told by the names of file and
+    folders, and by the table of participants.
+
+    **Raises** `ValueError` and `OSError` as `load` does, in one line.
+    """
+    recording = loaded(entry).recording
+    return replace(recording, subject=joined(recording.subject, entry, dataset))
+
+
+def loaded(entry: Entry, *, whole: bool = False) -> Loaded:
+    """The recording by its own files alone, and what its reader noticed."""
+    if entry.path.name.endswith(SUFFIX):
+        return read_motion(entry.path, whole=whole)
+    return load(entry.path, whole=whole)
+
+
+def joined(subject: Subject, entry: Entry, dataset: Dataset) -> Subject:
+    """A subject with what layout and table say of it, where it is silent."""
+    identity = subject.id or entry.participant
+    person = person_of(identity, dataset)
+    said = {
+        "id": identity,
+        "side": entry.side,
+        "session": entry.session,
+        "body_mass": person.body_mass,
+        "height": person.height,
+        "age": person.age,
+    }
+    silent = {k: v for k, v in said.items() if getattr(subject, k) is None and v not in (None, "")}
+    return replace(subject, **silent) if silent else subject
+
+
+def person_of(identity: str, dataset: Dataset) -> Participant:
+    """Who that is by the table of participants; without a row, nothing is known."""
+    return dataset.participants.get(identity.removeprefix("sub-"), Participant(identity))
