@@ -9,6 +9,7 @@ EXTRAS = {
     "pandas": "pandas",
     "starlette": "live",
     "uvicorn": "live",
+    "distributed": "study",
 }
 
 

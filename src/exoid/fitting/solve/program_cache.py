@@ -33,7 +33,7 @@ from exoid.fitting.solve.meeting import ASKED_TOGETHER, MEETING
 from exoid.fitting.solve.memory import give_back
 from exoid.fitting.solve.program_values import SENSED, Solved, solved_structure
 
-SHOWING = ("cli", "report", "watching")  # rooms above every program: none imports them
+SHOWING = ("cli", "studies", "report", "watching")  # rooms above every program: none imports them
 LIBRARIES = ("jax", "jaxlib", "equinox", "lineax", "optimistix")  # whose code is in a program
 # How far XLA optimises: as fast machine code as by default, and half as long to wait for it.
 LEAN = {"xla_backend_optimization_level": 1, "xla_cpu_use_fusion_emitters": False}

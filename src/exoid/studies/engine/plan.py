@@ -1,0 +1,49 @@
+"""Which recordings are computed together."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from exoid.studies.engine.item import Item
+
+LARGEST = 64  # recordings of a batch: more no longer fill the lanes of programs any better
+LARGEST_BYTES = 64e6  # of their files
+
+
+@dataclass(frozen=True)
+class Batch:
+    """Recordings of about one shape, which a worker computes side by side."""
+
+    items: tuple[Item, ...]
+
+    def halves(self) -> tuple["Batch", "Batch"]:
+        middle = len(self.items) // 2
+        return Batch(self.items[:middle]), Batch(self.items[middle:])
+
+
+def unlike(items: Iterable[Item]) -> tuple[list[Item], dict[str, str]]:
+    """The recordings without those of which another holds the same; and of these, by name, the
+    other's name.
+    """
+    first: dict[str, Item] = {}
+    again: dict[str, str] = {}
+    for item in items:
+        kept = first.setdefault(item.recording, item)
+        if kept is not item:
+            again[item.entry.name] = kept.entry.name
+    return list(first.values()), again
+
+
+def plan(items: Sequence[Item]) -> list[Batch]:
+    """Batches of recordings of one format and about one size, the largest first."""
+    buckets: dict[tuple[str, int], list[Item]] = {}
+    for item in items:
+        bucket = item.entry.path.suffix.lower(), item.size.bit_length()
+        buckets.setdefault(bucket, []).append(item)
+    ordered = sorted(buckets.items(), key=lambda each: (-each[0][1], each[0][0]))
+    return [batch for _, own in ordered for batch in cut(own)]
+
+
+def cut(items: Sequence[Item]) -> list[Batch]:
+    most = max(item.size for item in items)
+    count = int(min(LARGEST, max(1, LARGEST_BYTES // max(most, 1))))
+    return [Batch(tuple(items[at : at + count])) for at in range(0, len(items), count)]

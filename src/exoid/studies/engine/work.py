@@ -1,0 +1,34 @@
+"""The task of a worker: measure a batch, and keep it."""
+
+import os
+from functools import cache
+from pathlib import Path
+
+from exoid.studies.dataset.entry import Dataset
+from exoid.studies.engine.plan import Batch
+from exoid.studies.engine.settings import Settings
+
+
+
+def work(batch: Batch, dataset: Dataset, settings: Settings, digest: str, results: Path) -> int:
+    """How many recordings were measured, once their rows are kept."""
+    prepare()
+    from exoid.studies.engine.measure import measure
+    from exoid.studies.engine.parts import keep
+    from exoid.studies.engine.tables import quantities_table, recordings_table
+
+    found = measure(batch, dataset, settings)
+    keep(results, recordings_table(found, digest), quantities_table(found))
+    return len(found)
+
+
+@cache
+def prepare() -> None:
+    """Compute in float64, on one core, with programs that all workers share."""
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    import jax
+
+    from exoid.fitting.solve.program_cache import keep_programs_in
+
+    jax.config.update("jax_enable_x64", True)
+    keep_programs_in()
