@@ -34,7 +34,7 @@ def carry_out(
         while waiting and len(running) < AHEAD * max(1, len(client.nthreads())):
             batch = waiting.popleft()
             running[submit(batch)] = batch
-        for future in ended(list(running), patience):
+        for future in ended(client, list(running), patience):
             batch, fault = running.pop(future), fault_of(future)
             if fault is None:
                 told(len(batch.items))
@@ -48,13 +48,14 @@ def carry_out(
     return lost
 
 
-def ended(running: list[Any], patience: float) -> list[Any]:
+def ended(client: Any, running: list[Any], patience: float) -> list[Any]:
     """Those that have, once one has."""
     from distributed import TimeoutError as Late
     from distributed import wait
 
     try:
-        return list(wait(running, timeout=patience, return_when="FIRST_COMPLETED").done)
+        with client.as_current():
+            return list(wait(running, timeout=patience, return_when="FIRST_COMPLETED").done)
     except Late as fault:
         raise OSError(
             f"no batch of recordings was done in {patience / 60:.0f} min: does the file system "

@@ -62,7 +62,6 @@ def local(count: int) -> Iterator[object]:
         memory_limit=memory_of(count),
         dashboard_address=None,
         silence_logs=logging.CRITICAL,
-        set_as_default=False,
     )
     with cluster, Client(cluster, set_as_default=False) as client:
         yield client
