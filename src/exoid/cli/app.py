@@ -23,9 +23,10 @@ COMMANDS = {
     "live": "Estimate a leg while it moves, and what to do next.",
     "node": "Find the node on the leg, and set it up.",
     "simulate": "Simulate drops and cycles of a leg, as a recording.",
+    "study": "Many people: look at a data set, run it, report it.",
     "convert": "Write a recording as exoid's table, with its sidecar.",
 }
-ON_BUS = ("record", "live", "node")
+ROOMS = {**dict.fromkeys(("record", "live", "node"), "on_bus"), "study": "study"}
 PLAIN: dict[str, Any] = {"pretty_exceptions_enable": False, "rich_markup_mode": None}
 
 app = typer.Typer(
@@ -40,8 +41,8 @@ app = typer.Typer(
 
 def load(name: str):
     """The command of that name: in `commands`, a function, or a group, and its file bear it."""
-    room = "commands.on_bus" if name in ON_BUS else "commands"
-    found = getattr(import_module(f"exoid.cli.{room}.{name}"), name)
+    room = f"{ROOMS[name]}." if name in ROOMS else ""
+    found = getattr(import_module(f"exoid.cli.commands.{room}{name}"), name)
     if isinstance(found, typer.Typer):
         return get_command(found)
     alone = typer.Typer(add_completion=False, **PLAIN)

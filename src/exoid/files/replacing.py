@@ -4,8 +4,10 @@ import os
 import stat
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager, suppress
+from itertools import count
 from pathlib import Path
 from secrets import token_hex
+from shutil import rmtree
 
 FOR_ALL = 0o666  # less what the user's mask takes away
 
@@ -39,6 +41,37 @@ def replacing(path: str | Path) -> Iterator[Path]:
             part.replace(target)
     finally:
         part.unlink(missing_ok=True)
+
+
+@contextmanager
+def replacing_folder(folder: Path) -> Iterator[Path]:
+    """An empty folder to fill beside `folder`, moved into its place when the block has succeeded.
+
+    A folder that was there is put aside as `NAME.before`, or with a number behind it, at the last
+    moment: whatever fails, it is lost at no time.
+    """
+    target = behind_links(folder.absolute())
+    with called(folder):
+        part = target.with_name(f".{target.name[:100]}.{token_hex(8)}.part")
+        part.mkdir()
+    try:
+        yield part
+        with called(folder, part):
+            put_aside(target)
+            part.rename(target)
+    finally:
+        rmtree(part, ignore_errors=True)
+
+
+def put_aside(folder: Path) -> None:
+    """Give a folder another name; nothing is to be kept of an empty one."""
+    if not folder.exists():
+        return
+    if not any(folder.iterdir()):
+        folder.rmdir()
+        return
+    names = (folder.with_name(f"{folder.name}.before{number or ''}") for number in count())
+    folder.rename(next(each for each in names if not each.exists()))
 
 
 @contextmanager

@@ -1,28 +1,34 @@
-"""exoid convert: from any recording to exoid's table."""
+"""exoid convert: from any recording to exoid's table, from any data set to another layout."""
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 import typer
 
 from exoid.cli.inputs.choices import FlipOption, ZeroOption
 from exoid.cli.inputs.reading import Columns, Dbc, Signals, Strict, take
-from exoid.cli.outputs.destination import Force, check_outputs
+from exoid.cli.outputs.destination import Force, check_folder, check_outputs
 from exoid.cli.terminal.say import say
-from exoid.cli.terminal.waiting import patiently
+from exoid.cli.terminal.waiting import in_phases, patiently
+
+Layout = Literal["bids", "plain"]
+WORDS = {"bids": "Motion-BIDS", "plain": "exoid's tables"}
 
 
 def convert(
     recording: Annotated[
         Path,
         typer.Argument(
-            help="A CAN log or a table (.csv .txt .xlsx .parquet .mat .npz .mot .sto .c3d)."
+            help="A CAN log or a table (.csv .txt .xlsx .parquet .mat .npz .mot .sto .c3d), or the "
+            "folder of a data set."
         ),
     ],
     output: Annotated[
         Path,
         typer.Option(
-            "--output", "-o", help="Table to write (.csv or .parquet); a sidecar joins it."
+            "--output",
+            "-o",
+            help="Table to write (.csv or .parquet); a sidecar joins it. Of a data set: a folder.",
         ),
     ],
     whole: Annotated[
@@ -34,6 +40,10 @@ def convert(
     flip: FlipOption = None,
     zero: ZeroOption = None,
     strict: Strict = False,
+    layout: Annotated[
+        Layout | None,
+        typer.Option("--as", help="Of a data set: Motion-BIDS, or exoid's own tables."),
+    ] = None,
     force: Force = False,
 ) -> None:
     """Write a recording as exoid's table, with its sidecar.
@@ -41,6 +51,7 @@ def convert(
     The table is .csv or .parquet, the sidecar .toml. Signs and zero that --flip and --zero mend are
     written as exoid counts them.
     The segments are those that `exoid fit` would see: drops and cycles, without what lies between.
+    A folder is written as another one, all of it or nothing: a data set as Motion-BIDS, or back.
 
     \b
     Examples:
@@ -48,7 +59,14 @@ def convert(
       exoid convert session.blf -o all.csv --whole
       exoid convert trial.c3d -o knee.parquet --column raw_angle_deg=LKneeAngles.X
       exoid convert log.asc -o knee.csv --dbc my.dbc --signal raw_angle=Knee.Angle
+      exoid convert study -o shared --as bids
     """
+    if recording.is_dir():
+        alone = {"--column": column, "--dbc": dbc, "--signal": signal, "--flip": flip}
+        refuse_given({**alone, "--zero": zero, "--strict": strict}, "a recording", recording)
+        convert_folder(recording, output, layout, whole=whole, force=force)
+        return
+    refuse_given({"--as": layout}, "a data set", recording)
     sidecar = output.with_suffix(".toml")
     check_outputs((output, ("csv", "parquet")), (sidecar, ()), force=force, inputs=[recording])
     told = {"column": column, "dbc": dbc, "signal": signal, "flip": flip, "zero": zero}
@@ -58,3 +76,32 @@ def convert(
 
     patiently(lambda: write_table(loaded, output), f"writing {output.name}")
     say(f"{output}: {counted(len(loaded.segments), 'segment')}, and {sidecar}")
+
+
+def refuse_given(options: dict[str, object], of: str, given: Path) -> None:
+    """Refuse options that say nothing of what was given."""
+    for name, value in options.items():
+        if value:
+            raise ValueError(f"{given}: {name} is for {of}, which this is not. Leave it out.")
+
+
+def convert_folder(
+    folder: Path, output: Path, layout: Layout | None, *, whole: bool, force: bool
+) -> None:
+    """A data set as the layout that it has not, unless one is named."""
+    check_folder(output, force, [folder])
+    from exoid.files.replacing import replacing_folder
+    from exoid.report.words.text import counted
+    from exoid.studies.dataset.open_dataset import open_dataset
+    from exoid.studies.dataset.writing.convert_dataset import convert_dataset
+
+    dataset = patiently(lambda: open_dataset(folder), f"reading {folder.name}")
+    for each in dataset.problems:
+        raise ValueError(f"{folder}: {each}")
+    chosen = layout or ("plain" if dataset.bids else "bids")
+    with replacing_folder(output) as part:
+        count = in_phases(
+            lambda said: convert_dataset(dataset, part, chosen, whole=whole, say=said),
+            f"writing {output.name}",
+        )
+    say(f"{output}: {counted(count, 'recording')} as {WORDS[chosen]}")

@@ -69,3 +69,17 @@ def check_apart(outputs: Iterable[Path | None], inputs: Iterable[Path]) -> None:
         if path.resolve() in taken:
             raise ValueError(f"{path}: this file is read here, or written twice. Name another.")
         taken.add(path.resolve())
+
+
+def check_folder(path: Path, force: bool, inputs: Iterable[Path]) -> None:
+    """Refuse a folder that cannot be made, that holds an input or lies in it, or that holds
+    something and is not to be replaced."""
+    if path.exists() and not path.is_dir():
+        raise ValueError(f"{path}: this is a file. Name a folder.")
+    folder = behind_links(path.absolute())
+    for each in (one.resolve() for one in inputs):
+        if folder.is_relative_to(each) or each.is_relative_to(folder):
+            raise ValueError(f"{path}: this folder is read here. Name one apart from it.")
+    check_destination(folder.with_name(f"{folder.name}.part"))
+    if path.exists() and any(path.iterdir()) and not force:
+        raise ValueError(f"{path} exists. Name another folder, or replace it with --force.")

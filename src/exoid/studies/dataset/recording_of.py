@@ -2,11 +2,13 @@
 
 from dataclasses import replace
 
+from exoid.files.visible import visible
 from exoid.recordings.loading.load import Loaded, load
 from exoid.recordings.recording import Recording, Subject
+from exoid.recordings.sidecar import keys_beside
 from exoid.studies.dataset.entry import Dataset, Entry, Participant
-from exoid.studies.dataset.motion_bids.labels import SUFFIX
-from exoid.studies.dataset.motion_bids.read_motion import read_motion
+from exoid.studies.dataset.motion_bids.labels import SUFFIX, label
+from exoid.studies.dataset.motion_bids.read_motion import metadata_of, read_motion, sidecar_of
 
 
 def recording_of(entry: Entry, dataset: Dataset) -> Recording:
@@ -28,6 +30,23 @@ def loaded(entry: Entry, *, whole: bool = False) -> Loaded:
     return load(entry.path, whole=whole)
 
 
+def told_beside(entry: Entry) -> Subject:
+    """What the recording's own sidecar says of its subject; no sample is read."""
+    if entry.path.name.endswith(SUFFIX):
+        return sidecar_of(entry.path, metadata_of(entry.path))[0]["subject"]
+    return keys_beside(entry.path.with_suffix(".toml"), "")[0]["subject"]
+
+
+def with_sidecar(entry: Entry, subject: Subject) -> Entry:
+    """An entry as its sidecar has it, and where that is silent, as its name does."""
+    return replace(
+        entry,
+        participant=visible((subject.id or entry.participant).removeprefix("sub-")),
+        side=subject.side or entry.side,
+        session=visible(subject.session or entry.session),
+    )
+
+
 def joined(subject: Subject, entry: Entry, dataset: Dataset) -> Subject:
     """A subject with what layout and table say of it, where it is silent."""
     identity = subject.id or entry.participant
@@ -45,5 +64,9 @@ def joined(subject: Subject, entry: Entry, dataset: Dataset) -> Subject:
 
 
 def person_of(identity: str, dataset: Dataset) -> Participant:
-    """Who that is by the table of participants; without a row, nothing is known."""
-    return dataset.participants.get(identity.removeprefix("sub-"), Participant(identity))
+    """Who that is by the table of participants; without a row, nothing is known.
+
+    BIDS writes an id without what is neither letter nor digit.
+    """
+    people, name = dataset.participants, identity.removeprefix("sub-")
+    return people.get(name) or people.get(label(name)) or Participant(identity)

@@ -124,10 +124,13 @@ def others_columns(channels: Channels, told: Told) -> Named:
         likely = [row for row in of_kind if is_of_leg(row)] or of_kind
         names |= {row["name"]: target for row in likely if len(likely) == 1}
     columns = tuple(replace(c, name=names.get(c.name, c.name)) for c in channels.columns)
-    rate = told.get("SamplingFrequency")
-    known = isinstance(rate, int | float) and 0 < rate < float("inf")
-    sheet = Sheet(columns, Place("line", 1), float(rate) if known else None)
+    sheet = Sheet(columns, Place("line", 1), rate_of(told.get("SamplingFrequency")))
     return assemble(sheet, {})
+
+
+def rate_of(told: Any) -> float | None:
+    """A rate [Hz] where it can be one."""
+    return float(told) if isinstance(told, int | float) and 0 < told < float("inf") else None
 
 
 def is_of_leg(row: dict[str, str]) -> bool:

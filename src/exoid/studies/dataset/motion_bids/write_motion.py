@@ -90,11 +90,12 @@ def event_rows(recording: Recording, times: np.ndarray) -> list[list[object]]:
 def metadata(recording: Recording, names: list[str], task: str) -> dict[str, Any]:
     """What Motion-BIDS asks for, and exoid's own sidecar."""
     kinds = Counter(CHANNELS.get(name, UNKNOWN).type for name in names)
-    counts = {f"{'Misc' if k == 'MISC' else k}ChannelCount": n for k, n in sorted(kinds.items())}
+    counts = {f"{kind}ChannelCount": count for kind, count in sorted(kinds.items())}
     effective = 1 / step(np.concatenate([each.time for each in recording.segments[:1]]))
     tables = {name: written(getattr(recording, name)) for name in TABLES}
     return {
         "TaskName": task,
+        "TaskDescription": "movements of a lower leg about the knee",
         "SamplingFrequency": recording.sensors.sample_rate or effective,
         "SamplingFrequencyEffective": effective,
         "TrackingSystemName": "knee exoskeleton",

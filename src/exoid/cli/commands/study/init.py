@@ -1,0 +1,51 @@
+"""exoid study init: what a data set lacks, written to be filled in."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from exoid.cli.terminal.say import say
+from exoid.cli.terminal.waiting import patiently
+
+Folder = Annotated[Path, typer.Argument(help="The folder of a data set.", metavar="DATASET")]
+SHOWN = 8  # ids or names in a line
+
+
+def init(dataset: Folder) -> None:
+    """Write the table of participants that a data set lacks.
+
+    Who was recorded is told by names and sidecars; body mass, height, age and groups are for you to
+    fill in. A Motion-BIDS data set also gets its description. Nothing that is there is replaced.
+
+    \b
+    Examples:
+      exoid study init study
+    """
+    from exoid.report.words.text import counted
+    from exoid.studies.dataset.open_dataset import open_dataset
+    from exoid.studies.dataset.writing.init import begin_study
+
+    found = patiently(lambda: open_dataset(dataset), f"reading {dataset.name}")
+    for each in found.problems:
+        say(f"exoid: {each}", err=True)
+    begun = patiently(lambda: begin_study(found), "asking the sidecars")
+    for path in begun.written:
+        say(f"wrote {path}")
+    if begun.of_nobody:
+        count = counted(len(begun.of_nobody), "recording")
+        say(f"{count} of nobody: put an id into the name or the sidecar: {listed(begun.of_nobody)}")
+    if begun.table in begun.written:
+        say(
+            f"Fill in {begun.table.name}: body mass and height give masses and torques; without "
+            "them only ratios are told. Columns of your own (dose, diagnosis) are kept."
+        )
+    elif begun.absent:
+        say(f"{begun.table} is kept as it is. It lacks rows for: {listed(begun.absent)}")
+    elif not begun.written:
+        say(f"{dataset}: nothing is missing.")
+
+
+def listed(names: tuple[str, ...]) -> str:
+    more = f" and {len(names) - SHOWN} more" if len(names) > SHOWN else ""
+    return f"{', '.join(names[:SHOWN])}{more}"

@@ -1,0 +1,26 @@
+"""exoid study: the commands of a study of many people."""
+
+import typer
+
+from exoid.cli.commands.study.check import check
+from exoid.cli.commands.study.init import init
+
+study = typer.Typer(
+    name="study",
+    help="""Many people: look at a data set, run it, report it.
+
+    A data set is a folder: Motion-BIDS, or recordings whose names say whose they are, with a table
+    of participants.
+
+    \b
+    Examples:
+      exoid study init study
+      exoid study check study
+    """,
+    add_completion=False,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+study.command("init")(init)
+study.command("check")(check)

@@ -1,0 +1,62 @@
+"""What a look at a data set found, in lines for a person."""
+
+from collections import defaultdict
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from exoid.report.words.text import counted
+
+if TYPE_CHECKING:
+    from exoid.studies.dataset.check.check import Checked
+    from exoid.studies.dataset.check.finding import Finding
+
+SHOWN = 5  # of each kind; --json has all
+MOST = 8  # sessions or devices
+UNTOLD = "not told"
+
+
+def lines(folder: str, found: "Checked") -> Iterator[str]:
+    """What is there, what can be run, then what is wrong."""
+    yield f"{folder}: {counted(found.recordings, 'recording')} of {people(found.people)}"
+    yield f"  layout    {found.layout}"
+    yield f"  sides     {counts(found.sides)}"
+    yield f"  sessions  {counts(found.sessions)}"
+    yield f"  devices   {counts(found.devices) or 'no recording was read'}"
+    yield from can_be_run(found)
+    for level, title in (("error", "Errors, to be mended"), ("warning", "Warnings, to be known")):
+        of_level = [each for each in found.findings if each.level == level]
+        if of_level:
+            yield ""
+            yield f"{title}:"
+            yield from grouped(of_level)
+
+
+def can_be_run(found: "Checked") -> Iterator[str]:
+    all_read = found.read == found.recordings
+    which = "" if all_read else f" (of {found.recordings}; --read reads more)"
+    yield f"  read      {found.readable} of {found.read}{which}"
+    yield f"  drops     in {found.drops} of those read: clinical measures can be told"
+    ratios = f"; for {people(found.ratios_only)} ratios only" if found.ratios_only else ""
+    yield f"  fit       can be run on {found.readable} of those read{ratios}"
+
+
+def grouped(findings: "list[Finding]") -> Iterator[str]:
+    kinds: dict[str, list[Finding]] = defaultdict(list)
+    for each in findings:
+        kinds[each.kind].append(each)
+    for kind, group in kinds.items():
+        yield f"  {kind}: {len(group)}"
+        for each in group[:SHOWN]:
+            yield f"    {each.where}{': ' if each.where else ''}{each.says}"
+        if len(group) > SHOWN:
+            yield f"    and {len(group) - SHOWN} more, all of them with --json FILE"
+
+
+def counts(told: dict[str, int]) -> str:
+    each = [f"{name or UNTOLD} {count}" for name, count in told.items()]
+    more = f", and {len(each) - MOST} more" if len(each) > MOST else ""
+    return ", ".join(each[:MOST]) + more
+
+
+def people(count: int) -> str:
+    return f"{count} {'person' if count == 1 else 'people'}"

@@ -1,0 +1,110 @@
+"""What the recordings of a data set are: all by their sidecars, some by their samples."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from time import monotonic
+
+import numpy as np
+
+from exoid.files.system_errors import told
+from exoid.files.visible import visible
+from exoid.recordings.conventions.balance import Balance, balance
+from exoid.recordings.conventions.other_leg import EXPLAINED, middle
+from exoid.recordings.loading.load import Loaded
+from exoid.recordings.recording import Recording, Subject
+from exoid.recordings.signal.condition import classify
+from exoid.studies.dataset.entry import Dataset, Entry
+from exoid.studies.dataset.recording_of import loaded, told_beside, with_sidecar
+
+NODE = "exoid node"
+OFTEN = 0.2  # s between two words of progress
+Progress = Callable[[str], None]
+
+
+@dataclass(frozen=True)
+class Facts:
+    """What the samples of a recording say."""
+
+    device: str
+    rate: float  # Hz
+    segments: int
+    drops: int  # of the segments, passive
+    pull: Balance | None  # that draws the leg to rest
+
+
+@dataclass(frozen=True)
+class Looked:
+    """A recording as its sidecar has it; why it cannot be read; its facts, where it was read."""
+
+    entry: Entry
+    subject: Subject
+    named: Entry  # as its name alone has it
+    fault: str = ""
+    facts: Facts | None = None
+
+
+def look(dataset: Dataset, most: int, say: Progress) -> list[Looked]:
+    """Every recording by its sidecar, and `most` of them, spread over the data set, read."""
+    count = len(dataset.entries)
+    chosen = {*np.linspace(0, count - 1, min(most, count)).astype(int).tolist()}
+    begun = spoken = monotonic()
+    found: list[Looked] = []
+    for number, entry in enumerate(dataset.entries):
+        found.append(look_at(entry, read=number in chosen))
+        if monotonic() - spoken > OFTEN:
+            spoken = monotonic()
+            left = (spoken - begun) / (number + 1) * (count - number - 1)
+            say(f"looking at recording {number + 1} of {count}, {left:.0f} s left")
+    return found
+
+
+def look_at(entry: Entry, *, read: bool) -> Looked:
+    subject = Subject()
+    try:
+        subject = told_beside(entry)
+        whose = with_sidecar(entry, subject)
+        return Looked(whose, subject, entry, facts=facts_of(loaded(entry)) if read else None)
+    except ValueError as fault:
+        return Looked(with_sidecar(entry, subject), subject, entry, bare(str(fault), entry))
+    except OSError as fault:
+        return Looked(with_sidecar(entry, subject), subject, entry, told(fault))
+
+
+def bare(said: str, entry: Entry) -> str:
+    """A reason on one line, without the path that is named beside it."""
+    line = " ".join(said.split())
+    return visible(line.replace(f"{visible(str(entry.path))}: ", "").replace(f"{entry.path} ", ""))
+
+
+def facts_of(read: Loaded) -> Facts:
+    recording = read.recording
+    kinds = [
+        recording.kind(number) or classify(segment)
+        for number, segment in enumerate(recording.segments)
+    ]
+    steps = np.concatenate([np.diff(segment.time) for segment in recording.segments])
+    return Facts(
+        device_of(read),
+        float(1 / np.median(steps)),
+        len(kinds),
+        kinds.count("passive"),
+        pull_of(recording, [n for n, kind in enumerate(kinds) if kind == "passive"]),
+    )
+
+
+def device_of(read: Loaded) -> str:
+    """What recorded it: as the sidecar says, the node, or which channels there are."""
+    said = read.recording.sensors.extra_keys.get("device")
+    if isinstance(said, str):
+        return visible(said)
+    if read.quality is not None:
+        return NODE
+    channels = {name for each in read.recording.segments for name in each.channels()}
+    return " and ".join(sorted(channels - {"time"})).replace("_", " ")
+
+
+def pull_of(recording: Recording, drops: list[int]) -> Balance | None:
+    """How hard gravity and stiffness draw the bare leg, by the drop in the middle."""
+    bare = [balance(recording.segments[n]) for n in drops if not recording.added_mass(n)]
+    sure = [each for each in bare if each is not None and each.explained > EXPLAINED]
+    return middle(sure) if sure else None
