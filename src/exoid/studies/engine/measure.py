@@ -8,6 +8,7 @@ import numpy as np
 
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.solve.program_cache import with_sound_programs
+from exoid.files.visible import visible
 from exoid.recordings.recording import Recording
 from exoid.studies.batch.fit_many import fit_many
 from exoid.studies.dataset.entry import Dataset
@@ -52,7 +53,8 @@ def read(item: Item, dataset: Dataset) -> Measured:
     try:
         return Measured(item, recording_of(item.entry, dataset))
     except Exception as fault:
-        return Measured(item, faults=[reason_of(fault)])
+        said = reason_of(fault).removeprefix(f"{visible(str(item.entry.path))}: ")
+        return Measured(item, faults=[said])
 
 
 def of_step(step: str, recording: Any, settings: Settings) -> Iterable[Row]:

@@ -4,6 +4,7 @@ import typer
 
 from exoid.cli.commands.study.check import check
 from exoid.cli.commands.study.init import init
+from exoid.cli.commands.study.run import run
 
 study = typer.Typer(
     name="study",
@@ -16,6 +17,7 @@ study = typer.Typer(
     Examples:
       exoid study init study
       exoid study check study
+      exoid study run study -o results
     """,
     add_completion=False,
     rich_markup_mode=None,
@@ -24,3 +26,4 @@ study = typer.Typer(
 )
 study.command("init")(init)
 study.command("check")(check)
+study.command("run")(run)
