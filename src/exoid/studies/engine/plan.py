@@ -6,6 +6,8 @@ from dataclasses import dataclass
 from exoid.studies.engine.item import Item
 
 LARGEST = 64  # recordings of a batch: more no longer fill the lanes of programs any better
+SMALLEST = 8  # where there are as many
+SHARES = 4  # batches for each worker, at least, so that all end at about the same time
 LARGEST_BYTES = 64e6  # of their files
 
 
@@ -33,17 +35,19 @@ def unlike(items: Iterable[Item]) -> tuple[list[Item], dict[str, str]]:
     return list(first.values()), again
 
 
-def plan(items: Sequence[Item]) -> list[Batch]:
-    """Batches of recordings of one format and about one size, the largest first."""
+def plan(items: Sequence[Item], count: int) -> list[Batch]:
+    """Batches for so many workers, each of one format and about one size, the largest first."""
     buckets: dict[tuple[str, int], list[Item]] = {}
     for item in items:
         bucket = item.entry.path.suffix.lower(), item.size.bit_length()
         buckets.setdefault(bucket, []).append(item)
+    share = len(items) // (SHARES * count)
+    most = min(LARGEST, max(SMALLEST, share))
     ordered = sorted(buckets.items(), key=lambda each: (-each[0][1], each[0][0]))
-    return [batch for _, own in ordered for batch in cut(own)]
+    return [batch for _, own in ordered for batch in cut(own, most)]
 
 
-def cut(items: Sequence[Item]) -> list[Batch]:
-    most = max(item.size for item in items)
-    count = int(min(LARGEST, max(1, LARGEST_BYTES // max(most, 1))))
+def cut(items: Sequence[Item], most: int) -> list[Batch]:
+    largest = max(item.size for item in items)
+    count = int(min(most, max(1, LARGEST_BYTES // max(largest, 1))))
     return [Batch(tuple(items[at : at + count])) for at in range(0, len(items), count)]

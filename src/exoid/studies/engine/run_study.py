@@ -62,7 +62,8 @@ def run_study(
     if missing:
         hear = heard(told, len(missing))
         with workers(count, scheduler) as client:
-            lost = carry_out(client, plan(missing), partial(submitted, client), hear)
+            batches = plan(missing, max(1, len(client.nthreads())))
+            lost = carry_out(client, batches, partial(submitted, client), hear)
         there = kept(results)
     found = by_part(items, there)
     others = rows_without_part(contents, again, lost, digest)

@@ -37,7 +37,8 @@ class Settings:
     @property
     def digest(self) -> str:
         """A hash of them, of exoid's code, and of the libraries that compute."""
-        asked = [sorted(self.steps), sorted(self.fit.items()), sorted(self.diagnose.items())]
+        options = {"fit": self.fit, "diagnose": self.diagnose}
+        asked = [(step, sorted(options.get(step, {}).items())) for step in sorted(self.steps)]
         home = Path(exoid.__file__).parent
         code = code_of(home).hex(), code_of(home / "studies").hex()
         words = repr((asked, code, *map(version, NUMBERS)))

@@ -4,6 +4,7 @@ import logging
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import Any
 
 from exoid.files.extras import require
 from exoid.files.library_faults import quiet
@@ -16,7 +17,7 @@ AGAIN = 1  # workers that a batch may take down before it is cut
 
 
 @contextmanager
-def workers(count: int | None, scheduler: str | None) -> Iterator[object]:
+def workers(count: int | None, scheduler: str | None) -> Iterator[Any]:
     """A client of dask.distributed: of `scheduler`, tcp://..., or of `count` processes here."""
     require("distributed", "a study is computed")
     import dask
@@ -37,7 +38,7 @@ def settings() -> dict[str, object]:
     }
 
 
-def client_of(address: str) -> Iterator[object]:
+def client_of(address: str) -> Iterator[Any]:
     from distributed import Client
 
     try:
@@ -51,7 +52,7 @@ def client_of(address: str) -> Iterator[object]:
         yield client
 
 
-def local(count: int) -> Iterator[object]:
+def local(count: int) -> Iterator[Any]:
     from distributed import Client, LocalCluster
 
     os.environ.update({name: os.environ.get(name, value) for name, value in ALONE.items()})
