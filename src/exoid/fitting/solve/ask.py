@@ -144,8 +144,15 @@ def around(
 
 def left(problem: Problem, at: Solved, row: int, disturbance: Disturbance) -> Disturbance:
     """The same disturbance, with the information that it leaves at one end point."""
+    every = grams_at(problem, at, row, set(disturbance.causes(problem.kinds)))
+    return left_by(every, problem, at, row, disturbance)
+
+
+def left_by(
+    every: list[Grams], problem: Problem, at: Solved, row: int, disturbance: Disturbance
+) -> Disturbance:
+    """The same by the inner products of every segment there."""
     causes, size = disturbance.causes(problem.kinds), flattened(take(at.coordinates, row)).size
-    every = grams_at(problem, at, row, set(causes))
     each = [own[cause] for own, cause in zip(every, causes, strict=True)]
     return spoiled(disturbance, each, problem.kinds, size)
 
