@@ -25,7 +25,7 @@ jax.config.update("jax_enable_x64", True)
 # Works only before the first import of exoid. Typer gives commands what it does not declare.
 ROOMS = (
     *("files", "recordings", "physics", "pendulum", "fitting", "twin"),
-    *("trust", "mismatch", "planning", "interchange", "online", "watching", "report"),
+    *("trust", "mismatch", "planning", "interchange", "online", "watching", "report", "studies"),
 )
 install_import_hook([f"exoid.{room}" for room in ROOMS], "beartype.beartype")
 

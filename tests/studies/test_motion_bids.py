@@ -5,11 +5,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from same import assert_same
 
 from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
 from exoid.studies.dataset.motion_bids.read_motion import read_motion
 from exoid.studies.dataset.motion_bids.write_motion import write_motion
+from study_folders import same
 
 NAME = "sub-01_task-knee_tracksys-knee_acq-left_motion.tsv"
 NAN = float("nan")
@@ -52,7 +52,7 @@ def everything() -> Recording:
 
 def test_a_recording_that_is_written_and_read_is_the_same(path):
     write_motion(everything(), path, "knee")
-    assert_same(read_motion(path).recording, everything())
+    same(read_motion(path)[0], everything())
 
 
 def test_the_segments_are_events_on_one_clock(path):
@@ -101,7 +101,7 @@ def test_anothers_joint_angle_in_degrees_is_understood(path):
     knee = ["flex", "n/a", "JNTANG", "LeftKnee", "deg"]
     samples = np.column_stack([np.zeros(300), np.degrees(leg.best_angle)])
     write_others(path, [hip, knee], samples)
-    recording = read_motion(path).recording
+    recording = read_motion(path)[0]
     (segment,) = recording.segments
     assert segment.raw_angle is not None
     np.testing.assert_allclose(segment.raw_angle, leg.best_angle, atol=1e-8)  # nine digits written
@@ -117,7 +117,7 @@ def test_anothers_latency_is_the_time_and_what_holds_for_all_stands_above(path):
     path.with_suffix(".json").unlink()
     above = path.parents[2] / "task-knee_motion.json"
     above.write_text(json.dumps({"exoid": {"subject": {"side": "right"}}}))
-    recording = read_motion(path).recording
+    recording = read_motion(path)[0]
     np.testing.assert_allclose(recording.segments[0].time, late, atol=1e-8)
     assert recording.subject.side == "right"
 

@@ -65,13 +65,19 @@ def replacing_folder(folder: Path) -> Iterator[Path]:
 
 def put_aside(folder: Path) -> None:
     """Give a folder another name; nothing is to be kept of an empty one."""
-    if not folder.exists():
-        return
-    if not any(folder.iterdir()):
+    aside = name_aside(folder)
+    if aside is not None:
+        folder.rename(aside)
+    elif folder.exists():
         folder.rmdir()
-        return
+
+
+def name_aside(folder: Path) -> Path | None:
+    """Where `replacing_folder` puts what is there; None where nothing is."""
+    if not folder.exists() or not any(folder.iterdir()):
+        return None
     names = (folder.with_name(f"{folder.name}.before{number or ''}") for number in count())
-    folder.rename(next(each for each in names if not each.exists()))
+    return next(each for each in names if not each.exists())
 
 
 @contextmanager

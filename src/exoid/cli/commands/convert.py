@@ -90,7 +90,7 @@ def convert_folder(
 ) -> None:
     """A data set as the layout that it has not, unless one is named."""
     check_folder(output, force, [folder])
-    from exoid.files.replacing import replacing_folder
+    from exoid.files.replacing import name_aside, replacing_folder
     from exoid.report.words.text import counted
     from exoid.studies.dataset.open_dataset import open_dataset
     from exoid.studies.dataset.writing.convert_dataset import convert_dataset
@@ -98,10 +98,12 @@ def convert_folder(
     dataset = patiently(lambda: open_dataset(folder), f"reading {folder.name}")
     for each in dataset.problems:
         raise ValueError(f"{folder}: {each}")
-    chosen = layout or ("plain" if dataset.bids else "bids")
+    chosen, aside = layout or ("plain" if dataset.bids else "bids"), name_aside(output)
     with replacing_folder(output) as part:
         count = in_phases(
             lambda said: convert_dataset(dataset, part, chosen, whole=whole, say=said),
             f"writing {output.name}",
         )
     say(f"{output}: {counted(count, 'recording')} as {WORDS[chosen]}")
+    if aside is not None:
+        say(f"what was there is {aside}")

@@ -46,10 +46,19 @@ def grouped(findings: "list[Finding]") -> Iterator[str]:
         kinds[each.kind].append(each)
     for kind, group in kinds.items():
         yield f"  {kind}: {len(group)}"
-        for each in group[:SHOWN]:
-            yield f"    {each.where}{': ' if each.where else ''}{each.says}"
-        if len(group) > SHOWN:
-            yield f"    and {len(group) - SHOWN} more, all of them with --json FILE"
+        yield from (f"    {each}" for each in shown(group))
+
+
+def shown(group: "list[Finding]") -> Iterator[str]:
+    """Where, and what is the matter; said once where it is the same of all."""
+    if len(group) > 1 and len({each.says for each in group}) == 1:
+        more = f" and {len(group) - MOST} more" if len(group) > MOST else ""
+        yield f"{', '.join(each.where for each in group[:MOST])}{more}"
+        yield group[0].says
+        return
+    yield from (f"{each.where}{': ' if each.where else ''}{each.says}" for each in group[:SHOWN])
+    if len(group) > SHOWN:
+        yield f"and {len(group) - SHOWN} more, all of them with --json FILE"
 
 
 def counts(told: dict[str, int]) -> str:

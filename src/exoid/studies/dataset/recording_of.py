@@ -26,7 +26,7 @@ def recording_of(entry: Entry, dataset: Dataset) -> Recording:
 def loaded(entry: Entry, *, whole: bool = False) -> Loaded:
     """The recording by its own files alone, and what its reader noticed."""
     if entry.path.name.endswith(SUFFIX):
-        return read_motion(entry.path, whole=whole)
+        return Loaded(*read_motion(entry.path, whole=whole), None)
     return load(entry.path, whole=whole)
 
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable
 from exoid.recordings.conventions.balance import Balance
 from exoid.recordings.conventions.other_leg import apart, middle
 from exoid.studies.dataset.check.finding import Findings, error, warning
-from exoid.studies.dataset.check.look import Looked
+from exoid.studies.dataset.check.looked import Looked
 
 SAME_RATE = 0.05  # relative; clocks differ by less
 CHANGES = {"body_mass": 1.1, "height": 1.02}  # factors beyond which it is not one person
@@ -44,7 +44,7 @@ def mixed(name: str, group: list[Looked]) -> Findings:
     read = [each.facts for each in group if each.facts is not None]
     rates = [facts.rate for facts in read]
     if rates and max(rates) > (1 + SAME_RATE) * min(rates):
-        says = f"was recorded at {min(rates):.4g} and at {max(rates):.4g} Hz."
+        says = f"was recorded at {min(rates):.3g} and at {max(rates):.3g} Hz."
         yield warning("mixed rates", name, f"{says} Compare with care: noise and errors differ.")
     devices = sorted({facts.device for facts in read})
     if len(devices) > 1:

@@ -5,7 +5,8 @@ from dataclasses import dataclass
 
 from exoid.studies.dataset.check.across import across
 from exoid.studies.dataset.check.finding import Finding, error
-from exoid.studies.dataset.check.look import Looked, Progress, look
+from exoid.studies.dataset.check.look import Progress, look
+from exoid.studies.dataset.check.looked import Looked
 from exoid.studies.dataset.check.people import people
 from exoid.studies.dataset.check.recordings import recordings
 from exoid.studies.dataset.entry import Dataset

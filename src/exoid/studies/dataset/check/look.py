@@ -1,7 +1,6 @@
 """What the recordings of a data set are: all by their sidecars, some by their samples."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from time import monotonic
 
 import numpy as np
@@ -13,34 +12,13 @@ from exoid.recordings.conventions.other_leg import EXPLAINED, middle
 from exoid.recordings.loading.load import Loaded
 from exoid.recordings.recording import Recording, Subject
 from exoid.recordings.signal.condition import classify
+from exoid.studies.dataset.check.looked import Facts, Looked
 from exoid.studies.dataset.entry import Dataset, Entry
 from exoid.studies.dataset.recording_of import loaded, told_beside, with_sidecar
 
 NODE = "exoid node"
 OFTEN = 0.2  # s between two words of progress
 Progress = Callable[[str], None]
-
-
-@dataclass(frozen=True)
-class Facts:
-    """What the samples of a recording say."""
-
-    device: str
-    rate: float  # Hz
-    segments: int
-    drops: int  # of the segments, passive
-    pull: Balance | None  # that draws the leg to rest
-
-
-@dataclass(frozen=True)
-class Looked:
-    """A recording as its sidecar has it; why it cannot be read; its facts, where it was read."""
-
-    entry: Entry
-    subject: Subject
-    named: Entry  # as its name alone has it
-    fault: str = ""
-    facts: Facts | None = None
 
 
 def look(dataset: Dataset, most: int, say: Progress) -> list[Looked]:

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from exoid.recordings.recording import Subject, known
 from exoid.recordings.unit_hint import unit_hint
 from exoid.studies.dataset.check.finding import Finding, Findings, error, warning
-from exoid.studies.dataset.check.look import Looked
+from exoid.studies.dataset.check.looked import Looked
 from exoid.studies.dataset.entry import Dataset, Participant
 
 GROWN = 16.0  # years
@@ -23,15 +23,22 @@ def people(dataset: Dataset, looked: list[Looked]) -> Findings:
     for each in looked:
         told[each.entry.participant].append(each.subject)
     told.pop("", None)
+    if dataset.table is None:
+        says = "there is no table of participants: exoid study init writes one to fill in."
+        yield warning("no table", "", says)
     yield from near({*told, *dataset.participants})
     for person in dataset.participants.values():
         yield from sizes(person)
         if person.id not in told:
-            yield warning("nobody recorded", person.id, "has no recording. Is the id right?")
+            yield warning(
+                "nobody recorded",
+                person.id,
+                "no recording is of this row. Is the id right?",
+            )
     for name in sorted(told):
         row = dataset.participants.get(name)
         if row is None and dataset.table is not None:
-            yield warning("not in the table", name, f"is not in {dataset.table.name}. Add a row.")
+            yield warning("not in the table", name, f"no row of {dataset.table.name}: add one.")
         yield from missing(name, [row or Participant(name), *told[name]])
 
 
@@ -40,7 +47,7 @@ def missing(name: str, told: list[Participant | Subject]) -> Findings:
     for size in ("body_mass", "height"):
         if all(getattr(each, size) is None for each in told):
             words = size.replace("_", " ")
-            says = f"has no {words}: only ratios to the inertia are told, nothing in kg or N m."
+            says = f"without a {words} only ratios to the inertia are told, nothing in kg or N m."
             yield warning(f"no {words}", name, says)
 
 

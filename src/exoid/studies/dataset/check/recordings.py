@@ -4,7 +4,7 @@ from collections import defaultdict
 from collections.abc import Iterable
 
 from exoid.studies.dataset.check.finding import Findings, error, warning
-from exoid.studies.dataset.check.look import Looked
+from exoid.studies.dataset.check.looked import Looked
 from exoid.studies.dataset.check.same_content import same_content
 from exoid.studies.dataset.entry import Dataset, Entry
 from exoid.studies.dataset.layout import said
@@ -45,9 +45,8 @@ def twice_in_name(entry: Entry, ids: frozenset[str]) -> Findings:
     for field in FIELDS:
         values = [*told[field].values()]
         if len(values) > 1:
-            says = (
-                f"its name tells two of {field}: {' and '.join(values)}. Rename it or its folder."
-            )
+            both = " and ".join(values)
+            says = f"its name tells the {field} twice: {both}. Rename the file or its folder."
             yield error("told twice", entry.name, says)
 
 

@@ -8,13 +8,12 @@ from typing import Any
 
 import numpy as np
 
-from exoid.files.text_file import naming, read_text
+from exoid.files.text_file import Notes, naming, read_text
 from exoid.recordings.columns import NUMERIC, SEGMENT
 from exoid.recordings.conventions.apply import understand
 from exoid.recordings.formats.own_table import build, late_starts
-from exoid.recordings.loading.load import Loaded
 from exoid.recordings.motion.split import cut_table
-from exoid.recordings.recording import Subject
+from exoid.recordings.recording import Recording, Subject
 from exoid.recordings.sidecar import TABLES, parse_keys
 from exoid.recordings.tables.assemble import Named, assemble
 from exoid.recordings.tables.sheet import Place, Sheet
@@ -29,8 +28,9 @@ OF_LEG = ("knee", "shank", "tibia")
 CHANNEL_OF = {"LATENCY": "time", "JNTANG": "raw_angle", "GYRO": "raw_angular_velocity"}
 
 
-def read_motion(path: Path, *, whole: bool = False) -> Loaded:
-    """The recording in NAME_motion.tsv, with its channels, events and metadata, cut as `load` does.
+def read_motion(path: Path, *, whole: bool = False) -> tuple[Recording, Notes]:
+    """The recording in NAME_motion.tsv, with its channels, events and metadata, cut as `load` does;
+    and what its owner should be told.
 
     **Raises** `ValueError` in one line, and `OSError`.
     """
@@ -44,7 +44,7 @@ def read_motion(path: Path, *, whole: bool = False) -> Loaded:
         recording = built.described(tables | {"extra_tables": extra})
         notes = (*named.notes, *built.notes, *late_starts(recording))
         recording, more = understand(recording, cut_table, whole=whole)
-    return Loaded(recording, tuple(f"{path}: {note}" for note in (*notes, *more)), None)
+    return recording, tuple(f"{path}: {note}" for note in (*notes, *more))
 
 
 def metadata_of(path: Path) -> Told:

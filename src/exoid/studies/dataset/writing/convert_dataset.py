@@ -14,7 +14,7 @@ from exoid.recordings.recording import Recording
 from exoid.studies.dataset.entry import Dataset, Entry
 from exoid.studies.dataset.motion_bids.write_motion import write_motion
 from exoid.studies.dataset.recording_of import loaded, told_beside, with_sidecar
-from exoid.studies.dataset.writing.describe import description, readme
+from exoid.studies.dataset.writing.describe import description, events, readme
 from exoid.studies.dataset.writing.init import recorded
 from exoid.studies.dataset.writing.names import bids_name, numbered, plain_name
 from exoid.studies.dataset.writing.people_table import bids_table, plain_table
@@ -49,7 +49,7 @@ def convert_dataset(
             say(f"writing recording {number + 1} of {len(entries)}")
     if faults:
         raise ValueError(refused(faults, len(entries)))
-    beside(dataset, folder, layout)
+    beside(dataset, folder, layout, {each.task for each in targets})
     return len(entries)
 
 
@@ -78,13 +78,14 @@ def write(recording: Recording, folder: Path, target: Entry, layout: Layout) -> 
         write_table(recording, path)
 
 
-def beside(dataset: Dataset, folder: Path, layout: Layout) -> None:
+def beside(dataset: Dataset, folder: Path, layout: Layout, tasks: set[str]) -> None:
     """What a data set holds beside its recordings."""
     people = {**dataset.participants, **recorded(dataset)[0]}
     files: dict[str, str] = {}
     if layout == "bids":
         name = visible(dataset.folder.name)
         files = {"dataset_description.json": description(name), "README.md": readme(name)}
+        files |= {f"task-{task}_events.json": events() for task in sorted(tasks)}
         files["participants.tsv"], files["participants.json"] = bids_table(people.values())
     else:
         files["participants.csv"] = plain_table(people.values())

@@ -16,6 +16,17 @@ the angular velocity where it was measured. `_channels.tsv` names its columns an
 Whom to ask, how the people were chosen, what they consented to, and under which licence the data
 may be used: write it here, and the licence and the authors into `dataset_description.json`.
 """
+EVENTS = {
+    "trial_type": {
+        "Description": "how the leg was moved in this segment",
+        "Levels": {
+            "passive": "let go, and left to itself",
+            "active": "moved by its own muscles",
+            "measured": "moved by a torque that was measured",
+        },
+    },
+    "sample": {"Description": "the number of its first row in _motion.tsv, from 0"},
+}
 
 
 def description(name: str) -> str:
@@ -31,3 +42,8 @@ def description(name: str) -> str:
 
 def readme(name: str) -> str:
     return README.format(name=name)
+
+
+def events() -> str:
+    """`task-TASK_events.json`: what the columns of `_events.tsv` mean."""
+    return json.dumps(EVENTS, indent=2) + "\n"
