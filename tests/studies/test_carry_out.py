@@ -63,7 +63,7 @@ def test_a_disk_that_takes_nothing_ends_the_run():
 
 
 def test_a_scheduler_that_is_gone_is_told_with_what_to_do():
-    with pytest.raises(OSError, match="scheduler does not answer.* run it again"):
+    with pytest.raises(OSError, match=r"scheduler does not answer.* run it again"):
         carry_out(
             Workers(), [batch_of(4)], lambda batch: Ended(status="cancelled"), lambda count: None
         )

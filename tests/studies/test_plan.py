@@ -1,5 +1,6 @@
 """Which recordings a worker computes side by side."""
 
+from itertools import chain
 from pathlib import Path
 
 from exoid.studies.dataset.entry import Entry, Participant
@@ -18,7 +19,7 @@ def names(batches: list[Batch]) -> list[list[str]]:
 def test_every_recording_is_in_one_batch_with_others_of_its_format_and_size():
     items = [item(f"{n}.csv") for n in range(100)] + [item("long.csv", 9000), item("a.blf", 1000)]
     batches = plan(items, 2)
-    assert sorted(sum(names(batches), [])) == sorted(each.entry.name for each in items)
+    assert sorted(chain(*names(batches))) == sorted(each.entry.name for each in items)
     assert names(batches)[0] == ["long.csv"]  # what takes longest does not come last
     assert ["a.blf"] in names(batches)
     assert max(len(batch.items) for batch in batches) == 102 // 8  # four batches for each of two

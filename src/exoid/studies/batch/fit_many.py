@@ -30,8 +30,9 @@ def frugal_fit(recordings: RecordingsLike, options: dict[str, Any]) -> FitResult
     wanted = options.get("multistart", STARTS)
     if wanted <= FEW or options.get("starts") is not None or options.get("method") == "slsqp":
         return fit(recordings, **options)
+    few: dict[str, Any] = {**options, "multistart": FEW}
     try:
-        found = fit(recordings, **options | {"multistart": FEW})
+        found = fit(recordings, **few)
     except (ValueError, ArithmeticError):  # as all starts have it, whose words it then is
         return fit(recordings, **options)
     agree = found.multistart.at_best == FEW and found.follows

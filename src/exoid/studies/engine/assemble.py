@@ -4,7 +4,6 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 import pyarrow as pa
-import pyarrow.compute as pc
 import pyarrow.parquet as pq
 
 from exoid.files.replacing import replacing
@@ -44,7 +43,7 @@ def assemble(
 
 def renamed(table: pa.Table, names: Mapping[str, str]) -> pa.Table:
     """The rows of these keys, under the names that their recordings have now."""
-    chosen = table.filter(pc.is_in(table["key"], pa.array(list(names), pa.string())))
+    chosen = table.filter(pa.array([key in names for key in table["key"].to_pylist()]))
     name = pa.array([names[key] for key in chosen["key"].to_pylist()], pa.string())
     return chosen.set_column(chosen.schema.get_field_index("name"), "name", name)
 

@@ -55,7 +55,8 @@ def ended(client: Any, running: list[Any], patience: float) -> list[Any]:
 
     try:
         with client.as_current():
-            return list(wait(running, timeout=patience, return_when="FIRST_COMPLETED").done)
+            some: Any = wait(running, timeout=patience, return_when="FIRST_COMPLETED")
+            return list(some.done)
     except Late as fault:
         raise OSError(
             f"no batch of recordings was done in {patience / 60:.0f} min: does the file system "

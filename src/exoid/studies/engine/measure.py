@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
+from exoid.files.visible import visible
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.solve.program_cache import with_sound_programs
-from exoid.files.visible import visible
 from exoid.recordings.recording import Recording
 from exoid.studies.batch.fit_many import fit_many
 from exoid.studies.dataset.entry import Dataset
@@ -71,7 +71,7 @@ def of_step(step: str, recording: Any, settings: Settings) -> Iterable[Row]:
 
 def fitted(each: list[Measured], options: dict[str, Any]) -> None:
     """The rows of all fits."""
-    recordings = [one.recording for one in each]
+    recordings = [one.recording for one in each if one.recording is not None]
     results = with_sound_programs(lambda: fit_many(recordings, **options))
     for one, result in zip(each, results, strict=True):
         one.take("fit", lambda result=result: of_fit(sound(result)))

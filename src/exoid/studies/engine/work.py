@@ -9,7 +9,6 @@ from exoid.studies.engine.plan import Batch
 from exoid.studies.engine.settings import Settings
 
 
-
 def work(batch: Batch, dataset: Dataset, settings: Settings, digest: str, results: Path) -> int:
     """How many recordings were measured, once their rows are kept."""
     prepare()

@@ -20,9 +20,9 @@ AGAIN = 1  # workers that a batch may take down before it is cut
 def workers(count: int | None, scheduler: str | None) -> Iterator[Any]:
     """A client of dask.distributed: of `scheduler`, tcp://..., or of `count` processes here."""
     require("distributed", "a study is computed")
-    import dask
+    from dask import config
 
-    with quiet("distributed"), dask.config.set(settings()):
+    with quiet("distributed"), config.set(settings()):
         if scheduler is not None:
             yield from client_of(scheduler)
         else:
@@ -61,7 +61,7 @@ def local(count: int) -> Iterator[Any]:
         threads_per_worker=1,
         processes=True,
         memory_limit=memory_of(count),
-        dashboard_address=None,
+        dashboard_address=None,  # type: ignore[arg-type]  # it serves none
         silence_logs=logging.CRITICAL,
     )
     with cluster, Client(cluster, set_as_default=False) as client:

@@ -78,9 +78,7 @@ def run(
     for each in found.problems:
         say(f"exoid: {each}", err=True)
     with progress("recordings") as told:
-        made = run_study(
-            found, results, settings, count=workers, scheduler=scheduler, told=told
-        )
+        made = run_study(found, results, settings, count=workers, scheduler=scheduler, told=told)
     show(lambda console: print_outcome(made, results, console))
     files = Outputs()
     files.put_document(json, lambda: {**asdict(made), "folder": str(results), "steps": named})
