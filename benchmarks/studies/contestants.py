@@ -111,8 +111,8 @@ def bare(folder: Path, count: int) -> Taken:
     """What a worker does, in this process: `work` of all batches, and no engine around it."""
     from tempfile import TemporaryDirectory
 
-    from exoid.studies.engine.item import Item
-    from exoid.studies.engine.parts import FOLDER
+    from exoid.studies.engine.kept.item import Item
+    from exoid.studies.engine.kept.parts import FOLDER
     from exoid.studies.engine.plan import plan
     from exoid.studies.engine.read_contents import read_contents
     from exoid.studies.engine.work import work

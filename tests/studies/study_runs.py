@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pyarrow.parquet as pq
 import pytest
-from folders import study, table_of
 
 from exoid.studies.engine import run_study as module
 from exoid.studies.engine.settings import Settings
+from study_folders import study, table_of
 
 DROPS = Settings(("drops",))
 TABLES = ("recordings.parquet", "quantities.parquet")

@@ -9,8 +9,8 @@ import pytest
 from exoid.studies.dataset.entry import Entry, Participant
 from exoid.studies.engine import carry_out as module
 from exoid.studies.engine.carry_out import carry_out
-from exoid.studies.engine.item import Item
-from exoid.studies.engine.parts import NotKept
+from exoid.studies.engine.kept.item import Item
+from exoid.studies.engine.kept.parts import NotKept
 from exoid.studies.engine.plan import Batch
 
 

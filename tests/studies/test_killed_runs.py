@@ -11,7 +11,7 @@ import pytest
 from study_runs import COMPUTED, DROPS, contents, in_this_process
 
 from exoid.studies.dataset.open_dataset import open_dataset
-from exoid.studies.engine.parts import kept, keys_of, parts
+from exoid.studies.engine.kept.parts import kept, keys_of, parts
 from exoid.studies.engine.run_study import run_study
 
 SCRIPT = Path(sys.executable).with_name("exoid")

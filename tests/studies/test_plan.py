@@ -4,7 +4,7 @@ from itertools import chain
 from pathlib import Path
 
 from exoid.studies.dataset.entry import Entry, Participant
-from exoid.studies.engine.item import Item
+from exoid.studies.engine.kept.item import Item
 from exoid.studies.engine.plan import LARGEST, SMALLEST, Batch, plan, unlike
 
 

@@ -11,7 +11,7 @@ from study_runs import COMPUTED, DROPS, NAMES, contents, copied, rows
 
 from exoid.studies.dataset.open_dataset import open_dataset
 from exoid.studies.engine import run_study as module
-from exoid.studies.engine.parts import FOLDER, parts
+from exoid.studies.engine.kept.parts import FOLDER, parts
 from exoid.studies.engine.plan import Batch
 from exoid.studies.engine.run_study import run_study
 from exoid.studies.engine.work import work

@@ -4,8 +4,8 @@ from collections import deque
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from exoid.studies.engine.item import Item
-from exoid.studies.engine.parts import NotKept
+from exoid.studies.engine.kept.item import Item
+from exoid.studies.engine.kept.parts import NotKept
 from exoid.studies.engine.plan import Batch
 
 AHEAD = 3  # batches that wait for each worker, so that none waits for the next

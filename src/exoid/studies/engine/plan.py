@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from exoid.studies.engine.item import Item
+from exoid.studies.engine.kept.item import Item
 
 LARGEST = 64  # recordings of a batch: more no longer fill the lanes of programs any better
 SMALLEST = 8  # where there are as many

@@ -7,7 +7,7 @@ from exoid.files.system_errors import told
 from exoid.studies.dataset.entry import Dataset, Entry
 from exoid.studies.dataset.motion_bids.labels import SUFFIX, inherited
 from exoid.studies.dataset.recording_of import person_of
-from exoid.studies.engine.item import Item, Unread
+from exoid.studies.engine.kept.item import Item, Unread
 
 BESIDE = ("_channels.tsv", "_events.tsv", "_motion.json")
 

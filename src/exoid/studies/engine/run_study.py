@@ -11,7 +11,7 @@ from typing import Any
 from exoid.files.extras import require
 from exoid.studies.dataset.entry import Dataset, Participant
 from exoid.studies.engine.carry_out import TAKEN_DOWN, carry_out
-from exoid.studies.engine.item import Item, Unread
+from exoid.studies.engine.kept.item import Item, Unread
 from exoid.studies.engine.plan import Batch, plan, unlike
 from exoid.studies.engine.read_contents import read_contents
 from exoid.studies.engine.settings import Settings
@@ -47,8 +47,8 @@ def run_study(
     done, of how many.
     """
     require("pyarrow", "the tables of a study are written")
-    from exoid.studies.engine.assemble import assemble
-    from exoid.studies.engine.parts import FOLDER, kept
+    from exoid.studies.engine.kept.assemble import assemble
+    from exoid.studies.engine.kept.parts import FOLDER, kept
 
     began = time.monotonic()
     (results / FOLDER).mkdir(parents=True, exist_ok=True)
@@ -106,8 +106,8 @@ def rows_without_part(
     """The rows of what was not computed: files that are not read, that hold the same as another, or
     that took their worker down.
     """
-    from exoid.studies.engine.measure import Measured
-    from exoid.studies.engine.tables import recording_row
+    from exoid.studies.engine.kept.measured import Measured
+    from exoid.studies.engine.kept.tables import recording_row
 
     rows = []
     for each in contents:

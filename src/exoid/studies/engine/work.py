@@ -12,9 +12,9 @@ from exoid.studies.engine.settings import Settings
 def work(batch: Batch, dataset: Dataset, settings: Settings, digest: str, results: Path) -> int:
     """How many recordings were measured, once their rows are kept."""
     prepare()
+    from exoid.studies.engine.kept.parts import keep
+    from exoid.studies.engine.kept.tables import quantities_table, recordings_table
     from exoid.studies.engine.measure import measure
-    from exoid.studies.engine.parts import keep
-    from exoid.studies.engine.tables import quantities_table, recordings_table
 
     found = measure(batch, dataset, settings)
     keep(results, recordings_table(found, digest), quantities_table(found))

@@ -6,8 +6,8 @@ from typing import Any
 
 import pyarrow as pa
 
-from exoid.studies.engine.item import Item
-from exoid.studies.engine.measure import Measured, facts
+from exoid.studies.engine.kept.item import Item
+from exoid.studies.engine.kept.measured import Measured, facts
 
 TEXT, NUMBER, COUNT = pa.string(), pa.float64(), pa.int64()
 WHOSE = [(name, TEXT) for name in ("recording", "name", "participant", "session", "side")]

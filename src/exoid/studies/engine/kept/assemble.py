@@ -9,8 +9,8 @@ import pyarrow.parquet as pq
 from exoid.files.replacing import replacing
 from exoid.studies.dataset.entry import Dataset
 from exoid.studies.dataset.recording_of import person_of
-from exoid.studies.engine.parts import quantities_beside
-from exoid.studies.engine.tables import QUANTITIES, RECORDINGS
+from exoid.studies.engine.kept.parts import quantities_beside
+from exoid.studies.engine.kept.tables import QUANTITIES, RECORDINGS
 
 ROWS = 1 << 18  # of a group in a file
 
@@ -43,7 +43,8 @@ def assemble(
 
 def renamed(table: pa.Table, names: Mapping[str, str]) -> pa.Table:
     """The rows of these keys, under the names that their recordings have now."""
-    chosen = table.filter(pa.array([key in names for key in table["key"].to_pylist()]))
+    wanted = [key in names for key in table["key"].to_pylist()]
+    chosen = table.filter(pa.array(wanted, pa.bool_()))
     name = pa.array([names[key] for key in chosen["key"].to_pylist()], pa.string())
     return chosen.set_column(chosen.schema.get_field_index("name"), "name", name)
 
