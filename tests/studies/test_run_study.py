@@ -120,3 +120,13 @@ def test_a_recording_that_takes_its_worker_down_is_a_row_and_is_tried_again(
     monkeypatch.setattr(module, "work", work)
     made = run_study(open_dataset(folder), tmp_path, DROPS)
     assert (made.computed, made.failed) == (1, 1)
+
+
+def test_a_batch_whose_worker_was_killed_after_it_was_kept_is_not_computed_again(
+    here, folder, tmp_path, monkeypatch
+):
+    run_study(open_dataset(folder), tmp_path, DROPS)
+    before = {part: part.stat().st_mtime_ns for part in parts(tmp_path)}
+    monkeypatch.setattr("exoid.studies.engine.kept.parts.kept", lambda results: {})
+    run_study(open_dataset(folder), tmp_path, DROPS)
+    assert {part: part.stat().st_mtime_ns for part in parts(tmp_path)} == before

@@ -1,5 +1,6 @@
 """Which recordings are computed together."""
 
+import hashlib
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
@@ -16,6 +17,11 @@ class Batch:
     """Recordings of about one shape, which a worker computes side by side."""
 
     items: tuple[Item, ...]
+
+    @property
+    def name(self) -> str:
+        """By its content: the same batch is kept in the same place, whoever computes it."""
+        return hashlib.sha256(" ".join(item.key for item in self.items).encode()).hexdigest()[:32]
 
     def halves(self) -> tuple["Batch", "Batch"]:
         middle = len(self.items) // 2

@@ -11,13 +11,16 @@ from exoid.studies.engine.settings import Settings
 
 def work(batch: Batch, dataset: Dataset, settings: Settings, digest: str, results: Path) -> int:
     """How many recordings were measured, once their rows are kept."""
+    from exoid.studies.engine.kept.parts import is_kept, keep
+
+    if is_kept(results, batch.name):
+        return len(batch.items)
     prepare()
-    from exoid.studies.engine.kept.parts import keep
     from exoid.studies.engine.kept.tables import quantities_table, recordings_table
     from exoid.studies.engine.measure import measure
 
     found = measure(batch, dataset, settings)
-    keep(results, recordings_table(found, digest), quantities_table(found))
+    keep(results, batch.name, recordings_table(found, digest), quantities_table(found))
     return len(found)
 
 

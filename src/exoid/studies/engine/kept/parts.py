@@ -1,7 +1,6 @@
 """What a run keeps while it goes on: the rows of every batch, each written once and whole."""
 
 from pathlib import Path
-from secrets import token_hex
 
 import pyarrow as pa
 import pyarrow.parquet as pq
@@ -16,19 +15,23 @@ class NotKept(OSError):
     """What was computed could not be written."""
 
 
-def keep(results: Path, recordings: pa.Table, quantities: pa.Table) -> None:
-    """Both tables of a batch, the recordings last: they say that all of it is there.
+def keep(results: Path, batch: str, recordings: pa.Table, quantities: pa.Table) -> None:
+    """Both tables of the batch of that name, the recordings last: they say that all is there.
 
     **Raises** `NotKept` where they cannot be written.
     """
-    token = token_hex(8)
     for name, table in ((FOUND, quantities), (DONE, recordings)):
         try:
-            with replacing(results / FOLDER / f"{name}-{token}.parquet") as path:
+            with replacing(results / FOLDER / f"{name}-{batch}.parquet") as path:
                 pq.write_table(table, path)
         except OSError as fault:
             where = str(results / FOLDER)
             raise NotKept(fault.errno or 0, fault.strerror or str(fault), where) from fault
+
+
+def is_kept(results: Path, batch: str) -> bool:
+    """Was it computed before, by a worker that was killed before it could say so?"""
+    return (results / FOLDER / f"{DONE}-{batch}.parquet").is_file()
 
 
 def parts(results: Path) -> list[Path]:
