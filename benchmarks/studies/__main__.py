@@ -58,13 +58,12 @@ def main() -> None:
 
 def row(one: Taken, first: Taken) -> str:
     """One way beside the first."""
-    faster = first.each / one.each
-    less = (first.processor / first.recordings) / (one.processor / one.recordings)
-    return (
-        f"{one.way:28} {one.recordings:6} recordings {one.each:9.1f} ms each "
-        f"{1e3 * one.processor / one.recordings:9.1f} ms of the processor "
-        f"{faster:7.1f} times as many a second {less:6.1f} by the processor"
-    )
+    said = f"{one.way:28} {one.recordings:6} recordings {one.each:9.1f} ms each"
+    said += f" {first.each / one.each:7.2f} times as many a second as the first"
+    if one.processor is None or first.processor is None:
+        return said
+    each, before = one.processor / one.recordings, first.processor / first.recordings
+    return f"{said}; {1e3 * each:8.1f} ms of the processor each, {before / each:6.2f} times as many"
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from exoid.fitting.estimate import fit
@@ -27,7 +27,7 @@ class Taken:
     way: str
     recordings: int
     seconds: float
-    processor: float  # s, of all its processes
+    processor: float | None  # s, of all its processes, where they tell
 
     @property
     def each(self) -> float:
@@ -74,7 +74,8 @@ def by_joblib(paths: Sequence[Path]) -> Taken:
     with Parallel(n_jobs=cores) as pool:
         pool(delayed(warmed)(path) for path in list(paths)[:cores])
         count = len(paths)
-        return timed("joblib", count, lambda: pool(delayed(warmed)(path) for path in paths))
+        taken = timed("joblib", count, lambda: pool(delayed(warmed)(path) for path in paths))
+    return replace(taken, processor=None)  # its processes live on
 
 
 def warmed(path: Path) -> float:

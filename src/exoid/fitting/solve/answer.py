@@ -9,9 +9,9 @@ import numpy as np
 from exoid.fitting.solve.meeting import PROGRAM, SOLVE, Question
 from exoid.fitting.solve.program_cache import called
 
-# Lanes of a run, each with its own recording: more leave the fast path of the compiled loop, and a
-# run ends when its slowest lane has.
-LANES = 8
+# Lanes of a run, each with its own recording, and their segments at once: more leave the fast path
+# of the compiled loop, and a run ends when its slowest lane has.
+LANES, SEGMENTS = 8, 10
 
 
 def answer(asked: Sequence[Question]) -> dict[int, Any]:
@@ -33,7 +33,7 @@ def solved(asked: Sequence[Question]) -> list[Any]:
     lanes = [(one, row) for one in asked for row in range(one.starts)]
     own = asked[0].lane_leaves
     parts = []
-    for chosen in filled(lanes):
+    for chosen in filled(lanes, lanes_of(asked)):
         columns = zip(*(one.leaves for one, _ in chosen), strict=True)
         rows = [row for _, row in chosen]
         leaves = [
@@ -53,18 +53,23 @@ def solved(asked: Sequence[Question]) -> list[Any]:
 def sensed(asked: Sequence[Question]) -> list[Any]:
     """Of every question, the sensitivities at its point."""
     found: list[Any] = []
-    for chosen in filled(asked):
+    lanes = lanes_of(asked)
+    for chosen in filled(asked, lanes):
         leaves = map(np.stack, zip(*(one.leaves for one in chosen), strict=True))
         made = answered("sense_many", asked, leaves)
-        found += [jax.tree.map(lambda leaf, at=at: leaf[at], made) for at in range(LANES)]
+        found += [jax.tree.map(lambda leaf, at=at: leaf[at], made) for at in range(lanes)]
     return found[: len(asked)]
 
 
-def filled(each: Sequence[Any]) -> Iterator[list[Any]]:
+def lanes_of(asked: Sequence[Question]) -> int:
+    return max(1, min(LANES, SEGMENTS // asked[0].segments))
+
+
+def filled(each: Sequence[Any], lanes: int) -> Iterator[list[Any]]:
     """So many at a time, the last again where there are fewer."""
-    for first in range(0, len(each), LANES):
-        own = list(each[first : first + LANES])
-        yield own + own[-1:] * (LANES - len(own))
+    for first in range(0, len(each), lanes):
+        own = list(each[first : first + lanes])
+        yield own + own[-1:] * (lanes - len(own))
 
 
 def answered(program: str, asked: Sequence[Question], leaves) -> Any:

@@ -32,6 +32,7 @@ class Question:
         self.lane_leaves = len(jax.tree.leaves(arguments[:OF_START])) if solves else 0
         self.starts = len(self.leaves[0]) if solves else 1
         self.steps = int((arguments[6].stage if solves else arguments[4]).steps)
+        self.segments = len(arguments[2 if solves else 1].time)
         shapes = [
             leaf.shape[1:] if at < self.lane_leaves else leaf.shape
             for at, leaf in enumerate(self.leaves)
