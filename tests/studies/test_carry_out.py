@@ -1,5 +1,6 @@
 """Batches through workers that fail in every way."""
 
+from contextlib import nullcontext
 from dataclasses import dataclass
 from errno import ENOSPC
 from pathlib import Path
@@ -26,6 +27,9 @@ class Ended:
 
 
 class Workers:
+    def as_current(self):
+        return nullcontext()
+
     def nthreads(self):
         return {"one": 1}
 
@@ -84,3 +88,17 @@ def test_only_a_few_batches_wait_for_each_worker():
     carry_out(Workers(), [batch_of(1)] * 50, submit, heard)
     assert submitted == 50
     assert max(waiting) == module.AHEAD
+
+
+def test_where_nothing_goes_on_the_run_ends_and_says_what_to_look_at(monkeypatch):
+    import distributed
+
+    def late(running, **options):
+        raise distributed.TimeoutError
+
+    monkeypatch.undo()
+    monkeypatch.setattr(distributed, "wait", late)
+    with pytest.raises(OSError, match=r"no batch .* in 2 min: does the file system stall"):
+        carry_out(
+            Workers(), [batch_of(4)], lambda batch: Ended(), lambda count: None, patience=120.0
+        )

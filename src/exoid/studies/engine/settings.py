@@ -6,13 +6,12 @@ from dataclasses import dataclass, field
 from importlib.metadata import version
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any, Literal, get_args
+from typing import Any
 
 import exoid
 from exoid.fitting.solve.program_cache import code_of
 
-Step = Literal["drops", "fit", "diagnose"]
-STEPS: tuple[Step, ...] = get_args(Step)
+STEPS = ("drops", "fit", "diagnose")
 NUMBERS = ("exoid", "jax", "jaxlib", "numpy", "scipy")  # packages that numbers hang on
 
 
@@ -20,7 +19,7 @@ NUMBERS = ("exoid", "jax", "jaxlib", "numpy", "scipy")  # packages that numbers 
 class Settings:
     """The steps, and the options of `fit` and `diagnose`."""
 
-    steps: tuple[Step, ...] = ("drops", "fit")
+    steps: tuple[str, ...] = ("drops", "fit")
     fit: Mapping[str, Any] = field(default_factory=lambda: MappingProxyType({}))
     diagnose: Mapping[str, Any] = field(default_factory=lambda: MappingProxyType({}))
 

@@ -1,5 +1,6 @@
 """The task of a worker: measure a batch, and keep it."""
 
+import gc
 import os
 from functools import cache
 from pathlib import Path
@@ -7,6 +8,8 @@ from pathlib import Path
 from exoid.studies.dataset.entry import Dataset
 from exoid.studies.engine.plan import Batch
 from exoid.studies.engine.settings import Settings
+
+OBJECTS = 100_000  # between looks for cycles of them, which take a twentieth of a fit else
 
 
 def work(batch: Batch, dataset: Dataset, settings: Settings, digest: str, results: Path) -> int:
@@ -28,6 +31,7 @@ def work(batch: Batch, dataset: Dataset, settings: Settings, digest: str, result
 def prepare() -> None:
     """Compute in float64, on one core, with programs that all workers share."""
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    gc.set_threshold(OBJECTS)
     import jax
 
     from exoid.fitting.solve.program_cache import keep_programs_in

@@ -33,6 +33,7 @@ def settings() -> dict[str, object]:
     return {
         "distributed.scheduler.allowed-failures": AGAIN,
         "distributed.worker.daemon": True,
+        "distributed.worker.profile.enabled": False,  # nobody looks at it, and it costs
         "distributed.admin.tick.limit": "1h",  # Python may be busy for long: that is no fault
         "distributed.comm.timeouts.connect": f"{ANSWER:g}s",
     }

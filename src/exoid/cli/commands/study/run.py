@@ -73,7 +73,7 @@ def run(
     more = {"multistart": multistart, "weight": weight, "smooth": smooth}
     fitted = {**asked, **more, "misfit": misfit, "clip": clip}
     named = tuple(each.strip() for each in steps.split(","))
-    settings = Settings(named, fitted, asked)  # type: ignore[arg-type]  # it checks the names
+    settings = Settings(named, fitted, asked)
     found = patiently(lambda: open_dataset(dataset), f"reading {dataset.name}")
     for each in found.problems:
         say(f"exoid: {each}", err=True)
