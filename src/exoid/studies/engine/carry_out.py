@@ -9,6 +9,7 @@ from exoid.studies.engine.kept.parts import NotKept
 from exoid.studies.engine.plan import Batch
 
 AHEAD = 3  # batches that wait for each worker, so that none waits for the next
+GONE = "the scheduler does not answer any more. What was done is kept: run it again, once it does."
 STALLED = 1800.0  # s without any batch done, after which something is wrong
 TAKEN_DOWN = (
     "it took the process that computed it down, more than once: it may take more memory than a "
@@ -50,6 +51,7 @@ def carry_out(
 
 def ended(client: Any, running: list[Any], patience: float) -> list[Any]:
     """Those that have, once one has."""
+    from distributed import CancelledError
     from distributed import TimeoutError as Late
     from distributed import wait
 
@@ -57,6 +59,8 @@ def ended(client: Any, running: list[Any], patience: float) -> list[Any]:
         with client.as_current():
             some: Any = wait(running, timeout=patience, return_when="FIRST_COMPLETED")
             return list(some.done)
+    except CancelledError as fault:
+        raise OSError(GONE) from fault
     except Late as fault:
         raise OSError(
             f"no batch of recordings was done in {patience / 60:.0f} min: does the file system "
@@ -70,6 +74,4 @@ def fault_of(future: Any) -> BaseException | None:
         return None
     if future.status == "error":
         return future.exception()
-    raise OSError(
-        "the scheduler does not answer any more. What was done is kept: run it again, once it does."
-    )
+    raise OSError(GONE)
