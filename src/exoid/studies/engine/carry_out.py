@@ -32,7 +32,7 @@ def carry_out(
     """
     waiting, running, lost = deque(batches), {}, []
     while waiting or running:
-        while waiting and len(running) < AHEAD * max(1, len(client.nthreads())):
+        while waiting and len(running) < AHEAD * count_of(client):
             batch = waiting.popleft()
             running[submit(batch)] = batch
         for future in ended(client, list(running), patience):
@@ -49,11 +49,18 @@ def carry_out(
     return lost
 
 
+def count_of(client: Any) -> int:
+    """How many workers there are just now; one where they are still to come."""
+    try:
+        return max(1, len(client.nthreads()))
+    except OSError as fault:
+        raise OSError(GONE) from fault
+
+
 def ended(client: Any, running: list[Any], patience: float) -> list[Any]:
     """Those that have, once one has."""
-    from distributed import CancelledError
+    from distributed import CancelledError, wait
     from distributed import TimeoutError as Late
-    from distributed import wait
 
     try:
         with client.as_current():

@@ -10,7 +10,7 @@ from typing import Any
 
 from exoid.files.extras import require
 from exoid.studies.dataset.entry import Dataset, Participant
-from exoid.studies.engine.carry_out import TAKEN_DOWN, carry_out
+from exoid.studies.engine.carry_out import TAKEN_DOWN, carry_out, count_of
 from exoid.studies.engine.kept.item import Item, Unread
 from exoid.studies.engine.plan import Batch, plan, unlike
 from exoid.studies.engine.read_contents import read_contents
@@ -62,7 +62,7 @@ def run_study(
     if missing:
         hear = heard(told, len(missing))
         with workers(count, scheduler) as client:
-            batches = plan(missing, max(1, len(client.nthreads())))
+            batches = plan(missing, count_of(client))
             lost = carry_out(client, batches, partial(submitted, client), hear)
         there = kept(results)
     found = by_part(items, there)
