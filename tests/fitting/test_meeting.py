@@ -4,6 +4,8 @@ import threading
 import time
 from types import SimpleNamespace
 
+import pytest
+
 from exoid.fitting.solve.meeting import MEETING, SENSE, Guest, meet
 from exoid.fitting.solve.program_cache import called
 
@@ -75,3 +77,13 @@ def test_questions_of_one_kind_have_the_same_shapes_and_about_the_same_steps():
 
     meet([lambda s=s: ask(1.0, s) for s in (3, 3, 100)], answer)
     assert kinds[0] == kinds[1] != kinds[2]
+
+
+def test_where_a_program_breaks_down_all_are_told_and_no_thread_is_left():
+    def broken(asked):
+        raise RuntimeError("XLA")
+
+    before = threading.active_count()
+    with pytest.raises(RuntimeError, match="XLA"):
+        meet([lambda: ask(1.0)] * 4, broken)
+    assert threading.active_count() == before

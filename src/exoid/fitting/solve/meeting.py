@@ -60,9 +60,12 @@ class Guest(Generic[Result]):
             self.said.put((True, fault))
 
     def ask(self, name: str, arguments: tuple, static: Any, structure: Any) -> Any:
-        """The answer of a program, once the meeting has it."""
+        """The answer of a program, once the meeting has it, or the exception that it ends with."""
         self.said.put((False, Question(name, arguments, static, structure)))
-        return self.answers.get()
+        answer = self.answers.get()
+        if isinstance(answer, Exception):
+            raise answer
+        return answer
 
     def go_on(self, answer: Any = None) -> Question | None:
         """Its next question; None where it has ended, with its `result`."""
@@ -90,6 +93,13 @@ def meet(
     asked = {at: guest.go_on() for at, guest in enumerate(guests)}
     while waiting := {at: each for at, each in asked.items() if each is not None}:
         numbers = list(waiting)
-        for at, one in answer(list(waiting.values())).items():
+        try:
+            answers = answer(list(waiting.values()))
+        except Exception as fault:  # nobody is left waiting for ever
+            for at in numbers:
+                while guests[at].go_on(fault) is not None:
+                    pass
+            raise
+        for at, one in answers.items():
             asked[numbers[at]] = guests[numbers[at]].go_on(one)
     return [guest.result for guest in guests]
