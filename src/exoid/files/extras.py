@@ -11,6 +11,7 @@ EXTRAS = {
     "numpyro": "bayes",
     "starlette": "live",
     "uvicorn": "live",
+    "distributed": "study",
 }
 
 

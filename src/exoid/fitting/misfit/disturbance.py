@@ -70,7 +70,8 @@ class Likelihood:
         spread = np.zeros(ratios.size)
         for each, sizes, cross in self.parts:
             grown = 1 + ratios[:, None] * sizes
-            taken = np.einsum("mi,rm,mj->rij", cross, ratios[:, None] / grown, cross, optimize=True)
+            share = ratios[:, None] / grown
+            taken = cross.T @ (share[:, :, None] * cross)
             place = np.append(each.place, size)
             total[:, place[:, None], place] += each.fitted - taken
             spread += np.log(grown).sum(axis=1)

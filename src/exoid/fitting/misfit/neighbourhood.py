@@ -35,16 +35,23 @@ def neighbourhood(
 ) -> Neighbourhood:
     """The derivatives at `point` (no leading axis), where the misfit condenses to `condensed`."""
 
-    def constraint(at: Coordinates):
-        return violations_at(limits, at, np)
+    def parts(at: Coordinates) -> list[np.ndarray]:
+        return [
+            mounting_residual(prior, at.mounting, np),
+            belief_residual(prior, at, np),
+            quantities(at, np),
+            violations_at(limits, at, np),
+        ]
 
     with np.errstate(invalid="ignore"):  # infinite limits are no limits
-        by_constraint = gradients(constraint, point)
+        ends = np.cumsum([each.shape[0] for each in parts(point)])[:-1]
+        every = gradients(lambda at: np.concatenate(parts(at)), point)
+    declared, belief, by_quantity, by_constraint = np.split(every, ends)
     return Neighbourhood(
         data=told(condensed, columns(point, owner), flattened(point).size),
-        prior=prior_information(point, prior),
-        declared=declared_information(point, prior),
-        quantities=quantity_gradients(point),
+        prior=belief.T @ belief + declared.T @ declared,
+        declared=declared.T @ declared,
+        quantities=by_quantity,
         constraints=by_constraint,
     )
 
@@ -58,12 +65,6 @@ def prior_information(point: Coordinates, prior: Prior) -> np.ndarray:
 
     by_prior = gradients(belief, point)
     return by_prior.T @ by_prior
-
-
-def declared_information(point: Coordinates, prior: Prior) -> np.ndarray:
-    """What is declared of the recordings, around `point`."""
-    by_mounting = gradients(lambda at: mounting_residual(prior, at.mounting, np), point)
-    return by_mounting.T @ by_mounting
 
 
 def quantity_gradients(point: Coordinates) -> np.ndarray:

@@ -215,7 +215,7 @@ def without_lost(free: Solved, member: np.ndarray, failures: dict[str, int]):
 def settle(problem: Problem, free: Solved, begin: Coordinates, found: Disturbance) -> Solved:
     """The best free fit under prior and limits, from several inertias and masses."""
     best = lowest(free)
-    lanes = max(PAIR, BATCH // len(problem.movements))
+    lanes = max(PAIR, min(BATCH // len(problem.movements), begin.log_mass.size))
     one = take(free.coordinates, [best] * lanes)
     local = weighed(around(problem, free, row=best), found.scale)
     others = np.resize(np.arange(begin.log_mass.size), lanes)

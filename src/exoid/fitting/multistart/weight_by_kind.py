@@ -19,7 +19,7 @@ from exoid.fitting.misfit.information import common, spoiled
 from exoid.fitting.misfit.missed import KINDS, NOISY, Disturbance, Missed
 from exoid.fitting.model.coordinates import flattened
 from exoid.fitting.multistart.tethers import FINE, approach
-from exoid.fitting.solve.ask import advance, better_of, declared_at, grams_at, left, take, task
+from exoid.fitting.solve.ask import advance, better_of, declared_at, grams_at, left_by, take, task
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
 
@@ -34,10 +34,10 @@ BLIND = 1e8  # what the residual of a segment is divided by that is not to count
 def explained(problem: Problem, at: Solved, row: int = 0) -> Disturbance:
     """What is in the residual of all segments alike, and what it leaves of their information."""
     size = flattened(take(at.coordinates, row)).size
-    each = [*grams_at(problem, at, row), declared_at(problem, at, row)]
-    most = plausible(problem.observation)
+    every, most = grams_at(problem, at, row), plausible(problem.observation)
+    each = [*every, declared_at(problem, at, row)]
     found = explain(each, most, count(problem, problem.kinds), size)
-    return left(problem, at, row, common(found, problem.kinds))
+    return left_by(every, problem, at, row, common(found, problem.kinds))
 
 
 def explained_apart(problem: Problem, at: Solved, row: int, alike: Disturbance) -> Disturbance:

@@ -16,6 +16,7 @@ from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.coordinates import Coordinates, flattened, take
 from exoid.fitting.model.prior import mounting_residual
 from exoid.fitting.model.term_parameters import parameters_of
+from exoid.fitting.solve.meeting import MEETING
 from exoid.fitting.solve.problem import STRICT, Problem
 from exoid.fitting.solve.program_cache import run, run_sense
 from exoid.fitting.solve.program_values import Solved, StartRequest, Task
@@ -69,6 +70,8 @@ def advance(
     count = starts.log_mass.shape[0]
     few = not problem.terms and len(problem.movements) <= CROWD
     lanes = max(PAIR, BATCH // len(problem.movements)) if few else 1
+    if MEETING.get() is not None:  # a run that many share is filled by them
+        lanes = count
     if request is None:
         request = plain_request(problem, np.broadcast_to(scale, (count, len(problem.movements))))
 
@@ -141,8 +144,15 @@ def around(
 
 def left(problem: Problem, at: Solved, row: int, disturbance: Disturbance) -> Disturbance:
     """The same disturbance, with the information that it leaves at one end point."""
+    every = grams_at(problem, at, row, set(disturbance.causes(problem.kinds)))
+    return left_by(every, problem, at, row, disturbance)
+
+
+def left_by(
+    every: list[Grams], problem: Problem, at: Solved, row: int, disturbance: Disturbance
+) -> Disturbance:
+    """The same by the inner products of every segment there."""
     causes, size = disturbance.causes(problem.kinds), flattened(take(at.coordinates, row)).size
-    every = grams_at(problem, at, row, set(causes))
     each = [own[cause] for own, cause in zip(every, causes, strict=True)]
     return spoiled(disturbance, each, problem.kinds, size)
 

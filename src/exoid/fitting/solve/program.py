@@ -6,6 +6,7 @@ from functools import partial
 import jax
 import jax.numpy as jnp
 from jax.flatten_util import ravel_pytree
+from jaxtyping import Array, Int
 
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.observation import Observation
@@ -32,8 +33,45 @@ from exoid.physics.motion.step import Drive
 
 
 @partial(jax.jit, static_argnames="chain")
-@partial(jax.vmap, in_axes=(0, 0, *[None] * 6))
 def solve(
+    starts: Coordinates,
+    requests: StartRequest,
+    observation: Observation,
+    known: Unknowns,
+    prior: Prior,
+    limits: Limits,
+    task: Task,
+    chain: Chain,
+) -> Solved:
+    """Fit from every start. `starts` and `requests` carry a leading axis; all else is shared."""
+
+    def one(start: Coordinates, request: StartRequest) -> Solved:
+        return solved_from(start, request, observation, known, prior, limits, task, chain)
+
+    return jax.vmap(one)(starts, requests)
+
+
+@partial(jax.jit, static_argnames="chain")
+def solve_many(each: tuple, steps: Int[Array, ""], chain: Chain) -> Solved:
+    """`solve` of many fits at once: every start, by a leading axis, has arguments of its own.
+
+    `steps` are the most of all tasks; what is beyond its own weighs nothing.
+    """
+
+    def one(start, request, observation, known, prior, limits, task) -> Solved:
+        inside = jnp.arange(observation.time.shape[-1]) <= task.stage.steps
+        observation = replace(
+            observation,
+            angle_weight=observation.angle_weight * inside,
+            velocity_weight=observation.velocity_weight * inside,
+        )
+        task = replace(task, stage=replace(task.stage, steps=steps))
+        return solved_from(start, request, observation, known, prior, limits, task, chain)
+
+    return jax.vmap(lambda own: one(*own))(each)
+
+
+def solved_from(
     start: Coordinates,
     request: StartRequest,
     observation: Observation,
@@ -43,7 +81,7 @@ def solve(
     task: Task,
     chain: Chain,
 ) -> Solved:
-    """Fit from every start. `start` and `request` carry a leading axis; all else is shared."""
+    """Where the fit from one start ends."""
 
     def at(point: Coordinates) -> Condensed:
         each = partial(condense, stage=task.stage, chain=chain)
@@ -108,3 +146,13 @@ def sense_all(
     """Residual and sensitivities of every sample of every segment, at one point."""
     each = partial(sense, stage=stage, chain=chain)
     return jax.vmap(each)(of_segments(point, observation.owner), observation, known, pushes)
+
+
+@partial(jax.jit, static_argnames="chain")
+def sense_many(each: tuple, steps: Int[Array, ""], chain: Chain) -> Sensed:
+    """`sense_all` of many fits at once, by a leading axis; over the most `steps` of all."""
+
+    def one(point, observation, known, pushes, stage) -> Sensed:
+        return sense_all(point, observation, known, pushes, replace(stage, steps=steps), chain)
+
+    return jax.vmap(lambda own: one(*own))(each)

@@ -29,10 +29,11 @@ from platformdirs import user_cache_path
 from exoid.files.replacing import begun
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.misfit.condensed import Sensed
+from exoid.fitting.solve.meeting import ASKED_TOGETHER, MEETING
 from exoid.fitting.solve.memory import give_back
 from exoid.fitting.solve.program_values import SENSED, Solved, solved_structure
 
-SHOWING = ("cli", "report", "watching")  # rooms above every program: none imports them
+SHOWING = ("cli", "studies", "report", "watching")  # rooms above every program: none imports them
 LIBRARIES = ("jax", "jaxlib", "equinox", "lineax", "optimistix")  # whose code is in a program
 # How far XLA optimises: as fast machine code as by default, and half as long to wait for it.
 LEAN = {"xla_backend_optimization_level": 1, "xla_cpu_use_fusion_emitters": False}
@@ -114,6 +115,8 @@ def called(name: str, arguments: tuple, static, structure, *, brief: bool = Fals
     `static` is its last argument, hashable and part of the program. What is `brief` is worth less
     optimising than it takes.
     """
+    if (meeting := MEETING.get()) is not None and name in ASKED_TOGETHER:
+        return meeting.ask(name, arguments, static, structure)
     leaves, given = jax.tree.flatten(arguments)
     shapes = tuple(jax.ShapeDtypeStruct(np.shape(leaf), np.result_type(leaf)) for leaf in leaves)
     wanted = (name, given, shapes, static, brief)

@@ -5,6 +5,7 @@ import typer
 from exoid.cli.commands.study.check import check
 from exoid.cli.commands.study.init import init
 from exoid.cli.commands.study.report import report
+from exoid.cli.commands.study.run import run
 
 study = typer.Typer(
     name="study",
@@ -17,6 +18,7 @@ study = typer.Typer(
     Examples:
       exoid study init study
       exoid study check study
+      exoid study run study -o results
       exoid study report results -o report.html --by group
     """,
     add_completion=False,
@@ -26,4 +28,5 @@ study = typer.Typer(
 )
 study.command("init")(init)
 study.command("check")(check)
+study.command("run")(run)
 study.command("report")(report)

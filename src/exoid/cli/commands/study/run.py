@@ -1,0 +1,85 @@
+"""exoid study run: every recording of a data set through drops, fit and diagnosis."""
+
+from dataclasses import asdict
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from exoid.cli.commands.study.init import Folder
+from exoid.cli.inputs.assumptions import Bound, BoundsOption, Fix, Prior, assumed
+from exoid.cli.inputs.choices import Clip, Misfit, Seed
+from exoid.cli.outputs.destination import Force, Json, check_outputs
+from exoid.cli.outputs.results import show
+from exoid.cli.outputs.study_run import check_results, print_outcome
+from exoid.cli.outputs.written import Outputs
+from exoid.cli.terminal.progress import progress
+from exoid.cli.terminal.say import say
+from exoid.cli.terminal.waiting import patiently
+
+
+def run(
+    dataset: Folder,
+    results: Annotated[
+        Path, typer.Option("--output", "-o", help="Folder of the tables.", metavar="RESULTS")
+    ],
+    steps: Annotated[
+        str, typer.Option(help="Of drops, fit and diagnose.", metavar="STEP,...")
+    ] = "drops,fit",
+    workers: Annotated[
+        int | None, typer.Option(min=1, help="Processes of this machine. Else one for every core.")
+    ] = None,
+    scheduler: Annotated[
+        str | None,
+        typer.Option(help="The Dask scheduler of a cluster in their place.", metavar="tcp://..."),
+    ] = None,
+    multistart: Annotated[int, typer.Option(min=1, max=100_000, help="Number of starts.")] = 64,
+    seed: Seed = 0,
+    prior: Prior = None,
+    weight: Annotated[
+        float, typer.Option("--lambda", min=0.0, max=1e6, help="Weight of the prior, Eq. 11.")
+    ] = 1.0,
+    bounds: BoundsOption = "body",
+    fix: Fix = None,
+    bound: Bound = None,
+    smooth: Annotated[int, typer.Option(min=1, help="Samples of the moving average, Eq. 3.")] = 1,
+    misfit: Annotated[Misfit, typer.Option(help="paper: Eq. 11 as printed.")] = "weighted",
+    clip: Annotated[Clip, typer.Option(help="As of exoid fit.")] = "free",
+    json: Json = None,
+    force: Force = False,
+) -> None:
+    """Measure every recording of a data set, and write the tables.
+
+    recordings.parquet has a row for every recording, quantities.parquet one for every quantity,
+    segment and recording. A recording that fails is a row with its reason. What was computed is
+    kept: run again, only what is new or has changed is computed, and a run that was killed goes on
+    where it was. Exit code 1: not one recording could be measured.
+
+    \b
+    Examples:
+      exoid study run study -o results
+      exoid study run study -o results --steps drops,fit,diagnose --workers 8
+      exoid study run archive -o results --scheduler tcp://10.0.0.7:8786
+    """
+    check_outputs((json, ()), force=force)
+    check_results(results)
+    if workers is not None and scheduler is not None:
+        raise ValueError("--workers are of this machine, --scheduler names others: leave one out.")
+    from exoid.studies.dataset.open_dataset import open_dataset
+    from exoid.studies.engine.run_study import run_study
+    from exoid.studies.engine.settings import Settings
+
+    asked = {"seed": seed, **assumed(prior, bounds, fix, bound)}
+    more = {"multistart": multistart, "weight": weight, "smooth": smooth}
+    fitted = {**asked, **more, "misfit": misfit, "clip": clip}
+    named = tuple(each.strip() for each in steps.split(","))
+    settings = Settings(named, fitted, asked)
+    found = patiently(lambda: open_dataset(dataset), f"reading {dataset.name}")
+    for each in found.problems:
+        say(f"exoid: {each}", err=True)
+    with progress("recordings") as told:
+        made = run_study(found, results, settings, count=workers, scheduler=scheduler, told=told)
+    show(lambda console: print_outcome(made, results, console))
+    files = Outputs()
+    files.put_document(json, lambda: {**asdict(made), "folder": str(results), "steps": named})
+    files.end(follows=made.ok > 0)

@@ -1,0 +1,43 @@
+"""What a run of a study did."""
+
+from pathlib import Path
+from typing import Any
+
+from exoid.files.visible import visible
+
+SHOWN = 12  # reasons
+
+
+def check_results(folder: Path) -> None:
+    """Refuse what can be no folder of results, before anything is computed."""
+    if folder.exists() and not folder.is_dir():
+        raise ValueError(f"{folder}: this is a file. Name a folder for the tables.")
+    if not folder.parent.is_dir():
+        raise ValueError(f"{folder}: the folder {folder.parent} does not exist. Make it first.")
+
+
+def print_outcome(made: Any, results: Path, console: Any) -> None:
+    """Counts, time, and why recordings failed."""
+    from rich.table import Table
+
+    table = Table(title="Study", title_justify="left")
+    table.add_column("recordings")
+    table.add_column("", justify="right")
+    rate = made.computed / made.seconds if made.computed else 0.0
+    told = f"{made.seconds:.1f} s" + (f", {rate:.3g} a second" if made.computed else "")
+    for name, value in (
+        ("all", made.recordings),
+        ("measured", made.ok),
+        ("failed", made.failed),
+        ("the same as another", made.duplicates),
+        ("computed now", made.computed),
+        ("time", told),
+    ):
+        table.add_row(name, str(value))
+    console.print(table)
+    for reason, count in list(made.reasons.items())[:SHOWN]:
+        console.print(visible(f"{count} failed: {reason}"), markup=False, highlight=False)
+    if len(made.reasons) > SHOWN:
+        console.print(f"and {len(made.reasons) - SHOWN} more reasons: see recordings.parquet")
+    for name in ("recordings", "quantities"):
+        console.print(visible(f"wrote {results / f'{name}.parquet'}"), markup=False, soft_wrap=True)

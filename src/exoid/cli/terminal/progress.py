@@ -1,0 +1,41 @@
+"""How far a long work is: rate and time left, on stderr where that is a terminal."""
+
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+
+@contextmanager
+def progress(what: str) -> Iterator[Callable[[int, int], None]]:
+    """A function that hears how many are done, of how many."""
+    if not sys.stderr.isatty():
+        yield lambda done, of: None
+        return
+    from rich.console import Console
+
+    with Console(stderr=True).status("starting") as shown:
+        began: list[float] = []
+
+        def told(done: int, of: int) -> None:
+            began[:] = began or [time.monotonic()]
+            shown.update(line(what, done, of, time.monotonic() - began[0]))
+
+        yield told
+
+
+def line(what: str, done: int, of: int, seconds: float) -> str:
+    """Such as "120 of 1000 recordings, 12.5 a second, 1 min 10 s left"."""
+    if not done or seconds <= 0:
+        return f"{done} of {of} {what}"
+    rate = done / seconds
+    return f"{done} of {of} {what}, {rate:.3g} a second, {lasting((of - done) / rate)} left"
+
+
+def lasting(seconds: float) -> str:
+    """A time as one says it."""
+    whole = round(seconds)
+    hours, minutes = whole // 3600, whole // 60 % 60
+    if hours:
+        return f"{hours} h {minutes} min"
+    return f"{minutes} min {whole % 60} s" if minutes else f"{whole} s"

@@ -1,0 +1,39 @@
+"""A recording with all that was found of it."""
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from exoid.recordings.recording import Recording
+from exoid.studies.engine.kept.item import Item
+from exoid.studies.engine.kept.quantities import Row
+
+
+@dataclass
+class Measured:
+    """A recording with all that was found; `faults` say which steps failed, and why."""
+
+    item: Item
+    recording: Recording | None = None
+    rows: list[Row] = field(default_factory=list)
+    faults: list[str] = field(default_factory=list)
+
+
+def facts(one: Measured) -> dict[str, Any]:
+    """What is known of a recording beside its quantities."""
+    if one.recording is None:
+        return {}
+    subject, segments = one.recording.subject, one.recording.segments
+    steps = np.concatenate([np.diff(each.time) for each in segments])
+    device = one.recording.sensors.extra_keys.get("device", "")
+    return {
+        "segments": len(segments),
+        "samples": sum(each.time.size for each in segments),
+        "duration_s": float(sum(each.time[-1] - each.time[0] for each in segments)),
+        "rate_hz": float(1 / np.median(steps)),
+        "device": device if isinstance(device, str) else "",
+        "body_mass_kg": subject.body_mass,
+        "height_m": subject.height,
+        "age_years": subject.age,
+    }

@@ -1,0 +1,73 @@
+"""What a worker does with a batch of recordings."""
+
+from collections.abc import Callable, Iterable
+from typing import Any
+
+from exoid.files.visible import visible
+from exoid.fitting.result.fit_result import FitResult
+from exoid.fitting.solve.program_cache import with_sound_programs
+from exoid.studies.batch.fit_many import fit_many
+from exoid.studies.dataset.entry import Dataset
+from exoid.studies.dataset.recording_of import recording_of
+from exoid.studies.engine.kept.item import Item
+from exoid.studies.engine.kept.measured import Measured
+from exoid.studies.engine.kept.quantities import Row, of_diagnosis, of_drops, of_fit
+from exoid.studies.engine.plan import Batch
+from exoid.studies.engine.reason import reason_of
+from exoid.studies.engine.settings import Settings
+
+
+def measure(batch: Batch, dataset: Dataset, settings: Settings) -> list[Measured]:
+    """All steps of every recording; one that fails is told among the others."""
+    each = [read(item, dataset) for item in batch.items]
+    there = [one for one in each if one.recording is not None]
+    for step in settings.steps:
+        if step == "fit":
+            fitted(there, dict(settings.fit))
+        for one in there if step != "fit" else ():
+            take(one, step, lambda one=one, step=step: of_step(step, one.recording, settings))
+    return each
+
+
+def read(item: Item, dataset: Dataset) -> Measured:
+    try:
+        return Measured(item, recording_of(item.entry, dataset))
+    except Exception as fault:
+        said = reason_of(fault).removeprefix(f"{visible(str(item.entry.path))}: ")
+        return Measured(item, faults=[said])
+
+
+def take(one: Measured, step: str, work: Callable[[], Iterable[Row]]) -> None:
+    """Add the rows of a step, or why it has none."""
+    try:
+        one.rows += work()
+    except Exception as fault:
+        one.faults.append(f"{step}: {reason_of(fault)}")
+
+
+def of_step(step: str, recording: Any, settings: Settings) -> Iterable[Row]:
+    """The rows of a step that each recording goes through by itself."""
+    if step == "drops":
+        from exoid.pendulum.drops import measure_drops
+
+        return list(of_drops(measure_drops(recording)))
+    from exoid.mismatch.missing_physics import diagnose
+
+    options = dict(settings.diagnose)
+    return list(of_diagnosis(with_sound_programs(lambda: diagnose(recording, **options))))
+
+
+def fitted(each: list[Measured], options: dict[str, Any]) -> None:
+    """The rows of all fits."""
+    recordings = [one.recording for one in each if one.recording is not None]
+    results = with_sound_programs(lambda: fit_many(recordings, **options))
+    for one, result in zip(each, results, strict=True):
+        take(one, "fit", lambda result=result: of_fit(sound(result)))
+        if isinstance(result, FitResult) and not result.follows:
+            one.faults.append(f"fit: it does not follow the recording: {result.astray}")
+
+
+def sound(result: FitResult | Exception) -> FitResult:
+    if isinstance(result, Exception):
+        raise result
+    return result

@@ -1,0 +1,44 @@
+"""What is asked of every recording, and the numbers by which that is computed."""
+
+import hashlib
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from importlib.metadata import version
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any
+
+import exoid
+from exoid.fitting.solve.program_cache import code_of
+
+STEPS = ("drops", "fit", "diagnose")
+NUMBERS = ("exoid", "jax", "jaxlib", "numpy", "scipy")  # packages that numbers hang on
+
+
+@dataclass(frozen=True)
+class Settings:
+    """The steps, and the options of `fit` and `diagnose`."""
+
+    steps: tuple[str, ...] = ("drops", "fit")
+    fit: Mapping[str, Any] = field(default_factory=lambda: MappingProxyType({}))
+    diagnose: Mapping[str, Any] = field(default_factory=lambda: MappingProxyType({}))
+
+    def __post_init__(self):
+        for step in self.steps:
+            if step not in STEPS:
+                raise ValueError(f"{step!r} is no step; they are {', '.join(STEPS)}.")
+        if not self.steps or len(set(self.steps)) < len(self.steps):
+            raise ValueError(f"name each step once, of {', '.join(STEPS)}.")
+
+    def __reduce__(self):  # a mapping proxy does not go to another process
+        return Settings, (self.steps, dict(self.fit), dict(self.diagnose))
+
+    @property
+    def digest(self) -> str:
+        """A hash of them, of exoid's code, and of the libraries that compute."""
+        options = {"fit": self.fit, "diagnose": self.diagnose}
+        asked = [(step, sorted(options.get(step, {}).items())) for step in sorted(self.steps)]
+        home = Path(exoid.__file__).parent
+        code = code_of(home).hex(), code_of(home / "studies").hex()
+        words = repr((asked, code, *map(version, NUMBERS)))
+        return hashlib.sha256(words.encode()).hexdigest()[:32]

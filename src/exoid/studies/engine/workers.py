@@ -1,0 +1,85 @@
+"""The processes that compute: of this machine, or of a cluster that is there."""
+
+import logging
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+from exoid.files.extras import require
+from exoid.files.library_faults import quiet
+
+SHARE = 0.8  # of the memory that is free, for all workers
+# Small matrices only, and a process for every core: threads of libraries cost more than they bring.
+ALONE = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", "NPROC": "1"}
+ANSWER = 15.0  # s that a scheduler has to answer
+AGAIN = 1  # workers that a batch may take down before it is cut
+
+
+@contextmanager
+def workers(count: int | None, scheduler: str | None) -> Iterator[Any]:
+    """A client of dask.distributed: of `scheduler`, tcp://..., or of `count` processes here."""
+    require("distributed", "a study is computed")
+    from dask import config
+
+    with quiet("distributed"), config.set(settings()):
+        if scheduler is not None:
+            yield from client_of(scheduler)
+        else:
+            yield from local(count or cores())
+
+
+def settings() -> dict[str, object]:
+    return {
+        "distributed.scheduler.allowed-failures": AGAIN,
+        "distributed.worker.daemon": True,
+        "distributed.worker.profile.enabled": False,  # nobody looks at it, and it costs
+        "distributed.admin.tick.limit": "1h",  # Python may be busy for long: that is no fault
+        "distributed.comm.timeouts.connect": f"{ANSWER:g}s",
+    }
+
+
+def client_of(address: str) -> Iterator[Any]:
+    from distributed import Client
+
+    try:
+        client = Client(address, timeout=ANSWER, set_as_default=False)
+    except (OSError, ValueError) as fault:
+        raise ValueError(
+            f"{address}: no scheduler answers there. Start one with 'dask scheduler', and name its "
+            "address as it says it, tcp://HOST:PORT."
+        ) from fault
+    with client:
+        yield client
+
+
+def local(count: int) -> Iterator[Any]:
+    from distributed import Client, LocalCluster
+
+    os.environ.update({name: os.environ.get(name, value) for name, value in ALONE.items()})
+    cluster = LocalCluster(
+        n_workers=count,
+        threads_per_worker=1,
+        processes=True,
+        memory_limit=memory_of(count),
+        dashboard_address=None,  # type: ignore[arg-type]  # it serves none
+        silence_logs=logging.CRITICAL,
+    )
+    with cluster, Client(cluster, set_as_default=False) as client:
+        yield client
+
+
+def memory_of(count: int) -> int:
+    """What each of so many workers may take [bytes]."""
+    try:
+        free = os.sysconf("SC_AVPHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
+    except (AttributeError, ValueError, OSError):
+        free = 4 * 2**30
+    return max(2**30, int(SHARE * free / count))
+
+
+def cores() -> int:
+    """Those that this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1

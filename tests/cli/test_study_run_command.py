@@ -1,0 +1,63 @@
+"""`exoid study run` as one calls it."""
+
+import json
+
+import pytest
+from command_line import refusal
+
+from exoid.cli.terminal.progress import lasting, line
+from study_runs import COMPUTED, NAMES, in_this_process, people
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """Twenty people, both legs."""
+    return people(tmp_path_factory.mktemp("study"))
+
+
+@pytest.fixture
+def here():
+    """Workers in this process."""
+    with in_this_process():
+        yield
+
+
+def test_a_run_says_what_it_did_and_writes_two_tables_and_a_document(
+    command, here, folder, tmp_path
+):
+    results, document = tmp_path / "results", tmp_path / "run.json"
+    done = command(*("study", "run", folder, "-o", results, "--steps", "drops", "--json", document))
+    assert done.returncode == 0
+    for said in ("42", "failed", "the same as another", "1 failed: line 1 is empty"):
+        assert said in done.stdout
+    assert f"wrote {results / 'recordings.parquet'}" in done.stdout.replace("\n", "")
+    told = json.loads(document.read_text())
+    assert (told["recordings"], told["computed"]) == (len(NAMES) + 2, COMPUTED)
+    assert (told["ok"], told["failed"], told["duplicates"]) == (40, 1, 1)
+
+
+def test_where_not_one_recording_can_be_measured_the_exit_code_says_so(command, here, tmp_path):
+    (tmp_path / "P01_left.csv").write_text("time_s,raw_angle_rad\n")
+    done = command("study", "run", tmp_path, "-o", tmp_path / "results", "--steps", "drops")
+    assert done.returncode == 1
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (("--steps", "drop"), "'drop' is no step; they are drops, fit, diagnose."),
+        (("--steps", "fit,fit"), "name each step once"),
+        (("--workers", "2", "--scheduler", "tcp://there:1"), "leave one out"),
+        (("-o", "participants.csv"), "this is a file. Name a folder for the tables."),
+        (("-o", "a/b"), "does not exist. Make it first."),
+    ],
+)
+def test_what_cannot_be_run_is_refused_in_one_line(command, folder, options, said):
+    assert said in refusal(command("study", "run", ".", "-o", "results", *options, cwd=folder))
+
+
+def test_progress_tells_rate_and_time_left():
+    assert line("recordings", 0, 1000, 5.0) == "0 of 1000 recordings"
+    told = line("recordings", 120, 1000, 10.0)
+    assert told == "120 of 1000 recordings, 12 a second, 1 min 13 s left"
+    assert lasting(7260.0) == "2 h 1 min"
