@@ -8,12 +8,12 @@ import sys
 from pathlib import Path
 
 import pytest
-from study_checks import NAMES, PEOPLE
-from study_folders import study
-from study_runs import DROPS, in_this_process, people
 
 from exoid.studies.dataset.open_dataset import open_dataset
 from exoid.studies.engine.run_study import run_study
+from study_checks import NAMES, PEOPLE
+from study_folders import study
+from study_runs import DROPS, in_this_process, people
 
 TESTS = Path(__file__).parents[1]
 sys.path += [str(TESTS.parent), str(TESTS / "report"), str(TESTS / "cli")]

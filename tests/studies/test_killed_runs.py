@@ -11,11 +11,11 @@ from contextlib import suppress
 from pathlib import Path
 
 import pytest
-from study_runs import COMPUTED, DROPS, contents, in_this_process
 
 from exoid.studies.dataset.open_dataset import open_dataset
 from exoid.studies.engine.kept.parts import kept, keys_of, parts
 from exoid.studies.engine.run_study import run_study
+from study_runs import COMPUTED, DROPS, contents, in_this_process
 
 SCRIPT = Path(sys.executable).with_name("exoid")
 

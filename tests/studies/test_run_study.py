@@ -7,7 +7,6 @@ from errno import ENOSPC
 import numpy as np
 import pyarrow.parquet as pq
 import pytest
-from study_runs import COMPUTED, DROPS, NAMES, contents, copied, rows
 
 from exoid.studies.dataset.open_dataset import open_dataset
 from exoid.studies.engine import run_study as module
@@ -15,6 +14,7 @@ from exoid.studies.engine.kept.parts import FOLDER, parts
 from exoid.studies.engine.plan import Batch
 from exoid.studies.engine.run_study import run_study
 from exoid.studies.engine.work import work
+from study_runs import COMPUTED, DROPS, NAMES, contents, copied, rows
 
 
 def test_every_recording_is_one_row_and_every_quantity_another(expected):
