@@ -1,7 +1,8 @@
 """The C++ of the messages of exoid.dbc: what is in a frame, and how it gets in and out.
 
-A signal whose scale is a power of two is packed from its value, because that product is exact in
-float32; every other signal is packed from its count.
+A signal whose scale is a power of two is packed from its value and read as one, because that
+product is exact in float32; one that is a float32 itself is packed as it is; every other signal is
+packed from its count.
 """
 
 import math
@@ -72,6 +73,8 @@ def taken(signal: Signal) -> str:
     got = f"get(frame, {signal.start}, {signal.length})"
     if signal.length == 1:
         return f"{got} != 0"
+    if quantised(signal):
+        return f"static_cast<float>(with_sign({got}, {signal.length})) * {signal.scale:.8g}F"
     return f"with_sign({got}, {signal.length})" if signal.is_signed else got
 
 
@@ -94,7 +97,7 @@ def about(message: Message) -> str:
 
 
 def kind(signal: Signal) -> str:
-    if quantised(signal):
+    if quantised(signal) or signal.is_float:
         return "float"
     if signal.length == 1:
         return "bool"
@@ -115,6 +118,8 @@ def bits(signal: Signal, variable: str) -> str:
     value = f"{variable}.{snake(signal.name)}"
     if quantised(signal):
         return f"quantise({counts(signal, variable)}, {limits(signal)})"
+    if signal.is_float:
+        return f"float_bits({value})"
     if signal.length == 1:
         return f"{value} ? 1U : 0U"
     if signal.is_signed:

@@ -13,6 +13,7 @@ from cantools.database import load_file
 from cantools.database.can import Database, Message
 from cpp_messages import command_code, message_code
 from learning_numbers import learning_code, single, singles
+from torque_numbers import parameters_code
 
 from exoid.recordings.can.dbc import EXOID_DBC
 from exoid.recordings.can.node.config_crc import (
@@ -58,6 +59,7 @@ def headers() -> dict[Path, str]:
         SOURCES / "exo_commands.h": commands_header(database),
         SOURCES / "constants.h": constants_header(database),
         SOURCES / "learning.h": learning_header(database),
+        SOURCES / "torque_parameters.h": parameters_header(),
     }
 
 
@@ -113,6 +115,9 @@ def constants_header(database: Database) -> str:
     heartbeat = beat.cycle_time // state.cycle_time
     (learned,) = {database.get_message_by_name(name).cycle_time for name in LEARNED}
     assert learned
+    parameter = database.get_message_by_name("EXO_PARAMETER")
+    limit = database.get_message_by_name("EXO_ALLOW").get_signal_by_name("Limit")
+    assert parameter.cycle_time
     fine = database.get_message_by_name("EXO_FINE")
     angle, fine_angle = (each.get_signal_by_name("Angle") for each in (raw, fine))
     title = "Times, scales, and the constants of the Kalman filter."
@@ -121,6 +126,8 @@ constexpr uint32_t TICK_US = {state.cycle_time * 1000};  // us between samples
 constexpr uint32_t TICKS_PER_TIME = {time.cycle_time // state.cycle_time};  // one EXO_TIME
 constexpr uint32_t TICKS_PER_HEARTBEAT = {heartbeat};  // one EXO_HEARTBEAT, SETTINGS and HEALTH
 constexpr uint32_t TICKS_PER_LEARNED = {learned // state.cycle_time};  // one EXO_LEARNING
+constexpr uint32_t TICKS_PER_PARAMETER = {parameter.cycle_time // state.cycle_time};  // one EXO_PARAMETER
+constexpr float LIMIT_STEP = {single(limit.scale)};  // N m per count of EXO_ALLOW.Limit
 constexpr uint32_t AGE_STEP_US = {acc.get_signal_by_name("SampleAge").scale};  // us per count
 constexpr uint32_t BIT_RATE_STEP = {bit_rate.scale};  // bit/s per count
 constexpr uint32_t SUPPLY_STEP_MV = {supply_step_mv(beat)};  // mV per count
@@ -150,6 +157,11 @@ def learning_header(database: Database) -> str:
     assert tick
     title = "The numbers by which the node learns a leg."
     return PREAMBLE.format(title=title, include="<stdint.h>", body=learning_code(tick / 1000))
+
+
+def parameters_header() -> str:
+    title = "The parameters by which the node commands a torque."
+    return PREAMBLE.format(title=title, include="<stdint.h>", body=parameters_code())
 
 
 def supply_step_mv(heartbeat: Message) -> int:

@@ -26,7 +26,10 @@ class HostFlash {
   static constexpr uint32_t LENGTH = 9;
   static constexpr uint8_t ERASED = 0xFF;
 
-  static const char* name(uint8_t slot) { return slot == 0 ? "slot0.bin" : "slot1.bin"; }
+  static const char* name(uint8_t slot) {
+    static const char* const names[] = {"slot0.bin", "slot1.bin", "slot2.bin"};
+    return names[slot];
+  }
 };
 
 class HostBoard {

@@ -8,7 +8,11 @@
 namespace {
 
 using exoid::NodeSettings;
-using exoid::Record;
+using Record = exoid::Record<NodeSettings>;
+
+bool operator==(const NodeSettings& one, const NodeSettings& other) {
+  return exoid::are_equal(one, other);
+}
 
 /// Two slots; the power goes after so many bytes of an erasure and the write behind it.
 struct Flash {

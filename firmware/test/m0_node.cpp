@@ -1,6 +1,6 @@
 // The whole node on an emulated Cortex-M0: register models of the sensors are exposed to the
-// records of samples.bin, one a tick from when the host opens the channel; the last one stays. Its
-// settings are kept in the files slot0.bin and slot1.bin, its serial number is that of board.bin.
+// records of samples.bin, one a tick from when the host opens the channel; the last one stays. What
+// it stores is kept in the files slot0.bin to slot2.bin, its serial number is that of board.bin.
 
 #include "as5600.h"
 #include "chips.h"

@@ -6,8 +6,8 @@
 
 namespace exoid {
 
-inline uint16_t checksum(const uint8_t* bytes, uint32_t count) {
-  uint32_t crc = CRC_SEED;
+inline uint16_t checksum(const uint8_t* bytes, uint32_t count, uint16_t seed = CRC_SEED) {
+  uint32_t crc = seed;
   for (uint32_t at = 0; at < count; ++at) {
     crc ^= static_cast<uint32_t>(bytes[at]) << 8U;
     for (uint32_t bit = 0; bit < 8; ++bit) {

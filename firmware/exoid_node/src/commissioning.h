@@ -12,17 +12,20 @@ struct Outcome {
   Reply reply;
   bool remounted;     // the angle is measured otherwise from now on
   uint32_t blinking;  // s for which somebody wants to see this node; 0 for no such wish
+  bool silent;        // nothing is to be said of it
 };
 
 /// `Encoder` has `bool zero_for(angle, zero)` and `told_zero(zero)`; `Flash` as for the store.
-template <class Encoder, class Flash>
+/// `Torque` has `hear(load, reply)` and `hear(allow)`.
+template <class Encoder, class Flash, class Torque>
 class Commissioning {
  public:
-  Commissioning(uint32_t serial, const Encoder& encoder, SettingsStore<Flash>& store)
-      : serial_(serial), encoder_(encoder), store_(store) {}
+  Commissioning(uint32_t serial, const Encoder& encoder, SettingsStore<Flash>& store,
+                Torque& torque)
+      : serial_(serial), encoder_(encoder), store_(store), torque_(torque) {}
 
-  /// Does what a frame commands. Returns false, and does nothing, where it is no command, is one
-  /// to another node, or asks for what no node can do.
+  /// Does what a frame commands; returns whether that is to be answered. Does nothing where it is no
+  /// command, is one to another node, or asks for what no node can do.
   bool hear(const Frame& frame, Outcome& outcome) {
     if (!is_command(frame)) return false;
     switch (frame.id) {
@@ -32,6 +35,8 @@ class Commissioning {
       case SET_NODE_ID_ID: return take<SetNodeId>(frame, outcome);
       case SET_BIT_RATE_ID: return take<SetBitRate>(frame, outcome);
       case IDENTIFY_ID: return take<Identify>(frame, outcome);
+      case LOAD_ID: return take<Load>(frame, outcome);
+      case ALLOW_ID: return take<Allow>(frame, outcome);
       default: return false;
     }
   }
@@ -53,7 +58,7 @@ class Commissioning {
     outcome.reply.serial = serial_;
     outcome.reply.command = frame.id;
     obey(command, outcome);
-    return true;
+    return !outcome.silent;
   }
 
   template <class Command>
@@ -98,6 +103,13 @@ class Commissioning {
 
   void obey(const Identify& identify, Outcome& outcome) { outcome.blinking = identify.duration; }
 
+  void obey(const Load& load, Outcome& outcome) { torque_.hear(load, outcome.reply); }
+
+  void obey(const Allow& allow, Outcome& outcome) {
+    torque_.hear(allow);
+    outcome.silent = true;
+  }
+
   void save(const NodeSettings& wanted, Outcome& outcome) {
     const NodeSettings before = store_.settings();
     outcome.remounted = wanted.zero != before.zero || wanted.reversed != before.reversed;
@@ -107,6 +119,7 @@ class Commissioning {
   const uint32_t serial_;
   const Encoder& encoder_;
   SettingsStore<Flash>& store_;
+  Torque& torque_;
 };
 
 }  // namespace exoid

@@ -75,6 +75,9 @@ class Estimator {
     return state;
   }
 
+  /// Of the gyro [rad/s].
+  float bias() const { return belief_.x3; }
+
  private:
   float angle_of(const Sample& sample, bool seen) {
     if (seen) count_ = unwrap(count_, sample.count);

@@ -173,6 +173,8 @@ struct Reply {
   bool no_angle;
   bool not_possible;
   bool not_stored;
+  bool not_whole;
+  bool not_plausible;
 };
 
 inline Frame pack(const Reply& reply) {
@@ -182,6 +184,8 @@ inline Frame pack(const Reply& reply) {
   put(frame, 43, 1, reply.no_angle ? 1U : 0U);
   put(frame, 44, 1, reply.not_possible ? 1U : 0U);
   put(frame, 45, 1, reply.not_stored ? 1U : 0U);
+  put(frame, 46, 1, reply.not_whole ? 1U : 0U);
+  put(frame, 47, 1, reply.not_plausible ? 1U : 0U);
   return frame;
 }
 
@@ -278,6 +282,54 @@ inline Frame pack(const Learning& learning) {
   put(frame, 16, 8, at_most(learning.drops, 255U));
   put(frame, 24, 8, at_most(learning.surprise, 255U));
   put(frame, 32, 16, at_most(learning.learning_crc, 65535U));
+  return frame;
+}
+
+constexpr uint16_t TORQUE_ID = 0x10B;
+
+/// Once a tick behind EXO_STATE, from a node alone that holds parameters or has heard EXO_ALLOW:
+/// the torque that a drive is to give. A drive must give none that hears none for 30 ms, hears a
+/// Counter twice, or a Permit other than 2. Emulated and simulated only; no safety function.
+struct Torque {
+  float torque;  // N m
+  uint32_t counter;
+  uint32_t permit;
+  uint32_t doubts;
+  uint32_t crc;
+};
+
+inline Frame pack(const Torque& torque) {
+  Frame frame = {TORQUE_ID, {0, 0, 0, 0, 0, 0, 0, 0}};
+  put(frame, 0, 16, quantise(torque.torque * 1024.0F, -32768, 32767));
+  put(frame, 16, 8, at_most(torque.counter, 255U));
+  put(frame, 24, 2, at_most(torque.permit, 3U));
+  put(frame, 32, 16, at_most(torque.doubts, 65535U));
+  put(frame, 48, 16, at_most(torque.crc, 65535U));
+  return frame;
+}
+
+/// Whether no value is cut off when it is packed.
+inline bool fits(const Torque& torque) {
+  return fits(torque.torque * 1024.0F, -32768, 32767);
+}
+
+constexpr uint16_t PARAMETER_ID = 0x10C;
+
+/// Twenty times a second, from a node alone that holds parameters of a torque: one of them after
+/// the other.
+struct Parameter {
+  uint32_t place;
+  bool stored;
+  float value;
+  uint32_t crc;
+};
+
+inline Frame pack(const Parameter& parameter) {
+  Frame frame = {PARAMETER_ID, {0, 0, 0, 0, 0, 0, 0, 0}};
+  put(frame, 0, 8, at_most(parameter.place, 255U));
+  put(frame, 8, 1, parameter.stored ? 1U : 0U);
+  put(frame, 16, 32, float_bits(parameter.value));
+  put(frame, 48, 16, at_most(parameter.crc, 65535U));
   return frame;
 }
 

@@ -135,7 +135,57 @@ inline bool is_valid(const Identify&) {
   return true;
 }
 
+constexpr uint16_t LOAD_ID = 0x206;
+
+/// Two bytes of the parameters of the torque, one frame after the other. The node takes them over
+/// with the last one, all at once, and is disabled then.
+struct Load {
+  uint32_t serial;
+  uint32_t place;
+  uint32_t data;
+  uint32_t check;
+};
+
+inline void unpack(const Frame& frame, Load& load) {
+  load.serial = get(frame, 0, 32);
+  load.place = get(frame, 32, 8);
+  load.data = get(frame, 40, 16);
+  load.check = get(frame, 56, 8);
+}
+
+/// Whether every signal is within its range.
+inline bool is_valid(const Load& load) {
+  return load.place <= 24U;
+}
+
+constexpr uint16_t ALLOW_ID = 0x207;
+
+/// Lets the node command a torque for 100 ms. It is not answered: EXO_TORQUE tells. Emulated and
+/// simulated only; no safety function.
+struct Allow {
+  uint32_t serial;
+  uint32_t wish;
+  uint32_t number;
+  uint32_t limit;  // counts of 0.25 N m
+  float acceleration;  // rad/s^2
+  uint32_t check;
+};
+
+inline void unpack(const Frame& frame, Allow& allow) {
+  allow.serial = get(frame, 0, 32);
+  allow.wish = get(frame, 32, 2);
+  allow.number = get(frame, 34, 4);
+  allow.limit = get(frame, 38, 6);
+  allow.acceleration = static_cast<float>(with_sign(get(frame, 44, 12), 12)) * 0.0625F;
+  allow.check = get(frame, 56, 8);
+}
+
+/// Whether every signal is within its range.
+inline bool is_valid(const Allow& allow) {
+  return allow.wish <= 2U;
+}
+
 using CommandIds = CanIds<TELL_ID, SET_ZERO_ID, SET_DIRECTION_ID, SET_NODE_ID_ID, SET_BIT_RATE_ID,
-                          IDENTIFY_ID>;
+                          IDENTIFY_ID, LOAD_ID, ALLOW_ID>;
 
 }  // namespace exoid

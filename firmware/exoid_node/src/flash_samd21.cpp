@@ -6,7 +6,7 @@
 
 namespace {
 
-constexpr uint32_t SLOTS = 2;
+constexpr uint32_t SLOTS = 3;
 constexpr uint32_t ROW = 256;  // bytes: what is erased at once
 constexpr uint32_t PAGE = 64;  // bytes: what is written at once
 

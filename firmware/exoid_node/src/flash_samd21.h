@@ -1,4 +1,5 @@
-/// Two rows of the processor's flash, for the settings. Flashing a sketch erases them.
+/// Three rows of the processor's flash: two for the settings, one for the parameters of the torque.
+/// Flashing a sketch erases them.
 
 #pragma once
 

@@ -56,6 +56,13 @@ inline uint32_t quantise(float counts, int32_t lower, int32_t upper) {
   return static_cast<uint32_t>(whole + (rest >= 0.5F ? 1 : 0) - (rest <= -0.5F ? 1 : 0));
 }
 
+/// A float32 as it is sent whole.
+inline uint32_t float_bits(float value) {
+  uint32_t bits;
+  __builtin_memcpy(&bits, &value, sizeof bits);
+  return bits;
+}
+
 /// Whether `quantise` does not cut the value off. The limits and a half must be exact in float.
 inline bool fits(float counts, int32_t lower, int32_t upper) {
   return counts > static_cast<float>(lower) - 0.5F && counts < static_cast<float>(upper) + 0.5F;

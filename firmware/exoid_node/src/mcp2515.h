@@ -15,7 +15,10 @@ namespace exoid {
 /// what came back. `CRYSTAL` is the controller's [Hz], `Ids` has the frames to listen to.
 template <class Spi, uint32_t CRYSTAL, class Ids>
 class Mcp2515 {
-  static_assert(Ids::COUNT <= 6, "the controller has six filters");
+  static constexpr uint8_t FILTER_COUNT = 6;
+  static constexpr uint16_t MASK = Ids::COUNT <= FILTER_COUNT ? NO_CAN_ID : Ids::SHARED;
+  static_assert(Ids::COUNT <= FILTER_COUNT || Ids::ARE_ALL_THAT_SHARE,
+                "six filters, or what one mask lets in, are all that is understood");
 
  public:
   explicit Mcp2515(Spi& spi) : spi_(spi), registers_(spi) {}
@@ -115,12 +118,12 @@ class Mcp2515 {
 
   /// Writes the settings of a controller that was reset. Returns whether it keeps them.
   bool configure() {
-    for (uint8_t at = 0; at < 6; ++at) {
+    for (uint8_t at = 0; at < FILTER_COUNT; ++at) {
       const uint8_t block = at < 3 ? FILTERS : MORE_FILTERS;
       registers_.write_id(static_cast<uint8_t>(block + at % 3 * 4), Ids::filter(at));
     }
-    registers_.write_id(MASKS, NO_CAN_ID);
-    registers_.write_id(MASKS + 4, NO_CAN_ID);
+    registers_.write_id(MASKS, MASK);
+    registers_.write_id(MASKS + 4, MASK);
     registers_.write(RXB0CTRL, ROLL_OVER);
     registers_.write(RXB1CTRL, 0);
     uint8_t timing[] = {WRITE, CNF3, timing_.cnf3, timing_.cnf2, timing_.cnf1, 0, 0};

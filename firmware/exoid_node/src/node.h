@@ -1,5 +1,5 @@
-/// The node's work: one sample per tick of the timer, its three or four frames, what it says of the
-/// leg, and the clock.
+/// The node's work: one sample per tick of the timer, its three to five frames, what it says of the
+/// leg and of the torque's parameters, and the clock.
 
 #pragma once
 
@@ -11,12 +11,13 @@ namespace exoid {
 /// `Encoder` reads counts of EXO_FINE, ZERO_COUNT where the knee is extended and more in extension,
 /// and OWN_TURN is how many of its own make a turn. `Uplink` has
 /// `bool send(const Frame&)`, false where a frame was lost. `Clock` has `ticks()`, the ticks of the
-/// sampling timer since its start, and `age_us()`, the time since the last.
-template <class Encoder, class Imu, class Uplink, class Clock>
+/// sampling timer since its start, and `age_us()`, the time since the last. `Command` is that of the
+/// torque.
+template <class Encoder, class Imu, class Uplink, class Clock, class Command>
 class Node {
  public:
-  Node(Encoder& encoder, Imu& imu, Uplink& uplink, const Clock& clock)
-      : encoder_(encoder), imu_(imu), uplink_(uplink), clock_(clock) {}
+  Node(Encoder& encoder, Imu& imu, Uplink& uplink, const Clock& clock, Command& command)
+      : encoder_(encoder), imu_(imu), uplink_(uplink), clock_(clock), command_(command) {}
 
   /// Does what is due; returns whether that was a sample. Call it as often as possible.
   bool run() {
@@ -31,6 +32,7 @@ class Node {
     } else {
       teller_.run(learner_, tick_, [this](const Frame& frame) { send(frame); });
     }
+    if (tick_ - named_ >= TICKS_PER_PARAMETER) tell_parameter();
     return false;
   }
 
@@ -64,9 +66,18 @@ class Node {
     State state = estimator_.update(sample, missed);
     state.counter = tick_ & 255U;
     state.overrun = lossy_;
-    lossy_ = !uplink_.send(pack(state));
+    const Frame told = pack(state);
+    lossy_ = !uplink_.send(told);
+    command(sample, state, told);
     send_readings(sample, age);
     learner_.take({sample.count, sample.gyro[1], sees_angle(sample), sees_rate(sample), missed});
+  }
+
+  /// Before the readings, as a drive waits for it.
+  void command(const Sample& sample, const State& state, const Frame& told) {
+    constexpr uint32_t FAULTS = 7;  // byte of EXO_STATE
+    const Torque torque = command_.update(sample, state, told.data[FAULTS], estimator_.bias());
+    if (command_.is_asked()) send(pack(torque));
   }
 
   void read_encoder(Sample& sample) {
@@ -110,6 +121,12 @@ class Node {
     send(pack(time));
   }
 
+  void tell_parameter() {
+    named_ = tick_;
+    Parameter parameter = {};
+    if (command_.tell(parameter)) send(pack(parameter));
+  }
+
   void send(const Frame& frame) {
     const bool sent = uplink_.send(frame);
     lossy_ = lossy_ || !sent;
@@ -119,11 +136,13 @@ class Node {
   Imu& imu_;
   Uplink& uplink_;
   const Clock& clock_;
+  Command& command_;
   Estimator estimator_;
   LegLearner learner_;
   LegTeller teller_;
   uint32_t tick_ = 0;                     // of the last sample; 0 before the first
   uint32_t told_ = 0U - TICKS_PER_TIME;  // tick of the last TIME
+  uint32_t named_ = 0;                    // tick of the last PARAMETER
   uint32_t missed_ = 0;
   bool healthy_ = true;
   bool lossy_ = false;  // late, or a frame lost, since the last STATE that was sent

@@ -29,15 +29,15 @@ class SettingsStore {
   /// Uses these settings from now on. Returns false where the flash did not take them: then what
   /// was stored before is what the next start finds.
   bool save(const NodeSettings& settings) {
-    if (stored() && settings == settings_) return true;
+    if (stored() && are_equal(settings, settings_)) return true;
     settings_ = settings;
     const uint8_t slot = static_cast<uint8_t>(stored_ ? 1 - slot_ : 0);
     const uint16_t change = static_cast<uint16_t>(changes_ + 1);
-    const Record record = record_of(settings, change);
+    const Record<NodeSettings> record = record_of(settings, change);
     NodeSettings found = BUILT_IN;
     uint16_t kept = 0;
-    if (!flash_.write(slot, record.bytes, Record::SIZE) || !read(slot, found, kept) ||
-        !(found == settings) || kept != change) {
+    if (!flash_.write(slot, record.bytes, sizeof record.bytes) || !read(slot, found, kept) ||
+        !are_equal(found, settings) || kept != change) {
       unstored_ = true;
       return false;
     }
@@ -59,8 +59,8 @@ class SettingsStore {
   static constexpr uint8_t SLOTS = 2;
 
   bool read(uint8_t slot, NodeSettings& settings, uint16_t& change) {
-    Record record = {};
-    flash_.read(slot, record.bytes, Record::SIZE);
+    Record<NodeSettings> record = {};
+    flash_.read(slot, record.bytes, sizeof record.bytes);
     return read_record(record, settings, change);
   }
 

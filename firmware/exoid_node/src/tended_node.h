@@ -6,6 +6,7 @@
 #include "caretaker.h"
 #include "mounted_encoder.h"
 #include "node.h"
+#include "torque_command.h"
 
 namespace exoid {
 
@@ -29,15 +30,17 @@ class TendedNode {
   explicit TendedNode(const Parts<Kinds>& parts)
       : parts_(parts),
         store_(parts.flash),
+        command_(parts.flash),
         encoder_(parts.encoder, store_.settings()),
         uplink_(parts.link, store_.settings()),
-        node_(encoder_, parts.imu, uplink_, parts.clock),
-        commission_(Kinds::Board::serial(), encoder_, store_),
+        node_(encoder_, parts.imu, uplink_, parts.clock, command_),
+        commission_(Kinds::Board::serial(), encoder_, store_, command_),
         caretaker_(parts, node_, uplink_, commission_) {}
 
-  /// Reads the settings and brings the link up with them.
+  /// Reads what is stored and brings the link up with it.
   void begin() {
     store_.load();
+    command_.load();
     parts_.link.begin(store_.settings().bit_rate * BIT_RATE_STEP);
     parts_.board.begin();
   }
@@ -58,11 +61,13 @@ class TendedNode {
  private:
   using Encoder = MountedEncoder<typename Kinds::Encoder>;
   using Uplink = AddressedUplink<typename Kinds::Link>;
-  using Measuring = Node<Encoder, typename Kinds::Imu, Uplink, typename Kinds::Clock>;
-  using Commission = Commissioning<Encoder, typename Kinds::Flash>;
+  using Command = TorqueCommand<typename Kinds::Flash>;
+  using Measuring = Node<Encoder, typename Kinds::Imu, Uplink, typename Kinds::Clock, Command>;
+  using Commission = Commissioning<Encoder, typename Kinds::Flash, Command>;
 
   const Parts<Kinds> parts_;
   SettingsStore<typename Kinds::Flash> store_;
+  Command command_;
   Encoder encoder_;
   Uplink uplink_;
   Measuring node_;

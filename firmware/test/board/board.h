@@ -10,9 +10,9 @@
 
 namespace simulated {
 
-/// The two rows of flash for the settings.
+/// The three rows of flash.
 struct FlashModel {
-  uint8_t slots[2][64] = {};
+  uint8_t slots[3][64] = {};
   bool works = true;  // else it takes nothing, and says nothing of it
 };
 

@@ -25,6 +25,7 @@ SIGNAL = re.compile(
     rf'\[[^]]*\]{GAP}"([^"]*)"'
 )
 STRIDE = re.compile(rf'^{GAP}BA_ +"NodeStride" +(\d+){GAP};', re.MULTILINE)
+FLOAT = re.compile(rf"^{GAP}SIG_VALTYPE_ +(\d+) +(\w+){GAP}:{GAP}1{GAP};", re.MULTILINE)
 PERIOD = re.compile(rf'^{GAP}BA_ +"GenMsgCycleTime" +BO_ +(\d+) +(\d+){GAP};', re.MULTILINE)
 
 
@@ -53,6 +54,7 @@ def stride_in(text: str) -> int:
 def messages_in(text: str) -> dict[str, MessagePlan]:
     """The messages of a DBC's text that is laid out as exoid.dbc is, by name."""
     periods = {int(identifier): int(ms) / 1000 for identifier, ms in PERIOD.findall(text)}
+    floats = FLOAT.findall(text)
     return {
         name: MessagePlan(
             name=name,
@@ -60,20 +62,25 @@ def messages_in(text: str) -> dict[str, MessagePlan]:
             extended=False,
             length=int(length),
             period=periods.get(int(identifier)),
-            signals=tuple(little_endian_signal(*found) for found in SIGNAL.findall(signals)),
+            signals=tuple(
+                little_endian_signal(*found, floating=(identifier, found[0]) in floats)
+                for found in SIGNAL.findall(signals)
+            ),
         )
         for identifier, name, length, signals in MESSAGE.findall(text)
     }
 
 
-def little_endian_signal(name, start, length, sign, scale, offset, unit) -> SignalPlan:
+def little_endian_signal(
+    name, start, length, sign, scale, offset, unit, *, floating: bool
+) -> SignalPlan:
     return SignalPlan(
         name=name,
         start=int(start),
         length=int(length),
         big_endian=False,
         signed=sign == "-",
-        floating=False,
+        floating=floating,
         scale=float(scale),
         offset=float(offset),
         unit=unit,
