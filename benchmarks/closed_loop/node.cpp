@@ -1,5 +1,6 @@
 // The node's own code on this machine, for Python: a tick's readings and commands in, frames out.
 
+#include <cstring>
 #include <vector>
 
 #include "tended_node.h"
@@ -46,12 +47,13 @@ struct Link {
 };
 
 struct Flash {
-  exoid::Record slots[2];
-  void read(uint8_t slot, uint8_t* bytes, uint32_t count) const {
-    for (uint32_t k = 0; k < count; ++k) bytes[k] = slots[slot].bytes[k];
+  static constexpr uint32_t SLOTS = 3, SLOT_BYTES = 64;
+  uint8_t bytes[SLOTS][SLOT_BYTES];
+  void read(uint8_t slot, uint8_t* found, uint32_t count) const {
+    std::memcpy(found, bytes[slot], count);
   }
-  bool write(uint8_t slot, const uint8_t* bytes, uint32_t count) {
-    for (uint32_t k = 0; k < count; ++k) slots[slot].bytes[k] = bytes[k];
+  bool write(uint8_t slot, const uint8_t* given, uint32_t count) {
+    std::memcpy(bytes[slot], given, count);
     return true;
   }
 };

@@ -6,6 +6,7 @@ import tempfile
 from functools import cache
 from pathlib import Path
 from typing import NamedTuple
+from weakref import finalize
 
 import can
 
@@ -44,9 +45,7 @@ class Node:
         self._code = library()
         self._node = ctypes.c_void_p(self._code.node_new())
         self._sent = (RawFrame * MOST)()
-
-    def __del__(self) -> None:
-        self._code.node_free(self._node)
+        finalize(self, self._code.node_free, self._node)
 
     def hear(self, message: can.Message) -> None:
         """A command of the host's, which the node takes at its next tick."""

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import mujoco
 import numpy as np
+from scipy.optimize import brentq
 
 from benchmarks.closed_loop.rig import Frame, Leg
 
@@ -21,7 +22,8 @@ class Motor:
 
     delay: float = 5e-3  # s, from the node's sample to the windings
     lag: float = 4e-3  # s
-    limit: float = 40.0  # N m, of the motor itself
+    limit: float = 20.0  # N m, of the motor itself
+    gain: float = 1.0  # of the torque that it gives over that which it is told
 
 
 @dataclass(frozen=True)
@@ -59,8 +61,8 @@ MODEL = """
     </fixed>
   </tendon>
   <actuator>
-    <general joint="frame" dyntype="filterexact" dynprm="{motor.lag}" delay="{motor.delay}"
-      nsample="{samples}" ctrllimited="true" ctrlrange="-{motor.limit} {motor.limit}"/>
+    <general joint="frame" dyntype="filterexact" dynprm="{motor.lag}" gainprm="{motor.gain}" delay="{motor.delay}"
+      nsample="{samples}" forcelimited="true" forcerange="-{motor.limit} {motor.limit}"/>
   </actuator>
 </mujoco>
 """
@@ -72,7 +74,7 @@ class Plant:
     def __init__(self, leg: Leg, frame: Frame, motor: Motor) -> None:
         self.frame, self.motor = frame, motor
         self._build(leg)
-        self._data.qpos[:] = -np.pi / 2
+        self._data.qpos[:] = self.hanging
 
     def seat(self, leg: Leg) -> None:
         """Another leg is in the frame from now on; motion and motor go on."""
@@ -87,6 +89,16 @@ class Plant:
         self._data.ctrl[0] = command
         self._data.qfrc_applied[0] = muscle
         mujoco.mj_step(self._model, self._data)
+
+    @property
+    def hanging(self) -> float:
+        """The angle [rad] at which it all hangs, but for friction."""
+        weight = self.leg.weight + self.frame.weight
+
+        def pull(angle: float) -> float:
+            return weight * np.cos(angle) + self.leg.stiffness * angle
+
+        return float(brentq(pull, -np.pi / 2, 0.0))
 
     def state(self) -> State:
         (angle, frame_angle), (rate, frame_rate) = self._data.qpos, self._data.qvel

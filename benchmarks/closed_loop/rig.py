@@ -28,6 +28,12 @@ class Leg:
         """With mass and inertia larger by a share, at the same place, of a knee as stiff."""
         return replace(self, mass=self.mass * (1 + share), inertia=self.inertia * (1 + share))
 
+    def loaded(self, mass: float, distance: float) -> "Leg":
+        """With a weight [kg] strapped on at a distance [m] from the knee."""
+        total = self.mass + mass
+        centre = (self.mass * self.distance + mass * distance) / total
+        return replace(self, mass=total, distance=centre, inertia=self.inertia + mass * distance**2)
+
 
 @dataclass(frozen=True)
 class Frame:

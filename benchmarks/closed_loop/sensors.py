@@ -28,6 +28,19 @@ class Faults:
     phase: float  # s, of the first renewal
 
 
+@dataclass(frozen=True)
+class Seen:
+    """A tick as whoever hears the node reads it."""
+
+    angle: float  # rad
+    rate: float  # rad/s
+
+
+def seen(readings: Readings) -> Seen:
+    angle = (readings.count - ZERO) * 2 * np.pi / TURN
+    return Seen(angle, -readings.gyro[1] * GYRO_STEP)
+
+
 def draw_faults(rng: np.random.Generator) -> Faults:
     """A zero off by 1.5 degrees, a bias of 3 deg/s; the gyro's scale and clock as its data sheet says."""
     zero, bias, scale = rng.standard_normal(3)
@@ -49,6 +62,4 @@ def read(rng: np.random.Generator, faults: Faults, state: State, time: float) ->
     weight = GRAVITY * np.array([np.sin(state.frame_angle), 0.0, np.cos(state.frame_angle)])
     gyro = [0, -round(shown / GYRO_STEP), 0]
     acceleration = [round(each / ACCELERATION_STEP) for each in weight]
-    return Readings(
-        (round(angle / (2 * np.pi) * TURN) + ZERO) % TURN, (*gyro,), (*acceleration,)
-    )
+    return Readings((round(angle / (2 * np.pi) * TURN) + ZERO) % TURN, (*gyro,), (*acceleration,))

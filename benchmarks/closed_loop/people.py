@@ -1,0 +1,65 @@
+"""Whole sessions of many people."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from benchmarks.closed_loop.carrying import NOTHING, SHARES
+from benchmarks.closed_loop.learners import ByHost, Learner
+from benchmarks.closed_loop.measure import Outcome, bounds, effort, gravity_error
+from benchmarks.closed_loop.node import TICK
+from benchmarks.closed_loop.plant import STEP, Motor
+from benchmarks.closed_loop.rig import draw_body, draw_frame
+from benchmarks.closed_loop.script import MOST_DROPS, Case, Script
+from benchmarks.closed_loop.sensors import draw_faults
+
+OTHER = 0.4  # by which the next leg has more mass and inertia, or less
+GAIN = 0.02  # by which a motor's torque is off
+
+
+def draw_case(rng: np.random.Generator, friction: float) -> Case:
+    """Somebody in a frame with dry friction of up to so much [N m]."""
+    motor = Motor(gain=1 + GAIN * rng.standard_normal())
+    frame = draw_frame(rng, friction)
+    return Case(draw_body(rng), frame, motor, draw_faults(rng), OTHER * rng.choice([-1, 1]))
+
+
+def play(rng: np.random.Generator, case: Case, learner: type[Learner]) -> tuple[Script, Outcome]:
+    """One session: what happened, and its figures."""
+    script = Script(rng, case, learner(case.body, case.frame))
+    session, gravity = script.session, {}
+
+    def carry(name: str, body) -> None:
+        known = session.learner.leg()
+        gravity[name] = gravity_error(known, case, body)
+        script.move(name, SHARES, known)
+
+    first = script.learn()
+    script.move("off", NOTHING, None)
+    carry("anatomy", case.body)
+    script.move("frame", NOTHING, session.learner.leg())
+    if isinstance(session.learner, ByHost):
+        script.weigh()
+        carry("weighed", case.body)
+    false_alarm = script.find_out(1) is not None
+    session.plant.seat(case.next_body.leg)
+    carry("unnoticed", case.next_body)
+    found = script.find_out(MOST_DROPS)
+    session.learner = session.learner.anew(case.next_body)
+    second = script.learn()
+    script.move("off again", NOTHING, None)
+    carry("anatomy again", case.next_body)
+    if isinstance(session.learner, ByHost):
+        script.weigh()
+        carry("weighed again", case.next_body)
+    table = session.log.table
+    efforts = {one.name: effort(table, one) for one in script.moved}
+    limits = bounds(table, case, TICK, STEP)
+    return script, Outcome(case, first, false_alarm, found, second, efforts, gravity, limits)
+
+
+def outcomes(people: int, seed: int, friction: float, learner: type[Learner]) -> Iterator[Outcome]:
+    """Of one person after the other, each drawn by its own number."""
+    for number in range(people):
+        rng = np.random.default_rng([seed, number])
+        yield play(rng, draw_case(rng, friction), learner)[1]

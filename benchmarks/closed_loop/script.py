@@ -1,0 +1,135 @@
+"""A session: a leg is learned in 10 s, then carried; another person sits down, and it begins anew."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from benchmarks.closed_loop.acts import Carry, Drop, Move
+from benchmarks.closed_loop.carrying import LIMIT, NOTHING, Shares, carrying
+from benchmarks.closed_loop.learners import DOUBTED, NO_WEIGHT, WEIGHT, Known, Learner
+from benchmarks.closed_loop.plant import Motor, Plant
+from benchmarks.closed_loop.rig import Body, Frame
+from benchmarks.closed_loop.sensors import Faults
+from benchmarks.closed_loop.session import Session
+
+DEGREE = np.pi / 180
+LEAST_DROPS, MOST_DROPS = 2, 6
+PLACED = 3e-3  # m, by which the weight is strapped on elsewhere
+LOADING = 0.8  # s in which the node hears its parameters, is armed and enabled
+
+
+@dataclass(frozen=True)
+class Case:
+    """A rig, who sits in it, and by how much heavier the next one's leg is."""
+
+    body: Body
+    frame: Frame
+    motor: Motor
+    faults: Faults
+    heavier: float  # share of mass and inertia; negative where it is lighter
+
+    @property
+    def next_body(self) -> Body:
+        body = self.body
+        return replace(
+            body, mass=body.mass * (1 + self.heavier), leg=body.leg.heavier(self.heavier)
+        )
+
+
+@dataclass(frozen=True)
+class Moved:
+    """The person moves the leg, and the motor carries so much of it, by what was known."""
+
+    name: str
+    rows: slice  # of the log, once it is on its way
+    shares: Shares
+    known: Known | None  # None: the motor is off
+
+
+@dataclass(frozen=True)
+class Learned:
+    """A leg, and how long it took from the first lift on."""
+
+    drops: int
+    seconds: float | None  # None: it never was known
+
+
+class Script:
+    """The acts of a session, one after the other."""
+
+    def __init__(self, rng: np.random.Generator, case: Case, learner: Learner) -> None:
+        self.case = case
+        plant = Plant(case.body.leg, case.frame, case.motor)
+        self.session = Session(rng, plant, case.faults, learner)
+        self.moved: list[Moved] = []
+        self._rng = rng
+
+    def drop(self) -> float:
+        """5 s: a hand lifts the leg, lets it go and catches it. Returns when it let go [s]."""
+        rng, session = self._rng, self.session
+        top = rng.uniform(-25.0, 5.0) * DEGREE
+        held = Carry(top, 0.1, 0.6)
+        session.act(Carry(top, 0.7, 1.0))
+        session.follows = True
+        session.act(held)
+        released = session.time
+        session.act(Drop(rng.uniform(0.0, 0.06), 3.0, held))
+        session.act(Carry(session.plant.hanging, 0.7, 0.4))
+        session.follows = False
+        return released
+
+    def lay(self, seconds: float = 1.6) -> None:
+        """A hand brings the leg to where it hangs, and holds it."""
+        self.session.act(Carry(self.session.plant.hanging, 1.0, seconds))
+
+    def learn(self) -> Learned:
+        """Drops until the leg is known: two take 10 s."""
+        begun = self.session.time
+        for drops in range(1, MOST_DROPS + 1):
+            self.drop()
+            if drops >= LEAST_DROPS and self.session.learner.knows:
+                self.lay()
+                return Learned(drops, self.session.time - begun)
+        return Learned(MOST_DROPS, None)
+
+    def find_out(self, most: int) -> float | None:
+        """Drops until another leg is found out; returns how long after its first release [s].
+
+        What counts is what is said once the leg was caught: also a hand that lifts it may be taken
+        for a leg that nobody knows, until it is let go.
+        """
+        session, first = self.session, None
+        for _ in range(most):
+            released = self.drop()
+            first = released if first is None else first
+            self.lay()
+            if session.learner.trust in DOUBTED:
+                return session.doubted_since(released) - first
+        return None
+
+    def move(self, name: str, shares: Shares, known: Known | None) -> None:
+        """Three times up and down: with what is known, or with the motor off."""
+        session, host = self.session, self.session.host
+        session.shares = shares
+        host.wants = known is not None
+        if known is not None:
+            host.load(carrying(known, self.case.frame, shares), LIMIT)
+        self.lay(1.0 + LOADING)
+        rows = session.act(Move(55 * DEGREE, self._rng.uniform(1.6, 2.4), 6.5))
+        self.moved.append(Moved(name, slice(rows.start + 500, rows.stop), shares, known))
+        host.wants = False
+        session.shares = NOTHING
+        self.lay()
+
+    def weigh(self) -> None:
+        """Two drops with a weight strapped on, whose mass and place are known: they tell the inertia."""
+        session, leg = self.session, self.session.plant.leg
+        place = WEIGHT.distance + PLACED * self._rng.standard_normal()
+        self.lay()
+        session.plant.seat(leg.loaded(WEIGHT.mass, place))
+        session.learner.weight = WEIGHT
+        for _ in range(LEAST_DROPS):
+            self.drop()
+        self.lay()
+        session.plant.seat(leg)
+        session.learner.weight = NO_WEIGHT
