@@ -28,17 +28,6 @@ FRICTION = "coulomb_friction.level_over_inertia"
 
 
 @dataclass(frozen=True)
-class Weight:
-    """What is strapped on, as a scale and a ruler tell."""
-
-    mass: float  # kg
-    distance: float  # m, from the knee
-
-
-NO_WEIGHT, WEIGHT = Weight(0.0, 0.0), Weight(2.0, 0.2)
-
-
-@dataclass(frozen=True)
 class Known:
     """A leg in its frame, as one is to be carried."""
 
@@ -55,7 +44,6 @@ class Learner(Protocol):
 
     trust: Trust
     drops: int
-    weight: Weight = NO_WEIGHT  # on the leg
 
     @abstractmethod
     def see(self, seen: Seen, told: Told) -> None:
@@ -97,7 +85,7 @@ class ByNode(Learner):
 
 
 class ByHost(Learner):
-    """exoid.online with dry friction: it takes blocks of samples, and is told of a weight."""
+    """exoid.online with dry friction: it takes blocks of samples."""
 
     def __init__(self, body: Body, frame: Frame) -> None:
         self.trust, self.drops = Trust.WAITING, 0
@@ -106,10 +94,8 @@ class ByHost(Learner):
         self._ticks = 0  # which it has seen: its clock stands while it does not look
 
     def see(self, seen: Seen, told: Told) -> None:
-        weight, self._ticks = self.weight, self._ticks + 1
-        self._rows.append(
-            (TICK * self._ticks, seen.angle, seen.rate, 0.0, weight.mass, weight.distance)
-        )
+        self._ticks += 1
+        self._rows.append((TICK * self._ticks, seen.angle, seen.rate))
         if len(self._rows) < BLOCK:
             return
         samples = online.Sample(*np.array(self._rows).T)

@@ -10,6 +10,7 @@ from benchmarks.closed_loop.learners import Known
 from benchmarks.closed_loop.rig import Body
 from benchmarks.closed_loop.script import Case, Learned, Moved
 
+ROUNDED = 1 / 1024  # N m, the step of EXO_TORQUE
 ANGLES = np.radians(np.linspace(-90.0, 0.0, 91))
 
 
@@ -79,7 +80,7 @@ def bounds(table: np.ndarray, case: Case, tick: float, step: float) -> Bounds:
     change = np.abs(np.diff(every))[every[1:] != 0.0]
     return Bounds(
         float(np.abs(every).max() / LIMIT),
-        float(change.max(initial=0.0) / (RATE_LIMIT * tick)),
+        float((change.max(initial=ROUNDED) - ROUNDED) / (RATE_LIMIT * tick)),
         float(np.abs(table["motor"]).max() / case.motor.limit),
     )
 

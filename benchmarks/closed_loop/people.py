@@ -5,12 +5,12 @@ from collections.abc import Iterator
 import numpy as np
 
 from benchmarks.closed_loop.carrying import NOTHING, SHARES
-from benchmarks.closed_loop.learners import ByHost, Learner
+from benchmarks.closed_loop.learners import ByHost, Known, Learner
 from benchmarks.closed_loop.measure import Outcome, bounds, effort, gravity_error
 from benchmarks.closed_loop.node import TICK
 from benchmarks.closed_loop.plant import STEP, Motor
-from benchmarks.closed_loop.rig import draw_body, draw_frame
-from benchmarks.closed_loop.script import MOST_DROPS, Case, Script
+from benchmarks.closed_loop.rig import Body, draw_body, draw_frame
+from benchmarks.closed_loop.script import MOST_DROPS, Case, Learned, Script
 from benchmarks.closed_loop.sensors import draw_faults
 
 OTHER = 0.4  # by which the next leg has more mass and inertia, or less
@@ -29,29 +29,26 @@ def play(rng: np.random.Generator, case: Case, learner: type[Learner]) -> tuple[
     script = Script(rng, case, learner(case.body, case.frame))
     session, gravity = script.session, {}
 
-    def carry(name: str, body) -> None:
-        known = session.learner.leg()
+    def carry(name: str, body: Body, known: Known) -> None:
         gravity[name] = gravity_error(known, case, body)
         script.move(name, SHARES, known)
 
-    first = script.learn()
-    script.move("off", NOTHING, None)
-    carry("anatomy", case.body)
+    def whole(body: Body, again: str) -> Learned:
+        learned = script.learn()
+        script.move("off" + again, NOTHING, None)
+        carry("anatomy" + again, body, session.learner.leg())
+        if isinstance(session.learner, ByHost):
+            carry("weighed" + again, body, script.weigh(body))
+        return learned
+
+    first = whole(case.body, "")
     script.move("frame", NOTHING, session.learner.leg())
-    if isinstance(session.learner, ByHost):
-        script.weigh()
-        carry("weighed", case.body)
     false_alarm = script.find_out(1) is not None
     session.plant.seat(case.next_body.leg)
-    carry("unnoticed", case.next_body)
+    carry("unnoticed", case.next_body, session.learner.leg())
     found = script.find_out(MOST_DROPS)
     session.learner = session.learner.anew(case.next_body)
-    second = script.learn()
-    script.move("off again", NOTHING, None)
-    carry("anatomy again", case.next_body)
-    if isinstance(session.learner, ByHost):
-        script.weigh()
-        carry("weighed again", case.next_body)
+    second = whole(case.next_body, " again")
     table = session.log.table
     efforts = {one.name: effort(table, one) for one in script.moved}
     limits = bounds(table, case, TICK, STEP)

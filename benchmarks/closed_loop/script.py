@@ -6,15 +6,17 @@ import numpy as np
 
 from benchmarks.closed_loop.acts import Carry, Drop, Move
 from benchmarks.closed_loop.carrying import LIMIT, NOTHING, Shares, carrying
-from benchmarks.closed_loop.learners import DOUBTED, NO_WEIGHT, WEIGHT, Known, Learner
+from benchmarks.closed_loop.learners import DOUBTED, Known, Learner
 from benchmarks.closed_loop.plant import Motor, Plant
-from benchmarks.closed_loop.rig import Body, Frame
+from benchmarks.closed_loop.rig import GRAVITY, Body, Frame
 from benchmarks.closed_loop.sensors import Faults
 from benchmarks.closed_loop.session import Session
 
 DEGREE = np.pi / 180
 LEAST_DROPS, MOST_DROPS = 2, 6
-PLACED = 3e-3  # m, by which the weight is strapped on elsewhere
+HOLD = 0.9  # s that a hand holds the leg before it lets go
+MASS, PLACE = 2.0, 0.2  # kg, m from the knee, of a weight that is strapped on
+PLACED = 3e-3  # m, by which it is strapped on elsewhere
 LOADING = 0.8  # s in which the node hears its parameters, is armed and enabled
 
 
@@ -68,12 +70,12 @@ class Script:
         """5 s: a hand lifts the leg, lets it go and catches it. Returns when it let go [s]."""
         rng, session = self._rng, self.session
         top = rng.uniform(-25.0, 5.0) * DEGREE
-        held = Carry(top, 0.1, 0.6)
-        session.act(Carry(top, 0.7, 1.0))
+        held = Carry(top, 0.1, HOLD)
+        session.act(Carry(top, 0.6, 1.8 - HOLD))
         session.follows = True
         session.act(held)
         released = session.time
-        session.act(Drop(rng.uniform(0.0, 0.06), 3.0, held))
+        session.act(Drop(rng.uniform(0.0, 0.06), 2.8, held))
         session.act(Carry(session.plant.hanging, 0.7, 0.4))
         session.follows = False
         return released
@@ -121,15 +123,20 @@ class Script:
         session.shares = NOTHING
         self.lay()
 
-    def weigh(self) -> None:
-        """Two drops with a weight strapped on, whose mass and place are known: they tell the inertia."""
-        session, leg = self.session, self.session.plant.leg
-        place = WEIGHT.distance + PLACED * self._rng.standard_normal()
-        self.lay()
-        session.plant.seat(leg.loaded(WEIGHT.mass, place))
-        session.learner.weight = WEIGHT
+    def weigh(self, body: Body) -> Known:
+        """Two drops with a weight strapped on, whose mass M and place D are known, tell the inertia.
+
+        (m l g + M D g) / (J + M D^2) is theirs, m l g / J that of the drops before.
+        """
+        session, learner, leg = self.session, self.session.learner, self.session.plant.leg
+        known = learner.leg()
+        session.plant.seat(leg.loaded(MASS, PLACE + PLACED * self._rng.standard_normal()))
+        session.learner = learner.anew(body)
         for _ in range(LEAST_DROPS):
             self.drop()
         self.lay()
+        loaded = session.learner.leg().gravity
         session.plant.seat(leg)
-        session.learner.weight = NO_WEIGHT
+        session.learner = learner
+        inertia = MASS * PLACE * (GRAVITY - loaded * PLACE) / (loaded - known.gravity)
+        return replace(known, inertia=inertia)
