@@ -5,7 +5,6 @@ from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
-
 from benchmarks.closed_loop.plant import State
 from benchmarks.closed_loop.rig import Leg
 

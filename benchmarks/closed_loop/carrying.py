@@ -3,9 +3,9 @@
 from dataclasses import dataclass
 
 import numpy as np
-
 from benchmarks.closed_loop.learners import Known
 from benchmarks.closed_loop.rig import Frame, Leg
+
 from exoid.recordings.commissioning.torque_parameters import TorqueParameters
 
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import can
 import numpy as np
-
 from benchmarks.closed_loop.node import SERIAL, Frame
+
 from exoid.recordings.can.dbc import exoid_messages
 from exoid.recordings.can.node.one_frame import values_of
 from exoid.recordings.commissioning.commands import command

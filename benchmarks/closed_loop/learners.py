@@ -9,12 +9,12 @@ from dataclasses import dataclass, replace
 from typing import Protocol
 
 import numpy as np
-
-import exoid
 from benchmarks.closed_loop.host import Told
 from benchmarks.closed_loop.node import TICK
 from benchmarks.closed_loop.rig import GRAVITY, Body, Frame
 from benchmarks.closed_loop.sensors import Seen
+
+import exoid
 from exoid import online
 from exoid.online import Trust
 from exoid.physics.anatomy import ExpectedLeg

@@ -3,7 +3,6 @@
 from dataclasses import dataclass
 
 import numpy as np
-
 from benchmarks.closed_loop.carrying import LIMIT, RATE_LIMIT
 from benchmarks.closed_loop.host import ENABLED
 from benchmarks.closed_loop.learners import Known

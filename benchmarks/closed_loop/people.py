@@ -3,7 +3,6 @@
 from collections.abc import Iterator
 
 import numpy as np
-
 from benchmarks.closed_loop.carrying import NOTHING, SHARES
 from benchmarks.closed_loop.learners import ByHost, Known, Learner
 from benchmarks.closed_loop.measure import Outcome, bounds, effort, gravity_error
@@ -27,7 +26,7 @@ def draw_case(rng: np.random.Generator, friction: float) -> Case:
 def play(rng: np.random.Generator, case: Case, learner: type[Learner]) -> tuple[Script, Outcome]:
     """One session: what happened, and its figures."""
     script = Script(rng, case, learner(case.body, case.frame))
-    session, gravity = script.session, {}
+    loop, gravity = script.session, {}
 
     def carry(name: str, body: Body, known: Known) -> None:
         gravity[name] = gravity_error(known, case, body)
@@ -36,27 +35,34 @@ def play(rng: np.random.Generator, case: Case, learner: type[Learner]) -> tuple[
     def whole(body: Body, again: str) -> Learned:
         learned = script.learn()
         script.move("off" + again, NOTHING, None)
-        carry("anatomy" + again, body, session.learner.leg())
-        if isinstance(session.learner, ByHost):
+        carry("anatomy" + again, body, loop.learner.leg())
+        if isinstance(loop.learner, ByHost):
             carry("weighed" + again, body, script.weigh(body))
         return learned
 
     first = whole(case.body, "")
-    script.move("frame", NOTHING, session.learner.leg())
+    script.move("frame", NOTHING, loop.learner.leg())
     false_alarm = script.find_out(1) is not None
-    session.plant.seat(case.next_body.leg)
-    carry("unnoticed", case.next_body, session.learner.leg())
+    script.seat_next()
+    carry("unnoticed", case.next_body, loop.learner.leg())
     found = script.find_out(MOST_DROPS)
-    session.learner = session.learner.anew(case.next_body)
+    loop.learner = loop.learner.anew(case.next_body)
     second = whole(case.next_body, " again")
-    table = session.log.table
+    table = loop.log.table
     efforts = {one.name: effort(table, one) for one in script.moved}
     limits = bounds(table, case, TICK, STEP)
     return script, Outcome(case, first, false_alarm, found, second, efforts, gravity, limits)
 
 
+def session(
+    number: int, seed: int, friction: float, learner: type[Learner]
+) -> tuple[Script, Outcome]:
+    """Of the person of that number."""
+    rng = np.random.default_rng([seed, number])
+    return play(rng, draw_case(rng, friction), learner)
+
+
 def outcomes(people: int, seed: int, friction: float, learner: type[Learner]) -> Iterator[Outcome]:
-    """Of one person after the other, each drawn by its own number."""
+    """Of one person after the other."""
     for number in range(people):
-        rng = np.random.default_rng([seed, number])
-        yield play(rng, draw_case(rng, friction), learner)[1]
+        yield session(number, seed, friction, learner)[1]

@@ -9,11 +9,10 @@ from dataclasses import dataclass
 
 import mujoco
 import numpy as np
+from benchmarks.closed_loop.rig import Frame, Leg
 from scipy.optimize import brentq
 
-from benchmarks.closed_loop.rig import Frame, Leg
-
-STEP = 1e-3  # s
+STEP = 2.5e-3  # s
 
 
 @dataclass(frozen=True)
@@ -85,7 +84,7 @@ class Plant:
         mujoco.mj_setState(self._model, self._data, state, kind)
 
     def step(self, command: float, muscle: float) -> None:
-        """A millisecond with that command to the motor, and a torque of muscle or hand on the leg."""
+        """STEP with that command to the motor, and a torque of muscle or hand on the leg."""
         self._data.ctrl[0] = command
         self._data.qfrc_applied[0] = muscle
         mujoco.mj_step(self._model, self._data)

@@ -3,7 +3,6 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
-
 from benchmarks.people import person
 
 GRAVITY = 9.81  # m/s^2

@@ -3,17 +3,17 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
-
 from benchmarks.closed_loop.acts import Carry, Drop, Move
 from benchmarks.closed_loop.carrying import LIMIT, NOTHING, Shares, carrying
-from benchmarks.closed_loop.learners import DOUBTED, Known, Learner
-from benchmarks.closed_loop.plant import Motor, Plant
+from benchmarks.closed_loop.learners import Known, Learner
+from benchmarks.closed_loop.plant import STEP, Motor, Plant
 from benchmarks.closed_loop.rig import GRAVITY, Body, Frame
 from benchmarks.closed_loop.sensors import Faults
 from benchmarks.closed_loop.session import Session
 
 DEGREE = np.pi / 180
 LEAST_DROPS, MOST_DROPS = 2, 6
+BEGUN = 0.5  # s of a movement that are not counted: the hand goes
 HOLD = 0.9  # s that a hand holds the leg before it lets go
 MASS, PLACE = 2.0, 0.2  # kg, m from the knee, of a weight that is strapped on
 PLACED = 3e-3  # m, by which it is strapped on elsewhere
@@ -64,6 +64,7 @@ class Script:
         plant = Plant(case.body.leg, case.frame, case.motor)
         self.session = Session(rng, plant, case.faults, learner)
         self.moved: list[Moved] = []
+        self.changed = 0.0  # s, when another person sat down
         self._rng = rng
 
     def drop(self) -> float:
@@ -95,18 +96,15 @@ class Script:
         return Learned(MOST_DROPS, None)
 
     def find_out(self, most: int) -> float | None:
-        """Drops until another leg is found out; returns how long after its first release [s].
-
-        What counts is what is said once the leg was caught: also a hand that lifts it may be taken
-        for a leg that nobody knows, until it is let go.
-        """
-        session, first = self.session, None
+        """Drops until another leg is found out; returns how long after its first release [s]."""
+        first = None
         for _ in range(most):
             released = self.drop()
-            first = released if first is None else first
             self.lay()
-            if session.learner.trust in DOUBTED:
-                return session.doubted_since(released) - first
+            first = released if first is None else first
+            doubted = self.session.doubted_since(released)
+            if doubted is not None:
+                return doubted - first
         return None
 
     def move(self, name: str, shares: Shares, known: Known | None) -> None:
@@ -118,10 +116,17 @@ class Script:
             host.load(carrying(known, self.case.frame, shares), LIMIT)
         self.lay(1.0 + LOADING)
         rows = session.act(Move(55 * DEGREE, self._rng.uniform(1.6, 2.4), 6.5))
-        self.moved.append(Moved(name, slice(rows.start + 500, rows.stop), shares, known))
+        self.moved.append(
+            Moved(name, slice(rows.start + round(BEGUN / STEP), rows.stop), shares, known)
+        )
         host.wants = False
         session.shares = NOTHING
         self.lay()
+
+    def seat_next(self) -> None:
+        """Another person sits down, and tells nobody."""
+        self.changed = self.session.time
+        self.session.plant.seat(self.case.next_body.leg)
 
     def weigh(self, body: Body) -> Known:
         """Two drops with a weight strapped on, whose mass M and place D are known, tell the inertia.

@@ -3,7 +3,6 @@
 from dataclasses import dataclass
 
 import numpy as np
-
 from benchmarks.closed_loop.node import Readings
 from benchmarks.closed_loop.plant import State
 from benchmarks.closed_loop.rig import GRAVITY

@@ -1,15 +1,14 @@
-"""Plant, sensors, node and host, tick after tick: what happened, at every millisecond of it."""
+"""Plant, sensors, node and host, tick after tick: what happened."""
 
 from dataclasses import dataclass, field
 
 import numpy as np
-
 from benchmarks.closed_loop.acts import Act
 from benchmarks.closed_loop.carrying import NOTHING, support
 from benchmarks.closed_loop.host import Host
+from benchmarks.closed_loop.learners import DOUBTED, Learner
 from benchmarks.closed_loop.node import TICK, Node
 from benchmarks.closed_loop.plant import STEP, Plant
-from benchmarks.closed_loop.learners import DOUBTED, Learner
 from benchmarks.closed_loop.sensors import Faults, read, seen
 
 STEPS = round(TICK / STEP)  # of the plant in a tick
@@ -58,12 +57,10 @@ class Session:
             self._tick(act, tick * TICK)
         return slice(first, len(self.log.rows))
 
-    def doubted_since(self, time: float) -> float:
-        """Since when the learner has doubted the leg without a break, or that time if for longer."""
-        for row in reversed(self.log.rows):
-            if row[-1] not in DOUBTED or row[0] <= time:
-                return row[0]
-        return time
+    def doubted_since(self, time: float) -> float | None:
+        """When the learner first doubted the leg after that time [s]."""
+        every = (row[0] for row in self.log.rows if row[0] > time and row[-1] in DOUBTED)
+        return next(every, None)
 
     def _tick(self, act: Act, elapsed: float) -> None:
         host = self.host
