@@ -10,7 +10,6 @@ from typing import Protocol
 
 import numpy as np
 from benchmarks.closed_loop.host import Told
-from benchmarks.closed_loop.node import TICK
 from benchmarks.closed_loop.rig import GRAVITY, Body, Frame
 from benchmarks.closed_loop.sensors import Seen
 
@@ -91,11 +90,9 @@ class ByHost(Learner):
         self.trust, self.drops = Trust.WAITING, 0
         self._frame, self._belief = frame, online.init(worn(body, frame), MODEL)
         self._rows: list[tuple[float, ...]] = []
-        self._ticks = 0  # which it has seen: its clock stands while it does not look
 
     def see(self, seen: Seen, told: Told) -> None:
-        self._ticks += 1
-        self._rows.append((TICK * self._ticks, seen.angle, seen.rate))
+        self._rows.append((seen.time, seen.angle, seen.rate))
         if len(self._rows) < BLOCK:
             return
         samples = online.Sample(*np.array(self._rows).T)

@@ -28,9 +28,10 @@ def play(rng: np.random.Generator, case: Case, learner: type[Learner]) -> tuple[
     script = Script(rng, case, learner(case.body, case.frame))
     loop, gravity = script.session, {}
 
-    def carry(name: str, body: Body, known: Known) -> None:
-        gravity[name] = gravity_error(known, case, body)
-        script.move(name, SHARES, known)
+    def carry(name: str, body: Body, known: Known | None) -> None:
+        if known is not None and loop.learner.knows:
+            gravity[name] = gravity_error(known, case, body)
+            script.move(name, SHARES, known)
 
     def whole(body: Body, again: str) -> Learned:
         learned = script.learn()
@@ -41,7 +42,8 @@ def play(rng: np.random.Generator, case: Case, learner: type[Learner]) -> tuple[
         return learned
 
     first = whole(case.body, "")
-    script.move("frame", NOTHING, loop.learner.leg())
+    if loop.learner.knows:
+        script.move("frame", NOTHING, loop.learner.leg())
     false_alarm = script.find_out(1) is not None
     script.seat_next()
     carry("unnoticed", case.next_body, loop.learner.leg())

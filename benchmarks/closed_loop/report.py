@@ -32,7 +32,7 @@ def torques(every: Sequence[Outcome]) -> list[str]:
         if not mine:
             continue
         columns = [spread([getattr(one, what) for one in mine]) for what in TORQUES]
-        lines.append(f"| {words} | {len(mine)} of {len(efforts)} | " + " | ".join(columns) + " |")
+        lines.append(f"| {words} | {len(mine)} of {len(every)} | " + " | ".join(columns) + " |")
     return lines
 
 
@@ -45,7 +45,9 @@ def weights(every: Sequence[Outcome]) -> list[str]:
         "|---|---|---|---|",
     ]
     for name, words in MOVES.items():
-        mine = [one.gravity[name] for one in every if name in one.gravity and known(one, name)]
+        mine = [
+            one.gravity[name] for one in every if name in one.gravity and one.efforts[name].carried
+        ]
         if not mine:
             continue
         error = spread([one.error for one in mine])
@@ -53,10 +55,6 @@ def weights(every: Sequence[Outcome]) -> list[str]:
         inertia = spread([100 * abs(one.inertia) for one in mine], ".1f")
         lines.append(f"| {words} | {error} | {share} | {inertia} |")
     return lines
-
-
-def known(one: Outcome, name: str) -> bool:
-    return one.efforts[name].carried
 
 
 def courses(every: Sequence[Outcome]) -> list[str]:

@@ -16,6 +16,7 @@ LEAST_DROPS, MOST_DROPS = 2, 6
 BEGUN = 0.5  # s of a movement that are not counted: the hand goes
 HOLD = 0.9  # s that a hand holds the leg before it lets go
 MASS, PLACE = 2.0, 0.2  # kg, m from the knee, of a weight that is strapped on
+UNLIKELY = 0.5  # relative, of an inertia beside the one expected
 PLACED = 3e-3  # m, by which it is strapped on elsewhere
 LOADING = 0.8  # s in which the node hears its parameters, is armed and enabled
 
@@ -73,12 +74,10 @@ class Script:
         top = rng.uniform(-25.0, 5.0) * DEGREE
         held = Carry(top, 0.1, HOLD)
         session.act(Carry(top, 0.6, 1.8 - HOLD))
-        session.follows = True
         session.act(held)
         released = session.time
         session.act(Drop(rng.uniform(0.0, 0.06), 2.8, held))
         session.act(Carry(session.plant.hanging, 0.7, 0.4))
-        session.follows = False
         return released
 
     def lay(self, seconds: float = 1.6) -> None:
@@ -115,6 +114,7 @@ class Script:
         if known is not None:
             host.load(carrying(known, self.case.frame, shares), LIMIT)
         self.lay(1.0 + LOADING)
+        session.follows = False
         rows = session.act(Move(55 * DEGREE, self._rng.uniform(1.6, 2.4), 6.5))
         self.moved.append(
             Moved(name, slice(rows.start + round(BEGUN / STEP), rows.stop), shares, known)
@@ -122,26 +122,29 @@ class Script:
         host.wants = False
         session.shares = NOTHING
         self.lay()
+        session.follows = True
+        self.lay()  # a learner that looks again is not sure at once that it sees all
 
     def seat_next(self) -> None:
         """Another person sits down, and tells nobody."""
         self.changed = self.session.time
         self.session.plant.seat(self.case.next_body.leg)
 
-    def weigh(self, body: Body) -> Known:
-        """Two drops with a weight strapped on, whose mass M and place D are known, tell the inertia.
+    def weigh(self, body: Body) -> Known | None:
+        """Drops with a weight strapped on, whose mass M and place D are known, tell the inertia.
 
-        (m l g + M D g) / (J + M D^2) is theirs, m l g / J that of the drops before.
+        (m l g + M D g) / (J + M D^2) is theirs, m l g / J that of the drops before. None where
+        they are not known, or tell what is no leg's.
         """
         session, learner, leg = self.session, self.session.learner, self.session.plant.leg
         known = learner.leg()
         session.plant.seat(leg.loaded(MASS, PLACE + PLACED * self._rng.standard_normal()))
         session.learner = learner.anew(body)
-        for _ in range(LEAST_DROPS):
-            self.drop()
-        self.lay()
+        told = self.learn().seconds is not None
         loaded = session.learner.leg().gravity
         session.plant.seat(leg)
+        self.lay()
         session.learner = learner
         inertia = MASS * PLACE * (GRAVITY - loaded * PLACE) / (loaded - known.gravity)
-        return replace(known, inertia=inertia)
+        likely = abs(inertia / known.inertia - 1) < UNLIKELY
+        return replace(known, inertia=inertia) if told and likely else None

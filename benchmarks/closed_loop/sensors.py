@@ -31,13 +31,14 @@ class Faults:
 class Seen:
     """A tick as whoever hears the node reads it."""
 
+    time: float  # s
     angle: float  # rad
     rate: float  # rad/s
 
 
-def seen(readings: Readings) -> Seen:
+def seen(readings: Readings, time: float) -> Seen:
     angle = (readings.count - ZERO) * 2 * np.pi / TURN
-    return Seen(angle, -readings.gyro[1] * GYRO_STEP)
+    return Seen(time, angle, -readings.gyro[1] * GYRO_STEP)
 
 
 def draw_faults(rng: np.random.Generator) -> Faults:

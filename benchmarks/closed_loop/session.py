@@ -44,7 +44,7 @@ class Session:
     def __init__(self, rng: np.random.Generator, plant: Plant, faults: Faults, learner: Learner):
         self.plant, self.learner, self.host, self.node = plant, learner, Host(), Node()
         self.shares = NOTHING
-        self.follows = False  # the learner what the leg does: where a hand lifts it and lets it go
+        self.follows = True  # the learner what the leg does: where a hand lifts it and lets it go
         self.log = Log()
         self.time = 0.0  # s
         self._rng, self._faults = rng, faults
@@ -71,7 +71,7 @@ class Session:
         host.see(self.node.tick(readings))
         told = host.told
         if self.follows:
-            self.learner.see(seen(readings), told)
+            self.learner.see(seen(readings, self.time), told)
         if self.learner.trust in DOUBTED:
             host.forget()
         for step in range(STEPS):
