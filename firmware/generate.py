@@ -115,9 +115,9 @@ def constants_header(database: Database) -> str:
     heartbeat = beat.cycle_time // state.cycle_time
     (learned,) = {database.get_message_by_name(name).cycle_time for name in LEARNED}
     assert learned
-    parameter = database.get_message_by_name("EXO_PARAMETER")
+    named = database.get_message_by_name("EXO_PARAMETER").cycle_time
     limit = database.get_message_by_name("EXO_ALLOW").get_signal_by_name("Limit")
-    assert parameter.cycle_time
+    assert named
     fine = database.get_message_by_name("EXO_FINE")
     angle, fine_angle = (each.get_signal_by_name("Angle") for each in (raw, fine))
     title = "Times, scales, and the constants of the Kalman filter."
@@ -126,7 +126,7 @@ constexpr uint32_t TICK_US = {state.cycle_time * 1000};  // us between samples
 constexpr uint32_t TICKS_PER_TIME = {time.cycle_time // state.cycle_time};  // one EXO_TIME
 constexpr uint32_t TICKS_PER_HEARTBEAT = {heartbeat};  // one EXO_HEARTBEAT, SETTINGS and HEALTH
 constexpr uint32_t TICKS_PER_LEARNED = {learned // state.cycle_time};  // one EXO_LEARNING
-constexpr uint32_t TICKS_PER_PARAMETER = {parameter.cycle_time // state.cycle_time};  // one EXO_PARAMETER
+constexpr uint32_t TICKS_PER_PARAMETER = {named // state.cycle_time};  // one EXO_PARAMETER
 constexpr float LIMIT_STEP = {single(limit.scale)};  // N m per count of EXO_ALLOW.Limit
 constexpr uint32_t AGE_STEP_US = {acc.get_signal_by_name("SampleAge").scale};  // us per count
 constexpr uint32_t BIT_RATE_STEP = {bit_rate.scale};  // bit/s per count

@@ -1,5 +1,6 @@
 """Nodes on python-can's virtual bus: they obey commands as exoid.dbc describes them."""
 
+import struct
 import threading
 from binascii import crc_hqx
 from dataclasses import dataclass, field
@@ -21,7 +22,10 @@ BEAT = {
     "LostFrames": 0,
     "SensorFault": 0,
 }
-FLAGS = ("NoAngle", "NotPossible", "NotStored")
+FLAGS = ("NoAngle", "NotPossible", "NotStored", "NotWhole", "NotPlausible")
+PLACES = 12  # parameters of a torque
+LAYOUT_CRC = 0x6447  # of their names and units
+SILENT = ("EXO_ALLOW",)  # what no node answers
 
 
 @dataclass
@@ -42,6 +46,17 @@ class FakeNode:
     answers: bool = True  # else it only measures, as older firmware does
     measures: bool = True  # else it only answers
     errors: int = 0
+    parts: bytes = b""  # of parameters that come
+    held: bytes = b""  # the parameters of a torque
+    told: int = 0  # place of the one that is told next
+    permit: int = 0
+    torque: float = 0.5  # N m, once it is enabled
+    doubts: int = 0  # what stands against arming it
+    cuts: int = 0  # what cuts it
+    enabled_for: int = 100  # frames that enable it before it is cut
+    asked: bool = False
+    wishes: list[int] = field(default_factory=list)
+    limits: set[float] = field(default_factory=set)  # N m
 
     def obey(self, name: str, values: dict) -> bool:
         """Whether it was for this node."""
@@ -65,15 +80,61 @@ class FakeNode:
             self.node = int(values["NodeId"])
         elif name == "EXO_SET_BIT_RATE":
             self.bit_rate = int(values["BitRate"])
+        elif name == "EXO_LOAD":
+            self.load(values["Place"], values["Data"])
+        elif name == "EXO_ALLOW":
+            self.allow(values)
         elif name == "EXO_IDENTIFY":
             self.blinks = int(values["Duration"])
         self.changes += (self.zero, self.reversed, self.node, self.bit_rate) != before
+
+    def load(self, place: int, data: int) -> None:
+        """Parts in their order, and last their CRC; what is wrong is told as `fails`, once."""
+        self.parts = self.parts[: 2 * place]
+        if len(self.parts) < 2 * place or (
+            place == 2 * PLACES and data != crc_hqx(self.parts, LAYOUT_CRC)
+        ):
+            self.parts, self.fails = b"", "NotWhole"
+        elif place == 2 * PLACES:
+            self.held = self.parts
+        else:
+            self.parts += data.to_bytes(2, "little")
+
+    def allow(self, values: dict) -> None:
+        self.asked = True
+        self.wishes.append(values["Wish"])
+        self.limits.add(values["Limit"])
+        if values["Wish"] == 0 or self.doubts:
+            self.permit = 0
+        elif values["Wish"] == 1:
+            self.permit = 1
+        elif self.permit:
+            self.permit = 2
+            self.enabled_for -= 1
+            if self.cuts and self.enabled_for <= 0:
+                self.permit, self.doubts = 0, self.cuts
+
+    def commands(self) -> list[tuple[str, dict]]:
+        """What it sends of a torque at a tick."""
+        found = []
+        crc = crc_hqx(self.held, LAYOUT_CRC) if self.held else 0
+        if self.held or self.asked:
+            torque = self.torque if self.permit == 2 else 0.0
+            told = {"Torque": torque, "Counter": 0, "Permit": self.permit}
+            found.append(("EXO_TORQUE", told | {"Doubts": self.doubts, "Crc": crc}))
+        if self.held:
+            (value,) = struct.unpack_from("<f", self.held, 4 * self.told)
+            told = {"Place": self.told, "Stored": 1, "Value": value, "Crc": crc}
+            found.append(("EXO_PARAMETER", told))
+            self.told = (self.told + 1) % PLACES
+        return found
 
     def says(self, command: int) -> list[tuple[str, dict]]:
         """What it sends after a command: reply, settings, heartbeat, health."""
         reply = {"Serial": self.serial, "Command": command, **dict.fromkeys(FLAGS, 0)}
         if self.fails and command != 0x200:
             reply[self.fails] = 1
+            self.fails = None if self.fails == "NotWhole" else self.fails
         settings = {
             "Serial": self.serial,
             "Zero": self.zero,
@@ -130,6 +191,8 @@ class FakeBus:
             for node in self.nodes:
                 if node.measures:
                     self.send(node, "EXO_STATE", self.state(node))
+                for name, said in node.commands():
+                    self.send(node, name, said)
 
     def take(self, message: can.Message) -> None:
         definition = self.database.get_message_by_frame_id(message.arbitration_id)
@@ -138,7 +201,8 @@ class FakeBus:
         values = definition.decode(bytes(message.data))
         self.heard.append(definition.name)
         for node in self.nodes:
-            if node.answers and node.obey(definition.name, values):
+            obeys = node.answers and node.obey(definition.name, values)
+            if obeys and definition.name not in SILENT:
                 for name, said in node.says(message.arbitration_id):
                     self.send(node, name, said)
 

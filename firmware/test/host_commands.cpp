@@ -18,6 +18,14 @@ Words read(const exoid::Frame& frame, uint32_t (*value)(const Command&)) {
   return {{is_command(frame), is_valid(command), command.serial, value(command)}};
 }
 
+/// Its signals in counts, as they lie in the frame.
+uint32_t wish_of(const exoid::Allow& allow) {
+  constexpr float COUNTS = 16.0F;  // of a rad/s^2
+  const int32_t acceleration = static_cast<int32_t>(allow.acceleration * COUNTS);
+  return allow.wish | allow.number << 2 | allow.limit << 6 |
+         (static_cast<uint32_t>(acceleration) & 4095U) << 12;
+}
+
 Words taken(const exoid::Frame& frame) {
   using namespace exoid;
   switch (frame.id) {
@@ -34,6 +42,9 @@ Words taken(const exoid::Frame& frame) {
       return read<SetBitRate>(frame, [](const SetBitRate& set) { return set.bit_rate; });
     case IDENTIFY_ID:
       return read<Identify>(frame, [](const Identify& identify) { return identify.duration; });
+    case LOAD_ID:
+      return read<Load>(frame, [](const Load& load) { return load.place | load.data << 8; });
+    case ALLOW_ID: return read<Allow>(frame, wish_of);
     default: return {{is_command(frame), 0, 0, 0}};
   }
 }

@@ -46,7 +46,8 @@ exoid::Frame packed(const Words& w) {
       return pack(exoid::Heartbeat{w.count(1), w.count(2), w.count(3), w.count(4), w.count(5),
                                    w.flag(6)});
     case exoid::REPLY_ID:
-      return pack(exoid::Reply{w.count(1), w.count(2), w.flag(3), w.flag(4), w.flag(5)});
+      return pack(exoid::Reply{w.count(1), w.count(2), w.flag(3), w.flag(4), w.flag(5),
+                               w.flag(6), w.flag(7)});
     case exoid::RATIOS_ID:
       return pack(exoid::Ratios{w.value(1), w.value(2), w.value(3), w.value(4)});
     case exoid::RATIO_ERRORS_ID:
@@ -54,6 +55,10 @@ exoid::Frame packed(const Words& w) {
     case exoid::LEARNING_ID:
       return pack(exoid::Learning{w.count(1), w.count(2), w.count(3), w.count(4), w.count(5),
                                   w.count(6)});
+    case exoid::TORQUE_ID:
+      return pack(exoid::Torque{w.value(1), w.count(2), w.count(3), w.count(4), w.count(5)});
+    case exoid::PARAMETER_ID:
+      return pack(exoid::Parameter{w.count(1), w.flag(2), w.value(3), w.count(4)});
     case exoid::HEALTH_ID:
       return pack(exoid::Health{w.count(1), w.flag(2), w.flag(3), w.flag(4), w.flag(5), w.count(6),
                                 w.count(7), w.count(8), w.count(9)});

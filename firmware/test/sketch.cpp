@@ -97,7 +97,8 @@ int main(int count, char** names) {
   int failed = 0, played = 0;
   for (const auto& scenarios :
        {sensor_scenarios(), uplink_scenarios(), port_scenarios(), bus_fault_scenarios(),
-        can_fault_scenarios(), command_scenarios(), state_scenarios(), part_scenarios()}) {
+        can_fault_scenarios(), command_scenarios(), state_scenarios(), part_scenarios(),
+        torque_scenarios()}) {
     for (const Scenario& each : scenarios) {
       if (count > 1 && std::strcmp(names[1], each.name) != 0) continue;
       failed += play(each);

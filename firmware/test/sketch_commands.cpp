@@ -95,8 +95,10 @@ void not_a_command() {
   bad.push_back(command(exoid::SET_ZERO_ID, SERIAL, 2049, 16));
   bad.push_back(command(exoid::SET_NODE_ID_ID, SERIAL, 16, 8));
   bad.push_back(command(exoid::SET_BIT_RATE_ID, SERIAL, 9, 8));
-  bad.push_back(command(0x207, SERIAL, 0, 16));
-  bad.push_back(command(0x206, SERIAL, 0, 16));
+  bad.push_back(command(exoid::LOAD_ID, SERIAL, 25, 8));  // no such part
+  bad.push_back(command(exoid::LOAD_ID, SERIAL + 1, 0, 8));
+  bad.push_back(command(0x208, SERIAL, 0, 16));
+  bad.push_back(command(0x1FF, SERIAL, 0, 16));
   bad.push_back(command(exoid::STATE_ID, SERIAL, 0, 16));
   for (const Frame& frame : bad) {
     const std::vector<Frame> frames = after(frame);

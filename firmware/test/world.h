@@ -65,4 +65,5 @@ std::vector<Scenario> bus_fault_scenarios();
 std::vector<Scenario> can_fault_scenarios();
 std::vector<Scenario> command_scenarios();
 std::vector<Scenario> state_scenarios();
+std::vector<Scenario> torque_scenarios();
 std::vector<Scenario> part_scenarios();

@@ -78,7 +78,7 @@ def emulated_node(samples: Samples, flash: Path | None = None) -> Iterator[str]:
         folder = str(flash or own)
         Path(folder, "samples.bin").write_bytes(samples.stream())
         Path(folder, "board.bin").write_bytes(SERIAL.to_bytes(4, "little"))
-        for slot in ("slot0.bin", "slot1.bin"):
+        for slot in ("slot0.bin", "slot1.bin", "slot2.bin"):
             Path(folder, slot).touch()
         with Path(folder, "qemu.log").open("wb") as said:
             command = [*QEMU, *PACE, "-serial", "pty", "-kernel", image()]

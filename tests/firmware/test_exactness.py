@@ -17,6 +17,8 @@ INSTRUCTIONS_PER_COUNT = 62.5  # of SysTick at 16 MHz, with one instruction per 
 BATCH = 10  # steps that m0_cost times together
 BUDGET = 13_000  # instructions for a step, of the 480 000 cycles of a tick at 48 MHz
 TICK_BUDGET = 120_000  # instructions for all that a tick does, 25 % of it
+TORQUE_BUDGET = 12_000  # the same for the command of a torque, and a host that lets it
+ARMS, ENABLES = 2, 3  # what a host may wish, and 1
 STILL_BUDGET = 48_000  # the same where nothing is learned, as the leg does not move freely
 
 
@@ -92,21 +94,27 @@ def test_a_step_stays_within_its_budget_and_costs_the_same_each_time(emulate, tm
     assert 5_000 < cost.mean() < cost.max() < BUDGET  # below: it did not filter at all
 
 
+@pytest.mark.parametrize("commands", [False, True])
 def test_a_whole_tick_stays_within_its_budget_on_can_and_with_a_host_on_usb_beside_it(
-    emulate, tmp_path
+    emulate, tmp_path, commands
 ):
+    """Without a torque's parameters, and with a host on CAN that lets it command one."""
     count, rate = let_go_twice()
-    given = np.zeros((count.size, 3), "<i2")
+    given = np.zeros((count.size, 4), "<i2")
     given[:, 1], given[:, 2] = count, rate
     given[count.size // 2, 0] = 1  # the host opens the channel
-    first = emulate("m0_tick.elf", given.tobytes(), tmp_path, "-icount", "shift=0")
+    given[::2, 3] = commands * np.where(np.arange(0, count.size, 2) < 90, ARMS, ENABLES)
+    head = np.uint16(commands).tobytes()
+    first = emulate("m0_tick.elf", head + given.tobytes(), tmp_path, "-icount", "shift=0")
     cost = np.frombuffer(first, np.uint32) * INSTRUCTIONS_PER_COUNT
+    assert cost.size == count.size
     for name, some in (("CAN", cost[: cost.size // 2]), ("CAN and USB", cost[cost.size // 2 :])):
         still, moving = some[50:130], some[200:]  # all is set up, and the gyro has settled
         for what, each in (("a leg at rest", still), ("one that is learned", moving)):
             print(f"{name}, {what}: {each.mean():.0f} instructions, at most {each.max():.0f}")
         assert 8_000 < still.mean() < still.max() < STILL_BUDGET  # it filtered
-        assert 90_000 < moving.mean() < moving.max() < TICK_BUDGET  # it learned
+        most = TICK_BUDGET + commands * TORQUE_BUDGET
+        assert 90_000 < moving.mean() < moving.max() < most  # it learned
 
 
 def let_go_twice() -> tuple[np.ndarray, np.ndarray]:

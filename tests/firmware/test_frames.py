@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from firmware_tools import FIRMWARE
 
-from exoid.recordings.can.dbc import EXOID_DBC
+from exoid.recordings.can.dbc import EXOID_DBC, exoid_messages
 
 RECORDS = 20_000  # of each message
 WORDS = 16
@@ -94,6 +94,38 @@ def test_ratios_and_errors_are_packed_as_cantools_packs_them(pack, database, nam
     for (identifier, data), row in zip(frames, nearest_counts(values, scales), strict=True):
         assert identifier == message.frame_id
         assert data == message.encode(dict(zip(names, row.tolist(), strict=True)), scaling=False)
+
+
+def test_a_torque_is_packed_as_cantools_packs_it(pack, database):
+    """NaN would be the lower limit: the firmware sends none."""
+    rng = np.random.default_rng(5)
+    message = database.get_message_by_name("EXO_TORQUE")
+    torque = rng.uniform(-40, 40, RECORDS).astype(np.float32)
+    most = (256, 4, 65536, 65536)
+    counts = np.stack([rng.integers(0, each, RECORDS) for each in most], axis=1)
+    identifiers = np.full((RECORDS, 1), message.frame_id)
+    frames = pack(np.hstack([identifiers, float_words(torque)[:, None], counts]))
+    names = [signal.name for signal in message.signals]
+    given = np.column_stack([nearest_counts(torque, message.signals[0].scale), counts])
+    for (identifier, data), row in zip(frames, given, strict=True):
+        assert identifier == message.frame_id
+        assert data == message.encode(dict(zip(names, row.tolist(), strict=True)), scaling=False)
+
+
+def test_a_parameter_is_packed_as_cantools_packs_it_and_read_back_to_the_bit(pack, database):
+    rng = np.random.default_rng(6)
+    message = database.get_message_by_name("EXO_PARAMETER")
+    value = (10 ** rng.uniform(-9, 3, RECORDS)).astype(np.float32)
+    place, stored, crc = (rng.integers(0, most, RECORDS) for most in (256, 2, 65536))
+    identifiers = np.full(RECORDS, message.frame_id)
+    frames = pack(np.column_stack([identifiers, place, stored, float_words(value), crc]))
+    plan = exoid_messages()["EXO_PARAMETER"]
+    raw = np.frombuffer(b"".join(data for _, data in frames), np.uint8).reshape(-1, 8)
+    np.testing.assert_array_equal(plan.values(raw, "Value").astype(np.float32), value)
+    for (_, data), *row in zip(frames, place, stored, value, crc, strict=True):
+        names = ("Place", "Stored", "Value", "Crc")
+        given = {name: each.item() for name, each in zip(names, row, strict=True)}
+        assert data == message.encode(given)
 
 
 @pytest.mark.parametrize(

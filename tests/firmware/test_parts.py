@@ -64,8 +64,10 @@ def test_the_cortex_m0_sends_what_this_machine_sends(parts, tmp_path):
 
 def test_a_tick_with_other_parts_stays_within_its_budget(emulate, tmp_path):
     """All that a tick does but for the waiting, with models of the chips: 10 % of it at 48 MHz."""
-    given = bytes([0] * 200 + [1] + [0] * 199)  # a host opens USB in the middle
+    given = np.zeros((100, 4), "<u2")
+    given[50, 0] = 1  # a host opens USB in the middle
     image = "AS5047P-ICM42688P/build/m0_tick.elf"
+    given = bytes(2) + given.tobytes()  # no parameters of a torque
     ticks = emulate(image, given, tmp_path, "-icount", "shift=0")
     cost = np.frombuffer(ticks, np.uint32)[50:] * 62.5  # instructions; the gyro has settled
     print(f"{cost.mean():.0f} instructions a tick, at most {cost.max():.0f}")

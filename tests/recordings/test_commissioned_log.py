@@ -4,6 +4,7 @@ import can
 import numpy as np
 import pytest
 from exo_node import EPOCH, Node, knee_angle, write_log
+from exo_node import message as framed
 
 from exoid.recordings.can.frames import CanLogError
 from exoid.recordings.can.node.config_crc import EARLIER, config_crc
@@ -79,6 +80,17 @@ def test_the_settings_of_two_nodes_of_one_id_are_no_change(tmp_path):
     assert first.startswith("node 0: zero 7")
     assert second.startswith("2 nodes with the id 0 sent (serials 00000005, C0FFEE01)")
     assert watched(messages)[1] == []
+
+
+def test_what_a_node_commands_is_no_frame_of_others(tmp_path):
+    torque = {"Torque": 1.5, "Counter": 0, "Permit": 2, "Doubts": 0, "Crc": 7}
+    told = [framed("EXO_TORQUE", torque, EPOCH + 1 + 0.01 * at) for at in range(100)]
+    one = {"Place": 3, "Stored": 1, "Value": 0.25, "Crc": 7}
+    told += [framed("EXO_PARAMETER", one, EPOCH + 1.002 + 0.05 * at) for at in range(20)]
+    segment, quality = read(tmp_path, by_time(Node(jitter=0.0).messages(TICKS), told), strict=True)
+    assert segment.time.size == TICKS
+    assert quality.frames.foreign == 0
+    assert not any("TORQUE" in line for line in quality.lines())
 
 
 def test_a_log_of_a_node_of_old_is_read_and_frames_of_others_are_not_its_words(tmp_path):

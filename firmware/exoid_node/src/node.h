@@ -88,8 +88,9 @@ class Node {
   /// Before the readings, as a drive waits for it. Returns whether there may be a torque.
   bool command(const Sample& sample, const State& state, const Frame& told) {
     constexpr uint32_t FAULTS = 7;  // byte of EXO_STATE
+    if (!command_.is_asked()) return false;
     const Torque torque = command_.update(sample, state, told.data[FAULTS], estimator_.bias());
-    if (command_.is_asked()) send(pack(torque));
+    send(pack(torque));
     return torque.permit == static_cast<uint32_t>(Permit::ENABLED);
   }
 

@@ -55,11 +55,16 @@ def export(found: FitResult | Diagnosis, form: Form, *, segment: int | None = No
     return replace(made, warnings=(*cautions(found, result), *made.warnings))
 
 
-def cautions(found: FitResult | Diagnosis, result: FitResult) -> Iterator[str]:
-    """What to know before the file is used."""
+def doubts(found: FitResult | Diagnosis, result: FitResult) -> Iterator[str]:
+    """Why its numbers may be wrong."""
     if result.astray is not None:
         yield f"the fit does not follow its recording ({result.astray}): trust no number of it."
     if isinstance(found, Diagnosis) and found.verdict == "cannot_tell" and found.after is None:
         yield UNSETTLED
+
+
+def cautions(found: FitResult | Diagnosis, result: FitResult) -> Iterator[str]:
+    """What to know before the file is used."""
+    yield from doubts(found, result)
     if result.parameters["inertia"].value is None:
         yield UNTOLD.format(names="m, J and l")

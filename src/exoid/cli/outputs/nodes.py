@@ -1,10 +1,12 @@
 """Nodes as a person reads them, and as a machine does."""
 
 from collections.abc import Iterable, Mapping
+from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from exoid.recordings.commissioning.node_state import NodeState
+    from exoid.recordings.commissioning.told_parameters import HeldParameters
 
 HEADS = ("id", "serial", "firmware", "zero", "count", "bit rate", "supply", "state")
 
@@ -58,7 +60,16 @@ def told(state: "NodeState") -> list[str]:
         f"CAN bus at {named['bit rate']}",
         f"supply {named['supply']}; errors: {errors}; settings stored {state.changes} time(s)",
         f"state: {named['state']}",
+        *(told_parameters(state.parameters) if state.parameters else ()),
     ]
+
+
+def told_parameters(held: "HeldParameters") -> list[str]:
+    """The parameters by which a node commands a torque."""
+    kept = "kept in flash" if held.stored else "kept until the power goes"
+    own = "" if held.whole else "; they are laid out otherwise than this exoid has them"
+    said = ", ".join(held.lines()) if held.whole else "not readable here"
+    return [f"torque: {said}", f"their CRC is {held.crc:04X}; {kept}{own}"]
 
 
 def document(nodes: Iterable["NodeState"]) -> Mapping[str, Any]:
@@ -77,6 +88,8 @@ def entry(state: "NodeState") -> dict[str, Any]:
         "bit_rate": state.bit_rate,
         "changes": state.changes,
     }
+    if state.parameters:
+        told |= {"torque_parameters": torque_entry(state.parameters)}
     if health is None:
         return told | {"health": None}
     return told | {
@@ -91,3 +104,8 @@ def entry(state: "NodeState") -> dict[str, Any]:
             "on_can": health.on_can,
         }
     }
+
+
+def torque_entry(held: "HeldParameters") -> dict[str, Any]:
+    """In the units of `TorqueParameters`."""
+    return {**asdict(held.values), "crc": f"{held.crc:04X}", "stored": held.stored}

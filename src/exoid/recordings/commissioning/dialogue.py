@@ -16,6 +16,7 @@ PATIENCE = 0.4  # s for an answer, which takes a node 20 ms
 STILLNESS = 0.3  # s for which a knee must be still before its angle is taken
 STILL = 0.05  # rad/s, a few times the noise of the filtered rate
 
+NOT_WHOLE = "NotWhole"
 REASONS = {
     "NoAngle": "has no angle: its encoder does not answer or sees no magnet. Nothing was changed; "
     "check cable and magnet.",
@@ -23,7 +24,13 @@ REASONS = {
     "Nothing was changed; choose a lower one.",
     "NotStored": "could not store it: it counts until the power goes. Repeat it; if that does not "
     "help, the flash is worn.",
+    NOT_WHOLE: "did not get the parameters in one piece and keeps those before. Repeat it.",
+    "NotPlausible": "does not take these parameters for a leg's and keeps those before.",
 }
+
+
+class NotWholeError(CanBusError):
+    """Parts of the parameters did not come in their order."""
 
 
 class Dialogue:
@@ -122,4 +129,5 @@ def refuse(to: NodeState, reply: Mapping[str, float]) -> None:
     """Raise where the node could not do what it was told."""
     for signal, reason in REASONS.items():
         if reply.get(signal):
-            raise CanBusError(f"{to} {reason}")
+            kind = NotWholeError if signal == NOT_WHOLE else CanBusError
+            raise kind(f"{to} {reason}")

@@ -1,6 +1,7 @@
 """What the nodes of a bus say, gathered frame by frame."""
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 
 import can
 import numpy as np
@@ -11,8 +12,11 @@ from exoid.recordings.can.node.health import HEALTH
 from exoid.recordings.can.node.rows import STATE
 from exoid.recordings.can.node.which import senders
 from exoid.recordings.commissioning.node_state import Health, NodeState, health_of, state_of
+from exoid.recordings.commissioning.told_parameters import ToldParameters
 
 REPLY = "EXO_REPLY"
+PARAMETER = "EXO_PARAMETER"
+TORQUE = "EXO_TORQUE"
 
 
 class Ear:
@@ -23,6 +27,8 @@ class Ear:
         self.beats: dict[int, Mapping[str, float]] = {}
         self.healths: dict[int, Mapping[str, float]] = {}
         self.speeds: dict[int, list[float]] = {}  # rad/s, magnitudes
+        self.parameters: dict[int, ToldParameters] = {}
+        self.torques: dict[int, Mapping[str, float]] = {}  # the last of each node
         self.replies: list[Mapping[str, float]] = []
         self.others = 0  # frames that are no node's
 
@@ -44,6 +50,10 @@ class Ear:
             self.beats[node] = values_of(plan, message)
         elif plan.name == HEALTH:
             self.healths[node] = values_of(plan, message)
+        elif plan.name == PARAMETER:
+            self.parameters.setdefault(node, ToldParameters()).hear(values_of(plan, message))
+        elif plan.name == TORQUE:
+            self.torques[node] = values_of(plan, message)
         elif plan.name == REPLY:
             self.replies.append(values_of(plan, message))
 
@@ -54,7 +64,9 @@ class Ear:
     def told(self) -> Iterator[NodeState]:
         """A node that only measures tells none."""
         for node, values in self.settings.values():
-            yield state_of(node, values, self.health(node))
+            parameters = self.parameters.get(node)
+            held = parameters and parameters.held()
+            yield replace(state_of(node, values, self.health(node)), parameters=held)
 
     def health(self, node: int) -> Health | None:
         """How the node of this id is, once it has told all of it."""

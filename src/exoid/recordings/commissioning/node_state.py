@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from exoid.recordings.can.node.commissioned import PARTS, Mounting
+from exoid.recordings.commissioning.told_parameters import HeldParameters
 
 
 @dataclass(frozen=True)
@@ -42,6 +43,7 @@ class NodeState:
     bit_rate: int  # bit/s
     changes: int
     health: Health | None
+    parameters: HeldParameters | None = None  # of a torque
 
     def __str__(self) -> str:
         return f"node {self.node} (serial {self.serial:08X})"

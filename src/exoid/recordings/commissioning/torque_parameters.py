@@ -12,7 +12,7 @@ PART = 2  # bytes of them in a frame
 
 
 def number(unit: str, lower: float, upper: float, note: str) -> Any:
-    """A number, its unit, between what it is that of a leg and of a small motor, and its meaning."""
+    """A number with its unit, what a leg's and a small motor's lie between, and its meaning."""
     return field(metadata={"unit": unit, "lower": lower, "upper": upper, "note": note})
 
 

@@ -4,8 +4,10 @@ import typer
 
 from exoid.cli.commands.on_bus.on_node.find import find
 from exoid.cli.commands.on_bus.on_node.identify import identify
+from exoid.cli.commands.on_bus.on_node.load import load
 from exoid.cli.commands.on_bus.on_node.set import set_up
 from exoid.cli.commands.on_bus.on_node.show import show
+from exoid.cli.commands.on_bus.on_node.torque import torque
 from exoid.cli.commands.on_bus.on_node.zero import zero
 
 node = typer.Typer(
@@ -33,5 +35,7 @@ for name, command in {
     "zero": zero,
     "set": set_up,
     "identify": identify,
+    "load": load,
+    "torque": torque,
 }.items():
     node.command(name)(command)

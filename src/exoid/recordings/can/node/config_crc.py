@@ -23,6 +23,7 @@ RECORDED = (
     *("EXO_SETTINGS", "EXO_HEARTBEAT", "EXO_HEALTH"),
 )
 LEARNED = ("EXO_RATIOS", "EXO_RATIO_ERRORS", "EXO_LEARNING")  # in the order in which they come
+COMMANDED = ("EXO_TORQUE", "EXO_PARAMETER")  # by which no recording is read
 VERSION = re.compile(r'^VERSION "(.*)"', re.MULTILINE)
 
 

@@ -8,7 +8,7 @@ import numpy as np
 from exoid.recordings.can.dbc import exoid_messages, node_stride
 from exoid.recordings.can.decode import MessagePlan
 from exoid.recordings.can.frames import Frames
-from exoid.recordings.can.node.config_crc import LEARNED, RECORDED, config_crc
+from exoid.recordings.can.node.config_crc import COMMANDED, LEARNED, RECORDED, config_crc
 from exoid.recordings.can.node.rows import FINE, SAMPLED, TIME
 
 MEASURED = (TIME, *SAMPLED, FINE)
@@ -67,8 +67,9 @@ def told_crc(frames: Frames, node: int) -> int | None:
 def read_by(frames: Frames, node: int) -> list[MessagePlan]:
     """The messages by which the node is read.
 
-    Only a node that is known to send settings and heartbeat, and what it learns, is believed to be
-    their sender.
+    Only a node that is known to send settings and heartbeat, what it learns, and a torque, is
+    believed to be their sender.
     """
-    names = (*RECORDED, FINE, *LEARNED) if told_crc(frames, node) == config_crc() else MEASURED
+    own = (*RECORDED, FINE, *LEARNED, *COMMANDED)
+    names = own if told_crc(frames, node) == config_crc() else MEASURED
     return [messages_of(node)[name] for name in names]
