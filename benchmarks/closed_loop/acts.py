@@ -67,7 +67,7 @@ class Drop:
 
 @dataclass
 class Move:
-    """The person raises and lowers the leg: by the torque that a bare leg needs, and what corrects it."""
+    """The person raises and lowers the leg: by what a bare leg needs and a correction."""
 
     swing: float  # rad
     period: float  # s

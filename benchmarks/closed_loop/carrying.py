@@ -1,4 +1,4 @@
-"""What the motor is to carry: parameters for the node of what is known, and what the leg should feel."""
+"""What the motor is to carry: the parameters for the node, and what the leg should feel of it."""
 
 from dataclasses import dataclass
 
@@ -28,7 +28,7 @@ RATE_LIMIT = 60.0  # N m/s
 
 
 def carrying(known: Known, frame: Frame, shares: Shares) -> TorqueParameters:
-    """What takes the frame off, and of the leg those shares; of both together only ratios are known."""
+    """What takes the frame off, and of the leg those shares. Both together are learned."""
     inertia = known.inertia
     weight, damping = inertia * known.gravity, inertia * known.damping
     own = frame.weight / weight

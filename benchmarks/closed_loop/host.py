@@ -1,4 +1,4 @@
-"""The program beside the node: it hears what the node has learned, loads parameters, and allows a torque.
+"""The program beside the node: it hears what the node says, loads parameters, allows a torque.
 
 It speaks to the node as `exoid.dbc` says, and forgets what it loaded where the leg is doubted.
 """

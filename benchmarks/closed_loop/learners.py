@@ -1,7 +1,7 @@
-"""Who learns the leg: the node by itself, or exoid.online at the host, which follows what the node sends.
+"""Who learns the leg: the node itself, or exoid.online at the host, which follows the node.
 
-Neither learns an inertia from drops alone: theirs is what anatomy expects of the body's mass and height, with
-the frame's own, until drops with a known weight tell the host's.
+Drops alone tell neither an inertia: theirs is what anatomy expects of body mass and height, with
+the frame's own, which is known.
 """
 
 from abc import abstractmethod
@@ -111,7 +111,7 @@ class ByHost(Learner):
 
 
 def worn(body: Body, frame: Frame) -> ExpectedLeg:
-    """What anatomy expects of a body's leg, with the frame's own mass and inertia, which are known."""
+    """What anatomy expects of a body's leg, with the mass and the inertia of the frame."""
     leg = exoid.expected_leg(body.mass, body.height)
     mass = leg.mass.value + frame.mass
     weight = leg.mass.value * leg.com_distance.value * GRAVITY + frame.weight

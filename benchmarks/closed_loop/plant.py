@@ -1,8 +1,8 @@
 """A leg in a motorised frame, in MuJoCo: two bodies on the knee's axis, with cuffs between them.
 
-The thigh is fixed and level. Angles are 0 where the knee is extended and grow in extension; the leg
-hangs at -90 degrees. Cuffs are a spring and a damper, so that what passes between frame and leg can be
-read. The motor gets a command late, follows it as a filter of first order, and has a limit.
+The thigh is fixed and level. Angles are 0 where the knee is extended and grow in extension. Cuffs
+are a spring and a damper, so that what passes between frame and leg can be read. The motor gets a
+command late, follows it as a filter of first order, and has a limit.
 """
 
 from dataclasses import dataclass
@@ -60,8 +60,9 @@ MODEL = """
     </fixed>
   </tendon>
   <actuator>
-    <general joint="frame" dyntype="filterexact" dynprm="{motor.lag}" gainprm="{motor.gain}" delay="{motor.delay}"
-      nsample="{samples}" forcelimited="true" forcerange="-{motor.limit} {motor.limit}"/>
+    <general joint="frame" dyntype="filterexact" dynprm="{motor.lag}" gainprm="{motor.gain}"
+      delay="{motor.delay}" nsample="{samples}" forcelimited="true"
+      forcerange="-{motor.limit} {motor.limit}"/>
   </actuator>
 </mujoco>
 """

@@ -1,4 +1,4 @@
-"""The figures of many sessions: medians, what nine of ten stay below, the worst, and what failed."""
+"""The figures of many sessions: medians, what nine of ten stay below, the worst, failures."""
 
 from collections.abc import Sequence
 

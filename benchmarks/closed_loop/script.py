@@ -1,4 +1,4 @@
-"""A session: a leg is learned in 10 s, then carried; another person sits down, and it begins anew."""
+"""A session: a leg is learned in 10 s, then carried; another person sits down, and so on anew."""
 
 from dataclasses import dataclass, replace
 
@@ -108,22 +108,24 @@ class Script:
 
     def move(self, name: str, shares: Shares, known: Known | None) -> None:
         """Three times up and down: with what is known, or with the motor off."""
-        session, host = self.session, self.session.host
-        session.shares = shares
-        host.wants = known is not None
+        session = self.session
         if known is not None:
-            host.load(carrying(known, self.case.frame, shares), LIMIT)
+            self.carry(known, shares)
         self.lay(1.0 + LOADING)
         session.follows = False
         rows = session.act(Move(55 * DEGREE, self._rng.uniform(1.6, 2.4), 6.5))
         self.moved.append(
             Moved(name, slice(rows.start + round(BEGUN / STEP), rows.stop), shares, known)
         )
-        host.wants = False
-        session.shares = NOTHING
+        session.host.wants, session.shares = False, NOTHING
         self.lay()
         session.follows = True
         self.lay()  # a learner that looks again is not sure at once that it sees all
+
+    def carry(self, known: Known, shares: Shares) -> None:
+        """From when the node has heard it all, the motor carries what is known."""
+        self.session.shares, self.session.host.wants = shares, True
+        self.session.host.load(carrying(known, self.case.frame, shares), LIMIT)
 
     def seat_next(self) -> None:
         """Another person sits down, and tells nobody."""

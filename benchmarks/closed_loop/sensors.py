@@ -1,4 +1,4 @@
-"""What the node's chips show of the frame: an encoder of 12 bits, a gyro whose samples have an age."""
+"""What the node's chips show of the frame: an encoder of 12 bits, a gyro with samples of an age."""
 
 from dataclasses import dataclass
 
@@ -42,7 +42,7 @@ def seen(readings: Readings, time: float) -> Seen:
 
 
 def draw_faults(rng: np.random.Generator) -> Faults:
-    """A zero off by 1.5 degrees, a bias of 3 deg/s; the gyro's scale and clock as its data sheet says."""
+    """A zero off by 1.5 deg, a bias of 3 deg/s; the gyro's scale and clock as in its data sheet."""
     zero, bias, scale = rng.standard_normal(3)
     return Faults(
         1.5 * DEGREE * zero,
@@ -54,7 +54,7 @@ def draw_faults(rng: np.random.Generator) -> Faults:
 
 
 def read(rng: np.random.Generator, faults: Faults, state: State, time: float) -> Readings:
-    """The counts of a tick at that time [s]. The board's x axis points to the foot, z in extension."""
+    """The counts at that time [s]. The board's x axis points to the foot, z in extension."""
     age = (faults.phase + time) % faults.renewal
     angle = state.frame_angle + faults.zero + ENCODER_NOISE * rng.standard_normal()
     rate = state.frame_rate - age * state.frame_acceleration
