@@ -147,6 +147,8 @@ class Script:
         session.plant.seat(leg)
         self.lay()
         session.learner = learner
+        if not (told and learner.knows):
+            return None
         inertia = MASS * PLACE * (GRAVITY - loaded * PLACE) / (loaded - known.gravity)
         likely = abs(inertia / known.inertia - 1) < UNLIKELY
-        return replace(known, inertia=inertia) if told and likely else None
+        return replace(known, inertia=inertia) if likely else None
