@@ -59,6 +59,18 @@ SCENARIOS = (
     "loss_of_what_is_told_beside",
     "angle_in_full",
     "zero_in_full",
+    "nobody_asks",
+    "parameters_that_come_whole",
+    "parameters_that_do_not",
+    "a_part_that_is_sent_twice",
+    "flash_that_is_damaged",
+    "flash_that_takes_none",
+    "gravity_is_taken_off",
+    "limits_are_kept",
+    "sensor_faults_cut",
+    "a_silent_host_cuts",
+    "commands_cut",
+    "an_encoder_that_hangs_cuts",
 )
 
 
