@@ -10,6 +10,7 @@ from benchmarks.closed_loop.figure import draw
 from benchmarks.closed_loop.learners import ByHost, ByNode
 from benchmarks.closed_loop.people import outcomes, session
 from benchmarks.closed_loop.report import report
+from benchmarks.closed_loop.rubbing import rubbing
 
 LEARNERS = {"node": ByNode, "host": ByHost}
 
@@ -20,9 +21,13 @@ def main() -> None:
     said.add_argument("--seed", type=int, default=0)
     said.add_argument("--friction", type=float, default=0.1, help="N m, the most of a frame's")
     said.add_argument("--learner", choices=LEARNERS, default="host")
+    said.add_argument("--rubbing", action="store_true", help="learn alone, by levels of friction")
     said.add_argument("--figure", type=Path, help="where to draw it, a PNG")
     given = said.parse_args()
     learner = LEARNERS[given.learner]
+    if given.rubbing:
+        print(rubbing(given.people, given.seed, learner))
+        return
     drawn = (given.seed, given.friction, learner)
     every = list(outcomes(given.people, *drawn))
     print(f"{given.people} people, the leg learned by the {given.learner}, ", end="")
