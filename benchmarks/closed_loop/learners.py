@@ -41,6 +41,10 @@ class Known:
 class Learner(Protocol):
     """One of them."""
 
+    @abstractmethod
+    def __init__(self, body: Body, frame: Frame) -> None:
+        """Of whom a scale and a tape tell, in a frame that is known."""
+
     trust: Trust
     drops: int
 

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 from benchmarks.closed_loop.carrying import NOTHING, SHARES
 from benchmarks.closed_loop.learners import ByHost, Known, Learner
-from benchmarks.closed_loop.measure import Outcome, bounds, effort, gravity_error
+from benchmarks.closed_loop.measure import Gravity, Outcome, bounds, effort, gravity_error
 from benchmarks.closed_loop.node import TICK
 from benchmarks.closed_loop.plant import STEP, Motor
 from benchmarks.closed_loop.rig import Body, draw_body, draw_frame
@@ -13,6 +13,7 @@ from benchmarks.closed_loop.script import MOST_DROPS, Case, Learned, Script
 from benchmarks.closed_loop.sensors import draw_faults
 
 OTHER = 0.4  # by which the next leg has more mass and inertia, or less
+Errors = dict[str, Gravity]  # by the movement's name
 GAIN = 0.02  # by which a motor's torque is off
 
 
@@ -27,33 +28,37 @@ def play(rng: np.random.Generator, case: Case, learner: type[Learner]) -> tuple[
     """One session: what happened, and its figures."""
     script = Script(rng, case, learner(case.body, case.frame))
     loop, gravity = script.session, {}
-
-    def carry(name: str, body: Body, known: Known | None) -> None:
-        if known is not None and loop.learner.knows:
-            gravity[name] = gravity_error(known, case, body)
-            script.move(name, SHARES, known)
-
-    def whole(body: Body, again: str) -> Learned:
-        learned = script.learn()
-        script.move("off" + again, NOTHING, None)
-        carry("anatomy" + again, body, loop.learner.leg())
-        if isinstance(loop.learner, ByHost):
-            carry("weighed" + again, body, script.weigh(body))
-        return learned
-
-    first = whole(case.body, "")
+    first = whole(script, case.body, gravity, "")
     if loop.learner.knows:
         script.move("frame", NOTHING, loop.learner.leg())
     false_alarm = script.find_out(1) is not None
     script.seat_next()
-    carry("unnoticed", case.next_body, loop.learner.leg())
+    carry(script, case.next_body, gravity, "unnoticed", loop.learner.leg())
     found = script.find_out(MOST_DROPS)
     loop.learner = loop.learner.anew(case.next_body)
-    second = whole(case.next_body, " again")
+    second = whole(script, case.next_body, gravity, " again")
     table = loop.log.table
     efforts = {one.name: effort(table, one) for one in script.moved}
     limits = bounds(table, case, TICK, STEP)
     return script, Outcome(case, first, false_alarm, found, second, efforts, gravity, limits)
+
+
+def whole(script: Script, body: Body, gravity: Errors, again: str) -> Learned:
+    """A leg is learned, moves with the motor off, and is carried."""
+    loop = script.session
+    learned = script.learn()
+    script.move("off" + again, NOTHING, None)
+    carry(script, body, gravity, "anatomy" + again, loop.learner.leg())
+    if isinstance(loop.learner, ByHost):
+        carry(script, body, gravity, "weighed" + again, script.weigh(body))
+    return learned
+
+
+def carry(script: Script, body: Body, gravity: Errors, name: str, known: Known | None) -> None:
+    """A leg that is known moves while the motor carries it; how wrong that is goes to `gravity`."""
+    if known is not None and script.session.learner.knows:
+        gravity[name] = gravity_error(known, script.case, body)
+        script.move(name, SHARES, known)
 
 
 def session(

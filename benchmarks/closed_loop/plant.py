@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 from benchmarks.closed_loop.rig import Frame, Leg
-from scipy.optimize import brentq
+from scipy.optimize import root_scalar
 
 STEP = 2.5e-3  # s
 
@@ -98,7 +98,7 @@ class Plant:
         def pull(angle: float) -> float:
             return weight * np.cos(angle) + self.leg.stiffness * angle
 
-        return float(brentq(pull, -np.pi / 2, 0.0))
+        return float(root_scalar(pull, bracket=(-np.pi / 2, 0.0)).root)
 
     def state(self) -> State:
         (angle, frame_angle), (rate, frame_rate) = self._data.qpos, self._data.qvel
