@@ -65,12 +65,12 @@ def course(script: Script, axes: tuple[Axes, Axes, Axes]) -> None:
 
 def boxes(axes: Axes, every: Sequence[Outcome]) -> None:
     """The residual of everybody, by movement: quartiles, and all of them as dots."""
-    names = [name for name in SHOWN if name in every[0].efforts]
+    names = [name for name in SHOWN if any(name in one.efforts for one in every)]
     rows = [
         [
             one.efforts[name].residual
             for one in every
-            if one.efforts[name].carried or name.startswith("off")
+            if name in one.efforts and (one.efforts[name].carried or name.startswith("off"))
         ]
         for name in names
     ]
