@@ -147,6 +147,7 @@ class Script:
         session.plant.seat(leg)
         self.lay()
         session.learner = learner
+        self.lay()  # as behind a movement: it was not asked meanwhile
         if not (told and learner.knows):
             return None
         inertia = MASS * PLACE * (GRAVITY - loaded * PLACE) / (loaded - known.gravity)
