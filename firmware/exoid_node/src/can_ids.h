@@ -16,7 +16,9 @@ constexpr uint16_t differing(uint16_t first, uint16_t next, Rest... rest) {
   return static_cast<uint16_t>((first ^ next) | differing(first, rest...));
 }
 
-constexpr uint32_t bits_in(uint32_t word) { return word == 0 ? 0 : (word & 1U) + bits_in(word >> 1); }
+constexpr uint32_t bits_in(uint32_t word) {
+  return word == 0 ? 0 : (word & 1U) + bits_in(word >> 1);
+}
 
 /// `CanIds<>` understands nothing.
 template <uint16_t... IDS>

@@ -24,8 +24,8 @@ class Commissioning {
                 Torque& torque)
       : serial_(serial), encoder_(encoder), store_(store), torque_(torque) {}
 
-  /// Does what a frame commands; returns whether that is to be answered. Does nothing where it is no
-  /// command, is one to another node, or asks for what no node can do.
+  /// Does what a frame commands; returns whether that is to be answered. Does nothing where it is
+  /// no command, is one to another node, or asks for what no node can do.
   bool hear(const Frame& frame, Outcome& outcome) {
     if (!is_command(frame)) return false;
     switch (frame.id) {

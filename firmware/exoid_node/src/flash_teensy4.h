@@ -1,5 +1,5 @@
-/// No store for settings and parameters: on a Teensy they hold until the power goes, and every reply says so.
-/// The processor runs from the flash that it would have to erase.
+/// No store for settings and parameters: on a Teensy they hold until the power goes, and every reply
+/// says so. The processor runs from the flash that it would have to erase.
 
 #pragma once
 

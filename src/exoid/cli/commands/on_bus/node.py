@@ -1,4 +1,4 @@
-"""exoid node: the commands that commission the node on the leg."""
+"""exoid node: the commands to the node on the leg."""
 
 import typer
 
@@ -14,7 +14,7 @@ node = typer.Typer(
     name="node",
     help="""Find the node on the leg, and set it up.
 
-    Its zero, direction, id and bit rate.
+    Its zero, direction, id and bit rate, and the leg by which it commands a torque.
 
     The node keeps what it is told over a loss of power. Nothing is to be compiled.
 
