@@ -5,6 +5,7 @@
 
 #include "estimator.h"
 #include "leg_teller.h"
+#include "permission.h"
 
 namespace exoid {
 
@@ -68,16 +69,29 @@ class Node {
     state.overrun = lossy_;
     const Frame told = pack(state);
     lossy_ = !uplink_.send(told);
-    command(sample, state, told);
+    const bool driven = command(sample, state, told);
     send_readings(sample, age);
-    learner_.take({sample.count, sample.gyro[1], sees_angle(sample), sees_rate(sample), missed});
+    learn(sample, missed, driven);
   }
 
-  /// Before the readings, as a drive waits for it.
-  void command(const Sample& sample, const State& state, const Frame& told) {
+  /// A leg that a motor drives does not move freely: what it does then is not looked at.
+  void learn(const Sample& sample, uint32_t missed, bool driven) {
+    unseen_ += missed;
+    if (driven) {
+      ++unseen_;
+      return;
+    }
+    learner_.take({sample.count, sample.gyro[1], sees_angle(sample), sees_rate(sample), unseen_});
+    unseen_ = 0;
+  }
+
+  /// Before the readings, as a drive waits for it. Returns whether there may be a torque.
+  bool command(const Sample& sample, const State& state, const Frame& told) {
     constexpr uint32_t FAULTS = 7;  // byte of EXO_STATE
-    if (!command_.is_asked()) return;
-    send(pack(command_.update(sample, state, told.data[FAULTS], estimator_.bias())));
+    if (!command_.is_asked()) return false;
+    const Torque torque = command_.update(sample, state, told.data[FAULTS], estimator_.bias());
+    send(pack(torque));
+    return torque.permit == static_cast<uint32_t>(Permit::ENABLED);
   }
 
   void read_encoder(Sample& sample) {
@@ -144,6 +158,7 @@ class Node {
   uint32_t told_ = 0U - TICKS_PER_TIME;  // tick of the last TIME
   uint32_t named_ = 0;                    // tick of the last PARAMETER
   uint32_t missed_ = 0;
+  uint32_t unseen_ = 0;  // ticks that the learner has not seen since it saw one
   bool healthy_ = true;
   bool lossy_ = false;  // late, or a frame lost, since the last STATE that was sent
 };
