@@ -17,7 +17,7 @@ from exoid.physics.motion.step import Drive
 from exoid.physics.motion.with_terms import moment
 from exoid.physics.state import LegState
 
-FREE = Stage(jnp.zeros(()), jnp.zeros((), int))
+FREE = Stage(np.zeros(()), np.zeros((), int))
 
 
 class MeasuredMotion(eqx.Module):
