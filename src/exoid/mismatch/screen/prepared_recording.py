@@ -125,16 +125,14 @@ class PreparedRecording:
     def point(self, coordinates: Coordinates) -> np.ndarray:
         return flattened(scaled(coordinates))
 
-    def products(
-        self, candidate: Hypothesis, gram: np.ndarray, rows: list[int] | slice = slice(None)
-    ) -> Products:
-        """The `rows` of every segment's products at their places among all unknowns."""
+    def products(self, candidate: Hypothesis, gram: np.ndarray) -> Products:
+        """Every segment's products at their places among all unknowns."""
         total, usual = candidate.unknowns.size + 1, self.usual
         others = range(candidate.point.size, total)
         each = np.zeros((self.segments, total, total))
         for whole, own, place in zip(each, gram, self.places, strict=True):
             at = np.array([*place, *others])
-            whole[np.ix_(at, at)] = own[rows][:, rows]
+            whole[np.ix_(at, at)] = own
         table = np.zeros((total - 1, total))
         table[range(usual.size), range(usual.size)] = usual
         table[: usual.size, -1] = usual * candidate.unknowns[: usual.size]
