@@ -106,7 +106,7 @@ def deviations(
     at_once: int = AT_ONCE,
 ) -> list[Deviations]:
     """Of every candidate, of every segment, with what else may act or be shown `beside`."""
-    found = effects(prepared, seen)
+    found, legs = effects(prepared, seen), [prepared.coordinates(one) for one, _ in seen]
     widths = defaultdict(list)
     for row, effect in enumerate(found):
         widths[room(effect.shown.shape[0] - 1)].append(row)
@@ -118,13 +118,13 @@ def deviations(
 
     def run(batch, segments: np.ndarray) -> Deviations:
         width, rows = batch
-        legs = [prepared.coordinates(seen[row][0]) for row in rows]
+        leg = of_legs(segments, [legs[row] for row in rows])
         along = of(segments, stacked(seen[row][1] for row in rows), 1)
         does = of(segments, stacked(widened(found[row], width, beside) for row in rows), 2)
         zero = np.array([seen[row][0].zero for row in rows])
         around = (of(segments, prepared.seen), of(segments, prepared.problem.known))
         numbers = (np.asarray(prepared.problem.steps), np.asarray(float(tether)))
-        arguments = (of_legs(segments, legs), along, does, zero, *around, *numbers)
+        arguments = (leg, along, does, zero, *around, *numbers)
         return called(DEVIATE, arguments, prepared.problem.chain, FOUND)
 
     each: dict[int, Deviations] = {}

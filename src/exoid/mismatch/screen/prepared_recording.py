@@ -119,8 +119,13 @@ class PreparedRecording:
         """Which coordinate each is."""
         return unflattened(np.arange(flattened(self.like).size), self.like)
 
+    @cached_property
+    def units(self) -> np.ndarray:
+        """A typical step of every coordinate."""
+        return flattened(unscaled(jax.tree.map(np.ones_like, self.like)))
+
     def coordinates(self, candidate: Hypothesis) -> Coordinates:
-        return unscaled(unflattened(candidate.point, self.like))
+        return unflattened(candidate.point * self.units, self.like)
 
     def point(self, coordinates: Coordinates) -> np.ndarray:
         return flattened(scaled(coordinates))
