@@ -1,6 +1,7 @@
 """Machine code of a function, by XLA."""
 
 import ctypes
+import gc
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -30,13 +31,28 @@ def compiled(name: str, structure, shapes, static, *, brief: bool) -> jax.stages
     """
     function = traceable(name, structure, static)
     arrays = (jax.ShapeDtypeStruct(*shape) for shape in shapes)
-    lowered = jax.jit(function, compiler_options=understood(brief=brief)).lower(*arrays)
+    with uncollected():
+        lowered = jax.jit(function, compiler_options=understood(brief=brief)).lower(*arrays)
     with apart():
         code = lowered.compile()
     if sys.platform == "linux":
         trim = getattr(ctypes.CDLL(None), "malloc_trim", lambda _: 0)  # of glibc alone
         trim(0)
     return code
+
+
+@contextmanager
+def uncollected() -> Iterator[None]:
+    """Tracing makes millions of objects that stay, and to look for garbage among them takes half as
+    long as to make them. Who turned that off turns it on.
+    """
+    on = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if on:
+            gc.enable()
 
 
 @contextmanager
