@@ -8,7 +8,7 @@ import pytest
 # Blocks of a few MB, freed in another order than they were taken, below one that stays.
 TAKEN = """
 import ctypes, os
-from exoid.fitting.solve.memory import give_back
+from exoid.fitting.solve.compiled.memory import give_back
 {first}
 libc = ctypes.CDLL(None)
 libc.malloc.restype, libc.free.argtypes = ctypes.c_void_p, [ctypes.c_void_p]

@@ -15,7 +15,7 @@ from exoid.mismatch.prepare import prepare
 from exoid.mismatch.screen import many_pinned
 from exoid.mismatch.screen.along_motion import linear, nothing
 from exoid.mismatch.screen.hypothesis import Hypothesis
-from exoid.mismatch.screen.many_pinned import with_columns
+from exoid.mismatch.screen.many_pinned import with_columns, with_errors
 from exoid.mismatch.screen.optimise import polished, promising, settle, settle_free
 from exoid.physics.leg import LegModel
 from exoid.physics.motion.simulate import simulate
@@ -195,13 +195,21 @@ def test_chance_gains_as_many_squares_as_a_cause_has_parameters(ready):
         weight = np.asarray(getattr(prepared.seen, name))
         noise[..., channel] *= np.where(weight > 0, 1 / np.where(weight > 0, weight, 1.0), 0.0)
     motion = prepared.measured_motion
-    shown = replace(nothing(prepared, len(noise)), shown=noise)
-    (table,) = with_columns(prepared, [(each[0], motion)], shown)
-    size = each[0].unknowns.size
-    squares = np.diag(table)[size:-1]
-    assert np.mean(squares) == pytest.approx(prepared.samples, rel=0.01)
+    (table,) = with_errors(prepared, [(each[0], motion)], noise)
     # Chi square with one degree of freedom: a mean of 1, its deviation the root of 2 over 400.
     assert np.mean(gains(prepared, each[0], table)) == pytest.approx(1.0, abs=4 * np.sqrt(2 / 400))
+
+
+def test_what_the_sensors_may_show_beside_a_candidate_is_worth_what_its_program_says(ready):
+    prepared, base = ready
+    each = next(one for one in candidates(prepared, base) if one.terms == (CoulombFriction,))
+    tried = each, prepared.measured_motion
+    errors = np.random.default_rng(0).normal(size=(5, *prepared.seen.time.shape, 2))
+    beside = replace(nothing(prepared, len(errors)), shown=errors)
+    whole, size = with_columns(prepared, tried, beside), each.unknowns.size
+    (table,) = with_errors(prepared, [tried], errors)
+    expected = whole[:size, : size + len(errors)]
+    np.testing.assert_allclose(table, expected, rtol=1e-9, atol=1e-12 * np.abs(expected).max())
 
 
 def test_what_chance_may_do_is_that_of_the_largest_of_many():

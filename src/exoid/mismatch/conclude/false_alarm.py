@@ -12,16 +12,14 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from exoid.mismatch.evidence.measure import LONGEST_LAG
-from exoid.mismatch.screen.along_motion import nothing
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
-from exoid.mismatch.screen.many_pinned import with_columns
+from exoid.mismatch.screen.many_pinned import with_errors
 from exoid.mismatch.screen.measured_motion import MeasuredMotion, rate
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import Found, size
 from exoid.mismatch.sensors.compare import inverse
 
 DRAWS = 64
-TOGETHER = 16  # of them: their derivatives take memory
 FEWEST = 4  # blocks of a segment
 LUCKY = 0.05  # of recordings in which chance may make a cause clear
 FAR = 10.0  # times what chance makes in so many, that what is found there must be clearer
@@ -53,20 +51,15 @@ def by_chance(found: Found, best: Optimum, seed: int) -> Chance:
     if not tested:
         return Chance(0.0, 0.0, claimed)
     prepared, (angle, velocity) = found.prepared, np.moveaxis(best.motion, -1, 0)
-    columns = turned_over(prepared, best, np.random.default_rng(seed))
+    draws = turned_over(prepared, best, np.random.default_rng(seed))
     simulated = MeasuredMotion(angle, velocity, rate(velocity, prepared.seen.time))
     each = [(replace(one.candidate, linear=None), simulated) for one in tested]
-
-    def beyond(shown: np.ndarray) -> np.ndarray:
-        tables = with_columns(prepared, each, replace(nothing(prepared, len(shown)), shown=shown))
-        gained = [
-            gains(prepared, one.candidate, table) / measure.scale - measure.least(size(one))
-            for one, table in zip(tested, tables, strict=True)
-        ]
-        return np.max(gained, axis=0)
-
-    some = np.split(columns, range(TOGETHER, DRAWS, TOGETHER))
-    place, width = gumbel(np.concatenate([beyond(shown) for shown in some]))
+    tables = with_errors(prepared, each, draws)
+    beyond = [
+        gains(prepared, one.candidate, table) / measure.scale - measure.least(size(one))
+        for one, table in zip(tested, tables, strict=True)
+    ]
+    place, width = gumbel(np.max(beyond, axis=0))
     usual = place - width * float(np.log(-np.log(1 - LUCKY)))
     return Chance(above(claimed, place, width), usual, claimed)
 
@@ -95,7 +88,7 @@ def gains(prepared: PreparedRecording, one: Hypothesis, table: np.ndarray) -> np
     normal[range(leg), range(leg)] += prepared.usual**2
 
     def explained(count: int) -> np.ndarray:
-        slopes = table[:count, total:-1]
+        slopes = table[:count, total:]
         return np.sum(slopes * (inverse(normal[:count, :count]) @ slopes), axis=0)
 
     return explained(total) - explained(leg)

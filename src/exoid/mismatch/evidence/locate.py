@@ -9,6 +9,7 @@ import numpy as np
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.misfit.residual import equation
 from exoid.fitting.model.coordinates import Unknowns, of_owner
+from exoid.fitting.solve.program_cache import called
 from exoid.mismatch.evidence.location import Location, Missing, Region, Samples
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.measured_motion import FREE, drive_of
@@ -25,6 +26,8 @@ SHORTEST = 0.03  # s
 MOST = 6  # places that are named
 TURNING = np.radians(30.0)  # rad/s, below which a leg is at a reversal
 FEW = 12  # bins of angle or speed
+BY_EQUATION = "exoid.mismatch.evidence.locate:by_equation"
+EXPECTED = jax.tree.structure((np.zeros(1), np.zeros(())))
 
 
 def locate(prepared: PreparedRecording, base: Hypothesis, best: Optimum) -> Location:
@@ -69,7 +72,8 @@ def lacking(
 
     def excess(angle, velocity, acceleration):
         moved = (np.pad(each, (0, beyond), mode="edge") for each in (angle - zero, velocity - bias))
-        expected, inertia = map(np.asarray, by_equation(unknowns, observation, *moved))
+        given = (unknowns, observation, *moved)
+        expected, inertia = called(BY_EQUATION, given, None, EXPECTED, brief=True)
         return averaged((acceleration - expected[:size]) * inertia, width)[free], float(inertia)
 
     width = max(1, round(WIDTH / float(np.median(np.diff(time)))))
@@ -87,8 +91,7 @@ def lacking(
     return Missing(name, *motion, torque, band, modelled, width)
 
 
-@jax.jit
-def by_equation(unknowns: Unknowns, observation: Observation, angle, velocity):
+def by_equation(unknowns: Unknowns, observation: Observation, angle, velocity, _: None):
     """phi'' of Eq. 9 at every sample [rad/s^2], and the inertia that moves [kg m^2]."""
     eq = equation(unknowns, observation, FREE)
     known = drive_of(eq, observation)

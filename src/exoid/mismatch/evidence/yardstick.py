@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.stats import ncx2
+from scipy.special import chndtr  # not scipy.stats: as long to load as a fit takes
 
 SURE = 30.0  # evidence beyond its price that noise does not reach: with thirty terms, 1 in 10 000
 APART = 10.0  # evidence by which one candidate is better than another: odds of 150 to 1
@@ -60,7 +60,7 @@ class Yardstick:
     def power(self, worse: float, better: float, parameters: int) -> float:
         """The chance that an effect as large as this becomes clear once more."""
         size = max(worse - better, 0.0) / self.scale
-        return float(ncx2.sf(self.least(parameters), parameters, size))
+        return float(1 - chndtr(self.least(parameters), parameters, size))
 
     def least(self, parameters: int) -> float:
         """The smallest gain that is clear."""

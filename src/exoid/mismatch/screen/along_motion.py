@@ -110,12 +110,16 @@ def asked(
         for term, value in one.asked:
             if wanted(term):
                 requests[term].append((row, value))
+    if not requests:
+        return [{} for _ in tried]
     asking = sorted({row for each in requests.values() for row, _ in each})
-    motions = dict(zip(asking, motions_of(prepared, [tried[row] for row in asking]), strict=True))
+    place = {row: number for number, row in enumerate(asking)}
+    motions = motions_of(prepared, [tried[row] for row in asking])
 
     def run(batch, segments: np.ndarray):
         term, rows, values = batch
-        along = of(segments, stacked(motions[row] for row in rows), 1)
+        which = np.array([place[row] for row in rows])[:, None]
+        along = jax.tree.map(lambda leaf: leaf[which, segments], motions)
         return called(program, (values, along), term, structure, brief=brief(term))
 
     batches = []
@@ -128,24 +132,24 @@ def asked(
     results: list[dict[type[Term], Any]] = [{} for _ in tried]
     answers = of_all_segments(run, batches, prepared.segments, GROUP, axis)
     for (term, rows, _), answer in zip(batches, answers, strict=True):
-        for place, row in enumerate(rows):
-            results[row][term] = jax.tree.map(lambda leaf, at=place: leaf[at], answer)
+        for number, row in enumerate(rows):
+            results[row][term] = jax.tree.map(lambda leaf, at=number: leaf[at], answer)
     return results
 
 
-def motions_of(prepared: PreparedRecording, tried: Sequence[Tried]) -> list[SegmentMotion]:
-    """What terms see of every candidate's motion, (segment, ...)."""
+def motions_of(prepared: PreparedRecording, tried: Sequence[Tried]) -> SegmentMotion:
+    """What terms see of every candidate's motion: (candidate, segment, ...)."""
+    legs = [prepared.coordinates(one) for one, _ in tried]
 
-    def run(some: list[Tried], segments: np.ndarray) -> SegmentMotion:
-        legs = of_legs(segments, [prepared.coordinates(one) for one, _ in some])
-        measured = of(segments, stacked(motion for _, motion in some), 1)
-        given = (legs, measured, of(segments, prepared.seen))
+    def run(rows: list[int], segments: np.ndarray) -> SegmentMotion:
+        own = of_legs(segments, [legs[row] for row in rows])
+        measured = of(segments, stacked(tried[row][1] for row in rows), 1)
+        given = (own, measured, of(segments, prepared.seen))
         return called(ALONG, given, None, MOTION, brief=True)
 
-    batches = [filled(some, AT_ONCE) for some in parts(tried, AT_ONCE)]
+    batches = [filled(some, AT_ONCE) for some in parts(range(len(tried)), AT_ONCE)]
     answers = of_all_segments(run, batches, prepared.segments, GROUP, 1)
-    each = [jax.tree.map(lambda leaf, k=k: leaf[k], one) for one in answers for k in range(AT_ONCE)]
-    return each[: len(tried)]
+    return jax.tree.map(lambda *leaves: np.concatenate(leaves)[: len(tried)], *answers)
 
 
 def of_legs(segments: np.ndarray, points: Iterable[Coordinates]) -> Coordinates:

@@ -9,7 +9,9 @@ A tether acts on d alone: F_x is then that of a leg tied to the motion.
 
 from dataclasses import replace
 from functools import partial
+from typing import Any
 
+import equinox as eqx
 import jax
 import jax.numpy as jnp
 from jax.flatten_util import ravel_pytree
@@ -25,10 +27,17 @@ from exoid.physics.motion.with_terms import Motion
 from exoid.physics.state import LegState
 
 
-def products(
+class Deviations(eqx.Module):
+    """(J, r) at angle and velocity of every sample, and the products of its columns."""
+
+    gram: Float[Any, "*batch column column"]
+    rows: Float[Any, "*batch column sample"]
+
+
+def deviations(
     unknowns, motion, observation, known, pushes, shown, zero, *, stage, chain
-) -> Float[Array, "column column"]:
-    """(J, r)'(J, r) of one segment: baseline unknowns, zeros of gyro and encoder, terms'
+) -> Deviations:
+    """Of one segment. Its columns are baseline unknowns, zeros of gyro and encoder, terms'
     parameters, residual.
 
     The last column is no derivative but where the simulation stands beside the motion.
@@ -84,7 +93,7 @@ def products(
     rows = jax.vmap(show)(jnp.arange(motion.angle.size))
     rows = jnp.where(jnp.arange(motion.angle.size)[:, None, None] <= stage.steps, rows, 0.0)
     flat = jnp.moveaxis(rows, 1, 0).reshape(rows.shape[1], -1)
-    return flat @ flat.T
+    return Deviations(flat @ flat.T, flat)
 
 
 def moved_by(by_push, pushes: Drive, eq: Equation) -> Float[Array, "step column state"]:

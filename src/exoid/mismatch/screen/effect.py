@@ -13,7 +13,7 @@ from exoid.physics.moment import Moment
 from exoid.physics.motion.step import Drive, march, parabola, rk4
 from exoid.physics.motion.with_terms import delayed
 from exoid.physics.parameter import declarations
-from exoid.physics.term import Reading, Term, brief, holds
+from exoid.physics.term import Memory, Reading, Term, brief, holds
 
 
 def named(term: type[Term], value: Float[Any, " parameter"]) -> Term:
@@ -42,7 +42,7 @@ def effect_of(term: Term, motion: SegmentMotion) -> Effect:
     memory = remembered(term, motion)
     before, after = memory[:-1], memory[1:]
     memories = (before, (before + after) / 2, after)
-    pulled = Drive(*map(partial(throughout, term.torque), stages(motion), memories))
+    pulled = Drive(*map(partial(throughout, term, "torque"), stages(motion), memories))
     inertia = motion.begin.place.inertia
     push = jax.tree.map(lambda one, two: (one + two) / inertia, pulled, rubbing(term, motion))
     return Effect(push, wrongly_shown(term, motion, memory))
@@ -62,7 +62,7 @@ def wrongly_shown(
 
 def shown(term: Term, motion: SegmentMotion, memory: Float[Array, "time memory"]) -> Reading:
     """What the sensors show at every sample minus how the leg moves."""
-    return throughout(term.shown, motion.sample, memory)
+    return throughout(term, "shown", motion.sample, memory)
 
 
 def remembered(term: Term, motion: SegmentMotion) -> Float[Array, "time memory"]:
@@ -73,23 +73,31 @@ def remembered(term: Term, motion: SegmentMotion) -> Float[Array, "time memory"]
         return table
 
     def forward(index, memory):
-        first, middle, last = (at_step(each, index) for each in stages(motion))
+        ends = tuple(at_step(each, index) for each in stages(motion))
 
         def part_of(number, memory):
-            def rate(memory, part):
-                now = parabola(first, middle, last, (number + part) / term.substeps)
-                return term.memory_rate(now, memory)
+            def slope(memory, part):
+                return memory_rate(term, memory, ends, (number + part) / term.substeps)
 
-            return rk4(rate, memory, motion.step[index] / term.substeps, compact=brief(type(term)))
+            return rk4(slope, memory, motion.step[index] / term.substeps, compact=brief(type(term)))
 
-        memory = jax.lax.fori_loop(0, term.substeps, part_of, memory)
-        return term.memory_within(last, memory)
+        if term.substeps == 1:
+            memory = part_of(0, memory)
+        else:
+            memory = jax.lax.fori_loop(0, term.substeps, part_of, memory)
+        return term.memory_within(ends[-1], memory)
 
     def store(index, memory, table):
         return table.at[index].set(memory)
 
     start = term.memory_at_rest(at_step(motion.begin, jnp.array(0)))
     return march(forward, store, start, table, steps)
+
+
+@jax.jit  # traced once, for all stages of a step
+def memory_rate(term: Term, memory: Memory, ends: tuple[Moment, Moment, Moment], at: Any) -> Memory:
+    """Of a term's own state, at a fraction of a step that has this begin, middle and end."""
+    return term.memory_rate(parabola(*ends, at), memory)
 
 
 def rubbing(term: Term, motion: SegmentMotion) -> Drive:
@@ -102,7 +110,7 @@ def rubbing(term: Term, motion: SegmentMotion) -> Drive:
     change = jnp.where(crossing, after - before, 1.0)
     mixed = (jnp.abs(after) - jnp.abs(before)) / change
     direction = jnp.where(crossing, mixed, jnp.sign(before + after))
-    return Drive(*(-throughout(term.dry_friction, now) * direction for now in stages(motion)))
+    return Drive(*(-throughout(term, "dry_friction", now) * direction for now in stages(motion)))
 
 
 def stages(motion: SegmentMotion) -> tuple[Moment, Moment, Moment]:

@@ -1,6 +1,6 @@
 """The motion that was measured, as a term sees it: every instant at which a torque counts."""
 
-from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import equinox as eqx
@@ -16,8 +16,9 @@ from exoid.physics.moment import Moment
 from exoid.physics.motion.step import Drive
 from exoid.physics.motion.with_terms import moment
 from exoid.physics.state import LegState
+from exoid.physics.term import Term
 
-FREE = Stage(jnp.zeros(()), jnp.zeros((), int))
+FREE = Stage(np.zeros(()), np.zeros((), int))
 
 
 class MeasuredMotion(eqx.Module):
@@ -91,12 +92,14 @@ def drive_of(eq: Equation, observation: Observation) -> Drive:
     )
 
 
-def throughout(function: Callable[..., Any], now: Moment, *others: Any) -> Any:
-    """`function(moment, ...)` at every instant of a segment."""
+@partial(jax.jit, static_argnames="name")  # traced once, for all stages of a step
+def throughout(term: Term, name: str, now: Moment, *others: Any) -> Any:
+    """What a term says, `term.name(moment, ...)`, of every instant of a segment."""
     motion = (now.time, now.angle, now.angular_velocity, now.angular_acceleration)
 
     def at(time, angle, velocity, acceleration, *others):
-        return function(Moment(time, angle, velocity, acceleration, now.place), *others)
+        moment = Moment(time, angle, velocity, acceleration, now.place)
+        return getattr(term, name)(moment, *others)
 
     return jax.vmap(at)(*motion, *others)
 

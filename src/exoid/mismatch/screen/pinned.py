@@ -19,7 +19,7 @@ from exoid.fitting.data.observation import Observation
 from exoid.fitting.misfit.residual import equation
 from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.coordinates import Coordinates, Unknowns, of_segments
-from exoid.mismatch.screen.deviation import products
+from exoid.mismatch.screen.deviation import Deviations, deviations
 from exoid.mismatch.screen.effect import columns, named, remembered, shown
 from exoid.mismatch.screen.hypothesis import Effect
 from exoid.mismatch.screen.measured_motion import (
@@ -70,7 +70,7 @@ def act(
     return jax.vmap(partial(columns, term))(values, motions)
 
 
-def fold(
+def deviate(
     points: Coordinates,
     motions: MeasuredMotion,
     effects: Effect,  # (candidate, parameter, segment, time), all together behind the parameters
@@ -80,13 +80,13 @@ def fold(
     steps: Int[Array, ""],
     tether: Float[Array, ""],  # rad/s
     chain: Chain,
-) -> Float[Array, "candidate segment column column"]:
-    """(J, r)'(J, r) of every candidate and segment: baseline unknowns, zeros, terms, residual.
+) -> Deviations:
+    """(J, r) of every candidate and segment: baseline unknowns, zeros, terms, residual.
 
     A `tether` makes a candidate forget what it once did otherwise: its misfit is then that of its
     torques, nearly.
     """
-    each = partial(products, stage=Stage(tether, steps), chain=chain)
+    each = partial(deviations, stage=Stage(tether, steps), chain=chain)
     by_segment: Any = jax.vmap(each, in_axes=(0, 0, 0, 0, 1, 1, None))
 
     def one(point, motion, effect, zero):

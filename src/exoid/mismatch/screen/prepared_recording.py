@@ -119,22 +119,25 @@ class PreparedRecording:
         """Which coordinate each is."""
         return unflattened(np.arange(flattened(self.like).size), self.like)
 
+    @cached_property
+    def units(self) -> np.ndarray:
+        """A typical step of every coordinate."""
+        return flattened(unscaled(jax.tree.map(np.ones_like, self.like)))
+
     def coordinates(self, candidate: Hypothesis) -> Coordinates:
-        return unscaled(unflattened(candidate.point, self.like))
+        return unflattened(candidate.point * self.units, self.like)
 
     def point(self, coordinates: Coordinates) -> np.ndarray:
         return flattened(scaled(coordinates))
 
-    def products(
-        self, candidate: Hypothesis, gram: np.ndarray, rows: list[int] | slice = slice(None)
-    ) -> Products:
-        """The `rows` of every segment's products at their places among all unknowns."""
+    def products(self, candidate: Hypothesis, gram: np.ndarray) -> Products:
+        """Every segment's products at their places among all unknowns."""
         total, usual = candidate.unknowns.size + 1, self.usual
         others = range(candidate.point.size, total)
         each = np.zeros((self.segments, total, total))
         for whole, own, place in zip(each, gram, self.places, strict=True):
             at = np.array([*place, *others])
-            whole[np.ix_(at, at)] = own[rows][:, rows]
+            whole[np.ix_(at, at)] = own
         table = np.zeros((total - 1, total))
         table[range(usual.size), range(usual.size)] = usual
         table[: usual.size, -1] = usual * candidate.unknowns[: usual.size]

@@ -45,13 +45,12 @@ def of(rows: np.ndarray, tree: Tree, axis: int = 0) -> Tree:
 
 def summed(
     tables: np.ndarray, places: Int[np.ndarray, "segment own"], first: int
-) -> Float[np.ndarray, "column column"]:
-    """One table of all segments' products: the first rows of each stand at its `places`, the others
-    from the row `first` on.
+) -> Float[np.ndarray, "row column"]:
+    """One table of all segments' products: the first rows and columns of each stand at its
+    `places`, the others from `first` on.
     """
-    size = first + tables[0].shape[0] - places.shape[1]
-    whole = np.zeros((size, size))
+    height, width = (first + size - places.shape[1] for size in tables[0].shape)
+    whole = np.zeros((height, width))
     for table, place in zip(tables, places, strict=True):
-        at = np.array([*place, *range(first, size)])
-        whole[np.ix_(at, at)] += table
+        whole[np.ix_([*place, *range(first, height)], [*place, *range(first, width)])] += table
     return whole

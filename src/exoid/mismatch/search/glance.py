@@ -33,7 +33,7 @@ def nearest(prepared: PreparedRecording, starts: list[Hypothesis], most: int) ->
     seen = read(prepared, [(known, prepared.measured_motion)])[0]
     each = effects_of(prepared, starts, seen[1])
     tether = (prepared.tethers or (0.0,))[-1]
-    (table,) = with_columns(prepared, [seen], padded(prepared, each), tether)
+    table = with_columns(prepared, seen, padded(prepared, each), tether)
     return [one for _, one in by_what_is_left(prepared, starts, each, table)][:most]
 
 

@@ -6,11 +6,11 @@ strikes the leg between two samples is no such jerk: nothing ties these samples 
 """
 
 from dataclasses import dataclass
+from itertools import combinations_with_replacement
 
 import numpy as np
 from jaxtyping import Bool, Float
 from scipy.linalg import LinAlgError, cho_solve_banded, cholesky_banded
-from scipy.sparse import coo_array, csr_array
 
 JERKS = np.logspace(1, 5, 9)  # rad/s^3, deviations to choose from
 UNKNOWN = 3  # a sample: angle, rate, acceleration
@@ -23,6 +23,7 @@ ROUNDED = 5e-4
 
 Samples = Float[np.ndarray, " sample"]
 Steps = Bool[np.ndarray, " step"]
+Relation = dict[int, Float[np.ndarray, " step"]]  # of which unknown at a step's ends, how much
 Pairs = Float[np.ndarray, "sample 2"]  # of encoder [rad] and gyro [rad/s]
 
 
@@ -43,35 +44,11 @@ class Smoother:
 
     def __init__(self, time: Samples, weights: Pairs, jerk: float, struck: Steps):
         step = np.diff(time)
-        size, steps = time.size, step.size
-        rows, columns, values = [], [], []
-        at = UNKNOWN * np.arange(steps)
-
-        def relation(row: int, offsets: list[int], factors: list[np.ndarray | float], spread):
-            for offset, factor in zip(offsets, factors, strict=True):
-                rows.append(row + np.arange(steps))
-                columns.append(at + offset)
-                values.append(np.broadcast_to(factor, steps) / spread)
-
         change = jerk * step * np.where(struck, FREE, 1.0)
-        # Hermite's and the trapezoidal rule: exact for a constant jerk within the step.
-        relation(
-            0,
-            [0, 3, 1, 4, 2, 5],
-            [-1.0, 1.0, -step / 2, -step / 2, -(step**2) / 12, step**2 / 12],
-            SLACK * change * step**2 / 12,
-        )
-        relation(steps, [1, 4, 2, 5], [-1.0, 1.0, -step / 2, -step / 2], SLACK * change * step / 2)
-        relation(2 * steps, [2, 5], [-1.0, 1.0], change * np.sqrt(step[0] / step))
-        self.size, self.weights = size, weights
-        self.prior = csr_array(
-            coo_array(
-                (np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))),
-                shape=(3 * steps, UNKNOWN * size),
-            )
-        )
+        self.size, self.weights = time.size, weights
+        self.relations = relations(step, change)
         self.log_scale = float(np.sum(np.log(change)))
-        normal = self.banded((self.prior.T @ self.prior).tocsr())
+        normal = banded(self.relations, self.size)
         normal[-1, 0::UNKNOWN] += weights[:, 0] ** 2
         normal[-1, 1::UNKNOWN] += weights[:, 1] ** 2
         self.factor = cholesky_banded(normal)
@@ -80,14 +57,6 @@ class Smoother:
     def log_scatter(self) -> float:
         """Log of how far the jerk lets data scatter, but for a constant: part of a likelihood."""
         return -float(np.sum(np.log(self.factor[-1]))) - 3 * self.log_scale
-
-    def banded(self, matrix) -> np.ndarray:
-        """The upper diagonals, as SciPy's banded solvers take them."""
-        total = UNKNOWN * self.size
-        upper = np.zeros((BAND + 1, total))
-        for offset in range(BAND + 1):
-            upper[BAND - offset, offset:] = matrix.diagonal(offset)
-        return upper
 
     def solve(self, data: Float[np.ndarray, "sample 2 *column"]) -> np.ndarray:
         """The smoothed unknowns (sample, 3, column) of data and of columns alike."""
@@ -102,8 +71,10 @@ class Smoother:
         smooth = self.solve(data)
         weights = self.weights.reshape(*self.weights.shape, *[1] * (data.ndim - 2))
         misfit = weights * (data - smooth[:, :2])
-        jerks = self.prior @ smooth.reshape(UNKNOWN * self.size, -1)
-        return np.concatenate([misfit.reshape(2 * self.size, -1), jerks])
+        ends = [smooth[:-1, place] for place in range(UNKNOWN)]
+        ends += [smooth[1:, place] for place in range(UNKNOWN)]
+        jerks = [sum_of(each, ends).reshape(self.size - 1, -1) for each in self.relations]
+        return np.concatenate([misfit.reshape(2 * self.size, -1), *jerks])
 
     def spread(self, width: int = 1) -> float:
         """Standard deviation of the acceleration [rad/s^2], averaged over `width` samples in the
@@ -114,6 +85,52 @@ class Smoother:
         pick[first : first + width, 2] = 1 / width
         inside = cho_solve_banded((self.factor, False), pick.reshape(-1, 1))
         return float(np.sqrt(pick.reshape(-1) @ inside[:, 0]))
+
+
+def relations(step: np.ndarray, change: np.ndarray) -> list[Relation]:
+    """How the unknowns at both ends of every `step` hang together, over how far they may differ
+    where the jerk's `change` of the acceleration scatters.
+
+    Hermite's and the trapezoidal rule: exact for a constant jerk within the step.
+    """
+    bend, slope = step**2 / 12, step / 2
+
+    def over(spread, *factors: float | np.ndarray) -> list[np.ndarray]:
+        return [np.broadcast_to(factor, step.shape) / spread for factor in factors]
+
+    return [
+        dict(
+            enumerate(over(SLACK * change * step**2 / 12, -1.0, -slope, -bend, 1.0, -slope, bend))
+        ),
+        dict(
+            zip(
+                (1, 2, 4, 5),
+                over(SLACK * change * step / 2, -1.0, -slope, 1.0, -slope),
+                strict=True,
+            )
+        ),
+        dict(zip((2, 5), over(change * np.sqrt(step[0] / step), -1.0, 1.0), strict=True)),
+    ]
+
+
+def banded(every: list[Relation], size: int) -> np.ndarray:
+    """The upper diagonals of the relations' products, as SciPy's banded solvers take them."""
+    upper = np.zeros((BAND + 1, UNKNOWN * size))
+    for each in every:
+        pairs = combinations_with_replacement(each, 2)
+        for first, second in sorted(pairs, key=lambda pair: pair[0] < UNKNOWN):
+            products = each[first] * each[second]
+            upper[BAND - second + first, second::UNKNOWN][: products.size] += products
+    return upper
+
+
+def sum_of(relation: Relation, ends: list[np.ndarray]) -> np.ndarray:
+    """What a relation makes of the unknowns at both ends of every step, each (step, *column)."""
+    shape = (-1, *[1] * (ends[0].ndim - 1))
+    total = np.zeros_like(ends[0])
+    for place, factor in relation.items():
+        total += factor.reshape(shape) * ends[place]
+    return total
 
 
 def smooth(time: Samples, data: Pairs, weights: Pairs, struck: Steps | None = None) -> Reference:

@@ -9,7 +9,7 @@ from types import MappingProxyType
 from typing import Any
 
 import exoid
-from exoid.fitting.solve.program_cache import code_of
+from exoid.fitting.solve.compiled.kept_program import code_of
 
 STEPS = ("drops", "fit", "diagnose")
 NUMBERS = ("exoid", "jax", "jaxlib", "numpy", "scipy")  # packages that numbers hang on

@@ -1,0 +1,100 @@
+"""Machine code of a function, by XLA."""
+
+import gc
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import cache
+from importlib import import_module
+from secrets import token_hex
+from typing import Any
+
+import jax
+import numpy as np
+
+from exoid.fitting.solve.compiled.memory import give_back
+
+# How far XLA optimises: as fast machine code as by default, and half as long to wait for it. In one
+# piece it takes the least work, and other programs are compiled beside it anyhow.
+LEAN = {
+    "xla_backend_optimization_level": 1,
+    "xla_cpu_use_fusion_emitters": False,
+    "xla_cpu_parallel_codegen_split_count": 1,
+}
+BRIEF = LEAN | {"xla_backend_optimization_level": 0}  # compiled twice as soon, for what hardly runs
+LEAST = "jax_persistent_cache_min_compile_time_secs"
+NEVER = 1e9  # s
+
+
+def compiled(name: str, structure, shapes, static, *, brief: bool) -> jax.stages.Compiled:
+    """The function `module:name` traced and compiled for these shapes; what that took of memory
+    goes back to the system.
+    """
+    function = traceable(name, structure, static)
+    arrays = (jax.ShapeDtypeStruct(*shape) for shape in shapes)
+    with uncollected():
+        lowered = jax.jit(function, compiler_options=understood(brief=brief)).lower(*arrays)
+    with apart():
+        code = lowered.compile()
+    give_back()
+    return code
+
+
+@contextmanager
+def uncollected() -> Iterator[None]:
+    """Tracing makes millions of objects that stay, and to look for garbage among them takes half as
+    long as to make them. Who turned that off turns it on.
+    """
+    on = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if on:
+            gc.enable()
+
+
+@contextmanager
+def apart() -> Iterator[None]:
+    """What is compiled here does not go into XLA's own cache of programs, too. Where another thread
+    leaves sooner, it may: a file that nobody reads.
+    """
+    before = getattr(jax.config, LEAST)
+    jax.config.update(LEAST, NEVER)
+    try:
+        yield
+    finally:
+        jax.config.update(LEAST, before)
+
+
+def traceable(name: str, structure, static):
+    """The function on bare arrays. Its module is imported here, only where it must be traced.
+
+    No program before it has its name: XLA would find that one in its cache of programs, and what it
+    loads from there cannot be kept once more.
+    """
+    module, _, attribute = name.partition(":")
+    function = getattr(import_module(module), attribute)
+
+    def flat(*leaves):
+        return jax.tree.leaves(function(*jax.tree.unflatten(structure, leaves), static))
+
+    flat.__name__ = f"{attribute}_{token_hex(8)}"
+    return flat
+
+
+def options(*, brief: bool) -> dict[str, Any]:
+    """How far to optimise."""
+    return BRIEF if brief else LEAN
+
+
+@cache
+def understood(*, brief: bool) -> dict[str, Any]:
+    """The options, where they are for this machine and this version of XLA knows them."""
+    if jax.default_backend() != "cpu":
+        return {}
+    wanted = options(brief=brief)
+    try:
+        jax.jit(lambda: np.zeros(()), compiler_options=wanted).lower().compile()
+    except jax.errors.JaxRuntimeError:
+        return {}
+    return wanted
