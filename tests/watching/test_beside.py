@@ -10,7 +10,7 @@ from bundled_session import SUBJECT, until
 from exoid.online.model.trust import Trust
 from exoid.watching.beside.coach import Coach
 from exoid.watching.beside.goals import goal_of
-from exoid.watching.beside.next_movement import Wish, advise
+from exoid.watching.beside.next_movement import Advice, Wish, advise
 from exoid.watching.beside.refinement import Refinement
 from exoid.watching.board import MOST, Board
 from exoid.watching.estimate.leg import Leg, LegDrop
@@ -18,6 +18,11 @@ from exoid.watching.estimate.load import Load, Mass
 from exoid.watching.follower import Company, Follower
 
 INERTIA = (goal_of("inertia=2%", ["inertia"]),)
+
+
+def advised(after: float) -> Advice:
+    """An answer to a question asked then [s]."""
+    return Advice(None, "damping", before=after, after=after, unit="N m s/rad")
 
 
 @pytest.fixture(scope="session")
@@ -52,16 +57,30 @@ def test_what_is_foretold_of_a_drop_is_about_what_it_brings(person, readings):
     assert came == pytest.approx(found.after, rel=0.35)
 
 
+def test_no_advice_from_before_the_last_drop_is_shown(person, first, monkeypatch):
+    monkeypatch.setattr("exoid.watching.beside.coach.advise", lambda *given: advised(given[-1]))
+    coach = Coach(Wish(person))
+    coach.ask(first.beliefs, Mass(), 1.0)
+    coach.wait()
+    assert coach.latest == advised(1.0)
+    coach.ask(first.beliefs, Mass(), 2.0)
+    assert coach.latest is None
+    coach.wait()
+    assert coach.latest == advised(2.0)
+    coach.close()
+
+
 def test_a_coach_answers_the_last_question_alone(person, first, monkeypatch):
     asked = []
     monkeypatch.setattr(
-        "exoid.watching.beside.coach.advise", lambda *given: asked.append(given[-1]) or given[-1]
+        "exoid.watching.beside.coach.advise",
+        lambda *given: asked.append(given[-1]) or advised(given[-1]),
     )
     coach = Coach(Wish(person))
     for after in (1.0, 2.0, 3.0):
         coach.ask(first.beliefs, Mass(), after)
     coach.wait()
-    assert (asked, coach.latest) == ([3.0], 3.0)
+    assert (asked, coach.latest) == ([3.0], advised(3.0))
     coach.ask(first.beliefs, Mass(), 4.0)
     coach.close()
     coach.look()

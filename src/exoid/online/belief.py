@@ -43,8 +43,7 @@ def init(expected: ExpectedLeg, model: Model = DEFAULT) -> Belief:
 
 def knowledge_of(belief: Belief, model: Model) -> Knowledge:
     """What the numbers mean."""
-    with jax.enable_x64(True):
-        return jax.tree.map(np.asarray, form(model).unpacked((belief.numbers,)))
+    return form(model).unpacked((np.asarray(belief.numbers),))
 
 
 def belief_of(known: Knowledge, model: Model) -> Belief:

@@ -18,12 +18,11 @@ from exoid.online.belief import DEFAULT, Belief, form
 from exoid.online.filter.pack import Form
 from exoid.online.model.model import Model
 from exoid.online.model.sample import Sample
+from exoid.online.one_kernel import one_kernel
 from exoid.online.outlook import Outlook
 from exoid.online.take_in import take_in
 
 BLOCK = 32  # samples: calling a program costs as much as a few
-# Small arrays: kernels that are fused further compute the same several times over.
-OPTIONS = {"xla_cpu_use_fusion_emitters": False}
 
 
 def step(belief: Belief, sample: Sample, model: Model = DEFAULT) -> tuple[Belief, Outlook]:
@@ -84,8 +83,7 @@ def program(model: Model):
     with jax.enable_x64(True):
         size = sum(leaf.size for leaf in form(model).leaves)
         shapes = ((size,), float), ((BLOCK, len(FIELDS)), float), ((), int)
-        options = OPTIONS if jax.default_backend() == "cpu" else {}
-        traced = jax.jit(partial(block, model), compiler_options=options)
+        traced = one_kernel(partial(block, model))
         return traced.lower(*(jax.ShapeDtypeStruct(*each) for each in shapes)).compile()
 
 

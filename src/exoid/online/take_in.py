@@ -7,7 +7,7 @@ import jax.numpy as jnp
 from jaxtyping import Array, Float
 
 from exoid.online.filter.pack import where_so
-from exoid.online.filter.read_out import on_the_seat, ratios
+from exoid.online.filter.read_out import off_the_seat, on_the_seat, ratios
 from exoid.online.filter.whiteness import unwhite
 from exoid.online.model.model import Goals, Model
 from exoid.online.model.trust import Phase, Trust
@@ -57,8 +57,9 @@ def outlook(model: Model, belief: Knowledge) -> Outlook:
     """What the belief says."""
     known = jax.tree.map(lambda both: both[0], belief.filters)
     values, errors = ratios(on_the_seat(known, model.node.tilt))
+    contradicted = off_the_seat(known, model.node.tilt)
     return Outlook(
-        trust=trust(model.goals, belief, values, errors),
+        trust=trust(model.goals, belief, values, errors, contradicted),
         phase=belief.phase,
         drops=belief.verdict.drops,
         ratios=values,
@@ -70,7 +71,7 @@ def outlook(model: Model, belief: Knowledge) -> Outlook:
     )
 
 
-def trust(goals: Goals, belief: Knowledge, values, errors):
+def trust(goals: Goals, belief: Knowledge, values, errors, contradicted):
     """How far to believe it; the worst that is to be said comes last."""
     verdict = belief.verdict
     gravity = jnp.abs(values[0])
@@ -81,4 +82,5 @@ def trust(goals: Goals, belief: Knowledge, values, errors):
     said = jnp.where((verdict.drops > 0) & (share < goals.enough), int(Trust.ENOUGH), said)
     said = jnp.where(verdict.unexplained, int(Trust.UNEXPLAINED), said)
     said = jnp.where(verdict.changed, int(Trust.CHANGED), said)
+    said = jnp.where(begun & contradicted, int(Trust.UNEXPLAINED), said)
     return jnp.where(is_faulty(belief.stream), int(Trust.FAULTY), said)

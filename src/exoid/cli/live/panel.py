@@ -82,7 +82,7 @@ class Panel:
             if line and line != self.said.get(key):
                 now = "" if self.board.moment is None else f"{self.board.moment.time:.1f} s, "
                 say(f"exoid: {now}{key}: {line}", err=True)
-        self.said = news
+                self.said[key] = line
 
 
 def drop_line(ended: "Ended") -> str:

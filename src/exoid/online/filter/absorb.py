@@ -17,6 +17,7 @@ from jaxtyping import Array, Bool, Float
 from exoid.online.filter.gaussian import Gaussian
 from exoid.online.filter.motion import Span, advance, view
 from exoid.online.filter.sensor_noise import SensorNoise
+from exoid.online.filter.times import times
 from exoid.online.model.sample import Sample
 from exoid.online.model.unknowns import Row, Unknowns
 
@@ -93,13 +94,9 @@ def bent(rate: Callable[[Row], Any], belief: Gaussian) -> tuple[Any, Any]:
     With M = S' H S they are tr(M) / 2 and tr(M M) / 2 (second-order filter: Athans, Wishner &
     Bertolini, IEEE TAC 13(5), 1968).
     """
-    table = belief.root.T @ jax.jacfwd(jax.jacfwd(rate))(belief.mean) @ belief.root
+    bends = jax.jacfwd(jax.jacfwd(rate))(belief.mean)
+    table = times(times(belief.root.T, bends), belief.root)
     return jnp.trace(table) / 2, jnp.sum(table**2) / 2
-
-
-def times(one: Float[Array, "row inner"], other: Float[Array, "inner column"]):
-    """Their product as a sum that XLA puts into one kernel with what is around it."""
-    return jnp.sum(one[:, :, None] * other[None], axis=1)
 
 
 def carried(rows: Float[Array, "2 unknown"], push: Any) -> Float[Array, "2 unknown"]:

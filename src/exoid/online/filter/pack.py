@@ -26,7 +26,8 @@ class Form:
         ]
         self.into_row = [small is None or leaf.size <= small for leaf in self.leaves]
         sizes = [leaf.size for leaf, row in zip(self.leaves, self.into_row, strict=True) if row]
-        self.cuts = np.cumsum(sizes)[:-1].tolist()
+        ends = np.cumsum(sizes).tolist()
+        self.parts = list(zip([0, *ends[:-1]], ends, strict=True))
 
     def packed(self, tree: Any) -> tuple[Any, ...]:
         """The row, and the large arrays behind it."""
@@ -36,7 +37,8 @@ class Form:
 
     def unpacked(self, arrays: tuple[Any, ...]) -> Any:
         """`packed` undone; whole numbers survive, as a double holds them."""
-        small, large = iter(jnp.split(arrays[0], self.cuts)), iter(arrays[1:])
+        small = (arrays[0][first:last] for first, last in self.parts)
+        large = iter(arrays[1:])
         leaves = [
             next(small).reshape(leaf.shape).astype(leaf.dtype) if goes else next(large)
             for leaf, goes in zip(self.leaves, self.into_row, strict=True)

@@ -10,12 +10,14 @@ from typing import Any
 
 import jax
 import jax.numpy as jnp
-from jaxtyping import Array, Float
+from jaxtyping import Array, Bool, Float
 
 from exoid.online.filter.gaussian import Gaussian
+from exoid.online.filter.times import times
 from exoid.online.model.unknowns import AT, Row
 
 ROUNDS = 3  # of Gauss-Newton; the last moves nothing
+FAR = 5.0  # standard deviations from the seat, which no level lets it be tilted by
 LEAST = 1e-3  # 1/s^2, of a torque over inertia that nobody could see
 
 Scalar = Float[Array, ""]
@@ -26,14 +28,24 @@ def on_the_seat(belief: Gaussian, tilt: Any) -> Gaussian:
 
     def corrected(_, found: Gaussian) -> Gaussian:
         value, slope, noise = slope_of_seat(found.mean, tilt)
-        factor = slope @ belief.root
+        factor = times(slope[None], belief.root)[0]
         total = jnp.sum(factor**2) + noise
-        gain = belief.root @ factor / total
-        mean = belief.mean - gain * (value + slope @ (belief.mean - found.mean))
-        left = jnp.outer(gain, factor) / (1 + jnp.sqrt(noise / total))
-        return Gaussian(mean, belief.root - left)
+        gain = times(belief.root, factor[:, None])[:, 0] / total
+        left = value + jnp.sum(slope * (belief.mean - found.mean))
+        mean = belief.mean - gain * left
+        narrower = jnp.outer(gain, factor) / (1 + jnp.sqrt(noise / total))
+        return Gaussian(mean, belief.root - narrower)
 
     return jax.lax.fori_loop(0, ROUNDS, corrected, belief)
+
+
+def off_the_seat(belief: Gaussian, tilt: Any) -> Bool[Array, ""]:
+    """Do the drops contradict what is known of the seat? Then the spring rests elsewhere, or a
+    constant torque acts, and the ratios that the seat makes sure of are wrong.
+    """
+    value, slope, noise = slope_of_seat(belief.mean, tilt)
+    total = jnp.sum(times(slope[None], belief.root) ** 2) + noise
+    return value**2 > FAR**2 * total
 
 
 def slope_of_seat(mean: Row, tilt: Any) -> tuple[Scalar, Row, Scalar]:
@@ -49,7 +61,7 @@ def slope_of_seat(mean: Row, tilt: Any) -> tuple[Scalar, Row, Scalar]:
 
 def ratios(belief: Gaussian) -> tuple[Float[Array, "3"], Float[Array, "3"]]:
     """m l g / J, c / J and d / J, and their standard errors."""
-    errors = jnp.sqrt(jnp.sum((slopes(belief.mean) @ belief.root) ** 2, axis=1))
+    errors = jnp.sqrt(jnp.sum(times(slopes(belief.mean), belief.root) ** 2, axis=1))
     return values(belief.mean), errors
 
 

@@ -7,7 +7,7 @@ from exoid.watching.estimate.load import Mass
 
 
 class Coach:
-    """Is asked between drops; `latest` is the answer to the last question that is answered.
+    """Is asked between drops; `latest` is the answer to the last question, once there is one.
 
     One thread asks, another one looks.
     """
@@ -17,7 +17,13 @@ class Coach:
         self.pool = ThreadPoolExecutor(1)
         self.running: Future[Advice] | None = None
         self.waiting: tuple[Beliefs, Mass, float] | None = None
-        self.latest: Advice | None = None
+        self.answer: Advice | None = None  # to the last question that was answered
+
+    @property
+    def latest(self) -> Advice | None:
+        """An answer from before the last drop would be of errors that it has narrowed."""
+        asked = self.waiting is not None or self.running is not None
+        return None if asked else self.answer
 
     def ask(self, beliefs: Beliefs, now: Mass, after: float) -> None:
         """What to do with the weight `now` on the leg, after the time `after` [s]."""
@@ -27,7 +33,7 @@ class Coach:
         """Take what is done, and begin what waits."""
         if self.running is not None and self.running.done():
             if self.running.exception() is None:  # a belief of which nothing can be made
-                self.latest = self.running.result()
+                self.answer = self.running.result()
             self.running = None
         if self.running is None and self.waiting is not None:
             beliefs, now, after = self.waiting
