@@ -8,6 +8,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from exoid.interchange.formats.python import python
+from exoid.interchange.model.called import called
 from exoid.interchange.model.formulas import part_of
 from exoid.interchange.model.joint import Joint, Number, Part, Sensing
 from exoid.interchange.model.numbers import DRIVE
@@ -62,7 +63,7 @@ def usual(term: type[Term]) -> Term:
 
 
 def numbered(term: Term) -> tuple[Number, ...]:
-    name = name_of(type(term))
+    name = called(type(term))
     return tuple(
         Number(
             f"{name}_{each}", said.title, said.symbol, said.unit, float(getattr(term, each)), 0.1

@@ -1,5 +1,6 @@
 """MuJoCo, which has an integrator and contacts of its own, replays what was fitted."""
 
+import jax.numpy as jnp
 import mujoco
 import numpy as np
 import pytest
@@ -62,6 +63,20 @@ def test_what_only_sensors_show_stands_in_the_comment_and_is_told(name):
     assert kept.how == "in words"
     comment = made.text.partition("<compiler")[0]
     assert f"{name}: {TERMS[name].title}" in comment
+
+
+@pytest.mark.parametrize("width", [0.04, 0.1, 0.4])
+def test_an_end_that_the_motion_never_reached_spoils_nothing_where_it_was(width):
+    """There it has any steepness: thousands of N m, which springs have beside the leg's own."""
+    made = case(TERMS["end_range_stiffening"](*map(jnp.asarray, (13.0, 0.5, 7.0, width))))
+    found = play(mjcf(made.joint).text, made.joint.times)
+    assert np.abs(found[:, 2] - made.motion(16).angle).max() < CLOSE
+
+
+def test_tissue_without_a_weight_has_no_body():
+    made = case(TERMS["wobbling_mass"](*map(jnp.asarray, (0.0, 0.2, 3.0, 0.2))))
+    found = play(mjcf(made.joint).text, made.joint.times)
+    assert np.abs(found[:, 2] - made.motion().angle).max() < CLOSE
 
 
 def test_several_terms_add_up():

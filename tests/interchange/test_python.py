@@ -54,7 +54,7 @@ def test_the_script_runs_alone_and_prints_its_motion(tmp_path):
     assert table.shape == (made.joint.times.size, 5)
     assert np.abs(table[:, 1] - np.degrees(made.motion().angle)).max() < 6e-5  # four decimals
     imports = [line for line in path.read_text().splitlines() if line.startswith("import")]
-    assert imports == ["import math", "import numpy as np"]
+    assert imports == ["import numpy as np"]
 
 
 def test_every_number_stands_with_its_error_unit_and_origin():

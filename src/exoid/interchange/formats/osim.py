@@ -4,8 +4,8 @@ from collections.abc import Iterable, Mapping
 
 import numpy as np
 
+from exoid.interchange.formats.lepton import NAMES, expression, unable
 from exoid.interchange.formula.expression import Expression, known, make, number, symbol, total
-from exoid.interchange.formula.spell import Language, shortest, spell
 from exoid.interchange.model.body import body
 from exoid.interchange.model.described import described, xml_comment
 from exoid.interchange.model.drive_over_time import drive_over_time
@@ -14,20 +14,6 @@ from exoid.interchange.model.joint import Exported, Joint, Kept, Part
 from exoid.physics.leg import GRAVITY
 
 SMOOTH = 0.01  # rad/s, within which a smoothed friction turns round
-NAMES = {"angle": "q", "rate": "qdot"}
-LEPTON = {
-    "neg": "-{0}",
-    "sign": "(step({0})-step(-{0}))",
-    "lt": "(1-step({0}-{1}))",
-    "le": "step({1}-{0})",
-    "gt": "(1-step({1}-{0}))",
-    "ge": "step({0}-{1})",
-    "and": "({0}*{1})",
-    "or": "max({0},{1})",
-    "not": "(1-{0})",
-    "select": "({2}+{0}*({1}-{2}))",
-}  # of OpenSim's parser, which knows no condition; step(0) is 1
-WORDS = Language(shortest, lambda name: NAMES[name], forms=LEPTON)
 COORDINATE = "<coordinate>knee_angle</coordinate>"
 
 
@@ -88,9 +74,12 @@ def expressions(joint: Joint) -> Iterable[tuple[str, Expression]]:
         torque = known(torque, quiet)
         rubbed = rubbing(part, quiet)
         if unknown := (torque.symbols | rubbed.symbols) - {*NAMES}:
-            raise refused(part, unknown)
+            remembers = any("memory" in each for each in unknown)
+            raise refused(part, "it remembers" if remembers else "it hangs on more")
         if part.term.inertial and joint.driven:
-            raise refused(part, {"the drive"})
+            raise refused(part, "it hangs on more")
+        if why := unable(torque) or unable(rubbed):
+            raise refused(part, why)
         if torque.value != 0.0:
             yield part.name, torque
         if rubbed.value != 0.0:
@@ -106,8 +95,7 @@ def rubbing(part: Part, constants: Mapping[str, float]) -> Expression:
     return known(make("neg", make("mul", part.friction, way)), constants)
 
 
-def refused(part: Part, unknown: Iterable[str]) -> ValueError:
-    why = "it remembers" if any("memory" in each for each in unknown) else "it hangs on more"
+def refused(part: Part, why: str) -> ValueError:
     return ValueError(
         f"OpenSim's expressions know angle and rate alone, and nothing of {part.name} "
         f"({part.title}): {why}. Export --as python, or fit without it."
@@ -115,11 +103,10 @@ def refused(part: Part, unknown: Iterable[str]) -> ValueError:
 
 
 def force(name: str, root: Expression) -> str:
-    """A force with a formula; OpenSim wants it without spaces, and XML without < and >."""
-    said = spell(root, WORDS).replace(" ", "")
+    """A force with a formula."""
     return (
         f'    <ExpressionBasedCoordinateForce name="{name}"> {COORDINATE} '
-        f"<expression>{said}</expression> </ExpressionBasedCoordinateForce>"
+        f"<expression>{expression(root)}</expression> </ExpressionBasedCoordinateForce>"
     )
 
 

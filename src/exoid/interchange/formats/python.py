@@ -6,7 +6,7 @@ import numpy as np
 
 from exoid.interchange.formats.python_frame import FRAME
 from exoid.interchange.formula.expression import Expression, known, make, number, symbol
-from exoid.interchange.formula.spell import Language, lines
+from exoid.interchange.formula.spell import FORMULA, Language, lines
 from exoid.interchange.model.described import in_docstring
 from exoid.interchange.model.formulas import acceleration, eq9, friction, torque_over_time
 from exoid.interchange.model.joint import STILL, Exported, Joint, Kept, Number, Part
@@ -14,6 +14,7 @@ from exoid.physics.torque import MeasuredTorque
 
 MOVING = ("time", "angle", "rate", "push")
 BUILT_IN = ("max", "min", "abs", "sign")
+FORMS = FORMULA | {"and": "({0} and {1})", "or": "({0} or {1})"}
 BREAK = "\n    "
 INTERPOLATED = "return float(np.interp(time, measured_at, torque))"
 
@@ -26,7 +27,12 @@ def in_python(name: str) -> str:
     return name if name in MOVING else name.upper()
 
 
-WORDS = Language(name=in_python, function=lambda name: name if name in BUILT_IN else f"math.{name}")
+def function(name: str) -> str:
+    """Of NumPy, whose functions give no number where there is none, and end no script."""
+    return name if name in BUILT_IN else f"np.{name}"
+
+
+WORDS = Language(name=in_python, function=function, forms=FORMS)
 
 
 def python(joint: Joint) -> Exported:

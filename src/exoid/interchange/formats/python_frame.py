@@ -12,8 +12,6 @@ Needs NumPy. `simulate()` gives time, angle and rate of the leg, and what encode
 Written by exoid.
 """
 
-import math
-
 import numpy as np
 
 {constants}

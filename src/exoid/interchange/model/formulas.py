@@ -11,10 +11,11 @@ import numpy as np
 
 from exoid.interchange.formula.expression import ZERO, Expression, known, make, symbol, total
 from exoid.interchange.formula.trace import Formulas, Untold, trace
+from exoid.interchange.model.called import called
 from exoid.interchange.model.joint import Number, Part
 from exoid.physics.moment import Cycle, Moment, SegmentConstants
 from exoid.physics.ratios import Ratios
-from exoid.physics.term import Term, name_of
+from exoid.physics.term import Term
 from exoid.physics.torque import CycleTorque, Torque
 
 NOW = (
@@ -39,7 +40,7 @@ def part_of(term: Term, numbers: tuple[Number, ...], begun: np.ndarray) -> Part:
 
     **Raises** `ValueError` where it computes with what no format has a form for.
     """
-    name, now, memory = name_of(type(term)), some_moment(), jnp.asarray(begun)
+    name, now, memory = called(type(term)), some_moment(), jnp.asarray(begun)
     own = tuple(each.name for each in numbers)
     inside = f"{name}_memory"
 

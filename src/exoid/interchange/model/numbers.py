@@ -4,6 +4,7 @@ from collections.abc import Iterable
 from dataclasses import fields
 
 from exoid.fitting.result.fit_result import Estimate, FitResult, SegmentFit
+from exoid.interchange.model.called import called
 from exoid.interchange.model.joint import Number
 from exoid.physics.leg import LegParameters
 from exoid.physics.parameter import declarations
@@ -28,9 +29,9 @@ def leg_numbers(result: FitResult, leg: LegParameters) -> Iterable[Number]:
 
 
 def term_numbers(term: Term, result: FitResult) -> tuple[Number, ...]:
-    name = name_of(type(term))
+    found, name = result.terms[name_of(type(term))], called(type(term))
     return tuple(
-        number_of(f"{name}_{field}", result.terms[name][field], float(getattr(term, field)))
+        number_of(f"{name}_{field}", found[field], float(getattr(term, field)))
         for field, _ in declarations(type(term))
     )
 

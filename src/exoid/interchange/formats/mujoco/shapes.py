@@ -21,6 +21,7 @@ from exoid.physics.terms.tissue.wobbling_mass import WobblingMass
 # that it allows, what is left is a spring and a damper per inertia, within 1e-4.
 SOFT = "0.0001 0.0001 0.001 0.5 2"
 QUICK, QUICKEST = 2.5e-4, 5e-5  # s, steps that a cuff and a stop allow
+NOTHING = 1e-12  # kg: of less an engine makes no body
 POINT = 1e-9  # kg m^2: a mass point has no inertia, but an engine wants one
 
 
@@ -79,6 +80,8 @@ def tissue(part: Part, joint: Joint) -> Piece:
     """A mass point on two slides and springs of the shank."""
     own, leg = values(part), joint.value
     mass = own["share"] * leg["gravity"] / (GRAVITY * own["radius"])
+    if mass < NOTHING:
+        return Piece((Kept(part.name, "exact", "no body: it weighs nothing"),))
     rate = 2 * np.pi * own["frequency"]
     spring, damper = mass * rate**2, 2 * own["damping_ratio"] * rate * mass
     said = f'type="slide" stiffness="{spring:.12g}" damping="{damper:.12g}"'

@@ -7,8 +7,8 @@ from scipy.interpolate import CubicSpline
 
 from exoid.interchange.formats.mujoco.by_variable import Curve
 
-COUNTS = (8, 12, 16, 24, 32, 48, 64)  # of pieces, tried in turn
-CLOSE = 1e-5  # of the largest torque: closer than any fit tells it
+FIRST, MOST = 8, 96  # pieces: to begin with, and so many that no more are halved
+CLOSE = 1e-5  # of the torque, or of what is usual where that is more: closer than any fit tells it
 BETWEEN = 4001  # angles at which the error is looked for
 
 
@@ -21,6 +21,10 @@ class Spring:
     second: float
     third: float
 
+    def pull(self, angles: np.ndarray) -> np.ndarray:
+        beyond = np.maximum(angles - self.begins, 0.0)
+        return -(self.first * beyond + self.second * beyond**2 + self.third * beyond**3)
+
 
 @dataclass(frozen=True)
 class Springs:
@@ -29,22 +33,29 @@ class Springs:
     constant: float  # N m
     each: tuple[Spring, ...]
     error: float  # N m, the largest between these angles
+    share: float  # of the torque, or of what is usual where that is more
 
 
-def springs(curve: Curve, lowest: float, highest: float) -> Springs:
-    """A cubic spline through the curve between these angles [rad], in truncated powers."""
-    found = None
-    for count in COUNTS:
-        found = through(curve, np.linspace(lowest, highest, count + 1))
-        largest = np.abs(curve(np.linspace(lowest, highest, BETWEEN))).max()
-        if found.error <= CLOSE * largest:
-            break
-    assert found is not None  # there are counts
-    return found
+def springs(curve: Curve, lowest: float, highest: float, usual: float) -> Springs:
+    """A cubic spline through the curve between these angles [rad], in truncated powers; a piece
+    that is off is halved. Torques are `usual` [N m].
+    """
+    knots = np.linspace(lowest, highest, FIRST + 1)
+    angles = np.linspace(lowest, highest, BETWEEN)
+    wanted = curve(angles)
+    near = np.maximum(np.abs(wanted), usual or np.abs(wanted).max())
+    while True:
+        constant, found = through(curve, knots)
+        off = np.abs(constant + sum(each.pull(angles) for each in found) - wanted)
+        pieces = np.clip(np.searchsorted(knots, angles, side="right") - 1, 0, knots.size - 2)
+        poor = np.unique(pieces[off > CLOSE * near])
+        if poor.size == 0 or knots.size + poor.size > MOST + 1:
+            return Springs(constant, found, float(off.max()), float((off / near).max()))
+        knots = np.sort(np.append(knots, (knots[poor] + knots[poor + 1]) / 2))
 
 
-def through(curve: Curve, knots: np.ndarray) -> Springs:
-    """The spline through its values at these angles."""
+def through(curve: Curve, knots: np.ndarray) -> tuple[float, tuple[Spring, ...]]:
+    """The constant and the springs of the spline through its values at these angles."""
     spline = CubicSpline(knots, curve(knots))
     third, second, first, constant = spline.c
     begin = Spring(float(knots[0]), -float(first[0]), -float(second[0]), -float(third[0]))
@@ -53,6 +64,4 @@ def through(curve: Curve, knots: np.ndarray) -> Springs:
         for at, jump in zip(knots[1:-1], np.diff(third), strict=True)
         if jump != 0.0
     ]
-    angles = np.linspace(knots[0], knots[-1], BETWEEN)
-    error = float(np.abs(spline(angles) - curve(angles)).max())
-    return Springs(float(constant[0]), (begin, *more), error)
+    return float(constant[0]), (begin, *more)
