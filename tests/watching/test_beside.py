@@ -79,7 +79,8 @@ def test_a_coach_answers_the_last_question_alone(person, first, monkeypatch):
     coach = Coach(Wish(person))
     for after in (1.0, 2.0, 3.0):
         coach.ask(first.beliefs, Mass(), after)
-    coach.wait()
+    while coach.busy:
+        coach.look()
     assert (asked, coach.latest) == ([3.0], advised(3.0))
     coach.ask(first.beliefs, Mass(), 4.0)
     coach.close()

@@ -104,12 +104,10 @@ class Company:
             self.refinement.look()
             board.refined, board.unrefined = self.refinement.latest, self.refinement.failed
 
-    def wait(self, board: Board) -> None:
-        """Until all that was asked is found."""
-        for each in (self.coach, self.refinement):
-            if each is not None:
-                each.wait()
-        self.look(board)
+    @property
+    def busy(self) -> bool:
+        """Is anything that was asked still looked for?"""
+        return any(each is not None and each.busy for each in (self.coach, self.refinement))
 
     def close(self) -> None:
         for each in (self.coach, self.refinement):

@@ -43,14 +43,21 @@ class Bus:
         """Until it is `stopped`, has lasted, or the goals are reached."""
         make = partial(origin.company, coached=True, refined=refined)
         watched = Watched(make, viewer.panel, viewer.sinks)
+        board = watched.board
         watched.stream = NodeStream(self.node or 0)
         watched.known = is_known(origin.subject)
         session = Session(self.log, self.subject, watched, pressed, self.node)
         session.hear = watched.hear
+
+        def ended() -> bool:
+            """Where it is kept, a fault of the estimator must not end the recording."""
+            lost = board.fault is not None and isinstance(self.log, Unkept)
+            return stopped() or board.reached or lost
+
         try:
-            session.run(self.address, lambda: stopped() or watched.over, duration)
+            session.run(self.address, ended, duration)
         finally:
-            watched.end(patient=False)
+            watched.end(patient=lambda: False)
         return session
 
 
@@ -85,4 +92,4 @@ def run_bus(bus: Bus, wanted: Wanted, *, marked: bool, duration: float | None) -
             refined=wanted.refine is not False,
         )
     conclude(session, err=wanted.views.err)
-    give(board, err=wanted.views.err)
+    give(board, err=wanted.views.err, lost=viewer.lost)

@@ -27,7 +27,7 @@ def run_file(name: Path, opened: Opened, wanted: Wanted, speed: float) -> None:
     with stoppable() as stopped, viewing(board, name.name, wanted.views) as viewer:
         origin = wanted.origin(opened.subject, **placed)
         follow_file(opened, origin, viewer, stopped, speed=speed, refined=refined)
-    give(board, err=wanted.views.err)
+    give(board, err=wanted.views.err, lost=viewer.lost)
 
 
 def follow_file(
@@ -53,7 +53,7 @@ def follow_file(
     try:
         play(opened.parts(AT_ONCE if fast else IN_PACE), watched.give, going, speed)
     finally:
-        watched.end(patient=not stopped())
+        watched.end(patient=lambda: not stopped())
         watched.panel.show(line_of(watched))
 
 

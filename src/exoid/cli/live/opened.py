@@ -1,7 +1,7 @@
 """A file to be followed: whose leg it is, what was on it and when, and its samples in order."""
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from itertools import pairwise
 from pathlib import Path
 
@@ -39,7 +39,7 @@ def open_recording(path: Path, body: dict[str, float], node: int | None, **readi
     **Raises** `ValueError` where nothing of it can be followed.
     """
     loaded = take(path, whole=True, **reading)
-    recording = replace(loaded.recording, subject=replace(loaded.recording.subject, **body))
+    recording = replace(loaded.recording, subject=told_of(loaded.recording.subject, body))
     check_subject(recording.subject)
     mended = any(reading.get(name) for name in ("dbc", "flip", "zero")) or is_mended(path)
     of_node = path.suffix.lower() in FORMATS and loaded.quality is not None and not mended
@@ -55,6 +55,13 @@ def open_recording(path: Path, body: dict[str, float], node: int | None, **readi
     return Opened(
         recording.subject, load, thigh_angle, lambda many: of_log(log, stream, many), stream
     )
+
+
+def told_of(subject: Subject, body: dict[str, float]) -> Subject:
+    """With what options say: of a mass that they name, nothing that the sidecar says holds."""
+    names = [each.name for each in fields(subject)] if "added_mass" in body else []
+    of_another = dict.fromkeys(each for each in names if each.startswith("added_mass"))
+    return replace(subject, **of_another | body)
 
 
 def is_mended(path: Path) -> bool:

@@ -31,7 +31,16 @@ class Viewer:
     """The panel, and who gets every moment."""
 
     panel: Panel
-    sinks: tuple[Sink, ...]
+    lines: JsonLines | None
+
+    @property
+    def sinks(self) -> tuple[Sink, ...]:
+        return () if self.lines is None else (self.lines,)
+
+    @property
+    def lost(self) -> bool:
+        """Is anything that was to be written not there?"""
+        return self.lines is not None and self.lines.lost
 
 
 @contextmanager
@@ -41,8 +50,8 @@ def viewing(board: Board, name: str, views: Views) -> Iterator[Viewer]:
     **Raises** `ValueError` where the page cannot be served.
     """
     with ExitStack() as inside:
-        sinks: tuple[Sink, ...] = ()
-        address = None
+        lines = address = None
+        panel = Panel(board, name)
         if views.serve:
             from exoid.cli.live.page.serve import check_server, listening_on, serving
 
@@ -50,10 +59,9 @@ def viewing(board: Board, name: str, views: Views) -> Iterator[Viewer]:
             made = listening_on(views.host, views.port)
             address = inside.enter_context(serving(board, name, made, views.host))
         if views.json_lines is not None:
-            lines = JsonLines(views.json_lines)
+            lines = JsonLines(views.json_lines, panel.tell)
             inside.callback(lines.close)
-            sinks = (lines,)
-        panel = inside.enter_context(Panel(board, name))
+        inside.enter_context(panel)
         if address is not None:
             panel.tell(f"the page: {address}")
-        yield Viewer(panel, sinks)
+        yield Viewer(panel, lines)

@@ -22,6 +22,7 @@ ANYBODY = (
     "nobody says whose leg it is, so that of any adult is expected: give --body-mass KG and "
     "--height M."
 )
+LOOKED_EVERY = 0.1  # s, at what helpers have found
 PATIENCE = 3.0  # s that what was heard may take to be taken in at the end
 
 
@@ -82,13 +83,14 @@ class Watched:
         """Is there nothing more to wait for?"""
         return self.board.reached or self.board.fault is not None
 
-    def end(self, *, patient: bool) -> None:
-        """Take in what was heard; one who is `patient` waits for what helpers still look for."""
-        self.follower.end(None if patient else PATIENCE)
+    def end(self, patient: Callable[[], bool]) -> None:
+        """Take in what was heard, and while one is `patient` what helpers still look for."""
+        self.follower.end(None if patient() else PATIENCE)
         company = self.follower.company
-        if company is not None and patient and not self.over:
-            company.wait(self.board)
         self.look()
+        while company is not None and company.busy and patient() and not self.over:
+            time.sleep(LOOKED_EVERY)
+            self.look()
         if company is not None:
             company.close()
         self.board.silent = 0.0

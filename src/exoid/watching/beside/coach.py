@@ -40,12 +40,10 @@ class Coach:
             self.waiting = None
             self.running = self.pool.submit(advise, beliefs, self.wish, now, after)
 
-    def wait(self) -> None:
-        """Until nothing is left to answer."""
-        while self.running is not None or self.waiting is not None:
-            self.look()
-            if self.running is not None:
-                self.running.exception()
+    @property
+    def busy(self) -> bool:
+        """Is anything left to answer?"""
+        return self.running is not None or self.waiting is not None
 
     def close(self) -> None:
         """Nothing is asked any more."""

@@ -89,12 +89,10 @@ class Refinement:
         except Exception as fault:  # whatever a fit may raise, the stream goes on
             self.failed = " ".join(str(fault).split()) or type(fault).__name__
 
-    def wait(self) -> None:
-        """Until nothing is left to fit."""
-        self.look()
-        while self.running is not None:
-            self.running[0].exception()
-            self.look()
+    @property
+    def busy(self) -> bool:
+        """Does a fit run that `look` has begun?"""
+        return self.running is not None
 
     def close(self) -> None:
         """Whatever still runs ends with it."""

@@ -41,8 +41,14 @@ class Load:
 
 
 def mass_of(weight: float | None, distance: float | None) -> Mass:
+    """**Raises** `ValueError` where it would sit in the knee."""
     if not weight:
         return Mass()
+    if distance == 0.0:
+        raise ValueError(
+            f"the added mass of {weight:g} kg is said to sit 0 m from the knee, where nothing "
+            "of it shows. Measure its distance, or leave that out."
+        )
     return Mass(weight) if distance is None else Mass(weight, distance)
 
 
