@@ -114,3 +114,51 @@ def test_samples_without_a_time_are_not_taken_in(start):
         belief, said = online.step(belief, online.Sample(np.nan, -0.3, 0.0))
     assert said.said == online.Trust.FAULTY
     assert "frames are lost, doubled" in said.said.words
+
+
+@pytest.mark.parametrize("spiked", [1, 2])
+def test_a_leg_at_rest_is_no_drop_whatever_some_samples_say(start, spiked):
+    time = np.arange(400) * 0.01
+    noise = np.random.default_rng(7).standard_normal((2, time.size)) * [[7.5e-4], [2.6e-3]]
+    angle = -0.3 + noise[0]
+    angle[150 : 150 + spiked] += 0.5
+    _, said = online.replay(start, online.Sample(time, angle, noise[1]))
+    assert said.drops[-1] == 0
+    assert np.array_equal(said.errors[-1], said.errors[0])
+
+
+@pytest.mark.parametrize("number", [np.inf, -np.inf])
+def test_numbers_without_end_are_passed_over(drop, start, number):
+    samples, leg, free = drop
+    middle = np.searchsorted(samples.time, free[0] + 1.0)
+    table = np.column_stack([rows(samples), np.zeros((samples.time.size, 3))])
+    for at, column in enumerate((1, 2, 3, 4, 5)):
+        table[middle + 20 * at, column] = number
+    _, said = online.replay(start, sample(table))
+    assert np.isfinite(said.ratios).all()
+    assert within(said, leg)
+
+
+def test_a_gap_before_a_release_makes_no_model_wrong(play, start):
+    samples, _, free = play(12, 3)
+    late = np.zeros(samples.time.size, bool)
+    for begun, _ in free:
+        late |= (samples.time > begun - 0.4) & (samples.time < begun - 0.1)
+    _, said = online.replay(start, sample(rows(samples)[~late]))
+    assert said.drops[-1] == 0  # at rest for a tenth of a second: nobody saw the releases
+    assert not (said.trust == online.Trust.UNEXPLAINED).any()
+
+
+def test_a_hand_that_lifts_a_little_known_leg_never_makes_it_sure(play, start):
+    """A lift looks free for a quarter of a second; what it says of the leg is not shown."""
+    for seed in (44, 45, 50, 53):
+        samples, leg, free = play(seed, 3)
+        kept = np.ones(samples.time.size, bool)
+        for begun, _ in free:  # of each drop its first turn is seen
+            kept &= ~((samples.time > begun + 0.7) & (samples.time < begun + 1.3))
+        table = rows(samples)[kept]
+        _, said = online.replay(start, sample(table))
+        truth = np.array([leg.gravity, leg.stiffness, leg.damping])
+        sure = (said.trust == online.Trust.GOOD) | (said.trust == online.Trust.ENOUGH)
+        off = np.abs(said.ratios - truth) / said.errors
+        assert (off[sure] < 4.5).all()  # one draw in 100 000 is farther off

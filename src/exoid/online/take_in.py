@@ -2,20 +2,21 @@
 
 from dataclasses import replace
 
-import jax
 import jax.numpy as jnp
 from jaxtyping import Array, Float
 
+from exoid.online.filter.gaussian import Gaussian
 from exoid.online.filter.pack import where_so
 from exoid.online.filter.read_out import off_the_seat, on_the_seat, ratios
+from exoid.online.filter.select import select
 from exoid.online.filter.whiteness import unwhite
 from exoid.online.model.model import Goals, Model
 from exoid.online.model.trust import Phase, Trust
 from exoid.online.model.unknowns import AT
 from exoid.online.movement.change import changed, evidence
-from exoid.online.movement.end import ended, refuted
+from exoid.online.movement.end import SHORTEST, ended, first_of, refuted
 from exoid.online.movement.follow import follow
-from exoid.online.movement.knowledge import Knowledge
+from exoid.online.movement.knowledge import NEVER, Knowledge
 from exoid.online.movement.stream import heard, is_faulty, look
 from exoid.online.movement.watch import watch
 from exoid.online.outlook import Outlook
@@ -25,17 +26,36 @@ MOVES = 0.2  # rad/s beyond a gyro's bias: then a leg moves one way
 
 def take_in(model: Model, belief: Knowledge, row: Float[Array, " 6"]) -> tuple[Knowledge, Outlook]:
     """The belief after one more sample (a row of `Sample`), and what it says."""
+    row = finite(row)
     arrived = look(belief.recent, belief.stream, row)
     torn = arrived.torn
     moving = belief.phase == Phase.MOVING
     cut = where_so(moving & torn, lambda now: ended(now, torn), belief)
-    lost = replace(cut, phase=jnp.where(torn, int(Phase.HELD), cut.phase))
+    lost = where_so(torn, forgetting, cut)
     now = replace(lost, recent=heard(lost.recent, row, arrived), stream=arrived.stream)
     now = replace(now, course=turned(now, row[2]))
     free = now.phase == Phase.MOVING
     now = where_so(arrived.taken & free, lambda at: moved(model, at), now)
     now = where_so(arrived.taken & ~free, lambda at: refuted(watch(at)), now)
     return now, outlook(model, now)
+
+
+def finite(row: Float[Array, " 6"]) -> Float[Array, " 6"]:
+    """The sample with NaN for what is no number; nothing was seen where nobody knows the load."""
+    told = jnp.where(jnp.isfinite(row), row, jnp.nan)
+    loaded = ~jnp.isnan(told[3:]).any()
+    seen = jnp.where(loaded, told[1:3], jnp.nan)
+    return jnp.concatenate([told[:1], seen, jnp.where(jnp.isnan(told[3:]), 0.0, told[3:])])
+
+
+def forgetting(belief: Knowledge) -> Knowledge:
+    """Nobody knows what a hand did in a gap."""
+    never = jnp.full_like(belief.verdict.suspected, NEVER)
+    return replace(
+        belief,
+        phase=jnp.full_like(belief.phase, int(Phase.HELD)),
+        verdict=replace(belief.verdict, suspected=never),
+    )
 
 
 def moved(model: Model, belief: Knowledge) -> Knowledge:
@@ -55,7 +75,7 @@ def turned(belief: Knowledge, rate: Float[Array, ""]):
 
 def outlook(model: Model, belief: Knowledge) -> Outlook:
     """What the belief says."""
-    known = jax.tree.map(lambda both: both[0], belief.filters)
+    known = shown(belief)
     values, errors = ratios(on_the_seat(known, model.node.tilt))
     contradicted = off_the_seat(known, model.node.tilt)
     return Outlook(
@@ -69,6 +89,13 @@ def outlook(model: Model, belief: Knowledge) -> Outlook:
         unwhite=unwhite(belief.course.whiteness)[1],
         change=evidence(belief),
     )
+
+
+def shown(belief: Knowledge) -> Gaussian:
+    """What all movements told that are no hand's: the present one once it has turned."""
+    course, known = belief.course, first_of(belief.filters)
+    may_be_a_hand = (course.turns == 0) | (course.reached - course.begun < SHORTEST)
+    return select((belief.phase == Phase.MOVING) & may_be_a_hand, belief.before, known)
 
 
 def trust(goals: Goals, belief: Knowledge, values, errors, contradicted):

@@ -12,7 +12,7 @@ from exoid.online.filter.select import select
 from exoid.online.filter.whiteness import fails
 from exoid.online.model.trust import Phase
 from exoid.online.movement.knowledge import NEVER, Knowledge
-from exoid.online.movement.watch import at_rest
+from exoid.online.movement.watch import DEPARTED, at_rest
 
 CAUGHT = 3  # samples in a row that are no leg's
 SHORTEST = 0.4  # s of a movement that counts
@@ -24,20 +24,21 @@ SWUNG = 2  # turns after its end by which a movement was no hand's, but one that
 def ended(belief: Knowledge, torn: Bool[Array, ""]) -> Knowledge:
     """Is the movement over, and did it count?"""
     course = belief.course
-    still, _ = at_rest(belief.recent)
+    still, place = at_rest(belief.recent)
+    gone = still & (jnp.abs(place - belief.hold) > DEPARTED)
     failing = fails(course.whiteness)[1]
     cut = (course.astray >= CAUGHT) | torn
     over = still | failing | cut
-    return where_so(over, lambda now: closed(now, still, failing, cut, torn), belief)
+    return where_so(over, lambda now: closed(now, gone, failing, cut, torn), belief)
 
 
-def closed(belief: Knowledge, still, failing, cut, torn) -> Knowledge:
+def closed(belief: Knowledge, gone, failing, cut, torn) -> Knowledge:
     """The movement is over: the belief with what it told, or without."""
     course, older = belief.course, belief.older
     sound = jnp.where(failing | cut, older.unwhite < SUDDEN, True)
     end = jnp.where(failing | cut, older.time, course.reached)
     swings = jnp.where(failing | cut, older.turns, course.turns) >= SWINGS
-    counts = sound & (end - course.begun > SHORTEST) & (swings | still)
+    counts = sound & (end - course.begun > SHORTEST) & (swings | gone)
     kept = select(failing | cut, older.filters, belief.filters)
     known = select(counts, first_of(kept), belief.before)
     return replace(

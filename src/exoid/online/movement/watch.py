@@ -41,7 +41,7 @@ def watch(belief: Knowledge) -> Knowledge:
     still, place = at_rest(belief.recent)
     waiting = belief.phase == Phase.WAITING
     hold = jnp.where(still, place, belief.hold)
-    away = jnp.abs(latest(belief.recent) - belief.hold) > DEPARTED
+    away = departure(belief.recent, belief.hold) > DEPARTED
     left = waiting & away & ~still
     phase = jnp.where(still, int(Phase.WAITING), belief.phase)
     phase = jnp.where(left, int(Phase.MOVING), phase)
@@ -49,11 +49,11 @@ def watch(belief: Knowledge) -> Knowledge:
     return where_so(left, released, watched)
 
 
-def latest(recent: Recent) -> Float[Array, ""]:
-    """The angle of which the last two samples are beyond: one alone may be a spike."""
+def departure(recent: Recent, hold: Float[Array, ""]) -> Float[Array, ""]:
+    """How far both of the last two samples are from the hold: one alone may be a spike."""
     rows = recent.rows.shape[0]
     two = jnp.stack([recent.rows[(recent.heard - back) % rows, 1] for back in (1, 2)])
-    return jnp.sum(two) / 2
+    return jnp.min(jnp.abs(two - hold))
 
 
 def released(belief: Knowledge) -> Knowledge:
