@@ -17,6 +17,7 @@ from exoid.watching.estimate.unload import Bare, Told, unloaded, unloading
 
 TOLD = 0.5  # of what the prior left open of log J: what leaves more tells no J
 SOUND = (Trust.WAITING, Trust.LEARNING, Trust.GOOD, Trust.ENOUGH)
+FAR = 8.0  # standard deviations: three weights told nine numbers, which are 6 apart once in 10 000
 SETTLING = 1.0  # s after another weight was put on, in which the pause counts as no fault
 
 
@@ -88,6 +89,9 @@ class Leg:
 
     def of_all(self, moment: Moment) -> Moment:
         """What this weight tells at the moment, together with what the others have told."""
+        if moment.trust is Trust.CHANGED:  # what they told was of the leg before
+            self.latest.clear()
+            self.estimators = {self.now: self.estimators[self.now]}
         self.latest[self.now] = moment
         if not self.load.known:
             return moment
@@ -95,19 +99,23 @@ class Leg:
         others = [each for each in moment.others if not each.unit.startswith(SCALED)]
         return replace(
             moment,
-            trust=self.trust(moment),
+            trust=self.trust(moment, bare),
             drops=sum(each.drops for each in self.latest.values()),
             ratios=bare.ratios,
             others=(*absolute_of(bare), *others),
         )
 
-    def trust(self, moment: Moment) -> Trust:
-        """What one weight has made sure of stays so while another one is learned."""
+    def trust(self, moment: Moment, bare: Bare) -> Trust:
+        """What one weight has made sure of stays so while another one is learned; where they
+        contradict each other, no leg is like that.
+        """
         trust = moment.trust
         if trust is Trust.FAULTY and moment.time < self.changed + SETTLING:
             trust = Trust.WAITING
         if trust not in SOUND:
             return trust
+        if bare.apart > FAR:
+            return Trust.UNEXPLAINED
         others = [each.trust for each in self.latest.values() if each.drops and each.trust in SOUND]
         return max([trust, *others])
 
