@@ -16,8 +16,8 @@ RATIOS = ("gravity_over_inertia", "stiffness_over_inertia", "damping_over_inerti
 FRICTION = 0.24  # 1/s^2, of 0.1 N m
 SKIPPED = 0.08  # s after a release that others leave out, too
 OTHERS = {
-    "plain EKF": rivals.extended,
-    "plain UKF": rivals.unscented,
+    "filterpy's EKF": rivals.extended,
+    "filterpy's UKF": rivals.unscented,
     "least squares": rivals.least_squares,
 }
 

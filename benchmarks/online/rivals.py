@@ -1,5 +1,5 @@
-"""What one would take instead: a plain Kalman filter of what is unknown, extended or unscented, and
-recursive least squares on differentiated signals. NumPy alone.
+"""What one would take instead: a plain Kalman filter of what is unknown, extended or unscented, by
+filterpy, and recursive least squares on differentiated signals, by NumPy.
 
 All are told when the leg is free, which the estimator of exoid has to find by itself.
 """
@@ -55,28 +55,51 @@ def shown(rows: np.ndarray) -> np.ndarray:
 
 
 def extended(stretches: list[Stretch]) -> Found:
-    """An extended Kalman filter; derivatives by differences."""
-    return filtered(stretches, linear)
+    """filterpy's extended Kalman filter; derivatives by differences."""
+    from filterpy.kalman import ExtendedKalmanFilter
+
+    own = ExtendedKalmanFilter(dim_x=MEAN.size, dim_z=2)
+    own.predict_x = lambda u=0: setattr(own, "x", once(moved, own.x, own.tick))
+
+    def step(tick: float, seen: np.ndarray) -> None:
+        own.tick, own.F = tick, slope_of(lambda rows: moved(rows, tick), own.x)
+        own.predict()
+        own.update(seen, lambda at: slope_of(shown, at), lambda at: once(shown, at))
+
+    return filtered(own, step, stretches)
 
 
 def unscented(stretches: list[Stretch]) -> Found:
-    """An unscented one, its sigma points close to the mean."""
-    return filtered(stretches, sigma)
+    """filterpy's unscented one, its sigma points close to the mean."""
+    from filterpy.kalman import MerweScaledSigmaPoints, UnscentedKalmanFilter
+
+    points = MerweScaledSigmaPoints(MEAN.size, alpha=SPREAD, beta=2.0, kappa=0.0, sqrt_method=root)
+    own = UnscentedKalmanFilter(
+        MEAN.size,
+        2,
+        dt=0.01,
+        hx=lambda at: once(shown, at),
+        fx=lambda at, dt: once(moved, at, dt),
+        points=points,
+    )
+
+    def step(tick: float, seen: np.ndarray) -> None:
+        own.predict(dt=tick)
+        own.update(seen)
+
+    return filtered(own, step, stretches)
 
 
-def filtered(stretches: list[Stretch], through) -> Found:
-    mean, covariance = MEAN.copy(), np.diag(DEVIATION**2)
+def filtered(own, step, stretches: list[Stretch]) -> Found:
+    """What a filter of filterpy says after all stretches."""
+    own.x, own.P = MEAN.copy(), np.diag(DEVIATION**2)
+    own.Q, own.R = np.diag(ROUGH * (np.arange(MEAN.size) == 1)), np.diag(NOISE)
     for one in stretches:
-        mean, covariance = begun(mean, covariance, one)
-        for angle, rate in zip(one.angle[1:], one.rate[1:], strict=True):
-            mean, covariance, _ = through(lambda at, h=one.tick: moved(at, h), mean, covariance)
-            covariance[1, 1] += ROUGH
-            seen, spread, cross = through(shown, mean, covariance)
-            gain = np.linalg.solve(spread + np.diag(NOISE), cross.T).T
-            mean = mean + gain @ (np.array([angle, rate]) - seen)
-            covariance = covariance - gain @ (spread + np.diag(NOISE)) @ gain.T
-            covariance = (covariance + covariance.T) / 2
-    return Found(mean[RATIOS], np.sqrt(np.maximum(np.diag(covariance)[RATIOS], 0.0)))
+        own.x, own.P = begun(own.x, own.P, one)
+        for seen in np.stack([one.angle[1:], one.rate[1:]], axis=1):
+            step(one.tick, seen)
+            own.P = (own.P + own.P.T) / 2
+    return Found(own.x[RATIOS], np.sqrt(np.maximum(np.diag(own.P)[RATIOS], 0.0)))
 
 
 def begun(mean: np.ndarray, covariance: np.ndarray, one: Stretch):
@@ -88,29 +111,22 @@ def begun(mean: np.ndarray, covariance: np.ndarray, one: Stretch):
     return mean, covariance
 
 
-def linear(function, mean, covariance):
-    """Mean, covariance and covariance with what went in."""
+def once(function, row: np.ndarray, *given: float) -> np.ndarray:
+    """A function of rows (unknown, point), of one row."""
+    return function(row[:, None], *given)[:, 0]
+
+
+def slope_of(function, row: np.ndarray) -> np.ndarray:
     size = 1e-6 * DEVIATION
-    points = mean[:, None] + np.hstack([np.diag(size), -np.diag(size)])
+    points = row[:, None] + np.hstack([np.diag(size), -np.diag(size)])
     each = function(points)
-    slope = (each[:, : mean.size] - each[:, mean.size :]) / (2 * size)
-    return function(mean[:, None])[:, 0], slope @ covariance @ slope.T, covariance @ slope.T
+    return (each[:, : row.size] - each[:, row.size :]) / (2 * size)
 
 
-def sigma(function, mean, covariance):
-    size = mean.size
-    scale = SPREAD**2 * size
-    values, vectors = np.linalg.eigh(covariance)
-    root = vectors * np.sqrt(np.maximum(values, 0.0) * scale)
-    points = mean[:, None] + np.hstack([np.zeros((size, 1)), root, -root])
-    weights = np.full(2 * size + 1, 0.5 / scale)
-    weights[0] = 1 - size / scale
-    each = function(points)
-    centre = each @ weights
-    spread = weights.copy()
-    spread[0] += 3 - SPREAD**2
-    apart, away = each - centre[:, None], points - mean[:, None]
-    return centre, (apart * spread) @ apart.T, (away * spread) @ apart.T
+def root(covariance: np.ndarray) -> np.ndarray:
+    """Upper: rounding may make one negative by a little, which a triangle does not forgive."""
+    values, vectors = np.linalg.eigh((covariance + covariance.T) / 2)
+    return (vectors * np.sqrt(np.maximum(values, 0.0))).T
 
 
 def least_squares(stretches: list[Stretch]) -> Found:

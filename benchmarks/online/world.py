@@ -5,9 +5,10 @@ an encoder of 12 bits with a zero of its own, a gyro with a bias whose sample is
 """
 
 from dataclasses import dataclass, replace
+from math import cos, tanh
 
 import numpy as np
-from scipy.integrate import solve_ivp
+from scipy.integrate import odeint
 
 DEGREE = np.pi / 180
 COUNT, RATE_STEP = 2 * np.pi / 4096, 0.07 * DEGREE  # rad, rad/s: what encoder and gyro tell apart
@@ -79,22 +80,17 @@ def draw_sensors(rng: np.random.Generator) -> Sensors:
 def swing(leg: Leg, start: float, time: np.ndarray, letting_go: float) -> np.ndarray:
     """Angle, rate and acceleration after a hand lets go within so many seconds."""
 
-    def rate(at, state):
+    def rate(state, at):
         angle, speed = state
-        pull = -leg.gravity * np.cos(angle + leg.tilt) - leg.stiffness * angle - leg.damping * speed
+        pull = -leg.gravity * cos(angle + leg.tilt) - leg.stiffness * angle - leg.damping * speed
         if leg.friction:
-            pull = rubbed(leg, pull, speed)
+            pull -= leg.friction * tanh(speed / SHARP)
         return speed, pull * min(at / letting_go, 1.0) if letting_go > 0 else pull
 
-    steps = {"rtol": 1e-8, "atol": 1e-9, "max_step": 0.02}
-    method = "LSODA" if leg.friction else "DOP853"
-    found = solve_ivp(rate, (0.0, time[-1]), (start, 0.0), method, t_eval=time, **steps)
-    turned = np.array([rate(at, state)[1] for at, state in zip(time, found.y.T, strict=True)])
-    return np.stack([*found.y, turned])
-
-
-def rubbed(leg: Leg, pull: float, speed: float) -> float:
-    return pull - leg.friction * np.tanh(speed / SHARP)
+    steps = {"rtol": 1e-9, "atol": 1e-10, "hmax": 0.02, "mxstep": 5000}
+    found = odeint(rate, (start, 0.0), time, **steps)
+    turned = [rate(state, at)[1] for at, state in zip(time.tolist(), found.tolist(), strict=True)]
+    return np.stack([*found.T, turned])
 
 
 def session(
