@@ -84,3 +84,12 @@ def test_a_term_that_the_tool_has_nothing_for_is_refused_by_name(command, saved,
     assert "nothing for hysteresis" in said
     assert "Export --as python" in said
     assert not (tmp_path / "leg.xml").exists()
+
+
+def test_a_fit_of_every_segment_alone_is_refused_with_what_to_do(command, saved, tmp_path):
+    from dataclasses import replace
+
+    result = exoid.load_result(saved / "leg.nc").result
+    exoid.save_result(replace(result, leg=None), tmp_path / "each.nc")
+    arguments = ("export", tmp_path / "each.nc", "--as", "c", "-o", tmp_path / "leg.h")
+    assert "it holds no one model. Fit without --each." in refusal(command(*arguments))

@@ -29,6 +29,7 @@ from exoid.cli.inputs.reading import EXAMPLE
         (["leg.blf", "--body-mass", "7700"], "--body-mass is 7700 kg"),
         (["--channel", "x", "--added-mass-distance", "0.4"], "without --added-mass"),
         (["--channel", "x", "-o", "leg.csv"], "a recording ends in .blf"),
+        (["--channel", "x", "-o", "leg.blf", "--json-lines", "leg.toml"], "or written twice"),
         (["--channel", "x", "--segment"], "the standard input is no terminal"),
         (["--channel", "no-port"], "slcan no-port cannot be opened"),
         (["--channel", "x", "--port", "70000"], "'--port'"),

@@ -121,6 +121,8 @@ def test_what_no_number_rests_on_is_warned_of(fitted):
     (scale,) = exoid.export(unknown, "mjcf").warnings
     assert scale.startswith("nothing told m, J and l: the file holds a leg that moves alike")
     assert "told by nothing" in exoid.export(unknown, "mjcf").text
+    with pytest.raises(ValueError, match="every torque of a C header would be off by one unknown"):
+        exoid.export(unknown, "c")
     (lost,) = exoid.export(replace(fitted, astray="it misses"), "mjcf").warnings
     assert lost.endswith("(it misses): trust no number of it.")
     assert exoid.export(fitted, "mjcf").warnings == ()

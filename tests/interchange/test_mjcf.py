@@ -1,11 +1,13 @@
 """MuJoCo, which has an integrator and contacts of its own, replays what was fitted."""
 
+import re
+
 import jax.numpy as jnp
 import mujoco
 import numpy as np
 import pytest
 from engine import play
-from joints import FLOOR, TERMS, case, of_term, usual, with_sensing
+from joints import FLOOR, TERMS, TIMES, case, of_term, usual, with_sensing
 
 from exoid.interchange.formats.c import c
 from exoid.interchange.formats.mjcf import mjcf
@@ -14,6 +16,7 @@ from exoid.interchange.formats.python import python
 from exoid.interchange.formats.urdf import urdf
 from exoid.interchange.model.joint import Sensing
 from exoid.physics.term import PhysicsTerm
+from exoid.physics.torque import CycleTorque
 
 CLOSE = 0.1 * FLOOR  # rad: a tenth of the noise shows in no recording
 FINER = 16  # parts of a step: at a turn or a stop the fit's own are off by 0.3 floors
@@ -71,6 +74,18 @@ def test_an_end_that_the_motion_never_reached_spoils_nothing_where_it_was(width)
     made = case(TERMS["end_range_stiffening"](*map(jnp.asarray, (13.0, 0.5, 7.0, width))))
     found = play(mjcf(made.joint).text, made.joint.times)
     assert np.abs(found[:, 2] - made.motion(16).angle).max() < CLOSE
+
+
+def test_a_push_is_in_time_though_the_clock_has_run_for_weeks(monkeypatch):
+    began = 2e6  # s
+    later = CycleTorque(*map(jnp.asarray, (-9.5, 1.8, 1 / 1.8, began)))
+    monkeypatch.setattr("joints.TIMES", TIMES + began)
+    monkeypatch.setattr("joints.PUSH", later)
+    made = case(driven=True)
+    found = play(mjcf(made.joint).text, made.joint.times)
+    assert np.abs(found[:, 2] - made.motion().angle).max() < CLOSE
+    ((x, _),) = re.findall("<x>(.*?)</x> (.)", osim(made.joint).text)
+    assert (np.diff([float(each) for each in x.split()]) > 0).all()  # else it is not loaded
 
 
 def test_tissue_without_a_weight_has_no_body():

@@ -78,6 +78,28 @@ def test_another_weight_is_no_fault_and_no_other_leg(told):
     assert trusts <= {Trust.WAITING, Trust.LEARNING, Trust.GOOD, Trust.ENOUGH}
 
 
+def test_what_a_weight_told_of_another_leg_is_forgotten(readings, leg):
+    """The first drop again, a seventh slower: of a leg with three quarters of the ratios."""
+    of_one = until(readings, 57.5)
+    time, angle, rate = np.array([each[:3] for each in until(readings, 12.5)]).T
+    slow = 1.15
+    at = np.arange(time[0], time[-1], 0.01 / slow)
+    columns = (58.0 + slow * at, np.interp(at, time, angle), np.interp(at, time, rate) / slow)
+    of_another = [
+        of_one[0]._replace(time=t, angle=a, angular_velocity=v)
+        for t, a, v in zip(*(each.tolist() for each in columns), strict=True)
+    ]
+    assert moments(leg.take(of_one))[-1].quantities["inertia"].error < 0.02 * 0.42
+    told = list(leg.take(of_another))
+    assert Trust.CHANGED in {each.trust for each in moments(told)}
+    last = moments(told)[-1]
+    assert last.drops == 1
+    assert [each.number for each in drops(told)] == [1]
+    assert "inertia" not in last.quantities
+    gravity = last.quantities["gravity_over_inertia"]
+    assert abs(gravity.value - TRUTH[gravity.name] / slow**2) < LIKELY * gravity.error
+
+
 def test_a_leg_that_never_moves_has_the_errors_of_anatomy(readings, leg):
     still = until(readings, 0.5)
     held = [still[at % 50]._replace(time=0.01 * at) for at in range(1000)]

@@ -30,6 +30,10 @@ UNTOLD = (
     "nothing told {names}: the file holds a leg that moves alike, right but for one factor of all "
     "masses and torques. Give body mass and height, or record a drop with a known mass."
 )
+SIZELESS = (
+    "nothing told m, J and l: every torque of a C header would be off by one unknown factor, "
+    "before a motor and a person. Give body mass and height, or record a drop with a known mass."
+)
 UNSETTLED = (
     "the diagnosis cannot tell what is missing: this is the fit of Eq. 9 alone, which does not "
     "explain all of the recording."
@@ -63,7 +67,8 @@ def export(
     torque, too.
 
     **Raises** `ValueError` where the form has nothing that acts like a term, by its name and with
-    advice; where every segment was fitted alone; for a fit that an older exoid saved.
+    advice; where every segment was fitted alone; for a fit that an older exoid saved; for C where
+    nothing told how large torques are.
 
     >>> found = exoid.export(exoid.fit("drops.csv"), "mjcf")
     >>> found.text.splitlines()[0], found.warnings
@@ -74,6 +79,8 @@ def export(
     if isinstance(found, Saved):
         found = found.diagnosis or found.result
     result = found.fit if isinstance(found, Diagnosis) else found
+    if form == "c" and result.leg is not None and result.parameters["inertia"].value is None:
+        raise ValueError(SIZELESS)
     with jax.enable_x64(True):  # else formulas and memories would lose half of their digits
         joint = gather(result, segment)
         made = FORMATS[form](joint)

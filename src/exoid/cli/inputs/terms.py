@@ -146,7 +146,10 @@ def model_in(saved, path: Path):
     """The same of what was loaded from `path`."""
     found = saved.result.model
     if found is None:
-        raise ValueError(f"{path}: every segment was fitted alone there: it holds no one model.")
+        raise ValueError(
+            f"{path}: every segment was fitted alone there: it holds no one model. Fit without "
+            "--each."
+        )
     return found
 
 

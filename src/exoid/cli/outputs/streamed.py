@@ -13,10 +13,10 @@ def check_files(
     written = [each for each in (output, lines) if each is not None]
     for each in written:
         check_destination(each)
-    check_apart(written, [] if recording is None else [recording])
     if output is not None:
         from exoid.recordings.live.log_file import check_kind
 
         check_kind(output)
         written.append(output.with_suffix(".toml"))
+    check_apart(written, [] if recording is None else [recording])
     check_absent(written, force)

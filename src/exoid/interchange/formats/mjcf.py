@@ -119,7 +119,7 @@ def drive_table(joint: Joint, piece: Piece) -> Iterable[str]:
 
 
 def numbers(values: Iterable[float]) -> str:
-    return " ".join(f"{each:.9g}" for each in values)
+    return " ".join(f"{each:.12g}" for each in values)  # a clock may have run for weeks
 
 
 def sensors(joint: Joint, piece: Piece) -> Iterable[str]:

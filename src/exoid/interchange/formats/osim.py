@@ -137,7 +137,7 @@ def actuator() -> Iterable[str]:
 def controller(joint: Joint) -> Iterable[str]:
     """The torque over time [N m], straight between its numbers."""
     time, torque = drive_over_time(joint, [part.torque for part in joint.parts])
-    rows = (" ".join(f"{value:.9g}" for value in each) for each in (time, torque))
+    rows = (" ".join(f"{value:.12g}" for value in each) for each in (time, torque))
     x, y = rows
     yield '  <ControllerSet name="controllerset"><objects>'
     yield '    <PrescribedController name="driving"> <actuator_list>drive</actuator_list>'

@@ -128,7 +128,7 @@ def body(formulas: Mapping[str, Expression], parts: Iterable[Part] = (), form: s
 def measured(drive: MeasuredTorque) -> str:
     """A torque that was measured, linear between its samples."""
     time, torque = (
-        f"[{', '.join(f'{value:.9g}' for value in np.asarray(each))}]"
+        f"[{', '.join(f'{value:.12g}' for value in np.asarray(each))}]"
         for each in (drive.time, drive.torque)
     )
     return BREAK.join((f"measured_at = {time}  # s", f"torque = {torque}  # N m", INTERPOLATED))

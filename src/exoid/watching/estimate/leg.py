@@ -89,9 +89,8 @@ class Leg:
 
     def of_all(self, moment: Moment) -> Moment:
         """What this weight tells at the moment, together with what the others have told."""
-        if moment.trust is Trust.CHANGED:  # what they told was of the leg before
-            self.latest.clear()
-            self.estimators = {self.now: self.estimators[self.now]}
+        if self.now in self.latest and moment.drops < self.latest[self.now].drops:
+            self.forget_others()
         self.latest[self.now] = moment
         if not self.load.known:
             return moment
@@ -104,6 +103,11 @@ class Leg:
             ratios=bare.ratios,
             others=(*absolute_of(bare), *others),
         )
+
+    def forget_others(self) -> None:
+        """The leg is another one: what other weights have told was of the one before."""
+        self.estimators = {self.now: self.estimators[self.now]}
+        self.latest, self.solved = {}, None
 
     def trust(self, moment: Moment, bare: Bare) -> Trust:
         """What one weight has made sure of stays so while another one is learned; where they
