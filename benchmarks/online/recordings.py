@@ -71,6 +71,8 @@ def batch(recording: Recording) -> Said:
 
 
 def line(name: str, one: Said, other: Said) -> str:
+    if np.isnan(one.values).any():
+        return f"{name:24} | {one.words:22} | {'none':44} | {other.words}"
     apart = (one.values - other.values) / np.hypot(one.errors, other.errors)
     wider = one.errors / other.errors
     each = zip(one.values, one.errors, strict=True)
