@@ -107,7 +107,9 @@ def drawing(board: "Board", name: str) -> Any:
         color = "red"
     lines = [
         Text(visible(board.stream), no_wrap=True, overflow="ellipsis"),
-        Text.assemble((words.doing(board) or " ", "bold"), "   ", words.drops(board)),
+        Text.assemble(
+            (words.doing(board) or " ", "bold"), "   ", words.drops(board), weight(board)
+        ),
         Text(visible(words.trust(board)), style=color, no_wrap=True, overflow="ellipsis"),
         Text(),
         table(board),
@@ -129,6 +131,11 @@ def drawing(board: "Board", name: str) -> Any:
 
 
 WIDTH = 82  # letters, on a terminal that has them
+
+
+def weight(board: "Board") -> str:
+    said = words.weight(board)
+    return f"   {said} (key w)" if said else ""
 
 
 def labelled(label: str, text: str) -> Any:

@@ -21,6 +21,7 @@ def now(board: Board) -> dict[str, Any]:
         "doing": words.doing(board),
         "stream": visible(board.stream),
         "drops": words.drops(board),
+        "weight": words.weight(board),
         "next": raised(visible(words.advice(board))),
         "fit": visible(words.batch(board)),
         "rows": [

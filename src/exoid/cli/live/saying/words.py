@@ -69,6 +69,12 @@ def unexplained(board: "Board") -> bool:
     return board.moment is not None and int(board.moment.trust) == UNEXPLAINED
 
 
+def weight(board: "Board") -> str:
+    """What is on the shank, where that can be told while it is followed."""
+    found = board.weight
+    return "" if found is None else f"{found.words} {'on' if found.on() else 'off'}"
+
+
 def doing(board: "Board") -> str:
     return "" if board.moment is None else DOING[int(board.moment.phase)]
 

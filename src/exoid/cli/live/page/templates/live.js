@@ -109,6 +109,8 @@ function show(board) {
   tell("trust", board.reached ? "enough: the goal is reached" : board.trust, board.reached ? "good" : board.level);
   tell("doing", board.doing || "\u00a0");
   tell("drops", board.drops);
+  at("loaded").hidden = !board.weight || board.ended;
+  tell("weight", board.weight);
   tell("next", board.next || "-");
   tell("fit", board.fit || "-");
   tell("stream", board.stream || "-");
@@ -118,6 +120,7 @@ function show(board) {
   draw();
 }
 
+at("turn").onclick = () => fetch(`weight${location.search}`, { method: "POST" });
 const source = new EventSource(`events${location.search}`);
 source.onopen = () => tell("link", "live", "good");
 source.onerror = () => tell("link", "connection lost; trying again", "bad");
