@@ -15,7 +15,8 @@ from exoid.cli.inputs.reading import EXAMPLE
 from exoid.cli.live.page.access import Access, name_in, token_in
 from exoid.cli.live.page.serve import listening_on, serving
 from exoid.cli.live.page.server import PageServer
-from exoid.watching.board import Board
+from exoid.cli.live.page.state import now
+from exoid.watching.board import Board, Weight
 from exoid.watching.estimate.moment import Moment, Quantity
 
 ADDRESS = re.compile(r"the page: (http://\S+)")
@@ -95,10 +96,40 @@ def test_only_names_of_this_computer_are_answered(address, host, expected):
         assert status(address, "/events", Host=host) == expected
 
 
+def posted(address, path="/weight", **headers) -> int:
+    parts = urlsplit(address)
+    connection = HTTPConnection(parts.hostname, parts.port, timeout=10)
+    connection.request("POST", path, headers=headers)
+    found = connection.getresponse().status
+    connection.close()
+    return found
+
+
+def test_a_weight_is_switched_by_the_page_and_by_no_other_of_the_web(board, address):
+    own = address.rstrip("/")
+    assert posted(address, Origin=own) == 404  # none was declared
+    turned = []
+    board.weight = Weight("1 kg", lambda: len(turned) % 2 == 0, lambda: turned.append(1))
+    assert now(board)["weight"] == "1 kg on"
+    assert posted(address) == 403
+    assert posted(address, Origin="http://another.example") == 403
+    assert posted(address, Origin=own, Host="rebound.example") == 421
+    assert status(address, "/weight") == 405  # a picture's address switches nothing
+    assert turned == []
+    assert posted(address, Origin=own) == 204
+    assert now(board)["weight"] == "1 kg off"
+    with serving(board, "leg", listening_on("0.0.0.0", 0), "0.0.0.0") as shown:
+        other = f"http://127.0.0.1:{urlsplit(shown).port}"
+        token = parse_qs(urlsplit(shown).query)["token"][0]
+        assert posted(other, Origin=other) == 403
+        assert posted(other, f"/weight?token={token}", Origin=other) == 204
+
+
 def test_other_computers_need_the_token_that_was_printed(board):
     with serving(board, "leg", listening_on("0.0.0.0", 0), "0.0.0.0") as shown:
         token = parse_qs(urlsplit(shown).query)["token"][0]
-        address = shown.replace("0.0.0.0", "127.0.0.1")
+        assert urlsplit(shown).hostname not in ("0.0.0.0", None)  # which nobody can open
+        address = f"http://127.0.0.1:{urlsplit(shown).port}/"
         assert len(token) >= 32
         assert status(address) == 403
         assert status(address, "/events") == 403

@@ -156,3 +156,67 @@ def test_a_diagnosis_that_cannot_tell_gives_the_fit_without_terms_and_says_so(fi
     assert said.startswith("the diagnosis cannot tell what is missing: this is the fit of Eq. 9")
     sure = diagnosed("mismatch", replace(fitted, leg=None), fitted)
     assert exoid.export(sure, "python") == exoid.export(fitted, "python")
+
+
+def ratios_in(text: str) -> dict[str, float]:
+    """Every line like `..., c / J = 6.19 ...` of a comment."""
+    found = re.findall(r", (\S.*? / J) = (\S+)", text)
+    return {name: float(value) for name, value in found}
+
+
+@pytest.mark.parametrize("form", ["mjcf", "urdf", "osim", "c"])
+@pytest.mark.parametrize("number", [None, *SEGMENTS])
+def test_the_ratios_in_a_comment_are_those_of_its_own_numbers(fitted, form, number):
+    leg = gather(fitted, number).constants
+    found = ratios_in(exoid.export(fitted, form, segment=number).text)
+    named = {"m l g / J": "gravity", "c / J": "stiffness", "d / J": "damping"}
+    wanted = {symbol: leg[name] / leg["inertia"] for symbol, name in named.items()}
+    assert found == pytest.approx(wanted, rel=1e-5)  # and no mean over several cycles
+
+
+def test_a_term_is_told_over_inertia_too_where_that_is_known_better(fitted):
+    own = fitted.terms["quadratic_drag"]
+    name = "coefficient_over_inertia"
+    told = {**own, name: replace(own[name], value=0.05, standard_error=0.001)}
+    found = replace(fitted, terms={"quadratic_drag": told})
+    assert "b / J = 0.05 ± 0.001 1/rad" in exoid.export(found, "c").text
+    added = fitted.segments[1].conditions.added_inertia
+    share = fitted.leg.inertia / (fitted.leg.inertia + added)
+    loaded = f"b / J = {0.05 * float(share):.6g} 1/rad, with the added mass"
+    assert loaded in exoid.export(found, "c", segment=1).text
+
+
+def test_the_torque_of_gravity_has_an_error_of_its_own(fitted):
+    """m and l are anatomy's, to percents; their product goes with J, which the known mass tells."""
+    text = exoid.export(fitted, "c").text
+    value, error = re.search(
+        r"#define EXOID_LEG_GRAVITY (\S+)f /\* m l g: ± (\S+) N m, ", text
+    ).groups()
+    inertia, ratio = fitted.parameters["inertia"], fitted.ratios["gravity_over_inertia"]
+    share = np.hypot(inertia.standard_error / inertia.value, ratio.standard_error / ratio.value)
+    assert float(error) == pytest.approx(share * float(value), rel=0.06)  # two digits of it
+    mass = fitted.parameters["mass"]
+    assert share < 0.3 * mass.standard_error / mass.value
+    assert "all that is in N m, go with J and share its error" in text
+
+
+def test_the_seat_of_the_recording_is_told_and_can_be_another(fitted):
+    tilted = replace(fitted.segments[0].conditions, thigh_angle=np.radians(15.0))
+    seated = replace(
+        fitted, segments=[replace(fitted.segments[0], conditions=tilted), *fitted.segments[1:]]
+    )
+    assert exoid.export(fitted, "c").warnings == ()
+    for form in ("mjcf", "urdf", "osim", "c", "python"):
+        (said,) = [each for each in exoid.export(seated, form).warnings if "seat" in each]
+        assert said.startswith("it sits as in the recording, the knee 15.0 deg above the hip")
+    assert "#ifndef EXOID_LEG_THIGH_ANGLE\n#define EXOID_LEG_THIGH_ANGLE 0.2617" in (
+        exoid.export(seated, "c").text
+    )
+
+
+def test_what_is_no_format_is_refused_and_what_was_loaded_is_taken(fitted, tmp_path):
+    with pytest.raises(ValueError, match=r"'sdf' is no format .* mjcf, urdf, osim, c, python"):
+        exoid.export(fitted, "sdf")
+    exoid.save_result(fitted, tmp_path / "fit.nc")
+    loaded = exoid.load_result(tmp_path / "fit.nc")
+    assert exoid.export(loaded, "mjcf") == exoid.export(fitted, "mjcf")

@@ -1,6 +1,7 @@
 """OpenSim's expressions, evaluated by hand and, where it is installed, by OpenSim."""
 
 import math
+import re
 import xml.etree.ElementTree as Tree
 from functools import partial
 
@@ -9,7 +10,8 @@ import pytest
 from joints import FLOOR, SEGMENT, TERMS, THIGH, case, of_term, usual
 from scipy.integrate import solve_ivp
 
-from exoid.interchange.formats.osim import osim
+from exoid.interchange.formats.osim import OFF, osim, rubbing
+from exoid.interchange.formula.expression import evaluate
 
 CLOSE = 0.1 * FLOOR
 EXACTLY = {"method": "DOP853", "rtol": 1e-9, "atol": 1e-10, "max_step": 5e-3}
@@ -103,6 +105,18 @@ def test_dry_friction_is_smoothed_and_said_to_be(name):
     assert kept.how == "approximate"
     off = np.abs(swung(found.text, made.joint.times) - made.motion(16).angle).max()
     assert off < 1.5 * FLOOR
+
+
+def test_the_error_of_smoothed_friction_is_told():
+    """What it says of rest is the rate at which it holds with half of its level."""
+    joint = of_term("coulomb_friction").joint
+    (part,) = joint.parts
+    (kept,) = (each for each in osim(joint).kept if "mrad" in each.where)
+    assert f"within {1e3 * OFF:g} mrad while it swings" in kept.where
+    creep = float(re.search(r"by (\S+) mrad/s", kept.where).group(1)) / 1e3
+    held = evaluate(rubbing(part, part.values), {"rate": creep})
+    assert held == pytest.approx(-0.5 * part.values["coulomb_friction_level"], rel=0.01)
+    assert OFF > 1.5 * FLOOR  # as close as the motions above are
 
 
 @pytest.mark.parametrize("name", REMEMBERING)

@@ -11,14 +11,15 @@ from page_cases import made_up
 from rich.console import Console
 from test_fit_json import fitted
 
-from exoid.fitting.result.fit_result import Estimate
+from exoid.fitting.misfit.uncertainty import Shares
+from exoid.fitting.result.fit_result import Estimate, FitResult
 from exoid.mismatch.answer.diagnosis import Booked, Suspect
 from exoid.report.page import build_page
 from exoid.report.sections.parameters import parameters_of
 from exoid.report.tables.compare import ComparedQuantity
 from exoid.report.tables.comparison import quantities
 from exoid.report.tables.diagnosis import suspects
-from exoid.report.tables.leg import parameters, ratios, segments
+from exoid.report.tables.leg import before_and_after, parameters, ratios, segments
 from exoid.report.tables.table import Column, Table, print_table
 from exoid.report.words.typeset import formula, tidy
 
@@ -108,3 +109,24 @@ def test_what_has_no_unit_has_a_blank_in_every_table(unit):
     for table in tables:
         last = printed(table).rstrip().splitlines()[-1].split()
         assert unit not in last, table
+
+
+def test_what_set_a_number_stands_in_80_letters_beside_what_was_found():
+    """Else an error that a prior made would look measured."""
+    by_prior = Shares(0.0, 1.0, 0.0)
+    names = {
+        "gravity_over_inertia": ("m l g / J", "1/s^2"),
+        "coulomb_friction.level_over_inertia": ("F_c / J", "1/s^2"),
+        "stribeck_friction.stribeck_velocity": ("v_s", "rad/s"),
+    }
+    each = {
+        name: Estimate(symbol, name, unit, -27.3264, 0.0083, shares=by_prior)
+        for name, (symbol, unit) in names.items()
+    }
+    made = object.__new__(FitResult)
+    for name, value in (("parameters", each), ("ratios", {}), ("terms", {})):
+        object.__setattr__(made, name, value)
+    for room in (80, 60):
+        said = printed(before_and_after(made, made), room)
+        assert "set by" in said
+        assert said.count("prior") == len(names)

@@ -61,11 +61,13 @@ def test_no_advice_from_before_the_last_drop_is_shown(person, first, monkeypatch
     monkeypatch.setattr("exoid.watching.beside.coach.advise", lambda *given: advised(given[-1]))
     coach = Coach(Wish(person))
     coach.ask(first.beliefs, Mass(), 1.0)
-    coach.wait()
+    while coach.busy:
+        coach.look()
     assert coach.latest == advised(1.0)
     coach.ask(first.beliefs, Mass(), 2.0)
     assert coach.latest is None
-    coach.wait()
+    while coach.busy:
+        coach.look()
     assert coach.latest == advised(2.0)
     coach.close()
 

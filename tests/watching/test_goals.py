@@ -3,7 +3,9 @@
 import pytest
 
 from exoid.online.model.trust import Phase, Trust
+from exoid.physics.anatomy import expected_leg
 from exoid.watching.beside.goals import goal_of, reached
+from exoid.watching.estimate.expect import sizes_of
 from exoid.watching.estimate.moment import Moment, Quantity
 
 NAMES = ("gravity_over_inertia", "inertia")
@@ -42,6 +44,21 @@ def test_a_goal_is_a_share_of_the_value_or_an_error_in_its_unit(said, share):
 def test_what_is_no_goal_is_refused(said, named):
     with pytest.raises(ValueError, match=named):
         goal_of(said, NAMES)
+
+
+@pytest.mark.parametrize(
+    "said", ["inertia=2", "inertia=0.5", "gravity_over_inertia=30", "inertia=120%"]
+)
+def test_an_error_as_large_as_the_quantity_is_no_goal(said):
+    sizes = sizes_of(expected_leg(77.0, 1.80))
+    with pytest.raises(ValueError, match=r"a standard error as large as .* itself is no goal"):
+        goal_of(said, NAMES, sizes)
+    assert str(goal_of("inertia=0.05", NAMES, sizes)) == "inertia=0.05"
+
+
+def test_a_forgotten_percent_sign_is_shown():
+    with pytest.raises(ValueError, match="Write inertia=2% for a share of it"):
+        goal_of("inertia=2", NAMES, sizes_of(expected_leg(77.0, 1.80)))
 
 
 def test_a_goal_is_reached_by_a_drop_that_has_ended():

@@ -2,7 +2,8 @@
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
-from typing import Literal
+from math import degrees
+from typing import Protocol, runtime_checkable
 
 import jax
 
@@ -16,7 +17,6 @@ from exoid.interchange.model.gather import gather
 from exoid.interchange.model.joint import Exported, Joint
 from exoid.mismatch.answer.diagnosis import Diagnosis
 
-Form = Literal["mjcf", "urdf", "osim", "c", "python"]
 FORMATS: dict[str, Callable[[Joint], Exported]] = {
     "mjcf": mjcf,
     "urdf": urdf,
@@ -24,7 +24,7 @@ FORMATS: dict[str, Callable[[Joint], Exported]] = {
     "c": c,
     "python": python,
 }
-
+FORMS = ", ".join(FORMATS)
 
 UNTOLD = (
     "nothing told {names}: the file holds a leg that moves alike, right but for one factor of all "
@@ -38,13 +38,33 @@ UNSETTLED = (
     "the diagnosis cannot tell what is missing: this is the fit of Eq. 9 alone, which does not "
     "explain all of the recording."
 )
+SEATED = (
+    "it sits as in the recording, the knee {angle:.1f} deg above the hip: for another seat change "
+    "the angle of the thigh in the file."
+)
+SEEN = 1.0  # deg that a seat is visibly off the level
 
 
-def export(found: FitResult | Diagnosis, form: Form, *, segment: int | None = None) -> Exported:
-    """The fitted leg with its terms in the words of MuJoCo, URDF, OpenSim, C or Python.
+@runtime_checkable
+class Saved(Protocol):
+    """What `load_result` gave: a fit, and the diagnosis where it is of one."""
 
-    Of a diagnosis it is the model with what was found. The leg is bare and free, and begins as the
-    first segment did; of a `segment`, counted from 0, it has the added mass and the torque, too.
+    @property
+    def result(self) -> FitResult: ...
+
+    @property
+    def diagnosis(self) -> Diagnosis | None: ...
+
+
+def export(
+    found: FitResult | Diagnosis | Saved, form: str, *, segment: int | None = None
+) -> Exported:
+    """The fitted leg with its terms in the words of MuJoCo, URDF, OpenSim, C or Python, as the
+    `form` mjcf, urdf, osim, c or python.
+
+    Of a diagnosis it is the model with what was found. The leg is bare and free, and sits and
+    begins as the first segment did; of a `segment`, counted from 0, it has the added mass and the
+    torque, too.
 
     **Raises** `ValueError` where the form has nothing that acts like a term, by its name and with
     advice; where every segment was fitted alone; for a fit that an older exoid saved; for C where
@@ -54,12 +74,18 @@ def export(found: FitResult | Diagnosis, form: Form, *, segment: int | None = No
     >>> found.text.splitlines()[0], found.warnings
     ('<mujoco model="leg">', ())
     """
+    if form not in FORMATS:
+        raise ValueError(f"{form!r} is no format that a leg is exported to: give one of {FORMS}.")
+    if isinstance(found, Saved):
+        found = found.diagnosis or found.result
     result = found.fit if isinstance(found, Diagnosis) else found
     if form == "c" and result.leg is not None and result.parameters["inertia"].value is None:
         raise ValueError(SIZELESS)
     with jax.enable_x64(True):  # else formulas and memories would lose half of their digits
-        made = FORMATS[form](gather(result, segment))
-    return replace(made, warnings=(*cautions(found, result), *made.warnings))
+        joint = gather(result, segment)
+        made = FORMATS[form](joint)
+    said = *cautions(found, result), *seat(joint)
+    return replace(made, warnings=(*said, *made.warnings))
 
 
 def doubts(found: FitResult | Diagnosis, result: FitResult) -> Iterator[str]:
@@ -75,3 +101,10 @@ def cautions(found: FitResult | Diagnosis, result: FitResult) -> Iterator[str]:
     yield from doubts(found, result)
     if result.parameters["inertia"].value is None:
         yield UNTOLD.format(names="m, J and l")
+
+
+def seat(joint: Joint) -> Iterator[str]:
+    """What a leg on another seat is not moved by."""
+    angle = degrees(joint.thigh_angle)
+    if abs(angle) > SEEN:
+        yield SEATED.format(angle=angle)

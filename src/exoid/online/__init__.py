@@ -15,6 +15,7 @@ from exoid.online.model.unknowns import Unknowns
 from exoid.online.outlook import Outlook
 from exoid.online.program import replay, step
 from exoid.online.readings import Known, estimates
+from exoid.online.samples_of import samples_of
 
 __all__ = [
     "Agreement",
@@ -35,6 +36,7 @@ __all__ = [
     "refine",
     "refined",
     "replay",
+    "samples_of",
     "segment_of",
     "step",
 ]

@@ -14,7 +14,7 @@ from exoid.online.model.model import Goals, Model
 from exoid.online.model.trust import Phase, Trust
 from exoid.online.model.unknowns import AT
 from exoid.online.movement.change import changed, evidence
-from exoid.online.movement.end import SHORTEST, ended, first_of, refuted
+from exoid.online.movement.end import SHORTEST, SWINGS, ended, first_of, refuted
 from exoid.online.movement.follow import follow
 from exoid.online.movement.knowledge import NEVER, Knowledge
 from exoid.online.movement.stream import heard, is_faulty, look
@@ -92,9 +92,9 @@ def outlook(model: Model, belief: Knowledge) -> Outlook:
 
 
 def shown(belief: Knowledge) -> Gaussian:
-    """What all movements told that are no hand's: the present one once it has turned."""
+    """What all movements told that are no hand's: the present one once it swings."""
     course, known = belief.course, first_of(belief.filters)
-    may_be_a_hand = (course.turns == 0) | (course.reached - course.begun < SHORTEST)
+    may_be_a_hand = (course.turns < SWINGS) | (course.reached - course.begun < SHORTEST)
     return select((belief.phase == Phase.MOVING) & may_be_a_hand, belief.before, known)
 
 

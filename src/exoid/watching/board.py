@@ -1,6 +1,6 @@
 """What is shown of a leg that is watched: written by who follows it, read by panel and page."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 from exoid.watching.beside.goals import Goal
@@ -19,6 +19,15 @@ class Ended:
     moment: Moment
 
 
+@dataclass(frozen=True)
+class Weight:
+    """A weight that can be put on and taken off, and what tells that it was."""
+
+    words: str
+    on: Callable[[], bool]
+    turn: Callable[[], None]
+
+
 @dataclass
 class Board:
     """The latest of everything. Each field is replaced as a whole, so that no lock is needed."""
@@ -34,6 +43,7 @@ class Board:
     advice: Advice | None = None
     refined: Refined | None = None
     unrefined: str | None = None  # why no fit was made
+    weight: Weight | None = None
     stream: str = ""  # how the frames come, in words
     silent: float = 0.0  # s since the last sample
     history: list[Moment] = field(default_factory=list)

@@ -14,6 +14,7 @@ from exoid.watching.beside.refinement import Refinement
 from exoid.watching.estimate.expect import expected_of
 from exoid.watching.estimate.leg import Leg, Person
 from exoid.watching.estimate.load import Load
+from exoid.watching.estimate.switch import Switch
 from exoid.watching.follower import Company
 
 
@@ -22,7 +23,7 @@ class Origin:
     """Whose leg, with what on it, how the thigh is inclined [rad]; the terms, and the goals."""
 
     subject: Subject
-    load: Load = field(default_factory=Load)
+    load: Load | Switch = field(default_factory=Load)
     thigh_angle: float = 0.0
     terms: tuple[type[Any], ...] = ()
     goals: Sequence[Goal] = ()

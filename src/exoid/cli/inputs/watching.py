@@ -69,11 +69,14 @@ def goals_asked(until: list[str] | None, terms: tuple[type, ...]) -> tuple[Any, 
         return ()
     from exoid import online
     from exoid.online.readings import units
+    from exoid.recordings.recording import Subject
     from exoid.watching.beside.goals import goal_of
+    from exoid.watching.estimate.expect import expected_of, sizes_of
     from exoid.watching.estimate.known import SENSORS
 
     names = [name for name in units(online.Model(online.Unknowns(terms))) if name not in SENSORS]
-    goals = tuple(goal_of(text, names) for text in until)
+    sizes = sizes_of(expected_of(Subject(kind="leg")))
+    goals = tuple(goal_of(text, names, sizes) for text in until)
     if len({goal.name for goal in goals}) < len(goals):
         raise ValueError("--until names a quantity twice. Say it once, as it is wanted.")
     return goals

@@ -10,7 +10,8 @@ from exoid.cli.live.session import Session
 from exoid.cli.live.viewing import Viewer, viewing
 from exoid.cli.live.wanted import Wanted
 from exoid.cli.live.watched import Watched
-from exoid.cli.terminal.keys import keyboard
+from exoid.cli.live.weighing import KEY, Weighing
+from exoid.cli.terminal.keys import has_keyboard, keyboard
 from exoid.cli.terminal.stopping import stoppable
 from exoid.recordings.live.channel.address import BusAddress
 from exoid.recordings.live.decoding.node_stream import NodeStream
@@ -19,6 +20,7 @@ from exoid.recordings.recording import Subject
 from exoid.watching.board import Board
 from exoid.watching.estimate.expect import is_known
 from exoid.watching.estimate.load import constant_load
+from exoid.watching.estimate.switch import Switch
 from exoid.watching.origin import Origin
 
 
@@ -37,6 +39,7 @@ class Bus:
         stopped: Callable[[], bool],
         *,
         pressed: Callable[[], str] | None,
+        marked: bool,
         duration: float | None,
         refined: bool,
     ) -> Session:
@@ -47,7 +50,10 @@ class Bus:
         watched.stream = NodeStream(self.node or 0)
         watched.known = is_known(origin.subject)
         session = Session(self.log, self.subject, watched, pressed, self.node)
-        session.hear = watched.hear
+        session.hear, session.marking = watched.hear, marked
+        if isinstance(origin.load, Switch):
+            Weighing(origin.load, session, watched)
+            session.screen.tell(f"key {KEY}: the added mass is taken off, or put on. It is on now.")
 
         def ended() -> bool:
             """Where it is kept, a fault of the estimator must not end the recording."""
@@ -77,17 +83,20 @@ def bus_of(
 def run_bus(bus: Bus, wanted: Wanted, *, marked: bool, duration: float | None) -> None:
     """Follow a node until somebody stops it, it has lasted, or the goals are reached."""
     board = Board(wanted.goals)
-    origin = wanted.origin(bus.subject, load=constant_load(bus.subject))
+    load = constant_load(bus.subject)
+    origin = wanted.origin(bus.subject, load=Switch(load.masses[0]) if load.known else load)
+    keys = marked or (load.known and has_keyboard())
     with (
         stoppable() as stopped,
         viewing(board, str(bus.address), wanted.views) as viewer,
-        keyboard(marked) as pressed,
+        keyboard(keys) as pressed,
     ):
         session = bus.follow(
             origin,
             viewer,
             stopped,
-            pressed=pressed if marked else None,
+            pressed=pressed if keys else None,
+            marked=marked,
             duration=duration,
             refined=wanted.refine is not False,
         )

@@ -86,12 +86,14 @@ def load_of(recording: Recording, factor: float) -> Load:
     """What is on the shank from when on: a mass is changed midway between two movements. Marks were
     put on the computer's clock, on which the node's seconds are `factor` long.
     """
-    subject = recording.subject
-    if not any(numbers(subject.added_mass)):
+    subject, many = recording.subject, len(recording.segments) > 1
+    if not any(numbers(subject.added_mass)) and not many:
         return Load()
     spans = spans_of(recording)
     masses = [mass_in(recording, number) for number in range(len(spans))]
     between = [(end + start) / 2 for (_, end), (start, _) in pairwise(spans)]
+    if many:
+        return Load((0.0, *between), tuple(masses), tuple(begin for begin, _ in spans[1:]))
     return Load(tuple(each / factor for each in (0.0, *between)), tuple(masses))
 
 

@@ -107,7 +107,9 @@ def drawing(board: "Board", name: str) -> Any:
         color = "red"
     lines = [
         Text(visible(board.stream), no_wrap=True, overflow="ellipsis"),
-        Text.assemble((words.doing(board) or " ", "bold"), "   ", words.drops(board)),
+        Text.assemble(
+            (words.doing(board) or " ", "bold"), "   ", words.drops(board), weight(board)
+        ),
         Text(visible(words.trust(board)), style=color, no_wrap=True, overflow="ellipsis"),
         Text(),
         table(board),
@@ -131,6 +133,11 @@ def drawing(board: "Board", name: str) -> Any:
 WIDTH = 82  # letters, on a terminal that has them
 
 
+def weight(board: "Board") -> str:
+    said = words.weight(board)
+    return f"   {said} (key w)" if said else ""
+
+
 def labelled(label: str, text: str) -> Any:
     from rich.text import Text
 
@@ -151,12 +158,15 @@ def table(board: "Board") -> Any:
     shown.add_column("unit", min_width=8, no_wrap=True)
     shown.add_column("of it", justify="right", min_width=8, no_wrap=True)
     shown.add_column("goal" if board.goals else "", min_width=BAR + 6, no_wrap=True)
-    found = words.quantities(board)[:ROWS]
+    missing = words.missing_goals(board)[:ROWS]
+    found = words.quantities(board)[: ROWS - len(missing)]
     for each in found:
         value, error = words.rounded(each.value, each.error)
         share = f"{100 * each.error / abs(each.value):.2g} %" if each.value else ""
         shown.add_row(words.title(each.name), value, error, each.unit, share, bar(board, each.name))
-    for _ in range(ROWS - len(found)):
+    for goal in missing:
+        shown.add_row(words.title(goal.name), "-", "-", "", "", bar(board, goal.name))
+    for _ in range(ROWS - len(found) - len(missing)):
         shown.add_row("", "", "", "", "", "")
     return shown
 
@@ -166,4 +176,4 @@ def bar(board: "Board", name: str) -> str:
     if reached is None:
         return ""
     full = int(BAR * reached)
-    return f"{'━' * full}{'╌' * (BAR - full)} {100 * reached:3.0f} %"
+    return f"{'━' * full}{'╌' * (BAR - full)} {words.wanted(board, name)}"

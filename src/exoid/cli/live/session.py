@@ -2,6 +2,7 @@
 
 import time
 from collections.abc import Callable
+from dataclasses import replace
 from math import degrees, inf
 from pathlib import Path
 from typing import Protocol
@@ -48,6 +49,9 @@ class Session:
     ):
         self.log, self.subject, self.screen, self.pressed = log, subject, screen, pressed
         self.hear: Callable[[can.Message], None] = lambda message: None
+        self.marking = True  # do keys mark segments?
+        self.keys: dict[str, Callable[[], None]] = {}  # and what do others do?
+        self.added: Callable[[float], Subject] = lambda begin: subject  # with what was on it then
         self.watch = Watch(screen.tell, config_crc(), node)
         self.marks = Marks()
         self.described: bytes | None = None  # what the sidecar says, as it was written
@@ -63,7 +67,7 @@ class Session:
         self.bus = LiveBus(address, self.screen.tell)
         doing = "following" if isinstance(self.log, Unkept) else "recording"
         self.screen.tell(f"{doing} {address} at {address.bitrate} bit/s. Ctrl-C ends it.")
-        if self.pressed is not None:
+        if self.pressed is not None and self.marking:
             self.screen.tell(HELP)
         begin = time.monotonic()
 
@@ -90,11 +94,11 @@ class Session:
             self.described = b""
             self.describe()
         for key in self.pressed() if self.pressed is not None else "":
-            self.mark(key)
+            self.keys.get(key, lambda key=key: self.mark(key))()
         self.screen.show(f"{live_line(self.watch.status(self.bus.bad))}{self.open_segment()}")
 
     def mark(self, key: str) -> None:
-        if key not in {*KEYS, END}:
+        if not self.marking or key not in {*KEYS, END}:
             return
         if not self.log.frames:
             self.screen.tell(
@@ -121,10 +125,23 @@ class Session:
                 f"recording goes to {self.sidecar}: bring the two together before a fit."
             )
         try:
-            write_sidecar(self.subject, self.marks.protocol(), Sensors(), self.sidecar)
+            write_sidecar(self.loaded(), self.marks.protocol(), Sensors(), self.sidecar)
             self.described = self.sidecar.read_bytes()
         except (OSError, ValueError) as fault:
             self.screen.tell(f"the sidecar cannot be written: {one_line(fault)}")
+
+    def loaded(self) -> Subject:
+        """With what was on the shank in each segment."""
+        each = [self.added(begin) for _, begin, _ in self.marks.closed] or [self.added(inf)]
+        if all(one == each[0] for one in each):
+            return each[0]
+        return replace(
+            self.subject,
+            added_mass=tuple(one.added_mass or 0.0 for one in each),
+            added_mass_distance=None
+            if self.subject.added_mass_distance is None
+            else tuple(one.added_mass_distance or 0.0 for one in each),
+        )
 
     def is_of_another(self) -> bool:
         """Is there a sidecar that this recording has not written, and was not told to replace?"""

@@ -2,6 +2,7 @@
 
 import time
 from collections.abc import Callable, Sequence
+from math import inf
 from typing import TYPE_CHECKING
 
 from exoid.cli.live.panel import Panel
@@ -36,6 +37,7 @@ class Watched:
         self.stream: NodeStream | None = None
         self.known = True  # whose leg it is
         self.given = time.monotonic()
+        self.heard = -inf  # s, of the last sample, by the node's clock
         self.told: set[str] = set()
         self.follower = Follower(make, self.board, sinks, most)
 
@@ -49,7 +51,7 @@ class Watched:
 
     def give(self, readings: list[Reading]) -> None:
         if readings:
-            self.given = time.monotonic()
+            self.given, self.heard = time.monotonic(), readings[-1].time
             self.follower.give(readings)
 
     def tell(self, sentence: str) -> None:

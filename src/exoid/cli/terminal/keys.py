@@ -21,6 +21,10 @@ def check_keyboard() -> None:
         )
 
 
+def has_keyboard() -> bool:
+    return find_spec("termios") is not None and sys.stdin.isatty()
+
+
 @contextmanager
 def keyboard(wanted: bool) -> Iterator[Callable[[], str]]:
     """A function that gives the keys pressed since its last call; the terminal echoes none."""

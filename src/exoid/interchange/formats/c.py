@@ -46,6 +46,7 @@ def c(joint: Joint) -> Exported:
     return Exported(
         FRAME.format(
             described="\n".join(commented(joint)),
+            thigh_angle=single(joint.thigh_angle),
             torque_limit=single(TORQUE_LIMIT),
             rate_limit=single(RATE_LIMIT),
             constants="\n".join(constants(joint, acting)),
@@ -124,13 +125,11 @@ def memory_of(parts: Iterable[Part]) -> dict[str, Expression]:
 
 def constants(joint: Joint, acting: Iterable[Part]) -> Iterable[str]:
     """Every number with its error and origin."""
-    for each in (*joint.numbers, *(one for part in acting for one in part.numbers)):
+    own = (one for part in acting for one in part.numbers)
+    for each in (*joint.numbers, joint.gravity, *own):
         said = in_c_comment(f"{each.symbol}: {each.origin}")
         yield f"#define {in_c(each.name)} {single(each.value)} /* {said} */"
-    gravity = joint.value["gravity"]
-    yield f"#define {in_c('gravity')} {single(gravity)} /* m l g: N m */"
     yield f"#define {in_c('number')} {single(float(joint.number))} /* of the segment, from 0 */"
-    yield f"#define {in_c('thigh_angle')} {single(joint.thigh_angle)} /* rad */"
 
 
 def body(root: Expression, taken: Iterable[str] = ()) -> str:

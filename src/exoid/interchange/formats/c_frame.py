@@ -26,6 +26,9 @@ FRAME = """/*
 #ifndef EXOID_LEG_STILL
 #define EXOID_LEG_STILL 0.02f /* rad/s: slower than this no way is known, and friction is 0 */
 #endif
+#ifndef EXOID_LEG_THIGH_ANGLE
+#define EXOID_LEG_THIGH_ANGLE {thigh_angle} /* rad, the knee above the hip, as recorded */
+#endif
 
 {constants}
 

@@ -14,6 +14,12 @@ from exoid.interchange.model.joint import Exported, Joint, Kept, Part
 from exoid.physics.leg import GRAVITY
 
 SMOOTH = 0.01  # rad/s, within which a smoothed friction turns round
+OFF = 2e-3  # rad, at most, while a leg swings: 1.6e-3 of levels from 0.05 to 1.5 N m
+CREEP = 0.0055  # rad/s, of a leg at rest where half of the level pulls: SMOOTH artanh(1/2)
+CREEPING = (
+    f"smooth below {SMOOTH:g} rad/s: within {1e3 * OFF:g} mrad while it swings; at rest it creeps, "
+    f"by {1e3 * CREEP:g} mrad/s where half of its level pulls"
+)
 COORDINATE = "<coordinate>knee_angle</coordinate>"
 
 
@@ -156,8 +162,7 @@ def keeping(joint: Joint, forces: Mapping[str, Expression]) -> Iterable[Kept]:
         if part.name in forces:
             yield Kept(part.name, "exact", f'expression force "{part.name}"')
         if f"{part.name}_smoothed" in forces:
-            where = f'force "{part.name}_smoothed": smooth below {SMOOTH:g} rad/s, creeps at rest'
-            yield Kept(part.name, "approximate", where)
+            yield Kept(part.name, "approximate", f'force "{part.name}_smoothed": {CREEPING}')
         if part.pushes and joint.driven and "time" in part.torque.symbols:
             yield Kept(part.name, "exact", 'in the torque of "drive"')
         if not part.pushes:

@@ -83,7 +83,7 @@ def explained(part: Part) -> str:
 def constants(joint: Joint) -> Iterable[str]:
     """Every number with its error and origin."""
     yield from map(assigned, joint.numbers)
-    yield "GRAVITY = MASS * COM_DISTANCE * 9.81  # m l g [N m]"
+    yield f"GRAVITY = MASS * COM_DISTANCE * 9.81  # m l g: {joint.gravity.origin}"
     for each in ("GRAVITY", "STIFFNESS", "DAMPING"):
         yield f"{each}_OVER_INERTIA = {each} / INERTIA"
     yield f"THIGH_ANGLE = {joint.thigh_angle!r}  # rad, the knee above the hip"

@@ -18,7 +18,11 @@ def described(joint: Joint) -> Iterable[str]:
     yield from joint.title
     yield from CONVENTION
     yield ""
-    for each in (*joint.numbers, *joint.ratios, *joint.drive_numbers):
+    for each in (*joint.numbers, joint.gravity, *joint.drive_numbers):
+        yield each.words
+    if joint.ratios:
+        yield "J, and all that is in N m, go with J and share its error; these do not:"
+    for each in joint.ratios:
         yield each.words
     yield f"angle of the thigh, the knee above the hip = {joint.thigh_angle:.6g} rad"
     for part in joint.parts:

@@ -11,7 +11,13 @@ from exoid.fitting.result.conditions import Conditions
 from exoid.fitting.result.fit_result import FitResult, SegmentFit
 from exoid.interchange.model.formulas import part_of
 from exoid.interchange.model.joint import Joint, Sensing
-from exoid.interchange.model.numbers import drive_numbers, leg_numbers, number_of, term_numbers
+from exoid.interchange.model.numbers import (
+    drive_numbers,
+    gravity_share,
+    leg_numbers,
+    ratio_numbers,
+    term_numbers,
+)
 from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.moment import SegmentConstants
 from exoid.physics.motion.after_release import after_release
@@ -43,7 +49,7 @@ def gather(result: FitResult, segment: int | None) -> Joint:
     return Joint(
         title=titled(result, each, begun, whole),
         numbers=tuple(leg_numbers(result, leg)),
-        ratios=tuple(number_of(name, one) for name, one in result.ratios.items() if one.value),
+        ratios=tuple(ratio_numbers(result, leg)),
         thigh_angle=begun.thigh_angle,
         parts=tuple(
             part_of(term, term_numbers(term, result), memory)
@@ -59,6 +65,7 @@ def gather(result: FitResult, segment: int | None) -> Joint:
         sensing=sensing(each, begun),
         reach=reach(result),
         astray=result.astray,
+        gravity_share=gravity_share(result),
     )
 
 

@@ -99,7 +99,7 @@ class Joint:
 
     title: tuple[str, ...]  # what was exported, in lines
     numbers: tuple[Number, ...]  # m, J, l, d, c of what turns
-    ratios: tuple[Number, ...]  # that motion alone tells
+    ratios: tuple[Number, ...]  # that motion alone tells, the terms' among them
     thigh_angle: float  # rad
     parts: tuple[Part, ...]
     angle: float  # rad, where it begins
@@ -112,6 +112,15 @@ class Joint:
     sensing: Sensing
     reach: tuple[float, float] = (-2.0, 0.0)  # rad, between which the fitted motion went
     astray: str | None = None
+    gravity_share: float | None = None  # error of m l g, of it
+
+    @property
+    def gravity(self) -> Number:
+        """m l g, known better than m and l."""
+        value, share = self.value["gravity"], self.gravity_share
+        by = next(each.by for each in self.numbers if each.name == "inertia")
+        error = None if share is None else share * abs(value)
+        return Number("gravity", "torque of gravity", "m l g", "N m", value, error, by)
 
     @property
     def value(self) -> Mapping[str, float]:

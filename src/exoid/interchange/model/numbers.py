@@ -1,7 +1,8 @@
 """The numbers of a model with what a fit says of them."""
 
 from collections.abc import Iterable
-from dataclasses import fields
+from dataclasses import fields, replace
+from math import hypot
 
 from exoid.fitting.result.fit_result import Estimate, FitResult, SegmentFit
 from exoid.interchange.model.called import called
@@ -11,6 +12,7 @@ from exoid.physics.parameter import declarations
 from exoid.physics.term import Term, name_of
 from exoid.physics.torque import CycleTorque, Torque
 
+LEG_RATIOS = ("gravity_over_inertia", "stiffness_over_inertia", "damping_over_inertia")
 DRIVE = ("amplitude", "period", "frequency", "onset")
 
 
@@ -23,9 +25,51 @@ def number_of(name: str, each: Estimate, value: float | None = None) -> Number:
 
 
 def leg_numbers(result: FitResult, leg: LegParameters) -> Iterable[Number]:
+    """With a mass on it J is known to the same share: what tells J is the weight of that mass."""
     for each in fields(leg):
         value = float(getattr(leg, each.name))
-        yield number_of(each.name, result.parameters[each.name], value)
+        found = number_of(each.name, result.parameters[each.name], value)
+        if each.name == "inertia" and found.error is not None:
+            assert result.leg is not None
+            found = replace(found, error=found.error * value / float(result.leg.inertia))
+        yield found
+
+
+def gravity_share(result: FitResult) -> float | None:
+    """Of m l g = (m l g / J) J, whose factors are told by different things."""
+    each = result.ratios.get("gravity_over_inertia"), result.parameters["inertia"]
+    shares = [
+        one.standard_error / abs(one.value)
+        for one in each
+        if one and one.value and one.standard_error
+    ]
+    return hypot(*shares) if len(shares) == len(each) else None
+
+
+def ratio_numbers(result: FitResult, leg: LegParameters) -> Iterable[Number]:
+    """What motion alone tells of this leg and its terms. With a mass on it the ratios are others,
+    of which the fit tells no error.
+    """
+    assert result.leg is not None
+    loaded = float(leg.inertia) / float(result.leg.inertia)
+    moment = float(leg.mass * leg.com_distance) / float(result.leg.mass * result.leg.com_distance)
+    for name in LEG_RATIOS:
+        each = result.ratios.get(name)
+        if each is not None and each.value:
+            times = (moment if name == LEG_RATIOS[0] else 1.0) / loaded
+            yield as_loaded(number_of(name, each), times)
+    for term, own in result.terms.items():
+        for name, each in own.items():
+            over = name.endswith("_over_inertia")
+            if each.value and (over or name.endswith("_times_inertia")):
+                number = number_of(f"{term}_{name}", each)
+                yield as_loaded(number, 1 / loaded if over else loaded)
+
+
+def as_loaded(each: Number, times: float) -> Number:
+    if times == 1.0:
+        return each
+    return replace(each, value=times * each.value, error=None, by="with the added mass")
 
 
 def term_numbers(term: Term, result: FitResult) -> tuple[Number, ...]:

@@ -14,6 +14,7 @@ from exoid.online.filter.pack import where_so
 from exoid.online.filter.read_out import on_the_seat, ratios
 from exoid.online.filter.whiteness import fails
 from exoid.online.model.model import Model
+from exoid.online.movement.end import SWINGS
 from exoid.online.movement.knowledge import Knowledge
 
 EVIDENCE = 12.0  # of the logarithm: one in 160 000 if both were as likely
@@ -31,7 +32,7 @@ def changed(model: Model, belief: Knowledge) -> Knowledge:
     """The belief, begun anew where the leg is another one."""
     course = belief.course
     sure = (evidence(belief) > EVIDENCE) & ~fails(course.whiteness)[1] & (belief.verdict.drops > 0)
-    long = (course.reached - course.begun > LONG_ENOUGH) & (course.turns > 0)
+    long = (course.reached - course.begun > LONG_ENOUGH) & (belief.older.turns >= SWINGS)
     found = sure & long & (belief.older.unwhite < WHITE)
 
     def looked_at(belief: Knowledge) -> Knowledge:

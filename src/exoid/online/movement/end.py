@@ -16,6 +16,7 @@ from exoid.online.movement.watch import DEPARTED, at_rest
 
 CAUGHT = 3  # samples in a row that are no leg's
 SHORTEST = 0.4  # s of a movement that counts
+SWINGS = 2  # turns of a leg that a hand or a muscle may not have led: those go there and back
 SUDDEN = 3.5  # standard deviations: what was white until just now fails for a hand, not for a model
 SWUNG = 2  # turns after its end by which a movement was no hand's, but one that nobody explained
 
@@ -36,7 +37,8 @@ def closed(belief: Knowledge, gone, failing, cut, torn) -> Knowledge:
     course, older = belief.course, belief.older
     sound = jnp.where(failing | cut, older.unwhite < SUDDEN, True)
     end = jnp.where(failing | cut, older.time, course.reached)
-    counts = sound & (end - course.begun > SHORTEST) & ((course.turns > 0) | gone)
+    swings = jnp.where(failing | cut, older.turns, course.turns) >= SWINGS
+    counts = sound & (end - course.begun > SHORTEST) & (swings | gone)
     kept = select(failing | cut, older.filters, belief.filters)
     known = select(counts, first_of(kept), belief.before)
     return replace(

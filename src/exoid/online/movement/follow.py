@@ -119,7 +119,7 @@ def surprised(course: Course, innovation: Innovation, row: Float[Array, " 6"]) -
 def remembered(belief: Knowledge, begins: Bool[Array, ""]) -> Knowledge:
     """With the filters kept as they are now, from time to time."""
     course = belief.course
-    now = Kept(belief.filters, course.reached, unwhite(course.whiteness)[1])
+    now = Kept(belief.filters, course.reached, unwhite(course.whiteness)[1], course.turns)
     due = begins | (course.reached - belief.newer.time >= KEPT)
     return replace(
         belief,

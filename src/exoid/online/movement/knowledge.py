@@ -32,6 +32,7 @@ class Kept(eqx.Module):
     filters: Gaussian
     time: Float[Any, ""]  # s
     unwhite: Float[Any, ""]  # of the second's innovations until then, in standard deviations
+    turns: Int[Any, ""]
 
 
 class Course(eqx.Module):

@@ -79,12 +79,13 @@ def before_and_after(before: FitResult, after: FitResult) -> Table:
     old, new = quantities(before), quantities(after)
     each = [in_print(one) for one in new.values()]
     alone = [written(in_print(old[name])) if name in old else "" for name in new]
+    named, symbols = [quantity_words(name) for name in new], [one.symbol for one in each]
     columns = {
-        "quantity": [quantity_words(name) for name in new],
-        "symbol": Column([one.symbol for one in each], symbols=True, only="page"),
+        "quantity": Column(named, spare=2, brief=symbols),
+        "symbol": Column(symbols, symbols=True, only="page"),
         "with it": quantities_of(each),
-        "Eq. 9 alone": Column(alone, on_page=behind(alone, each)),
-        "set by": Column([one.set_by or "" for one in each], spare=1),
+        "Eq. 9 alone": Column(alone, on_page=behind(alone, each), spare=1),
+        "set by": [one.set_by or "" for one in each],
     }
     return Table("The leg with what was found", columns, "The leg, with what was found")
 

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.physics.anatomy.expected import ExpectedLeg
+from exoid.physics.leg import GRAVITY
 from exoid.recordings.recording import Subject
 
 ADULT = 72.0, 1.72  # kg, m
@@ -32,6 +33,18 @@ def said_of(subject: Subject) -> ExpectedLeg | None:
     from exoid.fitting.model.prior_and_limits import expectation
 
     return expectation(subject, "auto")[0]
+
+
+def sizes_of(expected: ExpectedLeg) -> dict[str, float]:
+    """About how large the leg's quantities are, by name."""
+    inertia = expected.inertia.value
+    own = {
+        "gravity": expected.mass.value * expected.com_distance.value * GRAVITY,
+        "stiffness": expected.stiffness.value,
+        "damping": expected.damping.value,
+    }
+    ratios = {f"{name}_over_inertia": value / inertia for name, value in own.items()}
+    return {"inertia": inertia, **own, **ratios}
 
 
 def check_subject(subject: Subject) -> None:

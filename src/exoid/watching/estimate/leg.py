@@ -13,11 +13,13 @@ from exoid.watching.estimate.known import ABSOLUTE, RATIOS, SCALED
 from exoid.watching.estimate.load import Load, Mass, expected_with
 from exoid.watching.estimate.moment import Moment, Quantity
 from exoid.watching.estimate.online import Belief
+from exoid.watching.estimate.switch import Switch
 from exoid.watching.estimate.unload import Bare, Told, unloaded, unloading
 
 TOLD = 0.5  # of what the prior left open of log J: what leaves more tells no J
 SOUND = (Trust.WAITING, Trust.LEARNING, Trust.GOOD, Trust.ENOUGH)
-SETTLING = 1.0  # s after another weight was put on, in which the pause counts as no fault
+FAR = 8.0  # standard deviations: three weights told nine numbers, which are 6 apart once in 10 000
+SETTLING = 1.0  # s after a pause, or another weight, in which the gap counts as no fault
 
 
 @dataclass(frozen=True)
@@ -43,11 +45,11 @@ class LegDrop:
 class Leg:
     """Takes samples, and says of the bare leg what all weights told."""
 
-    def __init__(self, person: Person, load: Load):
+    def __init__(self, person: Person, load: Load | Switch):
         self.person, self.load = person, load
         self.estimators: dict[Mass, Estimator] = {}
         self.now = load.at(0.0)
-        self.changed = float("-inf")  # s, when another weight was put on
+        self.said = Trust.WAITING  # before the last pause
         self.before = unloading(person.expected, person.subject, list(load.masses))
         self.latest: dict[Mass, Moment] = {}  # of each weight, its last one
         self.solved: tuple[dict[Mass, Told], Bare] | None = None  # what they told, and the bare leg
@@ -74,17 +76,26 @@ class Leg:
             mass = self.load.at(each.time)
             if mass != self.now:
                 yield from self.taken(readings[begin:at])
-                begin, self.now, self.changed = at, mass, each.time
+                begin, self.now = at, mass
         yield from self.taken(readings[begin:])
 
     def taken(self, readings: Sequence[Reading]) -> Iterator[Moment | LegDrop]:
         estimator = self.estimator_of(self.now)
         for news in estimator.take(readings):
-            moment = self.of_all(news if isinstance(news, Moment) else news.moment)
+            moment = self.settled(news if isinstance(news, Moment) else news.moment)
+            moment = self.of_all(moment)
             if isinstance(news, Drop):
                 yield LegDrop(moment.drops, news.segment, self.now, moment, self.beliefs)
             else:
                 yield moment
+
+    def settled(self, moment: Moment) -> Moment:
+        """A pause that was foreseen is no fault of the stream: what was said before still holds."""
+        paused = moment.time < self.load.paused(moment.time) + SETTLING
+        if moment.trust is Trust.FAULTY and paused:
+            return replace(moment, trust=self.said)
+        self.said = moment.trust
+        return moment
 
     def of_all(self, moment: Moment) -> Moment:
         """What this weight tells at the moment, together with what the others have told."""
@@ -97,7 +108,7 @@ class Leg:
         others = [each for each in moment.others if not each.unit.startswith(SCALED)]
         return replace(
             moment,
-            trust=self.trust(moment),
+            trust=self.trust(moment, bare),
             drops=sum(each.drops for each in self.latest.values()),
             ratios=bare.ratios,
             others=(*absolute_of(bare), *others),
@@ -108,13 +119,15 @@ class Leg:
         self.estimators = {self.now: self.estimators[self.now]}
         self.latest, self.solved = {}, None
 
-    def trust(self, moment: Moment) -> Trust:
-        """What one weight has made sure of stays so while another one is learned."""
+    def trust(self, moment: Moment, bare: Bare) -> Trust:
+        """What one weight has made sure of stays so while another one is learned; where they
+        contradict each other, no leg is like that.
+        """
         trust = moment.trust
-        if trust is Trust.FAULTY and moment.time < self.changed + SETTLING:
-            trust = Trust.WAITING
         if trust not in SOUND:
             return trust
+        if bare.apart > FAR:
+            return Trust.UNEXPLAINED
         others = [each.trust for each in self.latest.values() if each.drops and each.trust in SOUND]
         return max([trust, *others])
 

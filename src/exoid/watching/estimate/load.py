@@ -2,6 +2,7 @@
 
 from bisect import bisect_right
 from dataclasses import dataclass, replace
+from math import inf
 
 from exoid.fitting.model.systematics import SOMEWHERE
 from exoid.physics.anatomy.expected import Expected, ExpectedLeg
@@ -30,9 +31,15 @@ class Load:
 
     begins: tuple[float, ...] = (0.0,)
     masses: tuple[Mass, ...] = (BARE,)
+    pauses: tuple[float, ...] = ()  # s, after which a gap in the stream is no fault
 
     def at(self, time: float) -> Mass:
         return self.masses[max(0, bisect_right(self.begins, time) - 1)]
+
+    def paused(self, time: float) -> float:
+        """When the last pause, or the last change of the mass, was [s]."""
+        every = sorted((*self.pauses, *self.begins[1:]))
+        return every[bisect_right(every, time) - 1] if every and time >= every[0] else -inf
 
     @property
     def known(self) -> bool:

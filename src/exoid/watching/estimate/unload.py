@@ -51,6 +51,7 @@ class Bare:
     absolute: tuple[Quantity, ...]
     narrowed: float  # error of log J over that a priori
     row: Row
+    apart: float  # standard deviations, by which anatomy and what the weights told contradict
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,7 +114,8 @@ def unloaded(before: Unloading, told: Mapping[Mass, Told], near: Row | None = No
         row = row + step
         if np.max(np.abs(step) / before.deviation) < SETTLED:
             break
-    return read(row, np.linalg.inv(slopes.T @ slopes), before)
+    apart = float(np.linalg.norm(residual(before, told, row)[0]))
+    return read(row, np.linalg.inv(slopes.T @ slopes), before, apart)
 
 
 def residual(
@@ -150,7 +152,7 @@ def with_mass(row: Row, mass: Mass) -> tuple[Float[np.ndarray, "4"], Float[np.nd
     return np.append(own, loaded), np.concatenate([slopes, of_loaded[None]])
 
 
-def read(row: Row, covariance: np.ndarray, before: Unloading) -> Bare:
+def read(row: Row, covariance: np.ndarray, before: Unloading, apart: float) -> Bare:
     """The row in the numbers that people read."""
     errors = np.sqrt(np.diag(covariance))
     inertia = exp(row[0])
@@ -162,4 +164,5 @@ def read(row: Row, covariance: np.ndarray, before: Unloading) -> Bare:
         slope[0], slope[at] = value, inertia
         absolute.append(Quantity(name, value, float(np.sqrt(slope @ covariance @ slope)), unit))
     narrowed = float(errors[0] / before.deviation[0]) if before.deviation[0] > 0 else inf
-    return Bare(tuple(Quantity(*each) for each in ratios), tuple(absolute), narrowed, row)
+    told = tuple(Quantity(*each) for each in ratios)
+    return Bare(told, tuple(absolute), narrowed, row, apart)

@@ -2,11 +2,24 @@
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from socket import SO_REUSEADDR, SOCK_STREAM, SOL_SOCKET, gaierror, getaddrinfo, socket
+from socket import (
+    AF_INET,
+    SO_REUSEADDR,
+    SOCK_DGRAM,
+    SOCK_STREAM,
+    SOL_SOCKET,
+    gaierror,
+    getaddrinfo,
+    gethostname,
+    socket,
+)
 
 from exoid.cli.live.page.access import access_to
 from exoid.files.extras import require
 from exoid.watching.board import Board
+
+EVERYWHERE = ("0.0.0.0", "::")  # what listens on every address has none to be opened
+ELSEWHERE = ("192.0.2.1", 9)  # an address for examples (RFC 5737), behind whatever leads outside
 
 
 def check_server() -> None:
@@ -40,6 +53,16 @@ def bound(made: socket, address) -> socket:
     return made
 
 
+def own_address() -> str:
+    """By which others can reach this computer; connecting so sends nothing."""
+    with socket(AF_INET, SOCK_DGRAM) as made:
+        try:
+            made.connect(ELSEWHERE)
+            return made.getsockname()[0]
+        except OSError:  # it is in no network
+            return gethostname()
+
+
 @contextmanager
 def serving(board: Board, name: str, made: socket, host: str) -> Iterator[str]:
     """The page's address, as long as it is there."""
@@ -47,7 +70,8 @@ def serving(board: Board, name: str, made: socket, host: str) -> Iterator[str]:
 
     access = access_to(host)
     server = PageServer(board, name, access, made)
-    shown = f"[{host}]" if ":" in host else host
+    name = own_address() if host in EVERYWHERE else host
+    shown = f"[{name}]" if ":" in name else name
     token = "" if access.token is None else f"?token={access.token}"
     try:
         yield f"http://{shown}:{server.port}/{token}"

@@ -16,7 +16,7 @@ import uvicorn
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from starlette.applications import Starlette
 from starlette.requests import Request
-from starlette.responses import HTMLResponse, StreamingResponse
+from starlette.responses import HTMLResponse, Response, StreamingResponse
 from starlette.routing import Route
 
 from exoid.cli.live.page.access import Access, guarded
@@ -42,7 +42,11 @@ class PageServer:
     def __init__(self, board: Board, name: str, access: Access, listening: socket):
         self.board, self.name, self.listening = board, name, listening
         self.closing = False
-        routes = [Route("/", self.page), Route("/events", self.events)]
+        routes = [
+            Route("/", self.page),
+            Route("/events", self.events),
+            Route("/weight", self.weight, methods=["POST"]),
+        ]
         config = uvicorn.Config(
             guarded(Starlette(routes=routes), access),
             lifespan="off",
@@ -72,6 +76,16 @@ class PageServer:
 
     async def events(self, request: Request) -> StreamingResponse:
         return StreamingResponse(self.told(), media_type="text/event-stream", headers=HEADERS)
+
+    async def weight(self, request: Request) -> Response:
+        """The weight is put on, or taken off: by this page alone, and by no other of the web."""
+        headers = request.headers
+        if headers.get("origin", "").partition("://")[2] != headers.get("host"):
+            return Response("This is for the page itself.", 403)
+        if self.board.weight is None:
+            return Response("No weight was declared: --added-mass KG.", 404)
+        self.board.weight.turn()
+        return Response(status_code=204)
 
     async def told(self) -> AsyncIterator[str]:
         """The past first, then the newest, as soon as the reader has taken what was before; and the

@@ -21,9 +21,13 @@ def now(board: Board) -> dict[str, Any]:
         "doing": words.doing(board),
         "stream": visible(board.stream),
         "drops": words.drops(board),
+        "weight": words.weight(board),
         "next": raised(visible(words.advice(board))),
         "fit": visible(words.batch(board)),
-        "rows": [row(board, each) for each in words.quantities(board)],
+        "rows": [
+            *(row(board, each) for each in words.quantities(board)),
+            *(unknown(board, each.name) for each in words.missing_goals(board)),
+        ],
         "reached": board.reached,
         "ended": board.state in ("ended", "failed"),
     }
@@ -56,7 +60,14 @@ def row(board: Board, each) -> dict[str, Any]:
         "error": error,
         "unit": raised(each.unit),
         "goal": words.progress(board, each.name),
+        "wanted": words.wanted(board, each.name),
     }
+
+
+def unknown(board: Board, name: str) -> dict[str, Any]:
+    """A goal that nobody knows yet."""
+    said = {"name": words.title(name), "value": "-", "error": "-", "unit": ""}
+    return {**said, "goal": words.progress(board, name), "wanted": words.wanted(board, name)}
 
 
 def past(board: Board) -> list[list[Any]]:

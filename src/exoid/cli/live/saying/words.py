@@ -4,12 +4,19 @@ from math import floor, log10
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from exoid.watching.beside.goals import Goal
     from exoid.watching.board import Board
     from exoid.watching.estimate.moment import Quantity
 
 DOING = ("held, or nobody knows", "at rest: let it drop", "moving freely", "at rest, or caught")
 STARTING = "the estimator is loading; what moves meanwhile is kept and taken in afterwards"
 BY_RATIOS = "one kind of drop tells ratios; a weighed mass on the shank for some of them tells J"
+UNEXPLAINED = 4  # trust
+DIAGNOSE = (
+    "something is missing in the model: exoid diagnose tells what, of a recording of it (-o); then "
+    "exoid live --with TERM"
+)
+OPEN = (2, 3)  # trusts that would say good, or enough, while a goal is open
 DIGITS = 2  # of an error
 
 
@@ -40,7 +47,32 @@ def trust(board: "Board") -> str:
         return STARTING if board.state == "starting" else "waiting for the first sample"
     if board.silent:
         return f"nothing has come for {board.silent:.0f} s"
+    if board.moment.trust in OPEN and (left := open_goals(board)):
+        return f"not enough yet: {', '.join(map(str, left))} is still open"
     return board.moment.trust.words
+
+
+def open_goals(board: "Board") -> list["Goal"]:
+    """Those that are not reached."""
+    each = ((goal, board.moment and goal.share(board.moment)) for goal in board.goals)
+    return [goal for goal, share in each if share is None or share > 1.0]
+
+
+def missing_goals(board: "Board") -> list["Goal"]:
+    """Those of quantities that nobody knows yet, or that cannot be believed."""
+    known = {each.name for each in quantities(board)}
+    return [goal for goal in board.goals if goal.name not in known]
+
+
+def unexplained(board: "Board") -> bool:
+    """Does the model fail? Then no drop tells a number, and what agrees tells nothing."""
+    return board.moment is not None and int(board.moment.trust) == UNEXPLAINED
+
+
+def weight(board: "Board") -> str:
+    """What is on the shank, where that can be told while it is followed."""
+    found = board.weight
+    return "" if found is None else f"{found.words} {'on' if found.on() else 'off'}"
 
 
 def doing(board: "Board") -> str:
@@ -63,15 +95,22 @@ def progress(board: "Board", name: str) -> float | None:
     return 0.0 if share is None else min(1.0, 1.0 / share) if share > 0 else 1.0
 
 
+def wanted(board: "Board", name: str) -> str:
+    """The error of a quantity that is a goal."""
+    return next((f"± {goal.error}" for goal in board.goals if goal.name == name), "")
+
+
 def next_movement(board: "Board") -> str:
     """What to do, while there is something left to do."""
+    if unexplained(board):
+        return DIAGNOSE
     return "" if board.advice is None or board.reached else board.advice.words
 
 
 def gain(board: "Board") -> str:
     """What that would bring."""
     found = board.advice
-    if found is None or found.movement is None or board.reached:
+    if found is None or found.movement is None or board.reached or unexplained(board):
         return ""
     before, after = (f"{each:.2g}" for each in (found.before, found.after))
     return f"error of {title(found.name)} {before} → {after} {found.unit}"
@@ -84,6 +123,8 @@ def advice(board: "Board") -> str:
 
 def batch(board: "Board") -> str:
     """What the fit of the finished drops says beside it."""
+    if unexplained(board):
+        return ""
     if board.unrefined is not None:
         return f"no fit of these drops: {board.unrefined}"
     found = board.refined

@@ -5,6 +5,7 @@ const STEP = 0.002; // s
 const KEPT = 1500; // points of a curve
 const NEAR = 12; // times the latest error: what was less sure is not what a curve is scaled by
 let past = [];
+let believed = true; // can any number be shown?
 let simulated = null; // time, angle and rate of the leg that the estimates make
 
 function tell(id, text, level) {
@@ -70,6 +71,11 @@ function draw() {
       made("polygon", { class: "band", points: band }),
       made("polyline", { class: "curve", points: past.map(corner(0)).join(" ") }),
     );
+    if (!believed) {
+      chart.replaceChildren();
+      figure.querySelector(".ends").replaceChildren();
+      return;
+    }
     const digits = Math.max(0, 1 - Math.floor(Math.log10(newest[column + 1] || 1)));
     const ends = [`${past[0][0].toFixed(0)} s`, `${newest[column].toFixed(digits)} ± ${newest[column + 1].toFixed(digits)}`, `${newest[0].toFixed(0)} s`];
     figure.querySelector(".ends").replaceChildren(...ends.map((text) => Object.assign(document.createElement("span"), { textContent: text })));
@@ -83,15 +89,18 @@ function cell(content, kind) {
   return found;
 }
 
-function goal(share) {
-  if (share === null) return "";
-  return Object.assign(document.createElement("progress"), { max: 1, value: share, title: `${Math.round(100 * share)} %` });
+function goal(share, wanted) {
+  const found = document.createElement("span");
+  if (share === null) return found;
+  const bar = Object.assign(document.createElement("progress"), { max: 1, value: share, title: `${Math.round(100 * share)} %` });
+  found.append(bar, ` ${wanted}`);
+  return found;
 }
 
 function list(rows) {
   at("rows").replaceChildren(...rows.map((each) => {
     const found = document.createElement("tr");
-    found.append(cell(each.name), cell(each.value, "right"), cell(each.error, "right"), cell(each.unit), cell(goal(each.goal)));
+    found.append(cell(each.name), cell(each.value, "right"), cell(each.error, "right"), cell(each.unit), cell(goal(each.goal, each.wanted)));
     return found;
   }));
 }
@@ -100,14 +109,18 @@ function show(board) {
   tell("trust", board.reached ? "enough: the goal is reached" : board.trust, board.reached ? "good" : board.level);
   tell("doing", board.doing || "\u00a0");
   tell("drops", board.drops);
+  at("loaded").hidden = !board.weight || board.ended;
+  tell("weight", board.weight);
   tell("next", board.next || "-");
   tell("fit", board.fit || "-");
   tell("stream", board.stream || "-");
   list(board.rows);
+  believed = !board.moment || board.moment.ratios[RATIOS[0]].value !== null;
   if (board.moment) follow(board.moment, board.swing);
   draw();
 }
 
+at("turn").onclick = () => fetch(`weight${location.search}`, { method: "POST" });
 const source = new EventSource(`events${location.search}`);
 source.onopen = () => tell("link", "live", "good");
 source.onerror = () => tell("link", "connection lost; trying again", "bad");

@@ -1,0 +1,109 @@
+"""What panel and page say of a board: what is open, what does not fit, and what is on the leg."""
+
+import pytest
+
+from exoid.cli.live.page.state import now
+from exoid.cli.live.panel import bar
+from exoid.cli.live.saying import words
+from exoid.cli.live.session import Session
+from exoid.cli.live.watched import Watched
+from exoid.cli.live.weighing import UNMARKED, Weighing
+from exoid.online.model.trust import Phase, Trust
+from exoid.recordings.live.log_file import Unkept
+from exoid.recordings.recording import Subject
+from exoid.watching.beside.goals import goal_of
+from exoid.watching.beside.movement import Movement
+from exoid.watching.beside.next_movement import Advice
+from exoid.watching.beside.refinement import Refined
+from exoid.watching.board import Board
+from exoid.watching.estimate.load import Mass
+from exoid.watching.estimate.moment import Moment, Quantity
+from exoid.watching.estimate.switch import Switch
+
+NAMES = ("gravity_over_inertia", "stiffness_over_inertia", "damping_over_inertia")
+KNOWN = tuple(Quantity(name, 27.3, 0.05, "1/s^2") for name in NAMES)
+
+
+def board_of(trust, *goals) -> Board:
+    """With advice and a fit that agrees."""
+    board = Board([goal_of(each, (*NAMES, "inertia")) for each in goals], state="following")
+    board.show(Moment(1.0, -1.0, 0.0, Phase.DONE, trust, 1, KNOWN, KNOWN))
+    board.advice = Advice(Movement(-0.5), NAMES[0], 0.34, 0.03, "1/s^2")
+    board.refined = Refined(1, {}, {NAMES[0]: 0.5}, agrees=True)
+    return board
+
+
+@pytest.mark.parametrize("trust", [Trust.GOOD, Trust.ENOUGH])
+def test_while_a_goal_is_open_nothing_is_called_enough(trust):
+    board = board_of(trust, "gravity_over_inertia=1%", "inertia=2%")
+    assert words.trust(board) == "not enough yet: inertia=2% is still open"
+    assert words.trust(board_of(trust)) == trust.words
+    assert words.trust(board_of(trust, "gravity_over_inertia=1%")) == trust.words
+
+
+def test_a_goal_that_nobody_knows_yet_has_a_row_and_every_goal_its_number():
+    board = board_of(Trust.ENOUGH, "gravity_over_inertia=1%", "inertia=2%")
+    rows = {each["name"]: each for each in now(board)["rows"]}
+    assert rows["inertia"]["value"] == "-"
+    assert (rows["inertia"]["goal"], rows["inertia"]["wanted"]) == (0.0, "± 2 %")
+    assert rows["gravity over inertia"]["wanted"] == "± 1 %"
+    assert bar(board, "inertia").endswith("± 2 %")
+    assert bar(board, "gravity_over_inertia").startswith("━━━━━━━━")
+
+
+def test_where_the_model_fails_the_advice_is_to_find_out_why():
+    board = board_of(Trust.UNEXPLAINED)
+    assert "exoid diagnose" in words.advice(board)
+    assert "--with TERM" in words.advice(board)
+    assert "deg" not in words.advice(board)
+    assert words.batch(board) == ""
+    assert now(board)["rows"] == []
+    sure = board_of(Trust.GOOD)
+    assert words.advice(sure).startswith("let it drop from")
+    assert "agrees" in words.batch(sure)
+
+
+class Screen:
+    def __init__(self):
+        self.board, self.said = Board(), []
+
+    def tell(self, sentence):
+        self.said.append(sentence)
+
+    def show(self, line):
+        pass
+
+
+@pytest.fixture
+def weighed():
+    """A session whose leg has 1.5 kg on it, what switches that, and what was said."""
+    screen = Screen()
+    watched = Watched(lambda: None, screen, ())
+    session = Session(Unkept(), Subject(added_mass=1.5, added_mass_distance=0.4), watched, None)
+    switch = Switch(Mass(1.5, 0.4))
+    yield session, Weighing(switch, session, watched), screen
+    watched.end(patient=lambda: False)
+
+
+def test_a_key_takes_the_weight_off_and_the_sidecar_says_of_which_segments(weighed):
+    session, weighing, screen = weighed
+    session.marks.closed = [("passive", 1.0, 5.0)]
+    assert (session.loaded().added_mass, session.loaded().added_mass_distance) == (1.5, 0.4)
+    weighing.logged.turn(7.0)
+    session.marks.closed.append(("passive", 8.0, 12.0))
+    said = session.loaded()
+    assert (said.added_mass, said.added_mass_distance) == ((1.5, 0.0), (0.4, 0.0))
+    session.marks.closed.clear()
+    session.keys["w"]()
+    assert not weighing.switch.on
+    assert words.weight(screen.board) == "1.5 kg at 0.4 m off"
+    assert screen.said == ["weight: 1.5 kg at 0.4 m off."]
+
+
+def test_without_marks_nobody_can_say_when_a_weight_was_on(weighed):
+    session, _, screen = weighed
+    session.marking = False
+    assert session.loaded().added_mass == 1.5
+    session.keys["w"]()
+    assert session.loaded().added_mass is None
+    assert screen.said[-1].endswith(UNMARKED)
