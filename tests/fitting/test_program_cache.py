@@ -17,8 +17,8 @@ from jax.experimental import serialize_executable
 import exoid
 from exoid.fitting.data.conditioning_chain import MovingAverage, Raw
 from exoid.fitting.estimate import fit
-from exoid.fitting.solve import kept_program, machine_code
 from exoid.fitting.solve import program_cache as program
+from exoid.fitting.solve.compiled import kept_program, machine_code
 from exoid.mismatch.novel.dictionary import dictionary
 from exoid.mismatch.novel.formula import Formula, term_of
 from fit_cases import DROP, recorded
