@@ -200,7 +200,9 @@ def test_the_fingerprint_tells_everything_apart_that_changes_a_program(tmp_path,
         source.parent.mkdir(parents=True)
         source.write_text(text)
         monkeypatch.setattr(
-            kept_program, "__file__", str(tmp_path / text / "fitting" / "solve" / "kept.py")
+            kept_program,
+            "__file__",
+            str(tmp_path / text / "fitting" / "solve" / "compiled" / "kept.py"),
         )
         prints.append(fingerprint("solve", structures[0], (shape,), Raw()))
     prints.append(fingerprint("solve", structures[0], (shape,), Raw(), machine_code.BRIEF))
