@@ -69,6 +69,12 @@ class Cable:
         select.select([self.end], [], [])
         return os.read(self.end, 100)
 
+    def heard_out(self) -> None:
+        """Take all that the other side has written: a terminal hands it on in parts."""
+        self.heard()
+        while select.select([self.end], [], [], KEPT)[0]:
+            os.read(self.end, 100)
+
     def taken(self) -> None:
         """Wait until the other side has read all that was sent, and had time to keep it."""
         while int.from_bytes(fcntl.ioctl(self.port, termios.FIONREAD, bytes(4)), sys.byteorder):

@@ -156,7 +156,7 @@ def test_a_burst_of_many_times_what_the_port_holds_is_heard_in_full(cable, bus):
 
 
 def test_a_port_has_one_reader_and_the_second_writes_nothing_to_it(cable, bus):
-    cable.heard()
+    cable.heard_out()
     with pytest.raises(CanBusError, match=r"another program reads it\. Close that.*kill NUMBER"):
         LiveBus(bus.address, print)
     cable.send(*numbered(3))
