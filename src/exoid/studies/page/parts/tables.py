@@ -10,6 +10,7 @@ from exoid.studies.statistics.agreement import Agreement
 from exoid.studies.statistics.asked import Answer, Answers
 from exoid.studies.statistics.groups import Comparison
 from exoid.studies.statistics.physics import Cause
+from exoid.studies.statistics.presence import Count
 from exoid.studies.statistics.reliability import Reliability
 from exoid.studies.statistics.tables.frames import Frame
 
@@ -135,11 +136,16 @@ def values(answers: Sequence[Answer]) -> Table:
     made = {
         "quantity": [quantity_words(each.quantity) for each in answers],
         "unit": [shown_unit(each.values.unit) for each in answers],
-        "people": [str(each.values.people) for each in answers],
-        "values": [str(len(each.values.frame)) for each in answers],
+        "people": [out_of(each.presence.people.every) for each in answers],
+        "values": [out_of(each.presence.values.every) for each in answers],
         "median": [median(each) for each in answers],
     }
     return Table("Quantities that recordings told", made, "Quantities")
+
+
+def out_of(each: Count) -> str:
+    """How many, and of how many where some are missing."""
+    return f"{each.told} of {each.of}" if each.missing else str(each.told)
 
 
 def median(each: Answer) -> str:

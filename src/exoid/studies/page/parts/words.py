@@ -10,6 +10,7 @@ from exoid.report.words.text import (
     shown_unit,
 )
 from exoid.studies.page.parts.numbers import number, odds, with_interval
+from exoid.studies.page.parts.presence import rests
 from exoid.studies.statistics.agreement import Agreement
 from exoid.studies.statistics.asked import Answer, Answers
 from exoid.studies.statistics.groups import Comparison
@@ -120,11 +121,14 @@ def shares(each: Cause) -> str:
 
 
 def finding(answers: Answers) -> str:
-    """The main one, of the first quantity: the change by groups, the change, the groups, else how
-    well it repeats.
-    """
+    """The main one, of the first quantity, on whom it rests, and what is missing."""
     if not answers.each:
         return "No quantity has values that recordings told."
+    return f"{found_first(answers)} {rests(answers.each[0])}"
+
+
+def found_first(answers: Answers) -> str:
+    """The change by groups, the change, the groups, else how well it repeats."""
     first, count = answers.each[0], len(answers.each)
     p = first.corrected
     if isinstance(first.change_by_group, Comparison):

@@ -37,25 +37,26 @@ def summary(told: Told) -> Iterator[Block]:
 
 def amount(answers: Answers) -> str:
     """People and recordings."""
-    table = answers.study.recordings
-    people = table.loc[table["participant"] != "", "participant"].nunique()
-    ok = int((table["status"] == "ok").sum())
-    return f"{counted(people, 'person', 'people')}, {counted(ok, 'recording')} read"
+    read = answers.study.read
+    people = read.loc[read["participant"] != "", "participant"].nunique()
+    return f"{counted(people, 'person', 'people')}, {counted(len(read), 'recording')} read"
 
 
 def whole(answers: Answers) -> Group:
     """How many recordings there are, and how many failed."""
-    table = answers.study.recordings
-    failed, twice = (int((table["status"] == each).sum()) for each in ("failed", "duplicate"))
+    study = answers.study
+    unread, twice = len(study.once) - len(study.read), len(study.recordings) - len(study.once)
+    failed = int((study.read["status"] == "failed").sum())
     question = "Were all recordings read?"
     said = f"{amount(answers)}."
-    lost = [f"{counted(failed, 'recording')} failed"] * bool(failed)
+    lost = [f"{counted(unread, 'recording')} could not be read"] * bool(unread)
+    lost += [f"of {counted(failed, 'recording')} a step failed, the others count"] * bool(failed)
     lost += [f"{twice} more are the same as another and count once"] * bool(twice)
     if not lost:
         return card(question, "good", "Yes.", said)
-    answer = "Not all of them." if failed else "Yes."
+    answer = "Not all of them." if unread else "Yes, but a step failed." if failed else "Yes."
     why = f"{said} {capital('; '.join(lost))}."
-    return card(question, "care" if failed else "good", answer, why)
+    return card(question, "care" if unread or failed else "good", answer, why)
 
 
 def trusted(answers: Answers) -> Group:
