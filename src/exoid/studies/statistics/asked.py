@@ -31,8 +31,9 @@ class Asked:
 
 @dataclass(frozen=True, eq=False)
 class Answer:
-    """Of one quantity. `presence` is of whom the finding has values; None was not asked; `corrected` has every p among those of its kind, by
-    `groups`, `change`, `change_by_group` and `sides`.
+    """Of one quantity. `presence` is of whom the finding has values. None was not asked;
+    `corrected` has every p among those of its kind, by `groups`, `change`, `change_by_group` and
+    `sides`.
     """
 
     quantity: str
