@@ -136,3 +136,11 @@ def test_an_empty_study_has_a_page_that_says_so(study):
 )
 def test_a_number_has_the_digits_that_its_interval_allows(interval, unit, words):
     assert with_interval(interval, unit) == words
+
+
+def test_a_difference_of_sides_that_is_not_found_is_no_proof_that_there_is_none(page):
+    cards = parse(page).of_class("card")
+    (sides,) = (each for each in cards if "Are both sides alike?" in each.text)
+    assert "open" in sides.attributes["class"].split()
+    assert "cannot be told apart from zero" in sides.text
+    assert re.search(r"could be as large as [\d.]+", sides.text)

@@ -84,11 +84,22 @@ def sided(found: Agreement, corrected: float, count: int) -> str:
     pairs, effect = found.pairs, found.difference
     what = quantity_words(pairs.quantity)
     shown = with_interval(effect, pairs.unit)
-    verb = "differ on average" if corrected < SURE else "do not surely differ on average"
+    differ = f"sides differ on average, right less left is {shown}"
+    if not corrected < SURE:
+        differ = (
+            f"right less left is {shown}, which cannot be told apart from zero and could be as "
+            f"large as {largest(effect, pairs.unit)}"
+        )
     return (
-        f"{capital(what)}: sides {verb}, right less left is {shown}, "
-        f"{odds(found.p, corrected, count)}; in 95 % of people between {limits(found)}."
+        f"{capital(what)}: {differ}, {odds(found.p, corrected, count)}, in {found.people} people; "
+        f"in 95 % of people between {limits(found)}."
     )
+
+
+def largest(effect: Interval, unit: str) -> str:
+    """The end of the interval that is farther from zero."""
+    size = max(abs(effect.low), abs(effect.high))
+    return f"{number(size, (effect.high - effect.low) / 2)} {shown_unit(unit)}".rstrip()
 
 
 def limits(found: Agreement) -> str:

@@ -78,10 +78,10 @@ def alike(answers: Answers) -> Group | None:
         return None
     p = first.corrected["sides"]
     differ = p < 0.05
-    answer = "Not on average." if differ else "On average, as far as can be told."
+    answer = "Not on average." if differ else "Not told: no difference is sure."
     return card(
         "Are both sides alike?",
-        "care" if differ else "good",
+        "care" if differ else "open",
         answer,
         sided(first.sides, p, len(answers.each)),
     )
@@ -109,7 +109,9 @@ def missing(answers: Answers) -> Group | None:
     named = [each for each in found if each.name not in NOTHING]
     question = "What was the model missing?"
     if not named:
-        return card(question, "good", "Nothing that has a name.", f"{amount(answers)}.")
+        told = all(each.name == "none" for each in found)
+        answer = "Nothing that has a name." if told else "Not told."
+        return card(question, "good" if told else "open", answer, f"{amount(answers)}.")
     most = named[0]
     why = f"Found in {most.people} of {most.of_people} people, {shares(most)}."
     return card(question, "care", f"{capital(most.name)}, most often.", why)
