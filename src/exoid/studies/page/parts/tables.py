@@ -10,7 +10,7 @@ from exoid.studies.statistics.agreement import Agreement
 from exoid.studies.statistics.asked import Answer, Answers
 from exoid.studies.statistics.groups import Comparison
 from exoid.studies.statistics.physics import Cause
-from exoid.studies.statistics.presence import Count
+from exoid.studies.statistics.presence import Count, without_numbers
 from exoid.studies.statistics.reliability import Reliability
 from exoid.studies.statistics.tables.frames import Frame
 
@@ -26,7 +26,7 @@ def reliabilities(answers: Answers) -> Table:
         "people": [str(one.people) for one in found],
         "ICC(A,1)": [in_brackets(one.agreement) for one in found],
         "ICC(C,1)": Column([in_brackets(one.consistency) for one in found], only="page"),
-        "it is": [grade(one) for one in found],
+        "by its lower end": [grade(one) for one in found],
         "SEM": Column([in_brackets(one.sem, one.unit) for one in found], only="page"),
         "detectable change": [in_brackets(one.change, one.unit) for one in found],
         "of one drop": Column(
@@ -118,8 +118,9 @@ def causes(found: Sequence[Cause], groups: Sequence[str]) -> Table:
 
 
 def failures(recordings: Frame) -> Table:
-    """Reasons, the most frequent first."""
+    """Reasons, the most frequent first; those that differ in their numbers alone are one."""
     failed = recordings[recordings["status"] == "failed"]
+    failed = failed.assign(reason=failed["reason"].map(without_numbers))
     count = failed["reason"].value_counts()
     first = failed.drop_duplicates("reason").set_index("reason")["name"]
     kept = list(count.index[:SHOWN])

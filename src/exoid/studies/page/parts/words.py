@@ -1,5 +1,6 @@
 """What a study found, in sentences: a terminal and a page say the same."""
 
+from collections.abc import Sequence
 from math import isfinite
 
 from exoid.report.words.text import (
@@ -114,10 +115,16 @@ def repeated(found: Reliability) -> str:
     drops = counted(round(found.drops), "drop")
     change = with_interval(found.change, found.unit)
     return (
-        f"{capital(what)} of {drops} on one day is {grade(found)} at telling people apart: "
-        f"ICC(A,1) {with_interval(found.agreement)}. In one leg, only a change of more than "
+        f"{capital(what)} of {drops} on one day is {grade(found)} at telling people apart "
+        f"(by the lower end of the interval): ICC(A,1) {with_interval(found.agreement)}. In one leg, only a change of more than "
         f"{change} is more than chance."
     )
+
+
+def told_of(found: Sequence[Reliability]) -> list[str]:
+    """What is to be said of them, those of one note together."""
+    notes = by_reason((quantity_words(each.quantity), one) for each in found for one in each.notes)
+    return [f"{', '.join(names)}: {one}." for one, names in notes.items()]
 
 
 def cause_words(name: str) -> str:

@@ -68,7 +68,12 @@ def trusted(answers: Answers) -> Group:
         return card(question, "open", "Not told.", why.why if isinstance(why, Untold) else "")
     found: Reliability = first.reliability
     good = grade(found) in ("good", "excellent")
-    return card(question, "good" if good else "care", f"{capital(grade(found))}.", repeated(found))
+    return card(
+        question,
+        "good" if good else "care",
+        f"{capital(grade(found))}, by the lower end of the interval.",
+        repeated(found),
+    )
 
 
 def alike(answers: Answers) -> Group | None:
