@@ -117,3 +117,16 @@ def test_holm_and_benjamini_hochberg_as_they_are_defined():
         [0.03, 0.04, np.nan, 0.04], nan_ok=True
     )
     assert corrected([], "holm") == []
+
+
+def test_the_standardised_difference_has_the_sign_of_the_difference():
+    draw = np.random.default_rng(4)
+    values, errors = np.repeat([0.0, 1.0, 0.0, -0.6], 6) + draw.normal(0, 0.1, 24), np.full(24, 0.1)
+    # Half of the second group is measured so badly that only a plain mean believes it.
+    values[18:] += 8.0
+    errors[18:] = 30.0
+    found = compare_groups(people(values, ["a"] * 12 + ["b"] * 12, errors), "group").differences[0]
+    assert values[12:].mean() > values[:12].mean()
+    assert found.effect.value < 0
+    assert found.g.value < 0
+    assert found.g.low < found.g.value < found.g.high

@@ -136,3 +136,41 @@ def test_an_empty_study_has_a_page_that_says_so(study):
 )
 def test_a_number_has_the_digits_that_its_interval_allows(interval, unit, words):
     assert with_interval(interval, unit) == words
+
+
+def test_a_difference_of_sides_that_is_not_found_is_no_proof_that_there_is_none(page):
+    cards = parse(page).of_class("card")
+    (sides,) = (each for each in cards if "Are both sides alike?" in each.text)
+    assert "open" in sides.attributes["class"].split()
+    assert "cannot be told apart from zero" in sides.text
+    assert re.search(r"could be as large as [\d.]+", sides.text)
+
+
+def test_the_grade_says_that_it_is_of_the_lower_end(page):
+    text = parse(page).by_id("reliability").text
+    assert "by its lower end" in text
+    assert "(by the lower end of the interval): ICC(A,1)" in text
+
+
+def test_a_point_says_how_far_its_drops_and_days_lie_apart(page, study):
+    figure = parse(page).by_id("people-relaxation_index")
+    drawing = json.loads(next(each.text for each in figure.all("script")))
+    words = next(trace for trace in drawing["data"] if trace.get("customdata"))["text"][0]
+    rows = study.quantities[study.quantities["quantity"] == "relaxation_index"]
+    rows = rows[(rows["participant"] == "sub-000") & (rows["side"] == "left")]
+    shown = re.search(r"4 values of 2 sessions, with a standard deviation of ([\d.]+)", words)
+    assert shown is not None
+    assert float(shown[1]) == pytest.approx(rows["value"].std(), rel=0.05)  # two digits
+    assert "±" not in words
+
+
+def test_reasons_that_differ_in_their_numbers_are_one(study):
+    from exoid.studies.page.parts.tables import failures
+
+    recordings = study.recordings.assign(status="failed").head(4)
+    reasons = [f"fit: it ends {n}.5 s early, by 1e-0{n} rad." for n in (1, 2, 3)]
+    table = failures(recordings.assign(reason=[*reasons, "drops: there is none."]))
+    assert [row[:2] for row in table.rows] == [
+        ("fit: it ends … s early, by … rad.", "3"),
+        ("drops: there is none.", "1"),
+    ]

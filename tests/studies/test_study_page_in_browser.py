@@ -56,3 +56,10 @@ def test_a_person_is_found_by_typing_and_fits_a_phone(browser, report):  # noqa:
         assert box["width"] <= PHONE["width"]
         page.locator("dialog button").click()
         assert not page.evaluate("document.getElementById('person').open")
+
+
+def test_no_column_of_a_table_is_cut_off_on_a_screen(browser, report):  # noqa: F811
+    with opened(browser, report, {"width": 1280, "height": 800}) as (page, _, _):
+        wider = "each => each.scrollWidth > each.clientWidth + 1"
+        cut = f"[...document.querySelectorAll('main .wide')].filter({wider}).length"
+        assert page.evaluate(cut) == 0

@@ -89,3 +89,19 @@ def test_one_session_or_few_people_are_refused():
         reliability(of(Design(people=10, days=1)))
     with pytest.raises(NotTold, match="2 people have values of two sessions"):
         reliability(of(Design(people=2)))
+
+
+def test_stated_errors_alone_are_no_narrow_interval():
+    truth = Truth(bad=0.0, day=0.0, side_on_day=0.0, drop=0.0, error=0.1, spread=0.0)
+    values = of(Design(people=13, groups=1, truths=(truth,)))
+    frame = values.frame
+    leg = frame.groupby(["person", "side"])["value"].transform("mean")
+    # Values lie half as far from their legs as their errors would have them.
+    closer = frame.assign(value=leg + (frame["value"] - leg) / 2)
+    found = reliability(Values(values.quantity, values.unit, closer))
+    assert found.sem.value == pytest.approx(0.1 / 5**0.5, rel=1e-3)
+    assert np.isnan([found.sem.low, found.sem.high, found.change.low]).all()
+    assert "taken as exactly known" in found.notes[0]
+    scattered = reliability(of(Design(people=13, groups=1, truths=(TRUTH,))))
+    assert scattered.notes == ()
+    assert scattered.change.low < scattered.change.value < scattered.change.high

@@ -50,3 +50,11 @@ def test_what_is_not_there_is_one_line(command, results, tmp_path, arguments, wo
 
 def test_a_folder_without_results_is_one_line(command, tmp_path):
     assert "no recordings.parquet" in refusal(command("study", "report", tmp_path))
+
+
+def test_a_page_that_is_there_is_told_before_anything_is_read(command, results, tmp_path):
+    page = tmp_path / "report.html"
+    page.write_text("mine")
+    said = refusal(command("study", "report", tmp_path / "nothing", "-o", page))
+    assert "report.html exists" in said
+    assert page.read_text() == "mine"

@@ -32,6 +32,7 @@ def entry(answer: Answer) -> dict[str, Any]:
         "unit": answer.values.unit,
         "people": answer.values.people,
         "values": len(frame),
+        "presence": plain(answer.presence),
         "notes": list(answer.values.notes),
         **{kind: told(found) for kind in KINDS if (found := getattr(answer, kind)) is not None},
         "corrected_p": dict(answer.corrected),

@@ -12,10 +12,11 @@ from exoid.studies.page.parts.tables import (
     reliabilities,
     values,
 )
-from exoid.studies.page.parts.words import column_words, finding, silent, why_not
+from exoid.studies.page.parts.words import column_words, finding, silent, told_of, why_not
 from exoid.studies.statistics.asked import Answers
 from exoid.studies.statistics.multiple import WORDS
 from exoid.studies.statistics.physics import ALL
+from exoid.studies.statistics.reliability import Reliability
 from exoid.studies.statistics.tables.said import Untold
 
 
@@ -47,6 +48,8 @@ def notes(answers: Answers) -> list[str]:
         f"p is corrected over {len(answers.each)} quantities by {WORDS[answers.asked.correction]}."
     ]
     said += [f"{each.quantity}: {one}" for each in answers.each for one in each.values.notes]
+    found = (each.reliability for each in answers.each)
+    said += told_of([each for each in found if isinstance(each, Reliability)])
     said += silent(answers)
     for kind in ("reliability", "groups", "change", "change_by_group", "sides"):
         said += [f"{names}: {why}" for names, why in why_not(answers, kind).items()]

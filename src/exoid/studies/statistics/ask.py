@@ -10,6 +10,7 @@ from exoid.studies.statistics.groups import compare_groups
 from exoid.studies.statistics.multiple import corrected
 from exoid.studies.statistics.pairs import Pairs, pairs_of
 from exoid.studies.statistics.physics import missing_physics
+from exoid.studies.statistics.presence import presence
 from exoid.studies.statistics.reliability import reliability
 from exoid.studies.statistics.tables.said import NotTold, Untold
 from exoid.studies.statistics.tables.study import Study
@@ -33,7 +34,7 @@ def ask(study: Study, asked: Asked) -> Answers:
         except NotTold as why:
             silent[quantity] = str(why)
         else:
-            answers.append(answer(values, asked))
+            answers.append(answer(study, values, asked))
     physics = answered(lambda: missing_physics(study, asked.by))
     return Answers(study, asked, with_corrected(answers, asked), physics, silent)
 
@@ -70,7 +71,7 @@ def check(what: str, wanted, there: tuple[str, ...]) -> None:
             raise ValueError(f"{each!r}: the results have no such {what}. There is: {known}.")
 
 
-def answer(values: Values, asked: Asked) -> Answer:
+def answer(study: Study, values: Values, asked: Asked) -> Answer:
     """Of one quantity; what changes between `before` and `after` is no test and retest."""
     steady = values if not asked.after else without(values, asked.after)
     first = values.where(session=asked.before) if asked.before else values
@@ -82,9 +83,13 @@ def answer(values: Values, asked: Asked) -> Answer:
     if asked.by and isinstance(change, Agreement):
         pairs = change.pairs
         changed = answered(lambda: compare_groups(changes(values, pairs), asked.by, asked.adjust))
+    whom = {*first.frame["person"]}
+    if isinstance(change, Agreement):
+        whom = {*change.pairs.frame.index}
     return Answer(
         values.quantity,
         values,
+        presence(study, values, (asked.task, asked.by), whom),
         only_steady(answered(lambda: reliability(steady)), asked),
         answered(lambda: paired(first, "side", "left", "right")),
         answered(lambda: retested(steady)),

@@ -7,6 +7,7 @@ from exoid.studies.statistics.agreement import Agreement
 from exoid.studies.statistics.groups import Comparison
 from exoid.studies.statistics.multiple import Correction
 from exoid.studies.statistics.physics import Cause
+from exoid.studies.statistics.presence import Presence
 from exoid.studies.statistics.reliability import Reliability
 from exoid.studies.statistics.tables.said import Untold
 from exoid.studies.statistics.tables.study import Study
@@ -30,12 +31,14 @@ class Asked:
 
 @dataclass(frozen=True, eq=False)
 class Answer:
-    """Of one quantity. None was not asked; `corrected` has every p among those of its kind, by
-    `groups`, `change`, `change_by_group` and `sides`.
+    """Of one quantity. `presence` is of whom the finding has values. None was not asked;
+    `corrected` has every p among those of its kind, by `groups`, `change`, `change_by_group` and
+    `sides`.
     """
 
     quantity: str
     values: Values
+    presence: Presence
     reliability: Reliability | Untold
     sides: Agreement | Untold
     retest: Agreement | Untold

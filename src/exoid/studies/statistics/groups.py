@@ -33,7 +33,9 @@ class Group:
 
 @dataclass(frozen=True)
 class Difference:
-    """`second` less `first`, with Hedges' g of people's means; `p` is corrected among the pairs."""
+    """`second` less `first`, which Hedges' g has in standard deviations of people; `p` is corrected
+    among the pairs.
+    """
 
     first: str
     second: str
@@ -145,24 +147,45 @@ def of_groups(
     sizes, notes = said
     freedom = mixed.people - mixed.effects.size
     rows = np.eye(mixed.effects.size)[: len(sizes)]
-    at_mean = np.vstack([rows[:1], rows[0] + rows[1:]])  # the others are added to the first
+    at_mean = contrasts(mixed, len(sizes))
     groups = tuple(
         Group(name, people, told(mixed, each, freedom)[0])
         for (name, people), each in zip(sizes.items(), at_mean, strict=True)
     )
-    means = per_person(Values(values.quantity, values.unit, frame))["value"]
-    of_whom = frame.groupby("person")["group"].first()
-    pairs = list(combinations(range(len(sizes)), 2))
-    each = [told(mixed, at_mean[second] - at_mean[first], freedom) for first, second in pairs]
-    among = corrected([p for _, p in each], "holm")
-    names = [(groups[first].name, groups[second].name) for first, second in pairs]
-    differences = tuple(
-        Difference(*both, effect, p, hedges(*(means[of_whom == name] for name in both)))
-        for both, (effect, _), p in zip(names, each, among, strict=True)
-    )
+    differences = of_pairs(values, frame, mixed, list(sizes))
     p = any_difference(mixed, rows[1:], freedom)
     about = (values.quantity, values.unit, by, "groups", mixed.people, p)
     return Comparison(*about, groups, differences, notes=notes)
+
+
+def of_pairs(
+    values: Values, frame: Frame, mixed: Mixed, names: list[str]
+) -> tuple[Difference, ...]:
+    """Each two groups, in the order of their names."""
+    freedom = mixed.people - mixed.effects.size
+    means = per_person(Values(values.quantity, values.unit, frame))["value"]
+    of_whom = frame.groupby("person")["group"].first()
+    people = [means[of_whom == name] for name in names]
+    at_mean = contrasts(mixed, len(names))
+    pairs = list(combinations(range(len(names)), 2))
+    each = [told(mixed, at_mean[second] - at_mean[first], freedom) for first, second in pairs]
+    among = corrected([p for _, p in each], "holm")
+    return tuple(
+        Difference(
+            names[first],
+            names[second],
+            effect,
+            p,
+            hedges(effect, freedom, people[first], people[second]),
+        )
+        for (first, second), (effect, _), p in zip(pairs, each, among, strict=True)
+    )
+
+
+def contrasts(mixed: Mixed, groups: int) -> Float[np.ndarray, "group effect"]:
+    """The mean of each group; effects of the others are added to that of the first."""
+    rows = np.eye(mixed.effects.size)[:groups]
+    return np.vstack([rows[:1], rows[0] + rows[1:]])
 
 
 def any_difference(mixed: Mixed, apart: Float[np.ndarray, "difference effect"], freedom: int):

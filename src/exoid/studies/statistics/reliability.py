@@ -7,6 +7,7 @@ minimal detectable change, `1.96 sqrt(2) SEM` (Weir 2005, J Strength Cond Res 19
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from math import isnan, nan
 
 import numpy as np
 from scipy.stats import norm
@@ -19,6 +20,11 @@ from exoid.studies.statistics.tables.said import Interval, NotTold
 from exoid.studies.statistics.tables.values import LEG, OCCASION, Values, means
 
 DETECTABLE = float(norm.ppf(0.975)) * 2**0.5  # standard errors of measurement
+STATED = 0.99  # share of the SEM's square from which on it is the stated errors alone
+ONLY_STATED = (
+    "days and drops scatter by no more than the stated standard errors: SEM and detectable change "
+    "are these alone, taken as exactly known, and have no interval"
+)
 TRUE = ("person", "side")  # what lasts from one day to another
 MOST_SESSIONS = 8  # that all may shift together; with more, sessions are dates of each person
 ANOVA = "two-way analysis of variance, F intervals"
@@ -31,7 +37,8 @@ class Reliability:
 
     `agreement` is ICC(A,1), `consistency` ICC(C,1) without the shift between sessions. `sem` and
     `change`, the minimal detectable change, hold no shift either. `variances` are what the values
-    differ by, level by level.
+    differ by, level by level. Where no day or drop is seen to scatter beyond the stated errors,
+    `sem` has no interval, and `notes` say so.
     """
 
     quantity: str
@@ -47,6 +54,7 @@ class Reliability:
     one_drop: Interval | None
     one_drop_change: Interval | None
     variances: Mapping[str, float]
+    notes: tuple[str, ...] = ()
 
     @property
     def change(self) -> Interval:
@@ -81,6 +89,7 @@ def reliability(values: Values) -> Reliability:
         one_drop=alone.correlation(shift=True) if several else None,
         one_drop_change=scaled(alone.error(), DETECTABLE) if several else None,
         variances=mixed.variances,
+        notes=(ONLY_STATED,) if how == MIXED and isnan(sem.low) else (),
     )
 
 
@@ -122,8 +131,14 @@ class Parted:
         )
 
     def error(self) -> Interval:
-        """The standard error of measurement."""
-        return error_interval(self.mixed, self.parts()[1])
+        """The standard error of measurement. Variances at their limit of zero leave what was
+        stated, of which no value tells how true it is.
+        """
+        passing = self.parts()[1]
+        found = error_interval(self.mixed, passing)
+        if passing.known < STATED * passing.value(self.mixed):
+            return found
+        return Interval(found.value, nan, nan)
 
     def parts(self) -> tuple[Sum, Sum]:
         """What lasts from one day to another, and what does not."""

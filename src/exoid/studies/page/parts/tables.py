@@ -10,6 +10,7 @@ from exoid.studies.statistics.agreement import Agreement
 from exoid.studies.statistics.asked import Answer, Answers
 from exoid.studies.statistics.groups import Comparison
 from exoid.studies.statistics.physics import Cause
+from exoid.studies.statistics.presence import Count, without_numbers
 from exoid.studies.statistics.reliability import Reliability
 from exoid.studies.statistics.tables.frames import Frame
 
@@ -25,7 +26,7 @@ def reliabilities(answers: Answers) -> Table:
         "people": [str(one.people) for one in found],
         "ICC(A,1)": [in_brackets(one.agreement) for one in found],
         "ICC(C,1)": Column([in_brackets(one.consistency) for one in found], only="page"),
-        "it is": [grade(one) for one in found],
+        "by its lower end": [grade(one) for one in found],
         "SEM": Column([in_brackets(one.sem, one.unit) for one in found], only="page"),
         "detectable change": [in_brackets(one.change, one.unit) for one in found],
         "of one drop": Column(
@@ -117,8 +118,9 @@ def causes(found: Sequence[Cause], groups: Sequence[str]) -> Table:
 
 
 def failures(recordings: Frame) -> Table:
-    """Reasons, the most frequent first."""
+    """Reasons, the most frequent first; those that differ in their numbers alone are one."""
     failed = recordings[recordings["status"] == "failed"]
+    failed = failed.assign(reason=failed["reason"].map(without_numbers))
     count = failed["reason"].value_counts()
     first = failed.drop_duplicates("reason").set_index("reason")["name"]
     kept = list(count.index[:SHOWN])
@@ -135,11 +137,16 @@ def values(answers: Sequence[Answer]) -> Table:
     made = {
         "quantity": [quantity_words(each.quantity) for each in answers],
         "unit": [shown_unit(each.values.unit) for each in answers],
-        "people": [str(each.values.people) for each in answers],
-        "values": [str(len(each.values.frame)) for each in answers],
+        "people": [out_of(each.presence.people.every) for each in answers],
+        "values": [out_of(each.presence.values.every) for each in answers],
         "median": [median(each) for each in answers],
     }
     return Table("Quantities that recordings told", made, "Quantities")
+
+
+def out_of(each: Count) -> str:
+    """How many, and of how many where some are missing."""
+    return f"{each.told} of {each.of}" if each.missing else str(each.told)
 
 
 def median(each: Answer) -> str:

@@ -1,5 +1,6 @@
 """What a study found, in sentences: a terminal and a page say the same."""
 
+from collections.abc import Sequence
 from math import isfinite
 
 from exoid.report.words.text import (
@@ -10,6 +11,7 @@ from exoid.report.words.text import (
     shown_unit,
 )
 from exoid.studies.page.parts.numbers import number, odds, with_interval
+from exoid.studies.page.parts.presence import rests
 from exoid.studies.statistics.agreement import Agreement
 from exoid.studies.statistics.asked import Answer, Answers
 from exoid.studies.statistics.groups import Comparison
@@ -83,11 +85,22 @@ def sided(found: Agreement, corrected: float, count: int) -> str:
     pairs, effect = found.pairs, found.difference
     what = quantity_words(pairs.quantity)
     shown = with_interval(effect, pairs.unit)
-    verb = "differ on average" if corrected < SURE else "do not surely differ on average"
+    differ = f"sides differ on average, right less left is {shown}"
+    if not corrected < SURE:
+        differ = (
+            f"right less left is {shown}, which cannot be told apart from zero and could be as "
+            f"large as {largest(effect, pairs.unit)}"
+        )
     return (
-        f"{capital(what)}: sides {verb}, right less left is {shown}, "
-        f"{odds(found.p, corrected, count)}; in 95 % of people between {limits(found)}."
+        f"{capital(what)}: {differ}, {odds(found.p, corrected, count)}, in {found.people} people; "
+        f"in 95 % of people between {limits(found)}."
     )
+
+
+def largest(effect: Interval, unit: str) -> str:
+    """The end of the interval that is farther from zero."""
+    size = max(abs(effect.low), abs(effect.high))
+    return f"{number(size, (effect.high - effect.low) / 2)} {shown_unit(unit)}".rstrip()
 
 
 def limits(found: Agreement) -> str:
@@ -102,10 +115,16 @@ def repeated(found: Reliability) -> str:
     drops = counted(round(found.drops), "drop")
     change = with_interval(found.change, found.unit)
     return (
-        f"{capital(what)} of {drops} on one day is {grade(found)} at telling people apart: "
-        f"ICC(A,1) {with_interval(found.agreement)}. In one leg, only a change of more than "
+        f"{capital(what)} of {drops} on one day is {grade(found)} at telling people apart "
+        f"(by the lower end of the interval): ICC(A,1) {with_interval(found.agreement)}. In one leg, only a change of more than "
         f"{change} is more than chance."
     )
+
+
+def told_of(found: Sequence[Reliability]) -> list[str]:
+    """What is to be said of them, those of one note together."""
+    notes = by_reason((quantity_words(each.quantity), one) for each in found for one in each.notes)
+    return [f"{', '.join(names)}: {one}." for one, names in notes.items()]
 
 
 def cause_words(name: str) -> str:
@@ -120,11 +139,14 @@ def shares(each: Cause) -> str:
 
 
 def finding(answers: Answers) -> str:
-    """The main one, of the first quantity: the change by groups, the change, the groups, else how
-    well it repeats.
-    """
+    """The main one, of the first quantity, on whom it rests, and what is missing."""
     if not answers.each:
         return "No quantity has values that recordings told."
+    return f"{found_first(answers)} {rests(answers.each[0])}"
+
+
+def found_first(answers: Answers) -> str:
+    """The change by groups, the change, the groups, else how well it repeats."""
     first, count = answers.each[0], len(answers.each)
     p = first.corrected
     if isinstance(first.change_by_group, Comparison):

@@ -1,7 +1,7 @@
 """Every leg of every person as a point, in the groups that are compared."""
 
 from collections.abc import Sequence
-from math import isnan
+from math import isfinite
 
 import numpy as np
 
@@ -58,8 +58,9 @@ def in_order(group: str) -> tuple[bool, float, str]:
 def legs_of(values: Values, by: str) -> Frame:
     """Means of legs with their group."""
     legs = means(values, ["person", "side"]).reset_index()
-    days = values.frame.groupby(["person", "side"])["session"].nunique()
-    legs["days"] = days.to_numpy()
+    each = values.frame.groupby(["person", "side"])
+    legs["days"] = each["session"].nunique().to_numpy()
+    legs["scatter"] = each["value"].std().to_numpy()
     group = EVERYONE
     if by and by in values.frame and values.frame[by].nunique() <= MOST_GROUPS:
         each = values.frame.drop_duplicates("person").set_index("person")[by].dropna().map(label)
@@ -89,12 +90,15 @@ def clouds(legs: Frame, groups: Sequence[str], values: Values) -> list[Mark]:
 
 
 def told_of(leg, values: Values) -> str:
-    """What is said of a point: who, which side, how often, the value with its error."""
+    """What is said of a point: who, which side, the value, how often, and how far values lie apart:
+    errors of single estimates would hold neither the drops nor the days.
+    """
     unit = f" {shown_unit(values.unit)}".rstrip()
-    error = "" if isnan(leg.error) else f" ± {number(leg.error)}"
     amount = f"{counted(leg.drops, 'value')} of {counted(leg.days, 'session')}"
+    if isfinite(leg.scatter):
+        amount += f", with a standard deviation of {number(leg.scatter)}{unit}"
     who = f"{leg.person}, {leg.side}" if leg.side else str(leg.person)
-    return f"{who}\n{number(leg.value, leg.value / 100)}{error}{unit}\n{amount}"
+    return f"{who}\n{number(leg.value, leg.value / 100)}{unit}\n{amount}"
 
 
 def averages(found, groups: Sequence[str]) -> list[Mark]:

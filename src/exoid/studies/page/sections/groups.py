@@ -3,7 +3,9 @@
 from collections.abc import Iterator
 
 from exoid.report.sections.blocks import Block, Group, element
+from exoid.report.words.text import quantity_words
 from exoid.studies.page.parts.part import Told, part
+from exoid.studies.page.parts.presence import lacking
 from exoid.studies.page.parts.tables import comparisons
 from exoid.studies.page.parts.words import column_words, grouped, why_not
 from exoid.studies.page.pictures.intervals import effects
@@ -49,4 +51,10 @@ def compared(answers: Answers, kind: str, title: str) -> Iterator[Block]:
         yield picture
     notes = {note: None for found, _ in told for note in found.notes}
     yield list(notes)
+    yield [
+        f"{quantity_words(each.quantity)}: {one}"
+        for each in answers.each
+        if isinstance(getattr(each, kind), Comparison)
+        for one in lacking(each)
+    ]
     yield [f"{names}: {why}" for names, why in why_not(answers, kind).items()]

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from exoid.report.sections.blocks import Block, Group, element
 from exoid.studies.page.parts.part import COMPARED, Told, part
 from exoid.studies.page.parts.tables import reliabilities
-from exoid.studies.page.parts.words import repeated, why_not
+from exoid.studies.page.parts.words import repeated, told_of, why_not
 from exoid.studies.page.pictures.bland_altman import bland_altman
 from exoid.studies.page.pictures.intervals import reliabilities as drawn
 from exoid.studies.statistics.agreement import Agreement
@@ -16,8 +16,8 @@ WORDS = {
     "(McGraw and Wong; ICC(2,1) of Shrout and Fleiss). A shift of everybody between days lowers "
     "it.",
     "ICC(C,1)": "The same without that shift: ICC(3,1) of Shrout and Fleiss.",
-    "it is": "Of the lower end of the interval: poor below 0.5, moderate, good from 0.75, "
-    "excellent from 0.9 (Koo and Li).",
+    "by its lower end": "The word for the lower end of ICC(A,1)'s interval, which is what is sure: "
+    "poor below 0.5, moderate, good from 0.75, excellent from 0.9 (Koo and Li).",
     "SEM": "The standard error of measurement: by so much the mean of a day's drops scatters "
     "about what the leg is.",
     "detectable change": "The minimal detectable change: what a single leg must change by, between "
@@ -42,5 +42,6 @@ def reliability(told: Told) -> Iterator[Block]:
         if isinstance(each.retest, Agreement)
     ]
     yield Group("div", pictures, "grid" if len(pictures) > 1 else "")
+    yield told_of(found)
     yield [f"By {how}." for how in {each.how: None for each in found}]
     yield [f"{names}: {why}" for names, why in why_not(answers, "reliability").items()]

@@ -37,25 +37,26 @@ def summary(told: Told) -> Iterator[Block]:
 
 def amount(answers: Answers) -> str:
     """People and recordings."""
-    table = answers.study.recordings
-    people = table.loc[table["participant"] != "", "participant"].nunique()
-    ok = int((table["status"] == "ok").sum())
-    return f"{counted(people, 'person', 'people')}, {counted(ok, 'recording')} read"
+    read = answers.study.read
+    people = read.loc[read["participant"] != "", "participant"].nunique()
+    return f"{counted(people, 'person', 'people')}, {counted(len(read), 'recording')} read"
 
 
 def whole(answers: Answers) -> Group:
     """How many recordings there are, and how many failed."""
-    table = answers.study.recordings
-    failed, twice = (int((table["status"] == each).sum()) for each in ("failed", "duplicate"))
+    study = answers.study
+    unread, twice = len(study.once) - len(study.read), len(study.recordings) - len(study.once)
+    failed = int((study.read["status"] == "failed").sum())
     question = "Were all recordings read?"
     said = f"{amount(answers)}."
-    lost = [f"{counted(failed, 'recording')} failed"] * bool(failed)
+    lost = [f"{counted(unread, 'recording')} could not be read"] * bool(unread)
+    lost += [f"of {counted(failed, 'recording')} a step failed, the others count"] * bool(failed)
     lost += [f"{twice} more are the same as another and count once"] * bool(twice)
     if not lost:
         return card(question, "good", "Yes.", said)
-    answer = "Not all of them." if failed else "Yes."
+    answer = "Not all of them." if unread else "Yes, but a step failed." if failed else "Yes."
     why = f"{said} {capital('; '.join(lost))}."
-    return card(question, "care" if failed else "good", answer, why)
+    return card(question, "care" if unread or failed else "good", answer, why)
 
 
 def trusted(answers: Answers) -> Group:
@@ -67,7 +68,12 @@ def trusted(answers: Answers) -> Group:
         return card(question, "open", "Not told.", why.why if isinstance(why, Untold) else "")
     found: Reliability = first.reliability
     good = grade(found) in ("good", "excellent")
-    return card(question, "good" if good else "care", f"{capital(grade(found))}.", repeated(found))
+    return card(
+        question,
+        "good" if good else "care",
+        f"{capital(grade(found))}, by the lower end of the interval.",
+        repeated(found),
+    )
 
 
 def alike(answers: Answers) -> Group | None:
@@ -77,10 +83,10 @@ def alike(answers: Answers) -> Group | None:
         return None
     p = first.corrected["sides"]
     differ = p < 0.05
-    answer = "Not on average." if differ else "On average, as far as can be told."
+    answer = "Not on average." if differ else "Not told: no difference is sure."
     return card(
         "Are both sides alike?",
-        "care" if differ else "good",
+        "care" if differ else "open",
         answer,
         sided(first.sides, p, len(answers.each)),
     )
@@ -108,7 +114,9 @@ def missing(answers: Answers) -> Group | None:
     named = [each for each in found if each.name not in NOTHING]
     question = "What was the model missing?"
     if not named:
-        return card(question, "good", "Nothing that has a name.", f"{amount(answers)}.")
+        told = all(each.name == "none" for each in found)
+        answer = "Nothing that has a name." if told else "Not told."
+        return card(question, "good" if told else "open", answer, f"{amount(answers)}.")
     most = named[0]
     why = f"Found in {most.people} of {most.of_people} people, {shares(most)}."
     return card(question, "care", f"{capital(most.name)}, most often.", why)

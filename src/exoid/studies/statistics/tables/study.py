@@ -33,6 +33,19 @@ class Study:
     quantities: Frame
 
     @property
+    def once(self) -> Frame:
+        """The recordings, without those that are another again."""
+        return self.recordings[self.recordings["status"] != "duplicate"]
+
+    @property
+    def read(self) -> Frame:
+        """Of these, what was read: a step may have failed, then others have told something."""
+        once = self.once
+        told = self.quantities.loc[self.quantities["value"].notna(), "recording"]
+        samples = once["samples"].notna() if "samples" in once else False
+        return once[(once["status"] == "ok") | once["recording"].isin(told) | samples]
+
+    @property
     def told(self) -> tuple[str, ...]:
         """The quantities that have values, those that lead first, others in the table's order."""
         found = self.quantities.loc[self.quantities["value"].notna(), "quantity"].unique()

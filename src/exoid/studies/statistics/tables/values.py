@@ -47,18 +47,24 @@ def values_of(study: Study, quantity: str, task: str = "") -> Values:
 
     **Raises** `NotTold` (why) where there is none.
     """
-    rows = study.quantities
-    rows = rows[(rows["quantity"] == quantity) & rows["value"].notna()]
-    rows = rows[rows["task"] == task] if task else rows
-    sound = study.recordings.loc[study.recordings["status"] == "ok"]
-    rows = rows[rows["recording"].isin(sound["recording"])]
-    named, notes = told_by_recordings(of_one_step(rows))
+    rows = asked_rows(study, quantity, task)
+    named, notes = told_by_recordings(rows[rows["value"].notna()])
     if named.empty:
         raise NotTold(" ".join(notes) or "No recording that was read has a value.")
     units = named["unit"].unique()
     if len(units) > 1:
         raise NotTold(f"{quantity} has several units: {', '.join(units)}. Compare within one.")
-    return Values(quantity, str(units[0]), with_people(once(named), sound), notes)
+    return Values(quantity, str(units[0]), with_people(once(named), study.recordings), notes)
+
+
+def asked_rows(study: Study, quantity: str, task: str = "") -> Frame:
+    """The rows of a quantity, those without a value, too. A recording of which one step failed
+    has the values of the others; one that is there twice counts once.
+    """
+    rows = study.quantities
+    rows = rows[rows["quantity"] == quantity]
+    rows = rows[rows["task"] == task] if task else rows
+    return of_one_step(rows[rows["recording"].isin(study.once["recording"])])
 
 
 def told_by_recordings(rows: Frame) -> tuple[Frame, tuple[str, ...]]:
@@ -90,7 +96,8 @@ def once(rows: Frame) -> Frame:
 
 def of_one_step(rows: Frame) -> Frame:
     """A diagnosis may fit again what a fit has told: the first of the steps that told it."""
-    steps = [each for each in STEPS if (rows["step"] == each).any()]
+    told = rows.loc[rows["value"].notna(), "step"]
+    steps = [each for each in STEPS if (told == each).any()]
     return rows[rows["step"] == steps[0]] if steps else rows
 
 

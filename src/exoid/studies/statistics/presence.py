@@ -1,0 +1,107 @@
+"""Of how many people, recordings and drops a quantity has a value, and of how many it has none."""
+
+import re
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass
+
+from exoid.studies.statistics.groups import label
+from exoid.studies.statistics.tables.frames import Column, Frame
+from exoid.studies.statistics.tables.study import Study
+from exoid.studies.statistics.tables.values import WHOLE, Values, asked_rows
+
+UNEVEN = 0.05  # by which shares that are missing differ before it is said: one of twenty
+NUMBER = re.compile(r"\d+(?:[.,:]\d+)*(?:e[+-]?\d+)?")
+
+
+@dataclass(frozen=True)
+class Count:
+    """How many of those there are have a value."""
+
+    told: int
+    of: int
+
+    @property
+    def missing(self) -> int:
+        return self.of - self.told
+
+
+@dataclass(frozen=True)
+class Tally:
+    """All, and by what parts them: `group` or `side`, then its names."""
+
+    every: Count
+    parts: Mapping[str, Mapping[str, Count]]
+
+    def uneven(self, part: str) -> bool:
+        """Do shares that are missing differ?"""
+        shares = [each.missing / each.of for each in self.parts.get(part, {}).values()]
+        return bool(shares) and max(shares) - min(shares) > UNEVEN
+
+
+@dataclass(frozen=True)
+class Presence:
+    """`missing` are the people without a value, `reason` is the most frequent one of values that
+    are missing, its numbers left out.
+    """
+
+    people: Tally
+    recordings: Tally
+    values: Tally
+    missing: tuple[str, ...]
+    reason: str
+
+
+def presence(
+    study: Study, values: Values, asked: tuple[str, str], whom: Collection[str]
+) -> Presence:
+    """Of the task and the column of groups `asked`; an answer rests on the people `whom`."""
+    task, by = asked
+    table = study.once[study.once["participant"] != ""]
+    table = table[table["task"] == task] if task else table
+    table = table.assign(group=groups_of(table, by))
+    people = table.drop_duplicates("participant")
+    rows = of_drops(asked_rows(study, values.quantity, task))
+    rows = rows[rows["recording"].isin(table["recording"])]
+    group = table.drop_duplicates("recording").set_index("recording")["group"]
+    rows = rows.assign(group=rows["recording"].map(group))
+    there = people["participant"].isin(list(whom))
+    return Presence(
+        tally(people, there, ("group",)),
+        tally(table, table["recording"].isin(values.frame["recording"]), ("group", "side")),
+        tally(rows, rows["value"].notna(), ("group", "side")),
+        tuple(sorted(people.loc[~there, "participant"])),
+        reason_of(rows[rows["value"].isna()]),
+    )
+
+
+def groups_of(table: Frame, by: str) -> Column | str:
+    """The name of each one's group; doses and people of none have none."""
+    return table[by].map(label, na_action="ignore") if by in table else ""
+
+
+def of_drops(rows: Frame) -> Frame:
+    """Of each drop; of recordings as wholes where no drop is told."""
+    drops = rows[rows["segment"] != WHOLE]
+    return rows if drops.empty else drops
+
+
+def tally(rows: Frame, there: Column, parts: tuple[str, ...]) -> Tally:
+    """How many are there, of all and of each part that has a name."""
+    found = {}
+    for part in parts:
+        named = rows[part].where(rows[part] != "").dropna()
+        grouped = there[named.index].groupby(named)
+        found[part] = {str(name): Count(int(each.sum()), len(each)) for name, each in grouped}
+    return Tally(Count(int(there.sum()), len(rows)), found)
+
+
+def reason_of(rows: Frame) -> str:
+    """The most frequent note."""
+    said = rows["note"].map(without_numbers)
+    said = said[said != ""]
+    return "" if said.empty else str(said.value_counts().index[0])
+
+
+def without_numbers(sentence: str) -> str:
+    """Sentences that differ in their numbers alone are one."""
+    return NUMBER.sub("…", sentence)

@@ -1,0 +1,83 @@
+"""Of whom a study has values, and of whom not: every value counts, and who is missing is said."""
+
+import numpy as np
+import pytest
+from benchmarks.studies.tables import Design, Truth, simulate
+
+from exoid.studies.page.parts.words import finding
+from exoid.studies.page.sections.summary import amount
+from exoid.studies.statistics.ask import ask
+from exoid.studies.statistics.asked import Asked
+from exoid.studies.statistics.tables.study import study_of
+
+ENDED = "the recording ended {} s before rest"
+
+
+@pytest.fixture(scope="module")
+def study():
+    """Ten people of each group, of very different indices."""
+    return simulate(Design(people=20, days=1, drops=2, truths=(Truth(effect=-0.6),)), 0)
+
+
+def some_failed(study):
+    """The fits of seven spastic people do not follow; their drops were measured."""
+    spastic = sorted(spastic_of(study))[:7]
+    astray = study.recordings["participant"].isin(spastic)
+    status = np.where(astray, "failed", "ok")
+    samples = np.full(len(status), 1000.0)
+    return study.recordings.assign(status=status, samples=samples), spastic
+
+
+def spastic_of(study):
+    rows = study.recordings
+    return {*rows.loc[rows["participant_group"] == "spastic", "participant"]}
+
+
+def test_drops_count_where_only_the_fit_of_their_recording_failed(study):
+    recordings, _ = some_failed(study)
+    whole = ask(study, Asked(by="group"))
+    found = ask(study_of(recordings, study.quantities), Asked(by="group"))
+    assert found.each[0].groups.differences == whole.each[0].groups.differences
+    assert "It rests on 10 of 10 control and 10 of 10 spastic people." in finding(found)
+    assert amount(found) == "20 people, 40 recordings read"
+
+
+def test_who_is_missing_is_said_with_the_finding_where_groups_differ_in_it(study):
+    recordings, lost = some_failed(study)
+    rows = study.quantities
+    fewer = study_of(
+        recordings.assign(samples=np.where(recordings["status"] == "failed", np.nan, 1000.0)),
+        rows[~rows["participant"].isin(lost)],
+    )
+    answers = ask(fewer, Asked(by="group"))
+    said = finding(answers)
+    assert "It rests on 10 of 10 control and 3 of 10 spastic people" in said
+    assert f"missing: {', '.join(lost[:5])} and 2 more" in said
+    assert "may bias the difference" in said
+    assert amount(answers) == "13 people, 26 recordings read"
+
+
+def test_recordings_that_are_missing_of_people_who_are_there_are_counted(study):
+    gone = study.recordings.loc[study.recordings["side"] == "right", "recording"][:8]
+    rows = study.quantities[~study.quantities["recording"].isin(gone)]
+    said = finding(ask(study_of(study.recordings, rows), Asked(by="group")))
+    assert "8 of 40 recordings have no value: left 0 of 20, right 8 of 20" in said
+
+
+def test_values_that_are_missing_are_told_with_their_reason_and_where(study):
+    rows = study.quantities.copy()
+    lost = rows.index[
+        rows["participant"].isin(spastic_of(study)) & (rows["quantity"] == "relaxation_index")
+    ][::4]
+    rows.loc[lost, "value"] = np.nan
+    rows.loc[lost, "note"] = [ENDED.format(at / 10) for at in range(len(lost))]
+    said = finding(ask(study_of(study.recordings, rows), Asked(by="group")))
+    assert "10 of 80 values are missing: control 0 of 40, spastic 10 of 40" in said
+    assert "mostly: the recording ended … s before rest" in said
+
+
+def test_nothing_is_said_to_be_missing_where_all_is_there(study):
+    said = finding(ask(study, Asked()))
+    assert "It rests on 20 of 20 people." in said
+    assert "missing" not in said
+    assert "bias" not in said
