@@ -7,6 +7,7 @@ from exoid.files.visible import visible
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.solve.program_cache import with_sound_programs
 from exoid.studies.batch.fit_many import fit_many
+from exoid.studies.dataset.cause import for_all
 from exoid.studies.dataset.entry import Dataset
 from exoid.studies.dataset.recording_of import recording_of
 from exoid.studies.engine.kept.item import Item
@@ -34,7 +35,7 @@ def read(item: Item, dataset: Dataset) -> Measured:
         return Measured(item, recording_of(item.entry, dataset))
     except Exception as fault:
         said = reason_of(fault).removeprefix(f"{visible(str(item.entry.path))}: ")
-        return Measured(item, faults=[said])
+        return Measured(item, faults=[for_all(said, item.entry.name)])
 
 
 def take(one: Measured, step: str, work: Callable[[], Iterable[Row]]) -> None:
