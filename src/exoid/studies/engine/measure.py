@@ -13,6 +13,7 @@ from exoid.studies.dataset.recording_of import recording_of
 from exoid.studies.engine.kept.item import Item
 from exoid.studies.engine.kept.measured import Measured
 from exoid.studies.engine.kept.quantities import Row, of_diagnosis, of_drops, of_fit
+from exoid.studies.engine.outcome import UNLIKE
 from exoid.studies.engine.plan import Batch
 from exoid.studies.engine.reason import reason_of
 from exoid.studies.engine.settings import Settings
@@ -65,7 +66,7 @@ def fitted(each: list[Measured], options: dict[str, Any]) -> None:
     for one, result in zip(each, results, strict=True):
         take(one, "fit", lambda result=result: of_fit(sound(result)))
         if isinstance(result, FitResult) and not result.follows:
-            one.faults.append(f"fit: it does not follow the recording: {result.astray}")
+            one.faults.append(f"fit: {UNLIKE}: {result.astray}")
 
 
 def sound(result: FitResult | Exception) -> FitResult:
