@@ -24,7 +24,23 @@ def test_a_size_that_nobody_has_is_found_with_its_likely_cause(sound, row, said)
     assert said in says
 
 
-@pytest.mark.parametrize("row", ["P02,18,1.05,5", "P02,230,1.75,50", "P02,38,1.5,17"])
+@pytest.mark.parametrize(
+    ("row", "said"),
+    [
+        ("P02,149.3,1.73,40", "(50 kg/m2). Is that right? It would be 67.7 kg if it is in lb."),
+        ("P02,149.3,1.73,", "It would be 67.7 kg if it is in lb."),
+        ("P02,230,1.75,50", "weighs 230 kg at 1.75 m, as hardly anybody does (75 kg/m2)."),
+        ("P02,31,1.65,40", "(11 kg/m2). Is that right?"),
+    ],
+)
+def test_a_size_that_hardly_anybody_has_is_told_with_its_likely_unit(sound, row, said):
+    (sound / "participants.csv").write_text(PEOPLE.replace("P02,61,1.65,40", row))
+    (one,) = checked(sound).findings
+    assert (one.level, one.kind, one.where) == ("warning", "unusual size", "P02")
+    assert said in one.says
+
+
+@pytest.mark.parametrize("row", ["P02,18,1.05,5", "P02,125,1.75,50", "P02,38,1.5,17"])
 def test_a_child_and_a_heavy_and_a_slight_person_are_none(sound, row):
     (sound / "participants.csv").write_text(PEOPLE.replace("P02,61,1.65,40", row))
     assert checked(sound).findings == ()
@@ -63,7 +79,7 @@ def test_mixed_rates_and_devices_of_one_person_are_found(sound):
     (sound / "P02" / "left_1.toml").write_text('[sensors]\ndevice = "goniometer"\n')
     assert found(sound, "mixed rates")[0][1:] == (
         "P01",
-        "was recorded at 59.9 and at 100 Hz. Compare with care: noise and errors differ.",
+        "was recorded at 60 and at 100 Hz. Compare with care: noise and errors differ.",
     )
     assert found(sound, "mixed devices")[0][1] == "P02"
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from exoid.studies.dataset.entry import Entry, Participant
 from exoid.studies.engine.kept.item import Item
-from exoid.studies.engine.plan import LARGEST, SMALLEST, Batch, plan, unlike
+from exoid.studies.engine.plan import FIRST, LARGEST, SMALLEST, Batch, plan, unlike
 
 
 def item(name: str, size: int = 1000, recording: str = "") -> Item:
@@ -26,9 +26,15 @@ def test_every_recording_is_in_one_batch_with_others_of_its_format_and_size():
 
 
 def test_batches_are_neither_tiny_nor_huge():
-    assert {len(b.items) for b in plan([item(f"{n}") for n in range(16)], 8)} == {SMALLEST}
-    assert len(plan([item(f"{n}") for n in range(5000)], 1)[0].items) == LARGEST
+    few = plan([item(f"{n}") for n in range(16)], 8)
+    assert [len(batch.items) for batch in few] == [FIRST, FIRST, SMALLEST - FIRST, SMALLEST - FIRST]
+    assert max(len(b.items) for b in plan([item(f"{n}") for n in range(5000)], 1)) == LARGEST
     assert len(plan([item(f"{n}", 40_000_000) for n in range(9)], 1)[0].items) == 1  # by bytes
+
+
+def test_the_first_batch_of_each_worker_is_small_so_that_something_is_kept_soon():
+    sizes = [len(batch.items) for batch in plan([item(f"{n}") for n in range(120)], 2)]
+    assert sizes == [FIRST, FIRST, 15 - FIRST, 15 - FIRST, *([15] * 6)]
 
 
 def test_of_recordings_that_hold_the_same_the_first_is_computed():

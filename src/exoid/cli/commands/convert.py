@@ -63,8 +63,11 @@ def convert(
       exoid convert study -o shared --as bids
     """
     if recording.is_dir():
-        alone = {"--column": column, "--dbc": dbc, "--signal": signal, "--flip": flip}
-        refuse_given({**alone, "--zero": zero, "--strict": strict}, "a recording", recording)
+        for_all = f"Write it into {recording / 'defaults.toml'}, for all recordings."
+        keys = {"--column": column, "--flip": flip, "--zero": zero}
+        refuse_given(keys, "a recording", recording, for_all)
+        alone = {"--dbc": dbc, "--signal": signal, "--strict": strict}
+        refuse_given(alone, "a recording", recording)
         convert_folder(recording, output, layout, whole=whole, force=force)
         return
     refuse_given({"--as": layout}, "a data set", recording)
@@ -79,11 +82,13 @@ def convert(
     say(f"{output}: {counted(len(loaded.segments), 'segment')}, and {sidecar}")
 
 
-def refuse_given(options: dict[str, object], of: str, given: Path) -> None:
+def refuse_given(
+    options: dict[str, object], of: str, given: Path, mend: str = "Leave it out."
+) -> None:
     """Refuse options that say nothing of what was given."""
     for name, value in options.items():
         if value:
-            raise ValueError(f"{given}: {name} is for {of}, which this is not. Leave it out.")
+            raise ValueError(f"{given}: {name} is for {of}, which this is not. {mend}")
 
 
 def convert_folder(

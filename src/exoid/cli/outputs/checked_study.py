@@ -56,9 +56,24 @@ def shown(group: "list[Finding]") -> Iterator[str]:
         yield f"{', '.join(each.where for each in group[:MOST])}{more}"
         yield group[0].says
         return
-    yield from (f"{each.where}{': ' if each.where else ''}{each.says}" for each in group[:SHOWN])
-    if len(group) > SHOWN:
-        yield f"and {len(group) - SHOWN} more, all of them with --json FILE"
+    by_cause = alike(group)
+    for each in by_cause[:SHOWN]:
+        where = f"{len(each)} alike, such as {each[0].where}" if len(each) > 1 else each[0].where
+        yield f"{where}{': ' if where else ''}{each[0].says}"
+    if len(by_cause) > SHOWN:
+        left = sum(map(len, by_cause[SHOWN:]))
+        yield f"and {left} more, all of them with --json FILE"
+
+
+def alike(group: "list[Finding]") -> "list[list[Finding]]":
+    """Those that many have in common together; of a few, each is shown with its numbers."""
+    from exoid.studies.dataset.cause import cause
+
+    causes: dict[str, list[Finding]] = defaultdict(list)
+    for each in group:
+        causes[cause(each.says)].append(each)
+    many = [each for each in causes.values() if len(each) > SHOWN]
+    return many + [[one] for each in causes.values() if len(each) <= SHOWN for one in each]
 
 
 def counts(told: dict[str, int]) -> str:

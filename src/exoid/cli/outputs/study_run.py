@@ -29,6 +29,7 @@ def print_outcome(made: Any, results: Path, console: Any) -> None:
         ("all", made.recordings),
         ("measured", made.ok),
         ("failed", made.failed),
+        ("of these, measured in part", made.partly),
         ("the same as another", made.duplicates),
         ("computed now", made.computed),
         ("time", told),

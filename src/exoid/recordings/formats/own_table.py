@@ -8,7 +8,7 @@ import csv
 import io
 import re
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -20,12 +20,13 @@ from exoid.files.replacing import replace_files
 from exoid.files.text_file import Notes, misquoted, naming
 from exoid.recordings.columns import CHANNELS, IN_DEGREES, NUMERIC
 from exoid.recordings.conventions.file_clock import SINCE
+from exoid.recordings.defaults import columns_told, keys_told
 from exoid.recordings.flat_table import flat
 from exoid.recordings.formats.delimited import is_own, legible, sheet_of_text
 from exoid.recordings.formats.sheets import TEXTS, read_sheet
 from exoid.recordings.recording import BadSample, Recording, Segment, Subject
 from exoid.recordings.selection import entries
-from exoid.recordings.sidecar import keys_beside, read_columns, sidecar_text
+from exoid.recordings.sidecar import sidecar_text
 from exoid.recordings.tables.assemble import Named, assemble, kept, without_empty
 from exoid.recordings.tables.sheet import Cells, Column, Place
 from exoid.recordings.tables.sound_segments import Sound, sound
@@ -38,7 +39,10 @@ FIRST_LINE = 2  # the line of the first sample; the header is line 1
 
 
 def read_table(
-    path: str | Path, columns: Mapping[str, str] | None = None
+    path: str | Path,
+    columns: Mapping[str, str] | None = None,
+    *,
+    defaults: Sequence[Path] = (),
 ) -> tuple[Recording, Notes]:
     """The recording in NAME.csv and NAME.toml, and what its owner should be told.
 
@@ -46,6 +50,7 @@ def read_table(
     columns (as text) and keys are kept and named in the notes, with the known name they resemble.
     `columns` maps exoid's columns to those of a table in other words; [columns] in NAME.toml does
     the same. Such a table may also be of another format, and the notes say how it was understood.
+    `defaults` are sidecars of many recordings, for where NAME.toml is silent.
 
     **Raises** `ValueError` (one line: file, line or key, what to do) for anything else.
     """
@@ -53,12 +58,12 @@ def read_table(
     sidecar = path.with_suffix(".toml")
     if path == sidecar:
         raise ValueError(f"{path}: this is the sidecar. Name the .csv beside it.")
-    known = sidecar.exists()
-    chosen = {**(read_columns(sidecar) if known else {}), **(columns or {})}
-    tables, extra, key_notes = keys_beside(
+    chosen = {**columns_told(sidecar, defaults), **(columns or {})}
+    tables, extra, key_notes = keys_told(
         sidecar,
         f"{sidecar} does not exist: of subject, protocol and sensors only what options say is "
         "known.",
+        defaults,
     )
     with naming(path):
         named = named_columns(path, chosen, tables["sensors"].sample_rate)

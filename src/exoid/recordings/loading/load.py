@@ -1,17 +1,17 @@
 """Any recording file: a table or a CAN log, with the sidecar beside it, cut into its movements."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from exoid.files.text_file import naming
 from exoid.recordings.can.quality import LogQuality
 from exoid.recordings.conventions.apply import understand
+from exoid.recordings.defaults import keys_told
 from exoid.recordings.formats.own_table import read_table
 from exoid.recordings.formats.sheets import is_table
 from exoid.recordings.motion.split import cut_apart, cut_table
 from exoid.recordings.recording import Recording
-from exoid.recordings.sidecar import keys_beside
 
 LOG_HEADER = b"timestamp,arbitration_id,"  # of python-can's own .csv
 
@@ -35,13 +35,15 @@ def load(
     flip: str | None = None,
     zero: str | None = None,
     columns: Mapping[str, str] | None = None,
+    defaults: Sequence[str | Path] = (),
 ) -> Loaded:
     """Read a recording of either kind; a continuous log is cut into its drops and cycles.
 
     With `whole` it stays one segment, and what the sidecar marks stays marked. `flip` ("angle",
     "gyro", "all") names the channels of the other sign, `zero` ("hanging", "unknown", "extended")
     what the file calls 0; both replace what the sidecar says. `columns` says what a table in other
-    words calls exoid's columns: `{"raw_angle_deg": "Knee Flexion"}`.
+    words calls exoid's columns: `{"raw_angle_deg": "Knee Flexion"}`. `defaults` are sidecars that
+    hold for many recordings, the most general first: they tell what its own does not.
 
     **Raises** `ValueError` (one line: what, where, what to do) and `OSError`; with `strict` also
     for anything that a CAN log lost.
@@ -50,10 +52,10 @@ def load(
     >>> len(loaded.recording.segments), loaded.notes
     (2, ())
     """
-    path = Path(path)
+    path, above = Path(path), [Path(each) for each in defaults]
     check_request(path, dbc, signals)
     if is_table(path) and dbc is None and not is_log(path):
-        recording, notes = read_table(path, columns)
+        recording, notes = read_table(path, columns, defaults=above)
         with naming(path):
             recording, more = understand(recording, cut_table, whole=whole, flip=flip, zero=zero)
         return Loaded(recording, (*notes, *(f"{path}: {note}" for note in more)), None)
@@ -62,8 +64,8 @@ def load(
     from exoid.recordings.loading.can_log import read_can_log
 
     sidecar = path.with_suffix(".toml")
-    tables, extra, notes = keys_beside(
-        sidecar, f"no {sidecar.name} beside the log: subject and protocol are unknown"
+    tables, extra, notes = keys_told(
+        sidecar, f"no {sidecar.name} beside the log: subject and protocol are unknown", above
     )
     recording, quality = read_can_log(path, dbc=dbc, signals=signals, strict=strict, **tables)
     recording = replace(recording, extra_tables=extra)

@@ -41,6 +41,7 @@ class Entry:
     side: str = ""  # left or right
     task: str = ""
     run: str = ""
+    defaults: tuple[Path, ...] = ()  # sidecars of all below their folders, the highest first
 
 
 @dataclass(frozen=True)

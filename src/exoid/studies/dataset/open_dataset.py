@@ -1,12 +1,15 @@
 """A folder of recordings as a data set: told by names and one small table, no recording read."""
 
-from pathlib import Path
+from collections.abc import Iterable
+from dataclasses import replace
+from functools import cache
+from pathlib import Path, PurePosixPath
 
 from exoid.files.system_errors import told
 from exoid.files.visible import visible
 from exoid.recordings.can.logs.log_files import FORMATS
 from exoid.recordings.formats.sheets import READERS
-from exoid.studies.dataset.entry import Dataset
+from exoid.studies.dataset.entry import Dataset, Entry
 from exoid.studies.dataset.layout import entry_of
 from exoid.studies.dataset.motion_bids.labels import SUFFIX
 from exoid.studies.dataset.participants import ENDINGS, Table, read_participants
@@ -15,6 +18,7 @@ from exoid.studies.dataset.walk import walk
 READABLE = {*FORMATS, *READERS}
 PARTICIPANTS = "participants"
 ABOUT = {"readme", "changes", "license", "licence", "citation", PARTICIPANTS}  # beside recordings
+DEFAULTS = "defaults.toml"  # a sidecar of all recordings at or below its folder
 DESCRIPTION = "dataset_description.json"
 
 
@@ -45,7 +49,26 @@ def open_dataset(folder: str | Path) -> Dataset:
     ids = frozenset(people.participants)
     entries = tuple(entry_of(folder.absolute(), name, ids) for name in names)
     problems = (*map(visible, found.unread), *people.problems)
+    if not bids:
+        entries = with_defaults(folder.absolute(), entries, found.names)
     return Dataset(folder.absolute(), entries, people.participants, table, bids, problems)
+
+
+def with_defaults(
+    folder: Path, entries: tuple[Entry, ...], names: Iterable[str]
+) -> tuple[Entry, ...]:
+    """The entries with the `defaults.toml` of their folders; BIDS has a way of its own."""
+    there = {path.parent for each in names if (path := PurePosixPath(each)).name == DEFAULTS}
+    if not there:
+        return entries
+
+    @cache
+    def above(place: Path) -> tuple[Path, ...]:
+        inside = PurePosixPath(place.relative_to(folder).as_posix())
+        ways = [*reversed(inside.parents), inside]
+        return tuple(folder / each / DEFAULTS for each in ways if each in there)
+
+    return tuple(replace(each, defaults=above(each.path.parent)) for each in entries)
 
 
 def is_motion(name: str) -> bool:

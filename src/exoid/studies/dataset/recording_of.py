@@ -3,9 +3,10 @@
 from dataclasses import replace
 
 from exoid.files.visible import visible
+from exoid.recordings.defaults import keys_told
 from exoid.recordings.loading.load import Loaded, load
 from exoid.recordings.recording import Recording, Subject
-from exoid.recordings.sidecar import keys_beside
+from exoid.studies.dataset.cause import for_all
 from exoid.studies.dataset.entry import Dataset, Entry, Participant
 from exoid.studies.dataset.motion_bids.labels import SUFFIX, label
 from exoid.studies.dataset.motion_bids.read_motion import metadata_of, read_motion, sidecar_of
@@ -27,14 +28,14 @@ def loaded(entry: Entry, *, whole: bool = False) -> Loaded:
     """The recording by its own files alone, and what its reader noticed."""
     if entry.path.name.endswith(SUFFIX):
         return Loaded(*read_motion(entry.path, whole=whole), None)
-    return load(entry.path, whole=whole)
+    return load(entry.path, whole=whole, defaults=entry.defaults)
 
 
 def told_beside(entry: Entry) -> Subject:
-    """What the recording's own sidecar says of its subject; no sample is read."""
+    """What the recording's sidecars say of its subject; no sample is read."""
     if entry.path.name.endswith(SUFFIX):
         return sidecar_of(entry.path, metadata_of(entry.path))[0]["subject"]
-    return keys_beside(entry.path.with_suffix(".toml"), "")[0]["subject"]
+    return keys_told(entry.path.with_suffix(".toml"), "", entry.defaults)[0]["subject"]
 
 
 def with_sidecar(entry: Entry, subject: Subject) -> Entry:
@@ -75,4 +76,5 @@ def person_of(identity: str, dataset: Dataset) -> Participant:
 def bare(said: str, entry: Entry) -> str:
     """A reason on one line, without the path that is named beside it."""
     line = " ".join(said.split())
-    return visible(line.replace(f"{visible(str(entry.path))}: ", "").replace(f"{entry.path} ", ""))
+    line = line.replace(f"{visible(str(entry.path))}: ", "").replace(f"{entry.path} ", "")
+    return for_all(visible(line), entry.name)

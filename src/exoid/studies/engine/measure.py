@@ -7,11 +7,13 @@ from exoid.files.visible import visible
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.solve.program_cache import with_sound_programs
 from exoid.studies.batch.fit_many import fit_many
+from exoid.studies.dataset.cause import for_all
 from exoid.studies.dataset.entry import Dataset
 from exoid.studies.dataset.recording_of import recording_of
 from exoid.studies.engine.kept.item import Item
 from exoid.studies.engine.kept.measured import Measured
 from exoid.studies.engine.kept.quantities import Row, of_diagnosis, of_drops, of_fit
+from exoid.studies.engine.outcome import UNLIKE
 from exoid.studies.engine.plan import Batch
 from exoid.studies.engine.reason import reason_of
 from exoid.studies.engine.settings import Settings
@@ -34,7 +36,7 @@ def read(item: Item, dataset: Dataset) -> Measured:
         return Measured(item, recording_of(item.entry, dataset))
     except Exception as fault:
         said = reason_of(fault).removeprefix(f"{visible(str(item.entry.path))}: ")
-        return Measured(item, faults=[said])
+        return Measured(item, faults=[for_all(said, item.entry.name)])
 
 
 def take(one: Measured, step: str, work: Callable[[], Iterable[Row]]) -> None:
@@ -64,7 +66,7 @@ def fitted(each: list[Measured], options: dict[str, Any]) -> None:
     for one, result in zip(each, results, strict=True):
         take(one, "fit", lambda result=result: of_fit(sound(result)))
         if isinstance(result, FitResult) and not result.follows:
-            one.faults.append(f"fit: it does not follow the recording: {result.astray}")
+            one.faults.append(f"fit: {UNLIKE}: {result.astray}")
 
 
 def sound(result: FitResult | Exception) -> FitResult:

@@ -8,6 +8,7 @@ from exoid.studies.engine.kept.item import Item
 
 LARGEST = 64  # recordings of a batch: more no longer fill the lanes of programs any better
 SMALLEST = 8  # where there are as many
+FIRST = 2  # of the first batch of each worker: something is kept soon, and its lanes are full
 SHARES = 4  # batches for each worker, at least, so that all end at about the same time
 LARGEST_BYTES = 64e6  # of their files
 
@@ -42,7 +43,9 @@ def unlike(items: Iterable[Item]) -> tuple[list[Item], dict[str, str]]:
 
 
 def plan(items: Sequence[Item], count: int) -> list[Batch]:
-    """Batches for so many workers, each of one format and about one size, the largest first."""
+    """Batches for so many workers, each of one format and about one size, the largest first; the
+    first of each worker is small.
+    """
     buckets: dict[tuple[str, int], list[Item]] = {}
     for item in items:
         bucket = item.entry.path.suffix.lower(), item.size.bit_length()
@@ -50,7 +53,15 @@ def plan(items: Sequence[Item], count: int) -> list[Batch]:
     share = len(items) // (SHARES * count)
     most = min(LARGEST, max(SMALLEST, share))
     ordered = sorted(buckets.items(), key=lambda each: (-each[0][1], each[0][0]))
-    return [batch for _, own in ordered for batch in cut(own, most)]
+    batches = [batch for _, own in ordered for batch in cut(own, most)]
+    return [*small(batches[:count]), *batches[count:]]
+
+
+def small(batches: Sequence[Batch]) -> list[Batch]:
+    """The begins of all, then their rests."""
+    begins = [Batch(batch.items[:FIRST]) for batch in batches]
+    rests = [Batch(batch.items[FIRST:]) for batch in batches]
+    return [*begins, *(rest for rest in rests if rest.items)]
 
 
 def cut(items: Sequence[Item], most: int) -> list[Batch]:

@@ -24,7 +24,7 @@ def read_contents(dataset: Dataset, settings: str) -> list[Item | Unread]:
 def content_of(entry: Entry, dataset: Dataset, settings: str) -> Item | Unread:
     try:
         content = entry.path.read_bytes()
-        others = [path.read_bytes() for path in beside(entry.path)]
+        others = [path.read_bytes() for path in (*entry.defaults, *beside(entry.path))]
     except OSError as fault:
         return Unread(entry, told(fault))
     person = person_of(entry.participant, dataset)

@@ -1,9 +1,8 @@
 """`run_study`: a data set through all steps, what is there already left as it is."""
 
 import time
-from collections import Counter
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -12,24 +11,12 @@ from exoid.files.extras import require
 from exoid.studies.dataset.entry import Dataset, Participant
 from exoid.studies.engine.carry_out import TAKEN_DOWN, carry_out, count_of
 from exoid.studies.engine.kept.item import Item, Unread
+from exoid.studies.engine.outcome import Outcome, outcome
 from exoid.studies.engine.plan import Batch, plan, unlike
 from exoid.studies.engine.read_contents import read_contents
 from exoid.studies.engine.settings import Settings
 from exoid.studies.engine.work import work
 from exoid.studies.engine.workers import workers
-
-
-@dataclass(frozen=True)
-class Outcome:
-    """What a run did; `reasons` are those of recordings that failed, with how many."""
-
-    recordings: int
-    computed: int  # in this run; the others were there
-    ok: int
-    failed: int
-    duplicates: int
-    reasons: dict[str, int]
-    seconds: float
 
 
 def run_study(
@@ -68,7 +55,7 @@ def run_study(
     found = by_part(items, there)
     others = rows_without_part(contents, again, lost, digest)
     table = assemble(results, found, others, dataset)
-    return outcome(table, len(missing), time.monotonic() - began)
+    return outcome(table, settings.steps, len(missing), time.monotonic() - began)
 
 
 def work_of(client: Any, batch: Batch, *, dataset: Dataset, rest: tuple) -> Any:
@@ -118,18 +105,3 @@ def rows_without_part(
             row = recording_row(Measured(each), digest)
             rows.append(row | {"status": "duplicate", "duplicate_of": again[each.entry.name]})
     return rows + [recording_row(Measured(item, faults=[TAKEN_DOWN]), digest) for item in lost]
-
-
-def outcome(table: Any, computed: int, seconds: float) -> Outcome:
-    status = Counter(table["status"].to_pylist())
-    failed = zip(table["status"].to_pylist(), table["reason"].to_pylist(), strict=True)
-    reasons = Counter(reason for each, reason in failed if each == "failed")
-    return Outcome(
-        recordings=table.num_rows,
-        computed=computed,
-        ok=status["ok"],
-        failed=status["failed"],
-        duplicates=status["duplicate"],
-        reasons=dict(reasons.most_common()),
-        seconds=seconds,
-    )

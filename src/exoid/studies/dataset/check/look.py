@@ -14,6 +14,7 @@ from exoid.recordings.recording import Recording, Subject
 from exoid.recordings.signal.condition import classify
 from exoid.studies.dataset.check.looked import Facts, Looked
 from exoid.studies.dataset.entry import Dataset, Entry
+from exoid.studies.dataset.rate import rate_of
 from exoid.studies.dataset.recording_of import bare, loaded, told_beside, with_sidecar
 
 NODE = "exoid node"
@@ -54,10 +55,9 @@ def facts_of(read: Loaded) -> Facts:
         recording.kind(number) or classify(segment)
         for number, segment in enumerate(recording.segments)
     ]
-    steps = np.concatenate([np.diff(segment.time) for segment in recording.segments])
     return Facts(
         device_of(read),
-        float(1 / np.median(steps)),
+        rate_of(recording.segments),
         len(kinds),
         kinds.count("passive"),
         pull_of(recording, [n for n, kind in enumerate(kinds) if kind == "passive"]),

@@ -16,6 +16,7 @@ from exoid.recordings.recording import Recording
 from exoid.recordings.sidecar import TABLES, written
 from exoid.studies.dataset.motion_bids.channels import CHANNELS, LATENCY, OWN_UNITS, UNKNOWN
 from exoid.studies.dataset.motion_bids.labels import beside
+from exoid.studies.dataset.rate import rate_of
 from exoid.studies.dataset.tables.tsv import MISSING, cell, tsv
 
 OWN = "exoid"  # the key of `_motion.json` below which exoid keeps its sidecar
@@ -91,7 +92,7 @@ def metadata(recording: Recording, names: list[str], task: str) -> dict[str, Any
     """What Motion-BIDS asks for, and exoid's own sidecar."""
     kinds = Counter(CHANNELS.get(name, UNKNOWN).type for name in names)
     counts = {f"{kind}ChannelCount": count for kind, count in sorted(kinds.items())}
-    effective = 1 / step(np.concatenate([each.time for each in recording.segments[:1]]))
+    effective = rate_of(recording.segments)
     tables = {name: written(getattr(recording, name)) for name in TABLES}
     return {
         "TaskName": task,

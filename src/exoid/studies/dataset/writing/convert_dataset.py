@@ -13,6 +13,7 @@ from exoid.recordings.formats.own_table import write_table
 from exoid.recordings.recording import Recording
 from exoid.studies.dataset.entry import Dataset, Entry
 from exoid.studies.dataset.motion_bids.write_motion import write_motion
+from exoid.studies.dataset.open_dataset import DEFAULTS
 from exoid.studies.dataset.recording_of import bare, loaded, told_beside, with_sidecar
 from exoid.studies.dataset.walk import walk
 from exoid.studies.dataset.writing.describe import description, events, readme
@@ -119,6 +120,7 @@ def others(dataset: Dataset) -> tuple[str, ...]:
         visible(name)
         for name in walk(dataset.folder).names
         if stem(name) not in own
+        and Path(name).name != DEFAULTS  # it goes along in the sidecar of each
         and not ("/" not in name and name.lower().startswith((*tops, *BESIDE)))
     )
 

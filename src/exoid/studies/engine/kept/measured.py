@@ -3,9 +3,8 @@
 from dataclasses import dataclass, field
 from typing import Any
 
-import numpy as np
-
 from exoid.recordings.recording import Recording
+from exoid.studies.dataset.rate import rate_of
 from exoid.studies.engine.kept.item import Item
 from exoid.studies.engine.kept.quantities import Row
 
@@ -25,13 +24,12 @@ def facts(one: Measured) -> dict[str, Any]:
     if one.recording is None:
         return {}
     subject, segments = one.recording.subject, one.recording.segments
-    steps = np.concatenate([np.diff(each.time) for each in segments])
     device = one.recording.sensors.extra_keys.get("device", "")
     return {
         "segments": len(segments),
         "samples": sum(each.time.size for each in segments),
         "duration_s": float(sum(each.time[-1] - each.time[0] for each in segments)),
-        "rate_hz": float(1 / np.median(steps)),
+        "rate_hz": rate_of(segments),
         "device": device if isinstance(device, str) else "",
         "body_mass_kg": subject.body_mass,
         "height_m": subject.height,

@@ -1,0 +1,29 @@
+"""Why recordings of a study cannot be read or measured: what many of them have in common."""
+
+import re
+
+from exoid.studies.dataset.motion_bids.labels import SUFFIX
+from exoid.studies.dataset.open_dataset import DEFAULTS
+
+NUMBER = re.compile(r"[-+]?\d+(?:[.,]\d+)*(?:e[-+]?\d+)?")
+OPTIONS = re.compile(r"\bsay (--(?:flip|zero) [a-z]+(?: --zero [a-z]+)?)")
+
+
+def cause(said: str) -> str:
+    """A reason without its numbers: alike for all that have one cause."""
+    return NUMBER.sub("#", said)
+
+
+def for_all(said: str, name: str) -> str:
+    """A reason whose options of single commands are said as keys for a whole data set."""
+    where = f"[sensors] of {DEFAULTS} at the top of the data set"
+    if name.endswith(SUFFIX):
+        where = "sensors of exoid in task-NAME_motion.json at the top of the data set"
+    return OPTIONS.sub(lambda found: f"write {keys(found[1])} in {where}", said)
+
+
+def keys(options: str) -> str:
+    """`--flip angle --zero hanging` as a sidecar has it."""
+    words = options.split()
+    pairs = zip(words[::2], words[1::2], strict=True)
+    return " and ".join(f'{option.removeprefix("--")} = "{value}"' for option, value in pairs)
