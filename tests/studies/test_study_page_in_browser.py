@@ -59,7 +59,7 @@ def test_a_person_is_found_by_typing_and_fits_a_phone(browser, report):  # noqa:
 
 
 def test_no_column_of_a_table_is_cut_off_on_a_screen(browser, tmp_path):  # noqa: F811
-    long = Truth("peak_flexion_acceleration", "rad/s^2", 31.0, 4.0, 1.0, 1.0, 0.5, 1.0, 0.5)
+    long = Truth("peak_flexion_acceleration", "rad/s^2", 31.0, 4.0, 1.0, 0.2, 0.1, 0.4, 0.1)
     answers = ask(simulate(Design(people=16, drops=2, truths=(long,)), 0), Asked(by="group"))
     report = tmp_path / "report.html"
     write_page(Told(answers, Origin("exoid study report", "today", {}, {}, {}), "results"), report)
