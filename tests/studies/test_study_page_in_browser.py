@@ -4,7 +4,7 @@ Needs what `tests/report/test_page_in_browser.py` needs.
 """
 
 import pytest
-from benchmarks.studies.tables import Design, simulate
+from benchmarks.studies.tables import Design, Truth, simulate
 from test_page_in_browser import DESKTOP, PHONE, browser, opened  # noqa: F401
 
 from exoid.report.parts.origin import Origin
@@ -58,7 +58,11 @@ def test_a_person_is_found_by_typing_and_fits_a_phone(browser, report):  # noqa:
         assert not page.evaluate("document.getElementById('person').open")
 
 
-def test_no_column_of_a_table_is_cut_off_on_a_screen(browser, report):  # noqa: F811
+def test_no_column_of_a_table_is_cut_off_on_a_screen(browser, tmp_path):  # noqa: F811
+    long = Truth("peak_flexion_acceleration", "rad/s^2", 31.0, 4.0, 1.0, 0.2, 0.1, 0.4, 0.1)
+    answers = ask(simulate(Design(people=16, drops=2, truths=(long,)), 0), Asked(by="group"))
+    report = tmp_path / "report.html"
+    write_page(Told(answers, Origin("exoid study report", "today", {}, {}, {}), "results"), report)
     with opened(browser, report, {"width": 1280, "height": 800}) as (page, _, _):
         wider = "each => each.scrollWidth > each.clientWidth + 1"
         cut = f"[...document.querySelectorAll('main .wide')].filter({wider}).length"

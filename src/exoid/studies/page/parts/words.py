@@ -116,8 +116,8 @@ def repeated(found: Reliability) -> str:
     change = with_interval(found.change, found.unit)
     return (
         f"{capital(what)} of {drops} on one day is {grade(found)} at telling people apart "
-        f"(by the lower end of the interval): ICC(A,1) {with_interval(found.agreement)}. In one leg, only a change of more than "
-        f"{change} is more than chance."
+        f"(by the lower end of the interval): ICC(A,1) {with_interval(found.agreement)}. "
+        f"In one leg, only a change of more than {change} is more than chance."
     )
 
 
