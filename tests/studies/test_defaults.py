@@ -59,6 +59,8 @@ def test_an_own_zero_takes_the_place_of_the_zero_of_all(tmp_path):
     alone = study(tmp_path / "alone", ["P01_left.csv"])
     shifted = read(folder)["P01_left.csv"].segments[0].raw_angle
     asis = read(alone)["P01_left.csv"].segments[0].raw_angle
+    assert shifted is not None
+    assert asis is not None
     np.testing.assert_allclose(shifted, asis - np.radians(1.0), atol=1e-12)  # rounding
 
 
