@@ -7,7 +7,7 @@ from exoid.recordings.recording import Recording
 from exoid.studies.dataset.open_dataset import open_dataset
 from exoid.studies.dataset.recording_of import recording_of
 from exoid.studies.engine.run_study import run_study
-from study_checks import checked
+from study_checks import checked, found
 from study_folders import study
 from study_runs import DROPS
 
@@ -59,6 +59,8 @@ def test_an_own_zero_takes_the_place_of_the_zero_of_all(tmp_path):
     alone = study(tmp_path / "alone", ["P01_left.csv"])
     shifted = read(folder)["P01_left.csv"].segments[0].raw_angle
     asis = read(alone)["P01_left.csv"].segments[0].raw_angle
+    assert shifted is not None
+    assert asis is not None
     np.testing.assert_allclose(shifted, asis - np.radians(1.0), atol=1e-12)  # rounding
 
 
@@ -79,6 +81,13 @@ def test_what_was_computed_is_computed_anew_where_the_file_above_changes(here, t
     assert (computed(), computed()) == (4, 0)
     (folder / "P00/defaults.toml").write_text("[subject]\nage_years = 30\n")
     assert (computed(), computed()) == (2, 0)
+
+
+def test_a_key_that_nothing_heeds_is_told_once(tmp_path):
+    told = {"defaults.toml": '[sensors]\nflipp = "angle"\n'}
+    ((level, where, says),) = found(study(tmp_path, NAMES[:1], told), "unknown key")
+    assert (level, where) == ("warning", "defaults.toml")
+    assert says.startswith("unknown flipp in [sensors] is kept, but not used.")
 
 
 def test_one_cause_of_many_is_said_once_and_drowns_nothing(command, flexion_positive):

@@ -5,11 +5,11 @@ import json
 import numpy as np
 import pytest
 
+from exoid.recordings.rate import rate_of
 from exoid.recordings.recording import Segment
 from exoid.studies.dataset.motion_bids.labels import beside
 from exoid.studies.dataset.motion_bids.write_motion import write_motion
 from exoid.studies.dataset.open_dataset import open_dataset
-from exoid.studies.dataset.rate import rate_of
 from exoid.studies.dataset.recording_of import recording_of
 from study_checks import checked
 from study_folders import study, table_of

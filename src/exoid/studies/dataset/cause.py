@@ -6,7 +6,7 @@ from exoid.studies.dataset.motion_bids.labels import SUFFIX
 from exoid.studies.dataset.open_dataset import DEFAULTS
 
 NUMBER = re.compile(r"[-+]?\d+(?:[.,]\d+)*(?:e[-+]?\d+)?")
-OPTIONS = re.compile(r"\bsay (--(?:flip|zero) [a-z]+(?: --zero [a-z]+)?)")
+OPTIONS = re.compile(r"(\bsay )?(--(?:flip|zero) [a-z]+(?: --zero [a-z]+)?)")
 
 
 def cause(said: str) -> str:
@@ -19,7 +19,11 @@ def for_all(said: str, name: str) -> str:
     where = f"[sensors] of {DEFAULTS} at the top of the data set"
     if name.endswith(SUFFIX):
         where = "sensors of exoid in task-NAME_motion.json at the top of the data set"
-    return OPTIONS.sub(lambda found: f"write {keys(found[1])} in {where}", said)
+
+    def told(found: re.Match[str]) -> str:
+        return f"write {keys(found[2])} in {where}" if found[1] else keys(found[2])
+
+    return OPTIONS.sub(told, said)
 
 
 def keys(options: str) -> str:

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
+from typing import Any
 
 from exoid.files.visible import visible
 from exoid.studies.dataset.entry import Entry
@@ -53,7 +54,7 @@ def entry_of(folder: Path, name: str, ids: frozenset[str]) -> Entry:
 
     Where a folder and the file in it say different things, it is the file's.
     """
-    told = {each.field: visible(each.value) for each in said(name, ids)}
+    told: dict[str, Any] = {each.field: visible(each.value) for each in said(name, ids)}
     return Entry(folder / name, visible(name), **told)
 
 

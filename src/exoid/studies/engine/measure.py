@@ -44,7 +44,8 @@ def take(one: Measured, step: str, work: Callable[[], Iterable[Row]]) -> None:
     try:
         one.rows += work()
     except Exception as fault:
-        one.faults.append(f"{step}: {reason_of(fault)}")
+        said = for_all(reason_of(fault), one.item.entry.name)
+        one.faults.append(f"{step}: {said}")
 
 
 def of_step(step: str, recording: Any, settings: Settings) -> Iterable[Row]:

@@ -10,11 +10,11 @@ from exoid.files.visible import visible
 from exoid.recordings.conventions.balance import Balance, balance
 from exoid.recordings.conventions.other_leg import EXPLAINED, middle
 from exoid.recordings.loading.load import Loaded
+from exoid.recordings.rate import rate_of
 from exoid.recordings.recording import Recording, Subject
 from exoid.recordings.signal.condition import classify
 from exoid.studies.dataset.check.looked import Facts, Looked
 from exoid.studies.dataset.entry import Dataset, Entry
-from exoid.studies.dataset.rate import rate_of
 from exoid.studies.dataset.recording_of import bare, loaded, told_beside, with_sidecar
 
 NODE = "exoid node"

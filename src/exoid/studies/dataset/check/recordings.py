@@ -2,7 +2,10 @@
 
 from collections import defaultdict
 from collections.abc import Iterable
+from contextlib import suppress
 
+from exoid.files.visible import visible
+from exoid.recordings.sidecar import read_keys
 from exoid.studies.dataset.check.finding import Findings, error, warning
 from exoid.studies.dataset.check.looked import Looked
 from exoid.studies.dataset.check.same_content import same_content
@@ -23,6 +26,7 @@ def recordings(dataset: Dataset, looked: list[Looked]) -> Findings:
         yield from twice_in_name(each.named, ids)
         yield from by_sidecar(each, dataset)
         yield from untold(each.entry)
+    yield from unknown_keys(dataset)
     yield from doubled(dataset)
     yield from names_alike(each.named.name for each in looked)
     yield from trials_alike(each.entry for each in looked)
@@ -64,6 +68,15 @@ def by_sidecar(each: Looked, dataset: Dataset) -> Findings:
         if own is not None and other is not None and abs(own - other) > close * max(own, other):
             says = f"its sidecar says {name.replace('_', ' ')} {own:g}, the table {other:g}."
             yield error("told twice", each.entry.name, f"{says} Mend one of them.")
+
+
+def unknown_keys(dataset: Dataset) -> Findings:
+    """What a `defaults.toml` says that nothing heeds; one that cannot be read is told of anyway."""
+    for path in sorted({path for each in dataset.entries for path in each.defaults}):
+        with suppress(ValueError, OSError):
+            for note in read_keys(path)[2]:
+                where = visible(path.relative_to(dataset.folder).as_posix())
+                yield warning("unknown key", where, visible(note.removeprefix(f"{path}: ")))
 
 
 def same(text: str) -> str:

@@ -12,11 +12,11 @@ import numpy as np
 from exoid.files.replacing import replace_files
 from exoid.recordings.columns import SEGMENT
 from exoid.recordings.flat_table import flat
+from exoid.recordings.rate import rate_of
 from exoid.recordings.recording import Recording
 from exoid.recordings.sidecar import TABLES, written
 from exoid.studies.dataset.motion_bids.channels import CHANNELS, LATENCY, OWN_UNITS, UNKNOWN
 from exoid.studies.dataset.motion_bids.labels import beside
-from exoid.studies.dataset.rate import rate_of
 from exoid.studies.dataset.tables.tsv import MISSING, cell, tsv
 
 OWN = "exoid"  # the key of `_motion.json` below which exoid keeps its sidecar

@@ -3,8 +3,8 @@
 from dataclasses import dataclass, field
 from typing import Any
 
+from exoid.recordings.rate import rate_of
 from exoid.recordings.recording import Recording
-from exoid.studies.dataset.rate import rate_of
 from exoid.studies.engine.kept.item import Item
 from exoid.studies.engine.kept.quantities import Row
 
