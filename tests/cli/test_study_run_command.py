@@ -5,7 +5,7 @@ import json
 import pytest
 from command_line import refusal
 
-from exoid.cli.terminal.progress import lasting, line, progress
+from exoid.cli.terminal.progress import lasting, line
 from study_runs import COMPUTED, NAMES, in_this_process, people
 
 
@@ -54,20 +54,6 @@ def test_where_not_one_recording_can_be_measured_the_exit_code_says_so(command, 
 )
 def test_what_cannot_be_run_is_refused_in_one_line(command, folder, options, said):
     assert said in refusal(command("study", "run", ".", "-o", "results", *options, cwd=folder))
-
-
-def test_where_there_is_no_terminal_a_line_tells_the_start_then_one_a_minute(capsys, monkeypatch):
-    clock = [100.0]
-    monkeypatch.setattr("exoid.cli.terminal.progress.time.monotonic", lambda: clock[0])
-    with progress("recordings") as told:
-        for done, after in ((0, 0.0), (10, 30.0), (20, 61.0), (30, 90.0), (40, 125.0)):
-            clock[0] = 100.0 + after
-            told(done, 100)
-    assert capsys.readouterr().err.splitlines() == [
-        "exoid: 0 of 100 recordings",
-        "exoid: 20 of 100 recordings, 0.328 a second, 4 min 4 s left",
-        "exoid: 40 of 100 recordings, 0.32 a second, 3 min 8 s left",
-    ]
 
 
 def test_progress_tells_rate_and_time_left():

@@ -1,20 +1,16 @@
-"""How far a long work is: rate and time left, on stderr; now and then where it is no terminal."""
+"""How far a long work is: rate and time left, on stderr where that is a terminal."""
 
 import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
-from exoid.cli.terminal.say import say
-
-SELDOM = 60.0  # s between two lines of a log
-
 
 @contextmanager
 def progress(what: str) -> Iterator[Callable[[int, int], None]]:
     """A function that hears how many are done, of how many."""
     if not sys.stderr.isatty():
-        yield in_lines(what)
+        yield lambda done, of: None
         return
     from rich.console import Console
 
@@ -26,21 +22,6 @@ def progress(what: str) -> Iterator[Callable[[int, int], None]]:
             shown.update(line(what, done, of, time.monotonic() - began[0]))
 
         yield told
-
-
-def in_lines(what: str) -> Callable[[int, int], None]:
-    """The same for a file: a line at the start, at most one a minute, and the end."""
-    began: list[float] = []
-    spoken: list[float] = []
-
-    def told(done: int, of: int) -> None:
-        now = time.monotonic()
-        began[:] = began or [now]
-        if not spoken or done == of or now - spoken[0] >= SELDOM:
-            spoken[:] = [now]
-            say(f"exoid: {line(what, done, of, now - began[0])}", err=True)
-
-    return told
 
 
 def line(what: str, done: int, of: int, seconds: float) -> str:
