@@ -47,8 +47,8 @@ def run_study(
     submitted = partial(work_of, dataset=dataset, rest=(settings, digest, results.absolute()))
     lost = []
     if missing:
-        hear = heard(told, len(missing))
         with workers(count, scheduler) as client:
+            hear = heard(told, len(missing))
             batches = plan(missing, count_of(client))
             lost = carry_out(client, batches, partial(submitted, client), hear)
         there = kept(results)
