@@ -3,7 +3,6 @@
 import json
 import os
 import random
-import re
 import signal
 import subprocess
 import sys
@@ -18,7 +17,6 @@ from exoid.studies.engine.kept.parts import kept, keys_of, parts
 from exoid.studies.engine.run_study import run_study
 from study_runs import COMPUTED, DROPS, contents, in_this_process
 
-HOW_FAR = re.compile(r"exoid: \d+ of \d+ recordings.*")  # where there is no terminal
 SCRIPT = Path(sys.executable).with_name("exoid")
 
 
@@ -73,8 +71,7 @@ def test_a_worker_that_is_killed_costs_nothing_but_time(folder, expected, progra
     if running.poll() is None:
         os.kill(victim, signal.SIGKILL)
     said, complaints = running.communicate(timeout=600)
-    assert running.returncode == 0
-    assert all(HOW_FAR.fullmatch(each) for each in complaints.splitlines())
+    assert (running.returncode, complaints) == (0, "")
     assert "wrote" in said
     assert contents(tmp_path) == contents(expected)
 
@@ -132,9 +129,8 @@ def test_a_scheduler_that_is_killed_is_told_and_the_next_run_goes_on(
     _, complaints = running.communicate(timeout=600)
     if running.returncode:  # else it was done before
         assert running.returncode == 2
-        *far, complaint = complaints.splitlines()
-        assert "the scheduler does not answer any more" in complaint
-        assert all(HOW_FAR.fullmatch(each) for each in far)
+        assert "the scheduler does not answer any more" in complaints
+        assert complaints.count("\n") == 1
     with in_this_process():
         run_study(open_dataset(folder), tmp_path, DROPS)
     assert contents(tmp_path) == contents(expected)
