@@ -20,6 +20,7 @@ from exoid.mismatch.screen.optimise import (
     strikes,
 )
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
+from exoid.mismatch.search.exchange import exchanged
 from exoid.mismatch.search.found import Found, best_of
 from exoid.mismatch.search.glance import beside_free
 from exoid.mismatch.search.likely import likeliest, ordered, shortlist, smeared
@@ -75,7 +76,7 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
     alone = [one for one in suspected if len(one.candidate.terms) == 1]
     singles = by_evidence([*singles, *alone], base, measure)
     found = Found(prepared, base, begin, singles, sensors, ranked, failed, measure)
-    found = with_strikes(found, starts, told)
+    found = exchanged(with_strikes(found, starts, told))
     both, free = seconds(found, usable, told)
     return with_sets(found, usable, both, free, told) if both or free else found
 
