@@ -17,8 +17,11 @@ from exoid.mismatch.screen.along_motion import linear, nothing
 from exoid.mismatch.screen.hypothesis import Hypothesis
 from exoid.mismatch.screen.many_pinned import with_columns, with_errors
 from exoid.mismatch.screen.optimise import polished, promising, settle, settle_free
+from exoid.mismatch.search.variants import applies
 from exoid.physics.leg import LegModel
 from exoid.physics.motion.simulate import simulate
+from exoid.physics.sensing.encoder_eccentricity import EncoderEccentricity
+from exoid.physics.sensing.encoder_second_harmonic import EncoderSecondHarmonic
 from exoid.physics.term import name_of
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.physics.terms.device.sticking_backlash import StickingBacklash
@@ -230,3 +233,20 @@ def test_blocks_are_turned_over_whole_and_nothing_else_is_changed(ready):
     signs = np.sign(drawn[:, 0][:, left[0, :, 0] != 0, 0] * left[0, left[0, :, 0] != 0, 0])
     assert (np.abs(np.diff(signs, axis=1)).sum(axis=1) < 2 * 8).all()  # few changes of sign
     assert len(np.unique(signs, axis=0)) > 4
+
+
+@pytest.mark.parametrize(
+    ("travel", "sought"),
+    [
+        (0.25, []),  # rad, of a linear axis: the second harmonic's period has 12 of them
+        (0.40, [EncoderSecondHarmonic]),
+        (0.70, [EncoderSecondHarmonic, EncoderEccentricity]),
+    ],
+)
+def test_what_errs_once_or_twice_a_turn_is_sought_where_its_shape_shows(
+    ready, monkeypatch, travel, sought
+):
+    monkeypatch.setitem(vars(ready[0]), "range", (0.1, 0.1 + travel))
+    harmonics = [EncoderSecondHarmonic, EncoderEccentricity]
+    assert [term for term in harmonics if applies(ready[0], term)] == sought
+    assert applies(ready[0], CoulombFriction)

@@ -13,16 +13,21 @@ from exoid.physics.parameter import declarations
 from exoid.physics.term import SensorTerm, Term, name_of
 
 BESIDE = 2  # of the best single terms are tried beside what the sensors surely say
+SEEN = 0.1  # of its period, over which what repeats shows itself
 SOFTEST = 1e-3  # N m/rad, of a leg that has a rest angle
 
 
 def applies(prepared: PreparedRecording, term: type[Term]) -> bool:
-    """Can it act here: a voluntary torque, or a gyro?"""
+    """Can it act here, and show itself: a voluntary torque, a gyro, what errs once a turn? Over a
+    small part of its period that is a bend like any other, and grows without limit.
+    """
     if term.living and prepared.rig:
         return False
     if term.voluntary:
         return any(each.voluntary for each in prepared.problem.movements)
     if term.replaces in prepared.zeros or term in prepared.common:
+        return False
+    if np.ptp(prepared.range) < SEEN * term.period:
         return False
     if term.everyday:
         return bool((prepared.seen.velocity_weight > 0).any())

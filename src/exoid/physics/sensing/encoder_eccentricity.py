@@ -1,5 +1,7 @@
 """A magnet that is off the encoder's centre."""
 
+import math
+
 import jax.numpy as jnp
 
 from exoid.physics.moment import Moment
@@ -17,6 +19,7 @@ class EncoderEccentricity(SensorTerm):
         "one part of the turn and shrunk in another."
     )
     isolate = "a full turn of the hinge on the bench, or the magnet turned by 90 deg"
+    period = 2 * math.pi
 
     sine: Parameter = parameter("A_s", "rad", -0.15, 0.15, "in phase", (0.01,))
     cosine: Parameter = parameter("A_c", "rad", -0.15, 0.15, "in quadrature", (0.01,))

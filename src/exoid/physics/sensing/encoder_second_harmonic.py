@@ -1,5 +1,7 @@
 """An encoder that errs twice per turn."""
 
+import math
+
 import jax.numpy as jnp
 
 from exoid.physics.moment import Moment
@@ -17,6 +19,7 @@ class EncoderSecondHarmonic(SensorTerm):
         "tilted magnet, iron nearby), so that the angle is stretched and shrunk twice per turn."
     )
     isolate = "a full turn of the hinge on the bench, with iron and magnets far away"
+    period = math.pi
 
     sine: Parameter = parameter("B_s", "rad", -0.1, 0.1, "in phase", (0.01,))
     cosine: Parameter = parameter("B_c", "rad", -0.1, 0.1, "in quadrature", (0.01,))
