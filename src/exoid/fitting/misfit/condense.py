@@ -108,8 +108,11 @@ def sense(
 
 
 def outer(rows: Float[Array, "column 2"]) -> Float[Array, "column column"]:
-    """The sum over angle and velocity of the outer products, without a matrix multiply call."""
-    return jnp.sum(rows[:, None, :] * rows[None, :, :], axis=-1)
+    """The sum over angle and velocity of the outer products, written out: a matrix multiply or a
+    sum over an axis would be a call out of the compiled loop.
+    """
+    angle, velocity = rows.T
+    return angle[:, None] * angle + velocity[:, None] * velocity
 
 
 def factorise(total: Float[Array, "column column"], known: Float[Array, " unknown"]) -> Condensed:
