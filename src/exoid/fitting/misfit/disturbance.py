@@ -15,11 +15,12 @@ import numpy as np
 from exoid.fitting.misfit.gram import CAUSES, UNIT, Cause, Gram, Grams
 from exoid.fitting.misfit.gram_matrices import modes
 from exoid.fitting.misfit.missed import Missed
-from exoid.fitting.misfit.uncertainty import ROUNDING, whitening
+from exoid.fitting.misfit.uncertainty import whitening
 
 CORRELATED = (0.025, 0.05, 0.1, 0.2, 0.4, 0.8)  # s
 SIZES = np.logspace(-7, 4, 12)  # of u's variance over that of the noise, in units of the gram
 FINER = np.logspace(-0.8, 0.8, 9)  # a fifth of a decade apart
+LEAST = 1e-15  # share of what tells a direction that a process leaves: below is rounding
 CLEAR = 4.0  # gain of log likelihood below which the noise alone explains the residual
 
 
@@ -46,11 +47,19 @@ def explain(grams: list[Grams], most: dict[Cause, float], samples: int, size: in
 
 
 class Likelihood:
-    """The restricted log likelihood of a process' size, with the noise at its best."""
+    """The restricted log likelihood of a process' size, with the noise at its best.
+
+    What the data determine at all is decided once, without the process: that it hides a direction
+    does not make it one that nothing tells.
+    """
 
     def __init__(self, grams: list[Gram], correlated: float, samples: int, size: int):
         self.parts = [(each, *modes(each, correlated)) for each in grams]
-        self.samples, self.size = samples, size
+        self.size = size
+        plain = self.total(np.zeros(1))[0, :size, :size]
+        basis, unit = whitening(plain)
+        self.basis = basis / unit[:, None]
+        self.freedom = samples - basis.shape[1]
 
     def greatest(self, most: float) -> tuple[float, float]:
         """The variance ratio up to `most` where it is greatest, and its value there."""
@@ -61,47 +70,41 @@ class Likelihood:
         return float(near[top]), float(values[top])
 
     def __call__(self, ratios: np.ndarray) -> np.ndarray:
-        return restricted(*self.weighted(ratios), self.samples)
+        grown = [np.log1p(ratios[:, None] * sizes).sum(axis=1) for _, sizes, _ in self.parts]
+        absorbed, left = self.profiled(ratios)
+        return restricted(sum(grown) + absorbed, left, self.freedom)
 
-    def weighted(self, ratios: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """The weighted (A, r)'(A, r), and the log determinant of the covariance, for each ratio."""
-        size = self.size
-        total = np.zeros((ratios.size, size + 1, size + 1))
-        spread = np.zeros(ratios.size)
-        for each, sizes, cross in self.parts:
-            grown = 1 + ratios[:, None] * sizes
-            share = ratios[:, None] / grown
-            taken = cross.T @ (share[:, :, None] * cross)
-            place = np.append(each.place, size)
-            total[:, place[:, None], place] += each.fitted - taken
-            spread += np.log(grown).sum(axis=1)
-        return total, spread
+    def profiled(self, ratios: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """The log determinant of A'V^-1 A over that of A'A, and the least r'V^-1 r that the
+        parameters leave, for each ratio; V is the covariance over the noise.
+        """
+        total, size = self.total(ratios), self.size
+        values, axes = np.linalg.eigh(self.basis.T @ total[:, :size, :size] @ self.basis)
+        values = np.maximum(values, LEAST)
+        along = np.einsum("rij,ri->rj", axes, total[:, :size, size] @ self.basis)
+        left = total[:, size, size] - np.sum(along**2 / values, axis=1)
+        return np.log(values).sum(axis=1), left
+
+    def total(self, ratios: np.ndarray) -> np.ndarray:
+        """(A, r)'V^-1 (A, r) for each ratio."""
+        total = np.zeros((ratios.size, self.size + 1, self.size + 1))
+        for each, sizes, inside in self.parts:
+            share = 1 / (1 + ratios[:, None] * sizes)
+            place = np.append(each.place, self.size)
+            total[:, place[:, None], place] += each.outside.T @ each.outside
+            total[:, place[:, None], place] += inside.T @ (share[:, :, None] * inside)
+        return total
 
     def noise_beside(self, ratio: float) -> float:
         """The white noise over the declared one; sensors are no better than declared."""
-        total, size = self.weighted(np.array([ratio]))[0][0], self.size
-        basis, unit = whitening(total[:size, :size])
-        along = (total[:size, size] / unit) @ basis
-        left = total[size, size] - along @ along
-        return float(np.sqrt(max(1.0, left / (self.samples - basis.shape[1]))))
+        left = self.profiled(np.array([ratio]))[1][0]
+        return float(np.sqrt(max(1.0, left / self.freedom)))
 
 
 @np.errstate(invalid="ignore", divide="ignore")
-def restricted(total: np.ndarray, spread: np.ndarray, samples: int) -> np.ndarray:
-    """From the weighted (A, r)'(A, r) and the log determinant of the covariance, for each row; the
-    least there is where rounding leaves less than nothing.
+def restricted(spread: np.ndarray, left: np.ndarray, freedom: int) -> np.ndarray:
+    """From the log determinants together and the squares left; the least there is where rounding
+    leaves less than nothing.
     """
-    size = total.shape[1] - 1
-    unit = np.sqrt(np.diagonal(total[:, :size, :size], axis1=1, axis2=2))
-    used = (unit > 0).all(axis=0)
-    unit = unit[:, used]
-    normal = total[:, :size, :size][:, used][:, :, used] / (unit[:, :, None] * unit[:, None, :])
-    values, vectors = np.linalg.eigh(normal)
-    known = values > ROUNDING
-    values = np.where(known, values, 1.0)
-    along = np.einsum("rij,ri->rj", vectors, total[:, :size, size][:, used] / unit)
-    left = total[:, size, size] - np.sum(known * along**2 / values, axis=1)
-    freedom = samples - known.sum(axis=1)
-    absorbed = np.log(values).sum(axis=1) + 2 * np.log(unit).sum(axis=1)
-    found = -(spread + absorbed + freedom * np.log(left / freedom)) / 2
-    return np.where(np.isnan(found), -np.inf, found)
+    found = -(spread + freedom * np.log(left / freedom)) / 2
+    return np.where(left > 0, found, -np.inf)

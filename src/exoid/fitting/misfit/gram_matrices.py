@@ -1,7 +1,7 @@
-"""Inner products of one segment's sensitivities, residual, and the effects of what may disturb it.
+"""One segment's sensitivities, residual, and the effects of what may disturb it, as a triangle.
 
 A disturbance u(t) is linear between nodes: a torque that the model lacks, or an error of the
-encoder. All that its statistics need of the samples are these products.
+encoder. All that its statistics need of the samples are the inner products of these columns.
 """
 
 import numpy as np
@@ -46,9 +46,7 @@ def declared(residual: np.ndarray, derivative: np.ndarray) -> Gram:
     """What is declared of recordings, as if it were measured: nothing disturbs it."""
     rows = np.concatenate([derivative, residual[:, None]], axis=1)
     nothing = np.zeros((1, rows.shape[1]))
-    return Gram(
-        np.arange(derivative.shape[1]), rows.T @ rows, nothing, np.zeros((1, 1)), np.zeros(1)
-    )
+    return Gram(np.arange(derivative.shape[1]), np.zeros((1, 1)), nothing, rows, np.zeros(1))
 
 
 def gram(
@@ -59,7 +57,7 @@ def gram(
     cause: Cause,
     place: np.ndarray,
 ) -> Gram:
-    """The inner products of one segment, for one cause."""
+    """The triangle of one segment, for one cause."""
     used = (seen.angle_weight[number] > 0) | (seen.velocity_weight[number] > 0)
     fitted = np.concatenate([sensed.columns[number], sensed.residual[number][None]])[:, used]
     effect = sensed.responses[number][:, used]
@@ -67,9 +65,11 @@ def gram(
     if cause == "encoder":
         shape = hats(seen.time[number][used], duration, count) * seen.angle_weight[number][used]
         effect = np.stack([UNIT[cause] * shape, np.zeros_like(shape)], axis=-1)
-    rows, process = fitted.reshape(len(fitted), -1), effect.reshape(count, -1)
+    columns = np.concatenate([effect.reshape(count, -1), fitted.reshape(len(fitted), -1)])
+    triangle = np.asarray(np.linalg.qr(columns.T, mode="r"))
+    inside = triangle[:count]
     nodes = node_times(duration, count)
-    return Gram(place, rows @ rows.T, process @ rows.T, process @ process.T, nodes)
+    return Gram(place, inside[:, :count], inside[:, count:], triangle[count:, count:], nodes)
 
 
 def matern(times: np.ndarray, correlated: float) -> np.ndarray:
@@ -84,7 +84,7 @@ def covariance(each: Gram, correlated: float) -> np.ndarray:
 
 
 def modes(each: Gram, correlated: float) -> tuple[np.ndarray, np.ndarray]:
-    """Squared sizes of the process' independent effects, and their products with (A, r)."""
+    """Squared sizes of the process' independent effects, and (A, r) along each of them."""
     root = np.linalg.cholesky(covariance(each, correlated))
-    sizes, axes = np.linalg.eigh(root.T @ each.process @ root)
-    return np.maximum(sizes, 0.0), axes.T @ root.T @ each.cross
+    axes, sizes, _ = np.linalg.svd(each.effect @ root)
+    return sizes**2, axes.T @ each.inside

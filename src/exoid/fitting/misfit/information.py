@@ -27,7 +27,7 @@ def spoiled(found: Disturbance, grams: list[Gram], kinds: Sequence[str], size: i
     plain, white, excess = (np.zeros((size, size)) for _ in range(3))
     for each, kind in zip(grams, kinds, strict=True):
         missed, weight = found.kinds[kind], found.scales[kind] ** -2
-        fitted, cross = each.fitted[:-1, :-1], each.cross[:, :-1]
+        fitted, cross = each.fitted[:-1, :-1], each.effect.T @ each.inside[:, :-1]
         process = cross.T @ covariance(each, missed.correlation_time) @ cross
         place = np.ix_(each.place, each.place)
         plain[place] += weight * fitted

@@ -45,6 +45,15 @@ def wrong_clock(recording: Recording) -> str | None:
     )
 
 
+def late_starts(recording: Recording) -> Notes:
+    """A clock that runs on from segment to segment: read as it is, and said."""
+    late = [n for n, each in enumerate(recording.segments) if 0 != each.time[0] < SINCE]
+    if not late:
+        return ()
+    start = recording.segments[late[0]].time[0]
+    return (f"time_s starts at {start:g} s, not at 0, in segment {late[0]}. It is kept as it is.",)
+
+
 def fastest(segment: Segment) -> float:
     """How fast the leg turns [rad/s] in all but a hundredth of the samples, noise apart."""
     time, angle = measured(segment)

@@ -11,7 +11,7 @@ import numpy as np
 from exoid.files.text_file import naming, near
 from exoid.recordings.columns import NUMERIC, TARGETS
 from exoid.recordings.conventions.apply import understand
-from exoid.recordings.formats.own_table import build, late_starts
+from exoid.recordings.conventions.file_clock import late_starts
 from exoid.recordings.loading.load import load
 from exoid.recordings.loading.warn_user import tell
 from exoid.recordings.motion.split import cut_table
@@ -19,6 +19,7 @@ from exoid.recordings.recording import Protocol, Recording, Sensors, Subject, kn
 from exoid.recordings.sidecar import parse_keys
 from exoid.recordings.tables.arrays import sheet_of_arrays
 from exoid.recordings.tables.assemble import assemble
+from exoid.recordings.tables.built import build
 from exoid.recordings.tables.sheet import Place, Sheet
 
 Tables = tuple[Subject | None, Protocol | None, Sensors | None]

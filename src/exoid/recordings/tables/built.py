@@ -1,0 +1,80 @@
+"""The samples of a table as the segments of a recording; a bad one is named by its line as well."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from exoid.files.text_file import Notes
+from exoid.recordings.columns import CHANNELS, NUMERIC
+from exoid.recordings.recording import BadSample, Recording, Segment, Subject
+from exoid.recordings.selection import entries
+from exoid.recordings.tables.assemble import Named
+from exoid.recordings.tables.sheet import Cells, Place
+from exoid.recordings.tables.sound_segments import Sound, sound
+
+
+def segment_starts(columns: Mapping[str, Cells], place: Place) -> np.ndarray:
+    """The row at which each segment begins; without a column `segment` there is one."""
+    if "segment" not in columns:
+        return np.zeros(1, int)
+    number = np.asarray(columns["segment"])
+    starts = np.concatenate([[0], np.flatnonzero(np.diff(number) != 0) + 1])
+    wrong = np.flatnonzero(number[starts] != np.arange(starts.size))
+    if wrong.size:
+        at = int(starts[wrong[0]])
+        value = "empty" if np.isnan(number[at]) else f"{number[at]:g}"
+        raise ValueError(
+            f"{place(at)}, column segment: {value}, where {wrong[0]}"
+            f"{f' or {wrong[0] - 1}' if wrong[0] else ''} is expected. Segments count 0, 1, 2, ... "
+            "and the rows of each stand together: renumber or sort them."
+        )
+    return starts
+
+
+@dataclass(frozen=True, eq=False)
+class Built:
+    """The samples of a table as a recording, and which of its segments they are."""
+
+    samples: Recording
+    kept: Sound
+
+    @property
+    def notes(self) -> Notes:
+        return self.kept.notes
+
+    def described(self, told: Mapping[str, Any]) -> Recording:
+        """With what is told of it; of lists with an entry for each segment, those of the kept."""
+        tables = dict(told)
+        for name in {"subject", "protocol"} & tables.keys():
+            tables[name] = entries(tables[name], self.kept.numbers, self.kept.count)
+        return replace(self.samples, **tables)
+
+
+def build(named: Named, subject: Subject) -> Built:
+    """The samples, checked by the recording's own rules; a bad one is named by its line as well."""
+    columns = named.columns
+    starts = segment_starts(columns, named.place)
+    stops = [*starts[1:], len(columns["time_s"])]
+    segments = [cut(columns, slice(*rows)) for rows in zip(starts, stops, strict=True)]
+    kept = sound(segments)
+    try:
+        return Built(Recording(tuple(segments[n] for n in kept.numbers), subject), kept)
+    except BadSample as error:
+        place = named.place(int(starts[kept.numbers[error.segment]]) + error.sample)
+        words = [source for own, source in named.sources.items() if str(error).startswith(own)]
+        hint = f" ({', '.join(words)}.)" if words else ""
+        raise ValueError(f"{place}: {error}{hint}") from error
+
+
+def cut(columns: Mapping[str, Cells], rows: slice) -> Segment:
+    """One segment. A channel that is empty throughout it was not measured in it."""
+    cells = {name: each[rows] for name, each in columns.items()}
+    channels: dict[str, Any] = {
+        field: np.array(cells[name])
+        for name, field in CHANNELS.items()
+        if name in cells and (name == "time_s" or not np.isnan(np.asarray(cells[name])).all())
+    }
+    extra = {name: tuple(each) for name, each in cells.items() if name not in NUMERIC}
+    return Segment(**channels, extra_columns=extra)
