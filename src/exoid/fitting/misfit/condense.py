@@ -98,11 +98,12 @@ def sense(
     rollout, change = of_unknowns(unknowns, observation, known, stage)
 
     def store(index, rows, shown, table):
-        return table.at[:, index].set(rows)
+        return table.at[index].set(rows)
 
     size = change.shape[0]
-    empty = jnp.zeros((size + pushes.begin.shape[0] + 1, observation.time.size, 2))
-    table = sweep(rollout, observation, pushes, stage, chain, store, empty)
+    # What is stored together lies together: a sample's rows.
+    empty = jnp.zeros((observation.time.size, size + pushes.begin.shape[0] + 1, 2))
+    table = sweep(rollout, observation, pushes, stage, chain, store, empty).swapaxes(0, 1)
     columns = jnp.einsum("bu,btc->utc", change, table[:size])
     return Sensed(table[-1], columns, table[size:-1])
 

@@ -8,6 +8,7 @@ those of greatest restricted likelihood (Patterson & Thompson, Biometrika 58(3),
 for what the parameters absorbed.
 """
 
+from functools import cache
 from itertools import product
 
 import numpy as np
@@ -21,6 +22,9 @@ CORRELATED = (0.025, 0.05, 0.1, 0.2, 0.4, 0.8)  # s
 SIZES = np.logspace(-7, 4, 12)  # of u's variance over that of the noise, in units of the gram
 FINER = np.logspace(-0.8, 0.8, 9)  # a fifth of a decade apart
 LEAST = 1e-15  # share of what tells a direction that a process leaves: below is rounding
+# Of the gain that a process must have, from which on a decade's grid looks closer: it shows half of
+# what lies between its points, for however few or many nodes.
+PROMISING = 0.25
 CLEAR = 4.0  # gain of log likelihood below which the noise alone explains the residual
 
 
@@ -31,13 +35,16 @@ def explain(grams: list[Grams], most: dict[Cause, float], samples: int, size: in
     nearly hides in the parameters may else grow without limit.
     """
 
+    @cache
     def likelihood(cause: Cause, correlated: float) -> Likelihood:
         return Likelihood([each[cause] for each in grams], correlated, samples, size)
 
     found: tuple[Cause | None, float, float] = (None, CORRELATED[0], 0.0)
-    best = likelihood("torque", CORRELATED[0])(np.zeros(1))[0] + CLEAR
+    plain = likelihood("torque", CORRELATED[0])(np.zeros(1))[0]
+    best = plain + CLEAR
     for cause, correlated in product(CAUSES, CORRELATED):
-        ratio, value = likelihood(cause, correlated).greatest((most[cause] / UNIT[cause]) ** 2)
+        bound, enough = (most[cause] / UNIT[cause]) ** 2, plain + PROMISING * (best - plain)
+        ratio, value = likelihood(cause, correlated).greatest(bound, enough)
         if value > best:
             best = value
             found = (cause, correlated, ratio)
@@ -61,10 +68,16 @@ class Likelihood:
         self.basis = basis / unit[:, None]
         self.freedom = samples - basis.shape[1]
 
-    def greatest(self, most: float) -> tuple[float, float]:
-        """The variance ratio up to `most` where it is greatest, and its value there."""
+    def greatest(self, most: float, enough: float = -np.inf) -> tuple[float, float]:
+        """The variance ratio up to `most` where it is greatest, and its value there: to a decade, and
+        where that is `enough` to a fifth of one.
+        """
         coarse = np.append(SIZES[most > SIZES], most)
-        near = np.minimum(coarse[int(np.argmax(self(coarse)))] * FINER, most)
+        values = self(coarse)
+        top = int(np.argmax(values))
+        if values[top] < enough:
+            return float(coarse[top]), float(values[top])
+        near = np.minimum(coarse[top] * FINER, most)
         values = self(near)
         top = int(np.argmax(values))
         return float(near[top]), float(values[top])

@@ -7,7 +7,7 @@ encoder. All that its statistics need of the samples are the inner products of t
 import numpy as np
 
 from exoid.fitting.data.observation import Observation
-from exoid.fitting.misfit.condensed import Sensed
+from exoid.fitting.misfit.condensed import Condensed, Sensed
 from exoid.fitting.misfit.gram import UNIT, Cause, Gram
 from exoid.physics.motion.step import Drive
 
@@ -47,6 +47,16 @@ def declared(residual: np.ndarray, derivative: np.ndarray) -> Gram:
     rows = np.concatenate([derivative, residual[:, None]], axis=1)
     nothing = np.zeros((1, rows.shape[1]))
     return Gram(np.arange(derivative.shape[1]), np.zeros((1, 1)), nothing, rows, np.zeros(1))
+
+
+def undisturbed(condensed: Condensed, number: int, scale: float, place: np.ndarray) -> Gram:
+    """The triangle of one segment where no disturbance is asked for, from its residual over
+    `scale`.
+    """
+    factor, projection = condensed.factor[number], condensed.projection[number]
+    rows = np.zeros((len(place) + 1, len(place) + 1))
+    rows[:-1, :-1], rows[:-1, -1], rows[-1, -1] = factor, projection, condensed.remainder[number]
+    return Gram(place, np.zeros((1, 1)), np.zeros((1, len(rows))), scale * rows, np.zeros(1))
 
 
 def gram(

@@ -11,7 +11,7 @@ from exoid.fitting.solve.program_cache import called
 
 # Lanes of a run, each with its own recording, and their segments at once: more leave the fast path
 # of the compiled loop, and a run ends when its slowest lane has.
-LANES, SEGMENTS = 16, 16
+LANES, SEGMENTS = 32, 32
 
 
 def answer(asked: Sequence[Question]) -> dict[int, Any]:

@@ -8,7 +8,7 @@ import numpy as np
 
 from exoid.fitting.misfit.condensed import Neighbourhood, Sensed
 from exoid.fitting.misfit.gram import CAUSES, Cause, Grams
-from exoid.fitting.misfit.gram_matrices import declared, gram, pushes
+from exoid.fitting.misfit.gram_matrices import declared, gram, pushes, undisturbed
 from exoid.fitting.misfit.information import spoiled
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.neighbourhood import columns, gradients, neighbourhood
@@ -111,6 +111,16 @@ def grams_at(
     ]
 
 
+def undisturbed_at(problem: Problem, at: Solved, row: int, causes: Iterable[Cause]) -> list[Grams]:
+    """The same where nothing disturbs them, of what the search knows already."""
+    one, owner = take(at, row), problem.observation.owner
+    each = zip(columns(one.coordinates, owner), one.noise_scale, strict=True)
+    return [
+        dict.fromkeys(causes, undisturbed(one.condensed, number, scale, place))
+        for number, (place, scale) in enumerate(each)
+    ]
+
+
 def declared_at(problem: Problem, at: Solved, row: int = 0) -> Grams:
     """What is declared of the recordings, beside the inner products of their segments."""
     point, prior = take(at.coordinates, row), problem.belief.prior
@@ -144,7 +154,9 @@ def around(
 
 def left(problem: Problem, at: Solved, row: int, disturbance: Disturbance) -> Disturbance:
     """The same disturbance, with the information that it leaves at one end point."""
-    every = grams_at(problem, at, row, set(disturbance.causes(problem.kinds)))
+    causes = set(disturbance.causes(problem.kinds))
+    asked = grams_at if disturbance.cause else undisturbed_at
+    every = asked(problem, at, row, causes)
     return left_by(every, problem, at, row, disturbance)
 
 

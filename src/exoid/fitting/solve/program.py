@@ -125,6 +125,7 @@ def solved_from(
         loss=(data + belief) / 2,
         misfit=misfit(weighed(condensed, 1 / request.noise_scale)),
         condensed=condensed,
+        noise_scale=request.noise_scale,
         multiplier=outcome.multiplier,
         violation=outcome.violation,
         steps=outcome.steps,

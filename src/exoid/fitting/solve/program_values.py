@@ -49,7 +49,8 @@ class Solved(eqx.Module):
     loss: Float[Any, "*start"]  # half the sum of squares, data and prior
     misfit: Float[Any, "*start"]  # sum of squares of the data residual over their noise
     quantities: Float[Any, "*start quantity"]
-    condensed: Condensed  # at the end point
+    condensed: Condensed  # at the end point, of every segment over its `noise_scale`
+    noise_scale: Float[Any, "*start segment"]
     multiplier: Float[Any, "*start constraint"]
     violation: Float[Any, "*start"]
     steps: Int[Any, "*start"]
@@ -69,6 +70,7 @@ def solved_structure(terms: tuple[type[Term], ...] = ()):
         misfit=NUMBER,
         quantities=ROW,
         condensed=Condensed(TABLE, ROW, NUMBER),
+        noise_scale=ROW,
         multiplier=ROW,
         violation=NUMBER,
         steps=np.zeros((), int),
