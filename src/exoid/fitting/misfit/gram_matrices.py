@@ -11,6 +11,7 @@ from exoid.fitting.misfit.condensed import Condensed, Sensed
 from exoid.fitting.misfit.gram import UNIT, Cause, Gram
 from exoid.physics.motion.step import Drive
 
+Times = np.ndarray | float  # s, of one process, or of several by a leading axis
 SPACING = 0.125  # s between the nodes
 NODES = (16, 128)  # at least and at most
 JITTER = 1e-8  # of a unit variance, keeps a smooth covariance positive definite
@@ -82,19 +83,20 @@ def gram(
     return Gram(place, inside[:, :count], inside[:, count:], triangle[count:, count:], nodes)
 
 
-def matern(times: np.ndarray, correlated: float) -> np.ndarray:
+def matern(times: np.ndarray, correlated: Times) -> np.ndarray:
     """Covariance of a twice differentiable process of unit variance (Matern 5/2)."""
-    apart = np.sqrt(5) * np.abs(times[:, None] - times) / correlated
+    between = np.abs(times[:, None] - times)
+    apart = np.sqrt(5) * between / np.asarray(correlated)[..., None, None]
     return (1 + apart + apart**2 / 3) * np.exp(-apart)
 
 
-def covariance(each: Gram, correlated: float) -> np.ndarray:
+def covariance(each: Gram, correlated: Times) -> np.ndarray:
     """Of the process at its nodes, for unit variance."""
     return matern(each.nodes, correlated) + JITTER * np.eye(each.nodes.size)
 
 
-def modes(each: Gram, correlated: float) -> tuple[np.ndarray, np.ndarray]:
-    """Squared sizes of the process' independent effects, and (A, r) along each of them."""
+def modes(each: Gram, correlated: Times) -> tuple[np.ndarray, np.ndarray]:
+    """Squared sizes of the process' independent effects, and the directions of each of them."""
     root = np.linalg.cholesky(covariance(each, correlated))
     axes, sizes, _ = np.linalg.svd(each.effect @ root)
-    return sizes**2, axes.T @ each.inside
+    return sizes**2, axes
