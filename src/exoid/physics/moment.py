@@ -3,16 +3,17 @@
 from dataclasses import field
 from typing import Any
 
-import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 from jaxtyping import Array, Float
 
 from exoid.physics.cycle_shape import cycle_shape
 from exoid.physics.ratios import Ratios
+from exoid.physics.record import record
 
 
-class Cycle(eqx.Module):
+@record
+class Cycle:
     """The voluntary cycle of Eq. 10; of amplitude 0 where nothing is voluntary."""
 
     amplitude: Float[Any, "*batch"]  # N m
@@ -39,7 +40,8 @@ def untied() -> np.ndarray:
     return np.zeros(())
 
 
-class SegmentConstants(eqx.Module):
+@record
+class SegmentConstants:
     """What stays the same throughout a segment: leg, cycle, and the segment's number.
 
     A critically damped spring of natural frequency `tether` may tie the leg to a measured motion;
@@ -53,7 +55,8 @@ class SegmentConstants(eqx.Module):
     tether: Float[Any, "*batch"] = field(default_factory=untied)  # rad/s, in the ratios
 
 
-class Moment(eqx.Module):
+@record
+class Moment:
     """An instant of a motion.
 
     >>> class Mud(exoid.PhysicsTerm):

@@ -3,12 +3,14 @@
 from dataclasses import dataclass
 from typing import Any
 
-import equinox as eqx
 import numpy as np
 from jaxtyping import Float
 
+from exoid.physics.record import record
 
-class Condensed(eqx.Module):
+
+@record
+class Condensed:
     """R, Q'r and the rest of one segment's residual, in units of noise and of `typical`."""
 
     factor: Float[Any, "*batch unknown unknown"]
@@ -16,7 +18,8 @@ class Condensed(eqx.Module):
     remainder: Float[Any, "*batch"]
 
 
-class Sensed(eqx.Module):
+@record
+class Sensed:
     """The residual of every sample, and its derivatives, in units of noise and of `typical`."""
 
     residual: Float[Any, "*segment time channel"]

@@ -4,7 +4,6 @@ from dataclasses import replace
 from functools import cache
 from typing import Any
 
-import equinox as eqx
 import jax
 import numpy as np
 from jaxtyping import Bool, Float, Int
@@ -14,10 +13,12 @@ from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.coordinates import TYPICAL, Coordinates
 from exoid.fitting.model.term_parameters import typical_term
 from exoid.physics.leg import LegParameters
+from exoid.physics.record import record
 from exoid.physics.term import Term
 
 
-class Task(eqx.Module):
+@record
+class Task:
     """What a run of the solver is asked to do."""
 
     stage: Stage
@@ -27,7 +28,8 @@ class Task(eqx.Module):
     penalty: Float[Any, " constraint"]  # rho
 
 
-class StartRequest(eqx.Module):
+@record
+class StartRequest:
     """What a start is asked for by itself.
 
     `strength` (weights . quantities - target) joins the residual. Where such a search ends, the
@@ -40,7 +42,8 @@ class StartRequest(eqx.Module):
     strength: Float[Any, "*start"]
 
 
-class Solved(eqx.Module):
+@record
+class Solved:
     """Where every start of the block ended."""
 
     coordinates: Coordinates
