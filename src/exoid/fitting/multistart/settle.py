@@ -72,6 +72,7 @@ def loaded_rig(problem: Problem) -> bool:
     return problem.belief.rig and len(loads) > 1
 
 
+@np.errstate(over="ignore", divide="ignore", invalid="ignore")  # of a leap, which is then halved
 def as_believed(problem: Problem, free: Coordinates, inertia: float, mass: float) -> np.ndarray:
     """log J and log m that are believed most at the ratios of a free fit, by steps from these: no
     data tell of them, and a search ends soon that begins there.
@@ -87,13 +88,16 @@ def as_believed(problem: Problem, free: Coordinates, inertia: float, mass: float
 
     for _ in range(TURNS):
         slopes, before = gradients(belief, point)[:, rows], belief(point)
+        if not np.isfinite(slopes).all():
+            break
         step = np.zeros(flattened(point).size)
         step[rows] = np.linalg.lstsq(slopes, -before, rcond=None)[0]
         towards = (moved(point, step / 2**halved) for halved in range(HALVED))
         better = (one for one in towards if np.sum(belief(one) ** 2) < np.sum(before**2))
-        point = next(better, point)
-        if np.abs(step).max() < NEARBY:
+        nearer = next(better, None)
+        if nearer is None or np.abs(step).max() < NEARBY:
             break
+        point = nearer
     return np.array([point.shared.log_inertia, point.log_mass])
 
 
