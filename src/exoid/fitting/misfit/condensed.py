@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 from jaxtyping import Float
 
+from exoid.fitting.misfit.gram import Cause
 from exoid.physics.record import record
 
 
@@ -25,6 +26,16 @@ class Sensed:
     residual: Float[Any, "*segment time channel"]
     columns: Float[Any, "*segment unknown time channel"]
     responses: Float[Any, "*segment push time channel"]  # to missing torques
+
+
+@record
+class Triangles:
+    """R of (S, A, r) = Q R of a segment for each cause that may disturb it: the effects S of its
+    nodes, the sensitivities A and the residual r.
+    """
+
+    inside: dict[Cause, Float[Any, "*segment node column"]]
+    outside: dict[Cause, Float[Any, "*segment row rest"]]  # without S
 
 
 @dataclass(frozen=True, eq=False)

@@ -19,11 +19,11 @@ import numpy as np
 from platformdirs import user_cache_path
 
 from exoid.fitting.data.conditioning_chain import Chain
-from exoid.fitting.misfit.condensed import Sensed
+from exoid.fitting.misfit.condensed import Sensed, Triangles
 from exoid.fitting.solve.compiled.kept_program import KEPT, fingerprint, load, nameless, store
 from exoid.fitting.solve.compiled.machine_code import compiled, options
 from exoid.fitting.solve.meeting import ASKED_TOGETHER, MEETING
-from exoid.fitting.solve.program_values import SENSED, Solved, solved_structure
+from exoid.fitting.solve.program_values import SENSED, TRIANGLES, Solved, solved_structure
 
 MOST = 64  # programs in memory, 10 to 20 MB each: of the 50 to 90 of a diagnosis many run once
 ABANDONED = 3600.0  # s after which nobody writes a part any more
@@ -92,6 +92,16 @@ def run_sense(point, observation, known, pushes, stage, chain: Chain) -> Sensed:
         (point, observation, known, pushes, stage),
         chain,
         SENSED,
+    )
+
+
+def run_triangles(point, observation, known, nodes, stage, chain: Chain) -> Triangles:
+    """`triangles_all`, with NumPy arrays in and out."""
+    return called(
+        "exoid.fitting.solve.program:triangles_all",
+        (point, observation, known, nodes, stage),
+        chain,
+        TRIANGLES,
     )
 
 

@@ -8,7 +8,8 @@ import jax
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
-from exoid.fitting.misfit.condensed import Condensed, Sensed
+from exoid.fitting.misfit.condensed import Condensed, Sensed, Triangles
+from exoid.fitting.misfit.gram import CAUSES
 from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.coordinates import TYPICAL, Coordinates
 from exoid.fitting.model.term_parameters import typical_term
@@ -86,3 +87,4 @@ def solved_structure(terms: tuple[type[Term], ...] = ()):
 
 NUMBER, ROW, TABLE = np.zeros(()), np.zeros(1), np.zeros((1, 1))
 SENSED = jax.tree.structure(Sensed(TABLE, *[np.zeros((1, 1, 1))] * 2))
+TRIANGLES = jax.tree.structure(Triangles(*[dict.fromkeys(CAUSES, TABLE)] * 2))
