@@ -115,7 +115,7 @@ def called(name: str, arguments: tuple, static, structure, *, brief: bool = Fals
         return meeting.ask(name, arguments, static, structure)
     leaves, given = jax.tree.flatten(arguments)
     leaves = [np.asarray(leaf) for leaf in leaves]
-    shapes = tuple((leaf.shape, leaf.dtype.name) for leaf in leaves)
+    shapes = tuple((leaf.shape, leaf.dtype.str) for leaf in leaves)
     wanted = (name, given, shapes, static, structure.num_leaves, brief)
     with jax.enable_x64(True):  # a fit in float32 would stop short of its optimum
         with _locks.setdefault(wanted, Lock()):  # of two threads that want it, one compiles it
