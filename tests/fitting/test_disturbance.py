@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from exoid.fitting.data.observation import Clock, Observation
+from exoid.fitting.misfit import disturbance
 from exoid.fitting.misfit.condensed import Sensed
 from exoid.fitting.misfit.disturbance import Likelihood, explain, restricted
 from exoid.fitting.misfit.gram import CAUSES
@@ -121,6 +122,19 @@ def test_a_missing_torque_is_found_with_its_size_and_its_correlation_time(correl
         size, rel=0.25
     )
     assert np.median([each.kinds["passive"].correlation_time for each in found]) == correlated
+
+
+@pytest.mark.parametrize("size", [0.01, 0.03, 0.1])
+def test_a_look_at_every_decade_misses_no_process_that_a_closer_one_finds(size, monkeypatch):
+    """Of sizes about the least that is found: of some draws something, of others nothing."""
+    rng, shapes = np.random.default_rng(9), hats(TIME, TIMES)
+    residuals = [
+        rng.normal(size=SAMPLES) + swung(size * process(rng, correlated) @ shapes)
+        for correlated in (0.025, 0.1, 0.4, 0.8)
+    ]
+    found = [explained(each).kinds["passive"] for each in residuals]
+    monkeypatch.setattr(disturbance, "PROMISING", -np.inf)
+    assert [explained(each).kinds["passive"] for each in residuals] == found
 
 
 def test_a_slow_error_of_the_encoder_is_told_from_a_torque():
