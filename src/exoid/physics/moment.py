@@ -3,17 +3,16 @@
 from dataclasses import field
 from typing import Any
 
+import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 from jaxtyping import Array, Float
 
 from exoid.physics.cycle_shape import cycle_shape
 from exoid.physics.ratios import Ratios
-from exoid.physics.record import record
 
 
-@record
-class Cycle:
+class Cycle(eqx.Module):
     """The voluntary cycle of Eq. 10; of amplitude 0 where nothing is voluntary."""
 
     amplitude: Float[Any, "*batch"]  # N m
@@ -40,8 +39,7 @@ def untied() -> np.ndarray:
     return np.zeros(())
 
 
-@record
-class SegmentConstants:
+class SegmentConstants(eqx.Module):
     """What stays the same throughout a segment: leg, cycle, and the segment's number.
 
     A critically damped spring of natural frequency `tether` may tie the leg to a measured motion;
@@ -55,8 +53,7 @@ class SegmentConstants:
     tether: Float[Any, "*batch"] = field(default_factory=untied)  # rad/s, in the ratios
 
 
-@record
-class Moment:
+class Moment(eqx.Module):
     """An instant of a motion.
 
     >>> class Mud(exoid.PhysicsTerm):

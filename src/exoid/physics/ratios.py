@@ -3,10 +3,9 @@
 from dataclasses import field
 from typing import Any
 
+import equinox as eqx
 import numpy as np
 from jaxtyping import Float
-
-from exoid.physics.record import record
 
 
 def horizontal() -> np.ndarray:
@@ -14,8 +13,7 @@ def horizontal() -> np.ndarray:
     return np.zeros(())
 
 
-@record
-class Ratios:
+class Ratios(eqx.Module):
     """Eq. 9 divided by J: all that motion can tell of a leg.
 
     phi'' = tau_h / J - gravity cos(phi + thigh_angle) - stiffness phi - damping phi'

@@ -1,12 +1,10 @@
 """The state of the leg."""
 
+import equinox as eqx
 from jaxtyping import Array, Float
 
-from exoid.physics.record import record
 
-
-@record
-class LegState:
+class LegState(eqx.Module):
     """Angle and angular velocity of the shank, extension positive, 0 = shank horizontal.
 
     >>> float(exoid.LegState(jnp.radians(-20.0), jnp.asarray(0.0)).angular_velocity)  # rad/s

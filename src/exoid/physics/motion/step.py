@@ -3,19 +3,17 @@
 from collections.abc import Callable
 from typing import Any
 
+import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
 from jaxtyping import Array, Float, Int, PyTree
 
-from exoid.physics.record import record
-
 STAGES = np.array([0.0, 0.5, 0.5, 1.0])  # of a step
 SHARES = np.array([1.0, 2.0, 2.0, 1.0]) / 6  # of the mean slope
 
 
-@record
-class Drive:
+class Drive(eqx.Module):
     """The torque per inertia [rad/s^2] at the three stage times of every step."""
 
     begin: Float[Any, "*steps"]

@@ -10,23 +10,20 @@ from jaxtyping import Array, Float
 from exoid.physics.leg import angular_acceleration
 from exoid.physics.moment import Moment, SegmentConstants
 from exoid.physics.motion.step import Drive, parabola, rk4
-from exoid.physics.record import record
 from exoid.physics.state import LegState
 from exoid.physics.term import Reading, Term, holds, reading
 
 Terms = tuple[Term, ...]
 
 
-@record
-class Motion:
+class Motion(eqx.Module):
     """The leg's state and that of every term."""
 
     leg: LegState
     memory: tuple[Array, ...]
 
 
-@record
-class ObservedMotion:
+class ObservedMotion(eqx.Module):
     """A motion and what the sensors show of it."""
 
     angle: Float[Any, "*time"]  # rad
