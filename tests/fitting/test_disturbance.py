@@ -10,7 +10,7 @@ from exoid.fitting.data.observation import Clock, Observation
 from exoid.fitting.misfit import disturbance
 from exoid.fitting.misfit.condensed import Sensed
 from exoid.fitting.misfit.disturbance import Likelihood, explain, restricted
-from exoid.fitting.misfit.gram import CAUSES
+from exoid.fitting.misfit.gram import CAUSES, Cause, Grams
 from exoid.fitting.misfit.gram_matrices import gram, hats, matern, nodes_of, pushes, triangles
 from exoid.fitting.misfit.information import common, spoiled
 from exoid.physics.motion.step import Drive
@@ -48,7 +48,7 @@ def linear(residual, columns):
     return Sensed(*(alone(each)[None] for each in (residual, columns, effect)))
 
 
-def grammed(sensed, cause="torque", *, seen=SEEN):
+def grammed(sensed, cause: Cause = "torque", *, seen=SEEN):
     one, of_one = (jax.tree.map(lambda leaf: leaf[0], each) for each in (sensed, seen))
     made = jax.tree.map(lambda leaf: leaf[None], triangles(one, of_one, TIMES))
     return gram(made, 0, cause, PLACE, TIMES)
@@ -80,7 +80,7 @@ def process(rng, correlated, count=NODES):
 
 def explained(residual, a=None):
     sensed = linear(residual, columns() if a is None else a)
-    each = {cause: grammed(sensed, cause) for cause in CAUSES}
+    each: Grams = {cause: grammed(sensed, cause) for cause in CAUSES}
     missed = explain([each], {"torque": 10.0, "encoder": 1.0}, SAMPLES, 3)
     return left(missed, [each[missed.cause or "torque"]])
 

@@ -14,7 +14,7 @@ import numpy as np
 
 from exoid.fitting.data.conditioning_chain import Raw
 from exoid.fitting.data.movement import Movement
-from exoid.fitting.misfit.gram import CAUSES
+from exoid.fitting.misfit.gram import CAUSES, Cause
 from exoid.fitting.misfit.information import common, spoiled
 from exoid.fitting.misfit.neighbourhood import columns
 from exoid.fitting.misfit.uncertainty import Information
@@ -69,7 +69,7 @@ def segments_told(known: PriorKnowledge, problem: Problem, point: Coordinates) -
         return [rows @ rows.T / noise**2 for rows in every]
     own = np.arange(columns(point, problem.observation.owner).shape[1])
     places = np.tile(own, (len(problem.movements), 1))
-    causes = {found.like(kind).cause or CAUSES[0] for kind in problem.kinds}
+    causes: set[Cause] = {found.like(kind).cause or CAUSES[0] for kind in problem.kinds}
     told = []
     for grams, kind in zip(grams_in(problem, point, places, causes), problem.kinds, strict=True):
         missed = found.like(kind)

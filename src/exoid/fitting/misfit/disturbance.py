@@ -32,7 +32,7 @@ def explain(grams: list[Grams], most: dict[Cause, float], samples: int, size: in
     nearly hides in the parameters may else grow without limit.
     """
 
-    each = {
+    each: dict[Cause, Likelihood] = {
         cause: Likelihood([one[cause] for one in grams], np.array(CORRELATED), samples, size)
         for cause in CAUSES
     }
@@ -44,7 +44,8 @@ def explain(grams: list[Grams], most: dict[Cause, float], samples: int, size: in
         ratios, values = likelihood.greatest(bound, plain + PROMISING)
         top = int(np.argmax(values))
         if values[top] > best:
-            best, found = float(values[top]), (cause, top, float(ratios[top]))
+            best = float(values[top])
+            found = cause, top, float(ratios[top])
     cause, top, ratio = found
     noise = float(each[cause or "torque"].noise_beside(ratio)[top])
     return Missed(cause, CORRELATED[top], ratio, noise, best)
@@ -65,7 +66,8 @@ class Likelihood:
         basis, unit = whitening(plain)
         self.basis = basis / unit[:, None]
         self.freedom = samples - basis.shape[1]
-        self.outside = sum(outer(self.told(each, each.outside)).sum(axis=0) for each in grams)
+        fixed = [outer(self.told(each, each.outside)).sum(axis=0) for each in grams]
+        self.outside = np.sum(fixed, axis=0)
         self.parts = []
         for each in grams:
             sizes, axes = modes(each, correlated)
