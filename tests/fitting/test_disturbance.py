@@ -2,19 +2,22 @@
 
 from dataclasses import replace
 
+import jax
 import numpy as np
 import pytest
 
 from exoid.fitting.data.observation import Clock, Observation
+from exoid.fitting.misfit import disturbance
 from exoid.fitting.misfit.condensed import Sensed
 from exoid.fitting.misfit.disturbance import Likelihood, explain, restricted
-from exoid.fitting.misfit.gram import CAUSES
-from exoid.fitting.misfit.gram_matrices import gram, hats, matern, node_count, pushes
+from exoid.fitting.misfit.gram import CAUSES, Cause, Grams
+from exoid.fitting.misfit.gram_matrices import gram, hats, matern, nodes_of, pushes, triangles
 from exoid.fitting.misfit.information import common, spoiled
 from exoid.physics.motion.step import Drive
 
 SAMPLES, DURATION, NODES = 600, 6.0, 48
 TIME = np.linspace(0.0, DURATION, SAMPLES)
+TIMES = np.linspace(0.0, DURATION, NODES)  # of the nodes
 WEIGHT = np.full((1, SAMPLES), 100.0)  # 1/rad
 PLACE = np.arange(3)
 NO_TORQUE = Drive(*[np.zeros((1, SAMPLES - 1))] * 3)
@@ -41,8 +44,14 @@ SEEN = Observation(
 
 def linear(residual, columns):
     """One segment with these sensitivities; a torque acts through an oscillator of 0.9 Hz."""
-    effect = np.stack([swung(each) for each in hats(TIME, DURATION, NODES)])
+    effect = np.stack([swung(each) for each in hats(TIME, TIMES)])
     return Sensed(*(alone(each)[None] for each in (residual, columns, effect)))
+
+
+def grammed(sensed, cause: Cause = "torque", *, seen=SEEN):
+    one, of_one = (jax.tree.map(lambda leaf: leaf[0], each) for each in (sensed, seen))
+    made = jax.tree.map(lambda leaf: leaf[None], triangles(one, of_one, TIMES))
+    return gram(made, 0, cause, PLACE, TIMES)
 
 
 def alone(angle):
@@ -71,7 +80,7 @@ def process(rng, correlated, count=NODES):
 
 def explained(residual, a=None):
     sensed = linear(residual, columns() if a is None else a)
-    each = {cause: gram(sensed, SEEN, 0, DURATION, cause, PLACE) for cause in CAUSES}
+    each: Grams = {cause: grammed(sensed, cause) for cause in CAUSES}
     missed = explain([each], {"torque": 10.0, "encoder": 1.0}, SAMPLES, 3)
     return left(missed, [each[missed.cause or "torque"]])
 
@@ -103,7 +112,7 @@ def test_white_noise_above_the_declared_widens_by_its_size():
 def test_a_missing_torque_is_found_with_its_size_and_its_correlation_time(correlated):
     """Over twenty draws: one says little of its size, and one in ten may look like the encoder."""
     rng, size = np.random.default_rng(2), 0.3
-    shapes = hats(TIME, DURATION, NODES)
+    shapes = hats(TIME, TIMES)
     found = [
         explained(rng.normal(size=SAMPLES) + swung(size * process(rng, correlated) @ shapes))
         for _ in range(20)
@@ -115,10 +124,23 @@ def test_a_missing_torque_is_found_with_its_size_and_its_correlation_time(correl
     assert np.median([each.kinds["passive"].correlation_time for each in found]) == correlated
 
 
+@pytest.mark.parametrize("size", [0.01, 0.03, 0.1])
+def test_a_look_at_every_decade_misses_no_process_that_a_closer_one_finds(size, monkeypatch):
+    """Of sizes about the least that is found: of some draws something, of others nothing."""
+    rng, shapes = np.random.default_rng(9), hats(TIME, TIMES)
+    residuals = [
+        rng.normal(size=SAMPLES) + swung(size * process(rng, correlated) @ shapes)
+        for correlated in (0.025, 0.1, 0.4, 0.8)
+    ]
+    found = [explained(each).kinds["passive"] for each in residuals]
+    monkeypatch.setattr(disturbance, "PROMISING", -np.inf)
+    assert [explained(each).kinds["passive"] for each in residuals] == found
+
+
 def test_a_slow_error_of_the_encoder_is_told_from_a_torque():
     """White errors of the nodes have no inertia: no torque leaves those."""
     rng = np.random.default_rng(3)
-    shapes = hats(TIME, DURATION, NODES)
+    shapes = hats(TIME, TIMES)
     found = [
         explained(rng.normal(size=SAMPLES) + 3.0 * rng.normal(size=NODES) @ shapes)
         for _ in range(20)
@@ -133,7 +155,7 @@ def test_a_slow_error_of_the_encoder_is_told_from_a_torque():
 def test_the_information_left_is_the_sandwich():
     """Of the same least squares under the same covariance, computed without any reduction."""
     rng = np.random.default_rng(4)
-    shapes = hats(TIME, DURATION, NODES)
+    shapes = hats(TIME, TIMES)
     found = explained(rng.normal(size=SAMPLES) + swung(0.3 * process(rng, 0.2) @ shapes))
     assert found.cause == "torque"
     missed = found.kinds["passive"]
@@ -148,10 +170,10 @@ def test_the_information_left_is_the_sandwich():
 
 def test_what_is_left_to_another_segment_is_the_sandwich_under_the_same_process():
     rng = np.random.default_rng(5)
-    shapes = hats(TIME, DURATION, NODES)
+    shapes = hats(TIME, TIMES)
     found = explained(rng.normal(size=SAMPLES) + swung(0.3 * process(rng, 0.2) @ shapes))
     other = linear(np.zeros(SAMPLES), 2 * columns())
-    again = left(found.kinds["passive"], [gram(other, SEEN, 0, DURATION, "torque", PLACE)])
+    again = left(found.kinds["passive"], [grammed(other)])
     np.testing.assert_allclose(again.information, 4 * found.information, rtol=1e-6)
     np.testing.assert_allclose(again.widening, found.widening, rtol=1e-6)
 
@@ -166,20 +188,20 @@ def test_what_rounding_leaves_of_nothing_is_never_the_best():
 def hidden(order):
     """Sensitivities that torques make to one part in a million, and one that is their sum."""
     rng = np.random.default_rng(7)
-    shapes = hats(TIME, DURATION, NODES)
+    shapes = hats(TIME, TIMES)
     slow = np.stack([swung(process(rng, 0.4) @ shapes) for _ in range(2)])
     slow += 1e-6 * np.abs(slow).max() * rng.normal(size=slow.shape)
     sensed = linear(rng.normal(size=SAMPLES) + 100 * slow[0], np.stack([*slow, slow.sum(axis=0)]))
-    return Sensed(*(each[:, ..., order, :] for each in vars(sensed).values()))
+    return Sensed(*(each[:, ..., order, :] for each in jax.tree.leaves(sensed)))
 
 
 def test_a_likelihood_is_that_of_the_textbook_where_the_process_hides_nearly_all():
     """log |V| + log |A'V^-1 A| + (n - 2) log r'Pr of the two that are independent, by the Cholesky
     factor of V. Its condition of 1e13 leaves three digits, and the differences are hundreds.
     """
-    shapes = hats(TIME, DURATION, NODES)
+    shapes = hats(TIME, TIMES)
     sensed = hidden(np.arange(SAMPLES))
-    found = Likelihood([gram(sensed, SEEN, 0, DURATION, "torque", PLACE)], 0.4, SAMPLES, 3)
+    found = Likelihood([grammed(sensed)], 0.4, SAMPLES, 3)
     ratios = np.logspace(-3, 3, 4)
     expected = [textbook(sensed, shapes, ratio) for ratio in ratios]
     np.testing.assert_allclose(np.diff(found(ratios)), np.diff(expected), rtol=1e-3)
@@ -206,9 +228,7 @@ def test_the_order_of_the_samples_does_not_move_a_likelihood():
 
     def likelihood(order):
         seen = replace(SEEN, time=TIME[None, order])
-        return Likelihood(
-            [gram(hidden(order), seen, 0, DURATION, "torque", PLACE)], 0.4, SAMPLES, 3
-        )(ratios)
+        return Likelihood([grammed(hidden(order), seen=seen)], 0.4, SAMPLES, 3)(ratios)
 
     plain = likelihood(np.arange(SAMPLES))
     for _ in range(5):
@@ -224,11 +244,11 @@ def test_a_direction_without_information_stays_without():
 
 
 def test_hats_add_up_to_one_and_pushes_are_their_stage_values():
-    assert np.allclose(hats(TIME, DURATION, NODES).sum(axis=0), 1.0)
-    drive = pushes(TIME[None], [DURATION])
-    count = node_count(DURATION)
-    assert drive.begin.shape == (1, count, SAMPLES - 1)
-    assert np.array_equal(drive.end[0], hats(TIME[1:], DURATION, count))
+    assert np.allclose(hats(TIME, TIMES).sum(axis=0), 1.0)
+    (nodes,) = nodes_of([DURATION])
+    drive, count = pushes(TIME, nodes), nodes.size
+    assert drive.begin.shape == (count, SAMPLES - 1)
+    assert np.array_equal(drive.end, hats(TIME[1:], nodes))
     assert np.allclose(drive.middle, (drive.begin + drive.end) / 2, atol=0.5 * TIME[1] * count / 6)
 
 

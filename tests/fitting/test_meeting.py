@@ -6,14 +6,14 @@ from types import SimpleNamespace
 
 import pytest
 
-from exoid.fitting.solve.meeting import MEETING, SENSE, Guest, meet
+from exoid.fitting.solve.meeting import MEETING, TRIANGLES, Guest, meet
 from exoid.fitting.solve.program_cache import called
 
 
 def ask(number: float, shape: int = 3) -> float:
     """A question of one number, which a program would answer; its `shape` is part of its kind."""
     seen, stage = SimpleNamespace(time=[0.0] * shape), SimpleNamespace(steps=shape)
-    return called(SENSE, (number, seen, None, None, stage), None, None)
+    return called(TRIANGLES, (number, seen, None, None, stage), None, None)
 
 
 def doubled(log):

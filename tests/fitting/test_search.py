@@ -8,7 +8,8 @@ import pytest
 from exoid.fitting.data.conditioning_chain import Raw
 from exoid.fitting.estimate import movements_of
 from exoid.fitting.model.prior_and_limits import believe
-from exoid.fitting.multistart.search import HOPELESS, basins, stands_still
+from exoid.fitting.multistart.search import HOPELESS, basins
+from exoid.fitting.multistart.settle import stands_still
 from exoid.fitting.multistart.starts import coordinates
 from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.program_values import solved_structure

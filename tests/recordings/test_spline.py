@@ -52,6 +52,29 @@ def test_a_spline_is_that_of_scipy(clock):
         assert np.abs(found - of_scipy(time, signal)).max() < limit
 
 
+@pytest.mark.parametrize("clock", ["even", "uneven", "with a pause", "a camera's", "short"])
+def test_a_short_spline_is_the_same_whole_and_by_its_rows(clock, monkeypatch):
+    time = clocks()[clock]
+    signals: list = [(time, np.random.default_rng(4).normal(size=(time.size, 2)))]
+    found = {}
+    for little in (0, 2**30):
+        monkeypatch.setattr(spline, "LITTLE", little)
+        (found[little],) = spline.follow(signals, KNOT)
+    assert np.abs(found[0] - found[2**30]).max() < 1e-12  # a few thousand roundings
+
+
+def test_what_no_sample_tells_is_nothing_whole_and_by_rows():
+    """Two systems, of the second a number that stands in no sample."""
+    bands, sides = np.zeros((8, 4, 2)), np.ones((8, 1, 2))
+    bands[:5, 0] = 2.0
+    bands[:4, 1, 0] = 0.5
+    bands[2, 0, 1] = 0.0
+    rows = spline.solved(bands.copy(), sides.copy())[:5]
+    whole = spline.solved_whole(bands.copy(), sides.copy())[:5]
+    assert rows == pytest.approx(whole, abs=1e-14)
+    assert whole[2, 0, 1] == 0.0
+
+
 def test_many_signals_of_any_length_are_followed_as_each_alone(monkeypatch):
     monkeypatch.setattr(spline, "AT_ONCE", 200)  # gaps: of several groups
     rng = np.random.default_rng(2)

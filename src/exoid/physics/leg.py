@@ -10,13 +10,15 @@ from jaxtyping import Array, Float, Inexact
 from exoid.physics.cosine import cos
 from exoid.physics.parameter import parameter
 from exoid.physics.ratios import Ratios, horizontal
+from exoid.physics.record import record
 from exoid.physics.state import LegState
 from exoid.physics.torque import Torque
 
 GRAVITY = 9.81  # m/s^2, as the paper has it
 
 
-class LegParameters(eqx.Module):
+@record
+class LegParameters:
     """Shank, foot and exoskeleton together. The ranges are the bounds of Eq. 13.
 
     >>> leg = exoid.LegParameters(*map(jnp.asarray, (4.5, 0.42, 0.26, 0.33, 2.6)))

@@ -14,9 +14,9 @@ import numpy as np
 
 from exoid.fitting.data.conditioning_chain import Raw
 from exoid.fitting.data.movement import Movement
-from exoid.fitting.misfit.gram import CAUSES
-from exoid.fitting.misfit.gram_matrices import gram, pushes
+from exoid.fitting.misfit.gram import CAUSES, Cause
 from exoid.fitting.misfit.information import common, spoiled
+from exoid.fitting.misfit.neighbourhood import columns
 from exoid.fitting.misfit.uncertainty import Information
 from exoid.fitting.model.coordinates import (
     TYPICAL,
@@ -27,7 +27,7 @@ from exoid.fitting.model.coordinates import (
 )
 from exoid.fitting.model.systematics import SOMEWHERE
 from exoid.fitting.multistart.starts import first_state, usual_mounting
-from exoid.fitting.solve.ask import sensed
+from exoid.fitting.solve.ask import grams_in, sensed
 from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.problem import Problem
 from exoid.planning.planned import Candidate
@@ -62,18 +62,19 @@ def posed(known: PriorKnowledge, options: dict[Candidate, Movement]) -> tuple[Pr
 
 def segments_told(known: PriorKnowledge, problem: Problem, point: Coordinates) -> list[np.ndarray]:
     """Every segment's information on its own unknowns, where what disturbed the fit acts again."""
-    found, seen = known.disturbance, problem.observation
+    found = known.disturbance
     if found is None or found.cause is None:
         every = [each.reshape(each.shape[0], -1) for each in sensed(problem, point).columns]
         noise = 1.0 if found is None else found.noise
         return [rows @ rows.T / noise**2 for rows in every]
-    response = sensed(problem, point, pushes(seen.time, problem.durations))
-    place = np.arange(response.columns.shape[1])
+    own = np.arange(columns(point, problem.observation.owner).shape[1])
+    places = np.tile(own, (len(problem.movements), 1))
+    causes: set[Cause] = {found.like(kind).cause or CAUSES[0] for kind in problem.kinds}
     told = []
-    for segment, (duration, kind) in enumerate(zip(problem.durations, problem.kinds, strict=True)):
+    for grams, kind in zip(grams_in(problem, point, places, causes), problem.kinds, strict=True):
         missed = found.like(kind)
-        each = gram(response, seen, segment, duration, missed.cause or CAUSES[0], place)
-        told.append(spoiled(common(missed, [kind]), [each], [kind], place.size).information)
+        each = grams[missed.cause or CAUSES[0]]
+        told.append(spoiled(common(missed, [kind]), [each], [kind], own.size).information)
     return told
 
 

@@ -6,9 +6,11 @@ import equinox as eqx
 from jaxtyping import Float, Int
 
 from exoid.physics.motion.step import Drive
+from exoid.physics.record import record
 
 
-class Clock(eqx.Module):
+@record
+class Clock:
     """The voluntary cycle of a segment, of frequency 0 where there is none, and its number."""
 
     period: Float[Any, "*segment"]  # s
@@ -17,7 +19,8 @@ class Clock(eqx.Module):
     number: Float[Any, "*segment"]
 
 
-class Observation(eqx.Module):
+@record
+class Observation:
     """One segment; a joint fit carries one more leading axis `segment`.
 
     Rows beyond the end of a segment continue its clock with weight 0, so that segments of

@@ -98,18 +98,22 @@ def sense(
     rollout, change = of_unknowns(unknowns, observation, known, stage)
 
     def store(index, rows, shown, table):
-        return table.at[:, index].set(rows)
+        return table.at[index].set(rows)
 
     size = change.shape[0]
-    empty = jnp.zeros((size + pushes.begin.shape[0] + 1, observation.time.size, 2))
-    table = sweep(rollout, observation, pushes, stage, chain, store, empty)
+    # What is stored together lies together: a sample's rows.
+    empty = jnp.zeros((observation.time.size, size + pushes.begin.shape[0] + 1, 2))
+    table = sweep(rollout, observation, pushes, stage, chain, store, empty).swapaxes(0, 1)
     columns = jnp.einsum("bu,btc->utc", change, table[:size])
     return Sensed(table[-1], columns, table[size:-1])
 
 
 def outer(rows: Float[Array, "column 2"]) -> Float[Array, "column column"]:
-    """The sum over angle and velocity of the outer products, without a matrix multiply call."""
-    return jnp.sum(rows[:, None, :] * rows[None, :, :], axis=-1)
+    """The sum over angle and velocity of the outer products, written out: a matrix multiply or a
+    sum over an axis would be a call out of the compiled loop.
+    """
+    angle, velocity = rows.T
+    return angle[:, None] * angle + velocity[:, None] * velocity
 
 
 def factorise(total: Float[Array, "column column"], known: Float[Array, " unknown"]) -> Condensed:

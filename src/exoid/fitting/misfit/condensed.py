@@ -3,12 +3,15 @@
 from dataclasses import dataclass
 from typing import Any
 
-import equinox as eqx
 import numpy as np
 from jaxtyping import Float
 
+from exoid.fitting.misfit.gram import Cause
+from exoid.physics.record import record
 
-class Condensed(eqx.Module):
+
+@record
+class Condensed:
     """R, Q'r and the rest of one segment's residual, in units of noise and of `typical`."""
 
     factor: Float[Any, "*batch unknown unknown"]
@@ -16,12 +19,23 @@ class Condensed(eqx.Module):
     remainder: Float[Any, "*batch"]
 
 
-class Sensed(eqx.Module):
+@record
+class Sensed:
     """The residual of every sample, and its derivatives, in units of noise and of `typical`."""
 
     residual: Float[Any, "*segment time channel"]
     columns: Float[Any, "*segment unknown time channel"]
     responses: Float[Any, "*segment push time channel"]  # to missing torques
+
+
+@record
+class Triangles:
+    """R of (S, A, r) = Q R of a segment for each cause that may disturb it: the effects S of its
+    nodes, the sensitivities A and the residual r.
+    """
+
+    inside: dict[Cause, Float[Any, "*segment node column"]]
+    outside: dict[Cause, Float[Any, "*segment row rest"]]  # without S
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,12 +8,10 @@ those of greatest restricted likelihood (Patterson & Thompson, Biometrika 58(3),
 for what the parameters absorbed.
 """
 
-from itertools import product
-
 import numpy as np
 
 from exoid.fitting.misfit.gram import CAUSES, UNIT, Cause, Gram, Grams
-from exoid.fitting.misfit.gram_matrices import modes
+from exoid.fitting.misfit.gram_matrices import Times, modes
 from exoid.fitting.misfit.missed import Missed
 from exoid.fitting.misfit.uncertainty import whitening
 
@@ -22,6 +20,9 @@ SIZES = np.logspace(-7, 4, 12)  # of u's variance over that of the noise, in uni
 FINER = np.logspace(-0.8, 0.8, 9)  # a fifth of a decade apart
 LEAST = 1e-15  # share of what tells a direction that a process leaves: below is rounding
 CLEAR = 4.0  # gain of log likelihood below which the noise alone explains the residual
+# Gain at a decade's grid from which on it is worth to look closer: that shows about half of what is
+# between its points, for however few or many nodes.
+PROMISING = CLEAR / 4
 
 
 def explain(grams: list[Grams], most: dict[Cause, float], samples: int, size: int) -> Missed:
@@ -31,74 +32,106 @@ def explain(grams: list[Grams], most: dict[Cause, float], samples: int, size: in
     nearly hides in the parameters may else grow without limit.
     """
 
-    def likelihood(cause: Cause, correlated: float) -> Likelihood:
-        return Likelihood([each[cause] for each in grams], correlated, samples, size)
-
-    found: tuple[Cause | None, float, float] = (None, CORRELATED[0], 0.0)
-    best = likelihood("torque", CORRELATED[0])(np.zeros(1))[0] + CLEAR
-    for cause, correlated in product(CAUSES, CORRELATED):
-        ratio, value = likelihood(cause, correlated).greatest((most[cause] / UNIT[cause]) ** 2)
-        if value > best:
-            best = value
-            found = (cause, correlated, ratio)
-    cause, correlated, ratio = found
-    noise = likelihood(cause or "torque", correlated).noise_beside(ratio)
-    return Missed(*found, noise, float(best))
+    each: dict[Cause, Likelihood] = {
+        cause: Likelihood([one[cause] for one in grams], np.array(CORRELATED), samples, size)
+        for cause in CAUSES
+    }
+    plain = float(each["torque"](np.zeros(1))[0, 0])
+    found: tuple[Cause | None, int, float] = (None, 0, 0.0)
+    best = plain + CLEAR
+    for cause, likelihood in each.items():
+        bound = (most[cause] / UNIT[cause]) ** 2
+        ratios, values = likelihood.greatest(bound, plain + PROMISING)
+        top = int(np.argmax(values))
+        if values[top] > best:
+            best = float(values[top])
+            found = cause, top, float(ratios[top])
+    cause, top, ratio = found
+    noise = float(each[cause or "torque"].noise_beside(ratio)[top])
+    return Missed(cause, CORRELATED[top], ratio, noise, best)
 
 
 class Likelihood:
-    """The restricted log likelihood of a process' size, with the noise at its best.
+    """The restricted log likelihood of a process' size, with the noise at its best; of several
+    correlation times by a leading axis.
 
     What the data determine at all is decided once, without the process: that it hides a direction
     does not make it one that nothing tells.
     """
 
-    def __init__(self, grams: list[Gram], correlated: float, samples: int, size: int):
-        self.parts = [(each, *modes(each, correlated)) for each in grams]
-        self.size = size
-        plain = self.total(np.zeros(1))[0, :size, :size]
+    def __init__(self, grams: list[Gram], correlated: Times, samples: int, size: int):
+        plain = np.zeros((size, size))
+        for each in grams:
+            plain[np.ix_(each.place, each.place)] += each.fitted[:-1, :-1]
         basis, unit = whitening(plain)
         self.basis = basis / unit[:, None]
         self.freedom = samples - basis.shape[1]
+        fixed = [outer(self.told(each, each.outside)).sum(axis=0) for each in grams]
+        self.outside = np.sum(fixed, axis=0)
+        self.parts = []
+        for each in grams:
+            sizes, axes = modes(each, correlated)
+            inside = np.swapaxes(axes, -1, -2) @ self.told(each, each.inside)
+            self.parts.append((sizes, outer(inside)))
 
-    def greatest(self, most: float) -> tuple[float, float]:
-        """The variance ratio up to `most` where it is greatest, and its value there."""
+    def told(self, each: Gram, rows: np.ndarray) -> np.ndarray:
+        """Rows of (A, r) along what the data determine."""
+        return np.column_stack([rows[:, :-1] @ self.basis[each.place], rows[:, -1]])
+
+    def greatest(self, most: float, enough: float) -> tuple[np.ndarray, np.ndarray]:
+        """The variance ratios up to `most` where it is greatest, and its values there: to a decade,
+        and where one of these is `enough` to a fifth of one.
+        """
         coarse = np.append(SIZES[most > SIZES], most)
-        near = np.minimum(coarse[int(np.argmax(self(coarse)))] * FINER, most)
+        values = self(coarse)
+        at, top = coarse[np.argmax(values, axis=-1)], values.max(axis=-1)
+        if top.max() < enough:
+            return at, top
+        near = np.minimum(at[..., None] * FINER, most)
         values = self(near)
-        top = int(np.argmax(values))
-        return float(near[top]), float(values[top])
+        at = np.take_along_axis(near, np.argmax(values, axis=-1)[..., None], axis=-1)
+        return at[..., 0], values.max(axis=-1)
 
     def __call__(self, ratios: np.ndarray) -> np.ndarray:
-        grown = [np.log1p(ratios[:, None] * sizes).sum(axis=1) for _, sizes, _ in self.parts]
+        ratios = np.atleast_1d(ratios)
+        grown = sum(np.log1p(by(ratios, sizes)).sum(axis=-1) for sizes, _ in self.parts)
         absorbed, left = self.profiled(ratios)
-        return restricted(sum(grown) + absorbed, left, self.freedom)
+        return restricted(grown + absorbed, left, self.freedom)
 
     def profiled(self, ratios: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """The log determinant of A'V^-1 A over that of A'A, and the least r'V^-1 r that the
         parameters leave, for each ratio; V is the covariance over the noise.
         """
-        total, size = self.total(ratios), self.size
-        values, axes = np.linalg.eigh(self.basis.T @ total[:, :size, :size] @ self.basis)
+        total = self.total(ratios)
+        values, axes = np.linalg.eigh(total[..., :-1, :-1])
         values = np.maximum(values, LEAST)
-        along = np.einsum("rij,ri->rj", axes, total[:, :size, size] @ self.basis)
-        left = total[:, size, size] - np.sum(along**2 / values, axis=1)
-        return np.log(values).sum(axis=1), left
+        along = np.einsum("...ij,...i->...j", axes, total[..., :-1, -1])
+        left = total[..., -1, -1] - np.sum(along**2 / values, axis=-1)
+        return np.log(values).sum(axis=-1), left
 
     def total(self, ratios: np.ndarray) -> np.ndarray:
-        """(A, r)'V^-1 (A, r) for each ratio."""
-        total = np.zeros((ratios.size, self.size + 1, self.size + 1))
-        for each, sizes, inside in self.parts:
-            share = 1 / (1 + ratios[:, None] * sizes)
-            place = np.append(each.place, self.size)
-            total[:, place[:, None], place] += each.outside.T @ each.outside
-            total[:, place[:, None], place] += inside.T @ (share[:, :, None] * inside)
+        """(A, r)'V^-1 (A, r) for each ratio, along what the data determine."""
+        total, count = self.outside, len(self.outside)
+        for sizes, inside in self.parts:
+            share = 1 / (1 + by(ratios, sizes))
+            each = share @ inside.reshape(*inside.shape[:-2], -1)
+            total = total + each.reshape(*each.shape[:-1], count, count)
         return total
 
-    def noise_beside(self, ratio: float) -> float:
+    def noise_beside(self, ratio: float) -> np.ndarray:
         """The white noise over the declared one; sensors are no better than declared."""
-        left = self.profiled(np.array([ratio]))[1][0]
-        return float(np.sqrt(max(1.0, left / self.freedom)))
+        left = self.profiled(np.array([ratio]))[1][..., 0]
+        return np.sqrt(np.maximum(1.0, left / self.freedom))
+
+
+def by(ratios: np.ndarray, sizes: np.ndarray) -> np.ndarray:
+    """Every ratio times every mode: (..., ratio, mode)."""
+    return ratios[..., :, None] * sizes[..., None, :]
+
+
+def outer(rows: np.ndarray) -> np.ndarray:
+    """Every row by itself: (..., row, column, column)."""
+    return rows[..., :, None] * rows[..., None, :]
 
 
 @np.errstate(invalid="ignore", divide="ignore")

@@ -35,18 +35,21 @@ def neighbourhood(
 ) -> Neighbourhood:
     """The derivatives at `point` (no leading axis), where the misfit condenses to `condensed`."""
 
-    def parts(at: Coordinates) -> list[np.ndarray]:
-        return [
+    counts: list[int] = []
+
+    def parts(at: Coordinates) -> np.ndarray:
+        each = [
             mounting_residual(prior, at.mounting, np),
             belief_residual(prior, at, np),
             quantities(at, np),
             violations_at(limits, at, np),
         ]
+        counts.extend(len(one) for one in each)
+        return np.concatenate(each)
 
     with np.errstate(invalid="ignore"):  # infinite limits are no limits
-        ends = np.cumsum([each.shape[0] for each in parts(point)])[:-1]
-        every = gradients(lambda at: np.concatenate(parts(at)), point)
-    declared, belief, by_quantity, by_constraint = np.split(every, ends)
+        every = gradients(parts, point)
+    declared, belief, by_quantity, by_constraint = np.split(every, np.cumsum(counts)[:-1])
     return Neighbourhood(
         data=told(condensed, columns(point, owner), flattened(point).size),
         prior=belief.T @ belief + declared.T @ declared,

@@ -2,7 +2,6 @@
 
 from typing import Any
 
-import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
@@ -20,13 +19,15 @@ from exoid.physics.motion.after_release import after_release
 from exoid.physics.motion.step import Drive, march
 from exoid.physics.motion.with_terms import Motion, delayed, extended_step, observed
 from exoid.physics.ratios import Ratios
+from exoid.physics.record import record
 from exoid.physics.state import LegState
 from exoid.physics.term import Term
 
 NOTHING = Drive(*[np.zeros(())] * 3)  # is missing
 
 
-class Equation(eqx.Module):
+@record
+class Equation:
     """Eq. 9 of one segment, leg and added mass together, per inertia, and what it leaves out."""
 
     ratios: Ratios
@@ -141,7 +142,8 @@ def push_at(eq: Equation, index, observation: Observation, stage: Stage) -> Arra
     return eq.cycle * at(observation.cycle) + eq.torque * at(observation.torque) + drawn
 
 
-class Shown(eqx.Module):
+@record
+class Shown:
     """What the sensors show, but for the recording's own map of them."""
 
     motion: LegState

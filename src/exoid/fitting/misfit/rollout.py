@@ -92,6 +92,8 @@ def sweep(rollout: Rollout, observation, pushes, stage, chain, fold, folded):
     being the coefficients and the map of the sensors, and what is shown before that map.
     """
     size, count = rollout.coefficients.size, pushes.begin.shape[0]
+    # What a step needs lies together: (step, direction).
+    pushes = jax.tree.map(lambda leaf: jnp.pad(leaf.T, ((0, 0), (size, 0))), pushes)
     directions = jnp.concatenate([jnp.eye(size), jnp.zeros((count, size))])
     terms = rollout.equation(rollout.coefficients)[0].terms
 
@@ -108,11 +110,8 @@ def sweep(rollout: Rollout, observation, pushes, stage, chain, fold, folded):
             eq, _ = rollout.equation(coefficients)
             return advance(eq, motion, index, observation, stage, missing)
 
-        def pushed(leaf):
-            return jnp.concatenate([jnp.zeros(size), leaf[:, index]])
-
         missing = jax.tree.map(jnp.asarray, NOTHING)
-        tangents = (directions, carry[1], jax.tree.map(pushed, pushes))
+        tangents = (directions, carry[1], jax.tree.map(lambda leaf: leaf[index], pushes))
         return along(step, (rollout.coefficients, carry[0], missing), tangents)
 
     def look(index, carry, memory, by_memory):

@@ -1,12 +1,15 @@
 """How much of a motion a misfit looks at."""
 
+from dataclasses import field
 from typing import Any
 
-import equinox as eqx
 from jaxtyping import Float, Int
 
+from exoid.physics.record import record
 
-class Stage(eqx.Module):
+
+@record
+class Stage:
     """How much of the motion a misfit looks at, and how freely the simulation moves.
 
     A start that is far from the leg begins tied to the measured motion by a critically damped
@@ -15,4 +18,6 @@ class Stage(eqx.Module):
 
     tether: Float[Any, ""]  # rad/s, natural frequency of the spring; 0 is free
     steps: Int[Any, ""]  # of the simulation, from the first sample on
-    compact: bool = eqx.field(static=True, default=False)  # compiled sooner, and slower to run
+    compact: bool = field(
+        metadata={"static": True}, default=False
+    )  # compiled sooner, and slower to run

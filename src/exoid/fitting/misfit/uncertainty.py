@@ -1,6 +1,7 @@
 """Standard errors, and whether the data, the prior or a bound determined a value."""
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Literal
 
 import numpy as np
@@ -113,17 +114,28 @@ class Information:
         Given x_g, the variance of a'x is a'C a - a'C_g C_gg^-1 C_g'a. The parts need not add up
         to 1: two that go together are each of them a part.
         """
-        if not np.isfinite(self.standard_error(gradient)) or self.standard_error(gradient) == 0.0:
+        error = self.standard_error(gradient)
+        if not np.isfinite(error) or error == 0.0 or self.root is None:
             return {}
+        along = self.root.T @ gradient
+        told = {name: axes @ along for name, axes in self.exactly.items()}
+        return {name: float(each @ each / (along @ along)) for name, each in told.items()}
+
+    @cached_property
+    def root(self) -> np.ndarray | None:
+        """W with W W' the covariance; None where rounding left a direction without information."""
         values, vectors = self.posterior
         root = self.free @ vectors / np.sqrt(np.where(values > 0, values, np.nan))
-        if not np.isfinite(root).all():  # rounding left a direction without any information
-            return {}
-        along, found = root.T @ gradient, {}
+        return root if np.isfinite(root).all() else None
+
+    @cached_property
+    def exactly(self) -> dict[str, np.ndarray]:
+        """Of each of `owned` the directions of `root` that it tells: orthonormal rows."""
+        assert self.root is not None
+        found = {}
         for name, at in self.owned.items():
-            own = root[at]
-            known = np.linalg.lstsq(own.T, along, rcond=None)[0] @ own
-            found[name] = float(known @ known / (along @ along))
+            _, sizes, axes = np.linalg.svd(self.root[at], full_matrices=False)
+            found[name] = axes[sizes > np.finfo(float).eps * len(self.root) * sizes.max(initial=0)]
         return found
 
     def kind(self, pull: Float[np.ndarray, " free"]) -> str | None:

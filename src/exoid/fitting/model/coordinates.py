@@ -8,7 +8,6 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any, TypeVar
 
-import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
@@ -25,13 +24,15 @@ from exoid.fitting.model.term_parameters import (
 )
 from exoid.physics.leg import GRAVITY, LegParameters
 from exoid.physics.parameter import declarations
+from exoid.physics.record import record
 from exoid.physics.term import Term
 
 USUAL = 0.4  # kg m^2, J of a middling leg
 Tree = TypeVar("Tree")
 
 
-class Shared(eqx.Module):
+@record
+class Shared:
     """What the leg owns and motion can tell."""
 
     log_inertia: Float[Any, "*batch"]  # log(J / kg m^2)
@@ -40,7 +41,8 @@ class Shared(eqx.Module):
     damping: Float[Any, "*batch"]  # d / J, 1/s
 
 
-class SegmentUnknowns(eqx.Module):
+@record
+class SegmentUnknowns:
     """What a segment owns."""
 
     torque: Float[Any, "*segment"]  # tau / J, 1/s^2
@@ -48,7 +50,8 @@ class SegmentUnknowns(eqx.Module):
     angular_velocity: Float[Any, "*segment"]  # rad/s
 
 
-class Coordinates(eqx.Module):
+@record
+class Coordinates:
     """A point of the fit; `own` carries an axis `segment`.
 
     The terms' parameters are over J where they are torques, times J where they give way to them.
@@ -61,7 +64,8 @@ class Coordinates(eqx.Module):
     terms: tuple[Term, ...] = ()
 
 
-class Unknowns(eqx.Module):
+@record
+class Unknowns:
     """What the simulation of one segment hangs on: each leaf a number, or one of every segment."""
 
     shared: Shared

@@ -3,16 +3,17 @@
 from collections.abc import Sequence
 from typing import Any
 
-import equinox as eqx
 from jaxtyping import Float
 
 from exoid.fitting.model.mounting import Mounting
 from exoid.fitting.model.term_parameters import NAMES, parameters_of
 from exoid.physics.leg import LegParameters
+from exoid.physics.record import record
 from exoid.physics.term import Term
 
 
-class Limits(eqx.Module):
+@record
+class Limits:
     """Bounds as in Eq. 13 and what holds for every rigid leg, m l^2 <= J <= reach m l.
 
     The left side is Eq. 12. The right side says that no part of the leg is farther from the knee
@@ -28,7 +29,8 @@ class Limits(eqx.Module):
     upper_terms: tuple[Term, ...] = ()
 
 
-class Prior(eqx.Module):
+@record
+class Prior:
     """Normal in the logarithms of m, l and J / (m l), and of d / J and c / J; or in own units.
 
     `whitening` is W with W'W the inverse covariance of the three, `knee` one over the standard

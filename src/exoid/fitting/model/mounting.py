@@ -2,11 +2,13 @@
 
 from typing import Any
 
-import equinox as eqx
 from jaxtyping import Float
 
+from exoid.physics.record import record
 
-class Mounting(eqx.Module):
+
+@record
+class Mounting:
     """What a recording owns: by how much sensors, seat and added mass differ from what is declared.
 
     A leaf without entries is no unknown of this fit: everything is as declared.

@@ -27,7 +27,7 @@ RATIO_UNITS = {
 
 
 NAMES = [name for name, _ in declarations(LegParameters)]  # of the leg's parameters
-Model = TypeVar("Model", bound=eqx.Module)
+Model = TypeVar("Model")
 
 
 def parameters_of(terms: Sequence[type[Term]]) -> list[tuple[str, Declaration]]:

@@ -5,35 +5,21 @@ from dataclasses import replace
 
 import jax
 import numpy as np
-from scipy.optimize import least_squares
 
 from exoid.fitting.data.pace import quickest
 from exoid.fitting.misfit.missed import Disturbance
-from exoid.fitting.misfit.neighbourhood import penalties, weighed
-from exoid.fitting.model.coordinates import Coordinates, Shared, scaled
-from exoid.fitting.model.fixed_values import imposed
-from exoid.fitting.model.prior import belief_residual
+from exoid.fitting.model.coordinates import Coordinates, scaled
 from exoid.fitting.model.term_parameters import over_inertia
 from exoid.fitting.multistart.gross_errors import with_doubted_clocks, with_tilted_seats
 from exoid.fitting.multistart.hold_to_declared import held, without_excuses
 from exoid.fitting.multistart.join_terms import join_terms
-from exoid.fitting.multistart.search_result import (
-    FEASIBLE,
-    LIMITED,
-    LOOKING,
-    SearchResult,
-    scale_told,
-)
-from exoid.fitting.multistart.simpler_problems import (
-    as_declared,
-    with_inertia_kept,
-    without_scale,
-    without_terms,
-)
+from exoid.fitting.multistart.search_result import SearchResult
+from exoid.fitting.multistart.settle import settle
+from exoid.fitting.multistart.simpler_problems import as_declared, without_scale, without_terms
 from exoid.fitting.multistart.starts import coordinates, usual_mounting
 from exoid.fitting.multistart.tethers import COARSE, FINE, tethers, without_thrust
 from exoid.fitting.multistart.weight_by_kind import alone, explained, explained_apart
-from exoid.fitting.solve.ask import BATCH, PAIR, advance, around, finite, left, lowest, take, task
+from exoid.fitting.solve.ask import advance, around, finite, left, lowest, take, task
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
 from exoid.physics.term import Term
@@ -42,7 +28,6 @@ BASIN = 0.2  # typical steps within which tied starts have come together
 HOPELESS = 1e5  # times the best loss, of a tied start that leads nowhere
 FIRST_HORIZON = 1.0  # s of every segment that a start sees first ...
 HORIZON = 25.0  # ... or so many radians of what is quicker than a leg
-PATIENCE = 4  # times that a search with limits goes on where its steps ran out: a long valley
 
 
 def search(
@@ -106,8 +91,26 @@ def led_to_the_data(
     member = np.where(member < 0, -1, again[member])
     failures = dict(Counter(failures) + Counter(lost))
     gathered = without_thrust(take(looser.coordinates, rows))
+    if not terms:
+        gathered = let_go(bare, gathered, horizon)
     mounting = take(begin.mounting, np.zeros(len(rows), dtype=int))  # every start's is as declared
     return *with_terms(replace(gathered, mounting=mounting), member, terms), failures
+
+
+def let_go(problem: Problem, gathered: Coordinates, horizon: int) -> Coordinates:
+    """The same, brought to the first second of the data once more, free of ties.
+
+    A tie hides what a leg gets wrong. All of the motion and all that recordings own would make it
+    leap from there, and take many steps to come back.
+    """
+    declared = as_declared(without_scale(problem))
+    free = advance(declared, gathered, task(problem, 0.0, horizon, COARSE))
+    arrived = np.isfinite(free.loss)
+
+    def chosen(new: np.ndarray, old: np.ndarray) -> np.ndarray:
+        return np.where(arrived.reshape(-1, *[1] * (new.ndim - 1)), new, old)
+
+    return without_thrust(jax.tree.map(chosen, free.coordinates, gathered))
 
 
 def with_terms(
@@ -210,82 +213,3 @@ def without_lost(free: Solved, member: np.ndarray, failures: dict[str, int]):
     if lost.all():
         raise ArithmeticError("no start reached a motion that can be simulated freely.")
     return np.where(gone, -1, member), failures
-
-
-def settle(problem: Problem, free: Solved, begin: Coordinates, found: Disturbance) -> Solved:
-    """The best free fit under prior and limits, from several inertias and masses."""
-    best = lowest(free)
-    lanes = max(PAIR, min(BATCH // len(problem.movements), begin.log_mass.size))
-    one = take(free.coordinates, [best] * lanes)
-    local = weighed(around(problem, free, row=best), found.scale)
-    others = np.resize(np.arange(begin.log_mass.size), lanes)
-    inertia, mass = (leaf[others].copy() for leaf in (begin.shared.log_inertia, begin.log_mass))
-    typical = problem.belief.typical
-    inertia[0] = np.log(typical["inertia"]) if "inertia" in typical else inertia[0]
-    mass[0] = np.log(typical["mass"]) if "mass" in typical else mass[0]
-    told = scale_told(local.data + local.declared) or loaded_rig(problem)
-    if told:
-        inertia = one.shared.log_inertia
-    elif typical and problem.terms:
-        inertia[0], mass[0] = as_believed(problem, take(one, 0), inertia[0], mass[0])
-    shared = Shared(inertia, one.shared.gravity, one.shared.stiffness, one.shared.damping)
-    starts = replace(one, shared=shared, log_mass=mass)
-    fixed = problem.belief.by_hand.fix
-    if fixed:  # how the data resist is asked where the point will be
-        starts = imposed(starts, fixed)
-        there = advance(problem, starts, task(problem, 0.0, problem.steps, LOOKING))
-        local = weighed(around(problem, there), found.scale)
-    asked = task(problem, 0.0, problem.steps, LIMITED, penalties(local))
-    bounded = problem if told or problem.belief.typical else with_inertia_kept(problem)
-    scale = found.scale * found.weighing(problem.kinds)
-    ended = advance(bounded, starts, asked, scale)
-    before = reached(ended)
-    for _ in range(PATIENCE):
-        if not ended.exhausted[least(ended)]:
-            break
-        ended = advance(bounded, ended.coordinates, asked, scale)
-        if stands_still(reached(ended), before):
-            break
-        before = np.minimum(before, reached(ended))
-    return take(ended, [least(ended)])
-
-
-def loaded_rig(problem: Problem) -> bool:
-    """Is it a rig with several known masses? Nothing else tells of its inertia: it stays free."""
-    loads = {each.added_mass for each in problem.movements if not each.unplaced}
-    return problem.belief.rig and len(loads) > 1
-
-
-def as_believed(problem: Problem, free: Coordinates, *begin: float) -> np.ndarray:
-    """log J and log m that are believed most at the ratios of a free fit: no data tell of them.
-
-    Dry friction makes the loss rough, and a search that it stops would leave them where they were.
-    """
-
-    def misfit(at: np.ndarray) -> np.ndarray:
-        shared = replace(free.shared, log_inertia=at[0])
-        return belief_residual(
-            problem.belief.prior, replace(free, shared=shared, log_mass=at[1]), np
-        )
-
-    return least_squares(misfit, begin).x
-
-
-def reached(ended: Solved) -> np.ndarray:
-    """Loss and violation of the best."""
-    row = least(ended)
-    return np.array([ended.loss[row], ended.violation[row]])
-
-
-def stands_still(now: np.ndarray, lowest: np.ndarray) -> bool:
-    """Are loss and violation both no lower than they once were?
-
-    Limits that contradict what the data insist on leave a search with steps that lead nowhere.
-    """
-    return not np.any(lowest - now > [LIMITED, FEASIBLE])
-
-
-def least(ended: Solved) -> int:
-    """The best that keeps the limits, or the best."""
-    feasible = np.where(ended.violation < FEASIBLE, finite(ended.loss), np.inf)
-    return int(np.argmin(feasible if np.isfinite(feasible).any() else finite(ended.loss)))

@@ -5,7 +5,6 @@ from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from typing import Any
 
-import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
@@ -36,6 +35,7 @@ from exoid.fitting.model.term_parameters import over_inertia, typical_term, with
 from exoid.fitting.multistart.starts import first_state, usual_mounting
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.leg import LegParameters
+from exoid.physics.record import record
 from exoid.physics.state import LegState
 from exoid.physics.term import Term
 
@@ -43,7 +43,8 @@ TRUE = np.zeros(3)  # a sensor map that changes nothing
 POSITIVE = 1e-3  # of its typical size: mass and inertia have a logarithm
 
 
-class Raw(eqx.Module):
+@record
+class Raw:
     """What SLSQP moves, in its own units; of the mounting only what is not known."""
 
     leg: LegParameters

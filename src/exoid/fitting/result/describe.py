@@ -154,6 +154,8 @@ def why_astray(
 def pressed_at(problem: Problem, ended: SearchResult, rows: np.ndarray) -> Pressed:
     """Limits that hold the best fit: how far beyond them it would be, by what it minimised."""
     best, gradients, names = ended.best, ended.local.constraints[rows], problem.constraints
+    if not rows.size:
+        return Pressed(gradients, np.zeros(0), np.zeros(0))
     searched = around(problem, best)
     known = decomposed(searched.data + searched.prior)
     variance = np.array([each @ inverse_times(known, each) for each in gradients])

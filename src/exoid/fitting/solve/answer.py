@@ -11,7 +11,7 @@ from exoid.fitting.solve.program_cache import called
 
 # Lanes of a run, each with its own recording, and their segments at once: more leave the fast path
 # of the compiled loop, and a run ends when its slowest lane has.
-LANES, SEGMENTS = 8, 10
+LANES, SEGMENTS = 32, 32
 
 
 def answer(asked: Sequence[Question]) -> dict[int, Any]:
@@ -24,7 +24,7 @@ def answer(asked: Sequence[Question]) -> dict[int, Any]:
         groups.setdefault(each.kind, []).append(at)
     chosen = max(groups.values(), key=len)
     each = [asked[at] for at in chosen]
-    found = solved(each) if each[0].name == SOLVE else sensed(each)
+    found = solved(each) if each[0].name == SOLVE else reduced(each)
     return dict(zip(chosen, found, strict=True))
 
 
@@ -50,13 +50,13 @@ def solved(asked: Sequence[Question]) -> list[Any]:
     return [jax.tree.unflatten(structure, one) for one in each]
 
 
-def sensed(asked: Sequence[Question]) -> list[Any]:
-    """Of every question, the sensitivities at its point."""
+def reduced(asked: Sequence[Question]) -> list[Any]:
+    """Of every question, the triangles at its point."""
     found: list[Any] = []
     lanes = lanes_of(asked)
     for chosen in filled(asked, lanes):
         leaves = map(np.stack, zip(*(one.leaves for one in chosen), strict=True))
-        made = answered("sense_many", asked, leaves)
+        made = answered("triangles_many", asked, leaves)
         found += [jax.tree.map(lambda leaf, at=at: leaf[at], made) for at in range(lanes)]
     return found[: len(asked)]
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from exoid.fitting.misfit.condensed import Neighbourhood, Sensed
 from exoid.fitting.misfit.gram import CAUSES, Cause, Grams
-from exoid.fitting.misfit.gram_matrices import declared, gram, pushes
+from exoid.fitting.misfit.gram_matrices import declared, gram, nodes_of, undisturbed
 from exoid.fitting.misfit.information import spoiled
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.neighbourhood import columns, gradients, neighbourhood
@@ -18,7 +18,7 @@ from exoid.fitting.model.prior import mounting_residual
 from exoid.fitting.model.term_parameters import parameters_of
 from exoid.fitting.solve.meeting import MEETING
 from exoid.fitting.solve.problem import STRICT, Problem
-from exoid.fitting.solve.program_cache import run, run_sense
+from exoid.fitting.solve.program_cache import run, run_sense, run_triangles
 from exoid.fitting.solve.program_values import Solved, StartRequest, Task
 from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.physics.motion.step import Drive
@@ -103,11 +103,29 @@ def grams_at(
     problem: Problem, at: Solved, row: int = 0, causes: Iterable[Cause] = CAUSES
 ) -> list[Grams]:
     """The inner products of every segment at one end point, for these causes."""
-    point, seen, durations = take(at.coordinates, row), problem.observation, problem.durations
-    found, places = sensed(problem, point, pushes(seen.time, durations)), columns(point, seen.owner)
+    point = take(at.coordinates, row)
+    return grams_in(problem, point, columns(point, problem.observation.owner), causes)
+
+
+def grams_in(
+    problem: Problem, point: Coordinates, places: np.ndarray, causes: Iterable[Cause]
+) -> list[Grams]:
+    """The same at a point, the unknowns of every segment at these places."""
+    seen, nodes = problem.observation, nodes_of(problem.durations)
+    found = run_triangles(point, seen, problem.known, nodes, problem.free, problem.chain)
     return [
-        {cause: gram(found, seen, number, duration, cause, places[number]) for cause in causes}
-        for number, duration in enumerate(durations)
+        {cause: gram(found, number, cause, place, own) for cause in causes}
+        for number, (place, own) in enumerate(zip(places, nodes, strict=True))
+    ]
+
+
+def undisturbed_at(problem: Problem, at: Solved, row: int, causes: Iterable[Cause]) -> list[Grams]:
+    """The same where nothing disturbs them, of what the search knows already."""
+    one, owner = take(at, row), problem.observation.owner
+    each = zip(columns(one.coordinates, owner), one.noise_scale, strict=True)
+    return [
+        dict.fromkeys(causes, undisturbed(one.condensed, number, scale, place))
+        for number, (place, scale) in enumerate(each)
     ]
 
 
@@ -121,12 +139,11 @@ def declared_at(problem: Problem, at: Solved, row: int = 0) -> Grams:
     return dict.fromkeys(CAUSES, declared(apart(point), gradients(apart, point)))
 
 
-def sensed(problem: Problem, point: Coordinates, missing: Drive | None = None) -> Sensed:
-    """Residual and sensitivities of every sample at a point; also to `missing` torques."""
+def sensed(problem: Problem, point: Coordinates) -> Sensed:
+    """Residual and sensitivities of every sample at a point."""
     seen = problem.observation
-    if missing is None:
-        none = np.zeros((len(problem.movements), 0, seen.time.shape[1] - 1))
-        missing = Drive(none, none, none)
+    none = np.zeros((len(problem.movements), 0, seen.time.shape[1] - 1))
+    missing = Drive(none, none, none)
     return run_sense(point, seen, problem.known, missing, problem.free, problem.chain)
 
 
@@ -144,7 +161,9 @@ def around(
 
 def left(problem: Problem, at: Solved, row: int, disturbance: Disturbance) -> Disturbance:
     """The same disturbance, with the information that it leaves at one end point."""
-    every = grams_at(problem, at, row, set(disturbance.causes(problem.kinds)))
+    causes = set(disturbance.causes(problem.kinds))
+    asked = grams_at if disturbance.cause else undisturbed_at
+    every = asked(problem, at, row, causes)
     return left_by(every, problem, at, row, disturbance)
 
 

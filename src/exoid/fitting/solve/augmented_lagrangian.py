@@ -7,7 +7,6 @@ p = sqrt(rho) max(0, g + mu / rho) and updating mu <- max(0, mu + rho g) until i
 
 from collections.abc import Callable
 
-import equinox as eqx
 import jax
 import jax.numpy as jnp
 import lineax as lx
@@ -15,6 +14,7 @@ import optimistix as optx
 from jaxtyping import Array, Bool, Float, Int, PyTree
 
 from exoid.fitting.solve.least_squares import NegligibleStep
+from exoid.physics.record import record
 
 Vector = Float[Array, " _"]
 
@@ -25,7 +25,8 @@ FEASIBLE = 1e-5  # greatest g that counts as met; g is relative
 EXACT = 1e-10  # a change of loss and point that is rounding; `tolerance` decides before
 
 
-class Outcome(eqx.Module):
+@record
+class Outcome:
     """Where a start ended. `failed` marks a point that must never be chosen."""
 
     point: Vector

@@ -16,8 +16,8 @@ import numpy as np
 Result = TypeVar("Result")
 
 PROGRAM = "exoid.fitting.solve.program"
-SOLVE, SENSE = f"{PROGRAM}:solve", f"{PROGRAM}:sense_all"
-ASKED_TOGETHER = (SOLVE, SENSE)  # programs that can answer several at once
+SOLVE, TRIANGLES = f"{PROGRAM}:solve", f"{PROGRAM}:triangles_all"
+ASKED_TOGETHER = (SOLVE, TRIANGLES)  # programs that can answer several at once
 OF_START = 2  # arguments of SOLVE that are of every start
 
 

@@ -6,12 +6,13 @@ from functools import partial
 import jax
 import jax.numpy as jnp
 from jax.flatten_util import ravel_pytree
-from jaxtyping import Array, Int
+from jaxtyping import Array, Float, Int
 
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.misfit.condense import condense, linear_model, misfit, sense, weighed
-from exoid.fitting.misfit.condensed import Condensed, Sensed
+from exoid.fitting.misfit.condensed import Condensed, Sensed, Triangles
+from exoid.fitting.misfit.gram_matrices import pushes, triangles
 from exoid.fitting.misfit.residual import predict
 from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.constraint import NEVER, term_violations, violations
@@ -125,6 +126,7 @@ def solved_from(
         loss=(data + belief) / 2,
         misfit=misfit(weighed(condensed, 1 / request.noise_scale)),
         condensed=condensed,
+        noise_scale=request.noise_scale,
         multiplier=outcome.multiplier,
         violation=outcome.violation,
         steps=outcome.steps,
@@ -149,10 +151,29 @@ def sense_all(
 
 
 @partial(jax.jit, static_argnames="chain")
-def sense_many(each: tuple, steps: Int[Array, ""], chain: Chain) -> Sensed:
-    """`sense_all` of many fits at once, by a leading axis; over the most `steps` of all."""
+def triangles_all(
+    point: Coordinates,
+    observation: Observation,
+    known: Unknowns,
+    nodes: Float[Array, "segment node"],
+    stage: Stage,
+    chain: Chain,
+) -> Triangles:
+    """The triangles of every segment at one point, with these times of nodes."""
 
-    def one(point, observation, known, pushes, stage) -> Sensed:
-        return sense_all(point, observation, known, pushes, replace(stage, steps=steps), chain)
+    def one(unknowns, observation, known, nodes) -> Triangles:
+        push = pushes(observation.time, nodes, jnp)
+        sensed = sense(unknowns, observation, known, push, stage, chain)
+        return triangles(sensed, observation, nodes, jnp)
+
+    return jax.vmap(one)(of_segments(point, observation.owner), observation, known, nodes)
+
+
+@partial(jax.jit, static_argnames="chain")
+def triangles_many(each: tuple, steps: Int[Array, ""], chain: Chain) -> Triangles:
+    """`triangles_all` of many fits at once, by a leading axis; over the most `steps` of all."""
+
+    def one(point, observation, known, nodes, stage) -> Triangles:
+        return triangles_all(point, observation, known, nodes, replace(stage, steps=steps), chain)
 
     return jax.vmap(lambda own: one(*own))(each)

@@ -19,11 +19,11 @@ import numpy as np
 from platformdirs import user_cache_path
 
 from exoid.fitting.data.conditioning_chain import Chain
-from exoid.fitting.misfit.condensed import Sensed
+from exoid.fitting.misfit.condensed import Sensed, Triangles
 from exoid.fitting.solve.compiled.kept_program import KEPT, fingerprint, load, nameless, store
 from exoid.fitting.solve.compiled.machine_code import compiled, options
 from exoid.fitting.solve.meeting import ASKED_TOGETHER, MEETING
-from exoid.fitting.solve.program_values import SENSED, Solved, solved_structure
+from exoid.fitting.solve.program_values import SENSED, TRIANGLES, Solved, solved_structure
 
 MOST = 64  # programs in memory, 10 to 20 MB each: of the 50 to 90 of a diagnosis many run once
 ABANDONED = 3600.0  # s after which nobody writes a part any more
@@ -95,6 +95,16 @@ def run_sense(point, observation, known, pushes, stage, chain: Chain) -> Sensed:
     )
 
 
+def run_triangles(point, observation, known, nodes, stage, chain: Chain) -> Triangles:
+    """`triangles_all`, with NumPy arrays in and out."""
+    return called(
+        "exoid.fitting.solve.program:triangles_all",
+        (point, observation, known, nodes, stage),
+        chain,
+        TRIANGLES,
+    )
+
+
 def called(name: str, arguments: tuple, static, structure, *, brief: bool = False):
     """The function `module:name`, in float64 whatever JAX's default.
 
@@ -105,7 +115,7 @@ def called(name: str, arguments: tuple, static, structure, *, brief: bool = Fals
         return meeting.ask(name, arguments, static, structure)
     leaves, given = jax.tree.flatten(arguments)
     leaves = [np.asarray(leaf) for leaf in leaves]
-    shapes = tuple((leaf.shape, leaf.dtype.name) for leaf in leaves)
+    shapes = tuple((leaf.shape, leaf.dtype.str) for leaf in leaves)
     wanted = (name, given, shapes, static, structure.num_leaves, brief)
     with jax.enable_x64(True):  # a fit in float32 would stop short of its optimum
         with _locks.setdefault(wanted, Lock()):  # of two threads that want it, one compiles it

@@ -4,20 +4,22 @@ from dataclasses import replace
 from functools import cache
 from typing import Any
 
-import equinox as eqx
 import jax
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
-from exoid.fitting.misfit.condensed import Condensed, Sensed
+from exoid.fitting.misfit.condensed import Condensed, Sensed, Triangles
+from exoid.fitting.misfit.gram import CAUSES
 from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.coordinates import TYPICAL, Coordinates
 from exoid.fitting.model.term_parameters import typical_term
 from exoid.physics.leg import LegParameters
+from exoid.physics.record import record
 from exoid.physics.term import Term
 
 
-class Task(eqx.Module):
+@record
+class Task:
     """What a run of the solver is asked to do."""
 
     stage: Stage
@@ -27,7 +29,8 @@ class Task(eqx.Module):
     penalty: Float[Any, " constraint"]  # rho
 
 
-class StartRequest(eqx.Module):
+@record
+class StartRequest:
     """What a start is asked for by itself.
 
     `strength` (weights . quantities - target) joins the residual. Where such a search ends, the
@@ -40,7 +43,8 @@ class StartRequest(eqx.Module):
     strength: Float[Any, "*start"]
 
 
-class Solved(eqx.Module):
+@record
+class Solved:
     """Where every start of the block ended."""
 
     coordinates: Coordinates
@@ -49,7 +53,8 @@ class Solved(eqx.Module):
     loss: Float[Any, "*start"]  # half the sum of squares, data and prior
     misfit: Float[Any, "*start"]  # sum of squares of the data residual over their noise
     quantities: Float[Any, "*start quantity"]
-    condensed: Condensed  # at the end point
+    condensed: Condensed  # at the end point, of every segment over its `noise_scale`
+    noise_scale: Float[Any, "*start segment"]
     multiplier: Float[Any, "*start constraint"]
     violation: Float[Any, "*start"]
     steps: Int[Any, "*start"]
@@ -69,6 +74,7 @@ def solved_structure(terms: tuple[type[Term], ...] = ()):
         misfit=NUMBER,
         quantities=ROW,
         condensed=Condensed(TABLE, ROW, NUMBER),
+        noise_scale=ROW,
         multiplier=ROW,
         violation=NUMBER,
         steps=np.zeros((), int),
@@ -81,3 +87,4 @@ def solved_structure(terms: tuple[type[Term], ...] = ()):
 
 NUMBER, ROW, TABLE = np.zeros(()), np.zeros(1), np.zeros((1, 1))
 SENSED = jax.tree.structure(Sensed(TABLE, *[np.zeros((1, 1, 1))] * 2))
+TRIANGLES = jax.tree.structure(Triangles(*[dict.fromkeys(CAUSES, TABLE)] * 2))

@@ -15,6 +15,7 @@ NODES = POWERS / (ORDER - 1)  # of u, that tell a cubic
 TOLD = np.linalg.inv(NODES[:, None] ** POWERS)  # (power, value at a node)
 AT_ONCE = 2**16  # gaps between knots: 30 MB
 ALIKE = 1e-9  # of a gap, to which those are of one length whose splines are the same
+LITTLE = 2**17  # numbers of whole matrices below which these are solved sooner than bands
 NOTHING = 1e-12  # of the greatest diagonal, below which no sample tells a number of a spline
 
 Samples = NDArray[np.float64]
@@ -117,7 +118,8 @@ def fitted(some: list[Gaps]) -> list[Table]:
         sides[one : one + count] += right[one]
         for other in range(one, ORDER):
             bands[one : one + count, other - one] += gram[one, other]
-    numbers = solved(bands, sides)
+    few = len(some) * bands.shape[0] ** 2 < LITTLE
+    numbers = (solved_whole if few else solved)(bands, sides)
     near = np.stack([numbers[one : one + count] for one in range(ORDER)])
     cubics = np.einsum("spgn,sgyn->pygn", shape, near)
     return [cubics[..., : one.count, number] for number, one in enumerate(some)]
@@ -142,6 +144,23 @@ def solved(bands: Table, sides: Table) -> Table:
         for away in range(1, ORDER):
             sides[row] -= bands[row, away] * sides[row + away]
         sides[row] /= bands[row, 0]
+    return sides
+
+
+def solved_whole(bands: Table, sides: Table) -> Table:
+    """The same, each as a whole matrix: of a few short ones that is done before Python has gone
+    through the rows.
+    """
+    size = bands.shape[0] - ORDER + 1
+    told = bands[:size, 0] > NOTHING * bands[:, 0].max(axis=0)
+    whole = np.zeros((bands.shape[2], size, size))
+    row = np.arange(size)
+    for away in range(ORDER):
+        own = bands[: size - away, away] * told[: size - away] * told[away:]
+        whole[:, row[: size - away], row[away:]] = whole[:, row[away:], row[: size - away]] = own.T
+    whole[:, row, row] += ~told.T
+    right = np.where(told[:, None], sides[:size], 0.0)
+    sides[:size] = np.moveaxis(np.linalg.solve(whole, np.moveaxis(right, -1, 0)), 0, -1)
     return sides
 
 

@@ -6,8 +6,9 @@ from typing import Any
 
 from exoid.fitting.estimate import fit
 from exoid.fitting.result.fit_result import FitResult
-from exoid.fitting.solve.answer import answer
+from exoid.fitting.solve.answer import LANES, answer
 from exoid.fitting.solve.meeting import meet
+from exoid.fitting.solve.side_by_side import MOST, side_by_side
 from exoid.recordings.loading.named import RecordingsLike
 
 FEW = 4  # starts: from anatomy, from inverse dynamics, and two drawn ones
@@ -19,10 +20,14 @@ def fit_many(each: Sequence[RecordingsLike], **options: Any) -> list[FitResult |
 
     They share the runs of compiled programs: those of alike shapes, which have as many segments of
     about as many samples, in lanes of one. A few starts decide where all of these end in the same
-    minimum; where they do not, all starts go. Memory grows with what is given at once: hundreds of
-    recordings of seconds, tens of minutes.
+    minimum; where they do not, all starts go. Where there are several cores, some compute while a
+    program runs for others. Memory grows with what is given at once: hundreds of recordings of
+    seconds, tens of minutes.
     """
-    return meet([partial(frugal_fit, one, options) for one in each], answer)
+    tasks = [partial(frugal_fit, one, options) for one in each]
+    count = max(1, min(MOST, len(tasks) // LANES))  # of meetings, none of which leaves lanes empty
+    found = side_by_side(partial(meet, answer=answer), [tasks[at::count] for at in range(count)])
+    return [found[at % count][at // count] for at in range(len(tasks))]
 
 
 def frugal_fit(recordings: RecordingsLike, options: dict[str, Any]) -> FitResult:
