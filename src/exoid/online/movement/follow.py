@@ -93,6 +93,7 @@ def noise_of(model: Model, scatter: Float[Array, "2 2"]) -> SensorNoise:
         times[0] * angle,
         times[1] * rate,
         jnp.asarray(model.node.delay_wander),
+        jnp.asarray(model.node.delay_drift),
         jnp.asarray(GATE),
     )
 
