@@ -9,7 +9,7 @@ import time
 import warnings
 from collections.abc import Callable
 from contextlib import suppress
-from functools import lru_cache, partial
+from functools import lru_cache
 from pathlib import Path
 from threading import Lock
 from typing import TypeVar
@@ -126,8 +126,7 @@ def called(name: str, arguments: tuple, static, structure, *, brief: bool = Fals
 def program(name: str, structure, shapes, static, results: int, brief: bool = False):
     """The compiled program for these shapes: loaded, or traced, compiled and kept."""
     known = Known(name, structure, shapes, static, options(brief=brief))
-    make = partial(compiled, name, structure, shapes, static, brief=brief)
-    return kept(known, results, make)
+    return kept(known, results, lambda: compiled(name, structure, shapes, static, brief=brief))
 
 
 def kept(known: Known, results: int, make: Callable[[], Compiled]) -> Compiled:
