@@ -24,7 +24,7 @@ from exoid.physics.moment import Cycle, SegmentConstants
 from exoid.physics.parameter import Declaration, declarations
 from exoid.physics.ratios import Ratios
 from exoid.physics.state import LegState
-from exoid.physics.term import Term, name_of
+from exoid.physics.term import Term, holds, name_of
 
 LINEAR = ("level_gravity", "upright_gravity", "stiffness", "offset", "damping")  # A B c/J o d/J
 OTHERS = ("log_inertia", "gyro_bias", "gyro_scale", "gyro_delay")
@@ -147,6 +147,8 @@ def refused(term: type[Term]) -> str | None:
         return "it is of a voluntary torque, and only free movements are followed"
     if term.same_torque and term.as_same_torque(1.0, 2.0) > 1.0:
         return f"times the unknown stiffness it is a constant torque; ask for {term.same_torque}"
+    if holds(term) and any(each.unit == "1" for _, each in declarations(term)):
+        return "its friction is a share of a load that is estimated, too; fit the recording instead"
     if term.replaces or term.everyday:
         return "zero, bias, scale and delay of the sensors are always estimated"
     return None
