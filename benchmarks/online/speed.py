@@ -1,4 +1,4 @@
-"""What a step costs from Python, alone and beside a refinement, and how fast a recording is replayed.
+"""What a step costs, alone and beside a refinement, and how fast a recording is replayed.
 
 python -m benchmarks.online.speed    on cores that have nothing else to do
 """
