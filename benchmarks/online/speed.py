@@ -12,11 +12,10 @@ from benchmarks.online import world
 from benchmarks.online.coverage import SUBJECT
 from jaxtyping import Float
 
-import exoid
 from exoid import online
-from exoid.physics.anatomy import expected_leg
 from exoid.recordings.live.decoding.reading import Reading
 from exoid.watching.beside.refinement import Refinement
+from exoid.watching.estimate.expect import expected_of
 from exoid.watching.estimate.leg import Leg, LegDrop, Person
 from exoid.watching.estimate.load import Load
 
@@ -34,7 +33,7 @@ def stream(seed: int = 0) -> online.Sample:
 
 
 def start() -> online.Belief:
-    return online.init(exoid.expected_leg(SUBJECT.body_mass, SUBJECT.height))
+    return online.init(expected_of(SUBJECT))
 
 
 def rows_of(samples: online.Sample) -> list[online.Sample]:
@@ -92,9 +91,9 @@ def fit(refinement: Refinement, drop: LegDrop) -> None:
 
 def drops_of(samples: online.Sample) -> Iterator[LegDrop]:
     """As `exoid live` finds them."""
-    person = Person(SUBJECT, expected_leg(SUBJECT.body_mass, SUBJECT.height), online.Model())
-    table = np.stack([samples.time, samples.angle, samples.angular_velocity], axis=1)
-    told = Leg(person, Load()).take([Reading(*row, 0.0) for row in table.tolist()])
+    person = Person(SUBJECT, expected_of(SUBJECT), online.Model())
+    readings = [Reading(one.time, one.angle, one.angular_velocity) for one in rows_of(samples)]
+    told = Leg(person, Load()).take(readings)
     return (each for each in told if isinstance(each, LegDrop))
 
 
