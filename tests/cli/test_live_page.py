@@ -278,6 +278,7 @@ def test_curves_have_a_scale_and_the_inertia_has_one_once_it_is_told(page, addre
     board.show(moment(2.0))
     page.wait_for_selector(".scale span >> nth=8", timeout=PATIENCE)
     assert page.locator("figure:visible").count() == 3
+    assert page.locator("#loaded").is_hidden()  # no weight was declared
     # The band of 27.3 and an error of 0.1, with a twelfth of it above and below.
     assert page.locator(".scale").nth(0).inner_text().split() == ["27.42", "27.30", "27.18"]
     known = (Quantity("inertia", 0.42, 0.01, "kg m^2"),)
