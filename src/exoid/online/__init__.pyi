@@ -5,6 +5,7 @@ from .model.model import Goals, Model, Node
 from .model.sample import Sample
 from .model.trust import Phase, Trust
 from .model.unknowns import Unknowns
+from .model.weighed import Weighed
 from .outlook import Outlook
 from .program import replay, step
 from .readings import Known, estimates
@@ -22,6 +23,7 @@ __all__ = [
     "Sample",
     "Trust",
     "Unknowns",
+    "Weighed",
     "agreement",
     "drops_of",
     "estimates",
