@@ -5,6 +5,7 @@ import re
 import signal
 import socket
 import time
+from dataclasses import replace
 from http.client import HTTPConnection
 from urllib.parse import parse_qs, urlsplit
 
@@ -157,7 +158,10 @@ def test_a_host_and_a_token_are_read_as_they_may_be_written():
 def test_who_comes_late_gets_the_past_first_and_then_the_newest(address, board):
     board.show(moment(2.0, 27.4))
     answer, connection = get(address, "/events")
-    assert event_in(answer) == ("past", [[1.0, *[27.3, 0.1] * 3], [2.0, *[27.4, 0.1] * 3]])
+    assert event_in(answer) == (
+        "past",
+        [[at, *[value, 0.1] * 3, None, None] for at, value in ((1.0, 27.3), (2.0, 27.4))],
+    )
     name, first = event_in(answer)
     assert (name, first["moment"]["time_s"]) == ("now", 2.0)
     for at in range(3, 50):
@@ -265,6 +269,26 @@ def test_a_browser_shows_the_moving_leg_and_what_is_known(page, address, board):
     assert "rotate(" in page.locator("#simulated").get_attribute("style")
     assert page.said == []
     assert {urlsplit(each).netloc for each in page.asked} == {urlsplit(address).netloc}
+
+
+@pytest.mark.slow
+def test_curves_have_a_scale_and_the_inertia_has_one_once_it_is_told(page, address, board):
+    page.goto(address)
+    page.wait_for_selector("#rows tr", timeout=PATIENCE)
+    board.show(moment(2.0))
+    page.wait_for_selector(".scale span >> nth=8", timeout=PATIENCE)
+    assert page.locator("figure:visible").count() == 3
+    assert page.locator("#loaded").is_hidden()  # no weight was declared
+    # The band of 27.3 and an error of 0.1, with a twelfth of it above and below.
+    assert page.locator(".scale").nth(0).inner_text().split() == ["27.42", "27.30", "27.18"]
+    known = (Quantity("inertia", 0.42, 0.01, "kg m^2"),)
+    for at in (3.0, 3.1, 3.2):
+        board.show(replace(moment(at), others=known))
+        time.sleep(0.1)
+    page.wait_for_selector("figure:visible .scale >> nth=3", timeout=PATIENCE)
+    scale = page.locator("figure:visible .scale").nth(3).inner_text().split()
+    assert scale == ["0.432", "0.420", "0.408"]
+    assert page.said == []
 
 
 @pytest.mark.slow

@@ -115,6 +115,13 @@ def test_set_changes_direction_id_and_bit_rate_at_once(command, on_bus):
     assert done.stdout.splitlines()[-1].endswith("starts again: --bitrate 250000 then.")
 
 
+@pytest.mark.parametrize("options", [("--direction", "falls"), ("--id", 2)])
+def test_set_tells_the_firmware_that_the_node_told_before(command, on_bus, options):
+    done = command("node", "set", *on_bus(FakeNode(SERIAL)), *options)
+    assert ", serial C0FFEE01, firmware 1.2.3\n" in done.stdout
+    assert "supply 3.26 V" in done.stdout
+
+
 def test_one_of_several_nodes_is_meant_by_its_id_or_its_serial(command, on_bus):
     nodes = [FakeNode(SERIAL), FakeNode(OTHER), FakeNode(77, node=5)]
     there = on_bus(*nodes)

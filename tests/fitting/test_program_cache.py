@@ -46,7 +46,7 @@ def _as_before():
 
 
 def fingerprint(name, structure, shapes, static, options=machine_code.LEAN) -> str:
-    return kept_program.fingerprint(name, structure, shapes, static, options)
+    return kept_program.fingerprint(kept_program.Known(name, structure, shapes, static, options))
 
 
 def begin_anew():

@@ -8,18 +8,21 @@ import pytest
 import exoid
 from exoid.online.filter.absorb import ROUGHNESS, TICK, absorb, carried, correct
 from exoid.online.filter.gaussian import Gaussian
+from exoid.online.filter.loosen import loosened
 from exoid.online.filter.motion import Span, advance, view
 from exoid.online.filter.prior import prior_of
 from exoid.online.filter.sensor_noise import SensorNoise
 from exoid.online.model.model import Model
 from exoid.online.model.sample import Sample
+from exoid.online.model.unknowns import AT
 from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.motion.simulate import simulate
 from exoid.physics.state import LegState
 from exoid.physics.torque import NoTorque
 
 MODEL = Model()
-NOISE = SensorNoise(*map(jnp.asarray, (7e-7, 7e-6, 3e-4, 40.0)))
+NOISE = SensorNoise(*map(jnp.asarray, (7e-7, 7e-6, 3e-4, 2e-4, 40.0)))
+DELAY = AT["gyro_delay"]
 STEP = jnp.asarray(0.01)
 SPAN = Span(STEP, jnp.zeros(()))
 LEG = LegParameters(*map(jnp.asarray, (4.5, 0.42, 0.26, 0.33, 2.6)))
@@ -51,6 +54,7 @@ def textbook(belief, given):
     acceleration = view(MODEL.unknowns, mean, given).acceleration
     covariance = carry @ belief.root @ belief.root.T @ carry.T
     covariance = covariance.at[-1, -1].add(ROUGHNESS**2 * STEP / TICK)
+    covariance = covariance.at[DELAY, DELAY].add(NOISE.drift**2 * STEP)
     measured = jnp.stack([given.angle, given.angular_velocity])
     known = ~jnp.isnan(measured)
     looking, off = jax.jacfwd(shown)(mean)[known], (measured - shown(mean))[known]
@@ -78,7 +82,8 @@ def test_it_is_the_kalman_filter_of_the_textbook(belief, lost):
 
 def test_a_sample_without_numbers_is_a_step_alone(belief):
     after, innovation = absorb(MODEL.unknowns, belief, sample(np.nan, np.nan), SPAN, NOISE)
-    assert np.array_equal(after.root[:-2], belief.root[:-2])
+    # But for the age that drifts, the last of what stays: nothing before it is touched.
+    assert np.array_equal(after.root[:DELAY], belief.root[:DELAY])
     assert np.array_equal(after.mean[:-2], belief.mean[:-2])
     assert float(innovation.far) == 0.0
     assert not innovation.used.any()
@@ -115,6 +120,16 @@ def test_a_triangle_stays_one_and_keeps_its_covariance():
     assert found @ found.T == pytest.approx(
         np.asarray(rows @ rows.T) + np.diag([0, 0.3]), abs=1e-12
     )
+
+
+@pytest.mark.parametrize("at", [0, 2, 4])
+def test_what_wanders_has_so_much_more_variance_and_nothing_else_changes(at):
+    root = jnp.asarray(np.tril(np.random.default_rng(3).standard_normal((5, 5))))
+    found = loosened(root, at, 0.3)
+    wanted = np.array(root @ root.T)
+    wanted[at, at] += 0.3**2
+    assert found @ found.T == pytest.approx(wanted, abs=1e-12)
+    assert np.triu(found, 1) == pytest.approx(0, abs=1e-15)
 
 
 def test_no_measurement_however_good_makes_a_variance_negative():

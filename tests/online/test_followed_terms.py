@@ -18,10 +18,11 @@ from exoid.physics.terms.device.load_friction import LoadFriction
 from exoid.physics.terms.muscle.torque_asymmetry import TorqueAsymmetry
 from exoid.physics.terms.tissue.hysteresis import Hysteresis
 from exoid.physics.terms.tissue.stiffness_rest_angle import StiffnessRestAngle
+from exoid.watching.estimate.load import Mass, expected_with
 
 FOLLOWED = [each for each in library() if issubclass(each, PhysicsTerm) and not refused(each)]
-UNDERSTOOD = [each for each in FOLLOWED if each is not LoadFriction]
 EXPECTED = exoid.expected_leg(77.0, 1.80)
+LOAD = 1.0, 0.4  # kg, m
 
 
 def test_every_torque_without_a_memory_can_be_followed():
@@ -29,19 +30,22 @@ def test_every_torque_without_a_memory_can_be_followed():
     assert {"coulomb_friction", "stribeck_friction", "quadratic_drag", "hard_stop"} <= names
     missing = {name_of(each) for each in library() if issubclass(each, PhysicsTerm)} - names
     others = [each for each in library() if name_of(each) in missing]
+    others.remove(
+        LoadFriction
+    )  # at a turn it takes as large a share of the velocity as of the load
     assert all(each.memory_size or each.voluntary or each.same_torque for each in others)
 
 
-@pytest.mark.parametrize("term", [Hysteresis, TorqueAsymmetry, GyroBias, StiffnessRestAngle])
+@pytest.mark.parametrize(
+    "term", [Hysteresis, TorqueAsymmetry, GyroBias, StiffnessRestAngle, LoadFriction]
+)
 def test_what_cannot_be_followed_is_refused(term):
     with pytest.raises(ValueError, match="cannot be estimated live"):
         online.Unknowns((term,))
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    "term", [each for each in FOLLOWED if each is not LoadFriction], ids=name_of
-)
+@pytest.mark.parametrize("term", FOLLOWED, ids=name_of)
 def test_a_leg_without_it_is_still_understood(term, play):
     model = online.Model(online.Unknowns((term,)))
     samples, leg, _ = play(31, 1)
@@ -50,17 +54,6 @@ def test_a_leg_without_it_is_still_understood(term, play):
     assert said.drops[-1] == 1
     truth = np.array([leg.gravity, leg.stiffness, leg.damping])
     assert (np.abs(said.ratios[-1] - truth) < 5 * said.errors[-1]).all()
-
-
-def test_friction_by_a_load_that_nobody_knows_yet_tells_nothing_rather_than_something_wrong(play):
-    """Its share times the unknown load is all that the motion shows: no drop counts."""
-    model = online.Model(online.Unknowns((LoadFriction,)))
-    samples, leg, _ = play(31, 1)
-    _, said = online.replay(online.init(EXPECTED, model), samples, model)
-    truth = np.array([leg.gravity, leg.stiffness, leg.damping])
-    assert (np.abs(said.ratios[-1] - truth) < 5 * said.errors[-1]).all()
-    assert said.drops[-1] == 0
-    assert (said.errors[-1] > 0.9 * said.errors[0]).all()
 
 
 def test_dry_friction_is_found_and_its_error_holds_it(play):
@@ -125,3 +118,23 @@ def test_a_known_torque_tells_the_inertia(start):
     inertia_known = online.estimates(belief)["inertia"]
     assert abs(inertia_known.value - inertia) < 4 * inertia_known.error + 0.005  # held over a step
     assert inertia_known.set_by == "data"
+
+
+@pytest.mark.parametrize(("seed", "friction"), [(51, 0.24), (70, 1.5)])
+def test_friction_of_a_loaded_leg_that_turns_where_a_part_of_a_step_ends(seed, friction):
+    """Friction takes all of its velocity there, but nothing of what nobody knows of that."""
+    model = online.Model(online.Unknowns((CoulombFriction,)))
+    rng = np.random.default_rng([11, seed])
+    sensors = world.draw_sensors(rng)
+    leg = replace(world.draw_leg(rng, friction), tilt=sensors.tilt).loaded(*LOAD)
+    motion, _ = world.session(rng, [leg])
+    samples = online.Sample(*world.measured(rng, motion, sensors))
+    belief, said = online.replay(
+        online.init(expected_with(EXPECTED, Mass(*LOAD)), model), samples, model
+    )
+    level = online.estimates(belief, model)["coulomb_friction.level_over_inertia"]
+    assert said.drops[-1] == 1
+    # Of 250 legs whose velocity is kept, none is three errors off in G or c, and two are in d or F.
+    truth = np.array([leg.gravity, leg.stiffness, leg.damping])
+    assert (np.abs(said.ratios[-1] - truth) < 3 * said.errors[-1]).all()
+    assert abs(level.value - leg.friction) < 3 * level.error

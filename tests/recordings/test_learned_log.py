@@ -2,9 +2,12 @@
 
 import numpy as np
 import pytest
+from cantools.database import load_file
+from cantools.database.can import Database
 from exo_node import ADULT, EPOCH, SURE, Node, learned, write_log
 
 from exoid.cli.live.session import live_line
+from exoid.recordings.can.dbc import EXOID_DBC
 from exoid.recordings.can.logs.log_files import read_log
 from exoid.recordings.can.node.config_crc import LEARNED, config_crc
 from exoid.recordings.can.node.learned import course_of
@@ -39,6 +42,18 @@ def quality_of(path) -> LogQuality:
 def known(estimate: NodeEstimate | None) -> NodeEstimate:
     assert estimate is not None
     return estimate
+
+
+def test_a_tool_that_reads_the_dbc_shows_trust_and_phase_in_words():
+    """By cantools: one for every value of the firmware's Trust and Phase."""
+    database = load_file(EXOID_DBC)
+    assert isinstance(database, Database)
+    learning = database.get_message_by_name("EXO_LEARNING")
+    for name, count in {"Trust": 7, "Phase": 5}.items():
+        assert [*(learning.get_signal_by_name(name).choices or ())] == list(range(count))
+    said = learning.decode(bytes([0, 0x32, 3, 16, 0, 0, 0, 0]))
+    assert isinstance(said, dict)
+    assert (str(said["Trust"]), str(said["Phase"])) == ("good", "moving freely")
 
 
 def test_the_last_that_was_learned_is_a_line_of_the_report(tmp_path):

@@ -1,8 +1,10 @@
 """What goes on beside a stream: advice, the batch fit, and the thread that follows."""
 
+import os
 import time
-from concurrent.futures import Future
+from concurrent.futures import Future, ProcessPoolExecutor
 from math import radians
+from multiprocessing import get_context
 
 import pytest
 from bundled_session import SUBJECT, until
@@ -11,7 +13,7 @@ from exoid.online.model.trust import Trust
 from exoid.watching.beside.coach import Coach
 from exoid.watching.beside.goals import goal_of
 from exoid.watching.beside.next_movement import Advice, Wish, advise
-from exoid.watching.beside.refinement import Refinement
+from exoid.watching.beside.refinement import BACKGROUND, Refinement, prepare
 from exoid.watching.board import MOST, Board
 from exoid.watching.estimate.leg import Leg, LegDrop
 from exoid.watching.estimate.load import Load, Mass
@@ -122,6 +124,16 @@ def test_drops_are_fitted_all_together_the_newest_set_after_the_one_that_runs(pe
 
 
 @pytest.mark.slow
+@pytest.mark.skipif(not hasattr(os, "sched_setaffinity"), reason="cores cannot be chosen here")
+def test_a_fit_leaves_a_core_to_the_stream_and_is_nice():
+    own, niceness = os.sched_getaffinity(0), os.nice(0)
+    with ProcessPoolExecutor(1, get_context("spawn"), prepare) as pool:
+        taken = pool.submit(os.sched_getaffinity, 0).result()
+        assert pool.submit(os.nice, 0).result() == min(niceness + BACKGROUND, 19)
+    assert taken < own if len(own) > 1 else taken == own
+    assert os.sched_getaffinity(0) == own
+
+
 def test_the_batch_fit_agrees_with_what_is_told_of_the_same_drops(person, first):
     from exoid.online.batch import refine
     from exoid.watching.beside.refinement import beside

@@ -8,6 +8,8 @@ import pytest
 from bundled_session import LIKELY, LOADED, SUBJECT, TRUTH, WEIGHT, nan_equal, until
 
 from exoid.online.model.trust import Phase, Trust
+from exoid.online.model.unknowns import Unknowns
+from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.recordings.recording import Subject
 from exoid.watching.estimate.expect import expected_of, is_known
 from exoid.watching.estimate.leg import Leg, LegDrop
@@ -63,6 +65,18 @@ def test_errors_shrink_from_the_second_turn_on(told):
     errors = {each.time: each.ratios[0].error for each in moments(told)}
     first, later, last = (errors[min(errors, key=lambda t: abs(t - at))] for at in (2.5, 2.7, 11.5))
     assert last < 0.5 * later < 0.1 * first
+
+
+def test_friction_that_is_asked_for_and_not_there_leaves_the_ratios_as_they_are(readings, person):
+    """In the loaded drop the leg turns round just as a part of a step begins."""
+    model = replace(person.model, unknowns=Unknowns((CoulombFriction,)))
+    load = Load((0.0, *LOADED), (Mass(), WEIGHT, Mass()))
+    told = list(Leg(replace(person, model=model), load).take(until(readings, LOADED[1])))
+    total = 0.42 + 1.0 * 0.4**2  # kg m^2
+    truth = [(4.5 * 0.26 + 0.4) * 9.80665 / total, 2.6 / total, 0.33 / total]
+    values = np.array([(each.value, each.error) for each in drops(told)[-1].moment.as_loaded]).T
+    # Without friction they are within 0.2 errors of the truth, and it is not for friction to move.
+    assert (np.abs(values[0] - truth) < values[1]).all()
 
 
 def test_a_loaded_drop_tells_the_inertia_and_no_drop_before_it(told):

@@ -2,17 +2,19 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from exoid.fitting.estimate import fit
-from exoid.fitting.result.fit_result import FitResult
 from exoid.online.belief import DEFAULT
 from exoid.online.model.model import Model
 from exoid.online.model.sample import Sample
 from exoid.online.outlook import Outlook
 from exoid.physics.sensing.sensor_skew import SensorSkew
 from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
+
+if TYPE_CHECKING:
+    from exoid.fitting.result.fit_result import FitResult
 
 REST = 1.0  # s before a release that belong to its segment
 STARTS = 8  # of a fit of drops that were understood already: most end at the same minimum
@@ -41,12 +43,14 @@ def segment_of(samples: Sample, begun: float, ended: float) -> Segment:
 
 def refine(
     drops: Sequence[Segment], subject: Subject, model: Model = DEFAULT, *, multistart: int = STARTS
-) -> FitResult:
+) -> "FitResult":
     """The batch fit of finished drops, with the terms and sensors of the model, the gyro's delay
     among them.
 
     Takes seconds, and pickles both ways: run it in a process of its own beside the stream.
     """
+    from exoid.fitting.estimate import fit  # which a live stream has no need of
+
     node = model.node
     recording = Recording(
         tuple(drops),

@@ -14,11 +14,14 @@ import jax.numpy as jnp
 import numpy as np
 from jaxtyping import Float
 
+from exoid.fitting.solve.compiled.kept_program import Known
+from exoid.fitting.solve.compiled.machine_code import machine_code
+from exoid.fitting.solve.program_cache import kept
 from exoid.online.belief import DEFAULT, Belief, form
 from exoid.online.filter.pack import Form
 from exoid.online.model.model import Model
 from exoid.online.model.sample import Sample
-from exoid.online.one_kernel import one_kernel
+from exoid.online.one_kernel import OPTIONS, one_kernel
 from exoid.online.outlook import Outlook
 from exoid.online.take_in import take_in
 
@@ -65,6 +68,8 @@ FIELDS = [each.name for each in fields(Sample)]
 SAID = [each.name for each in fields(Outlook)]
 WIDTHS = {"ratios": 3, "errors": 3}  # columns of an outlook; of the others 1
 COUNTED = [np.asarray(count) for count in range(BLOCK + 1)]
+RESULTS = 2  # the belief, and what was said
+NO_TREE = jax.tree.structure(())  # of its arguments, which are bare arrays
 COUNTS = ("trust", "phase", "drops")
 
 
@@ -79,12 +84,22 @@ def run(
 
 @cache
 def program(model: Model):
-    """The compiled program of a model, which takes a belief of any leg."""
+    """The compiled program of a model, which takes a belief of any leg; kept between processes."""
+    static = (model, *model.unknowns.terms)
+    known = Known("exoid.online.program:block", NO_TREE, shapes_of(model), static, OPTIONS)
+    return kept(known, RESULTS, partial(compiled, model))
+
+
+def shapes_of(model: Model):
+    """Of belief, rows and how many of them are filled."""
+    size = sum(leaf.size for leaf in form(model).leaves)
+    return ((size,), "float64"), ((BLOCK, len(FIELDS)), "float64"), ((), "int64")
+
+
+def compiled(model: Model):
+    """The program, traced and compiled anew."""
     with jax.enable_x64(True):
-        size = sum(leaf.size for leaf in form(model).leaves)
-        shapes = ((size,), float), ((BLOCK, len(FIELDS)), float), ((), int)
-        traced = one_kernel(partial(block, model))
-        return traced.lower(*(jax.ShapeDtypeStruct(*each) for each in shapes)).compile()
+        return machine_code(one_kernel(partial(block, model)), shapes_of(model))
 
 
 def block(model: Model, numbers: Any, rows: Any, count: Any):

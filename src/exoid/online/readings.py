@@ -46,8 +46,8 @@ class Known:
 def estimates(belief: Belief, model: Model = DEFAULT) -> Mapping[str, Known]:
     """The ratios, the sensors, the leg and the terms' parameters, by name.
 
-    m l g, J, c, d and torques are the data's only where a known mass or torque was declared; that
-    was taken as exact, and their errors lack what it may be off (see `Sample`).
+    m l g, J, c, d and torques are the data's only where a known mass or torque was declared; a mass
+    was taken as exact where the model has no `weighed` (see `Sample`), and a torque always.
 
     >>> known = online.estimates(online.init(exoid.expected_leg(77.0, 1.80)))
     >>> known["inertia"].set_by

@@ -13,8 +13,9 @@ from exoid.online.filter.whiteness import unwhite
 from exoid.online.model.model import Goals, Model
 from exoid.online.model.trust import Phase, Trust
 from exoid.online.model.unknowns import AT
-from exoid.online.movement.change import changed, evidence
+from exoid.online.movement.change import changed
 from exoid.online.movement.end import SHORTEST, SWINGS, ended, first_of, refuted
+from exoid.online.movement.evidence import evidence
 from exoid.online.movement.follow import follow
 from exoid.online.movement.knowledge import NEVER, Knowledge
 from exoid.online.movement.stream import heard, is_faulty, look
@@ -87,7 +88,7 @@ def outlook(model: Model, belief: Knowledge) -> Outlook:
         begun=belief.course.begun,
         ended=belief.course.ended,
         unwhite=unwhite(belief.course.whiteness)[1],
-        change=evidence(belief),
+        change=evidence(belief.course),
     )
 
 

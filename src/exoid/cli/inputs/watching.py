@@ -4,6 +4,7 @@ from math import inf
 from pathlib import Path
 from typing import Any
 
+HOST, PORT = "127.0.0.1", 8710  # of the page
 ALWAYS = ("angle_offset", "gyro_bias", "gyro_scale")  # terms that an estimator has in any case
 
 
@@ -22,6 +23,17 @@ def check_source(recording: Path | None, channel: str | None, of_bus: dict, of_f
         raise ValueError(f"{said[0]} is of {kind}, which is not followed here. Leave it out.")
 
 
+def page_asked(host: str | None, port: int | None, *, serve: bool) -> tuple[str, int]:
+    """Where the page is to be.
+
+    **Raises** `ValueError` where that is said and no page is asked for.
+    """
+    for name, value in {"--host": host, "--port": port}.items():
+        if value is not None and not serve:
+            raise ValueError(f"{name} is of the page, which --serve shows: give that, too.")
+    return HOST if host is None else host, PORT if port is None else port
+
+
 def speed_asked(text: str) -> float:
     """How many times as fast as it was; infinite for max.
 
@@ -29,7 +41,7 @@ def speed_asked(text: str) -> float:
     """
     try:
         speed = inf if text == "max" else float(text)
-        if not speed > 0 or (speed == inf and text != "max"):
+        if "_" in text or not speed > 0 or (speed == inf and text != "max"):
             raise ValueError
     except ValueError:
         raise ValueError(f"--speed {text}: give a number such as 1 or 2.5, or max.") from None

@@ -16,11 +16,19 @@ from typing import TypeVar
 
 import jax
 import numpy as np
+from jax.stages import Compiled
 from platformdirs import user_cache_path
 
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.misfit.condensed import Sensed, Triangles
-from exoid.fitting.solve.compiled.kept_program import KEPT, fingerprint, load, nameless, store
+from exoid.fitting.solve.compiled.kept_program import (
+    KEPT,
+    Known,
+    fingerprint,
+    load,
+    nameless,
+    store,
+)
 from exoid.fitting.solve.compiled.machine_code import compiled, options
 from exoid.fitting.solve.meeting import ASKED_TOGETHER, MEETING
 from exoid.fitting.solve.program_values import SENSED, TRIANGLES, Solved, solved_structure
@@ -127,12 +135,20 @@ def called(name: str, arguments: tuple, static, structure, *, brief: bool = Fals
 @lru_cache(MOST)
 def program(name: str, structure, shapes, static, results: int, brief: bool = False):
     """The compiled program for these shapes: loaded, or traced, compiled and kept."""
-    if not _folder or nameless(structure, static):
-        return compiled(name, structure, shapes, static, brief=brief)
-    known = fingerprint(name, structure, shapes, static, options(brief=brief))
-    path = _folder[0] / f"{known}{KEPT}"
-    code = load(path, len(shapes), results)
+    known = Known(name, structure, shapes, static, options(brief=brief))
+    return kept(known, results, lambda: compiled(name, structure, shapes, static, brief=brief))
+
+
+def kept(known: Known, results: int, make: Callable[[], Compiled]) -> Compiled:
+    """The program that is `known` so and gives so many arrays: loaded, or made and kept.
+
+    What it makes must have a name that no program had before (`machine_code.unheard_of`).
+    """
+    if not _folder or nameless(known.structure, known.static):
+        return make()
+    path = _folder[0] / f"{fingerprint(known)}{KEPT}"
+    code = load(path, len(known.shapes), results)
     if code is None:
-        code = compiled(name, structure, shapes, static, brief=brief)
+        code = make()
         store(path, code)
     return code

@@ -15,11 +15,12 @@ import numpy as np
 from jaxtyping import Array, Bool, Float
 
 from exoid.online.filter.gaussian import Gaussian
+from exoid.online.filter.loosen import loosened
 from exoid.online.filter.motion import Span, advance, view
 from exoid.online.filter.sensor_noise import SensorNoise
 from exoid.online.filter.times import times
 from exoid.online.model.sample import Sample
-from exoid.online.model.unknowns import Row, Unknowns
+from exoid.online.model.unknowns import AT, Row, Unknowns
 
 Pair = Float[Array, "2"]
 
@@ -47,6 +48,8 @@ def absorb(
 ) -> tuple[Gaussian, Innovation]:
     """The belief after a span of time and the sample at its end."""
     ahead = carried_on(unknowns, belief, sample, span)
+    drift = noise.drift * jnp.sqrt(span.length)
+    ahead = Gaussian(ahead.mean, loosened(ahead.root, AT["gyro_delay"], drift))
 
     def shown(row):
         seen = view(unknowns, row, sample)

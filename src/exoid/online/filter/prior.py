@@ -38,6 +38,10 @@ def prior_of(expected: ExpectedLeg, model: Model) -> Gaussian:
         mean[AT[name]], deviation[AT[name]] = value, scatter
     for at, (_, declared) in enumerate(model.unknowns.declared, start=FIRST_TERM):
         mean[at], deviation[at] = expected_of(declared, inertia)
+    if model.unknowns.weighed is not None:
+        first = model.unknowns.first_of_mass
+        for at, each in enumerate(model.unknowns.weighed.expected, start=first):
+            mean[at], deviation[at] = each
     deviation[-2:] = ANYWHERE
     covariance = np.diag(deviation**2)
     pair = [AT["level_gravity"], AT["log_inertia"]]

@@ -13,6 +13,7 @@ class SensorNoise(eqx.Module):
     angle: Float[Any, ""]  # rad^2
     angular_velocity: Float[Any, ""]  # (rad/s)^2
     wander: Float[Any, ""]  # s, by which the age of the gyro's sample scatters
+    drift: Float[Any, ""]  # s in a second, by which the mean of that age does
     gate: Float[Any, ""]  # chi-square of a sample
 
     def white(self, variance: Float[Array, "2"]) -> Float[Array, "2"]:

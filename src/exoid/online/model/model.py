@@ -25,6 +25,9 @@ class Node:
     delay_error: float = RENEWAL / 2  # s, of that mean
     # s, from sample to sample: a sawtooth, which averages out sooner than white noise
     delay_wander: float = RENEWAL / sqrt(12)
+    # s in a second: of a gyro that renews itself 8.5 times a sample, every other one is as old, and
+    # that age drifts
+    delay_drift: float = RENEWAL / 6
     zero: float = radians(3.0)  # rad, what the encoder shows with the knee extended
     tilt: float = radians(0.2)  # rad, of a seat that looks level
     bias: float = radians(5.0)  # rad/s, of the gyro

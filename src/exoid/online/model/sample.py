@@ -12,9 +12,9 @@ from jaxtyping import Float
 class Sample:
     """What encoder and gyro showed, NaN where one of them was missing; what pushed and weighed.
 
-    Torque and mass are taken as exact. What is in kg m^2 and N m is then told with errors that are
-    too small by what nobody knows of them: a mass that is 1 % heavier makes J 1 % larger, one that
-    is 5 mm off its place 6 %. `exoid live` and `exoid.fit` allow for that.
+    A torque is exact, and so is a mass unless `Unknowns(weighed=Weighed())` says how well it is
+    known: one that is 1 % heavier makes J 1 % larger, one that is 5 mm off its place 6 %.
+    `exoid live` and `exoid.fit` always allow for that.
 
     >>> float(online.Sample(0.01, -0.35, 0.002).torque)  # N m
     0.0

@@ -11,7 +11,7 @@ little is known. In G, c and zero it is not: such a filter believes ten times to
 """
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -24,10 +24,14 @@ from exoid.physics.moment import Cycle, SegmentConstants
 from exoid.physics.parameter import Declaration, declarations
 from exoid.physics.ratios import Ratios
 from exoid.physics.state import LegState
-from exoid.physics.term import Term, name_of
+from exoid.physics.term import Term, holds, name_of
+
+if TYPE_CHECKING:
+    from exoid.online.model.weighed import Weighed
 
 LINEAR = ("level_gravity", "upright_gravity", "stiffness", "offset", "damping")  # A B c/J o d/J
 OTHERS = ("log_inertia", "gyro_bias", "gyro_scale", "gyro_delay")
+OFF = ("log_mass_off", "mass_distance_off", "mass_extent")  # of a mass that is not exact
 MOTION = ("angle", "angular_velocity")  # of the encoder
 AT = {name: number for number, name in enumerate((*LINEAR, *OTHERS))}
 FIRST_TERM = len(AT)
@@ -46,13 +50,15 @@ class Leg(eqx.Module):
 
 @dataclass(frozen=True)
 class Unknowns:
-    """Which terms Eq. 9 is given, on a thigh that is so inclined.
+    """Which terms Eq. 9 is given, on a thigh that is so inclined, and how well the samples' masses
+    are known: without that they are exact.
 
     **Raises** `ValueError` for a term that remembers, drives, or is an unknown already.
     """
 
     terms: tuple[type[Term], ...] = ()
     thigh_angle: float = 0.0  # rad
+    weighed: "Weighed | None" = None
 
     def __post_init__(self):
         for term in self.terms:
@@ -70,11 +76,17 @@ class Unknowns:
 
     @property
     def names(self) -> tuple[str, ...]:
-        return (*AT, *(name for name, _ in self.declared), *MOTION)
+        of_mass = () if self.weighed is None else OFF
+        return (*AT, *(name for name, _ in self.declared), *of_mass, *MOTION)
 
     @property
     def size(self) -> int:
-        return FIRST_TERM + len(self.declared) + len(MOTION)
+        return len(self.names)
+
+    @property
+    def first_of_mass(self) -> int:
+        """Where in a row `OFF` begins, where masses are not exact."""
+        return FIRST_TERM + len(self.declared)
 
     @property
     def curved(self) -> bool:
@@ -95,13 +107,21 @@ class Unknowns:
             found.append(term(**values))
         return tuple(found)
 
+    def mass(self, row: Row, sample: Sample) -> tuple[Any, Any, Any]:
+        """The sample's mass [kg], its distance [m], its radius of gyration squared [m^2]."""
+        if self.weighed is None:
+            return sample.added_mass, sample.added_mass_distance, 0.0
+        heavier, farther, extent = row[self.first_of_mass :][: len(OFF)]
+        mass, distance = sample.added_mass, sample.added_mass_distance
+        return mass * jnp.exp(heavier), distance + farther, extent
+
     def leg(self, row: Row, sample: Sample) -> Leg:
         """The leg as it is loaded at a sample, and what turns it besides."""
         gravity = jnp.hypot(row[AT["level_gravity"]], row[AT["upright_gravity"]])
         turned = jnp.arctan2(row[AT["upright_gravity"]], row[AT["level_gravity"]])
         inertia = jnp.exp(row[AT["log_inertia"]])
-        mass, distance = sample.added_mass, sample.added_mass_distance
-        loaded = inertia + mass * distance**2
+        mass, distance, extent = self.mass(row, sample)
+        loaded = inertia + mass * (distance**2 + extent)
         share = inertia / loaded
         ratios = Ratios(
             share * gravity + mass * distance * GRAVITY / loaded,
@@ -147,6 +167,8 @@ def refused(term: type[Term]) -> str | None:
         return "it is of a voluntary torque, and only free movements are followed"
     if term.same_torque and term.as_same_torque(1.0, 2.0) > 1.0:
         return f"times the unknown stiffness it is a constant torque; ask for {term.same_torque}"
+    if holds(term) and any(each.unit == "1" for _, each in declarations(term)):
+        return "its friction is a share of a load that is estimated, too; fit the recording instead"
     if term.replaces or term.everyday:
         return "zero, bias, scale and delay of the sensors are always estimated"
     return None

@@ -27,8 +27,8 @@ def begin(prior: Gaussian) -> Knowledge:
     still = np.zeros((2, 2))
     return Knowledge(
         filters=both,
-        newer=Kept(both, never, none, np.asarray(0)),
-        older=Kept(both, never, none, np.asarray(0)),
+        newer=Kept(both, never, none, np.asarray(0), none),
+        older=Kept(both, never, none, np.asarray(0), none),
         before=prior,
         prior=prior,
         scatter=np.full((2, 2), DECLARED),

@@ -1,37 +1,28 @@
-"""Is this the leg that was known? The drop's own estimate against the belief.
-
-Both filters foresee every sample of a drop: one knows the drops before, the other only what anatomy
-expects. The logarithm of the ratio of what they gave it is the evidence for another leg.
-"""
+"""Is this the leg that was known? The drop's own estimate against the belief."""
 
 from dataclasses import replace
 
 import jax
 import jax.numpy as jnp
-from jaxtyping import Array, Bool, Float
+from jaxtyping import Array, Bool
 
 from exoid.online.filter.pack import where_so
 from exoid.online.filter.read_out import on_the_seat, ratios
 from exoid.online.filter.whiteness import fails
 from exoid.online.model.model import Model
 from exoid.online.movement.end import SWINGS
+from exoid.online.movement.evidence import EVIDENCE, evidence
 from exoid.online.movement.knowledge import Knowledge
 
-EVIDENCE = 12.0  # of the logarithm: one in 160 000 if both were as likely
 WHITE = 4.0  # standard deviations, within which the drop's own filter explains it
 LONG_ENOUGH = 0.6  # s of a drop that tell its own ratios
 MATTERS = (0.03, 0.03, 0.03)  # of m l g / J, of c / J beside it, of d / J beside the frequency
 
 
-def evidence(belief: Knowledge) -> Float[Array, ""]:
-    """Log odds of another leg, as far as the movement tells."""
-    return belief.course.likelihood[1] - belief.course.likelihood[0]
-
-
 def changed(model: Model, belief: Knowledge) -> Knowledge:
     """The belief, begun anew where the leg is another one."""
     course = belief.course
-    sure = (evidence(belief) > EVIDENCE) & ~fails(course.whiteness)[1] & (belief.verdict.drops > 0)
+    sure = (evidence(course) > EVIDENCE) & ~fails(course.whiteness)[1] & (belief.verdict.drops > 0)
     long = (course.reached - course.begun > LONG_ENOUGH) & (belief.older.turns >= SWINGS)
     found = sure & long & (belief.older.unwhite < WHITE)
 

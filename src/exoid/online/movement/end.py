@@ -1,6 +1,7 @@
 """How a free movement ends: at rest, in a hand, or because it was none."""
 
 from dataclasses import replace
+from typing import Any
 
 import jax
 import jax.numpy as jnp
@@ -11,6 +12,7 @@ from exoid.online.filter.pack import where_so
 from exoid.online.filter.select import select
 from exoid.online.filter.whiteness import fails
 from exoid.online.model.trust import Phase
+from exoid.online.movement.evidence import EVIDENCE, evidence
 from exoid.online.movement.knowledge import NEVER, Knowledge
 from exoid.online.movement.watch import DEPARTED, at_rest
 
@@ -40,7 +42,8 @@ def closed(belief: Knowledge, gone, failing, cut, torn) -> Knowledge:
     swings = jnp.where(failing | cut, older.turns, course.turns) >= SWINGS
     counts = sound & (end - course.begun > SHORTEST) & (swings | gone)
     kept = select(failing | cut, older.filters, belief.filters)
-    known = select(counts, first_of(kept), belief.before)
+    odds = jnp.where(failing | cut, older.evidence, evidence(course))
+    known = select(counts, told(kept, odds), belief.before)
     return replace(
         belief,
         filters=with_known(belief.filters, known),
@@ -55,6 +58,13 @@ def closed(belief: Knowledge, gone, failing, cut, torn) -> Knowledge:
             suspected=jnp.where(failing | cut & ~torn, course.turns + SWUNG, NEVER),
         ),
     )
+
+
+def told(filters: Gaussian, odds: Any) -> Gaussian:
+    """What all drops told; the last one alone where that contradicts the others, by less than
+    another leg would: legs differ from drop to drop, and what was known saw none of its samples.
+    """
+    return jax.tree.map(lambda both: jnp.where(odds > EVIDENCE, both[1], both[0]), filters)
 
 
 def refuted(belief: Knowledge) -> Knowledge:

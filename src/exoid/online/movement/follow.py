@@ -16,6 +16,7 @@ from exoid.online.filter.whiteness import seen, unwhite
 from exoid.online.model.model import Model
 from exoid.online.model.sample import Sample
 from exoid.online.model.unknowns import AT
+from exoid.online.movement.evidence import evidence
 from exoid.online.movement.knowledge import Course, Kept, Knowledge
 
 AT_ONCE = 4  # samples a step that are absorbed at most, where some wait
@@ -93,6 +94,7 @@ def noise_of(model: Model, scatter: Float[Array, "2 2"]) -> SensorNoise:
         times[0] * angle,
         times[1] * rate,
         jnp.asarray(model.node.delay_wander),
+        jnp.asarray(model.node.delay_drift),
         jnp.asarray(GATE),
     )
 
@@ -119,7 +121,8 @@ def surprised(course: Course, innovation: Innovation, row: Float[Array, " 6"]) -
 def remembered(belief: Knowledge, begins: Bool[Array, ""]) -> Knowledge:
     """With the filters kept as they are now, from time to time."""
     course = belief.course
-    now = Kept(belief.filters, course.reached, unwhite(course.whiteness)[1], course.turns)
+    white = unwhite(course.whiteness)[1]
+    now = Kept(belief.filters, course.reached, white, course.turns, evidence(course))
     due = begins | (course.reached - belief.newer.time >= KEPT)
     return replace(
         belief,

@@ -33,6 +33,7 @@ class Kept(eqx.Module):
     time: Float[Any, ""]  # s
     unwhite: Float[Any, ""]  # of the second's innovations until then, in standard deviations
     turns: Int[Any, ""]
+    evidence: Float[Any, ""]  # that it is another leg
 
 
 class Course(eqx.Module):

@@ -115,11 +115,14 @@ def whole_step(
         return slopes(place, terms, at, time + part * step, push, free)
 
     if dry:
-        motion = slowed(place, terms, motion, time, step / 2, drive.begin)
-        free = jnp.where(sticks(place, terms, motion, time, drive.begin), 0.0, 1.0)
+        begun = slowed(place, terms, motion, time, step / 2, drive.begin)
+        held = holds_still(place, terms, begun, time, drive.begin)
+        free = jnp.where((begun.leg.angular_velocity == 0) & held, 0.0, 1.0)
+        motion = passing(motion, begun, held)
     motion = rk4(rate, motion, step, compact=compact)
     if dry:
-        motion = slowed(place, terms, motion, time + step, step / 2, drive.end)
+        ended = slowed(place, terms, motion, time + step, step / 2, drive.end)
+        motion = passing(motion, ended, held)
     now = moment(place, motion.leg, time + step, drive.end)
     kept = tuple(
         term.memory_within(now, own) for term, own in zip(terms, motion.memory, strict=True)
@@ -150,11 +153,16 @@ def sticky(terms: Terms) -> bool:
 
 def sticks(place: SegmentConstants, terms: Terms, motion: Motion, time: Any, push: Any):
     """Does the leg stand still, with more friction than what pulls at it?"""
+    still = motion.leg.angular_velocity == 0
+    return still & holds_still(place, terms, motion, time, push)
+
+
+def holds_still(place: SegmentConstants, terms: Terms, motion: Motion, time: Any, push: Any):
+    """Is there more friction than what pulls at the leg?"""
     now = moment(place, motion.leg, time, push)
     pulled = now.angular_acceleration + missing(terms, now, motion.memory)
     level = friction(terms, now)
-    held = jnp.abs(pulled) * now.inertia <= level
-    return (motion.leg.angular_velocity == 0) & held & (level > 0)
+    return (jnp.abs(pulled) * now.inertia <= level) & (level > 0)
 
 
 def slowed(
@@ -165,6 +173,16 @@ def slowed(
     level = friction(terms, moment(place, leg, time, push)) / place.inertia
     left = jnp.maximum(jnp.abs(leg.angular_velocity) - step * level, 0.0)
     return Motion(LegState(leg.angle, jnp.sign(leg.angular_velocity) * left), motion.memory)
+
+
+def passing(before: Motion, after: Motion, held: Any) -> Motion:
+    """`after`, with the slopes of `before` where friction took all of the velocity from a leg that
+    it does not hold: that passes through zero, and forgets nothing of how it moved.
+    """
+    rate, left = before.leg.angular_velocity, after.leg.angular_velocity
+    passes = (left == 0) & ~held
+    through = jnp.where(passes, rate - jax.lax.stop_gradient(rate), left)
+    return Motion(LegState(after.leg.angle, through), after.memory)
 
 
 def friction(terms: Terms, now: Moment) -> Float[Array, "*batch"]:

@@ -2,6 +2,7 @@
 
 import time
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from math import degrees
 
 from exoid.recordings.commissioning.commands import EVERYBODY, SET_ZERO, TELL, command
@@ -68,7 +69,8 @@ class Dialogue:
 
             if self.listen(ear, PATIENCE, answered):
                 refuse(to, ear.reply(to.serial, sent.arbitration_id) or {})
-                return next(state for state in ear.nodes() if state.serial == to.serial)
+                now = next(state for state in ear.nodes() if state.serial == to.serial)
+                return replace(now, health=now.health or to.health)  # which it tells by the second
         raise CanBusError(
             f"{to} does not answer to {name}. Is it still powered, and does another device on the "
             "bus hold it busy? exoid node find says who answers."

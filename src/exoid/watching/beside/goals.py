@@ -58,7 +58,7 @@ def goal_of(text: str, names: Iterable[str], sizes: Mapping[str, float] = NOBODY
         raise ValueError(f"--until {text}: there is no {name!r}; it can be {', '.join(names)}.")
     try:
         number = float(wanted.removesuffix("%"))
-        if not (equals and 0 < number < float("inf")):
+        if not (equals and "_" not in wanted and 0 < number < float("inf")):
             raise ValueError
     except ValueError:
         raise ValueError(

@@ -120,11 +120,24 @@ def beside(drop: LegDrop, found: Any, count: int) -> Refined:
 
 
 def prepare() -> None:
-    """In the other process: programs are kept, Ctrl-C is left to the one that started it."""
+    """In the other process: programs are kept, Ctrl-C is left to the one that started it, and the
+    stream has a core of its own.
+    """
     import signal
 
     from exoid.fitting.solve.program_cache import keep_programs_in
 
     os.nice(BACKGROUND)
+    leave_a_core()
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     keep_programs_in()
+
+
+def leave_a_core() -> None:
+    """Where a process may choose its cores, all but one: a nice one on every core still makes the
+    stream wait for milliseconds. XLA has no more threads than that.
+    """
+    if not hasattr(os, "sched_setaffinity"):
+        return
+    cores = sorted(os.sched_getaffinity(0))
+    os.sched_setaffinity(0, cores[1:] or cores)

@@ -13,9 +13,12 @@ from exoid.cli.inputs.node import BITRATE, INTERFACE
 from exoid.cli.inputs.reading import Columns, Dbc, Signals
 from exoid.cli.inputs.terms import OwnTerms, With, own_terms, terms_asked
 from exoid.cli.inputs.watching import (
+    HOST,
+    PORT,
     check_source,
     followed_terms,
     goals_asked,
+    page_asked,
     speed_asked,
 )
 from exoid.cli.outputs.destination import Force
@@ -23,7 +26,6 @@ from exoid.cli.outputs.streamed import check_files
 from exoid.cli.terminal.keys import check_keyboard
 
 Number = float | None
-PORT = 8710
 
 
 def live(
@@ -93,11 +95,17 @@ def live(
         bool, typer.Option("--serve", help="Show it on a page of this computer.")
     ] = False,
     port: Annotated[
-        int, typer.Option(min=0, max=65535, help="Of that page; 0 is any that is free.")
-    ] = PORT,
+        int | None,
+        typer.Option(
+            min=0, max=65535, help="Of that page; 0 is any that is free.", show_default=str(PORT)
+        ),
+    ] = None,
     host: Annotated[
-        str, typer.Option(help="Of that page; any but this computer's own demands a token.")
-    ] = "127.0.0.1",
+        str | None,
+        typer.Option(
+            help="Of that page; any but this computer's own demands a token.", show_default=HOST
+        ),
+    ] = None,
     column: Columns = None,
     dbc: Dbc = None,
     signal: Signals = None,
@@ -122,7 +130,7 @@ def live(
     of_bus = {"-o": output, "--segment": segment, "--duration": duration, "--id": subject_id}
     of_file = {"--column": column, "--dbc": dbc, "--signal": signal, "--flip": flip, "--zero": zero}
     check_source(recording, channel, of_bus | {"--side": side}, of_file)
-    pace = speed_asked(speed)
+    pace, page = speed_asked(speed), page_asked(host, port, serve=serve)
     check_files(recording, output, json_lines, force=force)
     if segment:
         check_keyboard()
@@ -140,7 +148,7 @@ def live(
     from exoid.cli.live.wanted import Wanted
 
     prepare()
-    wanted = Wanted(terms_wanted, goals, Views(json_lines, serve, host, port), refine)
+    wanted = Wanted(terms_wanted, goals, Views(json_lines, serve, *page), refine)
     if recording is not None:
         from exoid.cli.live.follow_file import run_file
         from exoid.cli.live.opened import open_recording

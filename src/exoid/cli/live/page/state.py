@@ -6,8 +6,10 @@ from exoid.cli.live.saying import words
 from exoid.cli.live.saying.json_lines import document, number
 from exoid.files.visible import visible
 from exoid.watching.board import Board
-from exoid.watching.estimate.known import RATIOS
+from exoid.watching.estimate.known import ABSOLUTE, RATIOS
 from exoid.watching.estimate.moment import Moment
+
+CURVES = (*RATIOS, ABSOLUTE[0])  # in the order of the page's figures
 
 
 def now(board: Board) -> dict[str, Any]:
@@ -71,13 +73,14 @@ def unknown(board: Board, name: str) -> dict[str, Any]:
 
 
 def past(board: Board) -> list[list[Any]]:
-    """Time, then value and error of each ratio, of moments in which they could be believed."""
+    """Time, then value and error of each curve, of moments in which they could be believed."""
     return [point(each) for each in board.history if each.believed]
 
 
 def point(moment: Moment) -> list[Any]:
-    known = {each.name: each for each in moment.ratios}
+    """Null where nothing tells a quantity yet."""
     found: list[Any] = [round(moment.time, 2)]
-    for name in RATIOS:
-        found += [number(known[name].value), number(known[name].error)]
+    for name in CURVES:
+        known = moment.quantities.get(name)
+        found += [None, None] if known is None else [number(known.value), number(known.error)]
     return found

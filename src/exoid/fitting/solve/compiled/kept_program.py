@@ -6,9 +6,11 @@ import logging
 import os
 import platform
 import zlib
+from collections.abc import Mapping
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
+from typing import Any, NamedTuple
 
 import equinox as eqx
 import jax
@@ -26,10 +28,21 @@ QUICKLY = 1  # how far machine code is packed: to a third, in no time
 LOG = logging.getLogger("exoid")
 
 
-def fingerprint(name: str, structure, shapes, static, options: dict) -> str:
+class Known(NamedTuple):
+    """What tells a program from others: `static` is what it is made for besides its arguments."""
+
+    name: str
+    structure: Any  # of its arguments
+    shapes: tuple
+    static: Any
+    options: Mapping[str, Any]  # of the compiler
+
+
+def fingerprint(known: Known) -> str:
     """What a kept program depends on: its code, its shapes, its libraries, the machine and the
-    compiler's `options`.
+    compiler's options.
     """
+    name, structure, shapes, static, options = known
     digest = hashlib.sha256(code_of(Path(__file__).parents[3]))
     for path in sorted(path for path in own_sources((static, *classes(structure))) if path):
         digest.update(path.read_bytes())

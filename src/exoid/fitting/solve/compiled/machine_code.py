@@ -30,9 +30,13 @@ def compiled(name: str, structure, shapes, static, *, brief: bool) -> jax.stages
     goes back to the system.
     """
     function = traceable(name, structure, static)
-    arrays = (jax.ShapeDtypeStruct(*shape) for shape in shapes)
+    return machine_code(jax.jit(function, compiler_options=understood(brief=brief)), shapes)
+
+
+def machine_code(function: Any, shapes) -> jax.stages.Compiled:
+    """What `jax.jit` gave, compiled for these shapes."""
     with uncollected():
-        lowered = jax.jit(function, compiler_options=understood(brief=brief)).lower(*arrays)
+        lowered = function.lower(*(jax.ShapeDtypeStruct(*shape) for shape in shapes))
     with apart():
         code = lowered.compile()
     give_back()
@@ -67,19 +71,22 @@ def apart() -> Iterator[None]:
 
 
 def traceable(name: str, structure, static):
-    """The function on bare arrays. Its module is imported here, only where it must be traced.
-
-    No program before it has its name: XLA would find that one in its cache of programs, and what it
-    loads from there cannot be kept once more.
-    """
+    """The function on bare arrays. Its module is imported here, only where it must be traced."""
     module, _, attribute = name.partition(":")
     function = getattr(import_module(module), attribute)
 
     def flat(*leaves):
         return jax.tree.leaves(function(*jax.tree.unflatten(structure, leaves), static))
 
-    flat.__name__ = f"{attribute}_{token_hex(8)}"
-    return flat
+    return unheard_of(flat, attribute)
+
+
+def unheard_of(function, name: str):
+    """The function under a name that no program had before: XLA would find that one in its cache of
+    programs, and what it loads from there cannot be kept once more.
+    """
+    function.__name__ = f"{name}_{token_hex(8)}"
+    return function
 
 
 def options(*, brief: bool) -> dict[str, Any]:

@@ -1,6 +1,7 @@
 "use strict";
 const at = (id) => document.getElementById(id);
 const RATIOS = ["gravity_over_inertia", "stiffness_over_inertia", "damping_over_inertia"];
+const CURVES = [...RATIOS, "inertia"]; // in the order of the figures
 const STEP = 0.002; // s
 const KEPT = 1500; // points of a curve
 const NEAR = 12; // times the latest error: what was less sure is not what a curve is scaled by
@@ -43,7 +44,8 @@ function follow(moment, swing) {
   const last = past.length ? past[past.length - 1][0] : -1;
   if (known.includes(null) || moment.time_s === last) return;
   if (moment.time_s < last) past = [];
-  past.push([moment.time_s, ...RATIOS.flatMap((name) => [moment.ratios[name].value, moment.ratios[name].standard_error])]);
+  const told = { ...moment.ratios, ...moment.absolute };
+  past.push([moment.time_s, ...CURVES.flatMap((name) => [told[name]?.value ?? null, told[name]?.standard_error ?? null])]);
   if (past.length > KEPT) past = past.filter((_, place) => place % 2);
 }
 
@@ -57,29 +59,38 @@ function draw() {
   if (past.length < 2) return;
   document.querySelectorAll("figure").forEach((figure, place) => {
     const column = 1 + 2 * place;
-    const newest = past[past.length - 1];
-    const sure = past.filter((each) => each[column + 1] <= NEAR * newest[column + 1]);
-    const low = Math.min(...sure.map((each) => each[column] - each[column + 1]));
-    const high = Math.max(...sure.map((each) => each[column] + each[column + 1]));
-    const room = (high - low) * 0.08 || 1e-9;
-    const x = (time) => (320 * (time - past[0][0])) / (newest[0] - past[0][0] || 1);
-    const y = (value) => Math.max(-200, Math.min(330, 130 - (130 * (value - low + room)) / (high - low + 2 * room)));
-    const corner = (sign) => (each) => `${x(each[0]).toFixed(1)},${y(each[column] + sign * each[column + 1]).toFixed(1)}`;
-    const band = [...past.map(corner(1)), ...past.map(corner(-1)).reverse()].join(" ");
-    const chart = figure.querySelector("svg");
-    chart.replaceChildren(
-      made("polygon", { class: "band", points: band }),
-      made("polyline", { class: "curve", points: past.map(corner(0)).join(" ") }),
-    );
-    if (!believed) {
-      chart.replaceChildren();
-      figure.querySelector(".ends").replaceChildren();
-      return;
-    }
-    const digits = Math.max(0, 1 - Math.floor(Math.log10(newest[column + 1] || 1)));
-    const ends = [`${past[0][0].toFixed(0)} s`, `${newest[column].toFixed(digits)} ± ${newest[column + 1].toFixed(digits)}`, `${newest[0].toFixed(0)} s`];
-    figure.querySelector(".ends").replaceChildren(...ends.map((text) => Object.assign(document.createElement("span"), { textContent: text })));
+    const told = past.filter((each) => each[column] !== null);
+    figure.hidden = told.length < 2;
+    if (!figure.hidden) plot(figure, column, told);
   });
+}
+
+function plot(figure, column, told) {
+  const [chart, scale, ends] = [".chart", ".scale", ".ends"].map((name) => figure.querySelector(name));
+  if (!believed) return [chart, scale, ends].forEach((each) => each.replaceChildren());
+  const newest = told[told.length - 1];
+  const sure = told.filter((each) => each[column + 1] <= NEAR * newest[column + 1]);
+  const least = Math.min(...sure.map((each) => each[column] - each[column + 1]));
+  const most = Math.max(...sure.map((each) => each[column] + each[column + 1]));
+  const room = (most - least) * 0.08 || 1e-9;
+  const [low, high] = [least - room, most + room];
+  const x = (time) => (320 * (time - past[0][0])) / (past[past.length - 1][0] - past[0][0] || 1);
+  const y = (value) => Math.max(-200, Math.min(330, (130 * (high - value)) / (high - low)));
+  const corner = (sign) => (each) => `${x(each[0]).toFixed(1)},${y(each[column] + sign * each[column + 1]).toFixed(1)}`;
+  const band = [...told.map(corner(1)), ...told.map(corner(-1)).reverse()].join(" ");
+  chart.replaceChildren(
+    made("polygon", { class: "band", points: band }),
+    made("polyline", { class: "curve", points: told.map(corner(0)).join(" ") }),
+  );
+  const digits = (size) => Math.max(0, 1 - Math.floor(Math.log10(size || 1)));
+  const level = (value) => value.toFixed(digits(high - low));
+  const final = (value) => value.toFixed(digits(newest[column + 1]));
+  write(scale, [level(high), level((low + high) / 2), level(low)]);
+  write(ends, [`${past[0][0].toFixed(0)} s`, `${final(newest[column])} ± ${final(newest[column + 1])}`, `${past[past.length - 1][0].toFixed(0)} s`]);
+}
+
+function write(place, texts) {
+  place.replaceChildren(...texts.map((text) => Object.assign(document.createElement("span"), { textContent: text })));
 }
 
 function cell(content, kind) {

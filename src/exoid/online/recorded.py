@@ -13,7 +13,7 @@ def samples_of(recording: Recording) -> Sample:
     gyro and the torque they have, and with the added mass of each:
     `online.replay(belief, online.samples_of(recording))`.
 
-    Two masses in one stream are taken as exact (see `Sample`).
+    Two masses in one stream are exact unless the model says how they were weighed (see `Sample`).
     """
     columns, begin = [], 0.0
     for number, segment in enumerate(recording.segments):
@@ -22,7 +22,7 @@ def samples_of(recording: Recording) -> Sample:
         if mass and distance is None:
             raise ValueError(
                 f"nobody says where the mass of {mass:g} kg of segment {number} sits, which the "
-                "online estimator takes as exact: give added_mass_distance_m."
+                "online estimator needs to know: give added_mass_distance_m."
             )
         rows = columns_of(segment, begin)
         columns.append([*rows, *(np.full_like(rows[0], each) for each in (mass, distance or 0.0))])
