@@ -1,4 +1,4 @@
-"""What is true of all people of whom a study has drawn some: difference of the groups, test and
+"""What is true of all people of whom a study draws some: difference of the groups, test and
 retest. Each of many people is there twice, alike but for the group.
 """
 

@@ -16,7 +16,7 @@ from .world import LEAST, Person, World
 
 FAULTS = ("cut", "slip", "lost", "twice")
 HIGHEST, LOWEST = -0.05, -0.35  # rad, from which legs are dropped
-CUT = (1.5, 3.5)  # s after the release at which a recording was stopped
+CUT = (1.2, 3.0)  # s after the release at which a recording was stopped
 SLIP = (0.05, 0.15)  # rad, by which a cuff slips
 LOST, GAP = 0.08, 0.25  # share of samples that are missing here and there; s that are missing
 BIAS, ZERO = 5e-4, 0.01  # rad/s, rad: a gyro's after it was zeroed, and an encoder's
@@ -77,7 +77,7 @@ def hold_drop(
         ramp=float(draw.uniform(0.02, 0.08)),
         end="stopped" if cut else "rest",
         swing=float(draw.uniform(*CUT)),
-        after=float(draw.uniform(0.8, 1.5)),
+        after=float(draw.uniform(0.2, 0.6)),
         skipped=0.0,
         tremor=tremor,
     )

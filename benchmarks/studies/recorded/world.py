@@ -15,8 +15,8 @@ SIZES = (0.01, 0.05)  # of dry friction, over m l g
 DEGREE = np.pi / 180
 DEVICES = (
     Device("node", 100.0, 0.03 * DEGREE, 0.007, 4096, 0.0, declared=True),
-    Device("encoder_gyro", 200.0, 0.03 * DEGREE, 0.005, 16384, 0.0, declared=True),
-    Device("camera", 100.0, 0.2 * DEGREE, None, 0, 0.0, declared=True),
+    Device("encoder_gyro", 50.0, 0.03 * DEGREE, 0.005, 16384, 0.0, declared=True),
+    Device("camera", 50.0, 0.2 * DEGREE, None, 0, 0.0, declared=True),
 )
 
 
@@ -27,7 +27,7 @@ class World:
     people: int = 200
     days: int = 2
     drops: int = 5
-    mean: float = 1.1
+    mean: float = 1.6
     effect: float = 0.45  # of the second group
     between: float = 0.22  # of people, one standard deviation
     side: float = 0.08

@@ -37,7 +37,7 @@ def apart(columns: Sequence[Column], by: str, adjust: Sequence[str]) -> Effects:
     if np.linalg.matrix_rank(effects) < effects.shape[1]:
         others = " and ".join(repr(each) for each in adjust)
         raise NotTold(
-            f"{by!r} and {others} part people in the same way: whose effect a difference is, cannot "
-            "be told. Compare within one of them, or adjust for less."
+            f"{by!r} and {others} part people in the same way: whose effect a difference is, "
+            "cannot be told. Compare within one of them, or adjust for less."
         )
     return effects
