@@ -12,6 +12,7 @@ from exoid.files.library_faults import quiet
 SHARE = 0.8  # of the memory that is free, for all workers
 # Small matrices only, and a process for every core: threads of libraries cost more than they bring.
 ALONE = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", "NPROC": "1"}
+PORT = "127.0.0.1:0"  # of the scheduler's page: any that is free, so that runs stand side by side
 ANSWER = 15.0  # s that a scheduler has to answer
 AGAIN = 1  # workers that a batch may take down before it is cut
 
@@ -20,6 +21,7 @@ AGAIN = 1  # workers that a batch may take down before it is cut
 def workers(count: int | None, scheduler: str | None) -> Iterator[Any]:
     """A client of dask.distributed: of `scheduler`, tcp://..., or of `count` processes here."""
     require("distributed", "a study is computed")
+    import distributed  # noqa: F401  # its defaults are there before settings are put over them
     from dask import config
 
     with quiet("distributed"), config.set(settings()):
@@ -63,6 +65,7 @@ def local(count: int) -> Iterator[Any]:
         processes=True,
         memory_limit=memory_of(count),
         dashboard_address=None,  # type: ignore[arg-type]  # it serves none
+        scheduler_kwargs={"dashboard_address": PORT},
         silence_logs=logging.CRITICAL,
     )
     with cluster, Client(cluster, set_as_default=False) as client:
