@@ -2,7 +2,7 @@
 
 python -m benchmarks.studies.recorded --people 40                  # some minutes on two cores
 python -m benchmarks.studies.recorded --people 200 --seed 1        # an hour
-python -m benchmarks.studies.recorded --people 40 --replications 5
+python -m benchmarks.studies.recorded --people 40 --steps drops --replications 10
 python -m benchmarks.studies.recorded --people 0 --diagnosed 20    # missing physics alone
 
 People of two groups, both legs, two days, five drops, some with dry friction, some recordings bad,
@@ -24,6 +24,7 @@ from .truths import QUANTITIES, truth_of
 from .world import World
 from .write import put_study
 
+STEPS = {"relaxation_index": "drops", "damping_over_inertia": "fit"}  # that tell a quantity
 EVERYBODY = {"damping_over_inertia": 4000, "relaxation_index": 1500}  # people of whom truth is
 
 
@@ -36,6 +37,7 @@ def main() -> None:
     parser.add_argument("--people", type=int, default=40)
     parser.add_argument("--seed", type=int, default=0, help="of the first study")
     parser.add_argument("--replications", type=int, default=1)
+    parser.add_argument("--steps", default="drops,fit")
     parser.add_argument("--diagnosed", type=int, default=0, help="recordings, half with friction")
     parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("--folder", type=Path, help="where studies are kept")
@@ -50,15 +52,17 @@ def main() -> None:
 
 
 def studies(world: World, options: argparse.Namespace, folder: Path) -> None:
-    truths = {name: truth_of(world, QUANTITIES[name], EVERYBODY[name]) for name in QUANTITIES}
+    asked = [name for name, step in STEPS.items() if step in options.steps]
+    truths = {name: truth_of(world, QUANTITIES[name], EVERYBODY[name]) for name in asked}
     found: list[Held] = []
     for seed in range(options.seed, options.seed + options.replications):
         place = folder / f"study-{seed}"
         visits = put_study(world, seed, place / "study")
-        seconds = run(place / "study", place / "results", options.workers)
+        seconds = run(place / "study", place / "results", options.workers, options.steps)
         print(f"study {seed}: {len(visits)} visits, run in {seconds:.0f} s", flush=True)
-        print("\n".join(silence(visits, place / "results")), flush=True)
-        one = held(report(place / "results", [*QUANTITIES]), truths)
+        for name in asked:
+            print("\n".join(silence(visits, place / "results", name)), flush=True)
+        one = held(report(place / "results", asked), truths)
         print("\n".join(table(one)), flush=True)
         found += one
     if options.replications > 1:

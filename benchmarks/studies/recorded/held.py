@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from math import nan
 from typing import Any
 
 import numpy as np
@@ -45,8 +46,8 @@ def asked_of(answer: Mapping[str, Any], true: Truth) -> list[tuple[str, Any, flo
 
 def of_interval(name: str, each: Mapping[str, float | None], truth: float) -> Held:
     """Without an interval it is one that holds nothing."""
-    ends = (float("nan") if each[end] is None else float(each[end]) for end in ("low", "high"))
-    return Held(name, float(each["value"]), *ends, truth)
+    low, high = (nan if end is None else end for end in (each["low"], each["high"]))
+    return Held(name, each["value"] or nan, low, high, truth)
 
 
 def table(found: Sequence[Held]) -> list[str]:

@@ -4,59 +4,63 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
 import pyarrow.parquet as pq
 
+from .truths import QUANTITIES
 from .visit import Visit
 from .world import SIDES
 
-WRONG = 0.1  # of the damping over inertia
+WRONG = 0.1  # of the value
 ERRORS = 4.0  # standard ones
 SAID = "more than the sensors' noise"  # of a fit that misses something
 
 
 @dataclass(frozen=True)
 class Ended:
-    """What became of a visit: its status, and the fit's error in the damping, relative."""
+    """What became of a visit, and whether its value is there, and wrong, and that said."""
 
     kind: str
-    status: str
-    off: float | None
+    failed: bool
+    told: bool
     wrong: bool
     said: bool
 
 
-def silence(visits: Sequence[Visit], results: Path) -> list[str]:
+def silence(visits: Sequence[Visit], results: Path, quantity: str) -> list[str]:
     """A line for every kind of recording."""
-    found = list(ended(visits, results))
-    lines = ["  kind of recording        of them  failed  fitted  wrong  and nothing says so"]
+    found = list(ended(visits, results, quantity))
+    lines = [f"  {quantity}:", "  kind of recording  of them  failed  valued  wrong  and silent"]
     for kind in sorted({each.kind for each in found}):
         those = [each for each in found if each.kind == kind]
-        fitted = [each for each in those if each.off is not None]
-        wrong = [each for each in fitted if each.wrong]
-        numbers = (len(those), sum(each.status == "failed" for each in those), len(fitted))
-        silent = sum(not each.said for each in wrong)
-        lines.append("  {:24} {:7} {:7} {:7} {:6} {:7}".format(kind, *numbers, len(wrong), silent))
+        each = ("failed", "told", "wrong")
+        counts = [len(those), *(sum(getattr(one, name) for one in those) for name in each)]
+        silent = sum(one.wrong and not one.said for one in those)
+        lines.append("  {:18} {:8} {:7} {:7} {:6} {:11}".format(kind, *counts, silent))
     return lines
 
 
-def ended(visits: Sequence[Visit], results: Path) -> Iterator[Ended]:
-    status = {
-        row["name"]: row["status"]
-        for row in pq.read_table(results / "recordings.parquet").to_pylist()
-    }
+def ended(visits: Sequence[Visit], results: Path, quantity: str) -> Iterator[Ended]:
+    recordings = pq.read_table(results / "recordings.parquet").to_pylist()
+    status = {row["name"]: row["status"] for row in recordings}
     rows = pq.read_table(results / "quantities.parquet").to_pylist()
-    fits = [row for row in rows if row["step"] == "fit" and row["segment"] == -1]
-    notes = {row["name"] for row in fits if row["quantity"] == "note" and SAID in row["note"]}
-    values = {row["name"]: row for row in fits if row["quantity"] == "damping_over_inertia"}
+    whole = [row for row in rows if row["segment"] == -1]
+    notes = {row["name"] for row in whole if row["quantity"] == "note" and SAID in row["note"]}
+    values = {row["name"]: row for row in whole if row["quantity"] == quantity}
     for visit in visits:
         name = name_of(visit)
-        row, truth = values.get(name), float(visit.damping.mean())
-        value = None if row is None else row["value"]
-        away = None if value is None else value - truth
-        error = (row or {}).get("standard_error") or 0.0
-        wrong = away is not None and abs(away) > max(WRONG * truth, ERRORS * error)
-        kind = " and ".join(filter(None, (visit.fault, "friction" * visit.person.rubs))) or "sound"
-        yield Ended(kind, status[name], away, wrong, name in notes)
+        row, truth = values.get(name, {}), true_mean(visit, quantity)
+        told, error = row.get("value") is not None, row.get("standard_error") or 0.0
+        away = abs(row["value"] - truth) if told else 0.0
+        wrong = away > max(WRONG * truth, ERRORS * error)
+        kind = " and ".join(filter(None, (visit.fault, "friction" * visit.person.rubs)))
+        yield Ended(kind or "sound", status[name] == "failed", told, wrong, name in notes)
+
+
+def true_mean(visit: Visit, quantity: str) -> float:
+    """Of the drops of a visit."""
+    drops = zip(visit.damping.tolist(), visit.tone.tolist(), visit.starts.tolist(), strict=True)
+    return float(np.mean([QUANTITIES[quantity](visit.person, *each) for each in drops]))
 
 
 def name_of(visit: Visit) -> str:

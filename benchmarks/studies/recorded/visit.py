@@ -32,13 +32,17 @@ class Kept:
 
 @dataclass(frozen=True, eq=False)
 class Visit:
-    """`damping` over inertia is that of each drop [1/s]."""
+    """Of each drop: `damping` over inertia [1/s], how many times as stiff as usual the leg is, and
+    from where it is dropped [rad].
+    """
 
     person: Person
     side: int
     day: int
     fault: str  # of FAULTS, or empty
     damping: np.ndarray
+    tone: np.ndarray
+    starts: np.ndarray
     drops: tuple[Kept, ...] = field(repr=False)
 
 
@@ -49,14 +53,16 @@ def hold_visit(
     side, day = where
     fault = str(draw.choice(FAULTS)) if draw.random() < world.bad else ""
     damping, tone = of_drops(world, float(person.damping[side, day]), draw)
+    starts = draw.uniform(LOWEST, HIGHEST, world.drops)
     errors = Errors(bias=float(draw.normal(0, BIAS)), zero=float(draw.normal(0, ZERO)))
     slips = int(draw.integers(world.drops)) if fault == "slip" else -1
     drops = []
     for number, each in enumerate(zip(damping.tolist(), tone.tolist(), strict=True)):
-        kept = hold_drop(person, person.physics(*each), errors, fault == "cut", draw)
+        how = (float(starts[number]), fault == "cut")
+        kept = hold_drop(person, person.physics(*each), errors, how, draw)
         kept = slipped(kept, draw) if number == slips else kept
         drops.append(holed(kept, draw) if fault == "lost" else kept)
-    return Visit(person, side, day, fault, damping, tuple(drops))
+    return Visit(person, side, day, fault, damping, tone, starts, tuple(drops))
 
 
 def of_drops(world: World, usual: float, draw: np.random.Generator) -> tuple[np.ndarray, ...]:
@@ -66,13 +72,19 @@ def of_drops(world: World, usual: float, draw: np.random.Generator) -> tuple[np.
 
 
 def hold_drop(
-    person: Person, physics: Physics, errors: Errors, cut: bool, draw: np.random.Generator
+    person: Person,
+    physics: Physics,
+    errors: Errors,
+    how: tuple[float, bool],
+    draw: np.random.Generator,
 ) -> Kept:
-    """Held, let go, and left until it rests; or until somebody stops the recording."""
-    device = person.device
+    """Held, let go, and left until it rests. `how` is from where, and whether somebody stops the
+    recording before.
+    """
+    (start, cut), device = how, person.device
     tremor = draw_tremor(device.angle_noise, shaky=False, rng=draw)
     drop = Drop(
-        angle=float(draw.uniform(LOWEST, HIGHEST)),
+        angle=start,
         hold=float(draw.uniform(0.5, 1.2)),
         ramp=float(draw.uniform(0.02, 0.08)),
         end="stopped" if cut else "rest",
