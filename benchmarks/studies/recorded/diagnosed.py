@@ -33,10 +33,10 @@ def diagnosed(world: World, options: argparse.Namespace, folder: Path) -> list[s
 
 
 def rubbing(world: World, seed: int, number: int) -> Visit:
-    """A sound recording; of every second person the knee rubs."""
+    """A sound recording of drops that are alike; of every second person the knee rubs."""
     draw = np.random.default_rng([seed, number, 7])
     own = replace(world, friction=float(number % 2), bad=0.0, no_mass=0.0, wrong_mass=0.0)
-    own = replace(own, drops=DROPS)
+    own = replace(own, drops=DROPS, drop=0.0, tone=0.0)
     person = replace(draw_person(own, number, draw), device=DEVICES[0])
     return hold_visit(own, person, (0, 0), draw)
 

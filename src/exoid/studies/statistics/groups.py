@@ -10,8 +10,8 @@ from jaxtyping import Float
 from scipy.stats import f
 
 from exoid.studies.statistics.agreement import wald
-from exoid.studies.statistics.covariates import apart, centred, label
 from exoid.studies.statistics.hedges import hedges
+from exoid.studies.statistics.mixed.covariates import apart, centred, label
 from exoid.studies.statistics.mixed.fit_mixed import Mixed, fit_mixed
 from exoid.studies.statistics.multiple import corrected
 from exoid.studies.statistics.tables.frames import Frame
