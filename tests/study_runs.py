@@ -52,7 +52,7 @@ class Done:
 def in_this_process() -> Iterator[None]:
     """Runs compute here, as long as this holds."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(module, "workers", lambda count, scheduler: Here())
+        patch.setattr(module, "workers", lambda count, scheduler, needed: Here())
         patch.setattr("exoid.studies.engine.carry_out.ended", lambda client, running, _: running)
         patch.setattr("exoid.studies.engine.work.prepare", lambda: None)
         yield

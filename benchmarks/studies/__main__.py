@@ -1,6 +1,7 @@
 """How many recordings a second are fitted, by a study's batches and by other ways.
 
 python -m benchmarks.studies [--recordings 1000] [--workers 2] [--skip joblib,shell]
+python -m benchmarks.studies --steps drops --skip loop,batch,joblib,shell   # the engine's share
 
 Drops of as many simulated people, 7 s at 100 Hz. All ways run in one call, one after the other, on
 the same recordings; what takes long has fewer of them, and its time for one is the mean. Other work
@@ -14,6 +15,7 @@ from tempfile import TemporaryDirectory
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
+from exoid.studies.engine.settings import Settings
 from exoid.studies.engine.work import prepare
 
 from . import contestants
@@ -32,7 +34,9 @@ def main() -> None:
     parser.add_argument("--recordings", type=int, default=1000)
     parser.add_argument("--workers", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--skip", default="", help="of loop,batch,joblib,shell,bare,engine")
+    parser.add_argument("--steps", default="fit", help="of the last two ways")
     options = parser.parse_args()
+    settings = Settings(tuple(options.steps.split(",")))
     prepare()
     with TemporaryDirectory() as there:
         folder, count = Path(there) / "study", options.recordings
@@ -43,9 +47,9 @@ def main() -> None:
             "batch": lambda: contestants.batch(paths),
             "joblib": lambda: contestants.by_joblib(paths[:FEW]),
             "shell": lambda: contestants.shell(paths[:FEWER]),
-            "bare": lambda: contestants.bare(folder, count),
+            "bare": lambda: contestants.bare(folder, count, settings),
             "engine": lambda: contestants.engine(
-                folder, Path(there) / "results", count, options.workers
+                folder, Path(there) / "results", count, (settings, options.workers)
             ),
         }
         skipped = options.skip.split(",")

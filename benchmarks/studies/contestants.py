@@ -98,9 +98,9 @@ def shell(paths: Sequence[Path]) -> Taken:
     return timed("a shell loop", len(paths), work)
 
 
-def engine(folder: Path, results: Path, count: int, workers: int) -> Taken:
-    """`exoid study run`: reading, fits, tables, the start of the workers, and their compiling."""
-    found, settings = open_dataset(folder), Settings(("fit",))
+def engine(folder: Path, results: Path, count: int, how: tuple[Settings, int]) -> Taken:
+    """`exoid study run`: reading, steps, tables, the start of the workers, and their compiling."""
+    found, (settings, workers) = open_dataset(folder), how
     return timed(
         f"the engine, {workers} worker{'s' if workers > 1 else ''}",
         count,
@@ -108,7 +108,7 @@ def engine(folder: Path, results: Path, count: int, workers: int) -> Taken:
     )
 
 
-def bare(folder: Path, count: int) -> Taken:
+def bare(folder: Path, count: int, settings: Settings) -> Taken:
     """What a worker does, in this process: `work` of all batches, and no engine around it."""
     from tempfile import TemporaryDirectory
 
@@ -118,9 +118,9 @@ def bare(folder: Path, count: int) -> Taken:
     from exoid.studies.engine.read_contents import read_contents
     from exoid.studies.engine.work import work
 
-    found, settings = open_dataset(folder), Settings(("fit",))
+    found = open_dataset(folder)
     items = [each for each in read_contents(found, "") if isinstance(each, Item)]
-    batches = plan(items, 1)
+    batches = plan(items, 1, settings.together)
     with TemporaryDirectory() as there:
         (Path(there) / FOLDER).mkdir()
         work(batches[-1], found, settings, "", Path(there))

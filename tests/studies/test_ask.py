@@ -42,6 +42,20 @@ def test_everything_is_answered_of_a_sound_study():
     assert min(corrected) == pytest.approx(min(2 * min(raw), 1.0))  # Holm's, of two
 
 
+def test_primary_quantities_are_corrected_among_themselves_and_lead():
+    three = (*TWO, Truth("time_to_rest", "s", 3.0, 0.1, 0.02, 0.02, 0.01, 0.01, 0.01, effect=0.0))
+    study = simulate(Design(people=16, drops=2, truths=three), 0)
+    found = ask(study, Asked(by="group", primary=("period",)))
+    assert found.each[0].quantity == "period"
+    first, *others = found.each
+    assert first.corrected["groups"] == first.groups.p
+    raw = [each.groups.p for each in others]
+    assert min(each.corrected["groups"] for each in others) == pytest.approx(min(2 * min(raw), 1.0))
+    assert [each.among["groups"] for each in found.each] == [1, 2, 2]
+    with pytest.raises(ValueError, match="'inertial': the results have no such quantity"):
+        ask(study, Asked(primary=("inertial",)))
+
+
 def test_what_changes_between_sessions_is_no_test_and_retest():
     shifted = simulate(Design(people=16, drops=2, truths=(Truth(shift=0.3),)), 0)
     found = ask(shifted, Asked(by="group", before="day1", after="day2")).each[0]

@@ -130,3 +130,40 @@ def test_the_standardised_difference_has_the_sign_of_the_difference():
     assert found.effect.value < 0
     assert found.g.value < 0
     assert found.g.low < found.g.value < found.g.high
+
+
+def sited(sites, groups, effect=0.5):
+    """People of two sites that differ by 3, whose groups differ by `effect`."""
+    draw = np.random.default_rng(5)
+    sites, groups = np.array(sites), np.array(groups)
+    values = 3.0 * (sites == "south") + effect * (groups == "b") + draw.normal(0, 0.1, len(sites))
+    made = people(values, groups)
+    made.frame["site"] = sites
+    return made
+
+
+def test_a_site_of_words_is_held_equal_between_groups():
+    # Three of four people of a group are of one site: the plain difference holds half of 3.
+    sites = ["north"] * 15 + ["south"] * 5 + ["north"] * 5 + ["south"] * 15
+    values = sited(sites, ["a"] * 20 + ["b"] * 20)
+    plain = compare_groups(values, "group").differences[0].effect
+    held = compare_groups(values, "group", ["site"])
+    assert plain.value > 1.0
+    # 0.1 sqrt(2 / 20) is the error, and somewhat more as the sites overlap with the groups.
+    assert held.differences[0].effect.value == pytest.approx(0.5, abs=4 * 0.04)
+    # Means of groups are those at the sites' shares of all people, half and half.
+    assert held.groups[0].mean.value == pytest.approx(1.5, abs=4 * 0.04)
+
+
+@pytest.mark.parametrize("groups", [["a"] * 10 + ["b"] * 10, ["b"] * 10 + ["a"] * 10])
+def test_groups_that_are_sites_are_refused(groups):
+    values = sited(["north"] * 10 + ["south"] * 10, groups)
+    with pytest.raises(NotTold, match="'group' and 'site' part people in the same way"):
+        compare_groups(values, "group", ["site"])
+
+
+def test_a_dose_that_follows_from_the_age_is_refused():
+    values = people(np.random.default_rng(0).normal(size=8), [1.0, 2.0, 3.0, 4.0] * 2)
+    values.frame["age_years"] = 10.0 * values.frame["group"]
+    with pytest.raises(NotTold, match="part people in the same way"):
+        compare_groups(values, "group", ["age_years"])

@@ -174,3 +174,14 @@ def test_reasons_that_differ_in_their_numbers_are_one(study):
         ("fit: it ends … s early, by … rad.", "3"),
         ("drops: there is none.", "1"),
     ]
+
+
+def test_it_says_over_how_many_quantities_p_was_corrected(study):
+    alone = build_page(told(study, by="group", primary=("relaxation_index",)))
+    said = parse(alone).by_id("origin").text
+    assert "over 1 primary quantity, and apart from them over 1 other, by Holm" in said
+    assert "corrected for" not in parse(alone).by_id("summary").of_class("verdict")[0].text
+    both = parse(build_page(told(study, by="group")))
+    assert "over 2 quantities, by Holm" in both.by_id("origin").text
+    assert "are named by --primary" in both.by_id("origin").text
+    assert "(corrected for 2 quantities: " in both.by_id("summary").of_class("verdict")[0].text

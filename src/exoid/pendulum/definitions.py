@@ -11,6 +11,9 @@ over the angle from start to rest. Its normalised form divides by 1.6, a convent
 to Bajd and Vodovnik, J Biomedical Engineering 6, 1984, which was not read. And by definitions of
 exoid's own:
 
+- the expected relaxation index of a record that was cut before rest takes the angle that its swings
+  shrink to, with the band in which dry friction could hold the leg in its error; of others it is
+  the relaxation index: whoever leaves cut records out leaves out the least damped legs;
 - at rest: within 2 deg of the resting angle, the mean over the last period of the record;
 - a swing: one that turns back by at least 1 deg (and by 8 times the noise of the angle
   smoothed over 0.1 s);
@@ -68,13 +71,25 @@ def plateau_amplitude(drop: Landmarks) -> DropReading:
 
 def relaxation_index(drop: Landmarks, norm: float = 1.0) -> DropReading:
     """RI = A1 / A0; normalised A1 / (1.6 A0)."""
-    start, first, rest = drop.release.start, drop.flexion(1), drop.rest.angle
+    rest = drop.rest.angle
+    found = index_of(drop, rest, norm)
+    return DropReading(found.value, found.error, (*found.marks, rest.mark))
+
+
+def expected_relaxation_index(drop: Landmarks) -> DropReading:
+    """RI, of a record that was cut before rest by the angle that its swings shrink to."""
+    return index_of(drop, drop.expected_rest, 1.0)
+
+
+def index_of(drop: Landmarks, rest: Peak, norm: float) -> DropReading:
+    """(phi_start - phi_flexion1) / (phi_start - phi_rest) over `norm`."""
+    start, first = drop.release.start, drop.flexion(1)
     swing, plateau = start.value - first.value, start.value - rest.value
     if plateau < BAND:
         raise NotAllowed("no plateau: the leg starts where it comes to rest")
     index = swing / plateau / norm
     parts = ((1 - swing / plateau) * start.error, first.error, swing / plateau * rest.error)
-    return DropReading(index, hypot(*parts) / plateau / norm, (start.mark, first.mark, rest.mark))
+    return DropReading(index, hypot(*parts) / plateau / norm, (start.mark, first.mark))
 
 
 def number_of_oscillations(drop: Landmarks) -> DropReading:

@@ -49,5 +49,5 @@ def build_page(case: Case) -> str:
     """The page: every section that has something to say of this case, in the order above."""
     found = [(each, blocks) for each in SECTIONS if (blocks := list(each.blocks(case)))]
     template = templates().get_template("page.html")
-    text = template.render(case=case, sections=found, library=packed_library())
+    text = template.render(case=case, origin=case.origin, sections=found, library=packed_library())
     return visible(text, "\n\t")

@@ -24,6 +24,8 @@ FIELDS = dict(zip(("log_distance", "log_added", "extent"), list(MOUNTING)[:3], s
 }  # of a Mounting: as it is called outside
 STEP = 1e-6  # of a coordinate, for the slope of what is told
 BEYOND = 8.0  # standard deviations of what is declared, from which on nobody believes it
+OF_THE_REST = ("zero", "tilt")  # they decide where a leg comes to rest
+LIKE_FRICTION = ", as it does where dry friction lets a leg come to rest beside its middle"
 TOLD = 0.7  # of its prior's error: below it the recording has told something
 
 
@@ -67,12 +69,16 @@ def beyond_belief(problem: Problem, ended: SearchResult) -> str | None:
         for entry in problem.estimated(field):
             away = abs(float(values[entry] / deviations[entry]))
             if away > furthest:
-                value, usual = (told_as(field, float(each[entry])) for each in (values, deviations))
                 furthest = away
-                why = (
-                    f"it takes {WORDS[FIELDS[field]]} to be off by {value}, where {usual} is usual"
-                )
+                why = off(field, *(float(each[entry]) for each in (values, deviations)))
     return why
+
+
+def off(field: str, value: float, usual: float) -> str:
+    """What the fit takes it for, in the units of a coordinate."""
+    said = f"it takes {WORDS[FIELDS[field]]} to be off by {told_as(field, value)}"
+    alike = LIKE_FRICTION if field in OF_THE_REST else ""
+    return f"{said}, where {told_as(field, usual)} is usual{alike}"
 
 
 def told_as(field: str, value: float) -> str:

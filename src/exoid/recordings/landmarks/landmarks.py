@@ -5,10 +5,11 @@ from functools import cached_property
 
 import numpy as np
 
+from exoid.recordings.landmarks.expected_rest import expected_rest
 from exoid.recordings.landmarks.local_polynomial import LocalPolynomials, local
 from exoid.recordings.landmarks.measure import NotAllowed, given, ordinal
 from exoid.recordings.landmarks.release import Release
-from exoid.recordings.landmarks.rest import Rest
+from exoid.recordings.landmarks.rest import CutBefore, Rest
 from exoid.recordings.landmarks.swing import Curve, back, curve
 from exoid.recordings.landmarks.track import HALF, Peak, Track, nearest
 from exoid.recordings.samples import Samples
@@ -39,6 +40,11 @@ class Landmarks:
     @property
     def rest(self) -> Rest:
         return given(self.rested)
+
+    @property
+    def expected_rest(self) -> Peak:
+        """The angle of rest; of a record that was cut before, the one that its swings shrink to."""
+        return expected_rest(self.turns) if isinstance(self.rested, CutBefore) else self.rest.angle
 
     def flexion(self, number: int) -> Peak:
         """The peak of the number-th flexion, from 1."""

@@ -24,6 +24,10 @@ class Rest:
     since: Peak  # s; when the angle entered the band for good
 
 
+class CutBefore(NotAllowed):
+    """The record ends while the leg still swings."""
+
+
 def find_rest(track: Track, turns: list[Peak]) -> Rest:
     """The rest that a drop ends with.
 
@@ -35,7 +39,7 @@ def find_rest(track: Track, turns: list[Peak]) -> Rest:
     smooth, slope = local_line(track.time, track.angle, width)
     swing = float(np.ptp(smooth[first:]))
     if track.time[first] - track.time[0] < lasting or swing > 2 * BAND:
-        raise NotAllowed(
+        raise CutBefore(
             f"cut before rest: in the last {lasting:.2g} s the angle still moves by "
             f"{np.degrees(swing):.3g} deg, {np.degrees(2 * BAND):.0f} are the most. Record until "
             "the leg hangs still"

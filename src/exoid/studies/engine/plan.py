@@ -42,16 +42,16 @@ def unlike(items: Iterable[Item]) -> tuple[list[Item], dict[str, str]]:
     return list(first.values()), again
 
 
-def plan(items: Sequence[Item], count: int) -> list[Batch]:
-    """Batches for so many workers, each of one format and about one size, the largest first; the
-    first of each worker is small.
+def plan(items: Sequence[Item], count: int, most: int = LARGEST) -> list[Batch]:
+    """Batches for so many workers, each of one format, about one size and `most` recordings, the
+    largest first; the first of each worker is small.
     """
     buckets: dict[tuple[str, int], list[Item]] = {}
     for item in items:
         bucket = item.entry.path.suffix.lower(), item.size.bit_length()
         buckets.setdefault(bucket, []).append(item)
     share = len(items) // (SHARES * count)
-    most = min(LARGEST, max(SMALLEST, share))
+    most = min(most, max(SMALLEST, share))
     ordered = sorted(buckets.items(), key=lambda each: (-each[0][1], each[0][0]))
     batches = [batch for _, own in ordered for batch in cut(own, most)]
     return [*small(batches[:count]), *batches[count:]]

@@ -47,9 +47,9 @@ def run_study(
     submitted = partial(work_of, dataset=dataset, rest=(settings, digest, results.absolute()))
     lost = []
     if missing:
-        with workers(count, scheduler) as client:
+        with workers(count, scheduler, settings.memory) as client:
             hear = heard(told, len(missing))
-            batches = plan(missing, count_of(client))
+            batches = plan(missing, count_of(client), settings.together)
             lost = carry_out(client, batches, partial(submitted, client), hear)
         there = kept(results)
     found = by_part(items, there)

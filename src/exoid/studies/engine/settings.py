@@ -10,8 +10,11 @@ from typing import Any
 
 import exoid
 from exoid.fitting.solve.compiled.kept_program import code_of
+from exoid.studies.engine.plan import LARGEST
 
 STEPS = ("drops", "fit", "diagnose")
+# bytes of a worker, with its libraries: of recordings of minutes it takes some two thirds of that
+NEEDED = {"drops": 2**29, "fit": 2**31, "diagnose": 2**31}
 NUMBERS = ("exoid", "jax", "jaxlib", "numpy", "scipy")  # packages that numbers hang on
 
 
@@ -32,6 +35,18 @@ class Settings:
 
     def __reduce__(self):  # a mapping proxy does not go to another process
         return Settings, (self.steps, dict(self.fit), dict(self.diagnose))
+
+    @property
+    def together(self) -> int:
+        """How many recordings a batch has at most. A diagnosis takes as long alone as beside
+        others: each is kept, and told of, when it is done.
+        """
+        return 1 if "diagnose" in self.steps else LARGEST
+
+    @property
+    def memory(self) -> int:
+        """What a worker needs [bytes]."""
+        return max(NEEDED[step] for step in self.steps)
 
     @property
     def digest(self) -> str:

@@ -4,29 +4,35 @@ import logging
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from typing import Any
 
 from exoid.files.extras import require
 from exoid.files.library_faults import quiet
 
+UNKNOWN = 4 * 2**30  # bytes that are taken to be free where the system does not tell
 SHARE = 0.8  # of the memory that is free, for all workers
 # Small matrices only, and a process for every core: threads of libraries cost more than they bring.
 ALONE = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", "NPROC": "1"}
+PORT = "127.0.0.1:0"  # of the scheduler's page: any that is free, so that runs stand side by side
 ANSWER = 15.0  # s that a scheduler has to answer
 AGAIN = 1  # workers that a batch may take down before it is cut
 
 
 @contextmanager
-def workers(count: int | None, scheduler: str | None) -> Iterator[Any]:
-    """A client of dask.distributed: of `scheduler`, tcp://..., or of `count` processes here."""
+def workers(count: int | None, scheduler: str | None, needed: int) -> Iterator[Any]:
+    """A client of dask.distributed: of `scheduler`, tcp://..., or of `count` processes here, each
+    of which needs so many bytes.
+    """
     require("distributed", "a study is computed")
+    import distributed  # noqa: F401  # its defaults are there before settings are put over them
     from dask import config
 
     with quiet("distributed"), config.set(settings()):
         if scheduler is not None:
             yield from client_of(scheduler)
         else:
-            yield from local(count or cores())
+            yield from local(count or affordable(needed), needed)
 
 
 def settings() -> dict[str, object]:
@@ -53,7 +59,7 @@ def client_of(address: str) -> Iterator[Any]:
         yield client
 
 
-def local(count: int) -> Iterator[Any]:
+def local(count: int, needed: int) -> Iterator[Any]:
     from distributed import Client, LocalCluster
 
     os.environ.update({name: os.environ.get(name, value) for name, value in ALONE.items()})
@@ -61,21 +67,43 @@ def local(count: int) -> Iterator[Any]:
         n_workers=count,
         threads_per_worker=1,
         processes=True,
-        memory_limit=memory_of(count),
+        memory_limit=max(needed, share_of(count)),
         dashboard_address=None,  # type: ignore[arg-type]  # it serves none
+        scheduler_kwargs={"dashboard_address": PORT},
         silence_logs=logging.CRITICAL,
     )
     with cluster, Client(cluster, set_as_default=False) as client:
         yield client
 
 
-def memory_of(count: int) -> int:
+def affordable(needed: int) -> int:
+    """As many workers as there are cores, or fewer where each would have less memory than `needed`
+    [bytes].
+    """
+    return max(1, min(cores(), share_of(1) // needed))
+
+
+def share_of(count: int) -> int:
     """What each of so many workers may take [bytes]."""
+    return int(SHARE * free() / count)
+
+
+def free() -> int:
+    """The memory that nobody takes [bytes]."""
     try:
-        free = os.sysconf("SC_AVPHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
+        return available(Path("/proc/meminfo").read_text(encoding="ascii"))
+    except (OSError, LookupError, ValueError):
+        pass
+    try:
+        return os.sysconf("SC_AVPHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
     except (AttributeError, ValueError, OSError):
-        free = 4 * 2**30
-    return max(2**30, int(SHARE * free / count))
+        return UNKNOWN
+
+
+def available(told: str) -> int:
+    """As Linux tells it: files that it keeps in memory give way."""
+    lines = dict(line.split(":", 1) for line in told.splitlines())
+    return int(lines["MemAvailable"].split()[0]) * 1024
 
 
 def cores() -> int:

@@ -40,6 +40,7 @@ def build_page(told: Told) -> str:
         .get_template("study.html")
         .render(
             told=told,
+            origin=told.origin,
             case={"who": ""},
             sections=found,
             people=everyone(told.answers),

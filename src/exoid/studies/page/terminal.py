@@ -4,6 +4,7 @@ from rich.console import Console
 
 from exoid.report.tables.table import print_table
 from exoid.report.words.text import note, say
+from exoid.studies.page.parts.correction import correction
 from exoid.studies.page.parts.tables import (
     agreements,
     causes,
@@ -14,7 +15,6 @@ from exoid.studies.page.parts.tables import (
 )
 from exoid.studies.page.parts.words import column_words, finding, silent, told_of, why_not
 from exoid.studies.statistics.asked import Answers
-from exoid.studies.statistics.multiple import WORDS
 from exoid.studies.statistics.physics import ALL
 from exoid.studies.statistics.reliability import Reliability
 from exoid.studies.statistics.tables.said import Untold
@@ -44,9 +44,7 @@ def print_study(answers: Answers, console: Console) -> None:
 
 def notes(answers: Answers) -> list[str]:
     """How p is corrected, what was left out, and what is not told."""
-    said = [
-        f"p is corrected over {len(answers.each)} quantities by {WORDS[answers.asked.correction]}."
-    ]
+    said = [correction(answers)]
     said += [f"{each.quantity}: {one}" for each in answers.each for one in each.values.notes]
     found = (each.reliability for each in answers.each)
     said += told_of([each for each in found if isinstance(each, Reliability)])

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from math import isfinite, nan
 from typing import TypeVar
 
 from exoid.studies.statistics.agreement import Agreement, agreement
@@ -28,7 +29,7 @@ def ask(study: Study, asked: Asked) -> Answers:
     """
     asked = known(study, asked)
     answers, silent = [], {}
-    for quantity in asked.quantities or study.of_legs:
+    for quantity in dict.fromkeys((*asked.primary, *(asked.quantities or study.of_legs))):
         try:
             values = values_of(study, quantity, asked.task)
         except NotTold as why:
@@ -41,7 +42,7 @@ def ask(study: Study, asked: Asked) -> Answers:
 
 def known(study: Study, asked: Asked) -> Asked:
     """With columns as the tables call them."""
-    check("quantity", asked.quantities, study.told)
+    check("quantity", (*asked.primary, *asked.quantities), study.told)
     sessions = tuple(sorted({*study.recordings["session"]} - {""}))
     check("session", [each for each in (asked.before, asked.after) if each], sessions)
     if bool(asked.before) != bool(asked.after) or (asked.before and asked.before == asked.after):
@@ -142,12 +143,21 @@ def changes(values: Values, pairs: Pairs) -> Values:
 
 
 def with_corrected(answers: list[Answer], asked: Asked) -> tuple[Answer, ...]:
-    """Every p among those of its kind, over the quantities."""
-    found: list[dict[str, float]] = [{} for _ in answers]
+    """Every p among those of its kind: of the primary quantities, and of the others."""
+    first = [each for each in answers if each.quantity in asked.primary]
+    others = [each for each in answers if each.quantity not in asked.primary]
+    return (*family(first, asked), *family(others, asked))
+
+
+def family(answers: list[Answer], asked: Asked) -> list[Answer]:
+    """Every p among those of its kind of these quantities, and how many there are."""
     for kind in TESTED:
-        raw = [getattr(getattr(each, kind), "p", float("nan")) for each in answers]
-        among = corrected(raw, asked.correction)
-        for at, (one, p) in enumerate(zip(raw, among, strict=True)):
-            if one == one:  # not NaN
-                found[at][kind] = p
-    return tuple(replace(each, corrected=one) for each, one in zip(answers, found, strict=True))
+        raw = [getattr(getattr(each, kind), "p", nan) for each in answers]
+        among, count = corrected(raw, asked.correction), sum(map(isfinite, raw))
+        answers = [
+            replace(each, corrected={**each.corrected, kind: p}, among={**each.among, kind: count})
+            if isfinite(p)
+            else each
+            for each, p in zip(answers, among, strict=True)
+        ]
+    return answers

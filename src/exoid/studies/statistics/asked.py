@@ -17,10 +17,12 @@ from exoid.studies.statistics.tables.values import Values
 @dataclass(frozen=True)
 class Asked:
     """`by` is a column of people; `before` and `after` are sessions. Without `quantities`, all that
-    were read off legs or fitted to them.
+    were read off legs or fitted to them. `primary` were the question from the start: their p are
+    corrected among themselves.
     """
 
     quantities: tuple[str, ...] = ()
+    primary: tuple[str, ...] = ()
     by: str = ""
     before: str = ""
     after: str = ""
@@ -33,7 +35,7 @@ class Asked:
 class Answer:
     """Of one quantity. `presence` is of whom the finding has values. None was not asked;
     `corrected` has every p among those of its kind, by `groups`, `change`, `change_by_group` and
-    `sides`.
+    `sides`, and `among` says of how many.
     """
 
     quantity: str
@@ -46,6 +48,7 @@ class Answer:
     groups: Comparison | Untold | None = None
     change_by_group: Comparison | Untold | None = None
     corrected: Mapping[str, float] = field(default_factory=dict)
+    among: Mapping[str, int] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, eq=False)

@@ -11,6 +11,7 @@ from scipy.stats import f
 
 from exoid.studies.statistics.agreement import wald
 from exoid.studies.statistics.hedges import hedges
+from exoid.studies.statistics.mixed.covariates import apart, centred, label
 from exoid.studies.statistics.mixed.fit_mixed import Mixed, fit_mixed
 from exoid.studies.statistics.multiple import corrected
 from exoid.studies.statistics.tables.frames import Frame
@@ -65,20 +66,23 @@ class Comparison:
 def compare_groups(values: Values, by: str, adjust: Sequence[str] = ()) -> Comparison:
     """Of the column `by` of people: words are groups, numbers of three sizes or more a dose.
 
-    Columns of `adjust` are numbers that are held at their mean. **Raises** `NotTold` (why) where
-    there is nothing to compare.
+    Columns of `adjust` are held at their mean: numbers, or words as the shares that they have.
+    **Raises** `NotTold` (why) where there is nothing to compare, or where `by` and `adjust` part
+    people in the same way.
     """
     frame, notes = complete(values, [by, *adjust])
-    held = [centred(frame, column) for column in adjust]
+    held = [each for column in adjust for each in centred(frame, column)]
     numbers = frame[by].map(type).isin([int, float]).all() and frame[by].nunique() > 2
     if numbers:
-        return of_dose(values, frame, by, held, notes)
+        dose = frame[by].to_numpy(float)
+        effects = apart([np.ones(len(frame)), dose - dose.mean(), *held], by, adjust)
+        return of_dose(values, by, fit_mixed(frame, effects), notes)
     names = sorted(frame[by].map(label).unique())
     labels = frame[by].map(label)
     sizes = {each: frame.loc[labels == each, "person"].nunique() for each in names}
     check(by, sizes)
     columns = [(labels == each).to_numpy(float) for each in names]
-    effects = np.column_stack([np.ones(len(frame)), *columns[1:], *held])
+    effects = apart([np.ones(len(frame)), *columns[1:], *held], by, adjust)
     return of_groups(
         values, frame.assign(group=labels), by, fit_mixed(frame, effects), (sizes, notes)
     )
@@ -102,19 +106,6 @@ def complete(values: Values, columns: Sequence[str]) -> tuple[Frame, tuple[str, 
     return frame[known].reset_index(drop=True), notes
 
 
-def centred(frame: Frame, column: str) -> Float[np.ndarray, " row"]:
-    try:
-        found = frame[column].to_numpy(float)
-    except (ValueError, TypeError) as fault:
-        raise NotTold(f"{column!r} holds words: only numbers can be adjusted for.") from fault
-    return found - found.mean()
-
-
-def label(cell: object) -> str:
-    """A group's name; whole numbers without a point."""
-    return f"{cell:g}" if isinstance(cell, float) else str(cell)
-
-
 def check(by: str, sizes: dict[str, int]) -> None:
     if len(sizes) < 2:
         raise NotTold(f"All people are of one {by}: {', '.join(sizes)}.")
@@ -127,12 +118,9 @@ def check(by: str, sizes: dict[str, int]) -> None:
         )
 
 
-def of_dose(values: Values, frame: Frame, by: str, held: list, notes) -> Comparison:
+def of_dose(values: Values, by: str, mixed: Mixed, notes: tuple[str, ...]) -> Comparison:
     """The change per unit of dose."""
-    dose = frame[by].to_numpy(float)
-    effects = np.column_stack([np.ones(len(frame)), dose - dose.mean(), *held])
-    mixed = fit_mixed(frame, effects)
-    freedom = mixed.people - effects.shape[1]
+    freedom = mixed.people - mixed.effects.size
     slope, p = wald(float(mixed.effects[1]), float(mixed.covariance[1, 1]) ** 0.5, freedom)
     told = f"{by} is a number, and taken as a dose; name groups by words to compare them."
     return Comparison(

@@ -4,7 +4,7 @@ import re
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
-from exoid.studies.statistics.groups import label
+from exoid.studies.statistics.mixed.covariates import label
 from exoid.studies.statistics.tables.frames import Column, Frame
 from exoid.studies.statistics.tables.study import Study
 from exoid.studies.statistics.tables.values import WHOLE, Values, asked_rows

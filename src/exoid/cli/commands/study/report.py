@@ -21,9 +21,13 @@ Quantities = Annotated[
         "--quantity", help="One to ask about; the first leads. [default: all]", metavar="NAME"
     ),
 ]
+Primary = Annotated[
+    list[str] | None,
+    typer.Option(help="One that was the question from the start. It leads.", metavar="NAME"),
+]
 Adjust = Annotated[
     list[str] | None,
-    typer.Option(help="Column of numbers to hold equal between groups.", metavar="COLUMN"),
+    typer.Option(help="Column to hold equal between groups: age, site.", metavar="COLUMN"),
 ]
 
 
@@ -35,25 +39,28 @@ def report(
     by: Column = None,
     before: Session = None,
     after: Session = None,
+    primary: Primary = None,
     quantity: Quantities = None,
     adjust: Adjust = None,
     task: Annotated[str | None, typer.Option(help="Only this task.", metavar="TASK")] = None,
     correction: Annotated[
-        Literal["holm", "benjamini-hochberg"], typer.Option(help="Of p, over all quantities.")
+        Literal["holm", "benjamini-hochberg"], typer.Option(help="Of p, over quantities.")
     ] = "holm",
     json: Json = None,
     force: Force = False,
 ) -> None:
     """Say what a study found, and write one page about it.
 
-    Test and retest, left and right, before and after, groups, and which physics was missing.
+    Test and retest, left and right, before and after, groups, and which physics was missing. p is
+    corrected over all quantities that are asked, or over those of --primary among themselves and
+    over the others among themselves.
 
     \b
     Examples:
       exoid study report results                               in the terminal
       exoid study report results -o report.html --by group     groups compared, on a page
       exoid study report results --before day1 --after day2 -o report.html
-      exoid study report results --by dose --adjust age --quantity relaxation_index
+      exoid study report results --by dose --adjust age --adjust site --primary relaxation_index
     """
     tables = [results / f"{name}.parquet" for name in ("recordings", "quantities")]
     check_outputs((output, PAGES), (json, ()), force=force, inputs=tables)
@@ -65,6 +72,7 @@ def report(
         lambda: answered(
             results,
             quantities=tuple(quantity or ()),
+            primary=tuple(primary or ()),
             adjust=tuple(adjust or ()),
             correction=correction,
             by=by or "",
@@ -78,8 +86,9 @@ def report(
     from exoid.studies.page.terminal import print_study
 
     show(lambda console: print_study(answers, console))
-    settings = {"by": by, "before": before, "after": after, "quantity": quantity, "task": task}
-    origin = origin_of(tables, {**settings, "adjust": adjust, "correction": correction})
+    settings = {"by": by, "before": before, "after": after, "primary": primary}
+    more = {"quantity": quantity, "task": task, "adjust": adjust, "correction": correction}
+    origin = origin_of(tables, {**settings, **more})
     written = Outputs()
     written.put(output, lambda path: put_page(answers, origin, results, path), "writing the page")
     written.put_document(

@@ -45,7 +45,7 @@ def chance(p: float) -> str:
 
 
 def odds(p: float, corrected: float, count: int) -> str:
-    """Of one test, and among all of its kind."""
+    """Of one test, and among as many of its kind."""
     if count < 2:
         return chance(p)
     among = p_cell(corrected)

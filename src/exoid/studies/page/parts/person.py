@@ -8,7 +8,7 @@ from exoid.report.words.typeset import tidy
 from exoid.studies.page.parts.numbers import number
 from exoid.studies.page.parts.words import column_words
 from exoid.studies.statistics.asked import Answers
-from exoid.studies.statistics.groups import label
+from exoid.studies.statistics.mixed.covariates import label
 from exoid.studies.statistics.tables.frames import Frame
 from exoid.studies.statistics.tables.values import PERSONAL
 

@@ -147,19 +147,19 @@ def finding(answers: Answers) -> str:
 
 def found_first(answers: Answers) -> str:
     """The change by groups, the change, the groups, else how well it repeats."""
-    first, count = answers.each[0], len(answers.each)
-    p = first.corrected
+    first = answers.each[0]
+    p, among = first.corrected, first.among
     if isinstance(first.change_by_group, Comparison):
-        said = grouped(first.change_by_group, p["change_by_group"], count)
+        said = grouped(first.change_by_group, p["change_by_group"], among["change_by_group"])
         return f"Change from {answers.asked.before} to {answers.asked.after}. {said}"
     if isinstance(first.change, Agreement):
-        return changed(first.change, p["change"], count)
+        return changed(first.change, p["change"], among["change"])
     if isinstance(first.groups, Comparison):
-        return grouped(first.groups, p["groups"], count)
+        return grouped(first.groups, p["groups"], among["groups"])
     if isinstance(first.reliability, Reliability):
         return repeated(first.reliability)
     if isinstance(first.sides, Agreement):
-        return sided(first.sides, p["sides"], count)
+        return sided(first.sides, p["sides"], among["sides"])
     return f"{counted(first.values.people, 'person', 'people')}. {first.reliability.why}"
 
 

@@ -38,18 +38,18 @@ def groups(told: Told) -> Iterator[Block]:
 def compared(answers: Answers, kind: str, title: str) -> Iterator[Block]:
     """Sentences of what is sure, the table, the picture."""
     told = [
-        (found, each.corrected[kind])
+        (found, each.corrected[kind], each.among[kind])
         for each in answers.each
         if isinstance(found := getattr(each, kind), Comparison)
     ]
-    yield [grouped(*each, len(answers.each)) for each in told if each[1] < 0.05] or (
+    yield [grouped(*each) for each in told if each[1] < 0.05] or (
         ["No difference that is sure."] if told else []
     )
     yield comparisons(answers, kind, title)
-    picture = effects([found for found, _ in told]) if kind == "groups" else None
+    picture = effects([found for found, *_ in told]) if kind == "groups" else None
     if picture is not None:
         yield picture
-    notes = {note: None for found, _ in told for note in found.notes}
+    notes = {note: None for found, *_ in told for note in found.notes}
     yield list(notes)
     yield [
         f"{quantity_words(each.quantity)}: {one}"

@@ -4,9 +4,9 @@ from collections.abc import Iterator
 
 from exoid.report.sections.blocks import Block
 from exoid.report.sections.made import made
+from exoid.studies.page.parts.correction import correction
 from exoid.studies.page.parts.part import Told, part
 from exoid.studies.page.parts.tables import failures
-from exoid.studies.statistics.multiple import WORDS
 
 
 @part("failures", "Recordings that failed")
@@ -21,10 +21,7 @@ def origin(told: Told) -> Iterator[Block]:
     answers = told.answers
     notes = {note: None for each in answers.each for note in notes_of(each)}
     yield list(notes)
-    yield (
-        f"p is corrected over the {len(answers.each)} quantities by "
-        f"{WORDS[answers.asked.correction]}."
-    )
+    yield correction(answers)
     yield from made(told.origin)
 
 

@@ -88,7 +88,7 @@ def alike(answers: Answers) -> Group | None:
         "Are both sides alike?",
         "care" if differ else "open",
         answer,
-        sided(first.sides, p, len(answers.each)),
+        sided(first.sides, p, first.among["sides"]),
     )
 
 
@@ -102,7 +102,10 @@ def moved(answers: Answers) -> Group | None:
     sure = p < 0.05
     answer = "Yes." if sure else "Not surely."
     return card(
-        question, "good" if sure else "open", answer, changed(first.change, p, len(answers.each))
+        question,
+        "good" if sure else "open",
+        answer,
+        changed(first.change, p, first.among["change"]),
     )
 
 

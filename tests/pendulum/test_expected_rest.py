@@ -1,0 +1,56 @@
+"""Where a leg would have come to rest whose record was cut before, with an error that holds it."""
+
+import numpy as np
+import pytest
+
+from exoid.pendulum.drops import measure_drops
+from exoid.recordings.landmarks.expected_rest import expected_rest
+from exoid.recordings.landmarks.measure import NotAllowed
+from exoid.recordings.landmarks.track import Peak
+from swings import Oscillator, drop
+
+
+def turned(*angles: float) -> list[Peak]:
+    return [Peak(at, float(at), 0.0, angle, 0.0) for at, angle in enumerate(angles)]
+
+
+@pytest.mark.parametrize("lasting", [2.2, 3.0, 4.0])
+@pytest.mark.parametrize("decay", [0.2, 0.4, 0.6])
+def test_the_index_of_a_viscous_leg_is_kept_where_its_record_is_cut(decay, lasting):
+    leg = Oscillator(decay=decay)
+    (found,) = measure_drops(drop(leg, lasting=lasting)).drops
+    assert found.measures["relaxation_index"].value is None
+    kept = found.measures["expected_relaxation_index"]
+    # Turns are found to some 1e-4 of the amplitude.
+    assert kept.value == pytest.approx(1 + np.exp(-leg.decrement / 2), abs=2e-3)
+    assert 0.0 < kept.standard_error < 0.2
+
+
+def test_a_record_that_shows_the_rest_has_the_index_itself():
+    (found,) = measure_drops(drop()).drops
+    kept, index = (found.measures[f"{name}relaxation_index"] for name in ("expected_", ""))
+    assert (kept.value, kept.standard_error) == (index.value, index.standard_error)
+
+
+@pytest.mark.parametrize("rest", [-1.4, -0.9])
+def test_where_friction_holds_a_leg_the_error_holds_the_angle(rest):
+    """Swings that shrink by equal steps; the leg stays at the first turn within the band."""
+    band, seen = 0.03, []
+    for start in np.linspace(0.5, 0.62, 25):
+        sizes = [start]
+        while sizes[-1] > band:
+            sizes.append(sizes[-1] - 2 * band)
+        angles = [rest + (-1) ** at * each for at, each in enumerate(sizes)]
+        for cut in (3, 4, 5):
+            found = expected_rest(turned(*angles[1 : cut + 1]))
+            seen.append((found.value - angles[-1]) / found.error)
+    # As often as a uniform distribution is within one and two of its standard deviations.
+    assert np.mean(np.abs(seen) < 1) == pytest.approx(0.58, abs=0.15)
+    assert max(np.abs(seen)) < 2.0
+
+
+def test_swings_that_do_not_shrink_tell_no_rest():
+    with pytest.raises(NotAllowed, match="do not shrink"):
+        expected_rest(turned(-1.8, -1.0, -1.9))
+    with pytest.raises(NotAllowed, match="of 3 turns there are 2"):
+        expected_rest(turned(-1.8, -1.0))
