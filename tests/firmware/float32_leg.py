@@ -3,18 +3,17 @@
 Each operation is one of the firmware's, in its order; a mask says in which legs it takes place.
 """
 
-from dataclasses import dataclass
-
 import numpy as np
 from float32_sine import ONE, ZERO, F, turned
 
 from exoid.recordings.filter.learning import LEARNING, UNKNOWNS
 
-H1, H2, H3 = (F(each) for each in (0.01, 0.01**2 / 2, 0.01**3 / 6))  # s, s^2, s^3
-ANGLE, RATE, BIAS, SCALE, LEVEL, UPRIGHT, STIFFNESS, TORQUE, DAMPING = range(9)
-OWN, SIZE = SCALE, DAMPING + 1
+H1, H2, H3, H4 = (F(each) for each in (0.02, 0.02**2 / 2, 0.02**3 / 6, 0.02**4 / 24))  # s, s^2, ..
+HALF, CURVE = F(0.01), F(0.01**2 / 8)  # s of a look; s^2, of its mean about its middle
+ANGLE, RATE, BIAS, SCALE, AGE, EVEN, UPWARD = range(7)
+LEVEL, UPRIGHT, STIFFNESS, TORQUE, DAMPING, FRICTION = range(7, 13)
+OWN, SIZE = SCALE, FRICTION + 1
 UNKNOWN = len(UNKNOWNS)
-ALWAYS = F(1e30)
 
 
 class Factored:
@@ -38,24 +37,18 @@ class Factored:
         return total
 
 
-@dataclass
-class Measured:
-    """Off by `innovation`, of the variance `noise`, believed up to a chi-square of `gate`."""
-
-    innovation: np.ndarray
-    noise: np.ndarray
-    gate: np.float32
-
-
-def correct(belief: Factored, where, slope, measured: Measured):
+def correct(belief: Factored, where, slope, innovation, noise):
     """Which legs used a measurement; its innovation over the variance; its chi-square."""
-    innovation, noise, gate = measured.innovation, measured.noise, measured.gate
-    gain, total, sum_ = [], [], noise
+    gain, total = [each * belief.variance[k] for k, each in enumerate(slope)], []
+    seen = ZERO
     for k, each in enumerate(slope):
-        gain.append(each * belief.variance[k])
+        seen = seen + each * gain[k]
+    noise = noise + F(LEARNING.doubt) * seen
+    sum_ = noise
+    for k, each in enumerate(slope):
         sum_ = sum_ + each * gain[k]
         total.append(sum_)
-    used = where & ~(innovation * innovation > gate * sum_)
+    used = where & ~(innovation * innovation > F(LEARNING.gate) * sum_)
     inverse = ONE / total[0]
     first = belief.variance[0] * noise * inverse
     np.copyto(belief.variance[0], first, where=used & (slope[0] != 0))
@@ -79,41 +72,66 @@ class LegFilter:
 
     def __init__(self, legs: int):
         self.belief = Factored(SIZE, legs)
-        self.acceleration = np.zeros(legs, F)
+        self.acceleration, self.jerk = np.zeros(legs, F), np.zeros(legs, F)
 
-    def open(self, where, leg: Factored, angle, rate):
-        new = Factored(SIZE, angle.size)
-        new.mean[:OWN] = angle - F(LEARNING.late) * rate, rate, np.zeros_like(rate)
+    def open(self, where, leg: Factored, angle, shown):
+        new, own = Factored(SIZE, angle.size), leg.mean
+        sine, cosine = turned(angle)
+        rate, age = shown / (ONE + own[SCALE - OWN]), own[AGE - OWN]
+        error = own[EVEN - OWN] * cosine + own[UPWARD - OWN] * sine
+        new.mean[:OWN] = angle - age * rate - error, rate, np.zeros_like(rate)
         new.variance[ANGLE] = F(LEARNING.angle_variance)
-        new.variance[RATE] = F(LEARNING.first_rate) * F(LEARNING.first_rate)
+        new.variance[RATE] = F(LEARNING.rate_variance)
         new.variance[BIAS] = F(LEARNING.bias) * F(LEARNING.bias)
         new.mean[OWN:] = leg.mean
         new.variance[OWN:] = leg.variance * F(LEARNING.fading)
-        new.upper[OWN:, OWN:] = leg.upper
+        upper = new.upper
+        upper[OWN:, OWN:] = leg.upper
+        upper[ANGLE, RATE] = -age
+        for k in range(BIAS, SIZE):
+            upper[RATE, k] = -ONE if k == BIAS else -rate * self.column(upper, SCALE, k)
+            error = rate * self.column(upper, AGE, k) + cosine * self.column(upper, EVEN, k)
+            upper[ANGLE, k] = -age * upper[RATE, k] - (error + sine * self.column(upper, UPWARD, k))
         self.belief.put(where, new)
-        np.copyto(self.acceleration, ZERO, where=where)
-        self.see_rate(where, rate, ALWAYS)
+        for each in (self.acceleration, self.jerk):
+            np.copyto(each, ZERO, where=where)
+
+    @staticmethod
+    def column(upper, row: int, column: int):
+        return upper[row, column] if row < column else F(row == column)
 
     def predict(self, where):
         mean, upper = self.belief.mean, self.belief.upper
         sine, cosine = turned(mean[ANGLE])
         angle, rate, level, upright = mean[ANGLE].copy(), mean[RATE], mean[LEVEL], mean[UPRIGHT]
-        damping = mean[DAMPING]
+        damping, friction = mean[DAMPING], mean[FRICTION]
         slope = level * sine - upright * cosine - mean[STIFFNESS]
         bend = level * cosine + upright * sine
-        a = mean[TORQUE] - bend - mean[STIFFNESS] * angle - damping * rate
+        free = mean[TORQUE] - bend - mean[STIFFNESS] * angle - damping * rate
+        change = HALF * (free - np.where(rate < 0, -friction, friction))
+        middle, reach = rate + change, np.maximum(np.abs(change), F(LEARNING.least_turn))
+        way, turns = middle / reach, np.abs(middle) < reach
+        way = np.where(turns, way, np.where(middle > 0, ONE, -ONE))
+        drag = np.where(turns, damping + friction / reach, damping)
+        a = free - friction * way
         jerk = slope * rate - damping * a
         snap = bend * rate * rate + slope * a - damping * jerk
-        f00, f01 = ONE + H2 * slope, H1 - H2 * damping
-        f10 = H1 * slope + H2 * (bend * rate - damping * slope)
-        f11 = ONE - H1 * damping + H2 * (slope + damping * damping)
-        shown = [-cosine, -sine, -angle, np.full_like(rate, ONE), -rate]
-        turning = [sine * rate, -cosine * rate, -rate, None, -a]
-        new_angle = angle + H1 * rate + H2 * a + H3 * jerk
-        new_rate = rate + H1 * a + H2 * jerk + H3 * snap
-        np.copyto(mean[ANGLE], new_angle, where=where)
-        np.copyto(mean[RATE], new_rate, where=where)
-        np.copyto(self.acceleration, a + H1 * jerk, where=where)
+        f00, f01 = ONE + H2 * slope, H1 - H2 * drag + H3 * slope
+        f10 = H1 * slope + H2 * (bend * rate - drag * slope)
+        f11 = ONE - H1 * drag + H2 * (slope + drag * drag)
+        shown = [-cosine, -sine, -angle, np.full_like(rate, ONE), -rate, -way]
+        turning = [sine * rate, -cosine * rate, -rate, None, -a, None]
+        new_angle = angle + H1 * rate + H2 * a + H3 * jerk + H4 * snap
+        crackle = F(3) * bend * rate * a - (slope + mean[STIFFNESS]) * rate * rate * rate
+        crackle = crackle + slope * jerk - damping * snap
+        new_rate = rate + H1 * a + H2 * jerk + H3 * snap + H4 * crackle
+        for mine, value in (
+            (mean[ANGLE], new_angle),
+            (mean[RATE], new_rate),
+            (self.acceleration, a + H1 * jerk),
+            (self.jerk, jerk + H1 * snap),
+        ):
+            np.copyto(mine, value, where=where)
         for k in range(BIAS, SIZE):
             first = f00 * upper[ANGLE, k] + f01 * upper[RATE, k]
             second = f10 * upper[ANGLE, k] + f11 * upper[RATE, k]
@@ -147,26 +165,31 @@ class LegFilter:
 
     def see_angle(self, where, angle):
         mean, upper = self.belief.mean, self.belief.upper
-        late, noise = F(LEARNING.late), np.full_like(angle, F(LEARNING.angle_variance))
-        slope = [np.full_like(angle, ONE), upper[ANGLE, RATE] + late]
-        slope += [upper[ANGLE, k] + late * upper[RATE, k] for k in range(BIAS, SIZE)]
-        expected = mean[ANGLE] + late * mean[RATE]
-        measured = Measured(angle - expected, noise, F(LEARNING.gate))
-        return correct(self.belief, where, slope, measured)
+        rate, age, noise = mean[RATE].copy(), mean[AGE].copy(), F(LEARNING.angle_variance)
+        sine, cosine = turned(mean[ANGLE])
+        slope = [np.full_like(angle, ONE), upper[ANGLE, RATE] + age]
+        slope += [upper[ANGLE, k] + age * upper[RATE, k] for k in range(BIAS, SIZE)]
+        for row, weight in ((AGE, rate), (EVEN, cosine), (UPWARD, sine)):
+            slope[row] = slope[row] + weight
+            for k in range(row + 1, SIZE):
+                slope[k] = slope[k] + weight * upper[row, k]
+        error = mean[EVEN] * cosine + mean[UPWARD] * sine
+        expected = mean[ANGLE] + age * rate + error + CURVE * self.acceleration
+        return correct(self.belief, where, slope, angle - expected, np.full_like(angle, noise))
 
-    def see_rate(self, where, measured, gate=F(LEARNING.gate)):  # noqa: B008
+    def see_rate(self, where, measured):
         mean, upper = self.belief.mean, self.belief.upper
         gain, rate = ONE + mean[SCALE], mean[RATE].copy()
         slope = [np.zeros_like(rate), gain, gain * upper[RATE, BIAS] + ONE]
         slope += [gain * upper[RATE, SCALE] + upper[BIAS, SCALE] + rate]
         slope += [
             gain * upper[RATE, k] + upper[BIAS, k] + rate * upper[SCALE, k]
-            for k in range(LEVEL, SIZE)
+            for k in range(SCALE + 1, SIZE)
         ]
         wander = F(LEARNING.wander_variance) * self.acceleration * self.acceleration
-        expected = gain * rate + mean[BIAS]
+        expected = gain * (rate + CURVE * self.jerk) + mean[BIAS]
         noise = F(LEARNING.rate_variance) + wander
-        return correct(self.belief, where, slope, Measured(measured - expected, noise, gate))
+        return correct(self.belief, where, slope, measured - expected, noise)
 
     @property
     def leg(self) -> Factored:
