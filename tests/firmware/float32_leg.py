@@ -5,15 +5,15 @@ Each operation is one of the firmware's, in its order; a mask says in which legs
 
 import numpy as np
 from float32_sine import ONE, ZERO, F, turned
+from float32_step import H2, Stepped, step_of
 
 from exoid.recordings.filter.learning import LEARNING, UNKNOWNS
 
-H1, H2, H3, H4 = (F(each) for each in (0.02, 0.02**2 / 2, 0.02**3 / 6, 0.02**4 / 24))  # s, s^2, ..
-HALF, CURVE = F(0.01), F(0.01**2 / 8)  # s of a look; s^2, of its mean about its middle
+CURVE = F(0.01**2 / 8)  # s^2, by which the mean of two ticks is off its middle
 ANGLE, RATE, BIAS, SCALE, AGE, EVEN, UPWARD = range(7)
-LEVEL, UPRIGHT, STIFFNESS, TORQUE, DAMPING, FRICTION = range(7, 13)
-OWN, SIZE = SCALE, FRICTION + 1
+LEVEL = 7  # the first of the equation of motion
 UNKNOWN = len(UNKNOWNS)
+OWN, SIZE = SCALE, SCALE + UNKNOWN
 
 
 class Factored:
@@ -102,46 +102,24 @@ class LegFilter:
 
     def predict(self, where):
         mean, upper = self.belief.mean, self.belief.upper
-        sine, cosine = turned(mean[ANGLE])
-        angle, rate, level, upright = mean[ANGLE].copy(), mean[RATE], mean[LEVEL], mean[UPRIGHT]
-        damping, friction = mean[DAMPING], mean[FRICTION]
-        slope = level * sine - upright * cosine - mean[STIFFNESS]
-        bend = level * cosine + upright * sine
-        free = mean[TORQUE] - bend - mean[STIFFNESS] * angle - damping * rate
-        change = HALF * (free - np.where(rate < 0, -friction, friction))
-        middle, reach = rate + change, np.maximum(np.abs(change), F(LEARNING.least_turn))
-        way, turns = middle / reach, np.abs(middle) < reach
-        way = np.where(turns, way, np.where(middle > 0, ONE, -ONE))
-        drag = np.where(turns, damping + friction / reach, damping)
-        a = free - friction * way
-        jerk = slope * rate - damping * a
-        snap = bend * rate * rate + slope * a - damping * jerk
-        f00, f01 = ONE + H2 * slope, H1 - H2 * drag + H3 * slope
-        f10 = H1 * slope + H2 * (bend * rate - drag * slope)
-        f11 = ONE - H1 * drag + H2 * (slope + drag * drag)
-        shown = [-cosine, -sine, -angle, np.full_like(rate, ONE), -rate, -way]
-        turning = [sine * rate, -cosine * rate, -rate, None, -a, None]
-        new_angle = angle + H1 * rate + H2 * a + H3 * jerk + H4 * snap
-        crackle = F(3) * bend * rate * a - (slope + mean[STIFFNESS]) * rate * rate * rate
-        crackle = crackle + slope * jerk - damping * snap
-        new_rate = rate + H1 * a + H2 * jerk + H3 * snap + H4 * crackle
+        step = step_of(mean[ANGLE].copy(), mean[RATE].copy(), mean[OWN:])
         for mine, value in (
-            (mean[ANGLE], new_angle),
-            (mean[RATE], new_rate),
-            (self.acceleration, a + H1 * jerk),
-            (self.jerk, jerk + H1 * snap),
+            (mean[ANGLE], step.angle),
+            (mean[RATE], step.rate),
+            (self.acceleration, step.acceleration),
+            (self.jerk, step.jerk),
         ):
             np.copyto(mine, value, where=where)
         for k in range(BIAS, SIZE):
-            first = f00 * upper[ANGLE, k] + f01 * upper[RATE, k]
-            second = f10 * upper[ANGLE, k] + f11 * upper[RATE, k]
+            first = step.f00 * upper[ANGLE, k] + step.f01 * upper[RATE, k]
+            second = step.f10 * upper[ANGLE, k] + step.f11 * upper[RATE, k]
             if k >= LEVEL:
-                push, change = self.weighed(shown, k), self.weighed(turning, k)
+                push, change = self.weighed(step.shown, k), self.weighed(step.turning, k)
                 first = first + H2 * push
-                second = second + (f01 * push + H2 * change)
+                second = second + (step.f01 * push + H2 * change)
             np.copyto(upper[ANGLE, k], first, where=where)
             np.copyto(upper[RATE, k], second, where=where)
-        self.roughen(where, f00, f01, f10, f11)
+        self.roughen(where, step)
 
     def weighed(self, weights, column: int):
         total = ZERO
@@ -150,14 +128,14 @@ class LegFilter:
                 total = total + (weight * self.belief.upper[k, column] if k < column else weight)
         return total
 
-    def roughen(self, where, f00, f01, f10, f11):
+    def roughen(self, where, f: Stepped):
         rough, (d0, d1) = F(LEARNING.roughness), self.belief.variance[:BIAS]
         both = self.belief.upper[ANGLE, RATE]
-        w01, w11 = f00 * both + f01, f10 * both + f11
-        determinant = f00 * f11 - f01 * f10
-        p00 = f00 * f00 * d0 + w01 * w01 * d1
-        p11 = f10 * f10 * d0 + w11 * w11 * d1 + rough
-        p01 = f00 * f10 * d0 + w01 * w11 * d1
+        w01, w11 = f.f00 * both + f.f01, f.f10 * both + f.f11
+        determinant = f.f00 * f.f11 - f.f01 * f.f10
+        p00 = f.f00 * f.f00 * d0 + w01 * w01 * d1
+        p11 = f.f10 * f.f10 * d0 + w11 * w11 * d1 + rough
+        p01 = f.f00 * f.f10 * d0 + w01 * w11 * d1
         inverse = ONE / p11
         narrow = (determinant * determinant * d0 * d1 + rough * p00) * inverse
         for at, value in ((d0, narrow), (d1, p11), (both, p01 * inverse)):
