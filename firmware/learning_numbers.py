@@ -5,14 +5,16 @@ from typing import Any
 
 import numpy as np
 
-from exoid.recordings.filter.learning import LEARNING, Learning
+from exoid.recordings.filter.learning import LEARNING, TICKS, Learning
 
 
 def learning_code(step: float) -> str:
     """A namespace of constants, for ticks of `step` [s]."""
-    powers = tuple(step**k / factorial for k, factorial in ((1, 1), (2, 2), (3, 6)))
+    look = TICKS * step
+    powers = tuple(look**k / factorial for k, factorial in ((1, 1), (2, 2), (3, 6), (4, 24)))
     lines = [
-        line("step_powers", powers, "s, s^2 / 2, s^3 / 6 of a tick"),
+        line("step_powers", powers, "s, s^2 / 2, s^3 / 6, s^4 / 24 of a look"),
+        line("curve", step**2 / 8, "s^2, by which the mean of two ticks is off its middle"),
         line("angle_deviation", LEARNING.angle_variance**0.5, "rad"),
         *(line(each.name, getattr(LEARNING, each.name), note(each)) for each in fields(Learning)),
     ]

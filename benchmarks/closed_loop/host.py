@@ -28,6 +28,7 @@ class Told:
     trust: int = 0
     drops: int = 0
     ratios: tuple[float, ...] = (0.0,) * len(RATIOS)
+    friction: float = 0.0  # 1/s^2
     torque: float = 0.0  # N m; 0 unless it is enabled
     permit: int = 0
     crc: int = 0  # of the parameters that the node holds
@@ -86,6 +87,10 @@ def ratios(data: bytes) -> dict:
     return {"ratios": values_of(exoid_messages()["EXO_RATIOS"], data, RATIOS)}
 
 
+def friction(data: bytes) -> dict:
+    return {"friction": values_of(exoid_messages()["EXO_FRICTION"], data, ("Friction",))[0]}
+
+
 def learning(data: bytes) -> dict:
     trust, drops = values_of(exoid_messages()["EXO_LEARNING"], data, ("Trust", "Drops"))
     return {"trust": int(trust), "drops": int(drops)}
@@ -101,5 +106,10 @@ def torque(data: bytes) -> dict:
     }
 
 
-READERS = {"EXO_RATIOS": ratios, "EXO_LEARNING": learning, "EXO_TORQUE": torque}
+READERS = {
+    "EXO_RATIOS": ratios,
+    "EXO_FRICTION": friction,
+    "EXO_LEARNING": learning,
+    "EXO_TORQUE": torque,
+}
 NAMES = {exoid_messages()[name].identifier: name for name in READERS}

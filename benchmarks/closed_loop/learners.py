@@ -66,7 +66,7 @@ class Learner(Protocol):
 
 
 class ByNode(Learner):
-    """The node's own, in C++: four ratios, and no friction among them."""
+    """The node's own, in C++: ratios, and not where its encoder's zero is."""
 
     def __init__(self, body: Body, frame: Frame) -> None:
         self.trust, self.drops = Trust.WAITING, 0
@@ -78,7 +78,7 @@ class ByNode(Learner):
 
     def leg(self) -> Known:
         gravity, stiffness, damping, _ = self._told.ratios
-        return Known(gravity, stiffness, damping, self._inertia)
+        return Known(gravity, stiffness, damping, self._inertia, self._told.friction)
 
     def anew(self, body: Body) -> "ByNode":
         """The node needs no word: it has found that by itself."""

@@ -52,6 +52,8 @@ exoid::Frame packed(const Words& w) {
       return pack(exoid::Ratios{w.value(1), w.value(2), w.value(3), w.value(4)});
     case exoid::RATIO_ERRORS_ID:
       return pack(exoid::RatioErrors{w.value(1), w.value(2), w.value(3), w.value(4)});
+    case exoid::FRICTION_ID:
+      return pack(exoid::Friction{w.value(1), w.value(2)});
     case exoid::LEARNING_ID:
       return pack(exoid::Learning{w.count(1), w.count(2), w.count(3), w.count(4), w.count(5),
                                   w.count(6)});

@@ -14,7 +14,7 @@ struct Tick {
   uint32_t forget;  // another leg begins
 };
 
-/// What is compared, at every tenth tick.
+/// What is compared, at every tenth tick but one: all work of a look is then done.
 struct Told {
   uint32_t phase, trust, drops;
   Kept now;
@@ -30,7 +30,7 @@ bool run_learner(LegLearner& learner, Input& input, Output& output) {
   for (uint32_t ticks = 1; input.read(&tick, sizeof tick); ++ticks) {
     if (tick.forget) learner.forget();
     learner.take({tick.count, tick.gyro, tick.sees_angle != 0, tick.sees_rate != 0, tick.missed});
-    if (ticks % TOLD_EVERY != 0) continue;
+    if (ticks % TOLD_EVERY != TOLD_EVERY - 1) continue;
     while (learner.work()) {
     }
     const ReadOff read = read_off(learner);

@@ -76,6 +76,37 @@ def test_leg_and_frame_swing_as_one_where_cuffs_are_firm(case):
     assert plant.state().angle == pytest.approx(solved, abs=0.3 * DEGREE)
 
 
+def rubbed(case: Case, friction: float, step: float) -> np.ndarray:
+    """The frame's angle in the first swing of a rig that rubs, every STEP, in small steps."""
+    leg, frame = case.body.leg, case.frame
+    angle, worn, rate, turning = -0.2, -0.2, 0.0, 0.0
+    angles = []
+    for tick in range(round(1.5 / step)):
+        if tick % round(STEP / step) == 0:
+            angles.append(worn)
+        cuffs = frame.cuff_stiffness * (worn - angle) + frame.cuff_damping * (turning - rate)
+        pull = -leg.weight * np.cos(angle) - leg.stiffness * angle - leg.damping * rate + cuffs
+        rate += step * pull / leg.inertia
+        pull = -frame.weight * np.cos(worn) - frame.damping * turning - cuffs
+        turning += step * pull / frame.inertia
+        # friction takes away what it can, and no more than there is
+        turning -= np.clip(turning, *(np.array([-1, 1]) * step * friction / frame.inertia))
+        angle += step * rate
+        worn += step * turning
+    return np.array(angles)
+
+
+def test_dry_friction_turns_round_with_the_frame(case):
+    # 0.1 N m for 10 ms more or less at each turn would be 1.7 mrad; steps of 20 us are 0.03 off
+    rig = Plant(case.body.leg, replace(case.frame, friction=0.1), Motor())
+    rig.place(-0.2)
+    exact, found = rubbed(case, 0.1, 2e-5), []
+    for _ in exact:
+        found.append(rig.state().frame_angle)
+        rig.step(0.0, 0.0)
+    assert found == pytest.approx(exact.tolist(), abs=3e-4)
+
+
 def test_a_leg_that_is_carried_stays_where_it_is_let_go(case):
     # a motor 2 % off leaves 0.2 N m of 9: 0.5 rad/s^2, of which flesh and damping take a part
     assert let_go(case) < 15 * DEGREE

@@ -1,46 +1,16 @@
 """The firmware's learner of legs once more, in NumPy float32: of many nodes at a time."""
 
 import numpy as np
-from float32_learned import DAMPING, LEVEL, STIFFNESS, TORQUE, UPRIGHT, Learned, is_within
-from float32_leg import Factored
+from float32_learned import LEVEL, Learned, differ, expected_leg, fall, is_within
+from float32_look import Look, angle_of
 from float32_movement import Kept, Movement, Stillness, integers
-from float32_sine import F, turned
+from float32_sine import F
 
 from exoid.recordings.filter.learning import LEARNING
 
 HELD, WAITING, LEAVING, MOVING, DONE = range(5)
 TRUST_WAITING, LEARNS, GOOD, ENOUGH, UNEXPLAINED, CHANGED, FAULTY = range(7)
-GYRO_STEP, FINE_STEP, ZERO_COUNT = F(np.radians(0.07)), F(2 * np.pi / 65536), 32768
 NEVER, MOST, TWICE = 1_000_000, 255, 2
-
-
-def expected_leg(legs: int) -> Kept:
-    leg = Kept.nothing(legs)
-    leg.leg.mean[:] = np.array(LEARNING.expected, F)[:, None]
-    leg.leg.variance[:] = (np.array(LEARNING.scatter, F) ** 2)[:, None]
-    return leg
-
-
-def angle_of(count):
-    return (count - ZERO_COUNT).astype(F) * FINE_STEP
-
-
-def fall(leg: Factored, angle):
-    sine, cosine = turned(angle)
-    mean = leg.mean
-    return mean[TORQUE] - (mean[LEVEL] * cosine + mean[UPRIGHT] * sine) - mean[STIFFNESS] * angle
-
-
-def differ(one: Factored, other: Factored):
-    gravity = one.mean[LEVEL]
-    squared, matters = gravity * gravity, F(LEARNING.matters) * F(LEARNING.matters)
-    found = np.zeros(gravity.size, bool)
-    for k, size in ((LEVEL, squared), (STIFFNESS, squared), (DAMPING, gravity)):
-        apart = other.mean[k] - one.mean[k]
-        both = one.covariance(k, k) + other.covariance(k, k)
-        square = apart * apart
-        found |= (square > F(LEARNING.apart) * both) & (square > matters * size)
-    return found
 
 
 class Learner:
@@ -53,21 +23,39 @@ class Learner:
         self.drops, self.failures = integers(legs), integers(legs)
         self.faults, self.gyro, self.same, self.silent = (integers(legs) for _ in range(4))
         self.suspected = integers(legs, NEVER)
+        self.first: Look | None = None
+        self.seen = Look.nothing(legs)
+        self.moving = np.zeros(legs, bool)
         self.anew, self.changed, self.unexplained = (np.zeros(legs, bool) for _ in range(3))
 
     def take(self, count, gyro, sees_angle, sees_rate, missed):
         """A tick; arrays by leg."""
         self.look(gyro, sees_angle, sees_rate, missed)
         self.stillness.see(count, sees_angle, missed)
-        angle, rate = angle_of(count), gyro.astype(F) * GYRO_STEP
-        was = self.phase.copy()
-        moving = was == MOVING
-        if moving.any():
-            self.movement.take(moving, angle, sees_angle, rate, sees_rate)
-            self.move(moving, missed)
+        now = Look(count, gyro, sees_angle, sees_rate, missed)
+        if self.first is None:
+            self.first = now
+            self.take_rate()
+        else:
+            self.seen, self.first = self.first.with_next(now), None
+            self.take_angle()
+
+    def take_angle(self):
+        """What the second tick of a look begins."""
+        was, seen = self.phase.copy(), self.seen
+        self.moving = was == MOVING
+        if self.moving.any():
+            self.movement.take_angle(self.moving, seen.angle, seen.sees_angle)
         self.rest((was == HELD) | (was == DONE))
-        self.wait(was == WAITING, count, sees_angle)
-        self.leave(was == LEAVING, count, (angle, rate), sees_angle & sees_rate)
+        self.wait(was == WAITING)
+        self.leave(was == LEAVING)
+
+    def take_rate(self):
+        """And the tick behind it ends."""
+        if self.moving.any():
+            self.movement.take_rate(self.moving, self.seen.rate, self.seen.sees_rate)
+            self.move(self.moving)
+            self.moving = self.moving & False
 
     def look(self, gyro, sees_angle, sees_rate, missed):
         bad = ~sees_angle | ~sees_rate | (missed > 0)
@@ -111,11 +99,11 @@ class Learner:
         np.copyto(self.suspected, NEVER, where=swings)
         self.become(self.settles(where) & self.stillness.is_lost, HELD)
 
-    def wait(self, where, count, sees_angle):
+    def wait(self, where):
         rest = self.settles(where)
         self.become(rest & self.stillness.is_lost, HELD)
-        looks = rest & ~self.stillness.is_lost & sees_angle
-        off = count - self.hold
+        looks = rest & ~self.stillness.is_lost & self.seen.sees_angle
+        off = self.seen.count - self.hold
         np.copyto(
             self.away, np.where(np.abs(off) > LEARNING.departed, self.away + 1, 0), where=looks
         )
@@ -128,21 +116,23 @@ class Learner:
         self.become(left & falls, LEAVING)
         np.copyto(self.letting_go, LEARNING.letting_go, where=left)
 
-    def leave(self, where, count, seen, sees):
+    def leave(self, where):
+        seen = self.seen
         self.letting_go = np.where(where, np.maximum(self.letting_go - 1, 0), self.letting_go)
         rest = self.settles(where)
         self.become(rest & self.stillness.is_lost, HELD)
-        begins = rest & ~self.stillness.is_lost & (self.letting_go == 0) & sees
+        sound = seen.sees_angle & seen.sees_rate & (seen.missed == 0)
+        begins = rest & ~self.stillness.is_lost & (self.letting_go == 0) & sound
         if not begins.any():
             return
         np.copyto(self.anew, self.is_doubted, where=begins)
-        self.movement.open(begins, self.begun, *seen)
-        self.stillness.begin(begins, count)
+        self.movement.open(begins, self.begun, seen.angle, seen.rate)
+        self.stillness.begin(begins, seen.count)
         self.become(begins, MOVING)
 
-    def move(self, where, missed):
+    def move(self, where):
         silent = self.silent > LEARNING.longest_silent
-        torn = self.stillness.is_lost | silent | (missed > 0)
+        torn = self.stillness.is_lost | silent | (self.seen.missed > 0)
         caught = self.movement.is_cut()
         cut = caught | torn
         over = where & (cut | self.stillness.is_at_rest)
@@ -163,6 +153,8 @@ class Learner:
         self.become(counted, DONE)
 
     def learn(self, where, end: Kept):
+        wide, first = end.leg.variance * F(LEARNING.first_fading), self.anew | (self.drops == 0)
+        np.copyto(end.leg.variance, wide, where=first)
         other = self.anew & differ(self.known.leg, end.leg)
         better = end.leg.covariance(LEVEL, LEVEL) < self.known.leg.covariance(LEVEL, LEVEL)
         self.known.put(where & (~self.anew | other | better), end)

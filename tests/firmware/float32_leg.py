@@ -3,18 +3,17 @@
 Each operation is one of the firmware's, in its order; a mask says in which legs it takes place.
 """
 
-from dataclasses import dataclass
-
 import numpy as np
 from float32_sine import ONE, ZERO, F, turned
+from float32_step import H2, Stepped, step_of
 
 from exoid.recordings.filter.learning import LEARNING, UNKNOWNS
 
-H1, H2, H3 = (F(each) for each in (0.01, 0.01**2 / 2, 0.01**3 / 6))  # s, s^2, s^3
-ANGLE, RATE, BIAS, SCALE, LEVEL, UPRIGHT, STIFFNESS, TORQUE, DAMPING = range(9)
-OWN, SIZE = SCALE, DAMPING + 1
+CURVE = F(0.01**2 / 8)  # s^2, by which the mean of two ticks is off its middle
+ANGLE, RATE, BIAS, SCALE, AGE, EVEN, UPWARD = range(7)
+LEVEL = 7  # the first of the equation of motion
 UNKNOWN = len(UNKNOWNS)
-ALWAYS = F(1e30)
+OWN, SIZE = SCALE, SCALE + UNKNOWN
 
 
 class Factored:
@@ -38,24 +37,18 @@ class Factored:
         return total
 
 
-@dataclass
-class Measured:
-    """Off by `innovation`, of the variance `noise`, believed up to a chi-square of `gate`."""
-
-    innovation: np.ndarray
-    noise: np.ndarray
-    gate: np.float32
-
-
-def correct(belief: Factored, where, slope, measured: Measured):
+def correct(belief: Factored, where, slope, innovation, noise):
     """Which legs used a measurement; its innovation over the variance; its chi-square."""
-    innovation, noise, gate = measured.innovation, measured.noise, measured.gate
-    gain, total, sum_ = [], [], noise
+    gain, total = [each * belief.variance[k] for k, each in enumerate(slope)], []
+    seen = ZERO
     for k, each in enumerate(slope):
-        gain.append(each * belief.variance[k])
+        seen = seen + each * gain[k]
+    noise = noise + F(LEARNING.doubt) * seen
+    sum_ = noise
+    for k, each in enumerate(slope):
         sum_ = sum_ + each * gain[k]
         total.append(sum_)
-    used = where & ~(innovation * innovation > gate * sum_)
+    used = where & ~(innovation * innovation > F(LEARNING.gate) * sum_)
     inverse = ONE / total[0]
     first = belief.variance[0] * noise * inverse
     np.copyto(belief.variance[0], first, where=used & (slope[0] != 0))
@@ -79,51 +72,54 @@ class LegFilter:
 
     def __init__(self, legs: int):
         self.belief = Factored(SIZE, legs)
-        self.acceleration = np.zeros(legs, F)
+        self.acceleration, self.jerk = np.zeros(legs, F), np.zeros(legs, F)
 
-    def open(self, where, leg: Factored, angle, rate):
-        new = Factored(SIZE, angle.size)
-        new.mean[:OWN] = angle - F(LEARNING.late) * rate, rate, np.zeros_like(rate)
+    def open(self, where, leg: Factored, angle, shown):
+        new, own = Factored(SIZE, angle.size), leg.mean
+        sine, cosine = turned(angle)
+        rate, age = shown / (ONE + own[SCALE - OWN]), own[AGE - OWN]
+        error = own[EVEN - OWN] * cosine + own[UPWARD - OWN] * sine
+        new.mean[:OWN] = angle - age * rate - error, rate, np.zeros_like(rate)
         new.variance[ANGLE] = F(LEARNING.angle_variance)
-        new.variance[RATE] = F(LEARNING.first_rate) * F(LEARNING.first_rate)
+        new.variance[RATE] = F(LEARNING.rate_variance)
         new.variance[BIAS] = F(LEARNING.bias) * F(LEARNING.bias)
         new.mean[OWN:] = leg.mean
         new.variance[OWN:] = leg.variance * F(LEARNING.fading)
-        new.upper[OWN:, OWN:] = leg.upper
+        upper = new.upper
+        upper[OWN:, OWN:] = leg.upper
+        upper[ANGLE, RATE] = -age
+        for k in range(BIAS, SIZE):
+            upper[RATE, k] = -ONE if k == BIAS else -rate * self.column(upper, SCALE, k)
+            error = rate * self.column(upper, AGE, k) + cosine * self.column(upper, EVEN, k)
+            upper[ANGLE, k] = -age * upper[RATE, k] - (error + sine * self.column(upper, UPWARD, k))
         self.belief.put(where, new)
-        np.copyto(self.acceleration, ZERO, where=where)
-        self.see_rate(where, rate, ALWAYS)
+        for each in (self.acceleration, self.jerk):
+            np.copyto(each, ZERO, where=where)
+
+    @staticmethod
+    def column(upper, row: int, column: int):
+        return upper[row, column] if row < column else F(row == column)
 
     def predict(self, where):
         mean, upper = self.belief.mean, self.belief.upper
-        sine, cosine = turned(mean[ANGLE])
-        angle, rate, level, upright = mean[ANGLE].copy(), mean[RATE], mean[LEVEL], mean[UPRIGHT]
-        damping = mean[DAMPING]
-        slope = level * sine - upright * cosine - mean[STIFFNESS]
-        bend = level * cosine + upright * sine
-        a = mean[TORQUE] - bend - mean[STIFFNESS] * angle - damping * rate
-        jerk = slope * rate - damping * a
-        snap = bend * rate * rate + slope * a - damping * jerk
-        f00, f01 = ONE + H2 * slope, H1 - H2 * damping
-        f10 = H1 * slope + H2 * (bend * rate - damping * slope)
-        f11 = ONE - H1 * damping + H2 * (slope + damping * damping)
-        shown = [-cosine, -sine, -angle, np.full_like(rate, ONE), -rate]
-        turning = [sine * rate, -cosine * rate, -rate, None, -a]
-        new_angle = angle + H1 * rate + H2 * a + H3 * jerk
-        new_rate = rate + H1 * a + H2 * jerk + H3 * snap
-        np.copyto(mean[ANGLE], new_angle, where=where)
-        np.copyto(mean[RATE], new_rate, where=where)
-        np.copyto(self.acceleration, a + H1 * jerk, where=where)
+        step = step_of(mean[ANGLE].copy(), mean[RATE].copy(), mean[OWN:])
+        for mine, value in (
+            (mean[ANGLE], step.angle),
+            (mean[RATE], step.rate),
+            (self.acceleration, step.acceleration),
+            (self.jerk, step.jerk),
+        ):
+            np.copyto(mine, value, where=where)
         for k in range(BIAS, SIZE):
-            first = f00 * upper[ANGLE, k] + f01 * upper[RATE, k]
-            second = f10 * upper[ANGLE, k] + f11 * upper[RATE, k]
+            first = step.f00 * upper[ANGLE, k] + step.f01 * upper[RATE, k]
+            second = step.f10 * upper[ANGLE, k] + step.f11 * upper[RATE, k]
             if k >= LEVEL:
-                push, change = self.weighed(shown, k), self.weighed(turning, k)
+                push, change = self.weighed(step.shown, k), self.weighed(step.turning, k)
                 first = first + H2 * push
-                second = second + (f01 * push + H2 * change)
+                second = second + (step.f01 * push + H2 * change)
             np.copyto(upper[ANGLE, k], first, where=where)
             np.copyto(upper[RATE, k], second, where=where)
-        self.roughen(where, f00, f01, f10, f11)
+        self.roughen(where, step)
 
     def weighed(self, weights, column: int):
         total = ZERO
@@ -132,14 +128,14 @@ class LegFilter:
                 total = total + (weight * self.belief.upper[k, column] if k < column else weight)
         return total
 
-    def roughen(self, where, f00, f01, f10, f11):
+    def roughen(self, where, f: Stepped):
         rough, (d0, d1) = F(LEARNING.roughness), self.belief.variance[:BIAS]
         both = self.belief.upper[ANGLE, RATE]
-        w01, w11 = f00 * both + f01, f10 * both + f11
-        determinant = f00 * f11 - f01 * f10
-        p00 = f00 * f00 * d0 + w01 * w01 * d1
-        p11 = f10 * f10 * d0 + w11 * w11 * d1 + rough
-        p01 = f00 * f10 * d0 + w01 * w11 * d1
+        w01, w11 = f.f00 * both + f.f01, f.f10 * both + f.f11
+        determinant = f.f00 * f.f11 - f.f01 * f.f10
+        p00 = f.f00 * f.f00 * d0 + w01 * w01 * d1
+        p11 = f.f10 * f.f10 * d0 + w11 * w11 * d1 + rough
+        p01 = f.f00 * f.f10 * d0 + w01 * w11 * d1
         inverse = ONE / p11
         narrow = (determinant * determinant * d0 * d1 + rough * p00) * inverse
         for at, value in ((d0, narrow), (d1, p11), (both, p01 * inverse)):
@@ -147,26 +143,31 @@ class LegFilter:
 
     def see_angle(self, where, angle):
         mean, upper = self.belief.mean, self.belief.upper
-        late, noise = F(LEARNING.late), np.full_like(angle, F(LEARNING.angle_variance))
-        slope = [np.full_like(angle, ONE), upper[ANGLE, RATE] + late]
-        slope += [upper[ANGLE, k] + late * upper[RATE, k] for k in range(BIAS, SIZE)]
-        expected = mean[ANGLE] + late * mean[RATE]
-        measured = Measured(angle - expected, noise, F(LEARNING.gate))
-        return correct(self.belief, where, slope, measured)
+        rate, age, noise = mean[RATE].copy(), mean[AGE].copy(), F(LEARNING.angle_variance)
+        sine, cosine = turned(mean[ANGLE])
+        slope = [np.full_like(angle, ONE), upper[ANGLE, RATE] + age]
+        slope += [upper[ANGLE, k] + age * upper[RATE, k] for k in range(BIAS, SIZE)]
+        for row, weight in ((AGE, rate), (EVEN, cosine), (UPWARD, sine)):
+            slope[row] = slope[row] + weight
+            for k in range(row + 1, SIZE):
+                slope[k] = slope[k] + weight * upper[row, k]
+        error = mean[EVEN] * cosine + mean[UPWARD] * sine
+        expected = mean[ANGLE] + age * rate + error + CURVE * self.acceleration
+        return correct(self.belief, where, slope, angle - expected, np.full_like(angle, noise))
 
-    def see_rate(self, where, measured, gate=F(LEARNING.gate)):  # noqa: B008
+    def see_rate(self, where, measured):
         mean, upper = self.belief.mean, self.belief.upper
         gain, rate = ONE + mean[SCALE], mean[RATE].copy()
         slope = [np.zeros_like(rate), gain, gain * upper[RATE, BIAS] + ONE]
         slope += [gain * upper[RATE, SCALE] + upper[BIAS, SCALE] + rate]
         slope += [
             gain * upper[RATE, k] + upper[BIAS, k] + rate * upper[SCALE, k]
-            for k in range(LEVEL, SIZE)
+            for k in range(SCALE + 1, SIZE)
         ]
         wander = F(LEARNING.wander_variance) * self.acceleration * self.acceleration
-        expected = gain * rate + mean[BIAS]
+        expected = gain * (rate + CURVE * self.jerk) + mean[BIAS]
         noise = F(LEARNING.rate_variance) + wander
-        return correct(self.belief, where, slope, Measured(measured - expected, noise, gate))
+        return correct(self.belief, where, slope, measured - expected, noise)
 
     @property
     def leg(self) -> Factored:

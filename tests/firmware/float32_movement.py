@@ -6,12 +6,12 @@ import numpy as np
 from float32_leg import UNKNOWN, Factored, LegFilter
 from float32_sine import ONE, ZERO, F
 
-from exoid.recordings.filter.learning import LEARNING
+from exoid.recordings.filter.learning import LEARNING, UNKNOWNS
 
 FADE, MEMORY = F(LEARNING.fade), F(LEARNING.memory)
 NARROWER = ONE - MEMORY * MEMORY
 MOST, MOST_COUNTED, FARTHEST = 10_000, 20_000, F(16)
-LEG_LEVEL = 1  # of UNKNOWNS
+LEG_LEVEL = UNKNOWNS.index("level_gravity")
 
 
 def integers(legs: int, value: int = 0):
@@ -98,22 +98,27 @@ class Movement:
         for kept in (self.newer, self.older):
             kept.put(where, Kept(known.leg, known.squares, known.counted, none, none == 0))
 
-    def take(self, where, angle, sees_angle, rate, sees_rate):
-        """A whole tick."""
+    def take_angle(self, where, angle, sees_angle):
+        """The first half of the work of a look."""
         self.filter.predict(where)
-        self.used = self.refused = np.zeros_like(where)
-        for seen, see, value, look in (
-            (where & sees_angle, self.filter.see_angle, angle, self.surprise.see_angle),
-            (where & sees_rate, self.filter.see_rate, rate, self.surprise.see_rate),
-        ):
-            used, weighed, square = see(seen, value)
-            look(used, weighed, square)
-            self.used, self.refused = self.used | used, self.refused | (seen & ~used)
-            np.copyto(self.squares, self.squares + square, where=used)
-            self.counted = self.counted + used
+        self.used, self.refused = self.used & ~where, self.refused & ~where
+        seen = where & sees_angle
+        self.count(seen, self.filter.see_angle(seen, angle), self.surprise.see_angle)
+
+    def take_rate(self, where, rate, sees_rate):
+        """The second."""
+        seen = where & sees_rate
+        self.count(seen, self.filter.see_rate(seen, rate), self.surprise.see_rate)
         astray = np.where(self.refused, self.astray + 1, np.where(self.used, 0, self.astray))
         np.copyto(self.astray, astray, where=where)
         self.age, self.since = self.age + where, self.since + where
+
+    def count(self, seen, correction, look):
+        used, weighed, square = correction
+        look(used, weighed, square)
+        self.used, self.refused = self.used | used, self.refused | (seen & ~used)
+        np.copyto(self.squares, self.squares + square, where=used)
+        self.counted = self.counted + used
 
     def is_cut(self):
         angle = self.filter.belief.mean[0]

@@ -7,14 +7,18 @@ from float32_learned import learned
 from float32_learner import Learner
 from simulated_legs import Legs, Motion
 
+from exoid.recordings.filter import learning
+
+UNKNOWN, RATIOS = len(learning.UNKNOWNS), len(learning.RATIOS)
+UPPER = UNKNOWN * (UNKNOWN - 1) // 2
 SURE = 1.96  # standard errors that hold 95 of 100
 EVERY = 10  # ticks between two times at which nodes tell
 TOLD = np.dtype(
     [
         *((name, "<u4") for name in ("phase", "trust", "drops")),
-        *(("mean", "<f4", 6), ("variance", "<f4", 6), ("upper", "<f4", 15)),
+        *(("mean", "<f4", UNKNOWN), ("variance", "<f4", UNKNOWN), ("upper", "<f4", UPPER)),
         *(("squares", "<f4"), ("counted", "<u4"), ("age", "<i4"), ("explained", "<u4")),
-        *(("ratio", "<f4", 4), ("error", "<f4", 4), ("surprise", "<f4")),
+        *(("ratio", "<f4", RATIOS), ("error", "<f4", RATIOS), ("surprise", "<f4")),
     ]
 )
 
@@ -59,7 +63,7 @@ def told_by_numpy(ticks: Ticks, every: int = EVERY) -> np.ndarray:
                 ticks.sees_rate[tick],
                 ticks.missed[tick].astype(np.int32),
             )
-            if tick % every == every - 1:
+            if tick % every == (every - 2) % every:
                 tell(learner, told[tick // every])
     return told
 
@@ -72,7 +76,7 @@ def tell(learner: Learner, told: np.ndarray) -> None:
         "drops": learner.drops,
         "mean": now.leg.mean.T,
         "variance": now.leg.variance.T,
-        "upper": np.stack([now.leg.upper[row, k] for k in range(6) for row in range(k)], 1),
+        "upper": np.stack([now.leg.upper[row, k] for k in range(UNKNOWN) for row in range(k)], 1),
         "squares": now.squares,
         "counted": now.counted,
         "age": now.age,

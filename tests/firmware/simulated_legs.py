@@ -20,7 +20,10 @@ Motion = list[np.ndarray]  # angle, rate, acceleration; each by tick and leg
 
 @dataclass(frozen=True)
 class Legs:
-    """phi'' = torque - gravity cos(phi) - stiffness phi - damping phi', each over the inertia."""
+    """phi'' = torque - gravity cos(phi) - stiffness phi - damping phi' - friction sgn(phi').
+
+    Each is over the inertia.
+    """
 
     gravity: np.ndarray
     stiffness: np.ndarray
@@ -29,6 +32,10 @@ class Legs:
     zero: np.ndarray  # rad, by which the encoder shows more
     bias: np.ndarray  # rad/s, of the gyro
     scale: np.ndarray  # relative, of the gyro
+    friction: np.ndarray | float = 0.0
+    late: np.ndarray | float = 0.0  # s, by which the gyro's samples are older than by its clock
+    off_axis: np.ndarray | float = 0.0  # rad, of the encoder's magnet: its error once a turn
+    off_way: np.ndarray | float = 0.0  # rad, where that error is 0 and grows
 
     @classmethod
     def drawn(cls, legs: int, rng: np.random.Generator) -> "Legs":
@@ -50,13 +57,25 @@ class Legs:
 
     @property
     def ratios(self) -> np.ndarray:
-        """What a node is to tell: gravity, stiffness, damping, torque at the encoder's zero."""
+        """What a node is to tell, in its order; the torque is that at the encoder's zero."""
         torque = self.torque + self.stiffness * self.zero
-        return np.stack([self.gravity, self.stiffness, self.damping, torque])
+        friction = self.friction + np.zeros(self.size)
+        return np.stack([self.gravity, self.stiffness, self.damping, torque, friction])
+
+    def pull(self, angle, rate):
+        """Acceleration but for dry friction."""
+        fall = self.gravity * np.cos(angle) + self.stiffness * angle
+        return self.torque - fall - self.damping * rate
+
+    def way(self, angle, rate):
+        """Against which dry friction pulls: 0 of a leg that it holds."""
+        pull = self.pull(angle, rate)
+        return np.where(rate == 0, np.sign(pull) * (np.abs(pull) > self.friction), np.sign(rate))
 
     def acceleration(self, angle, rate):
-        pull = self.gravity * np.cos(angle) + self.stiffness * angle
-        return self.torque - pull - self.damping * rate
+        held = (rate == 0) & (np.abs(self.pull(angle, rate)) <= self.friction)
+        pull = self.pull(angle, rate) - self.friction * self.way(angle, rate)
+        return np.where(held, 0.0, pull)
 
     def drop(self, start, duration: float) -> Motion:
         """Let go at rest at `start` [rad], by the classical method of Runge and Kutta."""
@@ -69,11 +88,29 @@ class Legs:
         return [np.stack(each) for each in zip(*path, strict=True)]
 
     def stepped(self, angle, rate, step):
-        slopes = [(rate, self.acceleration(angle, rate))]
+        """With dry friction in two parts, where the leg turns round in it: its end is at rest."""
+        way = self.way(angle, rate)
+        end = self.swung(angle, rate, way, step)
+        turns = (end[1] * way < 0) & (np.asarray(self.friction) > 0)
+        if not turns.any():
+            return end
+        part = step * np.where(turns, rate / np.where(turns, rate - end[1], 1.0), 0.0)
+        angle = self.swung(angle, rate, way, part)[0]
+        again = self.swung(angle, 0.0 * rate, self.way(angle, 0.0 * rate), step - part)
+        return tuple(np.where(turns, new, old) for new, old in zip(again, end, strict=True))
+
+    def swung(self, angle, rate, way, step):
+        """While friction pulls one way; a leg that it holds stays."""
+
+        def acceleration(angle, rate):
+            pull = self.pull(angle, rate) - self.friction * way
+            return np.where((way == 0) & (np.asarray(self.friction) > 0), 0.0, pull)
+
+        slopes = [(rate, acceleration(angle, rate))]
         for part in (0.5, 0.5, 1.0):
             turn, pull = slopes[-1]
             there = angle + part * step * turn, rate + part * step * pull
-            slopes.append((there[1], self.acceleration(*there)))
+            slopes.append((there[1], acceleration(*there)))
         weights = np.array([1, 2, 2, 1])[:, None] * step / 6
         turns, pulls = (np.stack(each) for each in zip(*slopes, strict=True))
         return angle + (weights * turns).sum(axis=0), rate + (weights * pulls).sum(axis=0)
@@ -81,11 +118,14 @@ class Legs:
     def sensed(self, motion: Motion, rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
         """The encoder's count in EXO_FINE's and the gyro's, by tick and leg."""
         angle, rate, acceleration = motion
-        shown = angle + self.zero + ENCODER_NOISE * rng.normal(size=angle.shape)
+        turned = angle + self.zero + self.off_axis * np.sin(angle + self.zero - self.off_way)
+        shown = turned + ENCODER_NOISE * rng.normal(size=angle.shape)
         count = np.rint(shown / ENCODER_STEP).astype(int) * FINER + 32768
         period = RENEWAL * (1 + OFF_RATE * rng.uniform(-1, 1, self.size))
         clock = rng.uniform(size=self.size) * period + TICK * np.arange(len(angle))[:, None]
-        turning = (1 + self.scale) * (rate - clock % period * acceleration) + self.bias
+        turning = (1 + self.scale) * (
+            rate - (clock % period + self.late) * acceleration
+        ) + self.bias
         noisy = turning + GYRO_NOISE * rng.normal(size=rate.shape)
         return count % 65536, np.rint(noisy / GYRO_STEP).astype(int)
 

@@ -17,7 +17,7 @@ INSTRUCTIONS_PER_COUNT = 62.5  # of SysTick at 16 MHz, with one instruction per 
 BATCH = 10  # steps that m0_cost times together
 BUDGET = 13_000  # instructions for a step, of the 480 000 cycles of a tick at 48 MHz
 TICK_BUDGET = 120_000  # instructions for all that a tick does, 25 % of it
-TORQUE_BUDGET = 12_000  # the same for the command of a torque, and a host that lets it
+TORQUE_BUDGET = 6_000  # the same for the command of a torque, and a host that lets it
 ARMS = 2  # what a host wishes, and 1
 STILL_BUDGET = 48_000  # the same where nothing is learned, as the leg does not move freely
 

@@ -82,13 +82,13 @@ def test_state_is_packed_as_cantools_packs_it(pack, database):
         assert data == message.encode(given, scaling=False), given
 
 
-@pytest.mark.parametrize("name", ["EXO_RATIOS", "EXO_RATIO_ERRORS"])
+@pytest.mark.parametrize("name", ["EXO_RATIOS", "EXO_RATIO_ERRORS", "EXO_FRICTION"])
 def test_ratios_and_errors_are_packed_as_cantools_packs_them(pack, database, name):
     """What is beyond its signal is sent as the limit."""
     rng = np.random.default_rng(3)
     message = database.get_message_by_name(name)
     scales = np.array([signal.scale for signal in message.signals])
-    values = (rng.uniform(-1.2, 1.2, (RECORDS, 4)) * scales * 2**15).astype(np.float32)
+    values = (rng.uniform(-1.2, 1.2, (RECORDS, scales.size)) * scales * 2**15).astype(np.float32)
     frames = pack(np.hstack([np.full((RECORDS, 1), message.frame_id), float_words(values)]))
     names = [signal.name for signal in message.signals]
     for (identifier, data), row in zip(frames, nearest_counts(values, scales), strict=True):

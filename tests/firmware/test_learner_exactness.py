@@ -17,7 +17,7 @@ EMULATED = (0, SOUND, SOUND + CHANGED, SOUND + CHANGED + LOSSY, NODES - 1)  # on
 BLIND = 20  # ticks at the end, in which the lossy nodes have no gyro
 LOSS = 0.004  # share of the angles, and of the rates, that are lost
 INSTRUCTIONS_PER_COUNT = 62.5  # of SysTick at 16 MHz, with one instruction per nanosecond
-BUDGET = 95_000  # instructions of a tick's work, of the 480 000 cycles of a tick at 48 MHz
+BUDGET = 86_000  # instructions of a tick's work, of the 480 000 cycles of a tick at 48 MHz
 PIECE_BUDGET = 36_000  # for which frames and commands wait
 MOVING = 3
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from float32_learned import learned
+from float32_learned import LEVEL, STIFFNESS, UPRIGHT, learned
 from float32_movement import Kept
 from float32_sine import F, root, turned
 from simulated_legs import Legs
@@ -53,9 +53,10 @@ def test_gravity_and_its_error_are_those_of_both_parts_together():
     """By a million draws of the two, whose covariance is known."""
     rng = np.random.default_rng(0)
     kept = Kept.nothing(1)
-    kept.leg.mean[:] = np.array([0, 25, 3, 6, 0, 0.8], F)[:, None]
-    kept.leg.variance[:] = np.array([1e-4, 0.3, 0.2, 1, 0.1, 0.01], F)[:, None]
-    kept.leg.upper[1, 2], kept.leg.upper[1, 3], kept.leg.upper[2, 3] = F(0.5), F(-0.8), F(0.2)
+    kept.leg.mean[LEVEL:] = np.array([25, 3, 6, 0, 0.8, 0.1], F)[:, None]
+    kept.leg.variance[LEVEL:] = np.array([0.3, 0.2, 1, 0.1, 0.01, 0.01], F)[:, None]
+    upper = kept.leg.upper
+    upper[LEVEL, UPRIGHT], upper[LEVEL, STIFFNESS], upper[UPRIGHT, STIFFNESS] = 0.5, -0.8, 0.2
     u = np.eye(3) + np.array([[0, 0.5, -0.8], [0, 0, 0.2], [0, 0, 0]])
     covariance = u @ np.diag([0.3, 0.2, 1.0]) @ u.T
     draws = rng.multivariate_normal([25, 3, 6], covariance, 1_000_000)

@@ -10,15 +10,38 @@ import pytest
 from learner_runs import Ticks, covered, play, share_of_gravity, told_by_numpy
 from simulated_legs import Legs, held, joined, session
 
+from exoid.recordings.filter.learning import LEARNING
+
 LEGS = 400
 HANDS = 100
+LEAST = np.array(LEARNING.least_error)
 TWO_DROPS = 1270  # ticks; the second is then at rest
 WAITING, LEARNING, GOOD, ENOUGH, UNEXPLAINED, CHANGED, FAULTY = range(7)
 
 
+KINDS = {
+    "sound": {},
+    "a frame that rubs": {"friction": (0.0, 1.0)},  # 1/s^2: 0.3 N m at 0.3 kg m^2
+    "a gyro 0 to 2 ms old": {"late": (-0.6e-3, 1.4e-3)},
+    "a magnet 0.3 deg off": {"off_axis": np.radians([0.3, 0.3]), "off_way": (-np.pi, np.pi)},
+    "a magnet 0.5 deg off": {"off_axis": np.radians([0.5, 0.5]), "off_way": (-np.pi, np.pi)},
+}
+
+
+@pytest.fixture(scope="module", params=KINDS)
+def of_kind(request):
+    """Legs of a kind, and what nodes told of three drops of each."""
+    rng = np.random.default_rng(11)
+    drawn = {
+        name: rng.uniform(low, high, LEGS) for name, (low, high) in KINDS[request.param].items()
+    }
+    legs = replace(Legs.drawn(LEGS, rng), **drawn)
+    return legs, play(legs, session(legs, rng, 3), rng)
+
+
 @pytest.fixture(scope="module")
 def learned():
-    """Legs, and what nodes told of three drops of each."""
+    """Of sound ones."""
     rng = np.random.default_rng(11)
     legs = Legs.drawn(LEGS, rng)
     return legs, play(legs, session(legs, rng, 3), rng)
@@ -26,38 +49,59 @@ def learned():
 
 @pytest.mark.parametrize(
     ("tick", "lower"),
-    [(250, 0.90), (520, 0.92), (TWO_DROPS, 0.92), (2035, 0.92)],
+    [(250, 0.90), (520, 0.94), (TWO_DROPS, 0.88), (2035, 0.88)],
     ids=["in the first swing", "after one drop", "after two", "after three"],
 )
-def test_errors_cover_the_truth_of_four_hundred_legs(learned, tick, lower):
-    """92 to 97 % is what 400 legs leave of 95 % (two standard deviations either way are 2.2 %). An
-    error that is told at its floor covers more. In the first swing hardly anything is known, and
-    the model is not as linear as it is later."""
-    legs, told = learned
-    at = told[tick // 10 - 1]
-    found, floor = covered(legs, at), at["error"].min(axis=0) == told["error"].min()
+def test_errors_cover_the_truth_of_four_hundred_legs(of_kind, tick, lower):
+    """400 legs leave 92 to 97 % of 95 % (two standard deviations either way are 2.2 %). The first
+    drop is told wider, because the filter is not linear in what was believed before; that a magnet
+    is off by half a degree is believed of one in eleven, whose errors are told as everybody's."""
+    legs, told = of_kind
+    found = covered(legs, told[tick // 10 - 1])
     print(np.round(found, 3))
     assert np.all(found >= lower), found
-    assert np.all(found[~floor] <= 0.98), found
 
 
-def test_a_drop_tells_gravity_to_half_a_percent_and_three_tell_it_better(learned):
+@pytest.mark.parametrize("tick", [TWO_DROPS, 2035])
+def test_errors_of_sound_legs_are_no_wider_than_need_be(learned, tick):
+    """An error that is told at its floor covers more."""
+    legs, told = learned
+    at = told[tick // 10 - 1]
+    found, floor = covered(legs, at), np.median(at["error"], axis=0) < 1.2 * LEAST
+    print(np.round(found, 3), floor)
+    assert floor.sum() <= 2
+    assert np.all(found[~floor] >= 0.92), found
+    assert np.all(found[~floor] <= 0.985), found
+
+
+def test_a_drop_tells_gravity_to_a_percent_and_three_tell_it_better(learned):
+    """Of the error that three leave most is the encoder's, whose magnet nobody has seen."""
     _, told = learned
     one, three = (np.median(share_of_gravity(told[at])) for at in (52, -1))
-    assert 0.002 < one < 0.006
-    assert three < 0.6 * one  # like the root of three; the first drop's prior helps none of it
+    assert 0.006 < one < 0.012
+    assert three < 0.6 * one
 
 
-def test_nearly_every_drop_counts_and_no_sound_leg_is_doubted(learned):
+def test_three_drops_tell_dry_friction_to_a_milli_newton_metre(of_kind):
+    """At 0.3 kg m^2."""
+    legs, told = of_kind
+    off = np.abs(told["ratio"][-1, :, -1] - legs.ratios[-1])
+    assert np.median(0.3 * off) < 1e-3
+    assert np.quantile(0.3 * off, 0.95) < 3e-3
+
+
+def test_nearly_every_drop_counts_and_no_sound_leg_is_doubted(of_kind):
     """A movement whose innovations are three standard deviations away from white counts not when a
     hand ends it: one or two in a hundred."""
-    _, told = learned
+    _, told = of_kind
     assert told["drops"][-1].all()
     assert (told["drops"][-1] == 3).mean() > 0.94
     assert not (told["trust"] == CHANGED).any()
     assert (told["trust"] == UNEXPLAINED).any(axis=0).mean() < 0.03
-    assert np.isin(told["trust"][-1], [GOOD, ENOUGH]).mean() > 0.95
-    assert np.median(told["surprise"][-1]) == pytest.approx(1.0, abs=0.05)
+    assert (
+        np.isin(told["trust"][-1], [GOOD, ENOUGH]).mean() > 0.8
+    )  # others are damped or rubbed strongly
+    assert np.median(told["surprise"][-1]) == pytest.approx(0.95, abs=0.1)
 
 
 def test_a_leg_whose_gyro_has_the_bias_and_scale_of_another_is_the_same_leg(learned):

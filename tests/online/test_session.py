@@ -96,6 +96,31 @@ def test_a_hand_that_moves_the_leg_tells_nothing(start):
     assert (said.phase == online.Phase.HELD).any()
 
 
+def test_a_hand_that_lifts_the_leg_from_its_rest_makes_no_model_wrong(three):
+    """No leg falls upwards, and a hand that stops at the top swings a little."""
+    samples, _, _, belief, _ = three
+    rng, time = np.random.default_rng(4), np.arange(600) * 0.01
+    low = -0.8  # rad, from where it would fall
+    begun = 3.0  # s, until when a hand lays it down
+    lowered = (low - samples.angle[-1]) * smooth(np.clip(time, 0, 1))
+    lifted = smooth(np.clip((time - begun) / 0.6, 0, 1)) * (0.0 - low)
+    since = np.clip(time - begun - 0.5, 0, None)
+    swing = 0.05 * np.exp(-since / 0.3) * np.sin(2 * np.pi * 3.0 * since)
+    angle = samples.angle[-1] + lowered + lifted + swing
+    rate = np.gradient(angle, time)
+    seen = np.stack([angle, rate]) + rng.standard_normal((2, 600)) * [[7.5e-4], [2.6e-3]]
+    hand = online.Sample(samples.time[-1] + 0.01 + time, *seen)
+    _, said = online.replay(belief, hand)
+    assert said.phase[time < begun][-1] == online.Phase.WAITING
+    assert online.Trust.UNEXPLAINED not in said.trust
+    assert online.Phase.MOVING not in said.phase[time >= begun]
+
+
+def smooth(share):
+    """From 0 to 1 as a hand goes."""
+    return share**3 * (10 - 15 * share + 6 * share**2)
+
+
 def test_a_drop_of_200_samples_a_second_tells_more_than_of_100(start):
     from benchmarks.online import world
 

@@ -147,16 +147,17 @@ def health(timestamp, **told) -> can.Message:
     return message("EXO_HEALTH", WELL | told, timestamp)
 
 
-ADULT = (27.4, 6.25, 0.8, -0.5)  # ratios in the order of EXO_RATIOS
-SURE = (0.125, 0.25, 0.0078125, 0.25)  # their errors
+ADULT = (27.4, 6.25, 0.8, -0.5, 0.125)  # ratios in the order of EXO_RATIOS, and friction
+SURE = (0.125, 0.25, 0.0078125, 0.25, 0.015625)  # their errors
 
 
 def learned(timestamp, ratios=ADULT, errors=SURE, node=0, **told) -> list[can.Message]:
-    """What a node says it has learned of a leg; three frames."""
+    """What a node says it has learned of a leg; four frames."""
     names = "Gravity", "Stiffness", "Damping", "Torque"
     how = dict(Counter=0, Trust=2, Phase=1, Drops=3, Surprise=1.0, LearningCrc=learning_crc())
-    values = (dict(zip(names, each, strict=True)) for each in (ratios, errors))
-    messages = zip(LEARNED, (*values, how | told), strict=True)
+    values = (dict(zip(names, each[:-1], strict=True)) for each in (ratios, errors))
+    friction = {"Friction": ratios[-1], "Error": errors[-1]}
+    messages = zip(LEARNED, (*values, friction, how | told), strict=True)
     return [
         message(name, each, timestamp + place * FRAME, node)
         for place, (name, each) in enumerate(messages)

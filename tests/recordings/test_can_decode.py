@@ -111,6 +111,7 @@ def test_each_message_of_the_node_names_its_sender_and_its_period():
         "EXO_ACC": 10,
         "EXO_RATIOS": 100,
         "EXO_RATIO_ERRORS": 100,
+        "EXO_FRICTION": 100,
         "EXO_LEARNING": 100,
         "EXO_SETTINGS": 1000,
         "EXO_HEARTBEAT": 1000,
@@ -131,7 +132,7 @@ def test_no_frame_of_any_node_has_the_identifier_of_another_frame():
     ]
     identifiers += [exoid_messages()[name].identifier for name in COMMANDS]
     assert node_count() == 16
-    assert len(set(identifiers)) == len(identifiers) == 16 * 14 + len(COMMANDS)
+    assert len(set(identifiers)) == len(identifiers) == 16 * 15 + len(COMMANDS)
     node_id = cantools.database.load_file(EXOID_DBC).get_message_by_name("EXO_SET_NODE_ID")
     assert node_id.get_signal_by_name("NodeId").maximum == node_count() - 1
 

@@ -21,7 +21,8 @@ from exoid.recordings.loading.can_log import read_can_log
 TICKS = 300
 LINE = (
     "learned by the node of 3 free movement(s), good: m l g / J 27.4 ± 0.12 1/s^2, "
-    "c / J 6.25 ± 0.25 1/s^2, d / J 0.7998 ± 0.0078 1/s, constant torque / J -0.5 ± 0.25 1/s^2"
+    "c / J 6.25 ± 0.25 1/s^2, d / J 0.7998 ± 0.0078 1/s, constant torque / J -0.5 ± 0.25 1/s^2, "
+    "dry friction / J 0.125 ± 0.016 1/s^2"
 )
 
 
@@ -58,7 +59,7 @@ def test_a_tool_that_reads_the_dbc_shows_trust_and_phase_in_words():
 
 def test_the_last_that_was_learned_is_a_line_of_the_report(tmp_path):
     early, late = times(2)
-    told = learned(early, ratios=(30.0, 1.0, 1.0, 1.0), Drops=1, Trust=1), learned(late)
+    told = learned(early, ratios=(30.0, 1.0, 1.0, 1.0, 0.0), Drops=1, Trust=1), learned(late)
     quality = quality_of(log_of(tmp_path, *told))
     assert known(quality.learned).ratios == pytest.approx(
         ADULT, abs=2**-8
@@ -78,8 +79,8 @@ def test_every_time_it_was_told_is_there_in_its_order(tmp_path):
     assert np.all(np.diff(course.order) > 0)
 
 
-@pytest.mark.parametrize("lost", range(3))
-def test_of_three_frames_that_belong_together_none_may_be_missing(tmp_path, lost):
+@pytest.mark.parametrize("lost", range(4))
+def test_of_four_frames_that_belong_together_none_may_be_missing(tmp_path, lost):
     whole, torn = (learned(at, Drops=k) for k, at in enumerate(times(2), start=1))
     del torn[lost]
     path = log_of(tmp_path, whole, torn)
@@ -100,7 +101,7 @@ def test_frames_of_those_identifiers_in_the_log_of_an_unknown_node_are_foreign(t
     (at,) = times(1)
     quality = quality_of(log_of(tmp_path, learned(at), node=Node(config_crc=0)))
     assert quality.learned is None
-    assert quality.frames.foreign == 3
+    assert quality.frames.foreign == 4
 
 
 def test_a_node_that_has_seen_no_free_movement_says_no_number(tmp_path):
@@ -134,4 +135,4 @@ def test_a_leg_that_is_another_or_not_explained_is_said_once():
 
 
 def test_each_frame_of_what_is_learned_has_its_place_in_the_dbc():
-    assert LEARNED == ("EXO_RATIOS", "EXO_RATIO_ERRORS", "EXO_LEARNING")
+    assert LEARNED == ("EXO_RATIOS", "EXO_RATIO_ERRORS", "EXO_FRICTION", "EXO_LEARNING")

@@ -11,7 +11,7 @@ namespace exoid {
 constexpr uint16_t CONFIG_CRC = 0x26D9;
 
 /// The same of what is learned of a leg.
-constexpr uint16_t LEARNING_CRC = 0x7AA2;
+constexpr uint16_t LEARNING_CRC = 0x2E8C;
 
 constexpr uint16_t TIME_ID = 0x100;
 
@@ -208,8 +208,9 @@ inline Frame pack(const Fine& fine) {
 
 constexpr uint16_t RATIOS_ID = 0x108;
 
-/// Ten times a second, and a tick later each EXO_RATIO_ERRORS and EXO_LEARNING: what the node has
-/// learned of the leg by its free movements; until then, what anatomy expects of anybody.
+/// Ten times a second, and a tick later each EXO_RATIO_ERRORS, EXO_FRICTION and EXO_LEARNING: what
+/// the node has learned of the leg by its free movements; until then, what anatomy expects of
+/// anybody.
 struct Ratios {
   float gravity;  // 1/s^2
   float stiffness;  // 1/s^2
@@ -264,7 +265,7 @@ inline bool fits(const RatioErrors& ratio_errors) {
 
 constexpr uint16_t LEARNING_ID = 0x10A;
 
-/// A tick behind EXO_RATIO_ERRORS: how far both can be believed.
+/// A tick behind EXO_FRICTION: how far all three can be believed.
 struct Learning {
   uint32_t counter;
   uint32_t trust;
@@ -331,6 +332,28 @@ inline Frame pack(const Parameter& parameter) {
   put(frame, 16, 32, float_bits(parameter.value));
   put(frame, 48, 16, at_most(parameter.crc, 65535U));
   return frame;
+}
+
+constexpr uint16_t FRICTION_ID = 0x10D;
+
+/// A tick behind EXO_RATIO_ERRORS: what the node has learned of the frame's and the knee's dry
+/// friction, as EXO_RATIOS.
+struct Friction {
+  float friction;  // 1/s^2
+  float error;  // 1/s^2
+};
+
+inline Frame pack(const Friction& friction) {
+  Frame frame = {FRICTION_ID, {0, 0, 0, 0, 0, 0, 0, 0}};
+  put(frame, 0, 16, quantise(friction.friction * 4096.0F, -32768, 32767));
+  put(frame, 16, 16, quantise(friction.error * 8192.0F, -32768, 32767));
+  return frame;
+}
+
+/// Whether no value is cut off when it is packed.
+inline bool fits(const Friction& friction) {
+  return fits(friction.friction * 4096.0F, -32768, 32767) &&
+         fits(friction.error * 8192.0F, -32768, 32767);
 }
 
 constexpr uint16_t HEALTH_ID = 0x10F;

@@ -20,7 +20,4 @@ inline float angle_of(int32_t count) {
   return static_cast<float>(count - FINE_TURN / 2) * FINE_STEP;
 }
 
-/// Of a count of the gyro [rad/s].
-inline float rate_of(int32_t count) { return static_cast<float>(count) * GYRO_STEP; }
-
 }  // namespace exoid

@@ -8,8 +8,15 @@ namespace exoid {
 
 enum class Trust : uint8_t { WAITING, LEARNING, GOOD, ENOUGH, UNEXPLAINED, CHANGED, FAULTY };
 
-/// m l g / J, c / J, d / J, and the constant torque over J at the encoder's zero.
-enum Ratio : int32_t { GRAVITY_RATIO, STIFFNESS_RATIO, DAMPING_RATIO, TORQUE_RATIO, RATIOS };
+/// m l g / J, c / J, d / J, and over J the constant torque at the encoder's zero and dry friction.
+enum Ratio : int32_t {
+  GRAVITY_RATIO,
+  STIFFNESS_RATIO,
+  DAMPING_RATIO,
+  TORQUE_RATIO,
+  FRICTION_RATIO,
+  RATIOS
+};
 
 struct Learned {
   float ratio[RATIOS];  // 1/s^2, 1/s^2, 1/s, 1/s^2
@@ -38,9 +45,9 @@ inline ReadOff read_off(const LegLearner& learner) {
                       2.0F * level * upright * covariance(is, LEVEL, UPRIGHT) +
                       upright * upright * covariance(is, UPRIGHT, UPRIGHT);
   return {square,
-          {0.0F, is.mean[STIFFNESS], is.mean[DAMPING], is.mean[TORQUE]},
+          {0.0F, is.mean[STIFFNESS], is.mean[DAMPING], is.mean[TORQUE], is.mean[FRICTION]},
           {along / square, covariance(is, STIFFNESS, STIFFNESS), covariance(is, DAMPING, DAMPING),
-           covariance(is, TORQUE, TORQUE)},
+           covariance(is, TORQUE, TORQUE), covariance(is, FRICTION, FRICTION)},
           leg.squares,
           leg.counted,
           learner.phase(),

@@ -9,44 +9,46 @@ namespace exoid {
 
 namespace learning {
 
-/// s, s^2 / 2, s^3 / 6 of a tick
-constexpr float STEP_POWERS[3] = {1.0e-02F, 5.0e-05F, 1.6666667e-07F};
-constexpr float ANGLE_DEVIATION = 8.713949e-04F;  // rad
-/// of UNKNOWNS: 1, 1/s^2 four times, 1/s
-constexpr float EXPECTED[6] = {0.0e+00F, 3.0e+01F, 0.0e+00F, 6.6e+00F, 0.0e+00F, 8.2e-01F};
+/// s, s^2 / 2, s^3 / 6, s^4 / 24 of a look
+constexpr float STEP_POWERS[4] = {2.0e-02F, 2.0e-04F, 1.3333333e-06F, 6.6666668e-09F};
+constexpr float CURVE = 1.25e-05F;  // s^2, by which the mean of two ticks is off its middle
+constexpr float ANGLE_DEVIATION = 6.1616924e-04F;  // rad
+/// of UNKNOWNS: 1, s, rad twice, 1/s^2 four times, 1/s, 1/s^2
+constexpr float EXPECTED[10] = {0.0e+00F, 8.0e-04F, 0.0e+00F, 0.0e+00F, 3.0e+01F, 0.0e+00F, 6.6e+00F, 0.0e+00F, 8.2e-01F, 0.0e+00F};
 /// standard deviations of these
-constexpr float SCATTER[6] = {1.5e-02F, 8.0e+00F, 2.5e+00F, 3.3e+01F, 3.0e+00F, 4.1e+00F};
+constexpr float SCATTER[10] = {1.5e-02F, 7.0e-04F, 4.0e-03F, 4.0e-03F, 8.0e+00F, 2.5e+00F, 3.3e+01F, 3.0e+00F, 4.1e+00F, 5.0e-01F};
 constexpr float BIAS = 8.726646e-02F;  // rad/s, standard deviation of the gyro's
-constexpr float FIRST_RATE = 2.0e+00F;  // rad/s, of the first rate about what the gyro shows
-constexpr float ANGLE_VARIANCE = 7.5932905e-07F;  // rad^2
-constexpr float RATE_VARIANCE = 6.34117e-06F;  // (rad/s)^2
-constexpr float LATE = 6.002401e-04F;  // s, mean age of a gyro's sample
-constexpr float WANDER_VARIANCE = 1.2009606e-07F;  // s^2, of that age
-constexpr float ROUGHNESS = 2.0e-10F;  // (rad/s)^2 a tick: rounding, and what no model has
+constexpr float ANGLE_VARIANCE = 3.7966453e-07F;  // rad^2, of a mean
+constexpr float RATE_VARIANCE = 3.170585e-06F;  // (rad/s)^2, of a mean
+constexpr float WANDER_VARIANCE = 6.004803e-08F;  // s^2, of the age of the gyro's sample about its mean
+constexpr float LEAST_TURN = 2.0e-02F;  // rad/s within which dry friction is led through 0
+constexpr float ROUGHNESS = 4.0e-10F;  // (rad/s)^2 a look: rounding, and what no model has
 constexpr float FADING = 1.05e+00F;  // by which variances grow from one movement to the next
+constexpr float FIRST_FADING = 2.0e+00F;  // the same, from the first: the filter is not linear in what was believed before
+constexpr float DOUBT = 5.0e-02F;  // of the variance of what is expected of a measurement that is added to its own: as fading
 constexpr float GATE = 2.5e+01F;  // chi-square up to which a measurement is believed
 constexpr float CAUTION = 1.25e+00F;  // by which variances are told larger: the filter is not quite linear
 /// of RATIOS: no error is told smaller
-constexpr float LEAST_ERROR[4] = {1.0e-02F, 1.0e-02F, 5.0e-04F, 1.0e-02F};
+constexpr float LEAST_ERROR[5] = {1.0e-02F, 1.0e-02F, 5.0e-04F, 1.0e-02F, 2.0e-03F};
 constexpr float GOOD = 1.0e-02F;  // share of gravity that errors may be
 constexpr float ENOUGH = 3.0e-03F;  // the same, of one that another drop hardly changes
 constexpr float LEAST_GRAVITY = 1.0e+01F;  // 1/s^2, below which it is no leg
 constexpr float PULL = 2.0e+00F;  // rad/s^2 by which a leg that is let go falls at least
 constexpr float MATTERS = 3.0e-02F;  // share of gravity by which another leg differs
-constexpr float APART = 1.6e+01F;  // squared standard deviations by which it does
-constexpr float MEMORY = 9.0e-01F;  // of the innovations before, for their whiteness
-constexpr float FADE = 9.9333334e-01F;  // a tick, of what is known of innovations
-constexpr float FEWEST = 3.0e+01F;  // innovations before they say anything
+constexpr float APART = 9.0e+00F;  // squared standard deviations by which it does
+constexpr float MEMORY = 8.1e-01F;  // of the innovations before, for their whiteness
+constexpr float FADE = 9.866667e-01F;  // a look, of what is known of innovations
+constexpr float FEWEST = 1.5e+01F;  // innovations before they say anything
 constexpr float UNWHITE = 6.4e+01F;  // squared standard deviations that no white noise reaches
 constexpr float SOUND = 9.0e+00F;  // the same, up to which a movement is explained
 constexpr float POWER = 4.0e+00F;  // mean square of innovations that is no noise
 constexpr int32_t REST = 30;  // ticks that a leg at rest is still
 constexpr int32_t STILL = 182;  // counts that it may move in that time
 constexpr int32_t DEPARTED = 364;  // counts from its hold, or back from a turn
-constexpr int32_t LETTING_GO = 8;  // ticks that a hand takes to be off the leg
-constexpr int32_t CAUGHT = 3;  // samples in a row that are no leg's
-constexpr int32_t SHORTEST = 40;  // ticks of a movement that counts
-constexpr int32_t KEPT = 15;  // ticks between two keepings: a hand is seen that late at most
+constexpr int32_t LETTING_GO = 4;  // looks that a hand takes to be off the leg
+constexpr int32_t CAUGHT = 3;  // looks in a row that are no leg's
+constexpr int32_t SHORTEST = 28;  // looks of a movement that counts
+constexpr int32_t KEPT = 7;  // looks between two keepings: a hand is seen that late at most
 constexpr int32_t LONGEST_BLIND = 2;  // ticks without an angle that are bridged
 constexpr int32_t LONGEST_SILENT = 10;  // the same of the gyro, in a movement
 constexpr int32_t SWUNG = 2;  // turns after its end by which a movement was no hand's

@@ -8,8 +8,21 @@
 
 namespace exoid {
 
-/// The unknowns of a leg, and of the gyro's scale, which stays from movement to movement.
-enum Unknown : int32_t { SCALE, LEVEL, UPRIGHT, STIFFNESS, TORQUE, DAMPING, UNKNOWNS };
+/// The unknowns that stay from movement to movement: of the sensors the gyro's scale, the age of its
+/// samples, and the encoder's error once a turn, by cosine and sine; and those of the leg.
+enum Unknown : int32_t {
+  SCALE,
+  AGE,
+  LEVEL_ERROR,
+  UPRIGHT_ERROR,
+  LEVEL,
+  UPRIGHT,
+  STIFFNESS,
+  TORQUE,
+  DAMPING,
+  FRICTION,
+  UNKNOWNS
+};
 
 struct Leg {
   Factored<UNKNOWNS> belief;
@@ -24,6 +37,11 @@ inline Leg expected_leg() {
     leg.belief.variance[k] = learning::SCATTER[k] * learning::SCATTER[k];
   }
   return leg;
+}
+
+/// No more is believed than with variances so many times as large.
+inline void widen(Leg& leg, float times) {
+  for (int32_t k = 0; k < UNKNOWNS; ++k) leg.belief.variance[k] = leg.belief.variance[k] * times;
 }
 
 /// Acceleration of a leg that is let go at an angle [rad/s^2].

@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "glimpse.h"
+#include "look.h"
 #include "movement.h"
 #include "stillness.h"
 #include "stream_health.h"
@@ -19,31 +19,32 @@ class LegLearner {
   /// Nothing is known of the leg.
   void forget() { *this = LegLearner(); }
 
-  /// The next tick; its work is still to be done.
+  /// The next tick; its work is still to be done. What two ticks show is taken in by two ticks: the
+  /// second of them begins, and the one behind it ends.
   void take(const Glimpse& seen) {
     while (work()) {
     }
-    seen_ = seen;
     stream_.see(seen.gyro, seen.sees_angle, seen.sees_rate, seen.missed);
     stillness_.see(seen.count, seen.sees_angle, seen.missed);
-    piece_ = phase_ == Phase::MOVING ? Piece::PREDICT : Piece::JUDGE;
+    second_ = !second_;
+    if (second_) {
+      first_ = seen;
+      judges_ = movement_.go_on();
+      return;
+    }
+    seen_ = look_at(first_, seen);
+    judges_ = phase_ != Phase::MOVING;
+    if (!judges_) movement_.begin(seen_);
   }
 
   /// Does one piece of work; returns whether there was one.
   bool work() {
-    switch (piece_) {
-      case Piece::NONE: return false;
-      case Piece::PREDICT: return next(Piece::ANGLE, [](LegLearner& me) { me.movement_.predict(); });
-      case Piece::ANGLE: return next(Piece::RATE, [](LegLearner& me) { me.see_angle(); });
-      case Piece::RATE: return next(Piece::JUDGE, [](LegLearner& me) { me.see_rate(); });
-      case Piece::JUDGE: break;
-    }
+    if (movement_.work()) return true;
+    if (!judges_) return false;
+    judges_ = false;
     judge();
-    piece_ = Piece::NONE;
     return true;
   }
-
-  bool works() const { return piece_ != Piece::NONE; }
 
   /// The leg as far as it can be told now: of a movement, as if a hand caught it now.
   const Leg& leg() const {
@@ -62,24 +63,8 @@ class LegLearner {
   bool is_faulty() const { return stream_.is_faulty(); }
 
  private:
-  enum class Piece : uint8_t { NONE, PREDICT, ANGLE, RATE, JUDGE };
   static constexpr int32_t NEVER = 1000000;  // turns
   static constexpr uint32_t MOST = 255;      // drops, failures
-
-  template <class Work>
-  bool next(Piece piece, Work work) {
-    work(*this);
-    piece_ = piece;
-    return true;
-  }
-
-  void see_angle() {
-    if (seen_.sees_angle) movement_.see_angle(angle_of(seen_.count));
-  }
-
-  void see_rate() {
-    if (seen_.sees_rate) movement_.see_rate(rate_of(seen_.gyro));
-  }
 
   void judge() {
     switch (phase_) {
@@ -107,7 +92,7 @@ class LegLearner {
       return;
     }
     if (!seen_.sees_angle) return;
-    const int32_t off = seen_.count - hold_;
+    const int32_t off = seen_.count() - hold_;
     const bool departed = off > learning::DEPARTED || off < -learning::DEPARTED;
     away_ = departed ? away_ + 1 : 0;
     if (away_ < TWICE) return;  // one alone may be a spike
@@ -125,10 +110,11 @@ class LegLearner {
       phase_ = Phase::HELD;
       return;
     }
-    if (letting_go_ > 0 || !seen_.sees_angle || !seen_.sees_rate) return;
+    const bool sound = seen_.sees_angle && seen_.sees_rate && seen_.missed == 0;
+    if (letting_go_ > 0 || !sound) return;
     anew_ = is_doubted();
-    movement_.open(anew_ ? expected_leg() : known_, angle_of(seen_.count), rate_of(seen_.gyro));
-    stillness_.begin(seen_.count);
+    movement_.open(anew_ ? expected_leg() : known_, seen_.angle(), seen_.rate());
+    stillness_.begin(seen_.count());
     phase_ = Phase::MOVING;
   }
 
@@ -143,7 +129,6 @@ class LegLearner {
   }
 
   void move() {
-    movement_.end_tick();
     const bool torn = stillness_.is_lost() || stream_.is_silent() || seen_.missed > 0;
     const bool caught = movement_.is_cut(), cut = caught || torn;
     if (!cut && !stillness_.is_at_rest()) return movement_.keep();
@@ -159,9 +144,11 @@ class LegLearner {
   }
 
   /// A movement counts, with what is known by it.
-  void learn(const Leg& leg) {
+  void learn(Leg leg) {
+    if (anew_ || drops_ == 0) widen(leg, learning::FIRST_FADING);
     const bool other = anew_ && differ(known_, leg);
-    const bool better = covariance(leg.belief, LEVEL, LEVEL) < covariance(known_.belief, LEVEL, LEVEL);
+    const float before = covariance(known_.belief, LEVEL, LEVEL);
+    const bool better = covariance(leg.belief, LEVEL, LEVEL) < before;
     if (!anew_ || other || better) known_ = leg;
     if (other) drops_ = 0;
     if ((!anew_ || other) && drops_ < MOST) ++drops_;
@@ -178,15 +165,17 @@ class LegLearner {
   Stillness stillness_;
   StreamHealth stream_;
   Leg known_ = expected_leg();
-  Glimpse seen_ = {};
+  Look seen_ = {};
+  Glimpse first_ = {};                   // tick of the look that goes on
   int32_t hold_ = 0;                     // count where it was last at rest
-  int32_t away_ = 0;                     // samples in a row away from there
-  int32_t letting_go_ = 0;               // ticks
+  int32_t away_ = 0;                     // looks in a row away from there
+  int32_t letting_go_ = 0;               // looks
   int32_t suspected_ = NEVER;            // turns from which on a movement was no hand's
   uint32_t drops_ = 0;                   // free movements that count
   uint32_t failures_ = 0;                // movements in a row that no known leg explains
   Phase phase_ = Phase::HELD;
-  Piece piece_ = Piece::NONE;
+  bool second_ = false;                  // the next tick ends a look
+  bool judges_ = false;                  // is still to judge what was seen
   bool anew_ = false;                    // the movement is seen as that of an unknown leg
   bool changed_ = false, unexplained_ = false;
 };

@@ -18,6 +18,10 @@ inline RatioErrors errors_of(const Learned& found) {
           found.error[TORQUE_RATIO]};
 }
 
+inline Friction friction_of(const Learned& found) {
+  return {found.ratio[FRICTION_RATIO], found.error[FRICTION_RATIO]};
+}
+
 /// Of what was read off at a tick.
 inline Learning learning_of(const ReadOff& read, const Learned& found, uint32_t tick) {
   constexpr float COUNTS = 16.0F, MOST = 255.0F;  // of Surprise
@@ -57,6 +61,10 @@ class LegTeller {
         return;
       case Part::ERRORS:
         send(pack(errors_of(found_)));
+        part_ = Part::FRICTION;
+        return;
+      case Part::FRICTION:
+        send(pack(friction_of(found_)));
         part_ = Part::LEARNING;
         return;
       case Part::LEARNING:
@@ -66,7 +74,7 @@ class LegTeller {
   }
 
  private:
-  enum class Part : uint8_t { READ, WEIGH, RATIOS, ERRORS, LEARNING };
+  enum class Part : uint8_t { READ, WEIGH, RATIOS, ERRORS, FRICTION, LEARNING };
 
   uint32_t tick_ = 0;
   uint32_t read_at_ = 0U - TICKS_PER_LEARNED / 2;  // tick; between two EXO_TIME

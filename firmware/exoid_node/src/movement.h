@@ -3,6 +3,7 @@
 #pragma once
 
 #include "leg_filter.h"
+#include "look.h"
 #include "surprise.h"
 
 namespace exoid {
@@ -10,7 +11,7 @@ namespace exoid {
 /// The leg at a moment of a movement.
 struct Kept {
   Leg leg;
-  int32_t age;     // ticks of the movement until then
+  int32_t age;     // looks of the movement until then
   bool explained;  // until then
 };
 
@@ -30,32 +31,45 @@ class Movement {
     newer_ = older_ = {leg, 0, true};
   }
 
-  void predict() {
-    filter_.predict();
+  /// A look of it: two ticks have the work of it, and the first of them goes half of the way.
+  void begin(const Look& seen) {
+    seen_ = seen;
     used_ = refused_ = false;
+    part_ = Part::PREDICT;
   }
 
-  void see_angle(float angle) {
-    const Correction seen = filter_.see_angle(angle);
-    surprise_.see_angle(seen);
-    count(seen);
+  /// The second half is due; returns whether there is one.
+  bool go_on() {
+    if (part_ != Part::HALF) return false;
+    part_ = Part::ANGLE_ENDS;
+    return true;
   }
 
-  void see_rate(float rate) {
-    const Correction seen = filter_.see_rate(rate);
-    surprise_.see_rate(seen);
-    count(seen);
-  }
-
-  /// All that a tick showed was taken in.
-  void end_tick() {
-    if (refused_) {
-      ++astray_;
-    } else if (used_) {
-      astray_ = 0;
+  /// Does one part of the work that is due; returns whether there was one.
+  bool work() {
+    switch (part_) {
+      case Part::HALF:
+      case Part::NONE: return false;
+      case Part::PREDICT: filter_.predict(); break;
+      case Part::ANGLE:
+        if (seen_.sees_angle) filter_.see_angle(seen_.angle());
+        break;
+      case Part::MORE_ANGLE:
+        if (seen_.sees_angle) filter_.go_on();
+        break;
+      case Part::ANGLE_ENDS:
+        if (seen_.sees_angle) finish_angle();
+        break;
+      case Part::RATE:
+        if (seen_.sees_rate) filter_.see_rate(seen_.rate());
+        break;
+      case Part::RATE_ENDS:
+        if (seen_.sees_rate) finish_rate();
+        end();
+        break;
     }
-    ++age_;
-    ++since_;
+    part_ = static_cast<Part>(static_cast<uint8_t>(part_) + 1);
+    return true;
   }
 
   /// Is it sure that no free leg moves so?
@@ -83,7 +97,33 @@ class Movement {
   }
 
  private:
+  /// In their order.
+  enum class Part : uint8_t { PREDICT, ANGLE, MORE_ANGLE, HALF, ANGLE_ENDS, RATE, RATE_ENDS, NONE };
   static constexpr uint32_t MOST = 20000;  // of which squares are summed
+
+  void finish_angle() {
+    const Correction seen = filter_.finish();
+    surprise_.see_angle(seen);
+    count(seen);
+  }
+
+  void finish_rate() {
+    filter_.go_on();
+    const Correction seen = filter_.finish();
+    surprise_.see_rate(seen);
+    count(seen);
+  }
+
+  /// All that a look showed was taken in.
+  void end() {
+    if (refused_) {
+      ++astray_;
+    } else if (used_) {
+      astray_ = 0;
+    }
+    ++age_;
+    ++since_;
+  }
 
   void count(const Correction& seen) {
     used_ = used_ || seen.used;
@@ -98,9 +138,11 @@ class Movement {
   Kept older_ = {}, newer_ = {};
   float squares_ = 0.0F;
   uint32_t counted_ = 0;
-  int32_t age_ = 0;     // ticks
-  int32_t since_ = 0;   // ticks since the last keeping
-  int32_t astray_ = 0;  // ticks in a row that cannot be the leg's
+  int32_t age_ = 0;     // looks
+  int32_t since_ = 0;   // looks since the last keeping
+  int32_t astray_ = 0;  // looks in a row that cannot be the leg's
+  Look seen_ = {};
+  Part part_ = Part::NONE;
   bool used_ = false, refused_ = false;
 };
 

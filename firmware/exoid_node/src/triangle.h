@@ -39,33 +39,63 @@ struct Correction {
   float square;   // innovation squared over its variance
 };
 
-/// One scalar measurement that shows `slope` of the unknowns, off by `innovation`, of the variance
-/// `noise` (Bierman's update). One whose chi-square is beyond `gate` changes nothing.
+/// One scalar measurement (Bierman's update), in pieces: columns are narrowed one after the other.
 template <int32_t SIZE>
-Correction correct(Factored<SIZE>& belief, const float (&slope)[SIZE], float innovation,
-                   float noise, float gate) {
-  float gain[SIZE], total[SIZE], sum = noise;
-  for (int32_t k = 0; k < SIZE; ++k) {
-    gain[k] = slope[k] * belief.variance[k];
-    total[k] = sum = sum + slope[k] * gain[k];
+class Update {
+ public:
+  float slope[SIZE];  // of what is measured, of the unknowns; to be set before it begins
+
+  /// It is off by `innovation`, of the variance `noise` and a share of what is not known of it. One
+  /// whose chi-square is beyond `gate` changes nothing.
+  void begin(const Factored<SIZE>& belief, float innovation, float noise, float share, float gate) {
+    float seen = 0.0F;
+    for (int32_t k = 0; k < SIZE; ++k) {
+      gain_[k] = slope[k] * belief.variance[k];
+      seen = seen + slope[k] * gain_[k];
+    }
+    noise_ = noise + share * seen;
+    float sum = noise_;
+    for (int32_t k = 0; k < SIZE; ++k) total_[k] = sum = sum + slope[k] * gain_[k];
+    innovation_ = innovation;
+    used_ = !(innovation * innovation > gate * sum);
+    inverse_ = 1.0F / total_[0];
   }
-  if (innovation * innovation > gate * sum) return {false, 0.0F, 0.0F};
-  float inverse = 1.0F / total[0];
-  if (slope[0] != 0.0F) belief.variance[0] = belief.variance[0] * noise * inverse;
-  for (int32_t k = 1; k < SIZE; ++k) {
-    const float own = gain[k], pull = -slope[k] * inverse;
-    inverse = 1.0F / total[k];
-    belief.variance[k] = belief.variance[k] * total[k - 1] * inverse;
+
+  /// The columns from `first` up to `end`, which follow those before.
+  void narrow(Factored<SIZE>& belief, int32_t first, int32_t end) {
+    if (!used_) return;
+    for (int32_t k = first; k < end; ++k) narrow(belief, k);
+  }
+
+  /// All columns are narrowed.
+  Correction end(Factored<SIZE>& belief) const {
+    if (!used_) return {false, 0.0F, 0.0F};
+    const float weighed = innovation_ * inverse_;
+    for (int32_t k = 0; k < SIZE; ++k) belief.mean[k] = belief.mean[k] + gain_[k] * weighed;
+    return {true, weighed, innovation_ * weighed};
+  }
+
+ private:
+  void narrow(Factored<SIZE>& belief, int32_t k) {
+    if (k == 0) {
+      if (slope[0] != 0.0F) belief.variance[0] = belief.variance[0] * noise_ * inverse_;
+      return;
+    }
+    const float own = gain_[k], pull = -slope[k] * inverse_;
+    inverse_ = 1.0F / total_[k];
+    belief.variance[k] = belief.variance[k] * total_[k - 1] * inverse_;
     float* column = &belief.upper[k * (k - 1) / 2];
     for (int32_t row = 0; row < k; ++row) {
       const float old = column[row];
-      column[row] = old + pull * gain[row];
-      gain[row] = gain[row] + own * old;
+      column[row] = old + pull * gain_[row];
+      gain_[row] = gain_[row] + own * old;
     }
   }
-  const float weighed = innovation * inverse;
-  for (int32_t k = 0; k < SIZE; ++k) belief.mean[k] = belief.mean[k] + gain[k] * weighed;
-  return {true, weighed, innovation * weighed};
-}
+
+  float gain_[SIZE], total_[SIZE];
+  float innovation_, noise_;
+  float inverse_;  // of the last column's total
+  bool used_;
+};
 
 }  // namespace exoid

@@ -37,7 +37,7 @@ def take_in(model: Model, belief: Knowledge, row: Float[Array, " 6"]) -> tuple[K
     now = replace(now, course=turned(now, row[2]))
     free = now.phase == Phase.MOVING
     now = where_so(arrived.taken & free, lambda at: moved(model, at), now)
-    now = where_so(arrived.taken & ~free, lambda at: refuted(watch(at)), now)
+    now = where_so(arrived.taken & ~free, lambda at: refuted(watch(model, at)), now)
     return now, outlook(model, now)
 
 

@@ -7,8 +7,12 @@ import jax.numpy as jnp
 import numpy as np
 from jaxtyping import Array, Bool, Float
 
+from exoid.online.filter.motion import view
 from exoid.online.filter.pack import where_so
+from exoid.online.filter.select import select
 from exoid.online.filter.whiteness import nothing_seen
+from exoid.online.model.model import Model
+from exoid.online.model.sample import Sample
 from exoid.online.model.trust import Phase
 from exoid.online.movement.knowledge import NEVER, Course, Knowledge, Recent
 from exoid.online.movement.stream import window
@@ -18,6 +22,7 @@ STILL = np.radians(0.7)  # rad that a leg at rest goes in that time: a hand trem
 SEEN = 0.9  # of that time that must have been seen
 DEPARTED = np.radians(2.0)  # rad from its hold
 LEAVING = np.radians(0.4)  # rad, beyond the noise: there the hand begins to let go
+PULL = 1.0  # rad/s^2, by which a leg that is let go falls at least: one that hangs is lifted
 LETTING_GO = 0.08  # s that a hand takes to be off the leg
 
 
@@ -36,7 +41,7 @@ def spread(values: Float[Array, " row"], inside: Bool[Array, " row"]) -> Float[A
     return high - jnp.min(jnp.where(inside, values, jnp.inf))
 
 
-def watch(belief: Knowledge) -> Knowledge:
+def watch(model: Model, belief: Knowledge) -> Knowledge:
     """A sample while nothing moves freely."""
     still, place = at_rest(belief.recent)
     waiting = belief.phase == Phase.WAITING
@@ -44,9 +49,21 @@ def watch(belief: Knowledge) -> Knowledge:
     away = departure(belief.recent, belief.hold) > DEPARTED
     left = waiting & away & ~still
     phase = jnp.where(still, int(Phase.WAITING), belief.phase)
-    phase = jnp.where(left, int(Phase.MOVING), phase)
-    watched = replace(belief, hold=hold, phase=phase)
-    return where_so(left, released, watched)
+    suspected = jnp.where(still, NEVER, belief.verdict.suspected)
+    verdict = replace(belief.verdict, suspected=suspected)
+    watched = replace(belief, hold=hold, phase=phase, verdict=verdict)
+    return where_so(left, lambda now: gone(model, now), watched)
+
+
+def gone(model: Model, belief: Knowledge) -> Knowledge:
+    """The leg has left its hold: the way that it would fall if it was let go, or in a hand."""
+    recent = belief.recent
+    last = recent.rows[(recent.heard - 1) % recent.rows.shape[0]]
+    held = belief.filters.mean[0].at[-2].set(belief.hold).at[-1].set(0.0)
+    fall = view(model.unknowns, held, Sample(*last)).acceleration
+    falls = jnp.sign(last[1] - belief.hold) * fall > PULL
+    phase = jnp.full_like(belief.phase, int(Phase.HELD))
+    return select(falls, released(belief), replace(belief, phase=phase))
 
 
 def departure(recent: Recent, hold: Float[Array, ""]) -> Float[Array, ""]:
@@ -81,6 +98,7 @@ def released(belief: Knowledge) -> Knowledge:
     )
     return replace(
         belief,
+        phase=jnp.full_like(belief.phase, int(Phase.MOVING)),
         verdict=replace(belief.verdict, suspected=jnp.full_like(belief.verdict.suspected, NEVER)),
         filters=first,
         before=jax.tree.map(lambda both: both[0], belief.filters),

@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass
 
-NAMES = ("m l g / J", "c / J", "d / J", "constant torque / J")
-UNITS = ("1/s^2", "1/s^2", "1/s", "1/s^2")
+NAMES = ("m l g / J", "c / J", "d / J", "constant torque / J", "dry friction / J")
+UNITS = ("1/s^2", "1/s^2", "1/s", "1/s^2", "1/s^2")
 UNEXPLAINED, CHANGED = "the model does not explain the movement", "the leg has changed"
 TRUST = (  # by its number in EXO_LEARNING
     "waiting for a free movement",

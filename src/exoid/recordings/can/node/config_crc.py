@@ -22,7 +22,12 @@ RECORDED = (
     *("EXO_TIME", "EXO_STATE", "EXO_RAW", "EXO_ACC"),
     *("EXO_SETTINGS", "EXO_HEARTBEAT", "EXO_HEALTH"),
 )
-LEARNED = ("EXO_RATIOS", "EXO_RATIO_ERRORS", "EXO_LEARNING")  # in the order in which they come
+LEARNED = (
+    "EXO_RATIOS",
+    "EXO_RATIO_ERRORS",
+    "EXO_FRICTION",
+    "EXO_LEARNING",
+)  # in the order in which they come
 COMMANDED = ("EXO_TORQUE", "EXO_PARAMETER")  # by which no recording is read
 VERSION = re.compile(r'^VERSION "(.*)"', re.MULTILINE)
 

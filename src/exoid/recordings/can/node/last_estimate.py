@@ -2,7 +2,14 @@
 
 from exoid.recordings.can.decode import MessagePlan
 from exoid.recordings.can.node.config_crc import LEARNED, learning_crc
-from exoid.recordings.can.node.learned import ERRORS, LEARNING, SIGNALS, VALUES
+from exoid.recordings.can.node.learned import (
+    ERRORS,
+    FRICTION,
+    LEARNING,
+    OF_FRICTION,
+    SIGNALS,
+    VALUES,
+)
 from exoid.recordings.can.node.one_frame import unsigned, values_of
 from exoid.recordings.can.node_estimate import CHANGED, UNEXPLAINED, NodeEstimate, word
 
@@ -13,7 +20,7 @@ DOUBTS = {
 
 
 class LastEstimate:
-    """Takes the three frames that belong together."""
+    """Takes the frames that belong together."""
 
     def __init__(self):
         self.known: NodeEstimate | None = None
@@ -24,15 +31,18 @@ class LastEstimate:
         if list(self.parts) != list(LEARNED[: LEARNED.index(plan.name)]):
             self.parts = {}
         if plan.name != LEARNING:
-            self.parts[plan.name] = values_of(plan, data, SIGNALS)
+            names = OF_FRICTION if plan.name == FRICTION else SIGNALS
+            self.parts[plan.name] = values_of(plan, data, names)
             return []
         parts, self.parts = self.parts, {}
-        if len(parts) < 2 or unsigned(data, plan.signal("LearningCrc")) != learning_crc():
+        if (
+            len(parts) < len(LEARNED) - 1
+            or unsigned(data, plan.signal("LearningCrc")) != learning_crc()
+        ):
             return []
         trust, drops = (unsigned(data, plan.signal(name)) for name in ("Trust", "Drops"))
-        before, self.known = (
-            self.known,
-            NodeEstimate(word(trust), drops, parts[VALUES], parts[ERRORS]),
-        )
+        ratio, error = parts[FRICTION]
+        ratios, errors = (*parts[VALUES], ratio), (*parts[ERRORS], error)
+        before, self.known = self.known, NodeEstimate(word(trust), drops, ratios, errors)
         news = before is not None and before.trust != self.known.trust
         return [DOUBTS[self.known.trust]] if news and self.known.trust in DOUBTS else []

@@ -1,4 +1,4 @@
-"""What the node says it has learned of the leg: EXO_RATIOS, EXO_RATIO_ERRORS, EXO_LEARNING."""
+"""What the node says it has learned of the leg: EXO_RATIOS and the frames that follow it."""
 
 from dataclasses import dataclass
 
@@ -10,8 +10,9 @@ from exoid.recordings.can.node_estimate import NodeEstimate, word
 from exoid.recordings.can.sort import MessageFrames
 from exoid.recordings.filter.learning import RATIOS
 
-VALUES, ERRORS, LEARNING = LEARNED
-SIGNALS = tuple(name.capitalize() for name in RATIOS)
+VALUES, ERRORS, FRICTION, LEARNING = LEARNED
+SIGNALS = tuple(name.capitalize() for name in RATIOS[:-1])  # of VALUES and of ERRORS
+OF_FRICTION = "Friction", "Error"  # the last ratio, in a frame of its own
 
 
 @dataclass(frozen=True, eq=False)
@@ -22,8 +23,8 @@ class Course:
     trust: Int[np.ndarray, " told"]
     phase: Int[np.ndarray, " told"]
     drops: Int[np.ndarray, " told"]
-    ratios: Float[np.ndarray, "told 4"]
-    errors: Float[np.ndarray, "told 4"]
+    ratios: Float[np.ndarray, "told 5"]
+    errors: Float[np.ndarray, "told 5"]
 
     @property
     def last(self) -> NodeEstimate | None:
@@ -39,28 +40,34 @@ class Course:
 
 
 def course_of(messages: dict[str, MessageFrames]) -> Course:
-    """Every time at which all three frames came, one behind the other, of a node that learns by the
+    """Every time at which all the frames came, one behind the other, of a node that learns by the
     numbers of this exoid.
     """
-    parts = [messages[name] for name in LEARNED]
-    order = np.concatenate([each.order for each in parts])
-    kind = np.repeat(np.arange(len(parts)), [each.order.size for each in parts])
-    row = np.concatenate([np.arange(each.order.size) for each in parts])
-    at = np.argsort(order)
-    order, kind, row = order[at], kind[at], row[at]
-    first = np.flatnonzero((kind[:-2] == 0) & (kind[1:-1] == 1) & (kind[2:] == 2))
-    values, errors, learning = (row[first + k] for k in range(len(parts)))
-    ours = messages[LEARNING].values("LearningCrc")[learning] == learning_crc()
-    values, errors, learning = values[ours], errors[ours], learning[ours]
+    learning = messages[LEARNING]
+    rows = rows_of(messages)
+    rows = rows[learning.values("LearningCrc")[rows[:, -1]] == learning_crc()]
+    values, errors, friction, last = rows.T
     trust, phase, drops = (
-        messages[LEARNING].values(name)[learning].astype(int)
-        for name in ("Trust", "Phase", "Drops")
+        learning.values(name)[last].astype(int) for name in ("Trust", "Phase", "Drops")
     )
+    ratio, error = (messages[FRICTION].values(name)[friction] for name in OF_FRICTION)
     return Course(
-        order[first[ours] + 2],
+        learning.order[last],
         trust,
         phase,
         drops,
-        np.stack([messages[VALUES].values(name)[values] for name in SIGNALS], axis=1),
-        np.stack([messages[ERRORS].values(name)[errors] for name in SIGNALS], axis=1),
+        np.column_stack([*(messages[VALUES].values(name)[values] for name in SIGNALS), ratio]),
+        np.column_stack([*(messages[ERRORS].values(name)[errors] for name in SIGNALS), error]),
     )
+
+
+def rows_of(messages: dict[str, MessageFrames]) -> Int[np.ndarray, "told 4"]:
+    """Which frames of each message belong together."""
+    parts = [messages[name] for name in LEARNED]
+    sizes = [each.order.size for each in parts]
+    at = np.argsort(np.concatenate([each.order for each in parts]))
+    kind = np.repeat(np.arange(len(parts)), sizes)[at]
+    row = np.concatenate([np.arange(size) for size in sizes])[at]
+    together = np.arange(max(at.size - len(parts) + 1, 0))[:, None] + np.arange(len(parts))
+    whole = (kind[together] == np.arange(len(parts))).all(axis=1)
+    return row[together[whole]]
