@@ -108,7 +108,7 @@ def whole_step(
     compact: bool,
 ) -> Motion:
     pushes = {0.0: drive.begin, 0.5: drive.middle, 1.0: drive.end}
-    dry, free = sticky(terms), jnp.ones(())
+    dry, free, held = sticky(terms), jnp.ones(()), jnp.zeros((), bool)
 
     def rate(at: Motion, part: Any) -> Motion:
         push = parabola(drive.begin, drive.middle, drive.end, part) if compact else pushes[part]
