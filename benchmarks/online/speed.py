@@ -22,7 +22,7 @@ from exoid.watching.estimate.load import Load
 HOUR = 360_000  # samples of 10 ms
 ROUNDS = 5
 QUANTILES = (0.5, 0.999)
-FITS = 5  # refinements beside which steps are timed
+FITS = 3  # refinements beside which steps are timed
 
 
 def stream(seed: int = 0) -> online.Sample:
