@@ -23,6 +23,7 @@ def test_the_index_of_a_viscous_leg_is_kept_where_its_record_is_cut(decay, lasti
     kept = found.measures["expected_relaxation_index"]
     # Turns are found to some 1e-4 of the amplitude.
     assert kept.value == pytest.approx(1 + np.exp(-leg.decrement / 2), abs=2e-3)
+    assert kept.standard_error is not None
     assert 0.0 < kept.standard_error < 0.2
 
 

@@ -35,7 +35,7 @@ MEASURES: dict[str, Definition] = {
             "1",
             partial(read.relaxation_index, norm=read.NORM),
         ),
-        ("expected_relaxation_index", "A1 / A0e", "1", read.expected_relaxation_index),
+        ("expected_relaxation_index", "A1 / A_e", "1", read.expected_relaxation_index),
         ("number_of_oscillations", "N", "1", read.number_of_oscillations),
         ("period", "T", "s", read.period),
         ("time_to_rest", "t_r", "s", read.time_to_rest),
