@@ -1,5 +1,6 @@
 """Fits side by side give what each gives alone, whatever is the matter with it."""
 
+import sys
 from dataclasses import replace
 
 import jax
@@ -56,6 +57,16 @@ def still(made: Recording) -> Recording:
         )
 
     return changed(made, held)
+
+
+@pytest.mark.parametrize("count", [0, 1, 7, 8])
+def test_of_several_meetings_everybody_has_its_own(count, monkeypatch):
+    module = sys.modules[fit_many.__module__]
+    monkeypatch.setattr(module, "LANES", 2)
+    monkeypatch.setattr(module, "MOST", 3)
+    monkeypatch.setattr(module, "frugal_fit", lambda one, options: ValueError(one))
+    names = [f"{number}.csv" for number in range(count)]
+    assert [str(each) for each in fit_many(names)] == names
 
 
 @pytest.fixture(scope="module")
