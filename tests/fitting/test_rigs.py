@@ -58,3 +58,11 @@ def test_of_a_torque_of_unknown_gain_only_what_is_over_the_inertia_is_told(axis)
     for name in ("inertia", "damping"):
         assert found.parameters[name].value is None
         assert "gain is unknown (torque_known = false)" in (found.parameters[name].reason or "")
+
+
+def test_a_robots_joint_whose_first_second_tells_nothing_is_followed(shared):
+    """It hardly moves at first: a fit to that alone runs away in what its motor does later."""
+    path = shared / "real" / "ur10e-joint1.csv"
+    if not path.is_file():
+        pytest.skip(f"{path} is absent")
+    assert fit(path, multistart=2).follows

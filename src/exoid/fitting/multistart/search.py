@@ -91,10 +91,17 @@ def led_to_the_data(
     member = np.where(member < 0, -1, again[member])
     failures = dict(Counter(failures) + Counter(lost))
     gathered = without_thrust(take(looser.coordinates, rows))
-    if not terms:
+    if not terms and swings_freely(bare):
         gathered = let_go(bare, gathered, horizon)
     mounting = take(begin.mounting, np.zeros(len(rows), dtype=int))  # every start's is as declared
     return *with_terms(replace(gathered, mounting=mounting), member, terms), failures
+
+
+def swings_freely(problem: Problem) -> bool:
+    """Is it a leg that swings by itself? Its first second tells how all of it goes on. That of a
+    rig that a motor moves may tell nothing, and what is driven later then runs away.
+    """
+    return not problem.belief.rig and set(problem.kinds) == {"passive"}
 
 
 def let_go(problem: Problem, gathered: Coordinates, horizon: int) -> Coordinates:
