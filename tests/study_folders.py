@@ -10,6 +10,10 @@ import numpy as np
 from exoid.recordings.recording import Recording, known
 
 HANGING = -np.pi / 2  # rad
+VISITS = [f"P0{p}/{when}/{side}_{k}.csv" for p in (1, 2) for when in ("pre", "post")
+         for side in ("left", "right") for k in (1, 2)]  # fmt: skip
+PEOPLE = "id,body_mass_kg,height_m,age_years,group\nP01,77,1.8,30,a\nP02,61,1.65,40,b\n"
+SIDECAR = '[subject]\nnotes = "shoe on"\nadded_mass_kg = [0.5]\n[protocol]\nkind = "passive"\n'
 
 
 def table_of(seed: float = 0.0, rate: float = 100.0, seconds: float = 3.0) -> str:
@@ -66,3 +70,11 @@ def processor_time(code: str, *arguments: object) -> float:
         check=True,
     )
     return float(done.stdout.split()[-1])
+
+
+def two_people(folder: Path) -> Path:
+    """A sound study of two people, before and after, both sides twice, with a table of them and one
+    sidecar.
+    """
+    sidecars = {"participants.csv": PEOPLE, "P01/pre/left_1.toml": SIDECAR}
+    return study(folder, VISITS, sidecars)

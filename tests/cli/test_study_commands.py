@@ -5,18 +5,12 @@ import json
 import pytest
 from command_line import refusal
 
-from study_folders import study, table_of
-
-NAMES = [f"P0{p}/{when}/{side}_{k}.csv" for p in (1, 2) for when in ("pre", "post")
-         for side in ("left", "right") for k in (1, 2)]  # fmt: skip
-PEOPLE = "id,body_mass_kg,height_m,age_years,group\nP01,77,1.8,30,a\nP02,61,1.65,40,b\n"
-SIDECAR = '[subject]\nnotes = "shoe on"\nadded_mass_kg = [0.5]\n[protocol]\nkind = "passive"\n'
+from study_folders import study, table_of, two_people
 
 
 @pytest.fixture
 def folder(tmp_path):
-    sidecars = {"participants.csv": PEOPLE, "P01/pre/left_1.toml": SIDECAR}
-    return study(tmp_path / "study", NAMES, sidecars)
+    return two_people(tmp_path / "study")
 
 
 def test_init_writes_a_table_to_be_filled_in_and_replaces_nothing(command, tmp_path):

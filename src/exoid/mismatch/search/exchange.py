@@ -27,7 +27,7 @@ def exchanged(found: Found) -> Found:
     """
     prepared, singles = found.prepared, found.singles
     for _ in range(TIMES):
-        held = sorted((one for one in singles if sticks(prepared, one)), key=left_of)
+        held = sorted((one for one in singles if holds_alone(prepared, one)), key=left_of)
         if len(held) < 2 or held[0].square <= FLOOR * prepared.samples:
             break
         begun = [(held[0], held[1]), *((one, held[0]) for one in held[1:])]
@@ -41,7 +41,7 @@ def exchanged(found: Found) -> Found:
     return replace(found, singles=by_evidence(singles, found.base, measure), yardstick=measure)
 
 
-def sticks(prepared: PreparedRecording, one: Optimum) -> bool:
+def holds_alone(prepared: PreparedRecording, one: Optimum) -> bool:
     """Is it a single cause, and holds the leg?"""
     added = one.candidate.terms[len(prepared.common) :]
     return len(added) == 1 and holds(added[0])
