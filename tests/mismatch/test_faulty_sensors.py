@@ -38,6 +38,16 @@ class Rubbing(Knee):
         return super().pull(angle, rate) - self.friction * np.tanh(rate / 5e-3)
 
 
+@dataclass(frozen=True)
+class Dragged(Knee):
+    """A torque that grows with the square of the rate."""
+
+    drag: float = 0.03
+
+    def pull(self, angle, rate):
+        return super().pull(angle, rate) - self.drag * rate * abs(rate)
+
+
 def right(found, knee=ADULT):
     """The leg within three of its stated errors."""
     for name in ("gravity", "stiffness", "damping"):
@@ -80,3 +90,14 @@ def test_without_a_gyro_an_encoder_is_named_beside_what_looks_the_same(faults):
     found = diagnose(drops(faults, gyro=False), multistart=8)
     said = {term for each in found.equivalent for term in each.split(" + ")}
     assert found.verdict == "cannot_tell" or any(each.startswith("encoder") for each in said)
+
+
+@pytest.mark.parametrize("gain", [-0.0145, 0.02])
+def test_a_gain_of_the_encoder_makes_no_torque_beside_the_drag_of_a_leg(gain):
+    found = diagnose(drops(Faults(gain=gain), Dragged()), multistart=8)
+    assert found.verdict == "mismatch"
+    # The gyro's scale is another gain, and none of both is sure.
+    assert {"quadratic_drag"} <= set(found.selected) <= {"quadratic_drag", "encoder_gain"}
+    assert "encoder_gain + quadratic_drag" in {
+        " + ".join(sorted(each.split(" + "))) for each in found.equivalent
+    }

@@ -464,7 +464,7 @@ JUMPS = {
     "hysteresis": 1e-5,  # a kink, no jump
     "load_friction": 5e-3,  # as Coulomb's, with 5 N m
     "shaped_hysteresis": 1e-5,  # as hysteresis
-    "sticking_backlash": 5e-4,  # the frame stops at a sample, not at the turn: phi'' h^2 / 8
+    "sticking_backlash": 4e-5,  # the frame stops after the turn: phi'' (h / 4)^2 / 8
     "stribeck_friction": 1e-3,  # as Coulomb's, with 0.08 N m
 }
 

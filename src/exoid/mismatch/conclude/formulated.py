@@ -21,6 +21,8 @@ def formulated(found: Found, chosen: Chosen) -> tuple[Chosen, Formula | None]:
 
     One that a single cause of the library knows is that cause; a set may imitate what is new.
     """
+    if not possible(found, chosen.best):
+        return chosen, None
     single = causes(chosen.best) < 2
     new = [
         each for each in describe(found.prepared, found.begin) if each.known <= KNOWN or not single
@@ -36,6 +38,23 @@ def formulated(found: Found, chosen: Chosen) -> tuple[Chosen, Formula | None]:
     return chosen, None
 
 
+def possible(found: Found, best: Optimum) -> bool:
+    """Would one with a single parameter that leaves only noise be enough better than the library?
+    Where sets of few causes reach the noise, none can be.
+    """
+    rival = nearest(found, best)
+    if not found.yardstick.explains(rival.square):
+        return True
+    left = min(rival.square, float(found.yardstick.samples))
+    most = found.yardstick.evidence(found.base.square, left, 1)
+    return most > found.evidence(rival) + SURE
+
+
+def nearest(found: Found, best: Optimum) -> Optimum:
+    """What of the library explains most."""
+    return max((best, *found.singles, *found.pairs), key=found.evidence)
+
+
 def free(found: Found, formula: Formula) -> Optimum:
     """A formula as a term, running free from its size along the measured motion, where the leg may
     be another one, and from none.
@@ -49,7 +68,7 @@ def free(found: Found, formula: Formula) -> Optimum:
 
 def better(found: Found, one: Optimum, best: Optimum) -> bool:
     """Does a formula explain so much more than the library that it must be something else?"""
-    rival = max((best, *found.singles, *found.pairs), key=found.evidence)
+    rival = nearest(found, best)
     if not found.yardstick.explains(rival.square):
         return one.square < LEFT * rival.square
     return found.evidence(one) > found.evidence(rival) + SURE

@@ -13,7 +13,7 @@ from exoid.mismatch.conclude.numbers import covariance
 from exoid.mismatch.evidence.yardstick import UNEXPLAINED
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import settle_free
-from exoid.mismatch.search.found import Found, best_of
+from exoid.mismatch.search.found import Found, best_of, size
 from exoid.mismatch.search.rank import by_evidence
 from exoid.mismatch.search.several import instead
 from exoid.physics.parameter import declarations
@@ -34,12 +34,11 @@ def with_faults_told(found: Found, best: Optimum) -> tuple[Found, Optimum]:
     base = settle_free(prepared, plain)
     rivals = [best, *without_contested(found, best)]
     best = max(rivals, key=found.evidence)
-    common = [term for term in prepared.common if term in best.candidate.terms]
-    unneeded = [term for term in common if not matters(found, best, term)]
-    if unneeded:
-        fewer = best.candidate.without(unneeded)
-        best = settle_free(prepared, fewer) if fewer.terms else base
-    each = [found.base, *found.singles, *found.pairs, *rivals, *others(found, best)]
+    best = without_unneeded(found, base, best, prepared.common)
+    alike = others(found, best)
+    simpler = [without_unneeded(found, base, one, one.candidate.terms) for one in alike]
+    each = [found.base, *found.singles, *found.pairs, *rivals, *alike, *simpler]
+    best = max([best, *(one for one in simpler if size(one) < size(best))], key=found.evidence)
     each = best_of([one for one in each if one.candidate.terms != best.candidate.terms])
     if best is not base:
         each.append(best)
@@ -58,16 +57,30 @@ def told(found: Found, base: Optimum, each: list[Optimum]) -> Found:
     )
 
 
-def matters(found: Found, best: Optimum, term: type[Term]) -> bool:
-    """Would clearly more be left without it?"""
-    at, candidate = best.candidate.point.size + best.candidate.zero.size, best.candidate
+def without_unneeded(
+    found: Found, base: Optimum, one: Optimum, some: tuple[type[Term], ...]
+) -> Optimum:
+    """The same without those of `some` that leave hardly more where they are out, the least needed
+    taken out first: what a leg did in the place of one sensor's error may be none with another.
+    """
+    while left := {term: lost(found, one, term) for term in one.candidate.terms if term in some}:
+        least = min(left, key=left.__getitem__)
+        if found.yardstick.clear(left[least], 0.0, len(list(declarations(least)))):
+            break
+        fewer = one.candidate.without([least])
+        one = settle_free(found.prepared, fewer) if fewer.terms else base
+    return one
+
+
+def lost(found: Found, one: Optimum, term: type[Term]) -> float:
+    """What more would be left without a term, to first order."""
+    at, candidate = one.candidate.point.size + one.candidate.zero.size, one.candidate
     place = candidate.terms.index(term)
     first = at + sum(value.size for value in candidate.values[:place])
     rows = slice(first, first + candidate.values[place].size)
-    variance = covariance(found, best)[rows, rows] / found.yardstick.scale
+    variance = covariance(found, one)[rows, rows] / found.yardstick.scale
     value = candidate.unknowns[rows]
-    lost = float(value @ np.linalg.pinv(variance) @ value)
-    return found.yardstick.clear(lost, 0.0, value.size)
+    return float(value @ np.linalg.pinv(variance) @ value)
 
 
 def others(found: Found, best: Optimum) -> list[Optimum]:
@@ -77,7 +90,8 @@ def others(found: Found, best: Optimum) -> list[Optimum]:
     common = [term for term in prepared.common if term in mine.terms]
     starts = [swapped(mine, common, each) for each in sets] if common else []
     if GyroScale in common:
-        starts += [in_place(mine, ClockRate), in_place(mine, EncoderGain)]
+        free = [one for one in (ClockRate, EncoderGain) if one not in mine.terms]
+        starts += [in_place(mine, one) for one in free]
     ended = [settle_free(prepared, one) for one in starts]
     return [one for one in ended if one.square < UNEXPLAINED * max(best.square, 1.0)]
 

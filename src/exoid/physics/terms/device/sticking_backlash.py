@@ -24,6 +24,7 @@ class StickingBacklash(PhysicsTerm):
     isolate = "the leg held, the frame moved by hand through its play"
     memory_size = 1
     jumps = True
+    substeps = 4  # it stops at the end of one, and not where the leg turns
 
     half_play: Parameter = parameter("b", "rad", 0.0, 0.1, "half the play", (0.004, 0.015))
 
