@@ -22,6 +22,7 @@ from exoid.physics.parameter import declarations
 from exoid.physics.terms.device.backlash import Backlash
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.physics.terms.device.cuff_compliance import CuffCompliance
+from exoid.physics.terms.device.hard_stop import HardStop
 from exoid.physics.terms.device.quadratic_drag import QuadraticDrag
 from exoid.physics.terms.device.stribeck_friction import StribeckFriction
 from exoid.physics.terms.device.torque_bias import TorqueBias
@@ -108,6 +109,16 @@ def test_a_frame_that_rubs_has_dry_friction_however_far_its_play_reaches(frictio
     play = explaining(960.0, Backlash)  # its six parameters more are worth 41
     play = replace(play, candidate=replace(play.candidate, values=(value,)))
     assert certain_of(found_of([best, play]), best) == certain
+
+
+@pytest.mark.parametrize(("bounce", "stops"), [(0.2, True), (0.8, False)])
+def test_what_is_softer_than_gravity_is_not_called_a_stop(bounce, stops):
+    best = explaining(1000.0, CoulombFriction, HardStop)
+    values = (np.array([0.5]), np.array([bounce, -1.0, -3.2, 0.0]))
+    best = replace(best, candidate=replace(best.candidate, values=values))
+    found = found_of([explaining(20_000.0, CoulombFriction)], [best])
+    certain = certain_of(found, best)
+    assert certain == ((CoulombFriction, HardStop) if stops else (CoulombFriction,))
 
 
 def test_explanations_weigh_by_their_evidence_and_by_what_even_the_best_leaves():

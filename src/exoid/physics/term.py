@@ -72,6 +72,10 @@ class Term(eqx.Module):
         """The name of another term that is a part of this one at these values."""
         return ""
 
+    def itself(self) -> bool:
+        """Is it at these values still what it is called?"""
+        return True
+
     def torque(self, now: Moment, memory: Memory) -> Scalar:
         """The missing torque [N m], extension positive."""
         return jnp.zeros(())

@@ -22,8 +22,12 @@ def equivalents(found: Found, best: Optimum) -> list[Optimum]:
 
 
 def asserted(best: Optimum, equal: list[Optimum]) -> tuple[type[Term], ...]:
-    """The causes of the best that all of the `equal` have, in this form or another one."""
-    return tuple(term for term in best.candidate.terms if all(has(one, term) for one in equal))
+    """The causes of the best that all of the `equal` have, in this form or another one, and that
+    are at their values still what they are called.
+    """
+    each = zip(best.candidate.terms, best.candidate.values, strict=True)
+    sound = [term for term, value in each if named(term, value).itself()]
+    return tuple(term for term in sound if all(has(one, term) for one in equal))
 
 
 def weight(found: Found, causes: tuple[type[Term], ...]) -> float:

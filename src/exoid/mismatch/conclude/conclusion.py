@@ -223,7 +223,10 @@ def explains_it(found: Found, best: Optimum) -> bool:
 
 
 def undecided(found: Found, equal: list[Optimum]) -> list[str]:
-    """That explanations without a cause in common come out alike."""
+    """That explanations without a cause in common come out alike, or what a lone one is not."""
+    if len(equal) == 1:
+        alone = words(names(equal[0]))
+        return [f"{alone} explains most, at values at which it is not what it is called"]
     each = [f"{words(names(one)) or 'no cause'} ({found.followed(one):.0%})" for one in equal]
     return [
         "explanations that have nothing in common come out alike (shares of the mismatch): "

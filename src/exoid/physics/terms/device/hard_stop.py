@@ -8,6 +8,7 @@ from exoid.physics.term import Memory, PhysicsTerm, Scalar
 
 INSIDE = 0.03  # rad, of the range of motion, where a search begins
 FAR = (1.2, -3.2)  # rad, where no leg comes
+SOFTEST = 0.4  # s of a bounce: gravity alone turns a leg round in half a second
 
 
 class HardStop(PhysicsTerm):
@@ -34,6 +35,10 @@ class HardStop(PhysicsTerm):
         "phi_f", "rad", -3.2, 0.5, "stop of flexion", lambda low, high: (FAR[1], low + INSIDE)
     )
     damping_ratio: Parameter = parameter("zeta", "1", 0.0, 2.0, "damping ratio of the stop", (0.3,))
+
+    def itself(self) -> bool:
+        """Does it stop the leg? What is softer than gravity only makes it stiffer."""
+        return bool(self.contact_time < SOFTEST)
 
     def torque(self, now: Moment, memory: Memory) -> Scalar:
         extension = self.push(now.angle - self.extension_angle, now.angular_velocity)
