@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from exoid.fitting.result.fit_result import Estimate
-from exoid.mismatch.conclude.asserted import asserted, equivalents, weight
+from exoid.mismatch.conclude.asserted import asserted, equivalents, plainest, weight
 from exoid.mismatch.conclude.cannot_tell import chance, luck, unrelaxed
 from exoid.mismatch.conclude.false_alarm import Chance
 from exoid.mismatch.evidence.prediction import Prediction, improves
@@ -108,7 +108,22 @@ def test_a_frame_that_rubs_has_dry_friction_however_far_its_play_reaches(frictio
     value = np.array([0.03, 0.01, 1.0, friction, 0.0, 0.01, 0.7])
     play = explaining(960.0, Backlash)  # its six parameters more are worth 41
     play = replace(play, candidate=replace(play.candidate, values=(value,)))
-    assert certain_of(found_of([best, play]), best) == certain
+    found = found_of([best, play])
+    assert certain_of(found, best) == certain
+    assert plainest(found, best) is best
+
+
+def test_what_all_explanations_have_is_certain_whichever_of_them_is_the_best():
+    value = np.array([0.03, 0.01, 1.0, 0.2, 0.0, 0.01, 0.7])
+    play = explaining(20_000.0, Backlash)
+    play = replace(play, candidate=replace(play.candidate, values=(value,)))
+    rubbing, rough = explaining(21_000.0, CoulombFriction), explaining(22_000.0, StribeckFriction)
+    found = found_of([play, rough, rubbing, explaining(90_000.0, TorqueBias)])
+    assert certain_of(found, play) == (CoulombFriction,)
+    assert plainest(found, play) is rubbing
+    apart = found_of([play, rubbing, explaining(21_000.0, TorqueBias)])
+    assert certain_of(apart, play) == ()
+    assert plainest(apart, play) is play
 
 
 @pytest.mark.parametrize(("bounce", "stops"), [(0.2, True), (0.8, False)])

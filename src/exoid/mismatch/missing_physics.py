@@ -1,6 +1,7 @@
 """What physics was left out: the whole diagnosis of recordings of one leg."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -11,6 +12,7 @@ from exoid.fitting.data.movement import Movement
 from exoid.fitting.estimate import fit
 from exoid.fitting.result.fit_result import FitResult
 from exoid.mismatch.answer.diagnosis import Diagnosis
+from exoid.mismatch.conclude.asserted import plainest
 from exoid.mismatch.conclude.choose import Chosen, causes, choose
 from exoid.mismatch.conclude.conclusion import concluded
 from exoid.mismatch.conclude.formulated import formulated
@@ -94,6 +96,8 @@ def asked(
     if formula is None and unusual(found, chosen.best):
         found, best = as_a_term(found, chosen.best)
         chosen = Chosen(best, *(predict(found.prepared, one) for one in (found.base, best)))
+    if formula is None and (plain := plainest(found, chosen.best)) is not chosen.best:
+        chosen = replace(chosen, best=plain, after=predict(found.prepared, plain))
     told("locating the mismatch")
     location = locate(found.prepared, found.begin, chosen.best)
     return concluded(result, found, chosen, formula, location, seed)

@@ -22,12 +22,26 @@ def equivalents(found: Found, best: Optimum) -> list[Optimum]:
 
 
 def asserted(best: Optimum, equal: list[Optimum]) -> tuple[type[Term], ...]:
-    """The causes of the best that all of the `equal` have, in this form or another one, and that
-    are at their values still what they are called.
+    """The causes that all of the `equal` have, in one form or another, and that are at their values
+    still what they are called; in the form of the best where it has one.
     """
-    each = zip(best.candidate.terms, best.candidate.values, strict=True)
-    sound = [term for term, value in each if named(term, value).itself()]
-    return tuple(term for term in sound if all(has(one, term) for one in equal))
+    certain: list[type[Term]] = []
+    for one in (best, *equal):
+        for term, value in zip(one.candidate.terms, one.candidate.values, strict=True):
+            known = any(same_cause(term, other) for other in certain)
+            if not known and named(term, value).itself() and all(has(each, term) for each in equal):
+                certain.append(term)
+    return tuple(certain)
+
+
+def plainest(found: Found, best: Optimum) -> Optimum:
+    """The best, or where it only includes what is certain, the best of those that have it by name:
+    a frame that rubs has dry friction, and play beside it that nobody needs.
+    """
+    equal = equivalents(found, best)
+    certain = {*asserted(best, equal)}
+    plain = [one for one in equal if certain <= {*one.candidate.terms}]
+    return best if best in plain or not plain else max(plain, key=found.evidence)
 
 
 def weight(found: Found, causes: tuple[type[Term], ...]) -> float:
