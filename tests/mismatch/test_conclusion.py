@@ -121,6 +121,9 @@ def test_what_all_explanations_have_is_certain_whichever_of_them_is_the_best():
     found = found_of([play, rough, rubbing, explaining(90_000.0, TorqueBias)])
     assert certain_of(found, play) == (CoulombFriction,)
     assert plainest(found, play) is rubbing
+    found = found_of([play, rough])
+    assert certain_of(found, play) == (CoulombFriction,)  # of play, no friction that falls is known
+    assert plainest(found, play) is rough
     apart = found_of([play, rubbing, explaining(21_000.0, TorqueBias)])
     assert certain_of(apart, play) == ()
     assert plainest(apart, play) is play

@@ -6,6 +6,7 @@ from exoid.mismatch.screen.effect import named
 from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.search.found import Found, size
 from exoid.mismatch.search.rank import alike, simpler_form
+from exoid.physics.library import library
 from exoid.physics.term import Term, name_of
 
 
@@ -23,25 +24,36 @@ def equivalents(found: Found, best: Optimum) -> list[Optimum]:
 
 def asserted(best: Optimum, equal: list[Optimum]) -> tuple[type[Term], ...]:
     """The causes that all of the `equal` have, in one form or another, and that are at their values
-    still what they are called; in the form of the best where it has one.
+    still what they are called; in the form of the best where all have that.
     """
     certain: list[type[Term]] = []
-    for one in (best, *equal):
-        for term, value in zip(one.candidate.terms, one.candidate.values, strict=True):
-            known = any(same_cause(term, other) for other in certain)
-            if not known and named(term, value).itself() and all(has(each, term) for each in equal):
-                certain.append(term)
+    for cause in (cause for one in (best, *equal) for cause in causes_of(one)):
+        known = any(same_cause(cause, other) for other in certain)
+        if not known and all(has(each, cause) for each in equal):
+            certain.append(cause)
     return tuple(certain)
 
 
+def causes_of(one: Optimum) -> list[type[Term]]:
+    """Its terms that are what they are called, and what those include."""
+    each = [named(*both) for both in zip(one.candidate.terms, one.candidate.values, strict=True)]
+    inside = {term.includes() for term in each}
+    own = [type(term) for term in each if term.itself()]
+    return [*own, *(term for term in library() if name_of(term) in inside)]
+
+
 def plainest(found: Found, best: Optimum) -> Optimum:
-    """The best, or where it only includes what is certain, the best of those that have it by name:
-    a frame that rubs has dry friction, and play beside it that nobody needs.
+    """The best, or where it only includes what is certain, the best of those that have it: a frame
+    that rubs has dry friction, and play beside it that nobody needs.
     """
     equal = equivalents(found, best)
-    certain = {*asserted(best, equal)}
-    plain = [one for one in equal if certain <= {*one.candidate.terms}]
-    return best if best in plain or not plain else max(plain, key=found.evidence)
+    certain = asserted(best, equal)
+
+    def plain(one: Optimum) -> bool:
+        return all(any(same_cause(cause, own) for own in one.candidate.terms) for cause in certain)
+
+    each = [one for one in equal if plain(one)]
+    return best if best in each or not each else max(each, key=found.evidence)
 
 
 def weight(found: Found, causes: tuple[type[Term], ...]) -> float:
