@@ -12,11 +12,10 @@ from exoid.fitting.model.coordinates import (
     Coordinates,
     by_segment,
     flattened,
+    layout,
     places,
     quantities,
-    scaled,
     unflattened,
-    unscaled,
 )
 from exoid.fitting.model.limits import Limits, Prior
 from exoid.fitting.model.prior import belief_residual, mounting_residual
@@ -51,7 +50,7 @@ def neighbourhood(
         every = gradients(parts, point)
     declared, belief, by_quantity, by_constraint = np.split(every, np.cumsum(counts)[:-1])
     return Neighbourhood(
-        data=told(condensed, columns(point, owner), flattened(point).size),
+        data=told(condensed, columns(point, owner), layout(point).size),
         prior=belief.T @ belief + declared.T @ declared,
         declared=declared.T @ declared,
         quantities=by_quantity,
@@ -77,8 +76,10 @@ def quantity_gradients(point: Coordinates) -> np.ndarray:
 
 def gradients(function: Callable[[Coordinates], np.ndarray], point: Coordinates) -> np.ndarray:
     """The Jacobian of a function of the coordinates, in the units that the solver sees."""
+    units = layout(point).units
     return derivative(
-        lambda values: function(unscaled(unflattened(values, point))), flattened(scaled(point))
+        lambda steps: function(unflattened(steps * units[:, None], point)),
+        flattened(point) / units,
     )
 
 
