@@ -70,7 +70,10 @@ class Likelihood:
         rows = np.concatenate([self.told(each, each.outside) for each in grams])
         self.outside = rows.T @ rows
         self.parts = [
-            (each.effect @ covariance(each, correlated) @ each.effect.T, self.told(each, each.inside))
+            (
+                each.effect @ covariance(each, correlated) @ each.effect.T,
+                self.told(each, each.inside),
+            )
             for each in grams
             if each.effect.any()  # else nothing is along it
         ]
@@ -103,9 +106,11 @@ class Likelihood:
         """
         spread, total = np.zeros(1), self.outside  # (A, r)'V^-1 (A, r) along what is determined
         for process, inside in self.parts:
-            grown = ratios[..., None, None] * process[..., None, :, :]
-            white = np.maximum(1.0, LEAST * np.trace(grown, axis1=-2, axis2=-1))
-            roots = np.linalg.cholesky(grown + white[..., None, None] * np.eye(len(inside)))
+            covariances = ratios[..., None, None] * process[..., None, :, :]
+            grown = LEAST * np.trace(covariances, axis1=-2, axis2=-1)
+            at = np.arange(len(inside))
+            covariances[..., at, at] += np.maximum(1.0, grown)[..., None]
+            roots = np.linalg.cholesky(covariances)
             spread = spread + 2 * np.log(np.diagonal(roots, axis1=-2, axis2=-1)).sum(axis=-1)
             rows = solved(roots, inside)
             total = total + np.swapaxes(rows, -1, -2) @ rows
