@@ -190,9 +190,10 @@ def spread(decomposed, free, gradient) -> float:
         return 0.0
     values, vectors = decomposed
     variances = (vectors.T @ along) ** 2 / values
-    if VAGUE * np.sum(variances / values) > DECIDED * np.sum(variances):
+    variance = variances.sum()
+    if VAGUE * (variances / values).sum() > DECIDED * variance:
         return np.inf  # nothing but the vague belief keeps it within reason
-    return float(np.sqrt(np.sum(variances)))
+    return float(np.sqrt(variance))
 
 
 def determined(values: np.ndarray) -> np.ndarray:

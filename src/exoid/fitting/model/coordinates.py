@@ -136,7 +136,7 @@ class Layout:
 def layout(point: Coordinates) -> Layout:
     """That of a point; it is the same of all points of one structure."""
     leaves, structure = jax.tree.flatten(point)
-    return layout_of(structure, tuple(map(np.shape, leaves)))
+    return layout_of(structure, tuple([leaf.shape for leaf in leaves]))
 
 
 @lru_cache(64)

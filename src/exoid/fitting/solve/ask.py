@@ -11,7 +11,7 @@ from exoid.fitting.misfit.gram import CAUSES, Cause, Grams
 from exoid.fitting.misfit.gram_matrices import declared, gram, nodes_of, undisturbed
 from exoid.fitting.misfit.information import spoiled
 from exoid.fitting.misfit.missed import Disturbance
-from exoid.fitting.misfit.neighbourhood import columns, declared_slopes, neighbourhood
+from exoid.fitting.misfit.neighbourhood import columns, declared_slopes, neighbourhood, told
 from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.coordinates import Coordinates, layout, take
 from exoid.fitting.model.prior import mounting_residual
@@ -150,6 +150,12 @@ def around(
     if disturbance is None:
         return local
     return replace(local, data=left(problem, at, row, disturbance).information)
+
+
+def told_at(problem: Problem, at: Solved, row: int) -> np.ndarray:
+    """The information that the data carry around one end point, of white noise alone."""
+    point, condensed = take((at.coordinates, at.condensed), row)
+    return told(condensed, columns(point, problem.observation.owner), layout(point).size)
 
 
 def left(problem: Problem, at: Solved, row: int, disturbance: Disturbance) -> Disturbance:
