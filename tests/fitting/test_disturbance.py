@@ -235,6 +235,12 @@ def test_the_order_of_the_samples_does_not_move_a_likelihood():
         np.testing.assert_allclose(likelihood(rng.permutation(SAMPLES)), plain, atol=1e-3)
 
 
+def test_a_process_of_any_size_has_a_likelihood():
+    """Also where all of the white noise is less than the rounding of the process."""
+    found = Likelihood([grammed(hidden(np.arange(SAMPLES)))], 0.4, SAMPLES, 3)
+    assert np.isfinite(found(np.logspace(3, 24, 8))).all()
+
+
 def test_a_direction_without_information_stays_without():
     a = columns()
     a[2] = 0.0

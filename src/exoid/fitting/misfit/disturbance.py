@@ -9,7 +9,7 @@ for what the parameters absorbed.
 """
 
 import numpy as np
-from scipy.linalg.lapack import dtrtrs
+from scipy.linalg import get_lapack_funcs
 
 from exoid.fitting.misfit.gram import CAUSES, UNIT, Cause, Gram, Grams
 from exoid.fitting.misfit.gram_matrices import Times, covariance
@@ -24,6 +24,7 @@ CLEAR = 4.0  # gain of log likelihood below which the noise alone explains the r
 # Gain at a decade's grid from which on it is worth to look closer: that shows about half of what is
 # between its points, for however few or many nodes.
 PROMISING = CLEAR / 4
+(SOLVE,) = get_lapack_funcs(("trtrs",))  # what SciPy checks around it takes longer than it does
 
 
 def explain(grams: list[Grams], most: dict[Cause, float], samples: int, size: int) -> Missed:
@@ -75,7 +76,7 @@ class Likelihood:
                 self.told(each, each.inside),
             )
             for each in grams
-            if each.effect.any()  # else nothing is along it
+            if each.nodes.size > 1  # else nothing disturbs it
         ]
 
     def told(self, each: Gram, rows: np.ndarray) -> np.ndarray:
@@ -115,8 +116,9 @@ class Likelihood:
             rows = solved(roots, inside)
             total = total + np.swapaxes(rows, -1, -2) @ rows
         known, along = total[..., :-1, :-1], total[..., :-1, -1]
-        taken = np.einsum("...i,...i->...", along, np.linalg.solve(known, along[..., None])[..., 0])
-        return spread + np.linalg.slogdet(known)[1], total[..., -1, -1] - taken
+        best = np.linalg.solve(known, along[..., None])[..., 0]
+        left = total[..., -1, -1] - np.sum(along * best, axis=-1)
+        return spread + np.linalg.slogdet(known)[1], left
 
     def noise_beside(self, ratio: float) -> np.ndarray:
         """The white noise over the declared one; sensors are no better than declared."""
@@ -127,7 +129,7 @@ class Likelihood:
 def solved(roots: np.ndarray, rows: np.ndarray) -> np.ndarray:
     """L^-1 of the same rows, for each lower triangle L."""
     each = roots.reshape(-1, *roots.shape[-2:])
-    found = np.stack([dtrtrs(root.T, rows, trans=1)[0] for root in each])
+    found = np.stack([SOLVE(root.T, rows, trans=1)[0] for root in each])
     return found.reshape(*roots.shape[:-2], *rows.shape)
 
 

@@ -91,12 +91,13 @@ class Information:
         """The standard error if no bound held, only what the user fixed."""
         return spread(self.unbounded, self.open, gradient)
 
-    def shares(self, gradient: Float[np.ndarray, " coordinate"], error: float) -> Shares | None:
-        """Who made the standard error as small as it is; None where nothing did.
+    def shares(self, gradient: Float[np.ndarray, " coordinate"]) -> Shares | None:
+        """Who made the error as small as it is; None where nothing did.
 
         With I = I_data + I_prior the variance is a'I^-1 a = a'I^-1 (I_data + I_prior) I^-1 a, a sum
         of what each contributes. What the variance would be without the bounds tells their part.
         """
+        error = self.standard_error(gradient)
         if error == 0.0:
             return HELD
         if not np.isfinite(error):
@@ -107,13 +108,13 @@ class Information:
         rest = (1 - bound) / (data + prior)
         return Shares(float(data * rest), float(prior * rest), float(bound), self.kind(pull))
 
-    def limits(self, gradient: Float[np.ndarray, " coordinate"], error: float) -> dict[str, float]:
-        """By what part the variance of a quantity with this standard error would shrink were each
-        of `owned` known exactly.
+    def limits(self, gradient: Float[np.ndarray, " coordinate"]) -> dict[str, float]:
+        """By what part the variance of a quantity would shrink were each of `owned` known exactly.
 
         Given x_g, the variance of a'x is a'C a - a'C_g C_gg^-1 C_g'a. The parts need not add up
         to 1: two that go together are each of them a part.
         """
+        error = self.standard_error(gradient)
         if not np.isfinite(error) or error == 0.0 or self.root is None:
             return {}
         along = self.root.T @ gradient

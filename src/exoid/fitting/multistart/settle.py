@@ -2,12 +2,18 @@
 
 from dataclasses import replace
 
-import jax
 import numpy as np
 
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.neighbourhood import derivative, penalties, weighed
-from exoid.fitting.model.coordinates import TYPICAL, Coordinates, Shared
+from exoid.fitting.model.coordinates import (
+    TYPICAL,
+    Coordinates,
+    Shared,
+    flattened,
+    places,
+    unflattened,
+)
 from exoid.fitting.model.fixed_values import imposed
 from exoid.fitting.model.prior import belief_residual
 from exoid.fitting.multistart.search_result import FEASIBLE, LIMITED, LOOKING, scale_told
@@ -73,12 +79,13 @@ def as_believed(problem: Problem, free: Coordinates, inertia: float, mass: float
 
     Dry friction makes the loss rough, and a search that it stops would leave them where they were.
     """
+    flat, at = flattened(free), places(free)
+    rows = [int(at.shared.log_inertia), int(at.log_mass)]
 
-    def belief(at: np.ndarray) -> np.ndarray:
-        shared = replace(free.shared, log_inertia=at[0])
-        terms = jax.tree.map(lambda leaf: np.broadcast_to(leaf, at[0].shape), free.terms)
-        there = replace(free, shared=shared, log_mass=at[1], terms=terms)
-        return belief_residual(problem.belief.prior, there, np)
+    def belief(two: np.ndarray) -> np.ndarray:
+        values = np.multiply.outer(flat, np.ones_like(two[0]))
+        values[rows] = two
+        return belief_residual(problem.belief.prior, unflattened(values, free), np)
 
     point = np.array([inertia, mass])
     for _ in range(TURNS):

@@ -56,12 +56,7 @@ class Found:
     @cached_property
     def shares(self) -> Shares | None:
         """Who told it; None where nothing did."""
-        return HELD if self.held else self.information.shares(self.gradient, self.error)
-
-    @cached_property
-    def error(self) -> float:
-        """Its standard error, quoted or not."""
-        return self.information.standard_error(self.gradient)
+        return HELD if self.held else self.information.shares(self.gradient)
 
     def estimate(
         self, label: tuple[str, str, str], *, by_hand: Means | None = None, **more: Any
@@ -69,13 +64,13 @@ class Found:
         """With its error, where one is quoted, under its symbol, title and unit."""
         shares, error = self.shares, None
         if shares is not None and shares != HELD:
-            error = self.error
+            error = self.information.standard_error(self.gradient)
         return Estimate(
             *label,
             value=None if shares is None else self.value,
             standard_error=0.0 if by_hand == "fix" else error,
             shares=shares,
-            limited_by=self.information.limits(self.gradient, self.error),
+            limited_by=self.information.limits(self.gradient),
             by_hand=by_hand,
             **more,
         )

@@ -51,7 +51,7 @@ def estimate_mountings(basis: Basis) -> list[MountingFit]:
             *MOUNTING[FIELDS[field]],
             value=float(value),
             standard_error=float(error * slope) if np.isfinite(error) else None,
-            shares=basis.information.shares(gradient, error),
+            shares=basis.information.shares(gradient),
         )
 
     found = [

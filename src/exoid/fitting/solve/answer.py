@@ -34,7 +34,7 @@ def solved(asked: Sequence[Question]) -> list[Any]:
     begins, steps = ends - starts, np.asarray(max(one.steps for one in asked))
     parts = []
     for lanes in filled(np.arange(owner.size), lanes_of(asked)):
-        first, last = owner[lanes[0]], owner[lanes[-1]]
+        first, last = owner[lanes[[0, -1]]].tolist()
         leaves = laned(asked[first : last + 1], lanes - begins[first], owner[lanes] - first)
         arguments = jax.tree.unflatten(asked[0].given, leaves), steps
         program = f"{PROGRAM}:solve_many", arguments, asked[0].static, asked[0].structure
@@ -42,7 +42,7 @@ def solved(asked: Sequence[Question]) -> list[Any]:
     whole = [np.concatenate(each) for each in zip(*parts, strict=True)]
     return [
         jax.tree.unflatten(asked[0].structure, [leaf[begin:end] for leaf in whole])
-        for begin, end in zip(begins, ends, strict=True)
+        for begin, end in zip(begins.tolist(), ends.tolist(), strict=True)
     ]
 
 
