@@ -235,6 +235,14 @@ def test_the_order_of_the_samples_does_not_move_a_likelihood():
         np.testing.assert_allclose(likelihood(rng.permutation(SAMPLES)), plain, atol=1e-3)
 
 
+def test_a_process_of_any_size_has_a_likelihood():
+    """Also where white noise is less than its rounding, and it moves the leg in one way only."""
+    gram = grammed(hidden(np.arange(SAMPLES)))
+    one_way = replace(gram, effect=np.outer(gram.effect[0], gram.effect[0]))
+    found = Likelihood([one_way], 0.4, SAMPLES, 3)
+    assert np.isfinite(found(np.logspace(3, 24, 8))).all()
+
+
 def test_a_direction_without_information_stays_without():
     a = columns()
     a[2] = 0.0

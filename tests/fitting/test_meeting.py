@@ -4,16 +4,19 @@ import threading
 import time
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 
-from exoid.fitting.solve.meeting import MEETING, TRIANGLES, Guest, meet
+from exoid.fitting.solve.meeting import MEETING, SOLVE, Guest, meet
 from exoid.fitting.solve.program_cache import called
 
 
 def ask(number: float, shape: int = 3) -> float:
     """A question of one number, which a program would answer; its `shape` is part of its kind."""
     seen, stage = SimpleNamespace(time=[0.0] * shape), SimpleNamespace(steps=shape)
-    return called(TRIANGLES, (number, seen, None, None, stage), None, None)
+    task = SimpleNamespace(stage=stage)
+    starts = np.array([number])
+    return called(SOLVE, (starts, None, seen, None, None, None, task), None, None)
 
 
 def doubled(log):
@@ -21,7 +24,7 @@ def doubled(log):
 
     def answer(asked):
         log.append(len(asked))
-        return {at: 2 * float(each.leaves[0]) for at, each in enumerate(asked)}
+        return {at: 2 * float(each.leaves[0][0]) for at, each in enumerate(asked)}
 
     return answer
 

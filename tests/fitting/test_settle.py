@@ -1,14 +1,16 @@
 """Where a search under prior and limits begins."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from exoid.fitting.data.conditioning_chain import Raw
 from exoid.fitting.estimate import movements_of
-from exoid.fitting.model.coordinates import flattened, places, take, typical
+from exoid.fitting.model.coordinates import take
 from exoid.fitting.model.prior import belief_residual
 from exoid.fitting.model.prior_and_limits import believe
-from exoid.fitting.multistart.settle import as_believed, moved
+from exoid.fitting.multistart.settle import as_believed
 from exoid.fitting.multistart.starts import coordinates
 from exoid.fitting.solve.pose import pose
 from fit_cases import BODY, DROP, recorded
@@ -30,13 +32,9 @@ def test_what_is_believed_most_is_the_same_from_anywhere_and_nothing_near_is_bel
     one, other = (as_believed(problem, point, *map(float, each)) for each in begins)
     assert one == pytest.approx(other, abs=1e-3)  # of a typical step: no nearer
 
-    start = np.array([float(point.shared.log_inertia), float(point.log_mass)])
-    at = places(point)
-
     def doubt(inertia, mass):
-        step = np.zeros(flattened(point).size)
-        step[[int(at.shared.log_inertia), int(at.log_mass)]] = np.array([inertia, mass]) - start
-        away = moved(point, step / flattened(typical(point)))
+        shared = replace(point.shared, log_inertia=inertia)
+        away = replace(point, shared=shared, log_mass=mass)
         return np.sum(belief_residual(problem.belief.prior, away, np) ** 2)
 
     least = doubt(*one)

@@ -11,25 +11,37 @@ from exoid.studies.engine import workers as module
 from exoid.studies.engine.settings import Settings
 
 TWICE = """
+import os
+
 from exoid.studies.engine.workers import workers
 
 if __name__ == "__main__":
     for again in range(2):
         with workers(1, None, 2**29) as client:
             print(client.submit(sum, (1, again)).result())
+            print(client.submit(os.getenv, "MALLOC_TRIM_THRESHOLD_", "as usual").result())
 """
 
 
-def test_two_runs_in_one_process_have_workers_and_nothing_is_said_of_a_cluster_beside(tmp_path):
-    script = tmp_path / "twice.py"  # what spawns processes is a file
+@pytest.fixture(scope="module")
+def twice(tmp_path_factory):
+    script = tmp_path_factory.mktemp("runs") / "twice.py"  # what spawns processes is a file
     script.write_text(TWICE)
     with socket.socket() as other:
         other.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         with suppress(OSError):  # another has it already, which is as well
             other.bind(("127.0.0.1", 8787))
             other.listen()
-        done = subprocess.run([sys.executable, script], capture_output=True, text=True, timeout=600)
-    assert (done.stdout.split(), done.stderr) == (["1", "2"], "")
+        return subprocess.run([sys.executable, script], capture_output=True, text=True, timeout=600)
+
+
+def test_two_runs_in_one_process_have_workers_and_nothing_is_said_of_a_cluster_beside(twice):
+    assert (twice.stdout.splitlines()[::2], twice.stderr) == (["1", "2"], "")
+
+
+def test_a_worker_keeps_the_memory_that_it_will_need_again(twice):
+    """Dask would have it given back at each turn, which takes as long as the work."""
+    assert twice.stdout.splitlines()[1::2] == ["as usual"] * 2
 
 
 @pytest.mark.parametrize(

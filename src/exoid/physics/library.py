@@ -45,7 +45,7 @@ def terms_of(module: ModuleType) -> list[type[Term]]:
 
 def check_terms(terms: tuple[type[Term], ...]) -> None:
     """Refuse a term that no search could begin with, or whose name is taken."""
-    taken = {name_of(term) for term in library()}
+    taken = {name_of(term) for term in library()} if terms else set()
     for term in terms:
         name = name_of(term)
         if name in taken:

@@ -22,7 +22,8 @@ def record(own: Class) -> Class:
 
     def flatten(one):
         own = one.__dict__
-        return [own[name] for name in branches], tuple(own[name] for name in fixed)
+        structure = tuple([own[name] for name in fixed]) if fixed else ()
+        return [own[name] for name in branches], structure
 
     def with_keys(one):
         values, structure = flatten(one)
@@ -32,7 +33,8 @@ def record(own: Class) -> Class:
     def unflatten(structure, values):
         one = object.__new__(made)
         one.__dict__.update(zip(branches, values, strict=True))
-        one.__dict__.update(zip(fixed, structure, strict=True))
+        if fixed:
+            one.__dict__.update(zip(fixed, structure, strict=True))
         return one
 
     jax.tree_util.register_pytree_with_keys(made, with_keys, unflatten, flatten)

@@ -11,6 +11,7 @@ from exoid.fitting.model.systematics import DECLARED_NOTHING, Systematics
 from exoid.recordings.filter.constants import UNTOLD
 from exoid.recordings.motion.extent import Extent
 from exoid.recordings.recording import Segment
+from exoid.recordings.remembered import remembered
 from exoid.recordings.samples import Samples
 from exoid.recordings.signal.local_line import local_line
 from exoid.recordings.signal.noise import Noise
@@ -103,6 +104,7 @@ def weightless(each: Movement, these: NDArray[np.bool_], **changed: Any) -> Move
     return with_channels(each, lambda samples: np.where(these, np.nan, samples), **changed)
 
 
+@remembered  # of most widths twice
 def smoothed_motion(each: Movement, width: float) -> tuple[Samples, Samples]:
     """Angle and angular velocity as the leg had them, before any chain, smoothed over `width` s."""
     part = each.segment

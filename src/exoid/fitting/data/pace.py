@@ -3,6 +3,7 @@
 import numpy as np
 
 from exoid.fitting.data.movement import Movement
+from exoid.recordings.remembered import remembered
 from exoid.recordings.signal import turns
 from exoid.recordings.signal.turns import QUICK
 
@@ -11,6 +12,7 @@ RADIANS = 0.2  # of an oscillation that a Runge-Kutta step may span: 0.2^4 / 120
 MOST_PARTS = 16  # of a step
 
 
+@remembered  # every step of a fit asks for it
 def pace(movement: Movement) -> float:
     """How many radians of an oscillation its angle passes in a second."""
     return turns.pace(movement.segment.time, movement.angle)

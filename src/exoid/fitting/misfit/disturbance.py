@@ -9,20 +9,22 @@ for what the parameters absorbed.
 """
 
 import numpy as np
+from scipy.linalg import get_lapack_funcs
 
 from exoid.fitting.misfit.gram import CAUSES, UNIT, Cause, Gram, Grams
-from exoid.fitting.misfit.gram_matrices import Times, modes
+from exoid.fitting.misfit.gram_matrices import Times, covariance
 from exoid.fitting.misfit.missed import Missed
 from exoid.fitting.misfit.uncertainty import whitening
 
 CORRELATED = (0.025, 0.05, 0.1, 0.2, 0.4, 0.8)  # s
 SIZES = np.logspace(-7, 4, 12)  # of u's variance over that of the noise, in units of the gram
 FINER = np.logspace(-0.8, 0.8, 9)  # a fifth of a decade apart
-LEAST = 1e-15  # share of what tells a direction that a process leaves: below is rounding
+LEAST = 1e-14  # of a process, that white noise is at least: below is rounding
 CLEAR = 4.0  # gain of log likelihood below which the noise alone explains the residual
 # Gain at a decade's grid from which on it is worth to look closer: that shows about half of what is
 # between its points, for however few or many nodes.
 PROMISING = CLEAR / 4
+(SOLVE,) = get_lapack_funcs(("trtrs",))  # what SciPy checks around it takes longer than it does
 
 
 def explain(grams: list[Grams], most: dict[Cause, float], samples: int, size: int) -> Missed:
@@ -66,13 +68,16 @@ class Likelihood:
         basis, unit = whitening(plain)
         self.basis = basis / unit[:, None]
         self.freedom = samples - basis.shape[1]
-        fixed = [outer(self.told(each, each.outside)).sum(axis=0) for each in grams]
-        self.outside = np.sum(fixed, axis=0)
-        self.parts = []
-        for each in grams:
-            sizes, axes = modes(each, correlated)
-            inside = np.swapaxes(axes, -1, -2) @ self.told(each, each.inside)
-            self.parts.append((sizes, outer(inside)))
+        rows = np.concatenate([self.told(each, each.outside) for each in grams])
+        self.outside = rows.T @ rows
+        self.parts = [
+            (
+                each.effect @ covariance(each, correlated) @ each.effect.T,
+                self.told(each, each.inside),
+            )
+            for each in grams
+            if each.nodes.size > 1  # else nothing disturbs it
+        ]
 
     def told(self, each: Gram, rows: np.ndarray) -> np.ndarray:
         """Rows of (A, r) along what the data determine."""
@@ -93,30 +98,27 @@ class Likelihood:
         return at[..., 0], values.max(axis=-1)
 
     def __call__(self, ratios: np.ndarray) -> np.ndarray:
-        ratios = np.atleast_1d(ratios)
-        grown = sum(np.log1p(by(ratios, sizes)).sum(axis=-1) for sizes, _ in self.parts)
-        absorbed, left = self.profiled(ratios)
-        return restricted(grown + absorbed, left, self.freedom)
+        spread, left = self.profiled(np.atleast_1d(ratios))
+        return restricted(spread, left, self.freedom)
 
     def profiled(self, ratios: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """The log determinant of A'V^-1 A over that of A'A, and the least r'V^-1 r that the
-        parameters leave, for each ratio; V is the covariance over the noise.
+        """The log determinants of V, the covariance over the noise, and of A'V^-1 A over that of
+        A'A, together; and the least r'V^-1 r that the parameters leave, for each ratio.
         """
-        total = self.total(ratios)
-        values, axes = np.linalg.eigh(total[..., :-1, :-1])
-        values = np.maximum(values, LEAST)
-        along = np.einsum("...ij,...i->...j", axes, total[..., :-1, -1])
-        left = total[..., -1, -1] - np.sum(along**2 / values, axis=-1)
-        return np.log(values).sum(axis=-1), left
-
-    def total(self, ratios: np.ndarray) -> np.ndarray:
-        """(A, r)'V^-1 (A, r) for each ratio, along what the data determine."""
-        total, count = self.outside, len(self.outside)
-        for sizes, inside in self.parts:
-            share = 1 / (1 + by(ratios, sizes))
-            each = share @ inside.reshape(*inside.shape[:-2], -1)
-            total = total + each.reshape(*each.shape[:-1], count, count)
-        return total
+        spread, total = np.zeros(1), self.outside  # (A, r)'V^-1 (A, r) along what is determined
+        for process, inside in self.parts:
+            covariances = ratios[..., None, None] * process[..., None, :, :]
+            grown = LEAST * np.trace(covariances, axis1=-2, axis2=-1)
+            at = np.arange(len(inside))
+            covariances[..., at, at] += np.maximum(1.0, grown)[..., None]
+            roots = np.linalg.cholesky(covariances)
+            spread = spread + 2 * np.log(np.diagonal(roots, axis1=-2, axis2=-1)).sum(axis=-1)
+            rows = solved(roots, inside)
+            total = total + np.swapaxes(rows, -1, -2) @ rows
+        known, along = total[..., :-1, :-1], total[..., :-1, -1]
+        best = np.linalg.solve(known, along[..., None])[..., 0]
+        left = total[..., -1, -1] - np.sum(along * best, axis=-1)
+        return spread + np.linalg.slogdet(known)[1], left
 
     def noise_beside(self, ratio: float) -> np.ndarray:
         """The white noise over the declared one; sensors are no better than declared."""
@@ -124,14 +126,11 @@ class Likelihood:
         return np.sqrt(np.maximum(1.0, left / self.freedom))
 
 
-def by(ratios: np.ndarray, sizes: np.ndarray) -> np.ndarray:
-    """Every ratio times every mode: (..., ratio, mode)."""
-    return ratios[..., :, None] * sizes[..., None, :]
-
-
-def outer(rows: np.ndarray) -> np.ndarray:
-    """Every row by itself: (..., row, column, column)."""
-    return rows[..., :, None] * rows[..., None, :]
+def solved(roots: np.ndarray, rows: np.ndarray) -> np.ndarray:
+    """L^-1 of the same rows, for each lower triangle L."""
+    each = roots.reshape(-1, *roots.shape[-2:])
+    found = np.stack([SOLVE(root.T, rows, trans=1)[0] for root in each])
+    return found.reshape(*roots.shape[:-2], *rows.shape)
 
 
 @np.errstate(invalid="ignore", divide="ignore")

@@ -99,10 +99,3 @@ def matern(times: np.ndarray, correlated: Times) -> np.ndarray:
 def covariance(each: Gram, correlated: Times) -> np.ndarray:
     """Of the process at its nodes, for unit variance."""
     return matern(each.nodes, correlated) + JITTER * np.eye(each.nodes.size)
-
-
-def modes(each: Gram, correlated: Times) -> tuple[np.ndarray, np.ndarray]:
-    """Squared sizes of the process' independent effects, and the directions of each of them."""
-    root = np.linalg.cholesky(covariance(each, correlated))
-    axes, sizes, _ = np.linalg.svd(each.effect @ root)
-    return sizes**2, axes

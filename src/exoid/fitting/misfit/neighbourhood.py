@@ -12,14 +12,13 @@ from exoid.fitting.model.coordinates import (
     Coordinates,
     by_segment,
     flattened,
+    layout,
     places,
     quantities,
-    scaled,
     unflattened,
-    unscaled,
 )
 from exoid.fitting.model.limits import Limits, Prior
-from exoid.fitting.model.prior import belief_residual, mounting_residual
+from exoid.fitting.model.prior import belief_residual
 
 COMPLEX_STEP = 1e-30  # exact to rounding: no difference is taken
 PENALTY = 100.0  # rho times the variance of a constraint: each round gains two digits
@@ -39,7 +38,6 @@ def neighbourhood(
 
     def parts(at: Coordinates) -> np.ndarray:
         each = [
-            mounting_residual(prior, at.mounting, np),
             belief_residual(prior, at, np),
             quantities(at, np),
             violations_at(limits, at, np),
@@ -49,25 +47,35 @@ def neighbourhood(
 
     with np.errstate(invalid="ignore"):  # infinite limits are no limits
         every = gradients(parts, point)
-    declared, belief, by_quantity, by_constraint = np.split(every, np.cumsum(counts)[:-1])
+    belief, by_quantity, by_constraint = np.split(every, np.cumsum(counts)[:-1])
+    slopes = declared_slopes(point, prior)
+    declared = slopes.T @ slopes
     return Neighbourhood(
-        data=told(condensed, columns(point, owner), flattened(point).size),
-        prior=belief.T @ belief + declared.T @ declared,
-        declared=declared.T @ declared,
+        data=told(condensed, columns(point, owner), layout(point).size),
+        prior=belief.T @ belief + declared,
+        declared=declared,
         quantities=by_quantity,
         constraints=by_constraint,
     )
 
 
+def declared_slopes(point: Coordinates, prior: Prior) -> np.ndarray:
+    """The derivatives of `mounting_residual`, which is linear: (row, coordinate)."""
+    laid = layout(point)
+    if prior.mounting is None:
+        return np.zeros((0, laid.size))
+    own = flattened(laid.places.mounting)
+    slopes = np.zeros((own.size, laid.size))
+    slopes[np.arange(own.size), own] = laid.units[own] / flattened(prior.mounting)
+    return slopes
+
+
 def prior_information(point: Coordinates, prior: Prior) -> np.ndarray:
     """What is believed of leg and mountings, around `point`."""
 
-    def belief(at: Coordinates):
-        declared = mounting_residual(prior, at.mounting, np)
-        return np.concatenate([belief_residual(prior, at, np), declared])
-
-    by_prior = gradients(belief, point)
-    return by_prior.T @ by_prior
+    believed = gradients(lambda at: belief_residual(prior, at, np), point)
+    declared = declared_slopes(point, prior)
+    return believed.T @ believed + declared.T @ declared
 
 
 def quantity_gradients(point: Coordinates) -> np.ndarray:
@@ -77,8 +85,10 @@ def quantity_gradients(point: Coordinates) -> np.ndarray:
 
 def gradients(function: Callable[[Coordinates], np.ndarray], point: Coordinates) -> np.ndarray:
     """The Jacobian of a function of the coordinates, in the units that the solver sees."""
+    units = layout(point).units
     return derivative(
-        lambda values: function(unscaled(unflattened(values, point))), flattened(scaled(point))
+        lambda steps: function(unflattened(steps * units[:, None], point)),
+        flattened(point) / units,
     )
 
 

@@ -187,14 +187,14 @@ def second_moment(t: float) -> float:
 def spread(decomposed, free, gradient) -> float:
     """sqrt(a' I^-1 a) within the `free` directions, from the eigenvalues and vectors of I there."""
     along = free.T @ gradient
-    size = np.linalg.norm(along)
-    if size <= ON_BOUND * np.linalg.norm(gradient):
+    if along @ along <= ON_BOUND**2 * (gradient @ gradient):
         return 0.0
     values, vectors = decomposed
     variances = (vectors.T @ along) ** 2 / values
-    if VAGUE * np.sum(variances / values) > DECIDED * np.sum(variances):
+    variance = variances.sum()
+    if VAGUE * (variances / values).sum() > DECIDED * variance:
         return np.inf  # nothing but the vague belief keeps it within reason
-    return float(np.sqrt(np.sum(variances)))
+    return float(np.sqrt(variance))
 
 
 def determined(values: np.ndarray) -> np.ndarray:

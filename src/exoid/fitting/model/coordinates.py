@@ -5,7 +5,8 @@ changes nothing). The inertia matters only beside a known mass or torque, the ma
 """
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import Any, TypeVar
 
 import jax
@@ -100,28 +101,54 @@ def unscaled(coordinates: Coordinates) -> Coordinates:
 
 def take(tree, rows):
     """These rows of every leaf."""
-    return jax.tree.map(lambda leaf: leaf[np.asarray(rows)], tree)
+    rows = np.asarray(rows)
+    return jax.tree.map(lambda leaf: leaf[rows], tree)
 
 
 def flattened(tree: PyTree) -> np.ndarray:
     """All entries in one row."""
-    return np.concatenate([np.ravel(leaf) for leaf in jax.tree.leaves(tree)])
+    return np.concatenate(jax.tree.leaves(tree), axis=None)
 
 
 def unflattened(values: np.ndarray, like: Tree) -> Tree:
     """`flattened` undone; `values` may carry further axes behind."""
     leaves, structure = jax.tree.flatten(like)
-    parts = np.split(values, np.cumsum([np.size(leaf) for leaf in leaves])[:-1])
-    shaped = [
-        part.reshape((*np.shape(leaf), *values.shape[1:]))
-        for part, leaf in zip(parts, leaves, strict=True)
-    ]
+    shaped, begin = [], 0
+    for leaf in leaves:
+        end = begin + np.size(leaf)
+        shaped.append(values[begin:end].reshape((*np.shape(leaf), *values.shape[1:])))
+        begin = end
     return jax.tree.unflatten(structure, shaped)
+
+
+@dataclass(frozen=True, eq=False)
+class Layout:
+    """How the coordinates of a point lie in a row."""
+
+    places: Coordinates  # which entry of `flattened` every coordinate is
+    units: Float[np.ndarray, " coordinate"]  # `typical` of every entry
+
+    @property
+    def size(self) -> int:
+        return self.units.size
+
+
+def layout(point: Coordinates) -> Layout:
+    """That of a point; it is the same of all points of one structure."""
+    leaves, structure = jax.tree.flatten(point)
+    return layout_of(structure, tuple([leaf.shape for leaf in leaves]))
+
+
+@lru_cache(64)
+def layout_of(structure: Any, shapes: tuple[tuple[int, ...], ...]) -> Layout:
+    ones = jax.tree.unflatten(structure, list(map(np.ones, shapes)))
+    units = flattened(unscaled(ones))
+    return Layout(unflattened(np.arange(units.size), ones), units)
 
 
 def places(point: Coordinates) -> Coordinates:
     """Which entry of `flattened` every coordinate is."""
-    return unflattened(np.arange(flattened(point).size), point)
+    return layout(point).places
 
 
 def of_owner(mounting: Mounting, owner: Int[Any, ""]) -> Mounting:

@@ -59,6 +59,8 @@ def with_values(model: Model, values: Mapping[str, Any]) -> Model:
     """
     owner = f"{name_of(type(model))}." if isinstance(model, Term) else ""
     names = [name for name, _ in declarations(type(model)) if owner + name in values]
+    if not names:
+        return model
     new = [np.asarray(values[owner + name]) for name in names]
     return eqx.tree_at(lambda at: [getattr(at, name) for name in names], model, new)
 

@@ -12,11 +12,12 @@ import numpy as np
 
 from exoid.fitting.misfit.condensed import Neighbourhood
 from exoid.fitting.misfit.missed import Disturbance
+from exoid.fitting.misfit.neighbourhood import declared_slopes
 from exoid.fitting.model.coordinates import TYPICAL, places
 from exoid.fitting.model.systematics import GYRO_SCALE
 from exoid.fitting.model.term_parameters import parameters_of
 from exoid.fitting.multistart.weight_by_kind import explained
-from exoid.fitting.solve.ask import advance, around, lowest, take, task
+from exoid.fitting.solve.ask import advance, lowest, take, task, told_at
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
 
@@ -76,11 +77,12 @@ def tilted(problem: Problem, free: Solved, row: int) -> Problem | None:
     if "tilt" not in problem.owned:
         return None
     noise = max(1.0, float(free.misfit[row]) / int(problem.samples.sum()))
-    local = around(problem, free, row=row)
+    declared = declared_slopes(take(free.coordinates, row), problem.belief.prior)
+    total = told_at(problem, free, row) / noise + declared.T @ declared
     deviation = problem.deviation_of("tilt").copy()
     chosen = False
     for entry in undeclared(problem, "tilt"):
-        each = found(problem, free, row, entry, local.data / noise + local.declared)
+        each = found(problem, free, row, entry, total)
         wide = min(np.sqrt(max(each.value**2 - each.variance, 0.0)), STEEPEST)
         if wide > deviation[entry]:
             gain = each.likelihood(wide) - each.likelihood(deviation[entry])

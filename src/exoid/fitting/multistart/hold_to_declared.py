@@ -11,13 +11,14 @@ import jax
 import numpy as np
 
 from exoid.fitting.misfit.missed import Disturbance
+from exoid.fitting.misfit.neighbourhood import prior_information
 from exoid.fitting.model.coordinates import TYPICAL, places
 from exoid.fitting.model.systematics import OWNED
 from exoid.fitting.multistart.search_result import scale_told
 from exoid.fitting.multistart.simpler_problems import with_inertia_kept
 from exoid.fitting.multistart.tethers import FINE
 from exoid.fitting.multistart.weight_by_kind import explained, explained_apart
-from exoid.fitting.solve.ask import advance, around, better_of, lowest, take, task
+from exoid.fitting.solve.ask import advance, better_of, lowest, take, task, told_at
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
 
@@ -42,7 +43,7 @@ def without_excuses(
     if worst(less) < EXCUSED:
         return free, found, less
     asked = task(problem, 0.0, problem.steps, FINE)
-    told = scale_told(around(problem, free, row=row).data)
+    told = scale_told(told_at(problem, free, row))
     moved = problem if told else with_inertia_kept(problem)
     for _ in range(ROUNDS):
         tight, weighing = held(moved, less), found.weighing(problem.kinds)
@@ -69,8 +70,9 @@ def less_told(problem: Problem, at: Solved, row: int, found: Disturbance) -> Les
 
     Each as all but its own declaration tells it.
     """
-    local, numbers = around(problem, at, row=row), places(take(at.coordinates, row)).mounting
-    precisions = [precision(each + local.prior) for each in (local.data, found.information)]
+    point, white = take(at.coordinates, row), told_at(problem, at, row)
+    prior, numbers = prior_information(point, problem.belief.prior), places(point).mounting
+    precisions = [precision(each + prior) for each in (white, found.information)]
 
     def of(name: str) -> np.ndarray:
         own = (getattr(TYPICAL.mounting, name) / problem.deviation_of(name)) ** 2

@@ -1,6 +1,7 @@
 """Where all starts of a fit ended."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -29,7 +30,7 @@ class SearchResult:
     starts: Coordinates
     local: Neighbourhood  # of `best`
 
-    @property
+    @cached_property
     def point(self) -> Coordinates:
         """Where `best` is."""
         return take(self.best.coordinates, 0)

@@ -5,15 +5,14 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.fitting.misfit.missed import Disturbance
-from exoid.fitting.misfit.neighbourhood import gradients, penalties, weighed
+from exoid.fitting.misfit.neighbourhood import derivative, penalties, weighed
 from exoid.fitting.model.coordinates import (
+    TYPICAL,
     Coordinates,
     Shared,
     flattened,
     places,
-    scaled,
     unflattened,
-    unscaled,
 )
 from exoid.fitting.model.fixed_values import imposed
 from exoid.fitting.model.prior import belief_residual
@@ -26,6 +25,7 @@ from exoid.fitting.solve.program_values import Solved
 PATIENCE = 4  # times that a search with limits goes on where its steps ran out: a long valley
 TURNS, HALVED = 10, 6  # steps towards what is believed most, and how often one that leaps is halved
 NEARBY = 1e-3  # of a typical step: no nearer
+SIZES = np.array([TYPICAL.shared.log_inertia, TYPICAL.log_mass])  # of such steps
 
 
 def settle(problem: Problem, free: Solved, begin: Coordinates, found: Disturbance) -> Solved:
@@ -79,31 +79,27 @@ def as_believed(problem: Problem, free: Coordinates, inertia: float, mass: float
 
     Dry friction makes the loss rough, and a search that it stops would leave them where they were.
     """
-    shared, at = replace(free.shared, log_inertia=np.asarray(inertia)), places(free)
-    point = replace(free, shared=shared, log_mass=np.asarray(mass))
+    flat, at = flattened(free), places(free)
     rows = [int(at.shared.log_inertia), int(at.log_mass)]
 
-    def belief(point: Coordinates) -> np.ndarray:
-        return belief_residual(problem.belief.prior, point, np)
+    def belief(two: np.ndarray) -> np.ndarray:
+        values = np.multiply.outer(flat, np.ones_like(two[0]))
+        values[rows] = two
+        return belief_residual(problem.belief.prior, unflattened(values, free), np)
 
+    point = np.array([inertia, mass])
     for _ in range(TURNS):
-        slopes, before = gradients(belief, point)[:, rows], belief(point)
+        slopes, before = derivative(belief, point), belief(point)
         if not np.isfinite(slopes).all():
             break
-        step = np.zeros(flattened(point).size)
-        step[rows] = np.linalg.lstsq(slopes, -before, rcond=None)[0]
-        towards = (moved(point, step / 2**halved) for halved in range(HALVED))
+        step = np.linalg.lstsq(slopes, -before, rcond=None)[0]
+        towards = (point + step / 2**halved for halved in range(HALVED))
         better = (one for one in towards if np.sum(belief(one) ** 2) < np.sum(before**2))
         nearer = next(better, None)
-        if nearer is None or np.abs(step).max() < NEARBY:
+        if nearer is None or np.abs(step / SIZES).max() < NEARBY:
             break
         point = nearer
-    return np.array([point.shared.log_inertia, point.log_mass])
-
-
-def moved(point: Coordinates, step: np.ndarray) -> Coordinates:
-    """So many typical steps away."""
-    return unscaled(unflattened(flattened(scaled(point)) + step, point))
+    return point
 
 
 def reached(ended: Solved) -> np.ndarray:

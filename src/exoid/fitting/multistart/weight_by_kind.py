@@ -17,7 +17,7 @@ from exoid.fitting.misfit.disturbance import CLEAR, explain
 from exoid.fitting.misfit.gram import CAUSES, Cause, Grams
 from exoid.fitting.misfit.information import common, spoiled
 from exoid.fitting.misfit.missed import KINDS, NOISY, Disturbance, Missed
-from exoid.fitting.model.coordinates import flattened
+from exoid.fitting.model.coordinates import layout
 from exoid.fitting.multistart.tethers import FINE, approach
 from exoid.fitting.solve.ask import advance, better_of, declared_at, grams_at, left_by, take, task
 from exoid.fitting.solve.problem import Problem
@@ -33,7 +33,7 @@ BLIND = 1e8  # what the residual of a segment is divided by that is not to count
 
 def explained(problem: Problem, at: Solved, row: int = 0) -> Disturbance:
     """What is in the residual of all segments alike, and what it leaves of their information."""
-    size = flattened(take(at.coordinates, row)).size
+    size = layout(take(at.coordinates, row)).size
     every, most = grams_at(problem, at, row), plausible(problem.observation)
     each = [*every, declared_at(problem, at, row)]
     found = explain(each, most, count(problem, problem.kinds), size)
@@ -48,7 +48,7 @@ def explained_apart(problem: Problem, at: Solved, row: int, alike: Disturbance) 
     solved = alone(problem, at, row, kinds)
     if not np.isfinite(solved.loss).all():
         return alike
-    size, most = flattened(take(at.coordinates, row)).size, plausible(problem.observation)
+    size, most = layout(take(at.coordinates, row)).size, plausible(problem.observation)
     parts = [of_kind(problem, kind, solved, lane) for lane, kind in enumerate(kinds)]
     told = [[*part, declared_at(problem, solved, lane)] for lane, part in enumerate(parts)]
     counts = [count(problem, [kind]) for kind in kinds]

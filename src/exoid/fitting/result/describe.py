@@ -7,7 +7,7 @@ from exoid.fitting.misfit.uncertainty import Information, Pressed, decomposed, i
 from exoid.fitting.model.belief import NAMES
 from exoid.fitting.model.constraint import NEVER, violations_at
 from exoid.fitting.model.coordinates import (
-    flattened,
+    layout,
     leg_parameters,
     places,
     with_inertia,
@@ -178,13 +178,15 @@ def owned_places(problem: Problem, ended: SearchResult) -> dict[str, np.ndarray]
 
 def told_by_kind(problem: Problem, ended: SearchResult) -> dict[str, np.ndarray]:
     """The weighed information of every kind of segment, where there are several."""
-    place, size = columns(ended.point, problem.observation.owner), flattened(ended.point).size
-    found = {}
-    for kind in dict.fromkeys(problem.kinds):
+    kinds, found = dict.fromkeys(problem.kinds), {}
+    if len(kinds) < 2:
+        return found
+    place, size = columns(ended.point, problem.observation.owner), layout(ended.point).size
+    for kind in kinds:
         own = np.array([each == kind for each in problem.kinds])
         condensed = take(take(ended.best.condensed, 0), own)
         found[kind] = told(condensed, place[own], size)
-    return found if len(found) > 1 else {}
+    return found
 
 
 def segment_fit(basis: Basis, number: int, torque: Estimate | None) -> SegmentFit:

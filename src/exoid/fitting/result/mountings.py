@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from exoid.fitting.model.coordinates import TYPICAL, flattened, places
+from exoid.fitting.model.coordinates import layout
 from exoid.fitting.model.systematics import OF_THE_GYRO, OF_THE_MASS, OWNED, SOMEWHERE
 from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.result.fit_result import Basis, Estimate, MountingFit
@@ -32,13 +32,13 @@ TOLD = 0.7  # of its prior's error: below it the recording has told something
 def estimate_mountings(basis: Basis) -> list[MountingFit]:
     """What every recording owned, where the recording tells more than was known before."""
     problem, point = basis.problem, basis.ended.point
-    number = places(point).mounting
+    laid = layout(point)
 
     def estimate(field: str, entry: int) -> Estimate | None:
         if not problem.estimates(field, entry):
             return None
-        at = int(getattr(number, field)[entry])
-        gradient = np.eye(flattened(point).size)[at] * getattr(TYPICAL.mounting, field)
+        at = int(getattr(laid.places.mounting, field)[entry])
+        gradient = laid.units * (np.arange(laid.size) == at)
         error = basis.information.standard_error(gradient)
         unplaced = any(one.unplaced for one in problem.recordings[entry])
         always = field in OF_THE_GYRO or (field == "log_distance" and unplaced)

@@ -11,9 +11,9 @@ from exoid.fitting.misfit.gram import CAUSES, Cause, Grams
 from exoid.fitting.misfit.gram_matrices import declared, gram, nodes_of, undisturbed
 from exoid.fitting.misfit.information import spoiled
 from exoid.fitting.misfit.missed import Disturbance
-from exoid.fitting.misfit.neighbourhood import columns, gradients, neighbourhood
+from exoid.fitting.misfit.neighbourhood import columns, declared_slopes, neighbourhood, told
 from exoid.fitting.misfit.stage import Stage
-from exoid.fitting.model.coordinates import Coordinates, flattened, take
+from exoid.fitting.model.coordinates import Coordinates, layout, take
 from exoid.fitting.model.prior import mounting_residual
 from exoid.fitting.model.term_parameters import parameters_of
 from exoid.fitting.solve.meeting import MEETING
@@ -75,18 +75,14 @@ def advance(
     if request is None:
         request = plain_request(problem, np.broadcast_to(scale, (count, len(problem.movements))))
 
+    belief = problem.belief
+    same = problem.observation, problem.known, belief.prior, belief.limits, task, problem.chain
+    if lanes == count:
+        return run(starts, request, *same)
+
     def batch(first: int) -> Solved:
         rows = np.minimum(np.arange(first, first + lanes), count - 1)
-        return run(
-            take(starts, rows),
-            take(request, rows),
-            problem.observation,
-            problem.known,
-            problem.belief.prior,
-            problem.belief.limits,
-            task,
-            problem.chain,
-        )
+        return run(take(starts, rows), take(request, rows), *same)
 
     parts = side_by_side(batch, range(0, count, lanes))
     return jax.tree.map(lambda *each: np.concatenate(each)[:count], *parts)
@@ -132,11 +128,8 @@ def undisturbed_at(problem: Problem, at: Solved, row: int, causes: Iterable[Caus
 def declared_at(problem: Problem, at: Solved, row: int = 0) -> Grams:
     """What is declared of the recordings, beside the inner products of their segments."""
     point, prior = take(at.coordinates, row), problem.belief.prior
-
-    def apart(at: Coordinates):
-        return mounting_residual(prior, at.mounting, np)
-
-    return dict.fromkeys(CAUSES, declared(apart(point), gradients(apart, point)))
+    residual = mounting_residual(prior, point.mounting, np)
+    return dict.fromkeys(CAUSES, declared(residual, declared_slopes(point, prior)))
 
 
 def sensed(problem: Problem, point: Coordinates) -> Sensed:
@@ -159,6 +152,12 @@ def around(
     return replace(local, data=left(problem, at, row, disturbance).information)
 
 
+def told_at(problem: Problem, at: Solved, row: int) -> np.ndarray:
+    """The information that the data carry around one end point, of white noise alone."""
+    point, condensed = take((at.coordinates, at.condensed), row)
+    return told(condensed, columns(point, problem.observation.owner), layout(point).size)
+
+
 def left(problem: Problem, at: Solved, row: int, disturbance: Disturbance) -> Disturbance:
     """The same disturbance, with the information that it leaves at one end point."""
     causes = set(disturbance.causes(problem.kinds))
@@ -171,7 +170,7 @@ def left_by(
     every: list[Grams], problem: Problem, at: Solved, row: int, disturbance: Disturbance
 ) -> Disturbance:
     """The same by the inner products of every segment there."""
-    causes, size = disturbance.causes(problem.kinds), flattened(take(at.coordinates, row)).size
+    causes, size = disturbance.causes(problem.kinds), layout(take(at.coordinates, row)).size
     each = [own[cause] for own, cause in zip(every, causes, strict=True)]
     return spoiled(disturbance, each, problem.kinds, size)
 

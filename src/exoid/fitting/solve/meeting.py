@@ -1,7 +1,7 @@
-"""Where many fits meet: each goes on until it asks a program, and one run then answers several.
+"""Where many fits meet: each goes on until it asks the solver, and one run then answers several.
 
-A fit is a few runs of a program with much to decide in between. Fits that take turns ask the same
-program at about the same time, and lanes of several recordings fill one run of it.
+A fit is a few runs of the solver with much to decide in between. Fits that take turns ask it at
+about the same time, and lanes of several recordings fill one run of it.
 """
 
 from collections.abc import Callable, Sequence
@@ -16,30 +16,27 @@ import numpy as np
 Result = TypeVar("Result")
 
 PROGRAM = "exoid.fitting.solve.program"
-SOLVE, TRIANGLES = f"{PROGRAM}:solve", f"{PROGRAM}:triangles_all"
-ASKED_TOGETHER = (SOLVE, TRIANGLES)  # programs that can answer several at once
-OF_START = 2  # arguments of SOLVE that are of every start
+SOLVE = f"{PROGRAM}:solve"  # the program that can answer several at once
+OF_START = 2  # arguments of it that are of every start
 
 
 class Question:
-    """What a fit asks of a program; those of one `kind` can be answered by one run."""
+    """What a fit asks of SOLVE; those of one `kind` can be answered by one run."""
 
-    def __init__(self, name: str, arguments: tuple, static: Any, structure: Any):
-        self.name, self.static, self.structure = name, static, structure
+    def __init__(self, arguments: tuple, static: Any, structure: Any):
+        self.static, self.structure = static, structure
         leaves, self.given = jax.tree.flatten(arguments)
         self.leaves = [np.asarray(leaf) for leaf in leaves]
-        solves = name == SOLVE
-        self.lane_leaves = len(jax.tree.leaves(arguments[:OF_START])) if solves else 0
-        self.starts = len(self.leaves[0]) if solves else 1
-        self.steps = int((arguments[6].stage if solves else arguments[4]).steps)
-        self.segments = len(arguments[2 if solves else 1].time)
+        self.lane_leaves = len(jax.tree.leaves(arguments[:OF_START]))
+        self.starts = len(self.leaves[0])
+        self.steps = int(arguments[6].stage.steps)
+        self.segments = len(arguments[2].time)
         shapes = [
             leaf.shape[1:] if at < self.lane_leaves else leaf.shape
             for at, leaf in enumerate(self.leaves)
         ]
         # A run goes over the most steps of all that it answers: those with half as many wait.
-        reach = self.steps.bit_length()
-        self.kind = name, self.given, tuple(shapes), static, reach
+        self.kind = self.given, tuple(shapes), static, self.steps.bit_length()
 
 
 class Guest(Generic[Result]):
@@ -59,9 +56,9 @@ class Guest(Generic[Result]):
         except Exception as fault:
             self.said.put((True, fault))
 
-    def ask(self, name: str, arguments: tuple, static: Any, structure: Any) -> Any:
-        """The answer of a program, once the meeting has it, or the exception that it ends with."""
-        self.said.put((False, Question(name, arguments, static, structure)))
+    def ask(self, arguments: tuple, static: Any, structure: Any) -> Any:
+        """The answer of SOLVE, once the meeting has it, or the exception that it ends with."""
+        self.said.put((False, Question(arguments, static, structure)))
         answer = self.answers.get()
         if isinstance(answer, Exception):
             raise answer

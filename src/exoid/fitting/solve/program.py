@@ -167,13 +167,3 @@ def triangles_all(
         return triangles(sensed, observation, nodes, jnp)
 
     return jax.vmap(one)(of_segments(point, observation.owner), observation, known, nodes)
-
-
-@partial(jax.jit, static_argnames="chain")
-def triangles_many(each: tuple, steps: Int[Array, ""], chain: Chain) -> Triangles:
-    """`triangles_all` of many fits at once, by a leading axis; over the most `steps` of all."""
-
-    def one(point, observation, known, nodes, stage) -> Triangles:
-        return triangles_all(point, observation, known, nodes, replace(stage, steps=steps), chain)
-
-    return jax.vmap(lambda own: one(*own))(each)

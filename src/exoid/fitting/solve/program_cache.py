@@ -30,7 +30,7 @@ from exoid.fitting.solve.compiled.kept_program import (
     store,
 )
 from exoid.fitting.solve.compiled.machine_code import compiled, options
-from exoid.fitting.solve.meeting import ASKED_TOGETHER, MEETING
+from exoid.fitting.solve.meeting import MEETING, SOLVE
 from exoid.fitting.solve.program_values import SENSED, TRIANGLES, Solved, solved_structure
 
 MOST = 64  # programs in memory, 10 to 20 MB each: of the 50 to 90 of a diagnosis many run once
@@ -86,7 +86,7 @@ def with_sound_programs(task: Callable[[], Result]) -> Result:
 def run(starts, request, observation, known, prior, limits, task, chain: Chain) -> Solved:
     """`solve`, with NumPy arrays in and out."""
     return called(
-        "exoid.fitting.solve.program:solve",
+        SOLVE,
         (starts, request, observation, known, prior, limits, task),
         chain,
         solved_structure(tuple(map(type, starts.terms))),
@@ -119,8 +119,8 @@ def called(name: str, arguments: tuple, static, structure, *, brief: bool = Fals
     `static` is its last argument, hashable and part of the program. What is `brief` is worth less
     optimising than it takes.
     """
-    if (meeting := MEETING.get()) is not None and name in ASKED_TOGETHER:
-        return meeting.ask(name, arguments, static, structure)
+    if (meeting := MEETING.get()) is not None and name == SOLVE:
+        return meeting.ask(arguments, static, structure)
     leaves, given = jax.tree.flatten(arguments)
     leaves = [np.asarray(leaf) for leaf in leaves]
     shapes = tuple((leaf.shape, leaf.dtype.str) for leaf in leaves)

@@ -40,6 +40,8 @@ def settings() -> dict[str, object]:
         "distributed.scheduler.allowed-failures": AGAIN,
         "distributed.worker.daemon": True,
         "distributed.worker.profile.enabled": False,  # nobody looks at it, and it costs
+        # A worker is told to give memory back at each turn; to get it again takes half of its time.
+        "distributed.nanny.pre-spawn-environ.MALLOC_TRIM_THRESHOLD_": None,
         "distributed.admin.tick.limit": "1h",  # Python may be busy for long: that is no fault
         "distributed.comm.timeouts.connect": f"{ANSWER:g}s",
     }
