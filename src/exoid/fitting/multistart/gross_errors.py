@@ -32,6 +32,7 @@ WORST = 5e-3  # standard deviation of a clock that is off: a crystal is better
 # true one; by more than that no clock is off.
 GROSS = (1.5 * GYRO_SCALE, 0.05)
 BEYOND = 2.0  # times it the gyro's own may be
+VAGUE = 1e-9  # of every information, and of one typical step, that is known of everything
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,12 +95,16 @@ def tilted(problem: Problem, free: Solved, row: int) -> Problem | None:
 def found(problem: Problem, at: Solved, row: int, entry: int, total: np.ndarray) -> Tilt:
     """A tilt as all but its own prior tells it."""
     place, unit = place_of(at, "tilt", entry), float(TYPICAL.mounting.tilt)
-    sure = total + 1e-9 * np.diag(np.diag(total)) + 1e-9 * np.eye(len(total))
-    told = 1 / float(np.linalg.inv(sure)[place, place])
+    told = 1 / float(variances(total)[place, place])
     before = (unit / problem.deviation_of("tilt")[entry]) ** 2
     alone = max(told - before, 1e-9 * told)
     value = float(at.coordinates.mounting.tilt[row, entry])
     return Tilt(value * told / alone, unit**2 / alone)
+
+
+def variances(information: np.ndarray) -> np.ndarray:
+    """The covariance of what is told so much of, large where nothing is told."""
+    return np.linalg.inv(information + VAGUE * np.diag(np.diag(information) + 1))
 
 
 def with_doubted_clocks(problem: Problem, best: Solved, local: Neighbourhood) -> Problem | None:
@@ -111,7 +116,7 @@ def with_doubted_clocks(problem: Problem, best: Solved, local: Neighbourhood) ->
     if "clock" not in problem.owned:
         return None
     clock, scale = (problem.deviation_of(name).copy() for name in ("clock", "gyro_scale"))
-    total = np.linalg.inv(local.data + local.prior + 1e-9 * np.eye(len(local.data)))
+    total = variances(local.data + local.prior)
     chosen = False
     for entry in undeclared(problem, "clock"):
         value, gradient = gyro_scale(problem, best, local, entry)
