@@ -12,7 +12,7 @@ from exoid.fitting.model import term_parameters
 from exoid.fitting.model.coordinates import leg_parameters, torque_amplitudes
 from exoid.fitting.result.fit_result import Estimate, FitResult
 from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter
-from exoid.mismatch.conclude.rivals import by_the_fits, with_rivals
+from exoid.mismatch.conclude.rivals import by_the_fits, with_rivals, words
 from exoid.mismatch.novel.formula import fitted_words
 from exoid.mismatch.screen.effect import named as named_values
 from exoid.mismatch.screen.hypothesis import Hypothesis
@@ -34,7 +34,8 @@ def with_model(
     """The same, with the fit of the model that has what was found.
 
     It begins where the search for what is missing ended. Where none can begin, or it follows the
-    recording no better than the baseline does, the baseline stays the only one.
+    recording no better than the baseline does, the baseline stays the only one. What does not make
+    the model follow is not claimed.
     """
     work = just_made(found)
     wanted = extended(found, work.best.candidate)
@@ -52,6 +53,10 @@ def with_model(
     before = found.before
     if not after.follows and (before.follows or after.angle_rmse >= before.angle_rmse):
         return found
+    if not after.follows:
+        cause = words(found.selected) or "a formula"
+        why = f"{cause} explains most, but with it the model is still astray"
+        return replace(found, verdict="cannot_tell", reasons=[why], findings=[])
     return told_by(found, with_rivals(after, work, work.best))
 
 
