@@ -33,9 +33,9 @@ def with_model(
 ) -> Diagnosis:
     """The same, with the fit of the model that has what was found.
 
-    It begins where the search for what is missing ended. Where none can begin, or it follows the
-    recording no better than the baseline does, the baseline stays the only one. What does not make
-    the model follow is not claimed.
+    It begins where the search for what is missing ended. Where none can begin, or it does not
+    follow the recording, the baseline stays the only one; where that does not follow either, what
+    was found is not claimed.
     """
     work = just_made(found)
     wanted = extended(found, work.best.candidate)
@@ -49,15 +49,14 @@ def with_model(
     try:
         after = fit(named, multistart=STARTS, terms=wanted, near=leg_of(work), **options)
     except ArithmeticError:
+        after = None
+    if after is not None and after.follows:
+        return told_by(found, with_rivals(after, work, work.best))
+    if found.before.follows:
         return found
-    before = found.before
-    if not after.follows and (before.follows or after.angle_rmse >= before.angle_rmse):
-        return found
-    if not after.follows:
-        cause = words(found.selected) or "a formula"
-        why = f"{cause} explains most, but with it the model is still astray"
-        return replace(found, verdict="cannot_tell", reasons=[why], findings=[])
-    return told_by(found, with_rivals(after, work, work.best))
+    cause = words(found.selected) or "a formula"
+    why = f"{cause} explains most, but with it the model is still astray"
+    return replace(found, verdict="cannot_tell", reasons=[why], findings=[])
 
 
 def told_by(found: Diagnosis, after: FitResult) -> Diagnosis:
