@@ -14,11 +14,11 @@ from exoid.mismatch import with_model
 )
 def test_a_cause_is_not_claimed_where_neither_model_follows(astray, verdict, monkeypatch):
     one = found()
-    one = replace(one, before=replace(one.before, astray=astray))
+    one = replace(one, before=replace(one.before, astray=astray), novel=True)
     monkeypatch.setattr(with_model, "just_made", Mock())
     monkeypatch.setattr(with_model, "extended", Mock(return_value=(None,)))
     monkeypatch.setattr(with_model, "leg_of", Mock())
     monkeypatch.setattr(with_model, "fit", Mock(side_effect=ArithmeticError))
     said = with_model.with_model(one, [], {}, lambda phase: None)
     assert said.verdict == verdict
-    assert bool(said.selected) == (verdict == "mismatch")
+    assert bool(said.selected) == said.novel == (verdict == "mismatch")

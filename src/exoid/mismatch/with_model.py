@@ -56,7 +56,8 @@ def with_model(
         return found
     cause = words(found.selected) or "a formula"
     why = f"{cause} explains most, but with it the model is still astray"
-    return replace(found, verdict="cannot_tell", reasons=[why], findings=[])
+    nothing: dict[str, Any] = {"findings": [], "novel": False, "formula": None}
+    return replace(found, verdict="cannot_tell", reasons=[why], **nothing)
 
 
 def told_by(found: Diagnosis, after: FitResult) -> Diagnosis:
