@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 
 from exoid.fitting.data.observation import Clock, Observation
-from exoid.fitting.misfit import disturbance
 from exoid.fitting.misfit.condensed import Sensed
-from exoid.fitting.misfit.disturbance import Likelihood, explain, restricted
+from exoid.fitting.misfit.disturbance import explain as explaining
+from exoid.fitting.misfit.disturbance.explain import explain
+from exoid.fitting.misfit.disturbance.likelihood import Likelihood, restricted
 from exoid.fitting.misfit.gram import CAUSES, Cause, Grams
 from exoid.fitting.misfit.gram_matrices import gram, hats, matern, nodes_of, pushes, triangles
 from exoid.fitting.misfit.information import common, spoiled
@@ -133,7 +134,7 @@ def test_a_look_at_every_decade_misses_no_process_that_a_closer_one_finds(size, 
         for correlated in (0.025, 0.1, 0.4, 0.8)
     ]
     found = [explained(each).kinds["passive"] for each in residuals]
-    monkeypatch.setattr(disturbance, "PROMISING", -np.inf)
+    monkeypatch.setattr(explaining, "PROMISING", -np.inf)
     assert [explained(each).kinds["passive"] for each in residuals] == found
 
 

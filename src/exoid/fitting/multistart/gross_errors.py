@@ -48,19 +48,21 @@ class Tilt:
         return -(np.log(total) + self.value**2 / total) / 2
 
 
-def with_tilted_seats(problem: Problem, free: Solved) -> tuple[Problem, Solved]:
+def with_tilted_seats(
+    problem: Problem, free: Solved, row: int, alike: Disturbance
+) -> tuple[Problem, Solved]:
     """The same, its priors wider for seats that are clearly tilted, and all free fits under them.
+    `alike` is what is in the residual of the best `row`.
 
     Seen as if only white noise were in the residual, a tilt may be anything that the model misses:
     it is believed where it explains the residual better than that would.
     """
-    row = lowest(free)
     wide = tilted(problem, free, row)
     if wide is None:
         return problem, free
     lanes = take(free.coordinates, [row] * free.loss.size)
     again = advance(wide, lanes, task(wide, 0.0, wide.steps, FINE))
-    gain = likelihood(explained(wide, again, 0)) - likelihood(explained(problem, free, row))
+    gain = likelihood(explained(wide, again, 0)) - likelihood(alike)
     price = np.log(wide.deviation_of("tilt") / problem.deviation_of("tilt")).sum()
     steepest = float(np.abs(again.coordinates.mounting.tilt[lowest(again)]).max())
     if steepest > LYING * STEEPEST or not gain - price > CONVINCING:

@@ -140,23 +140,27 @@ def with_what_is_missed(problem: Problem, free: Solved) -> tuple[Problem, Solved
 
     Where one kind is explained by itself, others that are not say nothing of the seat.
     """
-    again, found = weighed_by_kind(problem, free)
+    row = lowest(free)
+    alike = explained(problem, free, row)
+    again, found = weighed_by_kind(problem, free, row, alike)
     if found.apart and found.kinds[found.trusted].cause is None:
         return problem, again, found
-    wide, tilted = with_tilted_seats(problem, free)
+    wide, tilted = with_tilted_seats(problem, free, row, alike)
     if wide is problem:
         return problem, again, found
-    return wide, *weighed_by_kind(wide, tilted)
+    row = lowest(tilted)
+    return wide, *weighed_by_kind(wide, tilted, row, explained(wide, tilted, row))
 
 
-def weighed_by_kind(problem: Problem, free: Solved) -> tuple[Solved, Disturbance]:
-    """What the residual holds; where kinds of segments differ, all free fits once more by it.
+def weighed_by_kind(
+    problem: Problem, free: Solved, row: int, alike: Disturbance
+) -> tuple[Solved, Disturbance]:
+    """What the residual holds; where kinds of segments differ from what is `alike` in all, all
+    free fits once more by it.
 
     The best of them begins anew where the kind that is weighed most ends by itself: that may be
     far from where all were weighed alike.
     """
-    row = lowest(free)
-    alike = explained(problem, free, row)
     found = explained_apart(problem, free, row, alike)
     if not found.apart:
         return free, found

@@ -13,7 +13,7 @@ import jax
 import numpy as np
 
 from exoid.fitting.data.observation import Observation
-from exoid.fitting.misfit.disturbance import CLEAR, explain
+from exoid.fitting.misfit.disturbance.explain import CLEAR, explain
 from exoid.fitting.misfit.gram import CAUSES, Cause, Grams
 from exoid.fitting.misfit.information import common, spoiled
 from exoid.fitting.misfit.missed import KINDS, NOISY, Disturbance, Missed

@@ -4,7 +4,7 @@ import numpy as np
 
 from exoid.fitting.data.conditioning_chain import SteadyKalman
 from exoid.fitting.data.movement import all_driven
-from exoid.fitting.misfit.disturbance import CORRELATED
+from exoid.fitting.misfit.disturbance.explain import CORRELATED
 from exoid.fitting.misfit.missed import NOISY, Disturbance, Missed
 from exoid.fitting.model.belief import Belief
 from exoid.fitting.multistart.search_result import FEASIBLE, SearchResult, scale_told
