@@ -22,6 +22,7 @@ SLOW = 0.25  # of the error before: a round that gains less
 STIFFER = 10.0  # makes that constraint's penalty so much greater
 STEPS = 60  # of the inner solver; a start that needs more has lost its way
 FEASIBLE = 1e-5  # greatest g that counts as met; g is relative
+ROUNDING = 1e-14  # of the greatest derivative of a residual
 EXACT = 1e-10  # a change of loss and point that is rounding; `tolerance` decides before
 
 
@@ -108,12 +109,15 @@ def with_dense_derivative(function):
 
     A solver's loop carries what the derivative is made of from step to step: one array instead of
     the dozens that the pieces of a residual leave behind, which would double the compiled program.
+    Of what a residual does not depend on rounding is left: along it a step would go anywhere.
     """
 
     def evaluated(point, args):
         here = jax.lax.stop_gradient(point)
         value, push, detail = jax.linearize(lambda x: function(x, args), here, has_aux=True)
         matrix = jax.vmap(push, out_axes=1)(jnp.eye(here.size))
+        size = jnp.abs(matrix)
+        matrix = jnp.where(size > ROUNDING * size.max(axis=1, keepdims=True), matrix, 0.0)
         return value + matrix @ (point - here), detail
 
     return evaluated
