@@ -14,8 +14,10 @@ from exoid.mismatch.evidence.yardstick import UNEXPLAINED
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import settle_free
 from exoid.mismatch.search.found import Found, best_of, size
+from exoid.mismatch.search.race import left_of, simulated
 from exoid.mismatch.search.rank import by_evidence
-from exoid.mismatch.search.several import instead
+from exoid.mismatch.search.several import instead, with_one_more
+from exoid.mismatch.search.variants import applies
 from exoid.physics.parameter import declarations
 from exoid.physics.sensing.clock_rate import ClockRate
 from exoid.physics.sensing.encoder_gain import EncoderGain
@@ -84,7 +86,9 @@ def lost(found: Found, one: Optimum, term: type[Term]) -> float:
 
 
 def others(found: Found, best: Optimum) -> list[Optimum]:
-    """The best with other errors of sensors that show about the same."""
+    """The best with other errors of sensors that show about the same, and what is best beside these:
+    a cause that was found beside one error may be none with another.
+    """
     prepared, mine = found.prepared, best.candidate
     sets = [each for each in prepared.sensors.sure.alike if not {*each} & {*mine.terms}]
     common = [term for term in prepared.common if term in mine.terms]
@@ -93,7 +97,28 @@ def others(found: Found, best: Optimum) -> list[Optimum]:
         free = [one for one in (ClockRate, EncoderGain) if one not in mine.terms]
         starts += [in_place(mine, one) for one in free]
     ended = [settle_free(prepared, one) for one in starts]
+    causes = len(mine.terms) - len(common)
+    ended += [one for each in sets for one in afresh(found, each, causes, best.square)]
     return [one for one in ended if one.square < UNEXPLAINED * max(best.square, 1.0)]
+
+
+def afresh(
+    found: Found, errors: tuple[type[Term], ...], causes: int, rival: float
+) -> list[Optimum]:
+    """These errors of sensors in the place of those that every candidate has, and beside them up
+    to so many of the causes that explain most.
+    """
+    start = swapped(found.base.candidate, list(found.prepared.common), errors)
+    prepared = replace(found.prepared, common=errors)
+    usable = [each for each in prepared.library if applies(prepared, each)]
+    ended = wider = [settle_free(prepared, start)]
+    for _ in range(causes):
+        near = with_one_more(prepared, usable, min(wider, key=left_of))
+        wider = simulated(prepared, near, rival)
+        if not wider:
+            break
+        ended = [*ended, *wider]
+    return ended
 
 
 def without_contested(found: Found, best: Optimum) -> list[Optimum]:

@@ -12,7 +12,7 @@ import numpy as np
 from exoid.mismatch.conclude.numbers import CERTAIN, covariance
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import settle_free
-from exoid.mismatch.search.found import Found
+from exoid.mismatch.search.found import Found, size
 from exoid.mismatch.search.rank import by_evidence
 from exoid.mismatch.search.several import instead, without_one
 from exoid.physics.sensing.angle_offset import AngleOffset
@@ -32,8 +32,8 @@ def unusual(found: Found, best: Optimum) -> bool:
 
 def as_a_term(found: Found, best: Optimum) -> tuple[Found, Optimum]:
     """The zero as a term of the best and of its rivals, who are also tried without it, a baseline
-    that has it as declared, what else may bend the best's motion as a zero does, and what the best
-    of all these does not need.
+    that has it as declared, what else may bend the motion of the best, and of what is as good and no
+    less simple, as a zero does, and what the best of all these does not need.
     """
     declared = replace(found.prepared, zero=0.0)
     rivals = [one for one in (*found.singles, *found.pairs) if one is not best][:RIVALS]
@@ -41,7 +41,13 @@ def as_a_term(found: Found, best: Optimum) -> tuple[Found, Optimum]:
         settle_free(declared, without_zero(one.candidate)) for one in (found.base, *rivals)
     ]
     named = [settle_free(declared, with_zero_told(one.candidate)) for one in (best, *rivals)]
-    others = instead(declared, without_zero(best.candidate), AngleOffset, best.square)
+    simple = [one for one in rivals if size(one) <= size(best)]
+    equal = [best, *(one for one in simple if not found.clear(one, best))]
+    others = [
+        other
+        for one in equal
+        for other in instead(declared, without_zero(one.candidate), AngleOffset, best.square)
+    ]
     first = [named[0], *others]
     first += without_one(declared, min(first, key=lambda one: one.square))
     plain += first[1:]
