@@ -86,7 +86,7 @@ def lost(found: Found, one: Optimum, term: type[Term]) -> float:
 
 
 def others(found: Found, best: Optimum) -> list[Optimum]:
-    """The best with other errors of sensors that show about the same, and what is best beside these:
+    """The best with other errors of sensors that show about the same, and what is best beside them:
     a cause that was found beside one error may be none with another.
     """
     prepared, mine = found.prepared, best.candidate

@@ -32,8 +32,8 @@ def unusual(found: Found, best: Optimum) -> bool:
 
 def as_a_term(found: Found, best: Optimum) -> tuple[Found, Optimum]:
     """The zero as a term of the best and of its rivals, who are also tried without it, a baseline
-    that has it as declared, what else may bend the motion of the best, and of what is as good and no
-    less simple, as a zero does, and what the best of all these does not need.
+    that has it as declared, what else may bend a motion as a zero does, beside the best and beside
+    what is as good and no less simple, and what the best of all these does not need.
     """
     declared = replace(found.prepared, zero=0.0)
     rivals = [one for one in (*found.singles, *found.pairs) if one is not best][:RIVALS]
