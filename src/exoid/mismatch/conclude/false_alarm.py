@@ -48,8 +48,6 @@ def by_chance(found: Found, best: Optimum, seed: int) -> Chance:
     measure, tested = found.yardstick, [*found.pinned, *found.glimpsed]
     gained = (found.base.square - best.square) / measure.scale
     claimed = max(gained - measure.least(size(best)), 0.0)
-    if not tested:
-        return Chance(0.0, 0.0, claimed)
     prepared, (angle, velocity) = found.prepared, np.moveaxis(best.motion, -1, 0)
     draws = turned_over(prepared, best, np.random.default_rng(seed))
     simulated = MeasuredMotion(angle, velocity, rate(velocity, prepared.seen.time))
@@ -58,7 +56,10 @@ def by_chance(found: Found, best: Optimum, seed: int) -> Chance:
     beyond = [
         gains(prepared, one.candidate, table) / measure.scale - measure.least(size(one))
         for one, table in zip(tested, tables, strict=True)
+        if np.isfinite(table).all()  # what ran away along this motion is nothing that chance makes
     ]
+    if not beyond:
+        return Chance(0.0, 0.0, claimed)
     place, width = gumbel(np.max(beyond, axis=0))
     usual = place - width * float(np.log(-np.log(1 - LUCKY)))
     return Chance(above(claimed, place, width), usual, claimed)
