@@ -26,11 +26,12 @@ from exoid.mismatch.search.challenge import challenged
 from exoid.mismatch.search.found import size
 from exoid.mismatch.search.search import look
 from exoid.mismatch.with_model import just_made, with_model
-from exoid.physics.term import SensorTerm, Term
+from exoid.physics.term import SensorTerm, Term, name_of
 from exoid.recordings.loading.named import RecordingsLike, named_recordings
 from exoid.recordings.recording import Recording
 
 REMAINS = 1.1  # mean square over the noise, from which on a formula is looked for
+OUTNUMBERED = 10  # times, what explains the first instants by what is left free of their samples
 AT_ONCE = 1.5  # times the noise's that a cause may leave of a movement's first instants
 
 
@@ -68,7 +69,7 @@ def diagnose(
         whole = ask(fit(named, multistart=multistart, **at_once))
         if names_it(whole) and not by_sensors(whole):
             later = None if from_the_first(whole, movements) else ask(result)
-            if later is None or (later.changed and not names_it(later)):
+            if later is None or (not names_it(later) and may_be(later, whole.selected)):
                 return with_model(whole, named, at_once, told)
             return with_model(later, named, options, told)
     return with_model(ask(result), named, options, told)
@@ -108,6 +109,13 @@ def names_it(found: Diagnosis) -> bool:
     return found.verdict == "mismatch" and not found.novel
 
 
+def may_be(found: Diagnosis, named: list[str]) -> bool:
+    """Is one of these names among what is missing, though it cannot tell?"""
+    best = [name_of(term) for term in just_made(found).best.candidate.terms]
+    each = [name for one in found.equivalent for name in one.split(" + ")]
+    return not {*best, *each}.isdisjoint(named)
+
+
 def by_sensors(found: Diagnosis) -> bool:
     """Is all that was found an error of sensors? It shows as well without the first instants."""
     return all(issubclass(term, SensorTerm) for term in just_made(found).best.candidate.terms)
@@ -129,6 +137,7 @@ def from_the_first(found: Diagnosis, movements: list[Movement]) -> bool:
 
 def noise_alone(left: np.ndarray, parameters: int) -> bool:
     """Is what is left over the noise no more than that? So many parameters may have been spent on
-    these samples alone.
+    these samples alone, and of few samples they explain anything.
     """
-    return float(left @ left) < AT_ONCE * (left.size - parameters)
+    freedom = left.size - parameters
+    return freedom > OUTNUMBERED * parameters and float(left @ left) < AT_ONCE * freedom
