@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from exoid.fitting.result.fit_result import Estimate
-from exoid.mismatch.conclude.asserted import asserted, equivalents, plainest, weight
+from exoid.mismatch.conclude.asserted import certain_of, equivalents, plainest, weight
 from exoid.mismatch.conclude.cannot_tell import chance, luck, unrelaxed
 from exoid.mismatch.conclude.false_alarm import Chance
 from exoid.mismatch.evidence.prediction import Prediction, improves
@@ -51,10 +51,6 @@ def found_of(singles, pairs=(), pinned=()):
     return Found(
         prepared, leaving(101_000.0), NOTHING, singles, list(pairs), list(pinned), [], measure
     )
-
-
-def certain_of(found, best):
-    return asserted(best, equivalents(found, best))
 
 
 def test_what_leaves_only_noise_is_certain_where_its_rivals_leave_clearly_more():
@@ -137,6 +133,15 @@ def test_what_is_softer_than_gravity_is_not_called_a_stop(bounce, stops):
     found = found_of([explaining(20_000.0, CoulombFriction)], [best])
     certain = certain_of(found, best)
     assert certain == ((CoulombFriction, HardStop) if stops else (CoulombFriction,))
+
+
+@pytest.mark.parametrize(("left", "second"), [(1000.0, True), (5000.0, False)])
+def test_a_second_cause_is_certain_only_where_noise_is_left(left, second):
+    """A reflex that was not followed to its end had friction beside it, at 17 times the noise."""
+    best = explaining(left, CoulombFriction, QuadraticDrag)
+    singles = [explaining(20_000.0, CoulombFriction), explaining(60_000.0, QuadraticDrag)]
+    certain = certain_of(found_of(singles, [best]), best)
+    assert certain == ((CoulombFriction, QuadraticDrag) if second else (CoulombFriction,))
 
 
 def test_explanations_weigh_by_their_evidence_and_by_what_even_the_best_leaves():

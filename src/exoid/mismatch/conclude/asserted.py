@@ -34,6 +34,25 @@ def asserted(best: Optimum, equal: list[Optimum]) -> tuple[type[Term], ...]:
     return tuple(certain)
 
 
+def certain_of(found: Found, best: Optimum) -> tuple[type[Term], ...]:
+    """The causes that are certain. Where more than noise is left, the last cause may only take up
+    what nobody knows: then also what is best without one of them must have them.
+    """
+    fewer = [] if found.yardstick.explains(best.square) else with_one_less(found, best)
+    return asserted(best, [*equivalents(found, best), *fewer])
+
+
+def with_one_less(found: Found, best: Optimum) -> list[Optimum]:
+    """Of what was simulated with one of the causes of the best less, the best."""
+    mine = best.candidate.terms
+    each = [
+        one
+        for one in (*found.singles, *found.pairs)
+        if len(one.candidate.terms) == len(mine) - 1 and set(one.candidate.terms) < set(mine)
+    ]
+    return [max(each, key=found.evidence)] if each else []
+
+
 def causes_of(one: Optimum) -> list[type[Term]]:
     """Its terms that are what they are called, and what those include."""
     each = [named(*both) for both in zip(one.candidate.terms, one.candidate.values, strict=True)]
@@ -46,8 +65,7 @@ def plainest(found: Found, best: Optimum) -> Optimum:
     """The best, or where it only includes what is certain, the best of those that have it: a frame
     that rubs has dry friction, and play beside it that nobody needs.
     """
-    equal = equivalents(found, best)
-    certain = asserted(best, equal)
+    equal, certain = equivalents(found, best), certain_of(found, best)
 
     def plain(one: Optimum) -> bool:
         return all(any(same_cause(cause, own) for own in one.candidate.terms) for cause in certain)

@@ -7,7 +7,7 @@ import numpy as np
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.remarks import unlike_anatomy
 from exoid.mismatch.answer.diagnosis import Diagnosis, Finding, NovelTorque, Suspect, Verdict
-from exoid.mismatch.conclude.asserted import asserted, equivalents, has, weight
+from exoid.mismatch.conclude.asserted import certain_of, equivalents, has, weight
 from exoid.mismatch.conclude.cannot_tell import (
     chance,
     hands,
@@ -69,7 +69,7 @@ def concluded(
     sure = tuple(term for term in best.candidate.terms if term in prepared.common)
     named = best.candidate.terms and not formula
     equal = equivalents(found, best) if named else []
-    certain = asserted(best, equal) if named else sure
+    certain = certain_of(found, best) if named else sure
     repeated = included(found, certain, best, formula, seed)
     lucky = by_chance(found, best, seed)
     verdict, reasons = judge(found, best, shown, repeated, lucky)
