@@ -57,4 +57,4 @@ def test_what_is_concealed_is_the_first_name(name, answer, shared):
 def test_dry_friction_is_found_in_a_motors_ringing(answer):
     given = answer("motor-ringing")
     assert (given["verdict"], given["ranking"][0]) == ("mismatch", "coulomb_friction")
-    assert given["heldout_rmse_after"] < 0.1 * given["heldout_rmse_before"]
+    assert given["heldout_rmse_after"] < 0.25 * given["heldout_rmse_before"]
