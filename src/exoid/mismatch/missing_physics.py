@@ -22,7 +22,8 @@ from exoid.mismatch.evidence.locate import locate
 from exoid.mismatch.evidence.measure import misfits
 from exoid.mismatch.evidence.proof import predict
 from exoid.mismatch.prepare import prepare
-from exoid.mismatch.search.challenge import challenged
+from exoid.mismatch.screen.optimise import strikes
+from exoid.mismatch.search.challenge import challenged, with_strikes
 from exoid.mismatch.search.found import size
 from exoid.mismatch.search.search import look
 from exoid.mismatch.with_model import just_made, with_model
@@ -91,6 +92,9 @@ def asked(
     if chosen.best.square > REMAINS * found.yardstick.samples or causes(chosen.best) > 1:
         told("looking for a formula")
         chosen, formula = formulated(found, chosen)
+    if formula is not None and not any(strikes(one.candidate) for one in found.singles):
+        found = with_strikes(found, told)  # before something is called new
+        chosen, formula = formulated(found, choose(found))
     found, best = with_faults_told(found, chosen.best)
     if prepared.common:
         chosen = Chosen(best, *(predict(prepared, one) for one in (found.base, best)))

@@ -1,11 +1,14 @@
 """What came as near as the best along the measured motion: is it a rival where it runs free?"""
 
+from collections.abc import Callable
 from dataclasses import replace
 
+from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.mismatch.screen.hypothesis import Optimum
-from exoid.mismatch.screen.optimise import strikes
+from exoid.mismatch.screen.optimise import given, strikes
 from exoid.mismatch.search.found import Found
-from exoid.mismatch.search.race import simulated
+from exoid.mismatch.search.likely import smeared
+from exoid.mismatch.search.race import left_of, raced, simulated
 from exoid.mismatch.search.rank import alike, by_evidence
 
 MOST = 4  # rivals that run free, the nearest first
@@ -43,3 +46,27 @@ def as_near(found: Found, best: Optimum) -> list[Optimum]:
     left = [one for terms, one in seen.items() if terms not in done and not strikes(one.candidate)]
     near = [one for one in left if alike(one, own, found.yardstick)]
     return sorted(near, key=lambda one: one.square)
+
+
+def with_strikes(found: Found, told: Callable[[str], None]) -> Found:
+    """The same with what no look along a motion shows, as what strikes or sticks."""
+    told("simulating what acts for moments only")
+    base, measure = found.base, found.yardstick
+    rival = min((base, *found.singles), key=left_of).square
+    done = {one.candidate.terms for one in found.singles if not strikes(one.candidate)}
+    hidden = [one for one in found.pinned if smeared(one.candidate)]
+    left = [one for one in hidden if one.candidate.terms not in done]
+    more = side_by_side(lambda one: found_anyhow(found, one, rival), left)
+    return replace(found, singles=by_evidence([*found.singles, *more], base, measure))
+
+
+def found_anyhow(found: Found, one: Optimum, rival: float) -> Optimum:
+    """Running free from where it came pinned, and from all its starts where that led nowhere or
+    may have: what acts for a few samples only, such as a stop, is not seen along a motion with
+    noise, nor is a leg that sticks, or one within the play of the frame that carries the sensors.
+    """
+    prepared, begin = found.prepared, found.begin
+    term, known = one.candidate.terms[-1], given(prepared, begin)
+    led = [one.candidate] if one.square < found.base.square else []
+    own = [begin.with_term(term, value, known) for value in prepared.starts(term)]
+    return raced(prepared, [*led, *own], rival)

@@ -5,7 +5,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.mismatch.evidence.measure import yardstick
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import (
@@ -17,15 +16,15 @@ from exoid.mismatch.screen.optimise import (
     polished,
     settle,
     settle_free,
-    strikes,
 )
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
+from exoid.mismatch.search.challenge import with_strikes
 from exoid.mismatch.search.exchange import exchanged
 from exoid.mismatch.search.found import Found, best_of
 from exoid.mismatch.search.glance import beside_free
-from exoid.mismatch.search.likely import likeliest, ordered, shortlist, smeared
+from exoid.mismatch.search.likely import likeliest, ordered, shortlist
 from exoid.mismatch.search.pairs import pairs, plainer_pairs
-from exoid.mismatch.search.race import raced, simulated
+from exoid.mismatch.search.race import simulated
 from exoid.mismatch.search.rank import by_evidence
 from exoid.mismatch.search.several import as_good, several, sticks, with_one_more
 from exoid.mismatch.search.variants import (
@@ -76,7 +75,9 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
     alone = [one for one in suspected if len(one.candidate.terms) == 1]
     singles = by_evidence([*singles, *alone], base, measure)
     found = Found(prepared, base, begin, singles, sensors, ranked, failed, measure)
-    found = exchanged(with_strikes(found, starts, told))
+    if not measure.explains(least(base, *found.singles).square):
+        found = with_strikes(found, told)
+    found = exchanged(found)
     both, free = seconds(found, usable, told)
     return with_sets(found, usable, both, free, told) if both or free else found
 
@@ -150,32 +151,6 @@ def led_free(prepared: PreparedRecording, pinned: list[Optimum]) -> list[Optimum
     """Running free from where they came pinned, the best first."""
     rival = pinned[0].square if pinned else np.inf
     return simulated(prepared, [one.candidate for one in pinned], rival)
-
-
-def with_strikes(found: Found, starts: list[Hypothesis], told: Told) -> Found:
-    """The same with what no look along a motion shows, as what strikes or sticks, unless hardly
-    more than noise is left.
-    """
-    base, measure = found.base, found.yardstick
-    best = least(base, *found.singles)
-    if measure.explains(best.square):
-        return found
-    told("simulating what acts for moments only")
-    done = {one.candidate.terms for one in found.singles if not strikes(one.candidate)}
-    hidden = [one for one in found.pinned if smeared(one.candidate)]
-    left = [one for one in hidden if one.candidate.terms not in done]
-    more = side_by_side(lambda one: found_anyhow(found, one, starts, best.square), left)
-    return replace(found, singles=by_evidence([*found.singles, *more], base, measure))
-
-
-def found_anyhow(found: Found, one: Optimum, starts: list[Hypothesis], rival: float) -> Optimum:
-    """Running free from where it came pinned, and from all its `starts` where that led nowhere or
-    may have: what acts for a few samples only, such as a stop, is not seen along a motion with
-    noise, nor is a leg that sticks, or one within the play of the frame that carries the sensors.
-    """
-    led = [one.candidate] if one.square < found.base.square else []
-    own = [start for start in starts if start.terms == one.candidate.terms]
-    return raced(found.prepared, [*led, *own], rival)
 
 
 def beginning(prepared: PreparedRecording, base: Optimum) -> Hypothesis:
