@@ -24,15 +24,15 @@ from exoid.mismatch.evidence.proof import predict
 from exoid.mismatch.prepare import prepare
 from exoid.mismatch.screen.optimise import strikes
 from exoid.mismatch.search.challenge import challenged, with_strikes
-from exoid.mismatch.search.found import size
+from exoid.mismatch.search.found import names, size
 from exoid.mismatch.search.search import look
 from exoid.mismatch.with_model import just_made, with_model
-from exoid.physics.term import SensorTerm, Term, name_of
+from exoid.physics.term import SensorTerm, Term
 from exoid.recordings.loading.named import RecordingsLike, named_recordings
 from exoid.recordings.recording import Recording
 
 REMAINS = 1.1  # mean square over the noise, from which on a formula is looked for
-OUTNUMBERED = 10  # times, what explains the first instants by what is left free of their samples
+OUTNUMBERED = 10  # samples of the first instants beside every parameter that explains them
 AT_ONCE = 1.5  # times the noise's that a cause may leave of a movement's first instants
 
 
@@ -115,9 +115,8 @@ def names_it(found: Diagnosis) -> bool:
 
 def may_be(found: Diagnosis, named: list[str]) -> bool:
     """Is one of these names among what is missing, though it cannot tell?"""
-    best = [name_of(term) for term in just_made(found).best.candidate.terms]
     each = [name for one in found.equivalent for name in one.split(" + ")]
-    return not {*best, *each}.isdisjoint(named)
+    return not {*names(just_made(found).best), *each}.isdisjoint(named)
 
 
 def by_sensors(found: Diagnosis) -> bool:

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from exoid.fitting.solve.side_by_side import side_by_side
-from exoid.mismatch.screen.hypothesis import Optimum
+from exoid.mismatch.screen.hypothesis import Linear, Optimum
 from exoid.mismatch.screen.optimise import given, strikes
 from exoid.mismatch.search.found import Found
 from exoid.mismatch.search.likely import smeared
@@ -56,17 +56,17 @@ def with_strikes(found: Found, told: Callable[[str], None]) -> Found:
     done = {one.candidate.terms for one in found.singles if not strikes(one.candidate)}
     hidden = [one for one in found.pinned if smeared(one.candidate)]
     left = [one for one in hidden if one.candidate.terms not in done]
-    more = side_by_side(lambda one: found_anyhow(found, one, rival), left)
+    known = given(found.prepared, found.begin)
+    more = side_by_side(lambda one: found_anyhow(found, one, known, rival), left)
     return replace(found, singles=by_evidence([*found.singles, *more], base, measure))
 
 
-def found_anyhow(found: Found, one: Optimum, rival: float) -> Optimum:
+def found_anyhow(found: Found, one: Optimum, known: Linear | None, rival: float) -> Optimum:
     """Running free from where it came pinned, and from all its starts where that led nowhere or
     may have: what acts for a few samples only, such as a stop, is not seen along a motion with
     noise, nor is a leg that sticks, or one within the play of the frame that carries the sensors.
     """
-    prepared, begin = found.prepared, found.begin
-    term, known = one.candidate.terms[-1], given(prepared, begin)
+    prepared, term = found.prepared, one.candidate.terms[-1]
     led = [one.candidate] if one.square < found.base.square else []
-    own = [begin.with_term(term, value, known) for value in prepared.starts(term)]
+    own = [found.begin.with_term(term, value, known) for value in prepared.starts(term)]
     return raced(prepared, [*led, *own], rival)
