@@ -125,6 +125,13 @@ def test_what_all_explanations_have_is_certain_whichever_of_them_is_the_best():
     assert plainest(apart, play) is play
 
 
+def test_the_friction_of_a_frame_is_a_part_of_its_play():
+    value = np.array([0.03, 0.01, 1.0, 0.2, 0.0, 0.01, 0.7])
+    play = explaining(1000.0, Backlash)
+    play = replace(play, candidate=replace(play.candidate, values=(value,)))
+    assert certain_of(found_of([play, explaining(9000.0, TorqueBias)]), play) == (Backlash,)
+
+
 @pytest.mark.parametrize(("bounce", "stops"), [(0.2, True), (0.8, False)])
 def test_what_is_softer_than_gravity_is_not_called_a_stop(bounce, stops):
     best = explaining(1000.0, CoulombFriction, HardStop)

@@ -1,6 +1,8 @@
-"""Recordings as others make them, of which a diagnosis had once been sure of a wrong name."""
+"""Recordings of which a diagnosis had once been sure of a wrong name, by others and by exoid."""
 
 import pytest
+from benchmarks.blind.deck import deal
+from benchmarks.blind.sets import own
 from benchmarks.others.write import make
 
 from exoid.mismatch.missing_physics import diagnose
@@ -29,3 +31,15 @@ def test_a_stop_is_tried_before_something_is_called_new(tmp_path):
     """At 30 Hz a reflex leaves 1.4 times the noise of a soft stop. A formula left less."""
     found = diagnose(load(make(SEED, 175, tmp_path, 1)).recording)
     assert found.selected == ["hard_stop"]
+
+
+def test_a_scale_of_the_gyro_that_only_a_zero_made_needed_is_not_named():
+    """Encoder gain and cubic stiffness: with the gyro's scale in every candidate, an unusual zero
+    made up for what the scale did not show, and the scale was asserted.
+    """
+    number = 56
+    card = [*deal(number + 1, SEED)][number]
+    assert set(card.effects) == {"cubic_stiffness", "encoder_gain"}
+    found = diagnose(own(card, SEED, number).load(), seed=SEED)
+    assert "cubic_stiffness" in found.selected
+    assert set(found.selected) <= set(card.effects)

@@ -180,7 +180,7 @@ def test_the_encoder_leads_past_the_jumps_of_the_gyro():
     segments = tuple(played(angle, seed) for seed, angle in enumerate((-0.2, -0.5, -0.8)))
     recordings = [("drops", Recording(segments, BODY, Protocol(kind="passive"), NOISE))]
     prepared, base = prepare(fit(recordings), recordings, ())
-    start = Hypothesis((StickingBacklash,), (np.array([0.008]),), base.candidate.point)
+    start = Hypothesis((StickingBacklash,), (np.array([0.002]),), base.candidate.point)
     walled = settle_free(prepared, start)
     found = polished(prepared, walled.candidate)
     assert found.candidate.values[0][0] == pytest.approx(0.005, rel=0.02)

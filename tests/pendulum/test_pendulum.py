@@ -130,9 +130,10 @@ def test_errors_are_as_large_as_the_scatter_over_noise():
     for name in true.keys() - {"number_of_oscillations"}:
         spread = np.sqrt(np.mean(np.square(scores[name])))
         # 20 draws scatter by 16 %. What still swings at rest widens the errors of the plateau, a
-        # swing that just reaches its band that of the time to rest, and the acceleration at the
-        # release has one for its polynomial.
-        wide = name in NEEDS_REST or name == "peak_flexion_acceleration"
+        # swing that just reaches its band that of the time to rest, where dry friction could have
+        # held the leg that of the expected index, and the acceleration at the release has one for
+        # its polynomial.
+        wide = name in NEEDS_REST | {"expected_relaxation_index", "peak_flexion_acceleration"}
         assert (0.005 if wide else 0.6) < spread < 1.45, name
 
 

@@ -13,6 +13,7 @@ from exoid.fitting.model.mounting import Mounting
 from exoid.fitting.model.systematics import OF_THE_GYRO, OWNED
 from exoid.fitting.multistart.starts import first_state, usual_mounting
 from exoid.fitting.multistart.tethers import tethers
+from exoid.fitting.result.agreement import elsewhere
 from exoid.fitting.result.fit_result import FitResult, pooled
 from exoid.fitting.solve.ask import take
 from exoid.fitting.solve.pose import pose
@@ -59,11 +60,8 @@ def prepare(
     zero = movements[0].systematics.zero
     common = common_of(sensors, tested, owned)
     noise = pooled(result.segments, lambda each: each.angle_noise)
-    led = (
-        tethers(problem)
-        if rig and all_driven(movements) and result.angle_rmse > FAR * noise
-        else ()
-    )
+    drifted = rig and all_driven(movements) and result.angle_rmse > FAR * noise
+    led = tethers(problem) if drifted or elsewhere(result.segments) else ()
     made = PreparedRecording(problem, sensors, tested, inertia, rig, zero, tuple(common), led)
     begin = Hypothesis(tuple(common), tuple(common.values()), made.point(fitted))
     return made, settle_free(made, begin, rounds=FEWER_ROUNDS)

@@ -56,6 +56,11 @@ def roughly(error: float, segments: Sequence[SegmentFit]) -> bool:
     return error < ASTRAY * pooled(segments, motion)
 
 
+def elsewhere(segments: Sequence[SegmentFit]) -> bool:
+    """Is the simulation another motion altogether, as in a false valley?"""
+    return pooled(segments, beyond_noise) >= ALONE * pooled(segments, motion)
+
+
 def told(missed: float, moved: float) -> str:
     return (
         f"it misses the angle by {np.degrees(missed):.3g} deg, where the leg moves by "

@@ -1,5 +1,7 @@
 """What is certain: the causes that every explanation has which this recording cannot tell apart."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from exoid.mismatch.screen.effect import named
@@ -31,7 +33,21 @@ def asserted(best: Optimum, equal: list[Optimum]) -> tuple[type[Term], ...]:
         known = any(same_cause(cause, other) for other in certain)
         if not known and all(has(each, cause) for each in equal):
             certain.append(cause)
-    return tuple(certain)
+    every = (best, *equal)
+    return tuple(cause for cause in certain if not only_inside(cause, certain, every))
+
+
+def only_inside(cause: type[Term], certain: list[type[Term]], every: Sequence[Optimum]) -> bool:
+    """Is it in all of them no more than a part of another certain cause, as a frame's friction is
+    of its play?
+    """
+    own = any(same_cause(cause, term) for one in every for term in one.candidate.terms)
+    return not own and any(
+        named(term, value).includes() == name_of(cause)
+        for one in every
+        for term, value in zip(one.candidate.terms, one.candidate.values, strict=True)
+        if term in certain
+    )
 
 
 def certain_of(found: Found, best: Optimum) -> tuple[type[Term], ...]:

@@ -10,9 +10,11 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.mismatch.conclude.numbers import CERTAIN, covariance
+from exoid.mismatch.conclude.unneeded import without_unneeded
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import settle_free
 from exoid.mismatch.search.found import Found, size
+from exoid.mismatch.search.race import left_of
 from exoid.mismatch.search.rank import by_evidence
 from exoid.mismatch.search.several import instead, without_one
 from exoid.physics.sensing.angle_offset import AngleOffset
@@ -49,8 +51,8 @@ def as_a_term(found: Found, best: Optimum) -> tuple[Found, Optimum]:
         for other in instead(declared, without_zero(one.candidate), AngleOffset, best.square)
     ]
     first = [named[0], *others]
-    first += without_one(declared, min(first, key=lambda one: one.square))
-    plain += first[1:]
+    first += without_one(declared, min(first, key=left_of))
+    first, plain = with_fewer_errors(replace(found, prepared=declared), base, first, plain)
     alone = [one for one in (*named, *plain) if len(one.candidate.terms) == 1]
     joint = [one for one in (*named, *plain) if len(one.candidate.terms) > 1]
     measure = found.yardstick
@@ -63,6 +65,20 @@ def as_a_term(found: Found, best: Optimum) -> tuple[Found, Optimum]:
         pairs=by_evidence(joint, base, measure),
     )
     return new, max(first, key=new.evidence)
+
+
+def with_fewer_errors(
+    found: Found, base: Optimum, first: list[Optimum], plain: list[Optimum]
+) -> tuple[list[Optimum], list[Optimum]]:
+    """Those that may be best, and the others; of what is as good also a form without the sensors'
+    errors that only an unusual zero had made it need.
+    """
+    plain = [*plain, *first[1:]]
+    best = min(first, key=left_of)
+    equal = [one for one in (first[0], *plain) if not found.clear(one, best)]
+    forms = [without_unneeded(found, base, one, found.prepared.common) for one in equal]
+    fewer = [form for form, one in zip(forms, equal, strict=True) if size(form) < size(one)]
+    return [*first, *fewer], [*plain, *fewer]
 
 
 def without_zero(candidate: Hypothesis) -> Hypothesis:
