@@ -38,10 +38,10 @@ def main() -> None:
         tell(f"[{len(cases)}] {case.name}: {answer.words}  {answer.seconds:.1f} s\n")
         given = {name: answer.as_json() for name, answer in answers.items()}
         write(given, options.to / f"{begin}answers.json")  # an interrupted run is not lost
+        if last:
+            write([case.truth for case in cases if case.truth], options.to / f"{begin}{TRUTH}")
     if not cases:
         sys.exit("no case to run: name a --folder, or make some with --own N")
-    if last:
-        write([case.truth for case in cases if case.truth], options.to / f"{begin}{TRUTH}")
     publish(cases, answers, options.to, begin)
 
 
