@@ -61,7 +61,8 @@ def prepare(
     common = common_of(sensors, tested, owned)
     noise = pooled(result.segments, lambda each: each.angle_noise)
     drifted = rig and all_driven(movements) and result.angle_rmse > FAR * noise
-    led = tethers(problem) if drifted or elsewhere(result.segments) else ()
+    lost = not result.follows and elsewhere(result.segments)
+    led = tethers(problem) if drifted or lost else ()
     made = PreparedRecording(problem, sensors, tested, inertia, rig, zero, tuple(common), led)
     begin = Hypothesis(tuple(common), tuple(common.values()), made.point(fitted))
     return made, settle_free(made, begin, rounds=FEWER_ROUNDS)
