@@ -29,11 +29,11 @@ def asserted(best: Optimum, equal: list[Optimum]) -> tuple[type[Term], ...]:
     still what they are called; in the form of the best where all have that.
     """
     certain: list[type[Term]] = []
-    for cause in (cause for one in (best, *equal) for cause in causes_of(one)):
+    every = (best, *equal)
+    for cause in (cause for one in every for cause in causes_of(one)):
         known = any(same_cause(cause, other) for other in certain)
         if not known and all(has(each, cause) for each in equal):
             certain.append(cause)
-    every = (best, *equal)
     return tuple(cause for cause in certain if not only_inside(cause, certain, every))
 
 

@@ -52,7 +52,10 @@ def as_a_term(found: Found, best: Optimum) -> tuple[Found, Optimum]:
     ]
     first = [named[0], *others]
     first += without_one(declared, min(first, key=left_of))
-    first, plain = with_fewer_errors(replace(found, prepared=declared), base, first, plain)
+    plain += first[1:]
+    told = replace(found, prepared=declared)
+    fewer = with_fewer_errors(told, base, [first[0], *plain], min(first, key=left_of))
+    first, plain = [*first, *fewer], [*plain, *fewer]
     alone = [one for one in (*named, *plain) if len(one.candidate.terms) == 1]
     joint = [one for one in (*named, *plain) if len(one.candidate.terms) > 1]
     measure = found.yardstick
@@ -68,17 +71,14 @@ def as_a_term(found: Found, best: Optimum) -> tuple[Found, Optimum]:
 
 
 def with_fewer_errors(
-    found: Found, base: Optimum, first: list[Optimum], plain: list[Optimum]
-) -> tuple[list[Optimum], list[Optimum]]:
-    """Those that may be best, and the others; of what is as good also a form without the sensors'
-    errors that only an unusual zero had made it need.
+    found: Found, base: Optimum, some: list[Optimum], best: Optimum
+) -> list[Optimum]:
+    """Of those that are as good as the best the forms without the sensors' errors that only an
+    unusual zero had made them need.
     """
-    plain = [*plain, *first[1:]]
-    best = min(first, key=left_of)
-    equal = [one for one in (first[0], *plain) if not found.clear(one, best)]
+    equal = [one for one in some if not found.clear(one, best)]
     forms = [without_unneeded(found, base, one, found.prepared.common) for one in equal]
-    fewer = [form for form, one in zip(forms, equal, strict=True) if size(form) < size(one)]
-    return [*first, *fewer], [*plain, *fewer]
+    return [form for form, one in zip(forms, equal, strict=True) if size(form) < size(one)]
 
 
 def without_zero(candidate: Hypothesis) -> Hypothesis:
