@@ -34,8 +34,8 @@ class Cycle(eqx.Module):
         return jnp.where(clock < 0, 0.0, jnp.where(clock <= self.period / 2, -1.0, 1.0))
 
 
-def untied() -> np.ndarray:
-    """No spring ties the motion to another."""
+def nothing() -> np.ndarray:
+    """No spring ties the motion to another; contacts are where they are."""
     return np.zeros(())
 
 
@@ -43,14 +43,16 @@ class SegmentConstants(eqx.Module):
     """What stays the same throughout a segment: leg, cycle, and the segment's number.
 
     A critically damped spring of natural frequency `tether` may tie the leg to a measured motion;
-    the ratios hold its stiffness and damping.
+    the ratios hold its stiffness and damping. Within a step that comes to a contact, `slack` is
+    what still counts as touching: less than nothing before, more than nothing after.
     """
 
     ratios: Ratios
     inertia: Float[Any, "*batch"]  # kg m^2, of all that moves
     cycle: Cycle
     number: Float[Any, "*batch"]  # of the segment, from 0
-    tether: Float[Any, "*batch"] = field(default_factory=untied)  # rad/s, in the ratios
+    tether: Float[Any, "*batch"] = field(default_factory=nothing)  # rad/s, in the ratios
+    slack: Float[Any, "*batch"] = field(default_factory=nothing)  # rad
 
 
 class Moment(eqx.Module):

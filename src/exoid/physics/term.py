@@ -96,6 +96,12 @@ class Term(eqx.Module):
         """The term's own state brought back to where it can be, after every step."""
         return memory
 
+    def gaps(self, now: Moment, memory: Memory) -> Float[Array, "contact 2"]:
+        """How far [rad] each contact is at which the torque jumps, and how fast that grows. Such a
+        torque takes `now.place.slack` for touching.
+        """
+        return jnp.zeros((0, 2))
+
     def shown(self, now: Moment, memory: Memory) -> Reading:
         """What the sensors show minus how the leg moves."""
         return reading(0.0 * now.angle)
@@ -134,6 +140,11 @@ class SensorTerm(Term):
 def holds(term: type[Term]) -> bool:
     """Does it hold a leg at rest?"""
     return term.dry_friction is not Term.dry_friction
+
+
+def strikes(term: type[Term]) -> bool:
+    """Does its torque jump where something meets?"""
+    return term.gaps is not Term.gaps
 
 
 def busy(term: type[Term]) -> bool:

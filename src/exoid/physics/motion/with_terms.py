@@ -11,8 +11,9 @@ from exoid.physics.leg import angular_acceleration
 from exoid.physics.moment import Moment, SegmentConstants
 from exoid.physics.motion.step import Drive, parabola, rk4
 from exoid.physics.state import LegState
-from exoid.physics.term import Reading, Term, holds, reading
+from exoid.physics.term import Reading, Term, holds, reading, strikes
 
+CLOSE = 1e-6  # rad: where a contact was foreseen, it closes
 Terms = tuple[Term, ...]
 
 
@@ -80,21 +81,66 @@ def extended_step(
     """The step from `time` on, in so many `parts` or as many as the fastest term asks for, each of
     them `compact` (`rk4`) or not.
 
-    Dry friction acts in half steps before and after the smooth rest (Strang splitting): it can
-    bring the leg to rest, but never turn it round.
+    Where something can meet, parts are done in twos: until it does, and from then on. Dry friction
+    acts in half steps before and after the smooth rest (Strang splitting): it can bring the leg to
+    rest, but never turn it round.
     """
     parts = max([parts, *(term.substeps for term in terms)])
     if parts == 1:
         return whole_step(place, terms, motion, time, step, drive, compact=compact)
+    stages = (drive.begin, drive.middle, drive.end)
+
+    def piece(place, motion, begin, share):
+        """From a fraction of the step on, so large a share of it."""
+        pushes = Drive(*(parabola(*stages, begin + at * share) for at in (0.0, 0.5, 1.0)))
+        begun = time + begin * step
+        return whole_step(place, terms, motion, begun, share * step, pushes, compact=compact)
 
     def part_of(number, motion):
-        begin = number / parts
-        stages = (drive.begin, drive.middle, drive.end)
-        pieces = Drive(*(parabola(*stages, begin + at / parts) for at in (0.0, 0.5, 1.0)))
-        begun = time + begin * step
-        return whole_step(place, terms, motion, begun, step / parts, pieces, compact=compact)
+        return piece(place, motion, number / parts, 1 / parts)
 
+    def parted(number, motion):
+        begin, share = 2 * number / parts, 2 / parts
+        push = parabola(*stages, begin)
+        until = contact(place, terms, motion, time + begin * step, share * step, push) / step
+        meets = until < share
+        first = jnp.where(meets, until, share / 2)
+
+        def half(after, motion):
+            slack = jnp.where(meets, jnp.where(after, CLOSE, -CLOSE), place.slack)
+            here = eqx.tree_at(lambda place: place.slack, place, slack)
+            return piece(
+                here,
+                motion,
+                begin + after * first,
+                jnp.where(after, share - first, first),
+            )
+
+        return jax.lax.fori_loop(0, 2, half, motion)
+
+    if any(strikes(type(term)) for term in terms):
+        return jax.lax.fori_loop(0, (parts + 1) // 2, parted, motion)
     return jax.lax.fori_loop(0, parts, part_of, motion)
+
+
+def contact(
+    place: SegmentConstants, terms: Terms, motion: Motion, time: Any, step: Any, push: Any
+) -> Float[Array, ""]:
+    """The time [s] until something meets, by speed and acceleration of its gap; at most `step`."""
+    slope = slopes(place, terms, motion, time, push, jnp.ones(()))
+    ahead = jax.tree.map(lambda now, rate: now + step * rate, motion, slope)
+
+    def gaps(motion: Motion):
+        now = moment(place, motion.leg, time, push)
+        each = zip(terms, motion.memory, strict=True)
+        return jnp.concatenate([term.gaps(now, memory) for term, memory in each]).T
+
+    (gap, opening), (_, later) = gaps(motion), gaps(ahead)
+    under = opening**2 - 2 * gap * (later - opening) / step
+    root = jnp.sqrt(jnp.where(under > 0, under, 1.0))
+    meets = (gap > 0) & (under > 0) & (root > opening)
+    until = jnp.where(meets, 2 * gap / jnp.where(meets, root - opening, 1.0), step)
+    return jnp.minimum(until.min(), step)
 
 
 def whole_step(

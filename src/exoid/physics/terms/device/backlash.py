@@ -1,13 +1,15 @@
 """Play between the leg and the frame that carries the sensors, which has a weight of its own."""
 
 import jax.numpy as jnp
+import numpy as np
+from jaxtyping import Array
 
 from exoid.physics.moment import Moment
 from exoid.physics.parameter import Parameter, parameter
 from exoid.physics.term import Memory, PhysicsTerm, Reading, Scalar, reading
 
 FELT = 0.01  # N m, from which on the friction of the hinge is dry friction of what moves
-DEEP = 5e-4  # rad, at which the contact's damper has its full strength
+WAYS = np.array([-1.0, 1.0])  # in which the gaps grow with the slip
 CLINGS = 1500.0  # rad/s, of a frame that dry friction holds: within 10 urad for 20 rad/s^2
 
 
@@ -17,7 +19,7 @@ class Backlash(PhysicsTerm):
     Beyond it, at the depth x = |s| - b, they push each other, but never pull:
 
         tau = -p,  J_e q'' = p - G_e cos(q) - d_h q' - F_h sgn(q'),
-        p = -sgn(s) J_e max(0, w^2 x + 2 zeta w min(x / x_0, 1) x'),  w = pi / t_c.
+        p = -sgn(s) J_e max(0, w^2 x + 2 zeta w x'),  w = pi / t_c.
 
     Friction that holds the frame is a stiff, damped spring z that yields at F_h. The
     memory is (s, q', z).
@@ -32,7 +34,7 @@ class Backlash(PhysicsTerm):
     isolate = "the leg held, the frame moved by hand through its play"
     memory_size = 3
     jumps = True
-    substeps = 16
+    substeps = 8
 
     half_play: Parameter = parameter("b", "rad", 0.0, 0.1, "half the play", (0.008, 0.022))
     frame_inertia: Parameter = parameter(
@@ -64,11 +66,15 @@ class Backlash(PhysicsTerm):
     def pushed(self, now: Moment, memory: Memory) -> Scalar:
         """The torque of the leg on the frame over the frame's inertia [rad/s^2]."""
         slip, speed, _ = memory
-        way, depth = jnp.sign(slip), jnp.abs(slip) - self.half_play
-        inwards = way * (speed - now.angular_velocity)
-        damped = 2 * self.damping_ratio * self.rate * jnp.clip(depth / DEEP, 0.0, 1.0) * inwards
-        push = jnp.maximum(self.rate**2 * depth + damped, 0.0)
-        return -way * jnp.where(depth > 0, push, 0.0)
+        gap, opening = self.gaps(now, memory).T
+        push = jnp.maximum(-self.rate**2 * gap - 2 * self.damping_ratio * self.rate * opening, 0.0)
+        extension, flexion = jnp.where(gap < now.place.slack, push, 0.0)
+        return flexion - extension
+
+    def gaps(self, now: Moment, memory: Memory) -> Array:
+        slip, speed, _ = memory
+        away = jnp.stack([self.half_play - slip, self.half_play + slip])
+        return jnp.stack([away, (speed - now.angular_velocity) * WAYS], axis=1)
 
     def torque(self, now: Moment, memory: Memory) -> Scalar:
         return -self.frame_inertia * self.pushed(now, memory)

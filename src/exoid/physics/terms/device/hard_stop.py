@@ -1,6 +1,7 @@
 """A stop that the leg hits."""
 
 import jax.numpy as jnp
+from jaxtyping import Array
 
 from exoid.physics.moment import Moment
 from exoid.physics.parameter import Parameter, parameter
@@ -41,12 +42,12 @@ class HardStop(PhysicsTerm):
         return bool(self.contact_time < SOFTEST)
 
     def torque(self, now: Moment, memory: Memory) -> Scalar:
-        extension = self.push(now.angle - self.extension_angle, now.angular_velocity)
-        flexion = self.push(self.flexion_angle - now.angle, -now.angular_velocity)
+        rate = jnp.pi / self.contact_time
+        gap, opening = self.gaps(now, memory).T
+        push = jnp.maximum(-(rate**2) * gap - 2 * self.damping_ratio * rate * opening, 0.0)
+        extension, flexion = jnp.where(gap < now.place.slack, push, 0.0)
         return now.inertia * (flexion - extension)
 
-    def push(self, depth: Scalar, speed: Scalar) -> Scalar:
-        """Of one stop [rad/s^2]: it never pulls."""
-        rate = jnp.pi / self.contact_time
-        push = rate**2 * depth + 2 * self.damping_ratio * rate * speed
-        return jnp.where(depth > 0, jnp.maximum(push, 0.0), 0.0)
+    def gaps(self, now: Moment, memory: Memory) -> Array:
+        away = jnp.stack([self.extension_angle - now.angle, now.angle - self.flexion_angle])
+        return jnp.stack([away, now.angular_velocity * jnp.array([-1.0, 1.0])], axis=1)
