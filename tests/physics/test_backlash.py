@@ -15,7 +15,7 @@ from exoid.physics.moment import Cycle, Moment, SegmentConstants
 from exoid.physics.motion.simulate import simulate
 from exoid.physics.ratios import Ratios
 from exoid.physics.state import LegState
-from exoid.physics.terms.device.backlash import DEEP, Backlash
+from exoid.physics.terms.device.backlash import Backlash
 from exoid.physics.torque import NoTorque
 
 LEG = two_bodies.Leg()
@@ -47,7 +47,7 @@ def moved(own: Backlash, time, start=START):
 
 def both(monkeypatch, name: str, rate: int):
     """The frame's angle by SciPy and by the term; the first sticks within 0.05 mrad/s."""
-    monkeypatch.setattr(two_bodies, "DEEP", DEEP)
+    monkeypatch.setattr(two_bodies, "DEEP", 1e-7)
     monkeypatch.setattr(two_bodies, "CREEP", 5e-5)
     time = np.arange(round(LASTING * rate) + 1) / rate
     truth = two_bodies.motion(LEG, FRAMES[name], START, time)
@@ -61,20 +61,21 @@ def test_leg_and_frame_move_as_two_bodies(monkeypatch, name, rate):
     slip = np.abs(truth[2] - truth[0])
     assert (slip < 0.9 * FRAMES[name].half_play).sum() > 0.1 * rate  # they part
     missed = np.asarray(found.shown_angle) - truth[2]
-    # A tenth of an encoder's step: parts of 0.6 ms of a contact of 10, friction that gives 10 urad.
-    assert np.sqrt(np.mean(missed**2)) < 1.5e-4
-    # At an impact that is a part early or late; between impacts of 0.5 rad/s they agree.
-    assert np.abs(missed).max() < 5e-4
+    # A tenth of an encoder's step, at 50 Hz a fifth, where parts are 3 ms of a contact of 10. At
+    # its worst after impacts of a heavy frame.
+    within = 3e-4 if rate == 50 else 1e-4
+    assert np.sqrt(np.mean(missed**2)) < within
+    assert np.abs(missed).max() < 7 * within
 
 
-def test_without_friction_the_error_falls_with_the_square_of_the_step(monkeypatch):
-    """At worst: a contact begins within a part of a step."""
+def test_without_friction_the_error_falls_with_the_cube_of_the_step(monkeypatch):
+    """At worst: a contact begins where it is foreseen, and ends within a part of a step."""
     missed = []
-    for rate in (50, 200, 800):
+    for rate in (50, 100):
         truth, found = both(monkeypatch, "smooth", rate)
         missed.append(np.abs(np.asarray(found.shown_angle) - truth[2]).max())
     assert missed[0] < 1e-4
-    assert missed[2] < missed[0] / 16
+    assert missed[1] < missed[0] / 8
 
 
 @pytest.mark.parametrize("name", FRAMES)

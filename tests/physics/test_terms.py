@@ -18,9 +18,10 @@ from exoid.physics.leg import GRAVITY, LegModel, LegParameters
 from exoid.physics.library import library
 from exoid.physics.moment import Cycle, Moment, SegmentConstants
 from exoid.physics.motion.after_release import after_release
+from exoid.physics.motion.extended_step import extended_step
 from exoid.physics.motion.simulate import simulate
 from exoid.physics.motion.step import Drive
-from exoid.physics.motion.with_terms import at_rest, delayed, extended_step, missing
+from exoid.physics.motion.with_terms import at_rest, delayed, missing
 from exoid.physics.parameter import declarations
 from exoid.physics.state import LegState
 from exoid.physics.term import SensorTerm, Term, name_of

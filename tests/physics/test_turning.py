@@ -5,8 +5,9 @@ import jax.numpy as jnp
 import pytest
 
 from exoid.physics.moment import Cycle, SegmentConstants
+from exoid.physics.motion.extended_step import extended_step
 from exoid.physics.motion.step import Drive
-from exoid.physics.motion.with_terms import Motion, extended_step
+from exoid.physics.motion.with_terms import Motion
 from exoid.physics.ratios import Ratios
 from exoid.physics.state import LegState
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction

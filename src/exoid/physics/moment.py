@@ -54,6 +54,10 @@ class SegmentConstants(eqx.Module):
     tether: Float[Any, "*batch"] = field(default_factory=nothing)  # rad/s, in the ratios
     slack: Float[Any, "*batch"] = field(default_factory=nothing)  # rad
 
+    def with_slack(self, slack: Any) -> "SegmentConstants":
+        """The same with gaps below `slack` [rad] closed."""
+        return eqx.tree_at(lambda place: place.slack, self, slack)
+
 
 class Moment(eqx.Module):
     """An instant of a motion.

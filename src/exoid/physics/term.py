@@ -10,7 +10,7 @@ from jaxtyping import Array, Float
 
 from exoid.physics.moment import Moment
 
-BUSY = 8  # steps within a step, from which on running takes longer than compiling
+BUSY = 6  # steps within a step, from which on running takes longer than compiling
 Memory = Float[Array, " memory"]
 Scalar = Float[Array, ""]
 
@@ -96,11 +96,11 @@ class Term(eqx.Module):
         """The term's own state brought back to where it can be, after every step."""
         return memory
 
-    def gaps(self, now: Moment, memory: Memory) -> Float[Array, "contact 2"]:
+    def gaps(self, now: Moment, memory: Memory) -> tuple[tuple[Scalar, Scalar], ...]:
         """How far [rad] each contact is at which the torque jumps, and how fast that grows. Such a
         torque takes `now.place.slack` for touching.
         """
-        return jnp.zeros((0, 2))
+        return ()
 
     def shown(self, now: Moment, memory: Memory) -> Reading:
         """What the sensors show minus how the leg moves."""

@@ -9,60 +9,18 @@ from jaxtyping import Array, Float, Int
 
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.observation import Observation
-from exoid.fitting.misfit.stage import Stage
+from exoid.fitting.misfit.equation import Equation, Stage, equation, of, place_of
 from exoid.fitting.model.coordinates import Unknowns
 from exoid.fitting.model.mounting import Mounting
-from exoid.fitting.model.term_parameters import over_inertia
-from exoid.physics.leg import GRAVITY
-from exoid.physics.moment import Cycle, SegmentConstants
 from exoid.physics.motion.after_release import after_release
+from exoid.physics.motion.extended_step import extended_step
 from exoid.physics.motion.step import Drive, march
-from exoid.physics.motion.with_terms import Motion, delayed, extended_step, observed
-from exoid.physics.ratios import Ratios
+from exoid.physics.motion.with_terms import Motion, delayed, observed
 from exoid.physics.record import record
 from exoid.physics.state import LegState
 from exoid.physics.term import Term
 
 NOTHING = Drive(*[np.zeros(())] * 3)  # is missing
-
-
-@record
-class Equation:
-    """Eq. 9 of one segment, leg and added mass together, per inertia, and what it leaves out."""
-
-    ratios: Ratios
-    cycle: Float[Any, ""]  # 1/s^2 for unit shape of Eq. 10
-    torque: Float[Any, ""]  # 1/(kg m^2), for a measured torque
-    share: Float[Any, ""]  # of the leg in the inertia that moves
-    terms: tuple[Term, ...] = ()
-
-
-def equation(unknowns: Unknowns, observation: Observation, stage: Stage) -> Equation:
-    """J + m_a (r^2 + k^2) and m l g + m_a r g move; the tether adds its stiffness and damping.
-
-    A recorded second is (1 + clock) s long, so every rate of the equation counts as often.
-    `unknowns` are those of the segment.
-    """
-    shared, mounting = unknowns.shared, unknowns.mounting
-    inertia, clock = jnp.exp(shared.log_inertia), 1 + of(mounting.clock)
-    added = observation.added_mass * jnp.exp(of(mounting.log_added))
-    moved = jnp.exp(observation.added_mass_moves * of(mounting.log_distance))
-    distance = observation.added_mass_distance * moved
-    extent = observation.added_mass_extent + of(mounting.extent)
-    total = inertia + added * (distance**2 + extent)
-    moment = shared.gravity * inertia + added * distance * GRAVITY
-    return Equation(
-        ratios=Ratios(
-            gravity=clock**2 * moment / total,
-            stiffness=clock**2 * shared.stiffness * inertia / total + stage.tether**2,
-            damping=clock * shared.damping * inertia / total + 2 * stage.tether,
-            thigh_angle=observation.thigh_angle + of(mounting.tilt),
-        ),
-        cycle=clock**2 * unknowns.own.torque * inertia / total,
-        torque=clock**2 / total,
-        share=clock**2 * inertia / total,
-        terms=tuple(over_inertia(term, 1 / inertia) for term in unknowns.terms),
-    )
 
 
 def sensor_map(mounting: Mounting) -> Float[Array, "3"]:
@@ -71,18 +29,6 @@ def sensor_map(mounting: Mounting) -> Float[Array, "3"]:
     """
     scale = (1 + of(mounting.gyro_scale)) / (1 + of(mounting.clock)) - 1
     return jnp.stack([of(mounting.zero), scale, of(mounting.gyro_bias)])
-
-
-def of(leaf: Float[Any, "*entry"]) -> Float[Any, ""]:
-    """The segment's entry of the mounting, 0 where it is no unknown."""
-    return leaf[0] if leaf.size else jnp.zeros(())
-
-
-def place_of(eq: Equation, observation: Observation, stage: Stage) -> SegmentConstants:
-    """What a term may know of its segment."""
-    inertia, clock = 1 / eq.torque, observation.clock
-    cycle = Cycle(eq.cycle * inertia, clock.period, clock.frequency, clock.onset)
-    return SegmentConstants(eq.ratios, inertia, cycle, clock.number, stage.tether)
 
 
 def begin(eq: Equation, start: LegState, observation: Observation, stage: Stage) -> Motion:

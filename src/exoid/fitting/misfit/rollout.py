@@ -10,13 +10,12 @@ from jax.flatten_util import ravel_pytree
 from jaxtyping import Array, Float
 
 from exoid.fitting.data.observation import Observation
+from exoid.fitting.misfit.equation import Equation, Stage, equation
 from exoid.fitting.misfit.residual import (
     NOTHING,
-    Equation,
     Shown,
     advance,
     begin,
-    equation,
     glimpse,
     late,
     residual,
@@ -24,7 +23,6 @@ from exoid.fitting.misfit.residual import (
     shows,
     through,
 )
-from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.coordinates import Unknowns, in_a_row
 from exoid.physics.motion.step import march
 from exoid.physics.state import LegState

@@ -7,12 +7,12 @@ import jax
 import numpy as np
 
 from exoid.fitting.misfit.condensed import Neighbourhood, Sensed
+from exoid.fitting.misfit.equation import Stage
 from exoid.fitting.misfit.gram import CAUSES, Cause, Grams
 from exoid.fitting.misfit.gram_matrices import declared, gram, nodes_of, undisturbed
 from exoid.fitting.misfit.information import spoiled
 from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.misfit.neighbourhood import columns, declared_slopes, neighbourhood, told
-from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.coordinates import Coordinates, layout, take
 from exoid.fitting.model.prior import mounting_residual
 from exoid.fitting.model.term_parameters import parameters_of

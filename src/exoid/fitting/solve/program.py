@@ -12,9 +12,9 @@ from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.observation import Observation
 from exoid.fitting.misfit.condense import condense, linear_model, misfit, sense, weighed
 from exoid.fitting.misfit.condensed import Condensed, Sensed, Triangles
+from exoid.fitting.misfit.equation import Stage
 from exoid.fitting.misfit.gram_matrices import pushes, triangles
 from exoid.fitting.misfit.residual import predict
-from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.constraint import NEVER, term_violations, violations
 from exoid.fitting.model.coordinates import (
     Coordinates,

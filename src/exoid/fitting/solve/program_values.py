@@ -9,8 +9,8 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from exoid.fitting.misfit.condensed import Condensed, Sensed, Triangles
+from exoid.fitting.misfit.equation import Stage
 from exoid.fitting.misfit.gram import CAUSES
-from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.coordinates import TYPICAL, Coordinates
 from exoid.fitting.model.term_parameters import typical_term
 from exoid.physics.leg import LegParameters

@@ -7,7 +7,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from exoid.fitting.data.observation import Observation
-from exoid.fitting.misfit.residual import equation
+from exoid.fitting.misfit.equation import equation
 from exoid.fitting.model.coordinates import Unknowns, of_owner
 from exoid.fitting.solve.program_cache import called
 from exoid.mismatch.evidence.location import Location, Missing, Region, Samples

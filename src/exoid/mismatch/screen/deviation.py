@@ -17,9 +17,9 @@ import jax.numpy as jnp
 from jax.flatten_util import ravel_pytree
 from jaxtyping import Array, Float
 
-from exoid.fitting.misfit.residual import Equation, advance, residual
+from exoid.fitting.misfit.equation import Equation, Stage
+from exoid.fitting.misfit.residual import advance, residual
 from exoid.fitting.misfit.rollout import along, numbers_of
-from exoid.fitting.misfit.stage import Stage
 from exoid.fitting.model.coordinates import in_a_row
 from exoid.mismatch.screen.measured_motion import FREE
 from exoid.physics.motion.step import Drive, march

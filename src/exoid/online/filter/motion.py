@@ -8,10 +8,10 @@ from jaxtyping import Array, Float
 
 from exoid.online.model.sample import Sample
 from exoid.online.model.unknowns import AT, Leg, Row, Unknowns
+from exoid.physics.motion.extended_step import extended_step
 from exoid.physics.motion.step import Drive
 from exoid.physics.motion.with_terms import (
     Motion,
-    extended_step,
     friction,
     moment,
     observed,

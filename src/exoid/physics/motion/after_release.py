@@ -7,12 +7,12 @@ import jax.numpy as jnp
 from jaxtyping import Array, Float
 
 from exoid.physics.moment import SegmentConstants
+from exoid.physics.motion.extended_step import extended_step
 from exoid.physics.motion.step import Drive
 from exoid.physics.motion.with_terms import (
     Motion,
     Terms,
     at_rest,
-    extended_step,
     friction,
     missing,
     moment,

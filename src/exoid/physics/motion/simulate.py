@@ -10,8 +10,9 @@ from jaxtyping import Array, Float
 
 from exoid.physics.leg import LegModel
 from exoid.physics.moment import Cycle, SegmentConstants
+from exoid.physics.motion.extended_step import extended_step
 from exoid.physics.motion.step import Drive, march
-from exoid.physics.motion.with_terms import at_rest, delayed, extended_step, observed
+from exoid.physics.motion.with_terms import at_rest, delayed, observed
 from exoid.physics.state import LegState
 from exoid.physics.torque import CycleTorque, Torque
 

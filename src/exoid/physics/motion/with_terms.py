@@ -9,11 +9,9 @@ from jaxtyping import Array, Float
 
 from exoid.physics.leg import angular_acceleration
 from exoid.physics.moment import Moment, SegmentConstants
-from exoid.physics.motion.step import Drive, parabola, rk4
 from exoid.physics.state import LegState
-from exoid.physics.term import Reading, Term, holds, reading, strikes
+from exoid.physics.term import Reading, Term, holds, reading
 
-CLOSE = 1e-6  # rad: where a contact was foreseen, it closes
 Terms = tuple[Term, ...]
 
 
@@ -67,115 +65,6 @@ def missing(terms: Terms, now: Moment, memory: tuple[Array, ...]) -> Float[Array
     return pushed - now.angular_acceleration
 
 
-def extended_step(
-    place: SegmentConstants,
-    terms: Terms,
-    motion: Motion,
-    time: Any,
-    step: Any,
-    drive: Drive,
-    *,
-    parts: int = 1,
-    compact: bool = False,
-) -> Motion:
-    """The step from `time` on, in so many `parts` or as many as the fastest term asks for, each of
-    them `compact` (`rk4`) or not.
-
-    Where something can meet, parts are done in twos: until it does, and from then on. Dry friction
-    acts in half steps before and after the smooth rest (Strang splitting): it can bring the leg to
-    rest, but never turn it round.
-    """
-    parts = max([parts, *(term.substeps for term in terms)])
-    if parts == 1:
-        return whole_step(place, terms, motion, time, step, drive, compact=compact)
-    stages = (drive.begin, drive.middle, drive.end)
-
-    def piece(place, motion, begin, share):
-        """From a fraction of the step on, so large a share of it."""
-        pushes = Drive(*(parabola(*stages, begin + at * share) for at in (0.0, 0.5, 1.0)))
-        begun = time + begin * step
-        return whole_step(place, terms, motion, begun, share * step, pushes, compact=compact)
-
-    def part_of(number, motion):
-        return piece(place, motion, number / parts, 1 / parts)
-
-    def parted(number, motion):
-        begin, share = 2 * number / parts, 2 / parts
-        push = parabola(*stages, begin)
-        until = contact(place, terms, motion, time + begin * step, share * step, push) / step
-        meets = until < share
-        first = jnp.where(meets, until, share / 2)
-
-        def half(after, motion):
-            slack = jnp.where(meets, jnp.where(after, CLOSE, -CLOSE), place.slack)
-            here = eqx.tree_at(lambda place: place.slack, place, slack)
-            return piece(
-                here,
-                motion,
-                begin + after * first,
-                jnp.where(after, share - first, first),
-            )
-
-        return jax.lax.fori_loop(0, 2, half, motion)
-
-    if any(strikes(type(term)) for term in terms):
-        return jax.lax.fori_loop(0, (parts + 1) // 2, parted, motion)
-    return jax.lax.fori_loop(0, parts, part_of, motion)
-
-
-def contact(
-    place: SegmentConstants, terms: Terms, motion: Motion, time: Any, step: Any, push: Any
-) -> Float[Array, ""]:
-    """The time [s] until something meets, by speed and acceleration of its gap; at most `step`."""
-    slope = slopes(place, terms, motion, time, push, jnp.ones(()))
-    ahead = jax.tree.map(lambda now, rate: now + step * rate, motion, slope)
-
-    def gaps(motion: Motion):
-        now = moment(place, motion.leg, time, push)
-        each = zip(terms, motion.memory, strict=True)
-        return jnp.concatenate([term.gaps(now, memory) for term, memory in each]).T
-
-    (gap, opening), (_, later) = gaps(motion), gaps(ahead)
-    under = opening**2 - 2 * gap * (later - opening) / step
-    root = jnp.sqrt(jnp.where(under > 0, under, 1.0))
-    meets = (gap > 0) & (under > 0) & (root > opening)
-    until = jnp.where(meets, 2 * gap / jnp.where(meets, root - opening, 1.0), step)
-    return jnp.minimum(until.min(), step)
-
-
-def whole_step(
-    place: SegmentConstants,
-    terms: Terms,
-    motion: Motion,
-    time: Any,
-    step: Any,
-    drive: Drive,
-    *,
-    compact: bool,
-) -> Motion:
-    pushes = {0.0: drive.begin, 0.5: drive.middle, 1.0: drive.end}
-    dry, free, held = sticky(terms), jnp.ones(()), jnp.zeros((), bool)
-
-    def rate(at: Motion, part: Any) -> Motion:
-        push = parabola(drive.begin, drive.middle, drive.end, part) if compact else pushes[part]
-        return slopes(place, terms, at, time + part * step, push, free)
-
-    if dry:
-        begun = slowed(place, terms, motion, time, step / 2, drive.begin)
-        held = holds_still(place, terms, begun, time, drive.begin)
-        free = jnp.where((begun.leg.angular_velocity == 0) & held, 0.0, 1.0)
-        motion = passing(motion, begun, held)
-    motion = rk4(rate, motion, step, compact=compact)
-    if dry:
-        ended = slowed(place, terms, motion, time + step, step / 2, drive.end)
-        motion = passing(motion, ended, held)
-    now = moment(place, motion.leg, time + step, drive.end)
-    kept = tuple(
-        term.memory_within(now, own) for term, own in zip(terms, motion.memory, strict=True)
-    )
-    return Motion(motion.leg, kept)
-
-
 @jax.jit  # traced once, for all stages of a step
 def slopes(
     place: SegmentConstants, terms: Terms, at: Motion, time: Any, push: Any, free: Any
@@ -190,6 +79,15 @@ def slopes(
         moving = jax.tree.map(lambda slope: free * slope, moving)
     changes = tuple(term.memory_rate(now, own) for term, own in zip(terms, at.memory, strict=True))
     return Motion(moving, changes)
+
+
+def gaps(
+    place: SegmentConstants, terms: Terms, motion: Motion, time: Any, push: Any
+) -> list[tuple[Float[Array, ""], Float[Array, ""]]]:
+    """How far every contact of every term is, and how fast that grows."""
+    now = moment(place, motion.leg, time, push)
+    each = zip(terms, motion.memory, strict=True)
+    return [gap for term, memory in each for gap in term.gaps(now, memory)]
 
 
 def sticky(terms: Terms) -> bool:
@@ -209,26 +107,6 @@ def holds_still(place: SegmentConstants, terms: Terms, motion: Motion, time: Any
     pulled = now.angular_acceleration + missing(terms, now, motion.memory)
     level = friction(terms, now)
     return (jnp.abs(pulled) * now.inertia <= level) & (level > 0)
-
-
-def slowed(
-    place: SegmentConstants, terms: Terms, motion: Motion, time: Any, step: Any, push: Any
-) -> Motion:
-    """phi' <- sgn(phi') max(0, |phi'| - step F / J)."""
-    leg = motion.leg
-    level = friction(terms, moment(place, leg, time, push)) / place.inertia
-    left = jnp.maximum(jnp.abs(leg.angular_velocity) - step * level, 0.0)
-    return Motion(LegState(leg.angle, jnp.sign(leg.angular_velocity) * left), motion.memory)
-
-
-def passing(before: Motion, after: Motion, held: Any) -> Motion:
-    """`after`, with the slopes of `before` where friction took all of the velocity from a leg that
-    it does not hold: that passes through zero, and forgets nothing of how it moved.
-    """
-    rate, left = before.leg.angular_velocity, after.leg.angular_velocity
-    passes = (left == 0) & ~held
-    through = jnp.where(passes, rate - jax.lax.stop_gradient(rate), left)
-    return Motion(LegState(after.leg.angle, through), after.memory)
 
 
 def friction(terms: Terms, now: Moment) -> Float[Array, "*batch"]:

@@ -1,15 +1,12 @@
 """Play between the leg and the frame that carries the sensors, which has a weight of its own."""
 
 import jax.numpy as jnp
-import numpy as np
-from jaxtyping import Array
 
 from exoid.physics.moment import Moment
 from exoid.physics.parameter import Parameter, parameter
 from exoid.physics.term import Memory, PhysicsTerm, Reading, Scalar, reading
 
 FELT = 0.01  # N m, from which on the friction of the hinge is dry friction of what moves
-WAYS = np.array([-1.0, 1.0])  # in which the gaps grow with the slip
 CLINGS = 1500.0  # rad/s, of a frame that dry friction holds: within 10 urad for 20 rad/s^2
 
 
@@ -65,16 +62,18 @@ class Backlash(PhysicsTerm):
 
     def pushed(self, now: Moment, memory: Memory) -> Scalar:
         """The torque of the leg on the frame over the frame's inertia [rad/s^2]."""
-        slip, speed, _ = memory
-        gap, opening = self.gaps(now, memory).T
-        push = jnp.maximum(-self.rate**2 * gap - 2 * self.damping_ratio * self.rate * opening, 0.0)
-        extension, flexion = jnp.where(gap < now.place.slack, push, 0.0)
+        extension, flexion = (self.push(now, *gap) for gap in self.gaps(now, memory))
         return flexion - extension
 
-    def gaps(self, now: Moment, memory: Memory) -> Array:
+    def gaps(self, now: Moment, memory: Memory) -> tuple[tuple[Scalar, Scalar], ...]:
         slip, speed, _ = memory
-        away = jnp.stack([self.half_play - slip, self.half_play + slip])
-        return jnp.stack([away, (speed - now.angular_velocity) * WAYS], axis=1)
+        grows = speed - now.angular_velocity
+        return (self.half_play - slip, -grows), (self.half_play + slip, grows)
+
+    def push(self, now: Moment, gap: Scalar, opening: Scalar) -> Scalar:
+        """Of the leg on the frame at one end of the play [rad/s^2]: it never pulls."""
+        push = -(self.rate**2) * gap - 2 * self.damping_ratio * self.rate * opening
+        return jnp.where(gap < now.place.slack, jnp.maximum(push, 0.0), 0.0)
 
     def torque(self, now: Moment, memory: Memory) -> Scalar:
         return -self.frame_inertia * self.pushed(now, memory)

@@ -1,7 +1,6 @@
 """A stop that the leg hits."""
 
 import jax.numpy as jnp
-from jaxtyping import Array
 
 from exoid.physics.moment import Moment
 from exoid.physics.parameter import Parameter, parameter
@@ -25,7 +24,7 @@ class HardStop(PhysicsTerm):
         "edge of the chair."
     )
     isolate = "movements that stay away from that angle, and some that reach it"
-    substeps = 8
+    substeps = 6
     jumps = True
 
     contact_time: Parameter = parameter("t_c", "s", 0.008, 0.8, "how long a bounce lasts", (0.03,))
@@ -42,12 +41,16 @@ class HardStop(PhysicsTerm):
         return bool(self.contact_time < SOFTEST)
 
     def torque(self, now: Moment, memory: Memory) -> Scalar:
-        rate = jnp.pi / self.contact_time
-        gap, opening = self.gaps(now, memory).T
-        push = jnp.maximum(-(rate**2) * gap - 2 * self.damping_ratio * rate * opening, 0.0)
-        extension, flexion = jnp.where(gap < now.place.slack, push, 0.0)
+        extension, flexion = (self.push(now, *gap) for gap in self.gaps(now, memory))
         return now.inertia * (flexion - extension)
 
-    def gaps(self, now: Moment, memory: Memory) -> Array:
-        away = jnp.stack([self.extension_angle - now.angle, now.angle - self.flexion_angle])
-        return jnp.stack([away, now.angular_velocity * jnp.array([-1.0, 1.0])], axis=1)
+    def gaps(self, now: Moment, memory: Memory) -> tuple[tuple[Scalar, Scalar], ...]:
+        extension = (self.extension_angle - now.angle, -now.angular_velocity)
+        flexion = (now.angle - self.flexion_angle, now.angular_velocity)
+        return extension, flexion
+
+    def push(self, now: Moment, gap: Scalar, opening: Scalar) -> Scalar:
+        """Of one stop [rad/s^2]: it never pulls."""
+        rate = jnp.pi / self.contact_time
+        push = -(rate**2) * gap - 2 * self.damping_ratio * rate * opening
+        return jnp.where(gap < now.place.slack, jnp.maximum(push, 0.0), 0.0)

@@ -1,0 +1,82 @@
+"""Eq. 9 of one segment, and how a search looks at it."""
+
+from dataclasses import field
+from typing import Any
+
+import jax.numpy as jnp
+from jaxtyping import Float, Int
+
+from exoid.fitting.data.observation import Observation
+from exoid.fitting.model.coordinates import Unknowns
+from exoid.fitting.model.term_parameters import over_inertia
+from exoid.physics.leg import GRAVITY
+from exoid.physics.moment import Cycle, SegmentConstants
+from exoid.physics.ratios import Ratios
+from exoid.physics.record import record
+from exoid.physics.term import Term
+
+
+@record
+class Stage:
+    """How much of the motion a misfit looks at, and how freely the simulation moves.
+
+    A start that is far from the leg begins tied to the measured motion by a critically damped
+    spring, which makes the misfit nearly linear in the parameters, and ends free.
+    """
+
+    tether: Float[Any, ""]  # rad/s, natural frequency of the spring; 0 is free
+    steps: Int[Any, ""]  # of the simulation, from the first sample on
+    compact: bool = field(
+        metadata={"static": True}, default=False
+    )  # compiled sooner, and slower to run
+
+
+@record
+class Equation:
+    """Eq. 9 of one segment, leg and added mass together, per inertia, and what it leaves out."""
+
+    ratios: Ratios
+    cycle: Float[Any, ""]  # 1/s^2 for unit shape of Eq. 10
+    torque: Float[Any, ""]  # 1/(kg m^2), for a measured torque
+    share: Float[Any, ""]  # of the leg in the inertia that moves
+    terms: tuple[Term, ...] = ()
+
+
+def equation(unknowns: Unknowns, observation: Observation, stage: Stage) -> Equation:
+    """J + m_a (r^2 + k^2) and m l g + m_a r g move; the tether adds its stiffness and damping.
+
+    A recorded second is (1 + clock) s long, so every rate of the equation counts as often.
+    `unknowns` are those of the segment.
+    """
+    shared, mounting = unknowns.shared, unknowns.mounting
+    inertia, clock = jnp.exp(shared.log_inertia), 1 + of(mounting.clock)
+    added = observation.added_mass * jnp.exp(of(mounting.log_added))
+    moved = jnp.exp(observation.added_mass_moves * of(mounting.log_distance))
+    distance = observation.added_mass_distance * moved
+    extent = observation.added_mass_extent + of(mounting.extent)
+    total = inertia + added * (distance**2 + extent)
+    moment = shared.gravity * inertia + added * distance * GRAVITY
+    return Equation(
+        ratios=Ratios(
+            gravity=clock**2 * moment / total,
+            stiffness=clock**2 * shared.stiffness * inertia / total + stage.tether**2,
+            damping=clock * shared.damping * inertia / total + 2 * stage.tether,
+            thigh_angle=observation.thigh_angle + of(mounting.tilt),
+        ),
+        cycle=clock**2 * unknowns.own.torque * inertia / total,
+        torque=clock**2 / total,
+        share=clock**2 * inertia / total,
+        terms=tuple(over_inertia(term, 1 / inertia) for term in unknowns.terms),
+    )
+
+
+def of(leaf: Float[Any, "*entry"]) -> Float[Any, ""]:
+    """The segment's entry of the mounting, 0 where it is no unknown."""
+    return leaf[0] if leaf.size else jnp.zeros(())
+
+
+def place_of(eq: Equation, observation: Observation, stage: Stage) -> SegmentConstants:
+    """What a term may know of its segment."""
+    inertia, clock = 1 / eq.torque, observation.clock
+    cycle = Cycle(eq.cycle * inertia, clock.period, clock.frequency, clock.onset)
+    return SegmentConstants(eq.ratios, inertia, cycle, clock.number, stage.tether)
