@@ -9,8 +9,8 @@ import pytest
 from exoid.fitting.data.conditioning_chain import Raw
 from exoid.fitting.data.observe import observe
 from exoid.fitting.data.segment import movement
+from exoid.fitting.data.stage import Stage
 from exoid.fitting.misfit.condense import condense, linear_model
-from exoid.fitting.misfit.equation import Stage
 from exoid.fitting.model.coordinates import TYPICAL, SegmentUnknowns, Shared, Unknowns, scaled
 from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.motion.simulate import simulate

@@ -9,7 +9,7 @@ import pytest
 from exoid.fitting.data.conditioning_chain import MovingAverage, Raw, SteadyKalman
 from exoid.fitting.data.observe import observe
 from exoid.fitting.data.segment import movement
-from exoid.fitting.misfit.equation import Stage
+from exoid.fitting.data.stage import Stage
 from exoid.fitting.misfit.residual import predict, residual
 from exoid.fitting.model.coordinates import Unknowns
 from exoid.physics.leg import LegModel

@@ -13,8 +13,8 @@ from jaxtyping import Array, Float
 
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.observation import Observation
+from exoid.fitting.data.stage import Stage
 from exoid.fitting.misfit.condense import condense, linear_model, weighed
-from exoid.fitting.misfit.equation import Stage
 from exoid.fitting.misfit.neighbourhood import columns, prior_information
 from exoid.fitting.misfit.uncertainty import whitening
 from exoid.fitting.model.belief import NAMES, Belief

@@ -17,8 +17,8 @@ from jaxtyping import Array, Float, Int, PyTree
 
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.observation import Observation
+from exoid.fitting.data.stage import Stage
 from exoid.fitting.misfit.condensed import Condensed, Sensed
-from exoid.fitting.misfit.equation import Stage
 from exoid.fitting.misfit.rollout import Rollout, of_unknowns, sweep
 from exoid.fitting.model.coordinates import (
     Coordinates,

@@ -1,12 +1,12 @@
-"""Eq. 9 of one segment, and how a search looks at it."""
+"""Eq. 9 of one segment."""
 
-from dataclasses import field
 from typing import Any
 
 import jax.numpy as jnp
-from jaxtyping import Float, Int
+from jaxtyping import Float
 
 from exoid.fitting.data.observation import Observation
+from exoid.fitting.data.stage import Stage
 from exoid.fitting.model.coordinates import Unknowns
 from exoid.fitting.model.term_parameters import over_inertia
 from exoid.physics.leg import GRAVITY
@@ -14,21 +14,6 @@ from exoid.physics.moment import Cycle, SegmentConstants
 from exoid.physics.ratios import Ratios
 from exoid.physics.record import record
 from exoid.physics.term import Term
-
-
-@record
-class Stage:
-    """How much of the motion a misfit looks at, and how freely the simulation moves.
-
-    A start that is far from the leg begins tied to the measured motion by a critically damped
-    spring, which makes the misfit nearly linear in the parameters, and ends free.
-    """
-
-    tether: Float[Any, ""]  # rad/s, natural frequency of the spring; 0 is free
-    steps: Int[Any, ""]  # of the simulation, from the first sample on
-    compact: bool = field(
-        metadata={"static": True}, default=False
-    )  # compiled sooner, and slower to run
 
 
 @record

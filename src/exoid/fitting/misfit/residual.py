@@ -9,7 +9,8 @@ from jaxtyping import Array, Float, Int
 
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.observation import Observation
-from exoid.fitting.misfit.equation import Equation, Stage, equation, of, place_of
+from exoid.fitting.data.stage import Stage
+from exoid.fitting.misfit.equation import Equation, equation, of, place_of
 from exoid.fitting.model.coordinates import Unknowns
 from exoid.fitting.model.mounting import Mounting
 from exoid.physics.motion.after_release import after_release

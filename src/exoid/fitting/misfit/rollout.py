@@ -10,7 +10,8 @@ from jax.flatten_util import ravel_pytree
 from jaxtyping import Array, Float
 
 from exoid.fitting.data.observation import Observation
-from exoid.fitting.misfit.equation import Equation, Stage, equation
+from exoid.fitting.data.stage import Stage
+from exoid.fitting.misfit.equation import Equation, equation
 from exoid.fitting.misfit.residual import (
     NOTHING,
     Shown,

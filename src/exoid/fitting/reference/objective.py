@@ -12,7 +12,7 @@ from jaxtyping import Array, Float
 
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.observation import Observation
-from exoid.fitting.misfit.equation import Stage
+from exoid.fitting.data.stage import Stage
 from exoid.fitting.misfit.residual import predict, residual
 from exoid.fitting.model.constraint import NEVER, SIZE, SIZE_TORQUE, term_violations, violations_at
 from exoid.fitting.model.coordinates import (

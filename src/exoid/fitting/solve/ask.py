@@ -6,8 +6,8 @@ from dataclasses import replace
 import jax
 import numpy as np
 
+from exoid.fitting.data.stage import Stage
 from exoid.fitting.misfit.condensed import Neighbourhood, Sensed
-from exoid.fitting.misfit.equation import Stage
 from exoid.fitting.misfit.gram import CAUSES, Cause, Grams
 from exoid.fitting.misfit.gram_matrices import declared, gram, nodes_of, undisturbed
 from exoid.fitting.misfit.information import spoiled

@@ -8,7 +8,7 @@ import numpy as np
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.movement import Movement, absent_of
 from exoid.fitting.data.observation import Observation
-from exoid.fitting.misfit.equation import Stage
+from exoid.fitting.data.stage import Stage
 from exoid.fitting.model.belief import Belief
 from exoid.fitting.model.coordinates import SegmentUnknowns, Shared, Unknowns, quantity_names
 from exoid.fitting.model.limits import constraint_names

@@ -10,9 +10,9 @@ from jaxtyping import Array, Float, Int
 
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.observation import Observation
+from exoid.fitting.data.stage import Stage
 from exoid.fitting.misfit.condense import condense, linear_model, misfit, sense, weighed
 from exoid.fitting.misfit.condensed import Condensed, Sensed, Triangles
-from exoid.fitting.misfit.equation import Stage
 from exoid.fitting.misfit.gram_matrices import pushes, triangles
 from exoid.fitting.misfit.residual import predict
 from exoid.fitting.model.constraint import NEVER, term_violations, violations

@@ -8,8 +8,8 @@ import jax
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
+from exoid.fitting.data.stage import Stage
 from exoid.fitting.misfit.condensed import Condensed, Sensed, Triangles
-from exoid.fitting.misfit.equation import Stage
 from exoid.fitting.misfit.gram import CAUSES
 from exoid.fitting.model.coordinates import TYPICAL, Coordinates
 from exoid.fitting.model.term_parameters import typical_term

@@ -17,7 +17,8 @@ import jax.numpy as jnp
 from jax.flatten_util import ravel_pytree
 from jaxtyping import Array, Float
 
-from exoid.fitting.misfit.equation import Equation, Stage
+from exoid.fitting.data.stage import Stage
+from exoid.fitting.misfit.equation import Equation
 from exoid.fitting.misfit.residual import advance, residual
 from exoid.fitting.misfit.rollout import along, numbers_of
 from exoid.fitting.model.coordinates import in_a_row

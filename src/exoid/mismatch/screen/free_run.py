@@ -12,8 +12,8 @@ from jaxtyping import Array, Float, Int
 
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.observation import Observation
+from exoid.fitting.data.stage import Stage
 from exoid.fitting.misfit.condense import outer, products_and
-from exoid.fitting.misfit.equation import Stage
 from exoid.fitting.misfit.rollout import numbers_of, rollout_of, sweep
 from exoid.fitting.model.coordinates import (
     Coordinates,

@@ -10,7 +10,8 @@ import numpy as np
 from jaxtyping import Array, Float
 
 from exoid.fitting.data.observation import Observation
-from exoid.fitting.misfit.equation import Equation, Stage, place_of
+from exoid.fitting.data.stage import Stage
+from exoid.fitting.misfit.equation import Equation, place_of
 from exoid.physics.moment import Moment
 from exoid.physics.motion.step import Drive
 from exoid.physics.motion.with_terms import moment

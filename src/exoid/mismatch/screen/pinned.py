@@ -16,7 +16,8 @@ from jaxtyping import Array, Float, Int
 
 from exoid.fitting.data.conditioning_chain import Chain
 from exoid.fitting.data.observation import Observation
-from exoid.fitting.misfit.equation import Stage, equation
+from exoid.fitting.data.stage import Stage
+from exoid.fitting.misfit.equation import equation
 from exoid.fitting.model.coordinates import Coordinates, Unknowns, of_segments
 from exoid.mismatch.screen.deviation import Deviations, deviations
 from exoid.mismatch.screen.effect import columns, named, remembered, shown
