@@ -10,12 +10,14 @@ from exoid.interchange.formula.spell import FORMULA, Language, lines
 from exoid.interchange.model.described import in_docstring
 from exoid.interchange.model.formulas import acceleration, eq9, friction, torque_over_time
 from exoid.interchange.model.joint import STILL, Exported, Joint, Kept, Number, Part
+from exoid.physics.term import strikes
 from exoid.physics.torque import MeasuredTorque
 
 MOVING = ("time", "angle", "rate", "push")
 BUILT_IN = ("max", "min", "abs", "sign")
 FORMS = FORMULA | {"and": "({0} and {1})", "or": "({0} or {1})"}
 BREAK = "\n    "
+UNFORESEEN = 4  # times finer are steps that do not end where something meets
 INTERPOLATED = "return float(np.interp(time, measured_at, torque))"
 
 
@@ -67,8 +69,10 @@ def interval(joint: Joint) -> float:
 
 
 def pieces(joint: Joint) -> int:
-    """Steps in an interval: as many as the fastest term asks for."""
-    return max([1, *(each.term.substeps for each in joint.parts)])
+    """Steps in an interval: as many as the fastest term asks for, and more for contacts."""
+    terms = [each.term for each in joint.parts]
+    finer = UNFORESEEN if any(strikes(type(each)) for each in terms) else 1
+    return finer * max([1, *(each.substeps for each in terms)])
 
 
 def remembered(parts: Iterable[Part]) -> list[float]:

@@ -22,16 +22,16 @@ NOW = (
     *("time", "angle", "rate", "acceleration"),
     *("gravity_over_inertia", "stiffness_over_inertia", "damping_over_inertia", "thigh_angle"),
     *("inertia", "drive_amplitude", "drive_period", "drive_frequency", "drive_onset"),
-    *("number", "tether"),
+    *("number", "tether", "slack"),
 )  # the leaves of a `Moment`, in their order
-FREE = {"tether": 0.0}  # nothing ties an exported leg to a measured motion
+FREE = {"tether": 0.0, "slack": 0.0}  # no measured motion ties it, contacts are where they are
 
 
 def some_moment() -> Moment:
     """An instant to trace at: only its shapes count."""
     time, angle, rate, acceleration, *place = map(jnp.ones_like, [jnp.zeros(())] * len(NOW))
     ratios, inertia, cycle = Ratios(*place[:4]), place[4], Cycle(*place[5:9])
-    constants = SegmentConstants(ratios, inertia, cycle, place[9], place[10])
+    constants = SegmentConstants(ratios, inertia, cycle, *place[9:])
     return Moment(time, angle, rate, acceleration, constants)
 
 
