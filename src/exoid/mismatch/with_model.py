@@ -77,8 +77,10 @@ def told_by(found: Diagnosis, after: FitResult) -> Diagnosis:
 
     def told(each: Parameter) -> Parameter:
         fitted = known.get(each.name)
-        if fitted is None or fitted.value is None:
+        if fitted is None:
             return each
+        if fitted.value is None:  # it made up for what the fit has a name for, as a hand's release
+            return replace(each, standard_error=None)
         return replace(each, value=fitted.value, standard_error=fitted.standard_error)
 
     parameters = [told(each) for each in found.parameters]
