@@ -102,6 +102,21 @@ def test_white_noise_is_called_white_and_widens_nothing():
     np.testing.assert_allclose(found[0].information * found[0].noise ** 2, plain, rtol=1e-9)
 
 
+def test_a_process_that_hides_a_direction_but_for_rounding_is_never_the_likeliest():
+    """What it leaves of two parameters is singular: nothing breaks, and other sizes win."""
+    left = np.diag([1.0, 1.0, 4.0]), np.diag([1.0, 0.0, 4.0])  # of a small process and a large one
+
+    class Beside:
+        def beside_noise(self, ratios):
+            return np.zeros((1, 2)), np.stack(left)[None]
+
+    found = object.__new__(Likelihood)
+    found.outside, found.processes, found.freedom = np.zeros((3, 3)), Beside(), 10
+    small, large = found(np.array([1.0, 1e4]))
+    assert np.isfinite(small)
+    assert large == -np.inf
+
+
 def test_white_noise_above_the_declared_widens_by_its_size():
     found = explained(2.5 * np.random.default_rng(1).normal(size=SAMPLES))
     assert found.cause is None

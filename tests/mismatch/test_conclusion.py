@@ -26,6 +26,7 @@ from exoid.physics.terms.device.hard_stop import HardStop
 from exoid.physics.terms.device.quadratic_drag import QuadraticDrag
 from exoid.physics.terms.device.stribeck_friction import StribeckFriction
 from exoid.physics.terms.device.torque_bias import TorqueBias
+from exoid.physics.terms.tissue.hysteresis import Hysteresis
 from exoid.physics.terms.tissue.maxwell_element import MaxwellElement
 from exoid.physics.terms.tissue.stiffness_rest_angle import StiffnessRestAngle
 
@@ -130,6 +131,22 @@ def test_the_friction_of_a_frame_is_a_part_of_its_play():
     play = explaining(1000.0, Backlash)
     play = replace(play, candidate=replace(play.candidate, values=(value,)))
     assert certain_of(found_of([play, explaining(9000.0, TorqueBias)]), play) == (Backlash,)
+
+
+def test_a_hysteresis_that_yields_at_once_is_dry_friction_and_no_hysteresis():
+    best = explaining(1000.0, Hysteresis)
+    sharp = replace(best, candidate=replace(best.candidate, values=(np.array([0.5, 0.004]),)))
+    soft = replace(best, candidate=replace(best.candidate, values=(np.array([0.5, 0.03]),)))
+    far = explaining(9000.0, TorqueBias)
+    assert certain_of(found_of([sharp, far]), sharp) == (CoulombFriction,)
+    assert certain_of(found_of([soft, far]), soft) == (Hysteresis,)
+
+
+def test_a_frame_without_play_is_not_called_play():
+    value = np.array([0.0, 0.05, 3.0, 0.5, 0.0, 0.02, 0.0])
+    play = explaining(1000.0, Backlash)
+    play = replace(play, candidate=replace(play.candidate, values=(value,)))
+    assert certain_of(found_of([play, explaining(9000.0, TorqueBias)]), play) == (CoulombFriction,)
 
 
 @pytest.mark.parametrize(("bounce", "stops"), [(0.2, True), (0.8, False)])

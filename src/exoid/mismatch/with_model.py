@@ -12,6 +12,7 @@ from exoid.fitting.model import term_parameters
 from exoid.fitting.model.coordinates import leg_parameters, torque_amplitudes
 from exoid.fitting.result.fit_result import Estimate, FitResult
 from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter
+from exoid.mismatch.conclude.asserted import same_cause
 from exoid.mismatch.conclude.rivals import by_the_fits, with_rivals, words
 from exoid.mismatch.novel.formula import fitted_words
 from exoid.mismatch.screen.effect import named as named_values
@@ -75,8 +76,12 @@ def told_by(found: Diagnosis, after: FitResult) -> Diagnosis:
                 known[term_parameters.ratio_name(name, declared)], declared, inertia
             )
 
+    shared = {each.includes() for each in after.fitted_terms}
+
     def told(each: Parameter) -> Parameter:
         fitted = known.get(each.name)
+        if each.unit == "N m" and is_part_of(each.name, shared):
+            return replace(each, standard_error=None)  # another term has the rest of it
         if fitted is None:
             return each
         if fitted.value is None:  # it made up for what the fit has a name for, as a hand's release
@@ -89,6 +94,17 @@ def told_by(found: Diagnosis, after: FitResult) -> Diagnosis:
     if found.formula is not None:
         more["formula"] = replace(found.formula, words=fitted_words(after.fitted_terms[0]))
     return replace(found, after=after, parameters=parameters, inertia=inertia, **more)
+
+
+def is_part_of(parameter: str, names: set[str]) -> bool:
+    """Is it of a term, or of a form of one, that is among these?"""
+    owner = parameter.partition(".")[0]
+    return any(
+        name_of(other) in names and same_cause(term, other)
+        for term in library()
+        if name_of(term) == owner
+        for other in library()
+    )
 
 
 def for_inertia(ratio: Estimate, declared: Declaration, inertia: float) -> Estimate:

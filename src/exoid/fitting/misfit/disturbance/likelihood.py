@@ -63,9 +63,12 @@ class Likelihood:
         spread, inside = self.processes.beside_noise(ratios)
         total = self.outside + inside.sum(axis=0)  # (A, r)'V^-1 (A, r) along what is determined
         known, along = total[..., :-1, :-1], total[..., :-1, -1]
+        sign, extent = np.linalg.slogdet(known)
+        lost = sign <= 0  # a direction that so large a process hides but for rounding
+        known = np.where(lost[..., None, None], np.eye(known.shape[-1]), known)
         best = np.linalg.solve(known, along[..., None])[..., 0]
         left = total[..., -1, -1] - np.sum(along * best, axis=-1)
-        return spread.sum(axis=0) + np.linalg.slogdet(known)[1], left
+        return np.where(lost, np.inf, spread.sum(axis=0) + extent), left
 
     def noise_beside(self, ratio: float) -> np.ndarray:
         """The white noise over the declared one; sensors are no better than declared."""
@@ -76,7 +79,7 @@ class Likelihood:
 @np.errstate(invalid="ignore", divide="ignore")
 def restricted(spread: np.ndarray, left: np.ndarray, freedom: int) -> np.ndarray:
     """From the log determinants together and the squares left; the least there is where rounding
-    leaves less than nothing.
+    leaves less than nothing, or hides a direction.
     """
     found = -(spread + freedom * np.log(left / freedom)) / 2
     return np.where(left > 0, found, -np.inf)

@@ -7,6 +7,7 @@ from exoid.physics.parameter import Parameter, parameter
 from exoid.physics.term import Memory, PhysicsTerm, Reading, Scalar, reading
 
 FELT = 0.01  # N m, from which on the friction of the hinge is dry friction of what moves
+TIGHT = 1e-4  # rad, half a play that no encoder sees
 CLINGS = 1500.0  # rad/s, of a frame that dry friction holds: within 10 urad for 20 rad/s^2
 
 
@@ -55,6 +56,10 @@ class Backlash(PhysicsTerm):
 
     def includes(self) -> str:
         return "coulomb_friction" if self.hinge_friction > FELT else ""
+
+    def itself(self) -> bool:
+        """Can it move? A frame without play only rubs."""
+        return bool(self.half_play > TIGHT)
 
     @property
     def rate(self) -> Scalar:

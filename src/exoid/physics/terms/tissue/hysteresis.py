@@ -29,6 +29,9 @@ class Hysteresis(PhysicsTerm):
     def includes(self) -> str:
         return "coulomb_friction" if self.yield_angle < SHARPEST else ""
 
+    def itself(self) -> bool:
+        return bool(self.yield_angle >= SHARPEST)
+
     def torque(self, now: Moment, memory: Memory) -> Scalar:
         return -self.level * memory[0]
 
