@@ -120,6 +120,8 @@ def scale(found: Diagnosis, parameters: list[Parameter]) -> str:
     if not torques:
         return ""
     inertia, first = found.inertia, torques[0]
+    if first.standard_error is None:
+        return ""
     name = first.name.rpartition(".")[2].replace("_", " ")
     unit = RATIO_UNITS.get(first.unit, f"{first.unit} per kg m^2")
     ratio = f"{name} / J = {first.value / inertia:.3g} {unit}"

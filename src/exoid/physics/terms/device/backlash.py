@@ -8,7 +8,7 @@ from exoid.physics.term import Memory, PhysicsTerm, Reading, Scalar, reading
 
 FELT = 0.01  # N m, from which on the friction of the hinge is dry friction of what moves
 TIGHT = 1e-4  # rad, half a play that no encoder sees
-CLINGS = 1500.0  # rad/s, of a frame that dry friction holds: within 10 urad for 20 rad/s^2
+CLINGS = 800.0  # rad/s, of a frame that dry friction holds: within 30 urad for 20 rad/s^2
 
 
 class Backlash(PhysicsTerm):

@@ -24,6 +24,7 @@ class StretchReflex(PhysicsTerm):
     )
     isolate = "drops from several angles, so that only some pass the threshold; EMG"
     living = True
+    substeps = 4  # at 25 Hz the shortest delay is carried
     memory_size = STAGES + 1
 
     gain: Parameter = parameter("g", "N m s/rad", 0.0, 10.0, "reflex gain", (0.1,))

@@ -6,6 +6,7 @@ from exoid.physics.moment import Moment
 from exoid.physics.parameter import Parameter, parameter
 from exoid.physics.term import Memory, PhysicsTerm, Scalar
 
+QUICKEST = 250.0  # 1/s, of yielding
 SHARPEST = 0.009  # rad, yield angle below which it is dry friction whose contacts bend first
 
 
@@ -36,12 +37,17 @@ class Hysteresis(PhysicsTerm):
         return -self.level * memory[0]
 
     def memory_rate(self, now: Moment, memory: Memory) -> Memory:
-        return loaded(now.angular_velocity, memory, 1.0) / self.yield_angle
+        return loaded(now.angular_velocity, memory, 1.0, self.yield_angle)
 
     def memory_within(self, now: Moment, memory: Memory) -> Memory:
         return jnp.clip(memory, -1.0, 1.0)
 
 
-def loaded(velocity: Scalar, memory: Memory, shape: Scalar | float) -> Memory:
-    """phi_y z' of a Bouc-Wen element that yields, or hardens, by its shape r."""
-    return velocity - (jnp.abs(velocity) * memory + shape * velocity * jnp.abs(memory)) / 2
+def loaded(velocity: Scalar, memory: Memory, shape: Scalar | float, yields: Scalar) -> Memory:
+    """z' of a Bouc-Wen element that yields, or hardens, by its shape r.
+
+    At `QUICKEST` it has long yielded; a faster one only leaves the range in which steps of 8 ms
+    carry it, and its derivatives grow without limit.
+    """
+    speed = jnp.clip(velocity, -QUICKEST * yields, QUICKEST * yields)
+    return (speed - (jnp.abs(speed) * memory + shape * speed * jnp.abs(memory)) / 2) / yields
