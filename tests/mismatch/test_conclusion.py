@@ -133,6 +133,15 @@ def test_the_friction_of_a_frame_is_a_part_of_its_play():
     assert certain_of(found_of([play, explaining(9000.0, TorqueBias)]), play) == (Backlash,)
 
 
+def test_a_finer_form_is_named_only_where_it_explains_more_than_what_remains():
+    rough, rubbing = explaining(20_000.0, StribeckFriction), explaining(25_000.0, CoulombFriction)
+    assert plainest(found_of([rough, rubbing]), rough) is rubbing
+    far = explaining(45_000.0, CoulombFriction)
+    assert plainest(found_of([rough, far]), rough) is rough
+    yields = explaining(20_000.0, Hysteresis)  # which is no form of what sticks
+    assert plainest(found_of([yields, rubbing]), yields) is yields
+
+
 def test_a_hysteresis_that_yields_at_once_is_dry_friction_and_no_hysteresis():
     best = explaining(1000.0, Hysteresis)
     sharp = replace(best, candidate=replace(best.candidate, values=(np.array([0.5, 0.004]),)))

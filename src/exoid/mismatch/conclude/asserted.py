@@ -9,7 +9,7 @@ from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.search.found import Found, size
 from exoid.mismatch.search.rank import alike, simpler_form
 from exoid.physics.library import library
-from exoid.physics.term import Term, name_of
+from exoid.physics.term import Term, holds, name_of
 
 
 def equivalents(found: Found, best: Optimum) -> list[Optimum]:
@@ -87,7 +87,32 @@ def plainest(found: Found, best: Optimum) -> Optimum:
         return all(any(same_cause(cause, own) for own in one.candidate.terms) for cause in certain)
 
     each = [one for one in equal if plain(one)]
-    return best if best in each or not each else max(each, key=found.evidence)
+    chosen = best if best in each or not each else max(each, key=found.evidence)
+    return in_plainest_form(found, chosen)
+
+
+def in_plainest_form(found: Found, best: Optimum) -> Optimum:
+    """The same with a cause in a simpler form, where the finer one explains less than what remains
+    unexplained: that may as well be of the same size and shape.
+    """
+    most = 2 * best.square - found.yardstick.samples
+    simpler = [
+        one
+        for one in (*found.singles, *found.pairs)
+        if best.square <= one.square < most and is_simpler(one, best)
+    ]
+    noise = found.yardstick.explains(best.square)
+    return best if noise or not simpler else max(simpler, key=found.evidence)
+
+
+def is_simpler(one: Optimum, other: Optimum) -> bool:
+    """Has it the same causes, some in a simpler form? What sticks has none that does not."""
+    mine, others = one.candidate.terms, other.candidate.terms
+    alike = all(
+        term is its or (simpler_form(term, its) and holds(term) is holds(its))
+        for term, its in zip(mine, others, strict=False)
+    )
+    return len(mine) == len(others) and mine != others and alike
 
 
 def weight(found: Found, causes: tuple[type[Term], ...]) -> float:
