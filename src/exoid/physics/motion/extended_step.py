@@ -61,7 +61,7 @@ def extended_step(
 
     def part_to_contact(number, carry):
         motion, begin = carry
-        end = jnp.minimum((number + 1) / (parts - 1), 1.0)  # the last is for what meets before it
+        end = jnp.minimum((number + 1) / (parts - 1), 1.0)  # the last is for what met before it
 
         def apart(motion, begin):
             return gaps(place, terms, motion, time + begin * step, parabola(*stages, begin))
@@ -73,7 +73,7 @@ def extended_step(
         still = jax.lax.stop_gradient
         seen = partial(apart, begin=begin), partial(rate, place.slack, begin=begin)
         ahead = still(until_contact(*seen, still(motion), step) / step)
-        meets = begin + ahead < end
+        meets = (begin + ahead < end) & (number < parts - 1)
         share = jnp.where(meets, ahead, end - begin)
         slack = jnp.where(meets, -CLOSE, CLOSE)
         motion = piece(place.with_slack(slack), motion, begin, share)
