@@ -865,7 +865,7 @@ def test_a_leg_that_flexes_slower_than_the_threshold_has_no_reflex():
     row = with_values("stretch_reflex", threshold=4.0, gain=10.0)[:1]
     found, bare = motion("stretch_reflex", row), plain()
     assert np.abs(bare.angular_velocity).max() < 4
-    same(found.angle, bare.angle, 1e-12)
+    same(found.angle, bare.angle, 1e-6)  # whose steps are longer
 
 
 def test_a_reflex_waits_until_the_leg_flexes_faster_than_the_threshold():
@@ -873,7 +873,7 @@ def test_a_reflex_waits_until_the_leg_flexes_faster_than_the_threshold():
     found, bare = motion("stretch_reflex", row, start=begin), plain(start=begin)
     assert bare.angular_velocity[0] > 2  # extending counts for nothing
     first = np.flatnonzero(bare.angular_velocity < -2)[0]
-    same(found.angle[0, : first + 1], bare.angle[: first + 1], 1e-12)
+    same(found.angle[0, : first + 1], bare.angle[: first + 1], 1e-6)  # whose steps are longer
     assert np.abs(found.angle[0, first : first + 30] - bare.angle[first : first + 30]).max() > 1e-3
 
 

@@ -18,7 +18,7 @@ from exoid.fitting.multistart.search_result import scale_told
 from exoid.fitting.multistart.simpler_problems import with_inertia_kept
 from exoid.fitting.multistart.tethers import FINE
 from exoid.fitting.multistart.weight_by_kind import explained, explained_apart
-from exoid.fitting.solve.ask import advance, around, better_of, lowest, take, task, told_at
+from exoid.fitting.solve.ask import advance, better_of, lowest, take, task, told_at
 from exoid.fitting.solve.problem import Problem
 from exoid.fitting.solve.program_values import Solved
 
@@ -43,8 +43,8 @@ def without_excuses(
     if worst(less) < EXCUSED:
         return free, found, less
     asked = task(problem, 0.0, problem.steps, FINE)
-    local = around(problem, free, row=row)
-    moved = problem if scale_told(local.data + local.declared) else with_inertia_kept(problem)
+    told = scale_told(told_at(problem, free, row))
+    moved = problem if told else with_inertia_kept(problem)
     for _ in range(ROUNDS):
         tight, weighing = held(moved, less), found.weighing(problem.kinds)
         declared = jax.tree.map(np.zeros_like, free.coordinates.mounting)

@@ -33,7 +33,11 @@ def settle(problem: Problem, free: Solved, begin: Coordinates, found: Disturbanc
     best = lowest(free)
     lanes = max(PAIR, min(BATCH // len(problem.movements), begin.log_mass.size // 2))
     one = take(free.coordinates, [best] * lanes)
-    local = weighed(around(problem, free, row=best), found.scale)
+    looked, row = free, best
+    if problem.tells_inertia:  # also where the search kept an inertia, and saw nothing of it
+        row = 0
+        looked = advance(problem, one, task(problem, 0.0, problem.steps, LOOKING))
+    local = weighed(around(problem, looked, row=row), found.scale)
     others = np.resize(np.arange(begin.log_mass.size), lanes)
     inertia, mass = (leaf[others].copy() for leaf in (begin.shared.log_inertia, begin.log_mass))
     typical = problem.belief.typical
