@@ -44,7 +44,8 @@ class SegmentConstants(eqx.Module):
 
     A critically damped spring of natural frequency `tether` may tie the leg to a measured motion;
     the ratios hold its stiffness and damping. Within a step that comes to a contact, `slack` is
-    what still counts as touching: less than nothing before, more than nothing after.
+    what still counts as touching: less than nothing before, more than nothing after. What changes
+    more quickly than a `step` can carry is slowed down to it.
     """
 
     ratios: Ratios
@@ -53,10 +54,15 @@ class SegmentConstants(eqx.Module):
     number: Float[Any, "*batch"]  # of the segment, from 0
     tether: Float[Any, "*batch"] = field(default_factory=nothing)  # rad/s, in the ratios
     slack: Float[Any, "*batch"] = field(default_factory=nothing)  # rad
+    step: Float[Any, "*batch"] = field(default_factory=nothing)  # s, of the simulation
 
     def with_slack(self, slack: Any) -> "SegmentConstants":
         """The same with gaps below `slack` [rad] closed."""
         return eqx.tree_at(lambda place: place.slack, self, slack)
+
+    def with_step(self, step: Any) -> "SegmentConstants":
+        """The same in steps [s] of this length."""
+        return eqx.tree_at(lambda place: place.step, self, step)
 
 
 class Moment(eqx.Module):

@@ -22,9 +22,9 @@ NOW = (
     *("time", "angle", "rate", "acceleration"),
     *("gravity_over_inertia", "stiffness_over_inertia", "damping_over_inertia", "thigh_angle"),
     *("inertia", "drive_amplitude", "drive_period", "drive_frequency", "drive_onset"),
-    *("number", "tether", "slack"),
+    *("number", "tether", "slack", "step"),
 )  # the leaves of a `Moment`, in their order
-FREE = {"tether": 0.0, "slack": 0.0}  # no measured motion ties it, contacts are where they are
+FREE = {"tether": 0.0, "slack": 0.0, "step": 0.0}  # tied to nothing, contacts where they are
 
 
 def some_moment() -> Moment:

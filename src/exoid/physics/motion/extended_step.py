@@ -96,6 +96,7 @@ def whole_step(
     *,
     compact: bool,
 ) -> Motion:
+    place = place.with_step(step)
     pushes = {0.0: drive.begin, 0.5: drive.middle, 1.0: drive.end}
     dry, free, held = sticky(terms), jnp.ones(()), jnp.zeros((), bool)
 

@@ -36,7 +36,7 @@ class ShapedHysteresis(PhysicsTerm):
         return -self.level * memory[0]
 
     def memory_rate(self, now: Moment, memory: Memory) -> Memory:
-        return loaded(now.angular_velocity, memory, self.shape, self.yield_angle)
+        return loaded(now, memory, self.shape, self.yield_angle)
 
     def memory_within(self, now: Moment, memory: Memory) -> Memory:
         farthest = 2 / jnp.maximum(1 + self.shape, 2 / FARTHEST)
