@@ -3,6 +3,7 @@
 import jax.numpy as jnp
 
 from exoid.physics.moment import Moment
+from exoid.physics.motion.contact import spring_and_damper
 from exoid.physics.parameter import Parameter, parameter
 from exoid.physics.term import Memory, PhysicsTerm, Reading, Scalar, reading
 
@@ -67,18 +68,14 @@ class Backlash(PhysicsTerm):
 
     def pushed(self, now: Moment, memory: Memory) -> Scalar:
         """The torque of the leg on the frame over the frame's inertia [rad/s^2]."""
-        extension, flexion = (self.push(now, *gap) for gap in self.gaps(now, memory))
+        how = now.place.slack, self.rate, self.damping_ratio
+        extension, flexion = (spring_and_damper(*gap, *how) for gap in self.gaps(now, memory))
         return flexion - extension
 
     def gaps(self, now: Moment, memory: Memory) -> tuple[tuple[Scalar, Scalar], ...]:
         slip, speed, _ = memory
         grows = speed - now.angular_velocity
         return (self.half_play - slip, -grows), (self.half_play + slip, grows)
-
-    def push(self, now: Moment, gap: Scalar, opening: Scalar) -> Scalar:
-        """Of the leg on the frame at one end of the play [rad/s^2]: it never pulls."""
-        push = -(self.rate**2) * gap - 2 * self.damping_ratio * self.rate * opening
-        return jnp.where(gap < now.place.slack, jnp.maximum(push, 0.0), 0.0)
 
     def torque(self, now: Moment, memory: Memory) -> Scalar:
         return -self.frame_inertia * self.pushed(now, memory)

@@ -3,6 +3,7 @@
 import jax.numpy as jnp
 
 from exoid.physics.moment import Moment
+from exoid.physics.motion.contact import spring_and_damper
 from exoid.physics.parameter import Parameter, parameter
 from exoid.physics.term import Memory, PhysicsTerm, Scalar
 
@@ -41,16 +42,11 @@ class HardStop(PhysicsTerm):
         return bool(self.contact_time < SOFTEST)
 
     def torque(self, now: Moment, memory: Memory) -> Scalar:
-        extension, flexion = (self.push(now, *gap) for gap in self.gaps(now, memory))
+        how = now.place.slack, jnp.pi / self.contact_time, self.damping_ratio
+        extension, flexion = (spring_and_damper(*gap, *how) for gap in self.gaps(now, memory))
         return now.inertia * (flexion - extension)
 
     def gaps(self, now: Moment, memory: Memory) -> tuple[tuple[Scalar, Scalar], ...]:
         extension = (self.extension_angle - now.angle, -now.angular_velocity)
         flexion = (now.angle - self.flexion_angle, now.angular_velocity)
         return extension, flexion
-
-    def push(self, now: Moment, gap: Scalar, opening: Scalar) -> Scalar:
-        """Of one stop [rad/s^2]: it never pulls."""
-        rate = jnp.pi / self.contact_time
-        push = -(rate**2) * gap - 2 * self.damping_ratio * rate * opening
-        return jnp.where(gap < now.place.slack, jnp.maximum(push, 0.0), 0.0)
