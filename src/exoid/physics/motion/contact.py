@@ -37,13 +37,3 @@ def met(gaps: Gaps, rate: Callable[[Array, PyTree], PyTree], state: PyTree) -> P
         sooner += (gap - still(gap)) / jnp.where(meets, still(opening), jnp.inf)
     rates = jax.vmap(rate, (0, None))(jnp.array([CLOSE, -CLOSE]), state)
     return jax.tree.map(lambda now, new: now + sooner * still(new[0] - new[1]), state, rates)
-
-
-def spring_and_damper(
-    gap: Any, opening: Any, slack: Any, rate: Any, ratio: Any
-) -> Float[Array, ""]:
-    """What a closed contact of this natural `rate` [rad/s] and damping `ratio` pushes with over the
-    inertia [rad/s^2]: it never pulls.
-    """
-    push = -(rate**2) * gap - 2 * ratio * rate * opening
-    return jnp.where(gap < slack, jnp.maximum(push, 0.0), 0.0)

@@ -3,9 +3,9 @@
 import jax.numpy as jnp
 
 from exoid.physics.moment import Moment
-from exoid.physics.motion.contact import spring_and_damper
 from exoid.physics.parameter import Parameter, parameter
 from exoid.physics.term import Memory, PhysicsTerm, Reading, Scalar, reading
+from exoid.physics.terms.device.hard_stop import spring_and_damper
 
 FELT = 0.01  # N m, from which on the friction of the hinge is dry friction of what moves
 TIGHT = 1e-4  # rad, half a play that no encoder sees

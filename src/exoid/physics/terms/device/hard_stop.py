@@ -3,7 +3,6 @@
 import jax.numpy as jnp
 
 from exoid.physics.moment import Moment
-from exoid.physics.motion.contact import spring_and_damper
 from exoid.physics.parameter import Parameter, parameter
 from exoid.physics.term import Memory, PhysicsTerm, Scalar
 
@@ -50,3 +49,13 @@ class HardStop(PhysicsTerm):
         extension = (self.extension_angle - now.angle, -now.angular_velocity)
         flexion = (now.angle - self.flexion_angle, now.angular_velocity)
         return extension, flexion
+
+
+def spring_and_damper(
+    gap: Scalar, opening: Scalar, slack: Scalar, rate: Scalar, ratio: Scalar
+) -> Scalar:
+    """What a closed contact of this natural `rate` [rad/s] and damping `ratio` pushes with over the
+    inertia [rad/s^2]: it never pulls.
+    """
+    push = -(rate**2) * gap - 2 * ratio * rate * opening
+    return jnp.where(gap < slack, jnp.maximum(push, 0.0), 0.0)
