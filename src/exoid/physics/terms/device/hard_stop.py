@@ -52,7 +52,7 @@ class HardStop(PhysicsTerm):
 
 
 def spring_and_damper(
-    gap: Scalar, opening: Scalar, slack: Scalar, rate: Scalar, ratio: Scalar
+    gap: Parameter, opening: Parameter, slack: Parameter, rate: Parameter, ratio: Parameter
 ) -> Scalar:
     """What a closed contact of this natural `rate` [rad/s] and damping `ratio` pushes with over the
     inertia [rad/s^2]: it never pulls.
