@@ -4,6 +4,7 @@ import json
 
 import pytest
 from benchmarks.reliability.curve import asserted_rows, interval, parts
+from benchmarks.reliability.kept import keep, kept
 from benchmarks.reliability.outcomes import of_blind, of_others, outcome
 
 FRICTION = [{"coulomb_friction", "stribeck_friction"}]
@@ -68,3 +69,16 @@ def test_bins_hold_what_lies_in_them_and_intervals_what_may_be_true():
         (2, pytest.approx(0.98), 1),
     ]
     assert interval(0, 59) == (0.0, pytest.approx(1 - 0.025 ** (1 / 59)))
+
+
+def test_who_was_asked_stays_as_it_was_first_answered(tmp_path):
+    def outcome_of(name, answered, weight):
+        said = answer(*answered, weight=weight)
+        return outcome(name, "own", "single", FRICTION, frozenset(), said)
+
+    first = outcome_of("a", ["hysteresis"], 0.96)
+    quiet = outcome("b", "own", "null", [], frozenset(), answer(verdict="none", weight=None))
+    assert keep(tmp_path / "asked.csv", [first, quiet]) == [first, quiet]
+    mended, new = outcome_of("a", ["coulomb_friction"], 1.0), outcome_of("c", [], None)
+    assert keep(tmp_path / "asked.csv", [mended, new]) == [first, quiet, new]
+    assert kept(tmp_path / "asked.csv") == [first, quiet, new]
