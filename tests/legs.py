@@ -14,13 +14,13 @@ BODY = Subject(kind="leg", body_mass=74.0, height=1.78)
 
 
 @cache
-def fall(leg=ADULT, start=-0.2, duration=6.0, step=0.01, thigh=0.0):
+def fall(leg=ADULT, start=-0.2, duration=6.0, step=0.01, thigh=0.0, slack=0.0):
     """Time, angle and angular velocity of a leg that is let go at rest."""
     gravity, stiffness, damping = leg
 
     def slope(_, state):
         angle, speed = state
-        pull = gravity * np.cos(angle + thigh) + stiffness * angle
+        pull = gravity * np.cos(angle + thigh) + stiffness * (angle - slack)
         return speed, -pull - damping * speed
 
     time = np.arange(0.0, duration, step)

@@ -1,6 +1,8 @@
 """`exoid study run` as one calls it."""
 
 import json
+import subprocess
+import sys
 
 import pytest
 from command_line import refusal
@@ -54,6 +56,20 @@ def test_where_not_one_recording_can_be_measured_the_exit_code_says_so(command, 
 )
 def test_what_cannot_be_run_is_refused_in_one_line(command, folder, options, said):
     assert said in refusal(command("study", "run", ".", "-o", "results", *options, cwd=folder))
+
+
+@pytest.mark.parametrize(
+    ("lacking", "asked"),
+    [("pyarrow", "run"), ("distributed", "run"), ("pyarrow", "report"), ("statsmodels", "report")],
+)
+def test_without_its_packages_a_study_names_the_one_extra_that_has_them(
+    folder, tmp_path, lacking, asked
+):
+    made = [folder, "-o", tmp_path / "results"] if asked == "run" else [folder]
+    without = f"import sys; sys.modules[{lacking!r}] = None; from exoid.cli import main; main()"
+    command = [sys.executable, "-c", without, "study", asked, *map(str, made)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert 'which is missing: pip install "exoid[study]"' in refusal(done)
 
 
 def test_progress_tells_rate_and_time_left():

@@ -23,9 +23,9 @@ from exoid.report.page import SECTIONS, build_page, write_page
 from exoid.report.parts.case import Case
 from exoid.report.saved.saved_result import load_result, save_result
 from exoid.report.sections.summary import LOST
-from exoid.report.tables.drops import value
+from exoid.report.tables.drops import unit_of, value
 from exoid.report.words.text import in_degrees, with_error
-from exoid.report.words.typeset import tidy
+from exoid.report.words.typeset import tidy, typeset
 
 LARGEST = 6_000_000  # bytes
 DIAGNOSED = ("parting", "physics", "proof")
@@ -345,9 +345,16 @@ def test_drops_are_those_of_the_pendulum_test(diagnosed):
     for each in drops[0].measures.values():
         if each.value is not None:
             assert shown[each.title]["segment 0"] == value(each)
+            assert shown[each.title]["unit"] == typeset(unit_of(each))
         else:
             assert each.reason is not None
             assert each.reason in page.by_id("drops").text
+    amplitude = drops[0].measures["first_flexion_amplitude"].value
+    assert amplitude is not None
+    degrees = f"{np.degrees(amplitude):.4g}"[:4]
+    assert shown["first flexion amplitude"]["unit"] == "deg"
+    assert shown["first flexion amplitude"]["segment 0"].startswith(degrees)
+    assert re.search(rf"irst flexion amplitude {degrees}[^;]*?\sdeg\b", page.by_id("drops").text)
     release = decoded(traces(page, "drop-0")["release"]["x"])
     np.testing.assert_allclose(release, [drops[0].measures["start_angle"].marks[0].time])
 

@@ -11,7 +11,7 @@ from exoid.studies.dataset.entry import Entry, Participant
 from exoid.studies.engine import carry_out as module
 from exoid.studies.engine.carry_out import carry_out
 from exoid.studies.engine.kept.item import Item
-from exoid.studies.engine.kept.parts import NotKept
+from exoid.studies.engine.kept.not_kept import NotKept
 from exoid.studies.engine.plan import Batch
 
 

@@ -15,8 +15,10 @@ EXTRAS = {
 }
 
 
-def require(package: str, what: str) -> None:
-    """**Raises** `ValueError` that says which extra to install, where a package is missing."""
+def require(package: str, what: str, extra: str = "") -> None:
+    """**Raises** `ValueError` where a package is missing, that says which extra to install: that
+    of `EXTRAS` unless another, which has more of what is needed, is named.
+    """
     if find_spec(package) is None:
-        extra = EXTRAS[package]
+        extra = extra or EXTRAS[package]
         raise ValueError(f'{what} by {package}, which is missing: pip install "exoid[{extra}]"')

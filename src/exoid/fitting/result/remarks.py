@@ -50,12 +50,6 @@ def remarks(problem: Problem, ended: SearchResult, at_bound: set[str]) -> list[s
     said += of_kinds(ended.disturbance)
     unit = np.mean([each.residual_unit / each.angle_noise for each in problem.movements])
     said += of_residual(ended.disturbance, gravity, inertia, float(unit))
-    if ended.disturbance.kinds[ended.disturbance.trusted].cause is not None and not rig:
-        said.append(
-            "m l g / J and c / J hold for a spring that is slack at full extension (Eq. 9). "
-            "With another rest angle they trade off against each other by more than their "
-            "errors say: drops from several angles, or with a known mass, tell them apart."
-        )
     if rig and "stiffness" not in problem.absent:
         said.append(
             "on a rig the spring term c phi also takes up a constant torque and an encoder zero "

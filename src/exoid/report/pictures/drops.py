@@ -9,7 +9,7 @@ from exoid.recordings.landmarks.track import HALF
 from exoid.report.pictures.motion import TIME
 from exoid.report.pictures.panel import Axis, Band, Line, Mark, Panel, Picture, Points, Rule, Span
 from exoid.report.pictures.role import Role
-from exoid.report.tables.drops import loaded, shown_unit, value
+from exoid.report.tables.drops import loaded, unit_of, value
 
 BELOW = 8.0  # deg under the curve, where the period is drawn
 SIZES = (4.8, 2.4, 2.4)
@@ -119,7 +119,7 @@ def landmarks(drop: Drop, name: str) -> tuple[Landmark, ...]:
 def show_drop(drop: Drop, number: int) -> Picture:
     """The angle over time with what was read off it."""
     read = [drop.measures[name] for name in TOLD if drop.measures[name].value is not None]
-    words = [f"{each.title} {value(each)} {shown_unit(each.unit)}".strip() for each in read]
+    words = [f"{each.title} {value(each)} {unit_of(each)}".strip() for each in read]
     said = f"{'; '.join(words).capitalize()}." if words else ""
     dashed = " Dashed: plateau angle; grey: at rest (±2 deg)."
     return Picture(

@@ -8,7 +8,7 @@ from exoid.report.parts.case import Case
 from exoid.report.pictures.drops import show_drop
 from exoid.report.sections.blocks import Block, element, some
 from exoid.report.sections.section import section
-from exoid.report.tables.drops import SOURCE, loaded, mean, shown_unit, value
+from exoid.report.tables.drops import SOURCE, loaded, mean, unit_of, value
 from exoid.report.tables.table import Column, Table
 from exoid.report.words.text import by_reason, counted
 
@@ -42,7 +42,7 @@ def table_of(read: list[Drop], test: PendulumTest) -> Table:
     columns = {
         "measure": [one.title for one in first],
         "symbol": Column([one.symbol for one in first], symbols=True),
-        "unit": [shown_unit(one.unit) for one in first],
+        "unit": [unit_of(one) for one in first],
     }
     if len(read) > 1:
         averages = [test.average.get(name) for name in known]

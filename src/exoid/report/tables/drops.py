@@ -44,7 +44,7 @@ def print_drop(drop: Drop, console: Console) -> None:
         "measure": [each.title for each in read],
         "symbol": Column([each.symbol for each in read], head=""),
         "value": [value(each) for each in read],
-        "unit": [in_degrees(each.unit) for each in read],
+        "unit": [unit_of(each) for each in read],
         "at [s]": [f"{each.marks[-1].time:.2f}" if each.marks else "" for each in read],
     }
     print_table(Table("", columns, title), console)
@@ -67,7 +67,7 @@ def print_average(test: PendulumTest, console: Console) -> None:
         "measure": [one.title for one in each],
         "symbol": Column([one.symbol for one in each], head=""),
         "mean ± sd": [mean(one) for one in each],
-        "unit": [in_degrees(one.unit) for one in each],
+        "unit": [unit_of(one) for one in each],
         "drops": [str(len(one.drops)) for one in each],
     }
     print_table(Table("", columns, "Average over drops"), console)
@@ -94,5 +94,6 @@ def written(unit: str, number: float, error: float | None) -> str:
     return f"{round(number, -1):.0f} ± {round(error, -1):.0f}"
 
 
-def in_degrees(unit: str) -> str:
-    return shown_unit(unit).replace("rad", "deg")
+def unit_of(each: Measure | Average) -> str:
+    """What `value` and `mean` are written in."""
+    return shown_unit(each.unit).replace("rad", "deg")

@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from exoid.studies.engine.kept.item import Item
-from exoid.studies.engine.kept.parts import NotKept
+from exoid.studies.engine.kept.not_kept import NotKept
 from exoid.studies.engine.plan import Batch
 
 AHEAD = 3  # batches that wait for each worker, so that none waits for the next

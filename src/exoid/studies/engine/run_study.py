@@ -33,7 +33,7 @@ def run_study(
     `count` workers of this machine, or those of `scheduler`. `told` hears how many recordings are
     done, of how many.
     """
-    require("pyarrow", "the tables of a study are written")
+    require("pyarrow", "the tables of a study are written", "study")
     from exoid.studies.engine.kept.assemble import assemble
     from exoid.studies.engine.kept.parts import FOLDER, kept
 

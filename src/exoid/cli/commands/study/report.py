@@ -67,7 +67,7 @@ def report(
     from exoid.files.extras import require
 
     for package in ("pandas", "pyarrow", "statsmodels"):
-        require(package, "studies are asked")
+        require(package, "studies are asked", "study")
     answers = patiently(
         lambda: answered(
             results,

@@ -6,13 +6,10 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 
 from exoid.files.replacing import replacing
+from exoid.studies.engine.kept.not_kept import NotKept
 
 FOLDER = ".parts"  # hidden: a data set that holds the results does not take them for recordings
 DONE, FOUND = "recordings", "quantities"
-
-
-class NotKept(OSError):
-    """What was computed could not be written."""
 
 
 def keep(results: Path, batch: str, recordings: pa.Table, quantities: pa.Table) -> None:

@@ -1,0 +1,85 @@
+"""What m l g / J and c / J lean on: that the knee's spring is slack at full extension (Eq. 9).
+
+With the rest angle phi_r the spring is -c (phi - phi_r): beside Eq. 9 a constant torque c phi_r
+acts. Near the end point a fit without it errs by H^-1 A'S of that torque over J, with the
+sensitivities A of the residual, S its answer to the torque, and H = A'A and what is believed.
+"""
+
+from dataclasses import dataclass
+from typing import Annotated
+
+import numpy as np
+
+from exoid.fitting.misfit.uncertainty import decomposed, inverse_times
+from exoid.fitting.multistart.search_result import SearchResult
+from exoid.fitting.result.fit_result import Estimate
+from exoid.fitting.solve.ask import grams_at
+from exoid.fitting.solve.problem import Problem
+from exoid.physics.term import name_of
+
+BENT = np.radians(30.0)  # of flexion, where a spring may well be slack: Riener & Edrich have 61 deg
+TOLD = np.radians(5.0)  # error of the rest angle below which a fit by itself shows one of BENT
+STIFFER = 2.0  # times as stiff as by the fit, at most: beyond, nothing is linear any more
+CONSTANT = {"stiffness_rest_angle", "torque_bias"}  # terms of such a torque
+RATIOS = ("gravity_over_inertia", "stiffness_over_inertia")
+
+
+@dataclass(frozen=True)
+class Leaning:
+    """How far both ratios of a leg whose spring is slack at BENT are from those of the fit."""
+
+    gravity: Annotated[float, "1/s^2"]
+    stiffness: Annotated[float, "1/s^2"]
+    told: Annotated[float, "rad"]  # the error with which the recording tells the rest angle
+
+
+def slack_angle_remarks(
+    problem: Problem, ended: SearchResult, ratios: dict[str, Estimate]
+) -> list[str]:
+    """Where another rest angle changes the ratios by more than their errors, and the recording does
+    not rule it out.
+    """
+    found = leaning(problem, ended)
+    if found is None or (found.told < TOLD and ended.disturbance.cause is None):
+        return []
+    changes = found.gravity, found.stiffness
+    errors = (ratios[name].standard_error or 0.0 for name in RATIOS)
+    if all(abs(change) < error for change, error in zip(changes, errors, strict=True)):
+        return []
+    each = (f"{abs(one):.2g} 1/s^2 {'higher' if one > 0 else 'lower'}" for one in changes)
+    gravity, stiffness = each
+    return [
+        "m l g / J and c / J hold for a spring that is slack at full extension (Eq. 9), and ± says "
+        f"nothing of that: of a leg whose spring is slack at {np.degrees(BENT):.0f} deg of flexion "
+        f"m l g / J is {gravity}, c / J {stiffness}. 'exoid diagnose' asks where it is slack; the "
+        "hanging angle without and with a known mass tells best."
+    ]
+
+
+def leaning(problem: Problem, ended: SearchResult) -> Leaning | None:
+    """None on a rig, and where the model has no spring or a constant torque of its own."""
+    stiffness, terms = float(ended.point.shared.stiffness), map(name_of, problem.terms)
+    if problem.belief.rig or stiffness <= 0 or CONSTANT & set(terms):
+        return None
+    pull, left = answer(problem, ended)
+    rows = [problem.quantities.index(name) for name in RATIOS]
+    gravity, spring = ended.local.quantities[rows] @ pull
+    torque = -stiffness * BENT / max(1 - spring * BENT, 1 / STIFFER)
+    told = left**-0.5 / stiffness if left > 0 else np.inf
+    return Leaning(float(-gravity * torque), float(-spring * torque), told)
+
+
+def answer(problem: Problem, ended: SearchResult) -> tuple[np.ndarray, float]:
+    """H^-1 A'S for a constant torque of 1 rad/s^2 times J, and what the data tell of the torque
+    beside the coordinates.
+    """
+    scale = ended.disturbance.scale * ended.disturbance.weighing(problem.kinds)
+    known, slope, own = ended.local.prior.copy(), np.zeros(len(ended.local.prior)), 0.0
+    for each, unit in zip(grams_at(problem, ended.best, 0, ["torque"]), scale, strict=True):
+        gram = each["torque"]
+        pushed = gram.effect.sum(axis=1) / unit
+        known[np.ix_(gram.place, gram.place)] += gram.fitted[:-1, :-1] / unit**2
+        slope[gram.place] += pushed @ gram.inside[:, :-1] / unit
+        own += pushed @ pushed
+    pull = inverse_times(decomposed(known), slope)
+    return pull, own - slope @ pull

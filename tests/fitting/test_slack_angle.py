@@ -1,0 +1,73 @@
+"""What a fit says of legs whose spring is slack elsewhere than at full extension; by SciPy."""
+
+import numpy as np
+import pytest
+
+from exoid.fitting.estimate import fit
+from exoid.fitting.result.slack_angle import BENT, leaning
+from exoid.recordings.recording import Sensors, Subject
+from legs import ADULT, BODY, drop, recording
+
+QUIET, LOUD = (8e-4, 0.0), (0.015, 0.0)  # rad; no gyro
+
+
+def fitted(slack=0.0, noise=QUIET, leg=ADULT, subject=BODY):
+    sensors = Sensors(angle_noise=noise[0])
+    made = drop(leg, slack=slack, noise=noise, gyro=False)
+    return fit(recording(made, sensors=sensors, subject=subject), multistart=2)
+
+
+def leans(result):
+    assert result.basis is not None
+    return leaning(result.basis.problem, result.basis.ended)
+
+
+def noted(result):
+    return [each for each in result.notes if "slack at 30 deg of flexion" in each]
+
+
+@pytest.fixture(scope="module")
+def bent():
+    """It looks like Eq. 9 to its sensors, and its ratios are those of another leg."""
+    return fitted(-BENT, LOUD)
+
+
+def test_how_far_off_the_ratios_are_is_told_to_a_tenth(bent):
+    found = leans(bent)
+    assert found is not None
+    for change, name, true in (
+        (found.gravity, "gravity_over_inertia", ADULT[0]),
+        (found.stiffness, "stiffness_over_inertia", ADULT[1]),
+    ):
+        each = bent.ratios[name]
+        off = true - each.value
+        assert abs(off) > 4 * each.standard_error
+        assert change == pytest.approx(off, abs=0.1 * abs(off) + each.standard_error)
+
+
+def test_a_fit_that_cannot_see_it_says_what_it_would_change(bent):
+    (said,) = noted(bent)
+    found = leans(bent)
+    assert found is not None
+    assert f"m l g / J is {-found.gravity:.2g} 1/s^2 lower" in said
+    assert f"c / J {found.stiffness:.2g} 1/s^2 higher" in said
+
+
+def test_a_fit_that_rules_it_out_says_nothing():
+    straight = fitted()
+    found = leans(straight)
+    assert found is not None
+    assert found.told < np.radians(3)
+    assert not noted(straight)
+
+
+def test_a_fit_whose_residual_shows_it_says_what_it_would_change():
+    shown = fitted(-BENT)
+    assert shown.disturbance.cause == "torque"
+    assert noted(shown)
+
+
+def test_a_rig_and_a_leg_without_a_spring_lean_on_none():
+    rig = fitted(noise=LOUD, subject=Subject(kind="rig"))
+    assert leans(rig) is None
+    assert not noted(fitted(noise=LOUD, leg=(27.5, 0.0, 0.8)))
