@@ -47,6 +47,19 @@ def test_the_error_of_the_acceleration_is_not_larger_than_it_says(width):
     assert 0.4 < np.std(np.concatenate(left)) / np.mean(said) < 1.0
 
 
+@pytest.mark.parametrize("gyro", [True, False])
+def test_beyond_the_unsure_ends_the_acceleration_is_as_sure_as_in_the_middle(gyro):
+    width, (time, data, weights, _) = 10, swing(gyro=gyro)
+    smoother = smooth(time, data, weights).smoother
+    unsure, inside = smoother.unsure(width), smoother.spread(width)
+    first, kept, last = smoother.spreads([0, unsure, time.size - unsure - width], width)
+    assert unsure < time.size // 3
+    if not gyro:  # its rate leaves nothing unsure
+        assert 0 < unsure
+        assert first > 2 * inside
+    assert max(kept, last) < 1.6 * inside  # 1.5, and the other end rounded
+
+
 def test_a_missing_stretch_of_samples_is_bridged():
     time, data, weights, truth = swing()
     weights[100:110] = 0.0

@@ -54,7 +54,8 @@ def lacking(
     prepared: PreparedRecording, base: Hypothesis, number: int, shown: np.ndarray | None = None
 ) -> Missing:
     """J (phi'' - Eq. 9) along the measured motion and along the simulated one that is `shown`,
-    (time, channel), averaged over a few samples. The sensors' zeros are the baseline's.
+    (time, channel), averaged over a few samples. The sensors' zeros are the baseline's. Where the
+    leg is let go, and at the end, the sensors do not tell the acceleration: nothing is said there.
     """
     coordinates, seen = prepared.coordinates(base), prepared.seen
     reference = prepared.sensors.references[number]
@@ -78,7 +79,11 @@ def lacking(
 
     width = max(1, round(WIDTH / float(np.median(np.diff(time)))))
     weighs = observation.angle_weight + observation.velocity_weight > 0
-    free = slice(int(np.argmax(weighs)), size)  # before it a hand was on the leg
+    unsure = reference.smoother.unsure(width)
+    let_go = int(np.argmax(weighs))  # before it a hand was on the leg
+    free = slice(let_go + unsure + width // 2, size - unsure - (width - 1 - width // 2))
+    if free.stop - free.start < width:  # of a short segment all that there is
+        free = slice(let_go, size)
     modelled = None
     if shown is not None:
         angle, velocity = shown[:size].T

@@ -5,6 +5,7 @@ encoder and gyro are met within their noise. The jerk scatters as makes the data
 strikes the leg between two samples is no such jerk: nothing ties these samples together.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations_with_replacement
 
@@ -17,6 +18,8 @@ UNKNOWN = 3  # a sample: angle, rate, acceleration
 BAND = 2 * UNKNOWN - 1  # beside the diagonal
 FREE = 1e3  # times the jerk's scatter, by which a struck step ties its samples
 SLACK = 0.05  # of a step's change by the jerk, that no quadrature need meet
+UNSURE = 1.5  # times the middle's error of the acceleration, that is clearly more
+FAR, LOOKS = 4, 24  # widths from an end within which it becomes sure, and places to look there
 # Of the encoder's noise: where the jerk changes the angle by less in a step, rounding bends the
 # motion more than the noise does.
 ROUNDED = 5e-4
@@ -80,11 +83,24 @@ class Smoother:
         """Standard deviation of the acceleration [rad/s^2], averaged over `width` samples in the
         middle: the errors of neighbours cancel.
         """
-        first = max(0, (self.size - width) // 2)
-        pick = np.zeros((self.size, UNKNOWN))
-        pick[first : first + width, 2] = 1 / width
-        inside = cho_solve_banded((self.factor, False), pick.reshape(-1, 1))
-        return float(np.sqrt(pick.reshape(-1) @ inside[:, 0]))
+        return float(self.spreads([max(0, (self.size - width) // 2)], width)[0])
+
+    def spreads(self, first: Sequence[int], width: int) -> np.ndarray:
+        """The same of the samples from each of these on."""
+        pick = np.zeros((self.size, UNKNOWN, len(first)))
+        for column, begin in enumerate(first):
+            pick[begin : begin + width, 2, column] = 1 / width
+        flat = pick.reshape(-1, len(first))
+        return np.sqrt(np.sum(flat * cho_solve_banded((self.factor, False), flat), axis=0))
+
+    def unsure(self, width: int) -> int:
+        """At an end, how many samples have an averaged acceleration that is clearly less sure than
+        in the middle: beyond it there are no data. What strikes the leg is smeared over as many.
+        """
+        farthest = min(self.size // 3, FAR * width)
+        begins = np.unique(np.linspace(0, farthest, LOOKS).astype(int)).tolist()
+        sure = self.spreads(begins, width) <= UNSURE * self.spread(width)
+        return begins[int(np.argmax(sure))] if sure.any() else farthest
 
 
 def relations(step: np.ndarray, change: np.ndarray) -> list[Relation]:
