@@ -19,6 +19,8 @@ from exoid.mismatch.search.challenge import as_near
 from exoid.mismatch.search.found import Found
 from exoid.mismatch.with_model import for_inertia
 from exoid.physics.parameter import declarations
+from exoid.physics.sensing.clock_rate import ClockRate
+from exoid.physics.sensing.gyro_scale import GyroScale
 from exoid.physics.terms.device.backlash import Backlash
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.physics.terms.device.cuff_compliance import CuffCompliance
@@ -140,6 +142,17 @@ def test_a_finer_form_is_named_only_where_it_explains_more_than_what_remains():
     assert plainest(found_of([rough, far]), rough) is rough
     yields = explaining(20_000.0, Hysteresis)  # which is no form of what sticks
     assert plainest(found_of([yields, rubbing]), yields) is yields
+
+
+def test_of_exact_twins_that_is_named_which_every_gyro_has_some_of():
+    late = explaining(1000.0, ClockRate, TorqueBias)
+    wide = explaining(1000.2, TorqueBias, GyroScale)
+    assert plainest(found_of([late], [wide]), late) is wide
+    assert plainest(found_of([late]), late) is late
+    far = explaining(1100.0, TorqueBias, GyroScale)
+    assert plainest(found_of([late], [far]), late) is late
+    other = explaining(1000.2, HardStop, GyroScale)
+    assert plainest(found_of([late], [other]), late) is late
 
 
 def test_a_hysteresis_that_yields_at_once_is_dry_friction_and_no_hysteresis():

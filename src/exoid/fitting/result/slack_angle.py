@@ -82,4 +82,4 @@ def answer(problem: Problem, ended: SearchResult) -> tuple[np.ndarray, float]:
         slope[gram.place] += pushed @ gram.inside[:, :-1] / unit
         own += pushed @ pushed
     pull = inverse_times(decomposed(known), slope)
-    return pull, own - slope @ pull
+    return pull, float(own - slope @ pull)
