@@ -6,7 +6,14 @@ import jax
 import numpy as np
 import pytest
 
-from exoid.fitting.each_segment import averaged, fit_each, mean_ratio, only, settled_parameters
+from exoid.fitting.each_segment import (
+    averaged,
+    fit_each,
+    mean_ratio,
+    of_every_kind,
+    only,
+    settled_parameters,
+)
 from exoid.fitting.estimate import fit
 from exoid.fitting.result.fit_result import Estimate
 from exoid.physics.leg import GRAVITY, LegModel
@@ -45,6 +52,11 @@ def test_ratios_are_the_mean_of_the_segments_and_errors_their_scatter(drops, alo
         assert found.ratios[name].standard_error == pytest.approx(scatter, rel=1e-9)
     assert [each.name for each in found.segments] == ["0", "1"]
     assert found.loss == pytest.approx(sum(each.loss for each in alone), rel=1e-12)
+
+
+def test_of_notes_that_differ_in_numbers_alone_the_first_is_kept():
+    said = ["noise of 0.12 deg", "noise of 1.5e-3 deg", "segment 0 was cut", "segment 1 was cut"]
+    assert of_every_kind(said) == [said[0], *said[2:]]
 
 
 def test_parameters_keep_the_ratios_that_they_came_from(drops):

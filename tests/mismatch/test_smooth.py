@@ -55,7 +55,7 @@ def test_beyond_the_unsure_ends_the_acceleration_is_as_sure_as_in_the_middle(gyr
     first, kept, last = smoother.spreads([0, unsure, time.size - unsure - width], width)
     assert unsure < time.size // 3
     if not gyro:  # its rate leaves nothing unsure
-        assert 0 < unsure
+        assert unsure > 0
         assert first > 2 * inside
     assert max(kept, last) < 1.6 * inside  # 1.5, and the other end rounded
 

@@ -1,5 +1,6 @@
 """Every segment fitted alone, and the ratios averaged: parameters lie along null directions."""
 
+import re
 from dataclasses import replace
 
 import jax
@@ -73,7 +74,7 @@ def fit_each(given: RecordingsLike, **options) -> FitResult:
     classes = classes_of(options.get("terms", ()))
     belief = believe(recordings[0][1].subject, assumed, classes)
     parameters = with_reasons(settled_parameters(belief, ratios, results[0].leg), belief.rig)
-    said = dict.fromkeys(note for each in results for note in each.notes)
+    said = dict.fromkeys(of_every_kind([note for each in results for note in each.notes]))
     lost = [each.notes[0] for each in results if not each.follows][:1]
     readings = {each.torque_frequency for each in results} - {None}
     if len(readings) > 1:
@@ -104,6 +105,15 @@ def fit_each(given: RecordingsLike, **options) -> FitResult:
             *(note for note in said if note not in lost),
         ],
     )
+
+
+def of_every_kind(notes: list[str]) -> list[str]:
+    """Of notes that differ in their numbers alone the first, unless they say of which segment."""
+    kinds = {}
+    for note in notes:
+        kind = note if "segment" in note else re.sub(r"\d[\d.e+-]*", "", note)
+        kinds.setdefault(kind, note)
+    return list(kinds.values())
 
 
 def of_each(recordings: list[tuple[str, Recording]]) -> Amount:

@@ -35,7 +35,7 @@ from exoid.fitting.result.fit_result import (
     MultistartReport,
     SegmentFit,
 )
-from exoid.fitting.result.limiting_systematics import limiting, suspicions
+from exoid.fitting.result.limiting_systematics import granted, limiting, suspicions
 from exoid.fitting.result.mountings import FIELDS, beyond_belief, estimate_mountings
 from exoid.fitting.result.remarks import limits_met, of_astray, remarks
 from exoid.fitting.result.slack_angle import slack_angle_remarks
@@ -96,6 +96,7 @@ def describe(
             *slack_angle_remarks(problem, ended, ratios),
             *suspicions(problem, mountings, ended.disturbance),
             *limiting({**parameters, **ratios}),
+            *granted(problem),
         ],
         astray=why,
         basis=basis,

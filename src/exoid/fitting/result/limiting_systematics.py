@@ -1,5 +1,7 @@
 """Which systematic limits a number most, and what would narrow it."""
 
+from collections.abc import Callable
+
 import numpy as np
 
 from exoid.fitting.misfit.missed import Disturbance
@@ -27,6 +29,16 @@ ADVICE = {
     "added_mass_distance": "measure where it sits and give added_mass_distance_uncertainty_m",
     "added_mass_gyration": "give added_mass_gyration_m, or use a compact weight",
 }
+GRANTED: tuple[tuple[str, str, Callable[[float], str]], ...] = (
+    ("zero", "the encoder's zero", lambda rad: f"{np.degrees(rad):.2g} deg"),
+    ("tilt", "the seat's level", lambda rad: f"{np.degrees(rad):.2g} deg"),
+    ("gyro_scale", "the gyro's scale", lambda share: f"{100 * share:.2g} %"),
+    ("clock", "times", lambda share: f"{100 * share:.2g} %"),
+)
+AMISS = (
+    " Times by a camera or a node without a crystal may be percents off: d / J goes with them, "
+    "m l g / J and c / J with their square (clock_uncertainty)."
+)
 CLEAR = 4.0  # errors from which on a value is worth a sentence
 SCALED = 2e-3  # relative disagreement of encoder and gyro below which it is none worth a word
 
@@ -47,6 +59,25 @@ def limiting(quantities: dict[str, Estimate]) -> list[str]:
     return [
         f"{WORDS[name]} limits {', '.join(symbols)} (its part of the variance): {ADVICE[name]}."
         for name, symbols in found.items()
+    ]
+
+
+def granted(problem: Problem) -> list[str]:
+    """How well what no sidecar says is taken to be known, in one sentence."""
+    said = []
+    for name, words, shown in GRANTED:
+        each = [
+            getattr(one.systematics, name)
+            for one in problem.movements
+            if name not in one.systematics.declared
+            and (name != "gyro_scale" or one.angular_velocity is not None)
+        ]
+        said += [f"{words} to {shown(max(each))}"] if each else []
+    if not said:
+        return []
+    return [
+        f"± takes for granted, where no sidecar says better or worse: {', '.join(said)} (one "
+        f"standard deviation).{AMISS if said[-1].startswith('times') else ''}"
     ]
 
 
