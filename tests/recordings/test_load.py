@@ -90,3 +90,18 @@ def test_what_is_no_recording_is_refused(tmp_path):
         load(tmp_path / "knee.toml")
     with pytest.raises(FileNotFoundError, match=r"knee\.csv"):
         load(tmp_path / "knee.csv")
+
+
+def test_what_holds_for_a_study_is_told_to_be_unread_by_a_single_recording(tmp_path):
+    path = tmp_path / "P01.csv"
+    path.write_text(
+        "time_s,raw_angle_rad\n" + "".join(f"{n / 100},{-n / 200}\n" for n in range(99))
+    )
+    assert not any("defaults.toml" in note for note in load(path).notes)
+    general = tmp_path / "defaults.toml"
+    general.write_text('[protocol]\nkind = "passive"\n')
+    (note,) = [note for note in load(path).notes if "defaults.toml" in note]
+    assert note.endswith("What P01.csv needs of it belongs into P01.toml.")
+    told = load(path, defaults=[general])
+    assert told.recording.protocol.kind == "passive"
+    assert not any("defaults.toml" in note for note in told.notes)

@@ -329,7 +329,7 @@ def refusal(path):
         (b"time_s,angle_rad\n0,-0.1\n0.2,-0.1\n0.1,-0.2\n", "line 4: time_s must increase"),
         (b"time_s,angle_rad\n0,-0.1\n,-0.2\n", "line 3: time_s is missing in segment 0, sample 1"),
         (b"time_s,angle_rad\n0,0\n1,-90\n", "line 3: angle_rad in segment 0, sample 1 is -90 rad"),
-        (b"time_s,angle_rad\n0,0\n1,-3.7\n", "name the column angle_deg"),
+        (b"time_s,angle_rad\n0,0\n1,-3.7\n", "name the column angle_deg, or say --column"),
         (b"time_s,angle_deg\n0,0\n1,2048\n", "(angle_deg: read as degrees.)"),
         (b"time_s,angle_rad\n0,-0.1\n", "at least 2 are needed"),
         (b"time_s,angle_rad\n,-0.1\n,-0.2\n", "line 2: time_s is missing"),

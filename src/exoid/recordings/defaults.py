@@ -9,6 +9,7 @@ from exoid.files.text_file import Notes
 from exoid.recordings.recording import known
 from exoid.recordings.sidecar import TABLES, keys_beside, read_columns, read_keys
 
+DEFAULTS = "defaults.toml"  # a sidecar of all recordings of a study at or below its folder
 ZERO = ("zero", "angle_zero")  # two answers to one question
 Keys = tuple[dict[str, Any], dict[str, Any], Notes]
 

@@ -302,16 +302,18 @@ def check_channel(number: int, entry, samples: Samples | None, size: int) -> Non
     bad = np.abs(samples) > upper  # NaN compares false: a missing sample passes
     if bad.any():
         at = int(np.flatnonzero(bad)[0])
-        hint = (
-            f" Is it in degrees? Then name the column {name.replace('_rad', '_deg')}."
-            if "_rad" in name
-            else ""
-        )
+        degrees = name.replace("_rad", "_deg")
+        hint = f" Is it in degrees? {called(degrees)}" if degrees != name else ""
         raise bad_sample(
             number,
             at,
             f"{name} in {where}, sample {at} is {samples[at]:g} {unit}, beyond +-{upper:g}.{hint}",
         )
+
+
+def called(column: str) -> str:
+    """What to do where a column's unit is another than its name says."""
+    return f"Then name the column {column}, or say --column {column}=NAME."
 
 
 def check_knee(number: int, segment: Segment) -> None:
@@ -324,8 +326,8 @@ def check_knee(number: int, segment: Segment) -> None:
                 number,
                 at,
                 f"{name} in segment {number}, sample {at} is {angle[at]:g} rad = "
-                f"{np.degrees(angle[at]):.0f} deg, which no knee reaches. If it is in degrees, "
-                f"name the column {name.removesuffix('_rad')}_deg; if this is a rig, say so with "
+                f"{np.degrees(angle[at]):.0f} deg, which no knee reaches. Is it in degrees? "
+                f"{called(name.removesuffix('_rad') + '_deg')} Is this a rig? Then say so with "
                 '[subject] kind = "rig".',
             )
 

@@ -2,7 +2,7 @@
 
 OTHER = {  # unit: the units that people write instead, and how much of it one of them is
     "m": (("cm", 0.01), ("mm", 0.001), ("inches", 0.0254), ("feet", 0.3048)),
-    "kg": (("g", 0.001), ("pounds", 0.4536)),
+    "kg": (("g", 0.001), ("pounds", 0.4536), ("newtons", 0.102)),
     "rad": (("degrees", 0.017453),),
     "s": (("ms", 0.001),),
 }

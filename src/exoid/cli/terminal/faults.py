@@ -54,7 +54,8 @@ def explain_usage(fault: BaseException) -> int:
     context = getattr(fault, "ctx", None)
     if context is None:
         return complain(message, 2)
-    return complain(f"{message.rstrip('.')}. Try '{context.command_path} --help'.", 2)
+    end = "" if message.endswith("?") else "."
+    return complain(f"{message.rstrip('.')}{end} Try '{context.command_path} --help'.", 2)
 
 
 def complain(message: object, code: int) -> int:

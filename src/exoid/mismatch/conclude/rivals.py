@@ -81,7 +81,8 @@ def with_rivals(result: FitResult, work: Workings, shown: Optimum) -> FitResult:
     }
     share = sum((parts[name] / spread[name] ** 2 for name in wide), np.zeros(len(each)))
     rivals = [words(names(each[k])) or "Eq. 9 alone" for k in np.flatnonzero(share > LARGE)]
-    note = f"± of {', '.join(wide.values())} holds what else it may be: {', '.join(rivals)}."
+    note = f"± of {', '.join(wide.values())} covers that it may be another cause: "
+    note += f"{', '.join(rivals)}."
     notes = [note, *result.notes] if wide else result.notes
     return replace(result, ratios=ratios, parameters=parameters, notes=notes)
 

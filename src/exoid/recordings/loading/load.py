@@ -7,7 +7,7 @@ from pathlib import Path
 from exoid.files.text_file import naming
 from exoid.recordings.can.quality import LogQuality
 from exoid.recordings.conventions.apply import understand
-from exoid.recordings.defaults import keys_told
+from exoid.recordings.defaults import DEFAULTS, keys_told
 from exoid.recordings.formats.own_table import read_table
 from exoid.recordings.formats.sheets import is_table
 from exoid.recordings.motion.split import cut_apart, cut_table
@@ -58,7 +58,11 @@ def load(
         recording, notes = read_table(path, columns, defaults=above)
         with naming(path):
             recording, more = understand(recording, cut_table, whole=whole, flip=flip, zero=zero)
-        return Loaded(recording, (*notes, *(f"{path}: {note}" for note in more)), None)
+        return Loaded(
+            recording,
+            (*notes, *not_asked(path, above), *(f"{path}: {note}" for note in more)),
+            None,
+        )
     if columns:
         raise ValueError(f"{path}: a CAN log has no columns to name. Give --dbc and --signal.")
     from exoid.recordings.loading.can_log import read_can_log
@@ -71,7 +75,18 @@ def load(
     recording = replace(recording, extra_tables=extra)
     with naming(path):
         recording, more = understand(recording, cut_apart, whole=whole, flip=flip, zero=zero)
-    return Loaded(recording, (*notes, *more), quality)
+    return Loaded(recording, (*notes, *not_asked(path, above), *more), quality)
+
+
+def not_asked(path: Path, defaults: Sequence[Path]) -> list[str]:
+    """That what holds for a study is not taken for a recording by itself."""
+    beside = path.with_name(DEFAULTS)
+    if defaults or not beside.is_file():
+        return []
+    return [
+        f"{beside} is read by 'exoid study' alone. What {path.name} needs of it belongs into "
+        f"{path.with_suffix('.toml').name}."
+    ]
 
 
 def check_request(path: Path, dbc: str | Path | None, signals: dict[str, str] | None) -> None:

@@ -8,6 +8,7 @@ from pathlib import Path, PurePosixPath
 from exoid.files.system_errors import told
 from exoid.files.visible import visible
 from exoid.recordings.can.logs.log_files import FORMATS
+from exoid.recordings.defaults import DEFAULTS
 from exoid.recordings.formats.sheets import READERS
 from exoid.studies.dataset.entry import Dataset, Entry
 from exoid.studies.dataset.layout import entry_of
@@ -18,7 +19,6 @@ from exoid.studies.dataset.walk import walk
 READABLE = {*FORMATS, *READERS}
 PARTICIPANTS = "participants"
 ABOUT = {"readme", "changes", "license", "licence", "citation", PARTICIPANTS}  # beside recordings
-DEFAULTS = "defaults.toml"  # a sidecar of all recordings at or below its folder
 DESCRIPTION = "dataset_description.json"
 
 
