@@ -177,6 +177,15 @@ def test_recordings_that_are_there_twice_do_not_count_those_of_a_failed_step_do(
     assert set(left) == {*study.recordings["recording"]} - {study.recordings["recording"][1]}
 
 
+def test_angles_are_told_in_degrees(study):
+    turned = values_of(changed(study, unit="rad/s"), "relaxation_index")
+    plain = values_of(study, "relaxation_index")
+    assert turned.unit == "deg/s"
+    for column in ("value", "error"):
+        np.testing.assert_allclose(turned.frame[column], np.degrees(plain.frame[column]))
+    assert values_of(changed(study, unit="N m/rad"), "relaxation_index").unit == "N m/rad"
+
+
 def test_units_that_differ_are_refused(study):
     units = np.where(np.arange(len(study.quantities)) % 3 > 0, "1", "rad")
     with pytest.raises(NotTold, match="several units"):

@@ -76,7 +76,7 @@ def test_values_that_are_missing_are_told_with_their_reason_and_where(study):
     rows.loc[lost, "note"] = [ENDED.format(at / 10) for at in range(len(lost))]
     said = finding(ask(study_of(study.recordings, rows), Asked(by="group")))
     assert "10 of 80 values are missing: control 0 of 40, spastic 10 of 40" in said
-    assert "mostly: the recording ended … s before rest" in said
+    assert "mostly as here: the recording ended 0.0 s before rest" in said
 
 
 def test_nothing_is_said_to_be_missing_where_all_is_there(study):

@@ -146,6 +146,15 @@ def test_a_difference_of_sides_that_is_not_found_is_no_proof_that_there_is_none(
     assert re.search(r"could be as large as [\d.]+", sides.text)
 
 
+def test_a_card_says_whether_the_groups_differ_and_in_what(page, study):
+    cards = parse(page).by_id("summary").of_class("card")
+    (said,) = [each.text for each in cards if "Do the groups of group differ?" in each.text]
+    assert "Yes, in 1 of 2 quantities." in said
+    assert "Relaxation index is lower by" in said
+    without = parse(build_page(told(study))).by_id("summary").text
+    assert "Do the groups" not in without
+
+
 def test_the_grade_says_that_it_is_of_the_lower_end(page):
     text = parse(page).by_id("reliability").text
     assert "by its lower end" in text

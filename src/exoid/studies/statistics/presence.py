@@ -40,8 +40,8 @@ class Tally:
 
 @dataclass(frozen=True)
 class Presence:
-    """`missing` are the people without a value, `reason` is the most frequent one of values that
-    are missing, its numbers left out.
+    """`missing` are the people without a value, `reason` is of values that are missing an example
+    of the most frequent one.
     """
 
     people: Tally
@@ -96,10 +96,10 @@ def tally(rows: Frame, there: Column, parts: tuple[str, ...]) -> Tally:
 
 
 def reason_of(rows: Frame) -> str:
-    """The most frequent note."""
-    said = rows["note"].map(without_numbers)
-    said = said[said != ""]
-    return "" if said.empty else str(said.value_counts().index[0])
+    """A note of the most frequent kind."""
+    said = rows.loc[rows["note"] != "", "note"]
+    kinds = said.map(without_numbers)
+    return "" if said.empty else str(said[kinds == kinds.value_counts().index[0]].iloc[0])
 
 
 def without_numbers(sentence: str) -> str:

@@ -21,7 +21,7 @@ def lacking(answer: Answer) -> Iterator[str]:
     if found.recordings.every.missing:
         yield f"{part_of(found.recordings, 'recordings have no value', parts)}."
     if found.values.every.missing:
-        why = f"; mostly: {found.reason.rstrip('.')}" if found.reason else ""
+        why = f"; mostly as here: {found.reason.rstrip('.')}" if found.reason else ""
         yield f"{part_of(found.values, 'values are missing', parts)}{why}."
     tallies = (found.people, found.recordings, found.values)
     uneven = [part for part in parts if any(each.uneven(part) for each in tallies)]

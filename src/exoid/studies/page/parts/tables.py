@@ -14,6 +14,7 @@ from exoid.studies.statistics.presence import Count, without_numbers
 from exoid.studies.statistics.reliability import Reliability
 from exoid.studies.statistics.tables.frames import Frame
 
+UNTOLD = 20.0  # width of the interval of a g from which on it says nothing
 SHOWN = 200  # rows of a list of recordings; the rest is counted
 
 
@@ -63,7 +64,7 @@ def pairs(found: Comparison, corrected: float) -> list[tuple[str, ...]]:
             name if not at else "",
             f"{one.second} - {one.first}",
             in_brackets(one.effect, found.unit),
-            in_brackets(one.g),
+            in_brackets(one.g) if one.g.high - one.g.low < UNTOLD else "not told",
             p_cell(one.p),
             p_cell(corrected) if not at else "",
         )

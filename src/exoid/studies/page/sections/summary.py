@@ -3,13 +3,16 @@
 from collections.abc import Iterator
 
 from exoid.report.sections.blocks import Block, Group, card, element
-from exoid.report.words.text import capital, counted
+from exoid.report.words.text import capital, counted, quantity_words
 from exoid.studies.page.parts.part import Told, part
 from exoid.studies.page.parts.tables import values
 from exoid.studies.page.parts.words import (
+    SURE,
     changed,
+    column_words,
     finding,
     grade,
+    grouped,
     leading,
     repeated,
     shares,
@@ -17,7 +20,8 @@ from exoid.studies.page.parts.words import (
     silent,
 )
 from exoid.studies.statistics.agreement import Agreement
-from exoid.studies.statistics.asked import Answers
+from exoid.studies.statistics.asked import Answer, Answers
+from exoid.studies.statistics.groups import Comparison
 from exoid.studies.statistics.physics import NOTHING
 from exoid.studies.statistics.reliability import Reliability
 from exoid.studies.statistics.tables.said import Untold
@@ -28,7 +32,8 @@ def summary(told: Told) -> Iterator[Block]:
     """What was found, how far to trust it, and what the study is."""
     answers = told.answers
     yield element("p", finding(answers), "verdict")
-    cards = (whole(answers), trusted(answers), alike(answers), missing(answers), moved(answers))
+    asked = (whole, parted, moved, trusted, alike, missing)
+    cards = (each(answers) for each in asked)
     yield Group("div", [each for each in cards if each is not None], "cards")
     yield values(answers.each)
     if answers.silent:
@@ -76,13 +81,39 @@ def trusted(answers: Answers) -> Group:
     )
 
 
+def parted(answers: Answers) -> Group | None:
+    """The groups, or what goes with a dose."""
+    each = [one for one in answers.each if isinstance(one.groups, Comparison)]
+    if not each:
+        return None
+    sure = [one for one in each if one.corrected["groups"] < SURE]
+    dose = isinstance(each[0].groups, Comparison) and each[0].groups.slope is not None
+    by = column_words(answers.asked.by)
+    question = f"Does anything change with {by}?" if dose else f"Do the groups of {by} differ?"
+    if not sure:
+        why = f"No difference is sure in any of {counted(len(each), 'quantity', 'quantities')}."
+        return card(question, "open", "Not surely.", why)
+    named = sentence(sure)
+    answer = f"Yes, in {len(sure)} of {counted(len(each), 'quantity', 'quantities')}."
+    return card(question, "good", answer, named)
+
+
+def sentence(sure: list[Answer]) -> str:
+    """The first of those that differ, and the names of the others."""
+    first, found = sure[0], sure[0].groups
+    assert isinstance(found, Comparison)
+    said = grouped(found, first.corrected["groups"], first.among["groups"])
+    others = ", ".join(quantity_words(one.quantity) for one in sure[1:])
+    return f"{said} Also: {others}." if others else said
+
+
 def alike(answers: Answers) -> Group | None:
     """Left against right."""
     first = leading(answers, "sides")
     if first is None or not isinstance(first.sides, Agreement):
         return None
     p = first.corrected["sides"]
-    differ = p < 0.05
+    differ = p < SURE
     answer = "Not on average." if differ else "Not told: no difference is sure."
     return card(
         "Are both sides alike?",
@@ -99,7 +130,7 @@ def moved(answers: Answers) -> Group | None:
         return None
     p = first.corrected["change"]
     question = f"Did it change from {answers.asked.before} to {answers.asked.after}?"
-    sure = p < 0.05
+    sure = p < SURE
     answer = "Yes." if sure else "Not surely."
     return card(
         question,

@@ -43,7 +43,7 @@ class Values:
 
 
 def values_of(study: Study, quantity: str, task: str = "") -> Values:
-    """The values that recordings told, of people who are named.
+    """The values that recordings told, of people who are named, angles in degrees.
 
     **Raises** `NotTold` (why) where there is none.
     """
@@ -54,7 +54,16 @@ def values_of(study: Study, quantity: str, task: str = "") -> Values:
     units = named["unit"].unique()
     if len(units) > 1:
         raise NotTold(f"{quantity} has several units: {', '.join(units)}. Compare within one.")
-    return Values(quantity, str(units[0]), with_people(once(named), study.recordings), notes)
+    unit, frame = in_degrees(str(units[0]), with_people(once(named), study.recordings))
+    return Values(quantity, unit, frame, notes)
+
+
+def in_degrees(unit: str, frame: Frame) -> tuple[str, Frame]:
+    """Angles as they are read; the tables of a run have radians."""
+    if not unit.startswith("rad"):
+        return unit, frame
+    each = {name: np.degrees(frame[name].astype(float)) for name in ("value", "error")}
+    return unit.replace("rad", "deg", 1), frame.assign(**each)
 
 
 def asked_rows(study: Study, quantity: str, task: str = "") -> Frame:
