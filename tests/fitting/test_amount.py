@@ -48,8 +48,8 @@ def test_a_recording_of_ordinary_size_is_left_as_it_is():
 
 
 def test_a_diagnosis_takes_less_than_a_fit():
-    """It weighs every cause beside the leg: in the memory of a usual computer."""
-    usual = recording(*[drop(duration=15.0)] * 24)
+    """It weighs every cause beside the leg: in the memory of a usual computer, and in minutes."""
+    usual = recording(*[drop(duration=20.0)] * 8)
     assert manageable([("r", usual)], DIAGNOSED).notes == []
     found = manageable([("r", recording(*[drop(duration=60.0, step=0.005)] * 10))], DIAGNOSED)
     assert sum(part.steps for part in found.parts) <= DIAGNOSED.aim

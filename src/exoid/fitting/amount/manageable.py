@@ -28,8 +28,8 @@ class Amount:
 
 
 TOGETHER = Amount()  # in 2 GB of memory
-# With every cause that may be missing: in 1.5 GB. 24 drops of 15 s at 100 Hz stay whole.
-DIAGNOSED = Amount(segments=24, steps=36_864, aim=32_768)
+# With every cause that may be missing: eight drops of 20 s at 100 Hz stay whole.
+DIAGNOSED = Amount(segments=24, steps=16_384, aim=12_288)
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,7 +1,10 @@
 """What the library does not know: the best formula as a term, against the best of the library."""
 
+from functools import partial
+
 import numpy as np
 
+from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.mismatch.conclude.choose import Chosen, causes
 from exoid.mismatch.evidence.prediction import improves
 from exoid.mismatch.evidence.proof import predict
@@ -62,7 +65,7 @@ def free(found: Found, formula: Formula) -> Optimum:
     term, count = term_of(formula), len(formula.features)
     sizes = formula.values, np.where(np.arange(formula.values.size) < count, 0.0, formula.values)
     starts = [found.begin.with_term(term, each) for each in sizes]
-    ends = [settle_free(found.prepared, one) for one in starts]
+    ends = side_by_side(partial(settle_free, found.prepared), starts)
     return min(ends, key=lambda one: one.square if one.sound else np.inf)
 
 

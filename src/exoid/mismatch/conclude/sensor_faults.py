@@ -6,9 +6,11 @@ over the gyro's scale and the clock's rate is seen.
 """
 
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
+from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.mismatch.conclude.unneeded import without_unneeded
 from exoid.mismatch.evidence.yardstick import UNEXPLAINED
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
@@ -70,7 +72,7 @@ def others(found: Found, best: Optimum) -> list[Optimum]:
     if GyroScale in common:
         free = [one for one in (ClockRate, EncoderGain) if one not in mine.terms]
         starts += [in_place(mine, one) for one in free]
-    ended = [settle_free(prepared, one) for one in starts]
+    ended = side_by_side(partial(settle_free, prepared), starts)
     causes = len(mine.terms) - len(common)
     ended += [one for each in sets for one in afresh(found, each, causes, best.square)]
     return [one for one in ended if one.square < UNEXPLAINED * max(best.square, 1.0)]

@@ -6,9 +6,11 @@ becomes a term, beside a baseline that takes the zero as declared.
 """
 
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
+from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.mismatch.conclude.numbers import CERTAIN, covariance
 from exoid.mismatch.conclude.unneeded import without_unneeded
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
@@ -39,10 +41,10 @@ def as_a_term(found: Found, best: Optimum) -> tuple[Found, Optimum]:
     """
     declared = replace(found.prepared, zero=0.0)
     rivals = [one for one in (*found.singles, *found.pairs) if one is not best][:RIVALS]
-    base, *plain = [
-        settle_free(declared, without_zero(one.candidate)) for one in (found.base, *rivals)
-    ]
-    named = [settle_free(declared, with_zero_told(one.candidate)) for one in (best, *rivals)]
+    starts = [without_zero(one.candidate) for one in (found.base, *rivals)]
+    starts += [with_zero_told(one.candidate) for one in (best, *rivals)]
+    base, *both = side_by_side(partial(settle_free, declared), starts)
+    plain, named = both[: len(rivals)], both[len(rivals) :]
     simple = [one for one in rivals if size(one) <= size(best)]
     equal = [best, *(one for one in simple if not found.clear(one, best))]
     others = [

@@ -1,10 +1,12 @@
 """What a search tries beside single terms: the same running free, twins, simpler forms."""
 
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
 
+from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import FLOOR, enough, polished, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
@@ -103,7 +105,7 @@ def suspected_sensors(
         replace(one, terms=(*terms, *one.terms), values=(*values, *one.values), linear=None)
         for one in (base.candidate, *best)
     ]
-    return [settle_free(prepared, one) for one in starts]
+    return side_by_side(partial(settle_free, prepared), starts)
 
 
 def unwatched(prepared: PreparedRecording, others: list[Optimum], base: Optimum) -> list[Optimum]:
@@ -120,7 +122,7 @@ def nested(
     prepared: PreparedRecording, some: list[Optimum], simpler: list[type[Term]]
 ) -> list[Optimum]:
     """A simple term again in the place of a richer one that holds all its parameters."""
-    found = []
+    starts = []
     for one in some:
         terms, values = one.candidate.terms, one.candidate.values
         for place, rich in enumerate(terms):
@@ -134,8 +136,8 @@ def nested(
                         values=put(values, place, np.array([known[name] for name in wanted])),
                         linear=None,
                     )
-                    found.append(settle_free(prepared, start))
-    return found
+                    starts.append(start)
+    return side_by_side(partial(settle_free, prepared), starts)
 
 
 def put(each: tuple, place: int, other: Any) -> tuple:
