@@ -160,6 +160,28 @@ def test_the_measured_motion_is_what_the_sensors_show(ready):
     assert jax.tree.leaves(prepared.measured_motion)[0].shape == prepared.seen.time.shape
 
 
+def test_angles_that_no_data_hold_are_not_in_the_range(ready):
+    prepared, _ = ready
+    low, high = prepared.range
+    first = prepared.sensors.references[0]
+    beyond = first.angle.copy()
+    beyond[:9] = low - 0.5 * np.arange(9, 0, -1)
+    weights = [
+        np.array(each) for each in (prepared.seen.angle_weight, prepared.seen.velocity_weight)
+    ]
+    for each in weights:
+        each[0, :9] = 0.0
+    seen = replace(prepared.seen, angle_weight=weights[0], velocity_weight=weights[1])
+    references = [replace(first, angle=beyond), *prepared.sensors.references[1:]]
+    late = replace(
+        prepared,
+        problem=replace(prepared.problem, observation=seen),
+        sensors=replace(prepared.sensors, references=references),
+    )
+    assert late.range[0] == low
+    assert late.range[1] <= high
+
+
 def played(angle: float, seed: int) -> Segment:
     """A drop from its release on, as sensors with a play of 0.01 rad show it."""
     model = LegModel(leg(), NoTorque(), terms=(StickingBacklash(np.asarray(0.005)),))

@@ -159,8 +159,16 @@ class PreparedRecording:
 
     @cached_property
     def range(self) -> tuple[float, float]:
-        """Lowest and highest angle [rad]."""
-        angles = np.concatenate([each.angle for each in self.sensors.references])
+        """Lowest and highest angle [rad] between the first and the last sample that counts: beyond
+        them no data hold the reference.
+        """
+        counts = np.asarray(self.seen.angle_weight + self.seen.velocity_weight) > 0
+        angles = np.concatenate(
+            [
+                reference.angle[np.argmax(row) : row.size - np.argmax(row[::-1])]
+                for reference, row in zip(self.sensors.references, counts, strict=True)
+            ]
+        )
         return float(angles.min()), float(angles.max())
 
     def bounds(self, candidate: Hypothesis) -> tuple[np.ndarray, np.ndarray]:
