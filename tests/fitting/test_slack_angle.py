@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from exoid.fitting.estimate import fit
-from exoid.fitting.result.slack_angle import BENT, leaning
+from exoid.fitting.result.remarks.slack_angle import BENT, leaning
 from exoid.recordings.recording import Sensors, Subject
 from legs import ADULT, BODY, drop, recording
 

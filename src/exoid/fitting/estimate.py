@@ -24,7 +24,7 @@ from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.multistart.starts import draw, driven, informed, term_starts
 from exoid.fitting.result.describe import describe
 from exoid.fitting.result.fit_result import FitResult
-from exoid.fitting.result.remarks import UPWARDS, upwards
+from exoid.fitting.result.remarks.remarks import UPWARDS, upwards
 from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.library import check_terms, library

@@ -37,8 +37,8 @@ from exoid.fitting.result.fit_result import (
 )
 from exoid.fitting.result.limiting_systematics import granted, limiting, suspicions
 from exoid.fitting.result.mountings import FIELDS, beyond_belief, estimate_mountings
-from exoid.fitting.result.remarks import limits_met, of_astray, remarks
-from exoid.fitting.result.slack_angle import slack_angle_remarks
+from exoid.fitting.result.remarks.remarks import limits_met, of_astray, remarks
+from exoid.fitting.result.remarks.slack_angle import LEANING, slack_angle_remarks
 from exoid.fitting.solve.ask import around, finite, take
 from exoid.fitting.solve.problem import Problem
 
@@ -93,7 +93,9 @@ def describe(
             *of_astray(why, problem.belief, len(problem.recordings) > 1),
             *of_the_rest(segments, ended.disturbance),
             *remarks(problem, ended, at_bound),
-            *slack_angle_remarks(problem, ended, ratios),
+            *slack_angle_remarks(
+                problem, ended, [ratios[each].standard_error or 0.0 for each in LEANING]
+            ),
             *suspicions(problem, mountings, ended.disturbance),
             *limiting({**parameters, **ratios}),
             *granted(problem),

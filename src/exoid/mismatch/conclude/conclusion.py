@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.fitting.result.fit_result import FitResult
-from exoid.fitting.result.remarks import unlike_anatomy
+from exoid.fitting.result.remarks.remarks import unlike_anatomy
 from exoid.mismatch.answer.diagnosis import Diagnosis, Finding, NovelTorque, Suspect, Verdict
 from exoid.mismatch.conclude.asserted import certain_of, equivalents, has, weight
 from exoid.mismatch.conclude.cannot_tell import (

@@ -8,7 +8,7 @@ from exoid.fitting.misfit.disturbance.explain import CORRELATED
 from exoid.fitting.misfit.missed import NOISY, Disturbance, Missed
 from exoid.fitting.model.belief import Belief
 from exoid.fitting.multistart.search_result import FEASIBLE, SearchResult, scale_told
-from exoid.fitting.result.noise_remarks import noise_remarks
+from exoid.fitting.result.remarks.noise_remarks import noise_remarks
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.leg import GRAVITY, LegParameters
 from exoid.physics.parameter import declarations

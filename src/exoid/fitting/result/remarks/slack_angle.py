@@ -5,6 +5,7 @@ acts. Near the end point a fit without it errs by H^-1 A'S of that torque over J
 sensitivities A of the residual, S its answer to the torque, and H = A'A and what is believed.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Annotated
 
@@ -12,7 +13,6 @@ import numpy as np
 
 from exoid.fitting.misfit.uncertainty import decomposed, inverse_times
 from exoid.fitting.multistart.search_result import SearchResult
-from exoid.fitting.result.fit_result import Estimate
 from exoid.fitting.solve.ask import grams_at
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.term import name_of
@@ -21,7 +21,7 @@ BENT = np.radians(30.0)  # of flexion, where a spring may well be slack: Riener 
 TOLD = np.radians(5.0)  # error of the rest angle below which a fit by itself shows one of BENT
 STIFFER = 2.0  # times as stiff as by the fit, at most: beyond, nothing is linear any more
 CONSTANT = {"stiffness_rest_angle", "torque_bias"}  # terms of such a torque
-RATIOS = ("gravity_over_inertia", "stiffness_over_inertia")
+LEANING = ("gravity_over_inertia", "stiffness_over_inertia")
 
 
 @dataclass(frozen=True)
@@ -34,16 +34,15 @@ class Leaning:
 
 
 def slack_angle_remarks(
-    problem: Problem, ended: SearchResult, ratios: dict[str, Estimate]
+    problem: Problem, ended: SearchResult, errors: Sequence[float]
 ) -> list[str]:
-    """Where another rest angle changes the ratios by more than their errors, and the recording does
-    not rule it out.
+    """Where another rest angle changes the `LEANING` ratios by more than these errors of them, and
+    the recording does not rule it out.
     """
     found = leaning(problem, ended)
     if found is None or (found.told < TOLD and ended.disturbance.cause is None):
         return []
     changes = found.gravity, found.stiffness
-    errors = (ratios[name].standard_error or 0.0 for name in RATIOS)
     if all(abs(change) < error for change, error in zip(changes, errors, strict=True)):
         return []
     each = (f"{abs(one):.2g} 1/s^2 {'higher' if one > 0 else 'lower'}" for one in changes)
@@ -62,7 +61,7 @@ def leaning(problem: Problem, ended: SearchResult) -> Leaning | None:
     if problem.belief.rig or stiffness <= 0 or CONSTANT & set(terms):
         return None
     pull, left = answer(problem, ended)
-    rows = [problem.quantities.index(name) for name in RATIOS]
+    rows = [problem.quantities.index(name) for name in LEANING]
     gravity, spring = ended.local.quantities[rows] @ pull
     torque = -stiffness * BENT / max(1 - spring * BENT, 1 / STIFFER)
     told = left**-0.5 / stiffness if left > 0 else np.inf
