@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from exoid.fitting.estimate import fit
+from exoid.fitting.result.fit_result import RIVALS
 from exoid.recordings.recording import Segment
 from exoid.trust.directions import in_words
 from exoid.trust.identify import identify
@@ -79,6 +80,15 @@ def test_a_drop_that_was_only_recorded_loaded_is_called_singular(loaded_fit, loa
         changes["damping"] * (inertia + added), rel=2e-2
     )
     assert any("singular" in sentence for sentence in loaded.sentences)
+
+
+def test_what_else_a_cause_may_be_is_in_every_error_that_is_shown(bare):
+    name, found = "damping_over_inertia", fit(recorded(DROP), multistart=2)
+    each, alone = found.ratios[name], bare.combinations[name].standard_error
+    wide = replace(each, standard_error=2 * each.standard_error, limited_by={RIVALS: 0.75})
+    told = identify(replace(found, ratios={**found.ratios, name: wide}))
+    error = np.hypot(alone, 3**0.5 * each.standard_error)
+    assert told.combinations[name].standard_error == pytest.approx(error, rel=1e-12)
 
 
 def test_every_share_of_the_segments_adds_up_to_one(both):

@@ -12,7 +12,7 @@ import numpy as np
 from exoid.fitting.errors.profile import named, weights_of
 from exoid.fitting.misfit.neighbourhood import columns
 from exoid.fitting.misfit.uncertainty import HELD, Information, inverse_times
-from exoid.fitting.result.fit_result import Basis, Estimate, FitResult
+from exoid.fitting.result.fit_result import RIVALS, Basis, Estimate, FitResult
 from exoid.fitting.solve.ask import take
 from exoid.trust.directions import listed, null_directions, weak_directions
 from exoid.trust.identifiability import Identifiability, Reversal
@@ -80,8 +80,16 @@ def combinations(
     for name, each in known.items():
         error = alone.standard_error(gradients[name])
         if each.value is not None and each.shares != HELD and np.isfinite(error):
-            told[name] = replace(each, standard_error=error or None)
+            told[name] = replace(
+                each, standard_error=float(np.hypot(error, rivalled(each))) or None
+            )
     return told
+
+
+def rivalled(each: Estimate) -> float:
+    """The part of its error that is there because the model may lack something else."""
+    share = (each.limited_by or {}).get(RIVALS, 0.0)
+    return (each.standard_error or 0.0) * share**0.5
 
 
 def segment_shares(

@@ -162,9 +162,11 @@ def body_in(saved) -> dict[str, float]:
 
 def undecided_in(saved, path: Path) -> str | None:
     """What to say of a fit whose terms a saved diagnosis named without telling them from others."""
+    from exoid.fitting.result.fit_result import RIVALS
+
     found = saved.diagnosis
     after = found.after if found else None
-    wider = after and any("rival causes" in (one.limited_by or {}) for one in after.ratios.values())
+    wider = after and any(RIVALS in (one.limited_by or {}) for one in after.ratios.values())
     alike = [each.replace("_", " ") for each in found.equivalent] if found and wider else []
     if len(alike) < 2:
         return None

@@ -18,6 +18,7 @@ from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.term import Term
 from exoid.physics.torque import NoTorque
 
+RIVALS = "rival causes"  # what limits a number where a diagnosis cannot tell causes apart
 Curve = Float[np.ndarray, " sample"]
 
 

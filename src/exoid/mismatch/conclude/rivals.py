@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from exoid.fitting.result.fit_result import Estimate, FitResult
+from exoid.fitting.result.fit_result import RIVALS, Estimate, FitResult
 from exoid.mismatch.answer.diagnosis import Booked, Diagnosis, Suspect
 from exoid.mismatch.conclude.numbers import moved
 from exoid.mismatch.evidence.yardstick import APART
@@ -94,7 +94,7 @@ def widened(each: Estimate, spread: float) -> Estimate:
     total = float(np.hypot(each.standard_error, spread))
     kept = (each.standard_error / total) ** 2
     shares = {name: kept * share for name, share in (each.limited_by or {}).items()}
-    return replace(each, standard_error=total, limited_by={**shares, "rival causes": 1 - kept})
+    return replace(each, standard_error=total, limited_by={**shares, RIVALS: 1 - kept})
 
 
 def by_the_fits(found: Diagnosis, after: FitResult | None) -> tuple[list[Booked], list[Suspect]]:
