@@ -37,9 +37,10 @@ def of_blind(folder: Path) -> Iterator[Outcome]:
 
 
 def near(truth: dict[str, Any], effect: str) -> set[str]:
-    """Names as right for an effect of our own."""
-    same = EQUAL.get(effect, set())
-    return {each for each in (*truth["also_acceptable"], *truth["near_equivalent"]) if each in same}
+    """Names as right for an effect of our own: of two that no drop tells apart either one."""
+    named = {*truth["also_acceptable"], *truth["near_equivalent"]}
+    twins = {each for each, same in EQUAL.items() if effect in same}
+    return named & (EQUAL.get(effect, set()) | twins)
 
 
 def of_others(folder: Path) -> Iterator[Outcome]:

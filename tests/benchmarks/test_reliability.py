@@ -42,6 +42,15 @@ def test_an_answer_is_right_where_all_that_it_names_acts(effects, given, right, 
     assert (found.right, found.whole) == (right, whole)
 
 
+def test_of_two_that_no_drop_tells_apart_either_is_right(tmp_path):
+    truth = {"id": "a", "category": "single", "effects": ["torque_bias"],
+             "also_acceptable": ["stiffness_rest_angle"], "near_equivalent": []}  # fmt: skip
+    (tmp_path / "own-truth.json").write_text(json.dumps([truth]))
+    for named, right in (("stiffness_rest_angle", True), ("hysteresis", False)):
+        (tmp_path / "own-answers.json").write_text(json.dumps({"a": answer(named)}))
+        assert [each.right for each in of_blind(tmp_path)] == [right]
+
+
 def test_answers_of_both_benchmarks_are_read(tmp_path):
     truth = {"id": "a", "category": "single", "effects": ["coulomb_friction"],
              "also_acceptable": [], "near_equivalent": ["stribeck_friction"]}  # fmt: skip
