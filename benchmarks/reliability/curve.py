@@ -17,6 +17,7 @@ BINS = (0.0, 0.3, 0.5, 0.7, 0.9, 0.97, 0.99, 0.999, 1.0)  # of the weight
 HEAD = ("world", "kind", "recordings", "asserted", "all named", "wrong", "wrong at most")
 SURE = 0.95  # of an interval
 DOTS = 200  # per inch
+SAID = ("weights of the bin", "their mean", "share that is right (95 %)")
 
 
 def asserted_rows(found: Sequence[Outcome]) -> list[tuple[str, ...]]:
@@ -66,16 +67,24 @@ def interval(hits: int, count: int) -> tuple[float, float]:
 
 
 def draw(found: Sequence[Outcome], path: Path) -> None:
-    """The share of right answers over their weight, with 95 % intervals."""
+    """The share of right answers of every bin of weights, with 95 % intervals, beside the weight.
+
+    Weights crowd at 1, so that bins stand evenly.
+    """
+    told = list(parts(found, BINS))
     with mpl.rc_context(TEXT):
-        figure = Figure(figsize=(3.6, 3.4), layout="constrained")
+        figure = Figure(figsize=(4.6, 3.0), layout="constrained")
         axes = figure.subplots()
-        axes.plot([0, 1], [0, 1], color="0.6", linewidth=0.8, linestyle=(0, (4, 2)))
-        for _, _, count, mean, right in parts(found, BINS):
-            low, high = interval(right, count)
-            axes.plot([mean, mean], [low, high], color="#0072B2", linewidth=1.0)
-            axes.plot(mean, right / count, "o", color="#0072B2", markersize=4)
-            axes.annotate(str(count), (mean, low), (0, -9), textcoords="offset points", ha="center")
-        axes.set(xlim=(0, 1.03), ylim=(0, 1.03), xlabel="weight of what the best answer names",
-                 ylabel="share of such answers that are right")  # fmt: skip
+        for place, (low, high, count, mean, right) in enumerate(told):
+            ends = [100 * each for each in interval(right, count)]
+            axes.bar(place, 100 * (high - low), 0.8, 100 * low, color="0.85", label=SAID[0])
+            axes.plot([place - 0.4, place + 0.4], 2 * [100 * mean], color="0.5", label=SAID[1])
+            axes.plot([place, place], ends, color="#0072B2", linewidth=1.2, label=SAID[2])
+            axes.plot(place, 100 * right / count, "o", color="#0072B2", markersize=5)
+            axes.annotate(f"n = {count}", (place, 103), ha="center", annotation_clip=False)
+        names = [f"{100 * low:g} to\n{100 * high:g} %" for low, high, *_ in told]
+        axes.set_xticks(range(len(told)), names)
+        axes.set(ylim=(0, 101), xlabel="weight of what the best answer names", ylabel="right [%]")
+        once = dict(zip(*reversed(axes.get_legend_handles_labels()), strict=True))
+        figure.legend(once.values(), once.keys(), loc="outside upper left", frameon=False, ncols=3)
         figure.savefig(path, dpi=DOTS)
