@@ -52,6 +52,15 @@ def test_a_hand_that_keeps_one_leg_near_its_rest_moves_no_number(stop):
 
 
 @pytest.mark.proof
+def test_one_leg_that_is_left_alone_tells_what_hands_did_to_all_others():
+    result = fit(session(2.0, np.inf, 2.0, 2.0), multistart=STARTS)
+    first, alone, *others = kept(result)
+    assert alone is None
+    assert all(each is not None for each in (first, *others))
+    check_truth(result)
+
+
+@pytest.mark.proof
 def test_legs_that_rest_by_themselves_keep_their_rest():
     result = fit(session(np.inf, np.inf), multistart=STARTS)
     assert kept(result) == [None, None]

@@ -7,18 +7,27 @@ import numpy as np
 import pytest
 
 from exoid.fitting.result.fit_result import Estimate
-from exoid.mismatch.conclude.asserted import certain_of, equivalents, plainest, weight
+from exoid.mismatch.conclude.asserted import (
+    at_its_most,
+    certain_of,
+    equivalents,
+    plainest,
+    weight,
+)
 from exoid.mismatch.conclude.cannot_tell import chance, luck, unrelaxed
 from exoid.mismatch.conclude.false_alarm import Chance
 from exoid.mismatch.evidence.prediction import Prediction, improves
 from exoid.mismatch.evidence.yardstick import Yardstick
 from exoid.mismatch.missing_physics import noise_alone
+from exoid.mismatch.novel.dictionary import dictionary
+from exoid.mismatch.novel.formula import Formula
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum, Products
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.challenge import as_near
 from exoid.mismatch.search.found import Found
 from exoid.mismatch.with_model import for_inertia
 from exoid.physics.parameter import declarations
+from exoid.physics.scale import AS_A_LEG
 from exoid.physics.sensing.clock_rate import ClockRate
 from exoid.physics.sensing.gyro_scale import GyroScale
 from exoid.physics.terms.device.backlash import Backlash
@@ -31,6 +40,7 @@ from exoid.physics.terms.device.torque_bias import TorqueBias
 from exoid.physics.terms.tissue.hysteresis import Hysteresis
 from exoid.physics.terms.tissue.maxwell_element import MaxwellElement
 from exoid.physics.terms.tissue.stiffness_rest_angle import StiffnessRestAngle
+from exoid.physics.terms.tissue.wobbling_mass import WobblingMass
 
 SAMPLES = 1000
 NOTHING = Hypothesis((), (), np.zeros(4))
@@ -50,7 +60,7 @@ def explaining(square, *terms):
 def found_of(singles, pairs=(), pinned=()):
     """A search that found these, of a mismatch of a hundred times the noise."""
     measure = Yardstick(SAMPLES, scale=1.0)
-    prepared = Mock(spec=PreparedRecording)
+    prepared = Mock(spec=PreparedRecording, scale=AS_A_LEG)
     return Found(
         prepared, leaving(101_000.0), NOTHING, singles, list(pairs), list(pinned), [], measure
     )
@@ -73,6 +83,53 @@ def test_what_even_the_best_leaves_may_tell_it_from_its_rivals():
     assert certain_of(found_of([best, explaining(80_000.0, QuadraticDrag)]), best) == (
         CoulombFriction,
     )
+
+
+@pytest.mark.parametrize(
+    ("share", "left", "certain"),
+    [
+        (0.3, 20_000.0, (WobblingMass,)),
+        (0.5, 20_000.0, ()),
+        (0.5, 1_000.0, (WobblingMass,)),
+    ],
+)
+def test_what_would_have_to_be_larger_than_it_can_be_is_certain_only_down_to_the_noise(
+    share, left, certain
+):
+    one = explaining(left, WobblingMass)
+    values = (np.array([share, *one.candidate.values[0][1:]]),)
+    best = replace(one, candidate=replace(one.candidate, values=values))
+    assert certain_of(found_of([best]), best) == certain
+
+
+@pytest.mark.parametrize(
+    ("term", "size", "most"),
+    [
+        (TorqueBias, -50.0, True),
+        (TorqueBias, 0.0, False),
+        (CoulombFriction, 0.0, False),
+        (CoulombFriction, 50.0, True),
+    ],
+)
+def test_a_size_without_a_sign_is_not_at_its_limit_where_it_is_nothing(term, size, most):
+    assert at_its_most(term, size, found_of([])) is most
+
+
+def test_what_a_formula_has_once_in_a_motion_may_be_a_moment():
+    """A swing that passes -1 rad again and again, and comes to -0.4 rad once."""
+    time = np.arange(0.0, 10.0, 0.01)
+    angle = -1.0 + 0.65 * np.exp(-0.5 * time) * np.cos(6.0 * time - 6.0)
+    velocity = np.gradient(angle, time)
+    bumps = [one for one in dictionary() if one.words.startswith("bump(x")]
+
+    def near(place):
+        return min(bumps, key=lambda one: abs(one.shape[0] - place) + one.shape[1])
+
+    often, once = (Formula((near(each),), np.array([1.0]), 1.0, 0.0) for each in (-1.0, -0.6))
+    assert often.moment_of(angle, velocity, time) is None
+    first, last = once.moment_of(angle, velocity, time)
+    assert first < 1.0 < last
+    assert last - first < 0.4
 
 
 def test_forms_of_one_cause_and_exact_twins_are_one_answer():

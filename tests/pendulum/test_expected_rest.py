@@ -7,7 +7,7 @@ from exoid.pendulum.drops import measure_drops
 from exoid.recordings.landmarks.expected_rest import expected_rest
 from exoid.recordings.landmarks.measure import NotAllowed
 from exoid.recordings.landmarks.track import Peak
-from swings import Oscillator, drop
+from swings import Oscillator, drop, recorded
 
 
 def turned(*angles: float) -> list[Peak]:
@@ -55,3 +55,20 @@ def test_swings_that_do_not_shrink_tell_no_rest():
         expected_rest(turned(-1.8, -1.0, -1.9))
     with pytest.raises(NotAllowed, match="of 3 turns there are 2"):
         expected_rest(turned(-1.8, -1.0))
+
+
+def test_a_leg_that_a_hand_held_softly_before_its_rest_has_an_error_that_holds_the_rest():
+    leg, left = Oscillator(), np.radians(1.0)
+    whole = drop(leg, noise=1e-4)
+    (segment,) = whole.segments
+    alone, held = segment.raw_angle, segment.raw_angle.copy()
+    stopped = int(np.flatnonzero(np.abs(alone - leg.rest) > left)[-1])
+    held[stopped:] = alone[stopped] + 1e-4 * np.random.default_rng(1).normal(
+        size=held[stopped:].size
+    )
+    (softly,) = measure_drops(recorded(held, segment.time, noise=1e-4)).drops
+    (freely,) = measure_drops(whole).drops
+    each = [one.measures["plateau_angle"] for one in (softly, freely)]
+    assert abs(each[0].value - leg.rest) == pytest.approx(left, rel=0.2)
+    assert all(abs(one.value - leg.rest) < 2 * one.standard_error for one in each)
+    assert each[1].standard_error < 0.1 * each[0].standard_error

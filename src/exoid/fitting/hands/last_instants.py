@@ -18,7 +18,7 @@ from exoid.recordings.motion.thresholds import LATE, REST
 
 LOUD = 2.0  # times the noise that a drop misses by, where a hand kept its leg
 FOLLOWS = 1.5  # times the noise that a drop may miss where no hand is on it
-KEPT = 0.5  # of the drops, at most, may be kept by a hand: what most of them do is the leg's
+ALONE = 1  # drop at least must show how a leg ends by itself
 
 Fitted = tuple[Problem, SearchResult]
 
@@ -48,7 +48,7 @@ def without_hands(
         if not disturbed(more):
             kept, found = trial, more
     hands = [number for number in drops if kept[number].kept is not None]
-    if not 0 < len(hands) <= KEPT * len(drops):
+    if not 0 < len(hands) <= len(drops) - ALONE:
         return None
     there = simulated(whole, found)
     longer = list(kept)

@@ -9,7 +9,11 @@ from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.search.found import Found, size
 from exoid.mismatch.search.rank import alike, simpler_form
 from exoid.physics.library import library
+from exoid.physics.parameter import declarations
+from exoid.physics.scale import ranged
 from exoid.physics.term import Term, holds, name_of
+
+NEAR = 1e-3  # of a parameter's range, within which it is at its limit
 
 
 def equivalents(found: Found, best: Optimum) -> list[Optimum]:
@@ -52,10 +56,27 @@ def only_inside(cause: type[Term], certain: list[type[Term]], every: Sequence[Op
 
 def certain_of(found: Found, best: Optimum) -> tuple[type[Term], ...]:
     """The causes that are certain. Where more than noise is left, the last cause may only take up
-    what nobody knows: then also what is best without one of them must have them.
+    what nobody knows: then also what is best without one of them must have them, and none that is
+    as large as it can be counts.
     """
-    fewer = [] if found.yardstick.explains(best.square) else with_one_less(found, best)
-    return asserted(best, [*equivalents(found, best), *fewer])
+    if found.yardstick.explains(best.square):
+        return asserted(best, equivalents(found, best))
+    certain = asserted(best, [*equivalents(found, best), *with_one_less(found, best)])
+    most = largest_of(found, best)
+    return tuple(one for one in certain if not any(same_cause(one, term) for term in most))
+
+
+def largest_of(found: Found, best: Optimum) -> list[type[Term]]:
+    """Its causes that are as large as they can be, by the first of their parameters."""
+    each = zip(best.candidate.terms, best.candidate.values, strict=True)
+    return [term for term, value in each if at_its_most(term, float(value[0]), found)]
+
+
+def at_its_most(term: type[Term], size: float, found: Found) -> bool:
+    _, first = next(declarations(term))
+    size_of = ranged(first, found.prepared.scale)
+    room = NEAR * (size_of.upper - size_of.lower)
+    return size > size_of.upper - room or size < min(size_of.lower + room, 0.0)
 
 
 def with_one_less(found: Found, best: Optimum) -> list[Optimum]:

@@ -7,7 +7,7 @@ import numpy as np
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.remarks.remarks import unlike_anatomy
 from exoid.mismatch.answer.diagnosis import Diagnosis, Finding, NovelTorque, Suspect, Verdict
-from exoid.mismatch.conclude.asserted import certain_of, equivalents, has, weight
+from exoid.mismatch.conclude.asserted import certain_of, equivalents, has, largest_of, weight
 from exoid.mismatch.conclude.cannot_tell import (
     chance,
     hands,
@@ -52,6 +52,7 @@ REPEAT = (
     "Repeat the same movement several times: what comes back each time is physics, what does not "
     "was an event."
 )
+ONE_AT_A_TIME = "Change one thing at a time (speed, angle, load) and watch which moves the torque."
 
 
 def concluded(
@@ -97,9 +98,7 @@ def concluded(
         ranking=ranked(found, selected, formula),
         equivalent=named_alike(prepared, equal) if verdict != "none" else [],
         novel=novel,
-        formula=NovelTorque(formula.words, formula.explained, formula.known)
-        if formula and novel
-        else None,
+        formula=novel_torque(found, formula, best) if formula and novel else None,
         parameters=[*parameters_of(found, best, formula), *([bias] if bias else [])],
         inertia=float(np.exp(leg_of(found, best).log_inertia)),
         booked=booked(found, found.base, best),
@@ -121,6 +120,15 @@ def concluded(
         advice=advice(equal or likely[:2], verdict, formula),
         workings=Workings(found, best),
     )
+
+
+def novel_torque(found: Found, formula: Formula, best: Optimum) -> NovelTorque:
+    """The formula, and when it acts where one motion has it once."""
+    once = None
+    if found.prepared.segments == 1:
+        angle, velocity = np.asarray(best.motion)[0].T
+        once = formula.moment_of(angle, velocity, np.asarray(found.prepared.seen.time)[0])
+    return NovelTorque(formula.words, formula.explained, formula.known, once)
 
 
 def suspects(found: Found, each: list[Optimum], best: Optimum) -> list[Suspect]:
@@ -227,6 +235,12 @@ def undecided(found: Found, equal: list[Optimum]) -> list[str]:
     if len(equal) == 1:
         alone = words(names(equal[0]))
         return [f"{alone} explains most, at values at which it is not what it is called"]
+    most = [] if found.yardstick.explains(equal[0].square) else largest_of(found, equal[0])
+    if most:
+        return [
+            f"{words([name_of(term) for term in most])} explains most, but would have to be larger "
+            "than it can be, and more than noise remains: something else is missing"
+        ]
     each = [f"{words(names(one)) or 'no cause'} ({found.followed(one):.0%})" for one in equal]
     return [
         "explanations that have nothing in common come out alike (shares of the mismatch): "
@@ -253,7 +267,7 @@ def advice(rivals: list[Optimum], verdict: Verdict, formula: Formula | None) -> 
     if verdict == "none":
         return []
     if formula is not None:
-        return ["Change one thing at a time (speed, angle, load) and watch which moves the torque."]
+        return [REPEAT, ONE_AT_A_TIME]
     terms = dict.fromkeys(term for one in rivals for term in one.candidate.terms)
     if verdict == "mismatch" and len(rivals) < 2 and not any(term.twin for term in terms):
         return []

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.fitting.result.fit_result import RIVALS, Estimate, FitResult
+from exoid.fitting.result.remarks.slack_angle import BENT, leaning
 from exoid.mismatch.answer.diagnosis import Booked, Diagnosis, Suspect
 from exoid.mismatch.conclude.numbers import moved
 from exoid.mismatch.evidence.yardstick import APART
@@ -13,6 +14,7 @@ from exoid.mismatch.search.found import Found, Workings, names
 
 FELT = 2.0  # standard errors by which a cause that is hardly seen must move a number
 LARGE = 0.1  # share of the variance, from which on a cause is worth a word
+SLACK = f"a spring that is slack up to {np.degrees(BENT):.0f} deg from full extension"
 OF_RATIO = {"stiffness": "stiffness_over_inertia", "damping": "damping_over_inertia"}
 
 
@@ -51,7 +53,8 @@ def with_rivals(result: FitResult, work: Workings, shown: Optimum) -> FitResult:
 
     Variances add the mean square distance to the numbers of all candidates, each counted by its
     odds, exp(evidence / 2): Hoeting et al., Statistical Science 14(4), 1999. What did not run free
-    counts as it came out at the first look.
+    counts as it came out at the first look. Where the knee's spring is slack no recording need
+    show: what that leaves open counts where it is more.
     """
     found = work.found
     each = [found.base, *found.singles, *found.pairs]
@@ -67,7 +70,10 @@ def with_rivals(result: FitResult, work: Workings, shown: Optimum) -> FitResult:
         name: odds / odds.sum() * np.square([one.get(name, 0.0) for one in away])
         for name in result.ratios
     }
-    spread = {name: float(np.sqrt(part.sum())) for name, part in parts.items()}
+    slack = of_slack_angle(result)
+    spread = {
+        name: max(float(np.sqrt(part.sum())), slack.get(name, 0.0)) for name, part in parts.items()
+    }
     inertia = result.parameters["inertia"].value or 0.0
     ratios = {name: widened(one, spread[name]) for name, one in result.ratios.items()}
     parameters = {
@@ -81,10 +87,19 @@ def with_rivals(result: FitResult, work: Workings, shown: Optimum) -> FitResult:
     }
     share = sum((parts[name] / spread[name] ** 2 for name in wide), np.zeros(len(each)))
     rivals = [words(names(each[k])) or "Eq. 9 alone" for k in np.flatnonzero(share > LARGE)]
+    rivals += [SLACK] if any(spread[name] == slack.get(name) for name in wide) else []
     note = f"± of {', '.join(wide.values())} covers that it may be another cause: "
     note += f"{', '.join(rivals)}."
     notes = [note, *result.notes] if wide else result.notes
     return replace(result, ratios=ratios, parameters=parameters, notes=notes)
+
+
+def of_slack_angle(result: FitResult) -> dict[str, float]:
+    """How far ratios are open because nobody knows where the knee's spring is slack."""
+    if result.basis is None:
+        return {}
+    found = leaning(result.basis.problem, result.basis.ended)
+    return {} if found is None else found.spread
 
 
 def widened(each: Estimate, spread: float) -> Estimate:

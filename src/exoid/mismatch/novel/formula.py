@@ -15,6 +15,7 @@ from exoid.physics.moment import Moment
 from exoid.physics.parameter import parameter
 from exoid.physics.term import PhysicsTerm
 
+FAINT, ONCE = 0.01, 0.75  # of its largest square, where it pauses; of its sum, that acts at once
 LARGEST = 100.0  # of a coefficient, either way
 
 
@@ -45,6 +46,27 @@ class Formula:
     def values(self) -> Float[np.ndarray, " parameter"]:
         """Coefficients, and the shapes that are free."""
         return np.concatenate([self.coefficients, *(np.asarray(each.shape) for each in self.free)])
+
+    def moment_of(
+        self,
+        angle: Float[np.ndarray, " time"],
+        velocity: Float[np.ndarray, " time"],
+        time: Float[np.ndarray, " time"],
+    ) -> tuple[float, float] | None:
+        """From when to when nearly all of it acts in a motion, by its square, with one turn at most;
+        None where it acts time and again. A place that a leg passes once may be a moment.
+        """
+        each = zip(self.coefficients, self.features, strict=True)
+        square = sum(size * one.of(angle, velocity, time, np) for size, one in each) ** 2
+        most = int(np.argmax(square))
+        faint = np.flatnonzero(square < FAINT * square[most])
+        first = max(faint[faint < most], default=-1) + 1
+        last = min(faint[faint > most], default=time.size) - 1
+        within = slice(first, last + 1)
+        turns = np.count_nonzero(np.diff(np.sign(velocity[within])))
+        if turns > 1 or square[within].sum() < ONCE * square.sum():
+            return None
+        return float(time[first]), float(time[last])
 
     def at(self, values: Float[np.ndarray, " parameter"]) -> "Formula":
         """The same formula with other values."""

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from exoid.recordings.landmarks.expected_rest import expected_rest
 from exoid.recordings.landmarks.measure import NotAllowed
 from exoid.recordings.landmarks.track import SURE, Peak, Track, nearest
 from exoid.recordings.signal.condition import SMOOTHING
@@ -49,9 +50,22 @@ def find_rest(track: Track, turns: list[Peak]) -> Rest:
         np.hypot(track.noise / np.sqrt(track.time.size - first), swing * loss(turns) / FADED)
     )
     check_free([float(smooth[0]), *(each.value for each in turns)], angle, turns)
+    error = float(np.hypot(error, stopped_short(angle, turns)))
     middle = float(track.time[first:].mean())
     resting = Peak(nearest(track, middle), middle, lasting / 2, angle, error)
     return Rest(resting, entered(track, resting, smooth, slope, track.smoothed_noise(width)))
+
+
+def stopped_short(angle: float, turns: list[Peak]) -> float:
+    """How far from the angle to which its swings shrink a leg stood still [rad], as one that a hand
+    held softly does; 0 where friction may have left it there, or too few swings tell.
+    """
+    try:
+        middle = expected_rest(turns)
+    except NotAllowed:
+        return 0.0
+    off = abs(angle - middle.value)
+    return off if off > SURE * middle.error else 0.0
 
 
 def window(track: Track) -> float:

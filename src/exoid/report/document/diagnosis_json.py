@@ -32,6 +32,7 @@ def diagnosis_document(
             "novel": found.novel,
             "novel_formula": None if found.formula is None else found.formula.words,
             "novel_explained": None if found.formula is None else found.formula.explained,
+            "novel_once_s": None if found.formula is None else found.formula.once,
             "where": [
                 shown(each, ["torque"], begin="from_s", end="to_s")
                 for each in found.location.regions

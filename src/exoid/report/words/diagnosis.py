@@ -4,7 +4,7 @@ from math import degrees
 
 from exoid.fitting.model.term_parameters import RATIO_UNITS, parameters_of
 from exoid.fitting.result.fit_result import FitResult
-from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter
+from exoid.mismatch.answer.diagnosis import Diagnosis, NovelTorque, Parameter
 from exoid.mismatch.sensors.agreement import BIAS, SensorError
 from exoid.physics.library import library
 from exoid.report.words.text import DIMENSIONLESS, in_degrees, quantity_words, with_error
@@ -96,7 +96,7 @@ def named(found: Diagnosis) -> list[str]:
     if found.formula is not None:
         shares = f"explains {found.formula.explained:.0%} of the missing torque's variance"
         units = f"x in rad, v in rad/s, t in s; {for_inertia(found.inertia, found.fit)}"
-        return [f"{found.formula.words} ({units}), which {shares}"]
+        return [f"{found.formula.words} ({units}), which {shares}{at_once(found.formula)}"]
     lines = []
     for one in found.findings:
         own = [each for each in found.parameters if each.name.startswith(f"{one.name}.")]
@@ -104,6 +104,17 @@ def named(found: Diagnosis) -> list[str]:
             own = [over_inertia(each, found.after) for each in own]
         lines.append(f"{one.title}, {', '.join(map(parameter, own))}{scale(found, own)}")
     return lines
+
+
+def at_once(formula: NovelTorque) -> str:
+    """That what acts once goes with a place, or with a moment."""
+    if formula.once is None:
+        return ""
+    first, last = formula.once
+    return (
+        f". Nearly all of it acts once, from {first:.2f} to {last:.2f} s: whether that goes with "
+        "the place, as written, or with the moment, as a touch does, one passage cannot tell"
+    )
 
 
 def over_inertia(each: Parameter, after: FitResult) -> Parameter:

@@ -32,6 +32,14 @@ class Leaning:
     stiffness: Annotated[float, "1/s^2"]
     told: Annotated[float, "rad"]  # the error with which the recording tells the rest angle
 
+    @property
+    def spread(self) -> dict[str, float]:
+        """What the ratios scatter by over legs whose springs are slack within BENT of full
+        extension, as a standard deviation, as far as the recording leaves that open [1/s^2].
+        """
+        left = self.told / np.hypot(self.told, BENT) if np.isfinite(self.told) else 1.0
+        return dict(zip(LEANING, np.abs([self.gravity, self.stiffness]) * left, strict=True))
+
 
 def slack_angle_remarks(
     problem: Problem, ended: SearchResult, errors: Sequence[float]
