@@ -116,20 +116,18 @@ def test_a_size_without_a_sign_is_not_at_its_limit_where_it_is_nothing(term, siz
 
 
 def test_what_a_formula_has_once_in_a_motion_may_be_a_moment():
-    """A swing that passes -1 rad again and again, and comes to -0.4 rad once."""
+    """A swing that passes -1 rad again and again, and is beyond -1.5 rad only as it begins."""
     time = np.arange(0.0, 10.0, 0.01)
-    angle = -1.0 + 0.65 * np.exp(-0.5 * time) * np.cos(6.0 * time - 6.0)
+    angle = -1.0 - 0.65 * np.exp(-0.5 * time) * np.cos(6.0 * time)
     velocity = np.gradient(angle, time)
-    bumps = [one for one in dictionary() if one.words.startswith("bump(x")]
+    bump = next(one for one in dictionary() if one.words.startswith("bump(x"))
 
-    def near(place):
-        return min(bumps, key=lambda one: abs(one.shape[0] - place) + one.shape[1])
+    def moment_of(place):
+        feature = replace(bump, shape=(place, 0.05))
+        return Formula((feature,), np.array([1.0]), 1.0, 0.0).moment_of(angle, velocity, time)
 
-    often, once = (Formula((near(each),), np.array([1.0]), 1.0, 0.0) for each in (-1.0, -0.6))
-    assert often.moment_of(angle, velocity, time) is None
-    first, last = once.moment_of(angle, velocity, time)
-    assert first < 1.0 < last
-    assert last - first < 0.4
+    assert moment_of(-1.0) is None
+    assert moment_of(-1.65) == (0.0, pytest.approx(0.1, abs=0.1))
 
 
 def test_forms_of_one_cause_and_exact_twins_are_one_answer():

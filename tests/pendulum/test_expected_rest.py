@@ -63,9 +63,8 @@ def test_a_leg_that_a_hand_held_softly_before_its_rest_has_an_error_that_holds_t
     (segment,) = whole.segments
     alone, held = segment.raw_angle, segment.raw_angle.copy()
     stopped = int(np.flatnonzero(np.abs(alone - leg.rest) > left)[-1])
-    held[stopped:] = alone[stopped] + 1e-4 * np.random.default_rng(1).normal(
-        size=held[stopped:].size
-    )
+    noise = 1e-4 * np.random.default_rng(1).normal(size=held.size - stopped)
+    held[stopped:] = alone[stopped] + noise
     (softly,) = measure_drops(recorded(held, segment.time, noise=1e-4)).drops
     (freely,) = measure_drops(whole).drops
     each = [one.measures["plateau_angle"] for one in (softly, freely)]

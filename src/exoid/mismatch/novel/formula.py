@@ -53,7 +53,7 @@ class Formula:
         velocity: Float[np.ndarray, " time"],
         time: Float[np.ndarray, " time"],
     ) -> tuple[float, float] | None:
-        """From when to when nearly all of it acts in a motion, by its square, with one turn at most;
+        """When nearly all of it acts in a motion, by its square, with one turn at most: from, to;
         None where it acts time and again. A place that a leg passes once may be a moment.
         """
         each = zip(self.coefficients, self.features, strict=True)
