@@ -48,6 +48,7 @@ def test_from_a_simulated_term_to_its_fit_to_its_simulation_to_its_plan(command,
     ("options", "said"),
     [
         (("--with", "coulomb_fricton=0.3"), "did you mean coulomb_friction?"),
+        (("--with", "friction"), "coulomb_friction or load_friction or stribeck_friction?"),
         (("--with", "coulomb_friction"), "level is missing; give level [N m]"),
         (("--with", "coulomb_friction=much"), "'much' is no number; give level [N m]"),
         (("--with", "coulomb_friction=99"), "level is 0 to 50 N m"),

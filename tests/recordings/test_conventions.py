@@ -67,7 +67,10 @@ MISTAKES = {  # name: what was done, and what the user is told, with and without
 }
 GYROS = {
     "in deg/s": (scaled(RATES, np.degrees(1.0)), "raw_velocity_deg_s"),
+    "rad/s called deg/s": (scaled(RATES, np.radians(1.0)), r"rad/s.*raw_velocity_rad_s\."),
     "other sign": (scaled(RATES, -1.0), "--flip gyro"),
+    "dead": (scaled(RATES, 0.0), "stays at 0 all along"),
+    "stuck": (scaled(RATES, 0.0, 0.2), "stays at 0.2 all along"),
 }
 
 

@@ -100,15 +100,15 @@ def disagreement(one: Alone, other: Alone, torn: bool) -> str | None:
     surprise = apart @ np.linalg.solve(covariance, apart)
     if not torn and (surprise < SURPRISE or relative.max() < LARGE):
         return None
-    worst = int(np.argmax(relative))
-    symbol, _, unit = RATIOS[COMMON[worst]]
-    values = " and ".join(f"{each.ratios[worst]:.3g}" for each in (one, other))
-    said = (
-        f"{one.recording} and {other.recording} do not look like one leg, or it changed: by "
-        f"themselves they give {symbol} = {values} {unit}"
-    )
+    said = f"{one.recording} and {other.recording} do not look like one leg, or it changed"
+    possible = (one.ratios > 0) & (other.ratios > 0)
+    worst = int(np.argmax(np.where(possible, relative, 0.0)))
+    if possible.any():
+        symbol, _, unit = RATIOS[COMMON[worst]]
+        values = " and ".join(f"{each.ratios[worst]:.3g}" for each in (one, other))
+        said += f": by themselves they give {symbol} = {values} {unit}"
     if torn:
         said += ", and each alone is explained, but not both together, however they were mounted"
-    else:
+    elif possible.any():
         said += f", {errors[worst]:.0f} standard errors apart"
     return f"{said}. If they are of different legs, fit them apart."

@@ -103,8 +103,11 @@ def terms_asked(
             raise ValueError(f"{option} {name}: it was said before. Say it once.")
         said.add(name)
         if name not in known:
-            close = get_close_matches(name, known, 1)
-            hint = f"did you mean {close[0]}?" if close else f"there are {', '.join(known)}."
+            inside = [each for each in known if name and name in each.split("_")]
+            close = inside or get_close_matches(name, known, 1)
+            hint = (
+                f"did you mean {' or '.join(close)}?" if close else f"there are {', '.join(known)}."
+            )
             raise ValueError(f"{option} {name}: there is no such term; {hint}")
         asked = equals or valued_all
         found[name] = valued(name, known[name], rest) if asked else known[name]

@@ -36,6 +36,8 @@ def check_destination(path: Path | None, kinds: tuple[str, ...] = ()) -> None:
         raise ValueError(
             f"{path}: the name must end in {' or '.join(f'.{kind}' for kind in kinds)}."
         )
+    if str(path) == "-":
+        raise ValueError("-: name a file; nothing but the table goes to the terminal.")
     if path.is_dir():
         raise ValueError(f"{path}: this is a directory. Name the file to write in it.")
     if path.exists() and not path.is_file():  # a pipe or a device

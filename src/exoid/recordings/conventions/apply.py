@@ -16,7 +16,7 @@ from exoid.recordings.conventions.file_clock import (
     unlike_rate,
     wrong_clock,
 )
-from exoid.recordings.conventions.gyro_agreement import wrong_sign, wrong_unit
+from exoid.recordings.conventions.gyro_agreement import dead_gyro, wrong_sign, wrong_unit
 from exoid.recordings.conventions.mounting import settled, turned
 from exoid.recordings.conventions.other_leg import another_leg
 from exoid.recordings.conventions.thin import thinned
@@ -44,7 +44,7 @@ def understand(
     refuse(wrong_clock(recording))
     recording = from_first_sample(recording)
     recording, notes = turned(told(recording, flip, zero))
-    refuse(tiny(recording) or wrong_unit(recording))
+    refuse(tiny(recording) or dead_gyro(recording) or wrong_unit(recording))
     notes = (*unlike_rate(recording), *notes)
     if not whole:
         recording, averaged = thinned(recording)

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from exoid.recordings.recording import Recording, Segment, known
+from exoid.recordings.samples import Samples
 from exoid.recordings.signal.condition import SMOOTHING
 from exoid.recordings.signal.local_line import local_line
 
@@ -14,6 +15,12 @@ FEWEST = 8  # samples
 ALIKE = 0.7  # correlation from which on gyro and slope are the same motion
 DEGREE = float(np.degrees(1.0))
 NEAR = 1.6  # factor within which a slope is that of a unit
+TURN = 2 * np.pi  # rad, which no knee moves: its angle is in degrees
+MOVES = np.radians(20.0)  # rad, of a movement that no gyro misses
+IN_RADIANS = (
+    "The angle moves as a leg does: is the gyro in rad/s, and its column says deg/s? Then name the "
+    "column {0}."
+)
 
 
 @dataclass(frozen=True)
@@ -24,6 +31,7 @@ class Agreement:
     correlation: float
     column: str
     angle_column: str
+    travel: float  # rad, of the angle from end to end
 
 
 def agreement(segment: Segment) -> Agreement | None:
@@ -44,27 +52,65 @@ def agreement(segment: Segment) -> Agreement | None:
     both = np.sqrt(np.sum(mine**2) * np.sum(other**2))
     if not both > 0:
         return None
-    columns = {entry.name: entry.metadata["column"] for entry in known(segment)}
-    of_angle, of_gyro = (columns[name] for name in pair)
-    return Agreement(
-        float(mine @ other / np.sum(mine**2)), float(mine @ other / both), of_gyro, of_angle
-    )
+    of_angle, of_gyro = (column_of(segment, name) for name in pair)
+    slope, correlation = mine @ other / np.sum(mine**2), mine @ other / both
+    travel = np.nanmax(angle) - np.nanmin(angle)
+    return Agreement(float(slope), float(correlation), of_gyro, of_angle, float(travel))
+
+
+def column_of(segment: Segment, channel: str) -> str:
+    """What a table calls a channel."""
+    return next(entry.metadata["column"] for entry in known(segment) if entry.name == channel)
 
 
 def wrong_unit(recording: Recording) -> str | None:
-    """A gyro in deg/s, or an angle in degrees, where the column says rad."""
+    """A gyro in deg/s, or an angle in degrees, where the column says rad; or a gyro in rad/s that
+    was called deg/s.
+    """
     for number, segment in enumerate(recording.segments):
         found = agreement(segment)
         if found is None or abs(found.correlation) < ALIKE:
             continue
-        for factor, wrong in ((DEGREE, found.column), (1 / DEGREE, found.angle_column)):
-            if factor / NEAR < abs(found.slope) < factor * NEAR:
+        gyro, angle = found.column, found.angle_column
+        said = f"segment {number}: {gyro} is {abs(found.slope):.3g} times the slope of {angle}."
+        if is_near(found.slope, DEGREE):
+            return f"{said} {in_degrees(gyro)}"
+        if is_near(found.slope, 1 / DEGREE):
+            return f"{said} {in_degrees(angle) if found.travel > TURN else IN_RADIANS.format(gyro)}"
+    return None
+
+
+def is_near(slope: float, factor: float) -> bool:
+    return factor / NEAR < abs(slope) < factor * NEAR
+
+
+def in_degrees(column: str) -> str:
+    return (
+        f"Is {column} in degrees? Then name the column {column.replace('_rad', '_deg')}; a log has "
+        "its unit in the DBC."
+    )
+
+
+def dead_gyro(recording: Recording) -> str | None:
+    """A gyro with one value all along, while the angle moves."""
+    for number, segment in enumerate(recording.segments):
+        channels = segment.channels()
+        for angle, gyro in PAIRS:
+            if not channels.keys() >= {angle, gyro}:
+                continue
+            moved, shown = (values(channels[name]) for name in (angle, gyro))
+            if shown.size == 1 and moved.size and moved[-1] - moved[0] > MOVES:
                 return (
-                    f"segment {number}: {found.column} is {abs(found.slope):.3g} times the slope "
-                    f"of {found.angle_column}. Is {wrong} in degrees? Then name the column "
-                    f"{wrong.replace('_rad', '_deg')}; a log has its unit in the DBC."
+                    f"segment {number}: the angle moves, and {column_of(segment, gyro)} stays at "
+                    f"{shown[0] + 0.0:.3g} all along. Is the gyro unplugged? Leave its column out, "
+                    "or record it again."
                 )
     return None
+
+
+def values(samples: Samples) -> Samples:
+    """All that were measured, each once, the least first."""
+    return np.unique(samples[~np.isnan(samples)])
 
 
 def wrong_sign(recording: Recording) -> str | None:

@@ -48,7 +48,7 @@ def headline(found: Diagnosis) -> str:
 
 def verdict(found: Diagnosis) -> str:
     """What is missing by its name, where it has one; else the headline."""
-    if found.verdict != "mismatch" or found.novel or not found.selected:
+    if found.verdict != "mismatch" or found.novel or only_sensors(found) or not found.selected:
         return headline(found)
     return "Missing: " + " and ".join(titles(found))
 

@@ -42,7 +42,7 @@ def read_log(path: Path) -> Log:
     **Raises** `CanLogError` when there are none, and `OSError` when the file cannot be opened.
     """
     kind = path.suffix.lower()
-    if kind not in FORMATS:
+    if kind not in FORMATS and path.exists():
         raise CanLogError(
             f"{path}: a recording is a table (.csv .txt .xlsx .parquet .mat .npz .mot .sto .c3d) "
             f"or a CAN log ({', '.join(FORMATS)}). Save or export it as one of these."

@@ -87,9 +87,12 @@ def sided(found: Agreement, corrected: float, count: int) -> str:
     shown = with_interval(effect, pairs.unit)
     differ = f"sides differ on average, right less left is {shown}"
     if not corrected < SURE:
+        may = "cannot be told apart from zero"
+        if effect.low > 0 or effect.high < 0:
+            may = "may be chance, of so many comparisons,"
         differ = (
-            f"right less left is {shown}, which cannot be told apart from zero and could be as "
-            f"large as {largest(effect, pairs.unit)}"
+            f"right less left is {shown}, which {may} and could be as large as "
+            f"{largest(effect, pairs.unit)}"
         )
     return (
         f"{capital(what)}: {differ}, {odds(found.p, corrected, count)}, in {found.people} people; "
