@@ -16,7 +16,7 @@ ALIKE = 0.7  # correlation from which on gyro and slope are the same motion
 DEGREE = float(np.degrees(1.0))
 NEAR = 1.6  # factor within which a slope is that of a unit
 TURN = 2 * np.pi  # rad, which no knee moves: its angle is in degrees
-MOVES = np.radians(20.0)  # rad, of a movement that no gyro misses
+MOVES = np.radians(10.0)  # rad, of a movement that no gyro misses
 IN_RADIANS = (
     "The angle moves as a leg does: is the gyro in rad/s, and its column says deg/s? Then name the "
     "column {0}."
