@@ -175,6 +175,15 @@ def test_panels_show_degrees_and_their_rmse():
     assert band.height == pytest.approx(4 * np.degrees(result.segments[0].angle_noise))
 
 
+def test_what_was_averaged_over_segments_is_not_called_undetermined():
+    result = agreeing()
+    ratios = {name: replace(each, shares=None) for name, each in result.ratios.items()}
+    bars = panel(plot_fit(replace(result, ratios=ratios)), "share of the precision")
+    said = [label.get_text() for label in bars.texts]
+    assert said.count("the segments, by their mean and scatter") == len(ratios)
+    assert said.count("not determined") == 1
+
+
 def test_legends_name_each_thing_once():
     figure = plot_fit(fitted(), profiled())
     for part in figure.subfigs:

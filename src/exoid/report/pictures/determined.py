@@ -14,6 +14,7 @@ from exoid.report.words.text import NOT_DETERMINED, in_words
 SOURCES = {"data": Role.DATA, "prior": Role.PRIOR, "bound": Role.BOUND}
 GAP = 0.6  # of a bar, between parameters, ratios and what terms have
 BAR, ROW = 0.47, 0.8  # sizes of a bar and of a parameter's panel
+AVERAGED = "the segments, by their mean and scatter"  # of what each was fitted by itself
 HEIGHTS = {Role.CHOSEN: 0.75, Role.EXPECTED: 0.25, Role.LIMIT: 0.5}  # in a row
 
 
@@ -27,12 +28,16 @@ def shares_of(result: FitResult) -> Panel:
         part = np.array([0.0 if e.shares is None else getattr(e.shares, source) for e in each])
         bars.append(Bars(role, rows, part, begin))
         begin = begin + part
-    untold = [row for row, one in zip(rows, each, strict=True) if one.shares is None]
+    untold = [
+        Note(NOT_DETERMINED if one.value is None else AVERAGED, 0.02, float(row))
+        for row, one in zip(rows, each, strict=True)
+        if one.shares is None
+    ]
     labels = tuple((float(row), f"`{one.symbol}`") for row, one in zip(rows, each, strict=True))
     return Panel(
         Axis("share of the precision", "-", (0.0, 1.0)),
         Axis(ticks=labels, reversed=True),
-        (*bars, *(Note(NOT_DETERMINED, 0.02, float(row)) for row in untold)),
+        (*bars, *untold),
         size=BAR * len(each),
     )
 
