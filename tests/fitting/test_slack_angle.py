@@ -71,3 +71,12 @@ def test_a_rig_and_a_leg_without_a_spring_lean_on_none():
     rig = fitted(noise=LOUD, subject=Subject(kind="rig"))
     assert leans(rig) is None
     assert not noted(fitted(noise=LOUD, leg=(27.5, 0.0, 0.8)))
+
+
+@pytest.mark.parametrize("degrees", [-11.5, 0.0, 11.5])
+def test_where_the_spring_is_slack_is_told_to_first_order(degrees):
+    found = leans(fitted(np.radians(degrees)))
+    assert found is not None
+    assert np.degrees(found.seen) == pytest.approx(
+        degrees, abs=max(2 * np.degrees(found.told), 1.0)
+    )

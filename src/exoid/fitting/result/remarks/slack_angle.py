@@ -30,15 +30,17 @@ class Leaning:
 
     gravity: Annotated[float, "1/s^2"]
     stiffness: Annotated[float, "1/s^2"]
-    told: Annotated[float, "rad"]  # the error with which the recording tells the rest angle
+    seen: Annotated[float, "rad"]  # the rest angle that the recording shows
+    told: Annotated[float, "rad"]  # the error with which it does so
 
     @property
     def spread(self) -> dict[str, float]:
-        """What the ratios scatter by over legs whose springs are slack within BENT of full
-        extension, as a standard deviation, as far as the recording leaves that open [1/s^2].
+        """How far the ratios of legs whose springs are slack within BENT of full extension, as a
+        standard deviation, and that show the same, are from the fit's: root mean square [1/s^2].
         """
-        left = self.told / np.hypot(self.told, BENT) if np.isfinite(self.told) else 1.0
-        return dict(zip(LEANING, np.abs([self.gravity, self.stiffness]) * left, strict=True))
+        trust = 1 / (1 + (self.told / BENT) ** 2)  # of what is seen, beside what is usual
+        usual = np.hypot(trust * self.seen / BENT if trust else 0.0, np.sqrt(1 - trust))
+        return dict(zip(LEANING, np.abs([self.gravity, self.stiffness]) * usual, strict=True))
 
 
 def slack_angle_remarks(
@@ -68,25 +70,28 @@ def leaning(problem: Problem, ended: SearchResult) -> Leaning | None:
     stiffness, terms = float(ended.point.shared.stiffness), map(name_of, problem.terms)
     if problem.belief.rig or stiffness <= 0 or CONSTANT & set(terms):
         return None
-    pull, left = answer(problem, ended)
+    pull, left, seen = answer(problem, ended)
     rows = [problem.quantities.index(name) for name in LEANING]
     gravity, spring = ended.local.quantities[rows] @ pull
     torque = -stiffness * BENT / max(1 - spring * BENT, 1 / STIFFER)
     told = left**-0.5 / stiffness if left > 0 else np.inf
-    return Leaning(float(-gravity * torque), float(-spring * torque), told)
+    angle = seen / left / stiffness if left > 0 else 0.0
+    return Leaning(float(-gravity * torque), float(-spring * torque), angle, told)
 
 
-def answer(problem: Problem, ended: SearchResult) -> tuple[np.ndarray, float]:
-    """H^-1 A'S for a constant torque of 1 rad/s^2 times J, and what the data tell of the torque
-    beside the coordinates.
+def answer(problem: Problem, ended: SearchResult) -> tuple[np.ndarray, float, float]:
+    """H^-1 A'S for a constant torque of 1 rad/s^2 times J; what the data tell of the torque beside
+    the coordinates; and, over that, the torque that the residual shows.
     """
     scale = ended.disturbance.scale * ended.disturbance.weighing(problem.kinds)
-    known, slope, own = ended.local.prior.copy(), np.zeros(len(ended.local.prior)), 0.0
+    known, slope = ended.local.prior.copy(), np.zeros(len(ended.local.prior))
+    own = seen = 0.0
     for each, unit in zip(grams_at(problem, ended.best, 0, ["torque"]), scale, strict=True):
         gram = each["torque"]
         pushed = gram.effect.sum(axis=1) / unit
         known[np.ix_(gram.place, gram.place)] += gram.fitted[:-1, :-1] / unit**2
         slope[gram.place] += pushed @ gram.inside[:, :-1] / unit
         own += pushed @ pushed
+        seen -= pushed @ gram.inside[:, -1] / unit
     pull = inverse_times(decomposed(known), slope)
-    return pull, float(own - slope @ pull)
+    return pull, float(own - slope @ pull), float(seen)

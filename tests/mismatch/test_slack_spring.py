@@ -1,0 +1,34 @@
+"""A diagnosis holds in ± that nobody knows where a knee's spring is slack; legs by SciPy."""
+
+import pytest
+
+from exoid.fitting.result.fit_result import RIVALS
+from exoid.fitting.result.remarks.slack_angle import BENT
+from exoid.mismatch.missing_physics import diagnose
+from exoid.recordings.recording import Sensors
+from legs import ADULT, BODY, drop, recording
+
+LOUD = (0.015, 0.0)  # rad; no gyro
+
+
+@pytest.fixture(scope="module")
+def bent():
+    """It looks like Eq. 9 to its sensors, and its ratios are those of another leg."""
+    made = drop(slack=-BENT, noise=LOUD, gyro=False)
+    return diagnose(recording(made, sensors=Sensors(angle_noise=LOUD[0]), subject=BODY))
+
+
+@pytest.mark.parametrize(
+    ("name", "true"), [("gravity_over_inertia", ADULT[0]), ("stiffness_over_inertia", ADULT[1])]
+)
+def test_the_error_holds_the_leg_where_nothing_is_seen_to_be_missing(bent, name, true):
+    assert bent.verdict == "none"
+    found = bent.fit.ratios[name]
+    off = abs(found.value - true)
+    assert off < 2 * found.standard_error
+    alone = found.standard_error * (1 - found.limited_by[RIVALS]) ** 0.5
+    assert off > 4 * alone  # by which Eq. 9 alone would have been wrong
+
+
+def test_it_is_said_what_the_error_holds(bent):
+    assert "a spring that is slack up to 30 deg from full extension" in " ".join(bent.reasons)
