@@ -57,7 +57,8 @@ class Formula:
         None where it acts time and again. A place that a leg passes once may be a moment.
         """
         each = zip(self.coefficients, self.features, strict=True)
-        square = sum(size * one.of(angle, velocity, time, np) for size, one in each) ** 2
+        acting = [size * one.of(angle, velocity, time, np) for size, one in each]
+        square = np.square(np.sum(acting, axis=0))
         most = int(np.argmax(square))
         faint = np.flatnonzero(square < FAINT * square[most])
         first = max(faint[faint < most], default=-1) + 1
