@@ -73,10 +73,11 @@ def largest_of(found: Found, best: Optimum) -> list[type[Term]]:
 
 
 def at_its_most(term: type[Term], size: float, found: Found) -> bool:
+    """Is a size at the end of its range? None is no end where it has no sign."""
     _, first = next(declarations(term))
-    size_of = ranged(first, found.prepared.scale)
-    room = NEAR * (size_of.upper - size_of.lower)
-    return size > size_of.upper - room or size < min(size_of.lower + room, 0.0)
+    declared = ranged(first, found.prepared.scale)
+    room = NEAR * (declared.upper - declared.lower)
+    return size > declared.upper - room or size < min(declared.lower + room, 0.0)
 
 
 def with_one_less(found: Found, best: Optimum) -> list[Optimum]:

@@ -113,7 +113,7 @@ def at_once(formula: NovelTorque) -> str:
     first, last = formula.once
     return (
         f". Nearly all of it acts once, from {first:.2f} to {last:.2f} s: whether that goes with "
-        "the place, as written, or with the moment, as a touch does, one passage cannot tell"
+        "the place or with the moment, as a touch does, one passage cannot tell"
     )
 
 
