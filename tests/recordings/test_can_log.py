@@ -424,8 +424,10 @@ def test_an_empty_file_is_called_empty(tmp_path, suffix):
 
 
 def test_an_unknown_format_names_the_known_ones(tmp_path):
+    path = tmp_path / "leg.db"
+    path.touch()
     with pytest.raises(CanLogError, match=r"\.blf, \.mf4, \.asc"):
-        read_can_log(tmp_path / "leg.db")
+        read_can_log(path)
 
 
 def test_mf4_without_asammdf_says_what_to_install(tmp_path, monkeypatch):

@@ -99,7 +99,8 @@ def dead_gyro(recording: Recording) -> str | None:
             if not channels.keys() >= {angle, gyro}:
                 continue
             moved, shown = (values(channels[name]) for name in (angle, gyro))
-            if shown.size == 1 and moved.size and moved[-1] - moved[0] > MOVES:
+            enough = np.count_nonzero(~np.isnan(channels[gyro])) >= FEWEST
+            if enough and shown.size == 1 and moved.size and moved[-1] - moved[0] > MOVES:
                 return (
                     f"segment {number}: the angle moves, and {column_of(segment, gyro)} stays at "
                     f"{shown[0] + 0.0:.3g} all along. Is the gyro unplugged? Leave its column out, "
