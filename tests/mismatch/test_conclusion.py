@@ -29,6 +29,7 @@ from exoid.mismatch.with_model import for_inertia
 from exoid.physics.parameter import declarations
 from exoid.physics.scale import AS_A_LEG
 from exoid.physics.sensing.clock_rate import ClockRate
+from exoid.physics.sensing.encoder_gain import EncoderGain
 from exoid.physics.sensing.gyro_scale import GyroScale
 from exoid.physics.terms.device.backlash import Backlash
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
@@ -93,19 +94,27 @@ def test_what_even_the_best_leaves_may_tell_it_from_its_rivals():
         (0.5, 1_000.0, (WobblingMass,)),
     ],
 )
-def test_what_would_have_to_be_larger_than_it_can_be_is_certain_only_down_to_the_noise(
-    share, left, certain
-):
+def test_a_lone_cause_as_large_as_it_can_be_is_certain_only_down_to_the_noise(share, left, certain):
     one = explaining(left, WobblingMass)
     values = (np.array([share, *one.candidate.values[0][1:]]),)
     best = replace(one, candidate=replace(one.candidate, values=values))
     assert certain_of(found_of([best]), best) == certain
 
 
+def test_beside_another_cause_none_is_certain_that_would_have_to_be_larger_than_it_can_be():
+    pair = explaining(1_000.0, CoulombFriction, WobblingMass)
+    friction, tissue = pair.candidate.values
+    for share, certain in ((0.3, (CoulombFriction, WobblingMass)), (0.5, (CoulombFriction,))):
+        values = friction, np.array([share, *tissue[1:]])
+        best = replace(pair, candidate=replace(pair.candidate, values=values))
+        assert certain_of(found_of([], [best]), best) == certain
+
+
 @pytest.mark.parametrize(
     ("term", "size", "most"),
     [
-        (TorqueBias, -50.0, True),
+        (EncoderGain, -0.2, True),
+        (StiffnessRestAngle, -2.0, False),
         (TorqueBias, 0.0, False),
         (CoulombFriction, 0.0, False),
         (CoulombFriction, 50.0, True),

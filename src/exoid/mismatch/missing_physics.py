@@ -13,7 +13,7 @@ from exoid.fitting.estimate import fit
 from exoid.fitting.result.fit_result import FitResult
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.mismatch.conclude.asserted import plainest
-from exoid.mismatch.conclude.choose import Chosen, causes, choose
+from exoid.mismatch.conclude.choose import Chosen, choose
 from exoid.mismatch.conclude.conclusion import concluded
 from exoid.mismatch.conclude.formulated import formulated
 from exoid.mismatch.conclude.sensor_faults import with_faults_told
@@ -24,7 +24,7 @@ from exoid.mismatch.evidence.proof import predict
 from exoid.mismatch.prepare import prepare
 from exoid.mismatch.screen.optimise import strikes
 from exoid.mismatch.search.challenge import challenged, with_strikes
-from exoid.mismatch.search.found import names, size
+from exoid.mismatch.search.found import causes, names, size
 from exoid.mismatch.search.search import look
 from exoid.mismatch.with_model import just_made, with_model
 from exoid.physics.term import SensorTerm, Term

@@ -6,7 +6,7 @@ import numpy as np
 
 from exoid.mismatch.screen.effect import named
 from exoid.mismatch.screen.hypothesis import Optimum
-from exoid.mismatch.search.found import Found, size
+from exoid.mismatch.search.found import Found, causes, size
 from exoid.mismatch.search.rank import alike, simpler_form
 from exoid.physics.library import library
 from exoid.physics.parameter import declarations
@@ -56,24 +56,29 @@ def only_inside(cause: type[Term], certain: list[type[Term]], every: Sequence[Op
 
 def certain_of(found: Found, best: Optimum) -> tuple[type[Term], ...]:
     """The causes that are certain. Where more than noise is left, the last cause may only take up
-    what nobody knows: then also what is best without one of them must have them, and none that is
-    as large as it can be counts.
+    what nobody knows: then also what is best without one of them must have them.
     """
-    if found.yardstick.explains(best.square):
-        return asserted(best, equivalents(found, best))
-    certain = asserted(best, [*equivalents(found, best), *with_one_less(found, best)])
-    most = largest_of(found, best)
+    fewer = [] if found.yardstick.explains(best.square) else with_one_less(found, best)
+    certain, most = asserted(best, [*equivalents(found, best), *fewer]), stretched(found, best)
     return tuple(one for one in certain if not any(same_cause(one, term) for term in most))
 
 
-def largest_of(found: Found, best: Optimum) -> list[type[Term]]:
-    """Its causes that are as large as they can be, by the first of their parameters."""
+def stretched(found: Found, best: Optimum) -> list[type[Term]]:
+    """Its causes that are as large as they can be, by the first of their parameters, and so stand
+    in for what it does not have; none of a lone cause that leaves only noise.
+    """
+    if found.yardstick.explains(best.square) and causes(best) < 2:
+        return []
     each = zip(best.candidate.terms, best.candidate.values, strict=True)
     return [term for term, value in each if at_its_most(term, float(value[0]), found)]
 
 
 def at_its_most(term: type[Term], size: float, found: Found) -> bool:
-    """Is a size at the end of its range? None is no end where it has no sign."""
+    """Is a size at the end of its range? None is no end where it has no sign, nor is a rest angle
+    as far off as a constant torque.
+    """
+    if term.same_torque:
+        return False
     _, first = next(declarations(term))
     declared = ranged(first, found.prepared.scale)
     room = NEAR * (declared.upper - declared.lower)

@@ -6,7 +6,7 @@ from itertools import groupby
 from exoid.mismatch.evidence.prediction import Prediction, improves
 from exoid.mismatch.evidence.proof import predict
 from exoid.mismatch.screen.hypothesis import Optimum
-from exoid.mismatch.search.found import Found
+from exoid.mismatch.search.found import Found, causes
 from exoid.mismatch.search.rank import alike, by_evidence
 
 FURTHER = 2.0  # times as far apart must a set be from one with fewer causes: it is one of many
@@ -47,8 +47,3 @@ def by_count(found: Found) -> list[Optimum]:
     every.sort(key=causes)
     same = [list(each) for _, each in groupby(every, key=causes)]
     return [by_evidence(each, found.base, found.yardstick)[0] for each in same]
-
-
-def causes(one: Optimum) -> int:
-    """How many; what every gyro has some of, as a scale and a delay, counts as one or as none."""
-    return max(1, sum(not term.everyday for term in one.candidate.terms))

@@ -7,7 +7,7 @@ import numpy as np
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.remarks.remarks import unlike_anatomy
 from exoid.mismatch.answer.diagnosis import Diagnosis, Finding, NovelTorque, Suspect, Verdict
-from exoid.mismatch.conclude.asserted import certain_of, equivalents, has, largest_of, weight
+from exoid.mismatch.conclude.asserted import certain_of, equivalents, has, stretched, weight
 from exoid.mismatch.conclude.cannot_tell import (
     chance,
     hands,
@@ -235,11 +235,11 @@ def undecided(found: Found, equal: list[Optimum]) -> list[str]:
     if len(equal) == 1:
         alone = words(names(equal[0]))
         return [f"{alone} explains most, at values at which it is not what it is called"]
-    most = [] if found.yardstick.explains(equal[0].square) else largest_of(found, equal[0])
+    most = stretched(found, equal[0])
     if most:
         return [
-            f"{words([name_of(term) for term in most])} explains most, but would have to be larger "
-            "than it can be, and more than noise remains: something else is missing"
+            f"{words([name_of(term) for term in most])} would have to be larger than it can be, "
+            "and stands in for something else"
         ]
     each = [f"{words(names(one)) or 'no cause'} ({found.followed(one):.0%})" for one in equal]
     return [

@@ -5,7 +5,7 @@ from functools import partial
 import numpy as np
 
 from exoid.fitting.solve.side_by_side import side_by_side
-from exoid.mismatch.conclude.choose import Chosen, causes
+from exoid.mismatch.conclude.choose import Chosen
 from exoid.mismatch.evidence.prediction import improves
 from exoid.mismatch.evidence.proof import predict
 from exoid.mismatch.evidence.yardstick import SURE
@@ -13,7 +13,7 @@ from exoid.mismatch.novel.formula import Formula, term_of
 from exoid.mismatch.novel.sparse_regression import describe
 from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.screen.optimise import settle_free
-from exoid.mismatch.search.found import Found
+from exoid.mismatch.search.found import Found, causes
 
 LEFT = 0.5  # of what the library leaves, that a formula may leave to take its place
 KNOWN = 0.5  # share of a formula that a term of the library is, up to which it is new

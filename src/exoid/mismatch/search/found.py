@@ -61,3 +61,8 @@ def best_of(settled: list[Optimum]) -> list[Optimum]:
 
 def names(one: Optimum) -> list[str]:
     return [name_of(term) for term in one.candidate.terms]
+
+
+def causes(one: Optimum) -> int:
+    """How many; what every gyro has some of, as a scale and a delay, counts as one or as none."""
+    return max(1, sum(not term.everyday for term in one.candidate.terms))
