@@ -180,7 +180,7 @@ def test_what_was_averaged_over_segments_is_not_called_undetermined():
     ratios = {name: replace(each, shares=None) for name, each in result.ratios.items()}
     bars = panel(plot_fit(replace(result, ratios=ratios)), "share of the precision")
     said = [label.get_text() for label in bars.texts]
-    assert said.count("the segments, by their mean and scatter") == len(ratios)
+    assert said.count("mean of the segments") == len(ratios)
     assert said.count("not determined") == 1
 
 

@@ -14,7 +14,7 @@ from exoid.report.words.text import NOT_DETERMINED, in_words
 SOURCES = {"data": Role.DATA, "prior": Role.PRIOR, "bound": Role.BOUND}
 GAP = 0.6  # of a bar, between parameters, ratios and what terms have
 BAR, ROW = 0.47, 0.8  # sizes of a bar and of a parameter's panel
-AVERAGED = "the segments, by their mean and scatter"  # of what each was fitted by itself
+AVERAGED = "mean of the segments"  # each fitted by itself
 HEIGHTS = {Role.CHOSEN: 0.75, Role.EXPECTED: 0.25, Role.LIMIT: 0.5}  # in a row
 
 
