@@ -14,11 +14,9 @@ OPTIONS = {"xla_cpu_use_fusion_emitters": False, "xla_cpu_experimental_ynn_fusio
 
 
 def one_kernel(function: Callable[..., Any]):
-    """`jax.jit` of a function of small arrays. On a processor it becomes one kernel: starting one
-    for each of some hundred operations takes longer than what they do.
+    """`jax.jit` of a function of small arrays as one kernel of a processor: starting one for each
+    of some hundred operations takes longer than what they do.
     """
-    if jax.default_backend() != "cpu":
-        return jax.jit(function)
     inside = jax.jit(function)
 
     def whole(*given: Any):

@@ -19,6 +19,7 @@ from jax.experimental import serialize_executable
 from jaxlib.xla_client import get_topology_for_devices
 
 from exoid.files.replacing import begun
+from exoid.fitting.solve.compiled.machine_code import processor
 
 SHOWING = ("cli", "studies", "report", "watching")  # rooms above every program: none imports them
 LIBRARIES = ("jax", "jaxlib", "equinox", "lineax", "optimistix")  # whose code is in a program
@@ -67,12 +68,12 @@ def machine() -> tuple[str, ...]:
     """What of this machine is in machine code: its kind, what its processor can, and what XLA was
     told.
     """
-    devices = jax.devices()
+    devices = processor().client.devices()
     try:
         own = str(get_topology_for_devices(devices).fingerprint())
     except jax.errors.JaxRuntimeError:  # of a kind of device that XLA cannot describe
         own = devices[0].device_kind
-    return platform.machine(), jax.default_backend(), own, os.environ.get("XLA_FLAGS", "")
+    return platform.machine(), devices[0].platform, own, os.environ.get("XLA_FLAGS", "")
 
 
 def classes(structure) -> set[type]:
@@ -123,7 +124,10 @@ def load(path: Path, arguments: int, results: int) -> jax.stages.Compiled | None
     with_linear_algebra()
     try:
         code = zlib.decompress(content[DIGEST:])
-        return serialize_executable.deserialize_and_load(code, given, made)
+        device = processor()
+        return serialize_executable.deserialize_and_load(
+            code, given, made, device.client, [device]
+        )
     except jax.errors.JaxRuntimeError:
         return None
 
@@ -133,7 +137,8 @@ def with_linear_algebra() -> None:
     """Have JAX find LAPACK, which it does where it lowers a call of it: machine code that is loaded
     calls it as well.
     """
-    jax.jit(jax.lax.linalg.cholesky).lower(jax.ShapeDtypeStruct((1, 1), np.float32))
+    with jax.default_device(processor()):
+        jax.jit(jax.lax.linalg.cholesky).lower(jax.ShapeDtypeStruct((1, 1), np.float32))
 
 
 def store(path: Path, code: jax.stages.Compiled) -> None:

@@ -33,12 +33,25 @@ def compiled(name: str, structure, shapes, static, *, brief: bool) -> jax.stages
     return machine_code(jax.jit(function, compiler_options=understood(brief=brief)), shapes)
 
 
+@cache
+def processor() -> Any:
+    """What every program runs on: a graphics card that JAX also finds begins the many small steps
+    of a recording later than a processor ends them. Where JAX is told of no processor, its first
+    device.
+    """
+    try:
+        return jax.devices("cpu")[0]
+    except RuntimeError:
+        return jax.devices()[0]
+
+
 def machine_code(function: Any, shapes) -> jax.stages.Compiled:
-    """What `jax.jit` gave, compiled for these shapes."""
-    with uncollected():
-        lowered = function.lower(*(jax.ShapeDtypeStruct(*shape) for shape in shapes))
-    with apart():
-        code = lowered.compile()
+    """What `jax.jit` gave, compiled for these shapes and the processor."""
+    with jax.default_device(processor()):
+        with uncollected():
+            lowered = function.lower(*(jax.ShapeDtypeStruct(*shape) for shape in shapes))
+        with apart():
+            code = lowered.compile()
     give_back()
     return code
 
@@ -97,11 +110,10 @@ def options(*, brief: bool) -> dict[str, Any]:
 @cache
 def understood(*, brief: bool) -> dict[str, Any]:
     """The options, where they are for this machine and this version of XLA knows them."""
-    if jax.default_backend() != "cpu":
-        return {}
     wanted = options(brief=brief)
     try:
-        jax.jit(lambda: np.zeros(()), compiler_options=wanted).lower().compile()
+        with jax.default_device(processor()):
+            jax.jit(lambda: np.zeros(()), compiler_options=wanted).lower().compile()
     except jax.errors.JaxRuntimeError:
         return {}
     return wanted
