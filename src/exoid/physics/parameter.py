@@ -9,6 +9,7 @@ from jaxtyping import Float
 
 Parameter = Float[Any, ""]  # a number of a term
 Starts = tuple[float, ...] | Callable[[float, float], tuple[float, ...]]
+AT_AN_END = 1e-3  # of a parameter's range, within which it is at an end of it
 
 
 @dataclass(frozen=True)

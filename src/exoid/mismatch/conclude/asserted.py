@@ -9,11 +9,9 @@ from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.search.found import Found, causes, size
 from exoid.mismatch.search.rank import alike, simpler_form
 from exoid.physics.library import library
-from exoid.physics.parameter import declarations
+from exoid.physics.parameter import AT_AN_END, declarations
 from exoid.physics.scale import ranged
 from exoid.physics.term import Term, holds, name_of
-
-NEAR = 1e-3  # of a parameter's range, within which it is at its limit
 
 
 def equivalents(found: Found, best: Optimum) -> list[Optimum]:
@@ -81,7 +79,7 @@ def at_its_most(term: type[Term], size: float, found: Found) -> bool:
         return False
     _, first = next(declarations(term))
     declared = ranged(first, found.prepared.scale)
-    room = NEAR * (declared.upper - declared.lower)
+    room = AT_AN_END * (declared.upper - declared.lower)
     return size > declared.upper - room or size < min(declared.lower + room, 0.0)
 
 

@@ -7,6 +7,7 @@ from exoid.fitting.result.fit_result import FitResult
 from exoid.mismatch.answer.diagnosis import Diagnosis, NovelTorque, Parameter
 from exoid.mismatch.sensors.agreement import BIAS, SensorError
 from exoid.physics.library import library
+from exoid.physics.parameter import AT_AN_END
 from exoid.report.words.text import DIMENSIONLESS, in_degrees, quantity_words, with_error
 
 SEEN = 0.01  # share of a number, from which on its change is worth a word
@@ -27,7 +28,6 @@ ORIGINS = {  # of an inertia that the motion does not tell alone
     "both": "to which the prior adds: torques grow with it",
     "bound": "which a bound sets: torques grow with it",
 }
-NEAR = 1e-6  # share of a parameter's range, within which it is at its limit
 CERTAIN = 0.001  # below this share a chance is written as "below"
 
 
@@ -174,7 +174,7 @@ def at_limit(each: Parameter | SensorError) -> bool:
     declared = dict(parameters_of(library())).get(each.name)
     if declared is None:
         return False
-    near = NEAR * (declared.upper - declared.lower)
+    near = AT_AN_END * (declared.upper - declared.lower)
     return min(abs(each.value - declared.lower), abs(each.value - declared.upper)) < near
 
 

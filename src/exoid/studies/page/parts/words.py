@@ -107,9 +107,10 @@ def largest(effect: Interval, unit: str) -> str:
 
 
 def limits(found: Agreement) -> str:
-    half = (found.upper.high - found.upper.low) / 2
+    """The limits of agreement, and how sure they are of so many people."""
+    half, unit = (found.upper.high - found.upper.low) / 2, shown_unit(found.pairs.unit)
     ends = (number(each.value, half) for each in (found.lower, found.upper))
-    return f"{' and '.join(ends)} {shown_unit(found.pairs.unit)}".rstrip()
+    return f"{' and '.join(ends)} {unit}".rstrip() + f" (each to {number(half)} {unit}".rstrip() + ")"
 
 
 def repeated(found: Reliability) -> str:
