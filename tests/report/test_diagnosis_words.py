@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 import pytest
-from diagnosis_by_hand import found
+from diagnosis_by_hand import found, novel
 
 from exoid.fitting.misfit.uncertainty import Shares
 from exoid.fitting.result.fit_result import Estimate
@@ -104,3 +104,12 @@ def test_what_may_act_besides_is_apart_from_what_it_may_be_instead():
 def test_a_number_that_is_smaller_than_its_error_is_no_size():
     wide = Parameter("torque_bias.bias", -0.2, "N m", 1.3)
     assert parameter(wide) == "bias not determined (± 1.3 N m)"
+
+
+def test_a_formula_of_half_a_torque_is_not_that_torque():
+    one = novel()
+    assert one.formula is not None
+    whole, half = one, replace(one, formula=replace(one.formula, explained=0.54))
+    assert sentences(whole)["Missing"].startswith("tau = 0.2 sin(8 x) N m")
+    assert "no short formula" in sentences(half)["Missing"]
+    assert sentences(half)["Missing"].endswith("explains only 54% of its variance")

@@ -22,6 +22,7 @@ NO_LEG = (
     "recording, and no error says how wrong they are."
 )
 SUSPECTS = 3  # that are named
+WHOLE = 0.8  # of a torque's variance, below which a formula is no more than a part of it
 LITTLE = 0.03  # share of what was missing that is worth no word
 ORIGINS = {  # of an inertia that the motion does not tell alone
     "prior": "which the prior sets: torques grow with it",
@@ -94,9 +95,13 @@ def sentences(found: Diagnosis) -> dict[str, str]:
 def named(found: Diagnosis) -> list[str]:
     """Every effect with its parameters."""
     if found.formula is not None:
-        shares = f"explains {found.formula.explained:.0%} of the missing torque's variance"
+        own, share = found.formula, f"{found.formula.explained:.0%}"
         units = f"x in rad, v in rad/s, t in s; {for_inertia(found.inertia, found.fit)}"
-        return [f"{found.formula.words} ({units}), which {shares}{at_once(found.formula)}"]
+        if own.explained < WHOLE:
+            said = f"a torque that is no short formula; {own.words} ({units})"
+            return [f"{said} explains only {share} of its variance{at_once(own)}"]
+        said = f"{own.words} ({units}), which explains {share} of the missing torque's variance"
+        return [f"{said}{at_once(own)}"]
     lines = []
     for one in found.findings:
         own = [each for each in found.parameters if each.name.startswith(f"{one.name}.")]

@@ -110,7 +110,8 @@ def limits(found: Agreement) -> str:
     """The limits of agreement, and how sure they are of so many people."""
     half, unit = (found.upper.high - found.upper.low) / 2, shown_unit(found.pairs.unit)
     ends = (number(each.value, half) for each in (found.lower, found.upper))
-    return f"{' and '.join(ends)} {unit}".rstrip() + f" (each to {number(half)} {unit}".rstrip() + ")"
+    said = f"{' and '.join(ends)} {unit}".rstrip()
+    return f"{said} (each to {f'{number(half)} {unit}'.rstrip()})"
 
 
 def repeated(found: Reliability) -> str:
