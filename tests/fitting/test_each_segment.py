@@ -1,4 +1,4 @@
-"""Segments fitted alone: the mean of the ratios, the error of their scatter, and their names."""
+"""Segments fitted alone: the mean of the ratios, its error, and their names."""
 
 from dataclasses import replace
 
@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 from exoid.fitting.each_segment import (
-    averaged,
     fit_each,
     mean_ratio,
     of_every_kind,
@@ -15,6 +14,7 @@ from exoid.fitting.each_segment import (
     settled_parameters,
 )
 from exoid.fitting.estimate import fit
+from exoid.fitting.result.averaged import averaged
 from exoid.fitting.result.fit_result import Estimate
 from exoid.physics.leg import GRAVITY, LegModel
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
@@ -43,13 +43,16 @@ def alone(drops):
     return [fit([("leg", only(drops, number))], **FEW) for number in (0, 1)]
 
 
-def test_ratios_are_the_mean_of_the_segments_and_errors_their_scatter(drops, alone):
+def test_ratios_are_the_mean_of_segments_and_errors_hold_their_scatter(drops, alone):
     found = fit_each([("leg", drops)], **FEW)
     for name in RATIOS:
         values = [each.ratios[name].value for each in alone]
         assert found.ratios[name].value == pytest.approx(np.mean(values), rel=1e-12)
         scatter = abs(values[0] - values[1]) / 2  # s / sqrt(n) of two values
-        assert found.ratios[name].standard_error == pytest.approx(scatter, rel=1e-9)
+        common = (
+            sum(found.ratios[name].limited_by.values()) * found.ratios[name].standard_error ** 2
+        )
+        assert found.ratios[name].standard_error == pytest.approx(np.hypot(scatter, common**0.5))
     assert [each.name for each in found.segments] == ["0", "1"]
     assert found.loss == pytest.approx(sum(each.loss for each in alone), rel=1e-12)
 
@@ -108,16 +111,26 @@ def test_one_segment_keeps_what_the_sidecar_says_of_it():
 
 def test_the_mean_of_a_single_value_has_no_error():
     one = Estimate("c / J", "stiffness over inertia", "1/s^2", 6.0, 0.1)
-    assert averaged([one]).standard_error is None
-    both = averaged([one, replace(one, value=8.0)])
+    assert averaged([one], [0]).standard_error is None
+    both = averaged([one, replace(one, value=8.0)], [0, 0])
     assert (both.value, both.standard_error) == (7.0, 1.0)
+
+
+def test_what_segments_have_in_common_is_not_averaged_away_but_between_recordings():
+    one = Estimate("c / J", "stiffness over inertia", "1/s^2", 6.0, 0.5, limited_by={"zero": 0.64})
+    same = averaged([one, one, one, one], [0, 0, 0, 0])
+    assert same.standard_error == pytest.approx(0.4)
+    assert same.limited_by == {"zero": pytest.approx(1.0)}
+    assert averaged([one, one, one, one], [0, 1, 2, 3]).standard_error == pytest.approx(0.2)
+    both = replace(one, limited_by={"clock": 1.0, "gyro_scale": 1.0})
+    assert averaged([both, both], [0, 0]).standard_error == pytest.approx(0.5)
 
 
 def test_a_ratio_that_a_segment_does_not_tell_is_no_part_of_the_mean():
     told = Estimate("d/J", "damping / J", "1/s", 2.0, 0.1)
     untold = replace(told, value=None, standard_error=None)
-    assert mean_ratio([told, untold, replace(told, value=4.0)]).value == 3.0
-    assert mean_ratio([untold, untold]).value is None
+    assert mean_ratio([told, untold, replace(told, value=4.0)], [0, 0, 0]).value == 3.0
+    assert mean_ratio([untold, untold], [0, 0]).value is None
 
 
 def test_what_no_segment_tells_has_no_say_in_the_parameters(alone):

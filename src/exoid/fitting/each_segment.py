@@ -25,6 +25,7 @@ from exoid.fitting.model.limits import constraint_names
 from exoid.fitting.model.prior import prior_residual
 from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.model.term_parameters import ratio_name
+from exoid.fitting.result.averaged import averaged
 from exoid.fitting.result.estimates import Found, parameter_estimate, with_reasons
 from exoid.fitting.result.fit_result import Estimate, FitResult
 from exoid.physics.leg import GRAVITY, LegParameters
@@ -33,6 +34,7 @@ from exoid.physics.term import Term, name_of
 from exoid.recordings.loading.named import RecordingsLike, named_recordings
 from exoid.recordings.recording import Recording
 
+TORQUE = "torque_over_inertia"
 COMMON = ("gravity_over_inertia", "stiffness_over_inertia", "damping_over_inertia")
 SIZES = ("mass", "inertia", "com_distance")
 SHORT = 1024  # samples of a segment among very many
@@ -47,8 +49,9 @@ HOLDS = 1e-6  # relative slack below which a constraint holds as an equality
 def fit_each(given: RecordingsLike, **options) -> FitResult:
     """`fit` on every segment by itself.
 
-    Ratios are the mean over segments, with the standard error of their scatter; the parameters are
-    what prior and limits make of the mean ratios.
+    Ratios are the mean over segments, with the standard error of their scatter and of what is the
+    same in all segments of a recording; the parameters are what prior and limits make of the mean
+    ratios.
 
     >>> each = exoid.fit_each("drops.csv")
     >>> round(each.ratios["gravity_over_inertia"].value)  # 1/s^2
@@ -58,14 +61,16 @@ def fit_each(given: RecordingsLike, **options) -> FitResult:
     amount = manageable(recordings, of_each(recordings), average=options.get("smooth", 1) == 1)
     moving = movements_in(amount.parts, clip=options.get("clip", "free"))
     moved = {each.name for each in moving}
-    results = [alone(part, options) for part in amount.parts if part.name in moved]
+    parts = [part for part in amount.parts if part.name in moved]
+    results, owner = [alone(part, options) for part in parts], [part.belongs for part in parts]
     aside = [*amount.notes, *left_out(amount.parts, moving)]
     if len(results) < 2:
         return with_aside(results[0], [*aside, *results[0].set_aside])
-    ratios = {name: mean_ratio([each.ratios[name] for each in results]) for name in COMMON}
-    torques = [r.ratios["torque_over_inertia"] for r in results if len(r.ratios) > len(COMMON)]
-    if torques:
-        ratios["torque_over_inertia"] = mean_ratio(torques)
+    each_own = [each.ratios for each in results]
+    ratios = {name: mean_ratio([own[name] for own in each_own], owner) for name in COMMON}
+    driven = [(own, at) for own, at in zip(each_own, owner, strict=True) if TORQUE in own]
+    if driven:
+        ratios[TORQUE] = mean_ratio([own[TORQUE] for own, _ in driven], [at for _, at in driven])
     plain = options.get("misfit") == "paper"
     weight = options.get("weight", 1.0) * (PLAIN_SCALE**2 if plain else 1.0)
     hand = by_hand(recordings, *(options.get(name) for name in ("fix", "bound", "expect")))
@@ -83,10 +88,13 @@ def fit_each(given: RecordingsLike, **options) -> FitResult:
         results[0],
         parameters=parameters,
         ratios=ratios,
-        terms={name_of(each): mean_term(each, results, parameters["inertia"]) for each in classes},
+        terms={
+            name_of(each): mean_term(each, results, owner, parameters["inertia"])
+            for each in classes
+        },
         leg=None,
         fitted_terms=(),
-        torque_amplitude=mean_torque([r.torque_amplitude for r in results]),
+        torque_amplitude=mean_torque([r.torque_amplitude for r in results], owner),
         segments=[segment for each in results for segment in each.segments],
         loss=sum(each.loss for each in results),
         disturbance=max((each.disturbance for each in results), key=lambda one: one.scale),
@@ -99,8 +107,8 @@ def fit_each(given: RecordingsLike, **options) -> FitResult:
         notes=[
             *lost,
             f"every segment was fitted alone: the ratios are the mean of {len(results)} fits, "
-            "their errors come from the scatter between them, and the starts are those of the "
-            "first",
+            "their errors come from the scatter between them and from what is the same in all "
+            "segments of a recording, and the starts are those of the first",
             *aside,
             *(note for note in said if note not in lost),
         ],
@@ -159,32 +167,29 @@ def only(recording: Recording, number: int) -> Recording:
     )
 
 
-def averaged(each: list[Estimate]) -> Estimate:
-    """The mean of the values, with the standard error that their scatter gives it."""
-    values = np.array([one.value for one in each], dtype=float)
-    error = float(values.std(ddof=1) / np.sqrt(values.size)) if values.size > 1 else None
-    return replace(each[0], value=float(values.mean()), standard_error=error, shares=None)
-
-
-def mean_ratio(each: list[Estimate]) -> Estimate:
+def mean_ratio(each: list[Estimate], owner: list[int]) -> Estimate:
     """The mean over the segments that tell it."""
-    told = [one for one in each if one.value is not None]
-    return averaged(told) if len(told) > 1 else [*told, *each][0]
+    told = [(one, at) for one, at in zip(each, owner, strict=True) if one.value is not None]
+    values = [one for one, _ in told]
+    return averaged(values, [at for _, at in told]) if len(told) > 1 else [*values, *each][0]
 
 
-def mean_torque(each: list[Estimate | None]) -> Estimate | None:
+def mean_torque(each: list[Estimate | None], owner: list[int]) -> Estimate | None:
     """The mean over the voluntary segments, where it is known of all of them."""
-    there = [one for one in each if one is not None]
-    if not there or any(one.value is None for one in there):
-        return there[0] if there else None
-    return averaged(there)
+    there = [(one, at) for one, at in zip(each, owner, strict=True) if one is not None]
+    values = [one for one, _ in there]
+    if not values or any(one.value is None for one in values):
+        return values[0] if values else None
+    return averaged(values, [at for _, at in there])
 
 
-def mean_term(term: type[Term], results: list[FitResult], inertia: Estimate) -> dict[str, Estimate]:
+def mean_term(
+    term: type[Term], results: list[FitResult], owner: list[int], inertia: Estimate
+) -> dict[str, Estimate]:
     """A term's parameters as means over the segments; what goes with J from its mean over J."""
     each = [result.terms[name_of(term)] for result in results]
     means = {
-        name: averaged([one[name] for one in each])
+        name: averaged([one[name] for one in each], owner)
         if all(one[name].value is not None for one in each)
         else next(one[name] for one in each if one[name].value is None)
         for name in each[0]

@@ -253,6 +253,8 @@ def remains(found: Diagnosis) -> str:
 
 def left_over(found: Diagnosis) -> str:
     share = share_left(found)
+    if share is not None and share > 1:
+        return "worse than without it; "
     return "" if share is None else f"{share:.0%} of the squares that were missing; "
 
 

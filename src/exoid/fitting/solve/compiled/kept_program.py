@@ -125,9 +125,7 @@ def load(path: Path, arguments: int, results: int) -> jax.stages.Compiled | None
     try:
         code = zlib.decompress(content[DIGEST:])
         device = processor()
-        return serialize_executable.deserialize_and_load(
-            code, given, made, device.client, [device]
-        )
+        return serialize_executable.deserialize_and_load(code, given, made, device.client, [device])
     except jax.errors.JaxRuntimeError:
         return None
 
