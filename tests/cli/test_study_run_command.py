@@ -30,7 +30,7 @@ def test_a_run_says_what_it_did_and_writes_two_tables_and_a_document(
     results, document = tmp_path / "results", tmp_path / "run.json"
     done = command(*("study", "run", folder, "-o", results, "--steps", "drops", "--json", document))
     assert done.returncode == 0
-    for said in ("42", "failed", "the same as another", "1 failed: line 1 is empty"):
+    for said in ("42", "failed", "the same as another", "1 failed, ", "line 1 is empty"):
         assert said in done.stdout
     assert f"wrote {results / 'recordings.parquet'}" in done.stdout.replace("\n", "")
     told = json.loads(document.read_text())

@@ -64,7 +64,7 @@ def test_recordings_that_are_missing_of_people_who_are_there_are_counted(study):
     gone = study.recordings.loc[study.recordings["side"] == "right", "recording"][:8]
     rows = study.quantities[~study.quantities["recording"].isin(gone)]
     said = finding(ask(study_of(study.recordings, rows), Asked(by="group")))
-    assert "8 of 40 recordings have no value: left 0 of 20, right 8 of 20" in said
+    assert "8 of 40 recordings without a value: left 0 of 20, right 8 of 20" in said
 
 
 def test_values_that_are_missing_are_told_with_their_reason_and_where(study):

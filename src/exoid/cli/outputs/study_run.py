@@ -37,7 +37,7 @@ def print_outcome(made: Any, results: Path, console: Any) -> None:
         table.add_row(name, str(value))
     console.print(table)
     for reason, count in list(made.reasons.items())[:SHOWN]:
-        console.print(visible(f"{count} failed: {reason}"), markup=False, highlight=False)
+        console.print(visible(f"{count} failed, {reason}"), markup=False, highlight=False)
     if len(made.reasons) > SHOWN:
         console.print(f"and {len(made.reasons) - SHOWN} more reasons: see recordings.parquet")
     for name in ("recordings", "quantities"):

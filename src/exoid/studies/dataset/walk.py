@@ -31,7 +31,7 @@ def walk(folder: Path) -> Walked:
     while waiting:
         below = waiting.pop()
         try:
-            for entry in entries_of(folder / below, seen):
+            for entry in entries_of(folder / below, seen, top=not below):
                 if is_folder(entry):
                     waiting.append(f"{below}{entry.name}/")
                 elif may_be_read(entry):
@@ -46,15 +46,19 @@ def short(name: str) -> str:
     return name if len(name) <= 2 * SHOWN else f"{name[:SHOWN]}...{name[-SHOWN:]}"
 
 
-def entries_of(folder: Path, seen: set[tuple[int, int]]) -> list[os.DirEntry[str]]:
-    """What is in a folder; nothing where it was seen already under another name."""
+def entries_of(folder: Path, seen: set[tuple[int, int]], *, top: bool) -> list[os.DirEntry[str]]:
+    """What is in a folder; nothing where it was seen already under another name. Who names a folder
+    that holds results, too, wants what is beside them.
+    """
     about = folder.stat()
     if (about.st_dev, about.st_ino) in seen:
         return []
     seen.add((about.st_dev, about.st_ino))
     with os.scandir(folder) as found:
         entries = [each for each in found if not each.name.startswith(".")]
-    return [] if {each.name for each in entries} >= RESULTS else entries
+    if not {each.name for each in entries} >= RESULTS:
+        return entries
+    return [each for each in entries if each.name not in RESULTS] if top else []
 
 
 def is_folder(entry: os.DirEntry[str]) -> bool:

@@ -10,6 +10,7 @@ from exoid.studies.dataset.cause import cause
 from exoid.studies.engine.settings import STEPS
 
 BY_STEP = re.compile(rf"(?:^| )(?=(?:{'|'.join(STEPS)}): )")
+NAMED = 3  # recordings, of those with one reason
 UNLIKE = "it does not follow the recording"  # how, differs from recording to recording
 
 
@@ -32,7 +33,7 @@ def outcome(table: Any, steps: Sequence[str], computed: int, seconds: float) -> 
     status = Counter(table["status"].to_pylist())
     failed = [row for row in rows_of(table) if row["status"] == "failed"]
     measured = [measured_of(row, steps) for row in failed]
-    reasons = reasons_of([row["reason"] for row in failed], measured)
+    reasons = reasons_of([(row["name"], row["reason"]) for row in failed], measured)
     return Outcome(
         recordings=table.num_rows,
         computed=computed,
@@ -46,7 +47,7 @@ def outcome(table: Any, steps: Sequence[str], computed: int, seconds: float) -> 
 
 
 def rows_of(table: Any) -> list[dict[str, Any]]:
-    return table.select(["status", "reason", "segments"]).to_pylist()
+    return table.select(["name", "status", "reason", "segments"]).to_pylist()
 
 
 def measured_of(row: dict[str, Any], steps: Sequence[str]) -> tuple[str, ...]:
@@ -57,11 +58,13 @@ def measured_of(row: dict[str, Any], steps: Sequence[str]) -> tuple[str, ...]:
     return tuple(step for step in steps if step not in failed)
 
 
-def reasons_of(said: list[str], measured: list[tuple[str, ...]]) -> dict[str, int]:
-    """A sentence for each cause, and how many recordings have it; what most have comes first."""
-    groups: dict[tuple[str, ...], list[str]] = defaultdict(list)
+def reasons_of(said: list[tuple[str, str]], measured: list[tuple[str, ...]]) -> dict[str, int]:
+    """A sentence for each cause, with the recordings that have it, and how many these are; what
+    most have comes first.
+    """
+    groups: dict[tuple[str, ...], list[tuple[str, str]]] = defaultdict(list)
     for each, steps in zip(said, measured, strict=True):
-        groups[cause_of(each), *steps].append(each)
+        groups[cause_of(each[1]), *steps].append(each)
     ordered = sorted(groups.items(), key=lambda each: -len(each[1]))
     return {sentence(group, steps): len(group) for (_, *steps), group in ordered}
 
@@ -72,8 +75,11 @@ def cause_of(said: str) -> str:
     return cause(f"{head}{told}")
 
 
-def sentence(group: list[str], steps: list[str]) -> str:
-    """The reason of the first, and what was measured of them all."""
-    such = "such as " if len({*group}) > 1 else ""
+def sentence(group: list[tuple[str, str]], steps: list[str]) -> str:
+    """Which recordings, the reason of the first, and what was measured of them all."""
+    names, reasons = zip(*group, strict=True)
+    more = len(names) - NAMED
+    which = f"{', '.join(names[:NAMED])}{f' and {more} more' if more > 0 else ''}"
+    first = ", the first of them" if len({*reasons}) > 1 else ""
     kept = f" Measured nevertheless: {', '.join(steps)}." if steps else ""
-    return f"{such}{group[0].rstrip('.')}.{kept}"
+    return f"{which}{first}: {reasons[0].rstrip('.')}.{kept}"

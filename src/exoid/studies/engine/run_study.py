@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from exoid.files.extras import require
+from exoid.files.visible import visible
 from exoid.studies.dataset.entry import Dataset, Participant
 from exoid.studies.engine.carry_out import TAKEN_DOWN, carry_out, count_of
 from exoid.studies.engine.kept.item import Item, Unread
@@ -32,7 +33,10 @@ def run_study(
 
     `count` workers of this machine, or those of `scheduler`. `told` hears how many recordings are
     done, of how many.
+
+    **Raises** `ValueError` where recordings of the study lie in `results`.
     """
+    check_apart(dataset, results)
     require("pyarrow", "the tables of a study are written", "study")
     from exoid.studies.engine.kept.assemble import assemble
     from exoid.studies.engine.kept.parts import FOLDER, kept
@@ -56,6 +60,17 @@ def run_study(
     others = rows_without_part(contents, again, lost, digest)
     table = assemble(results, found, others, dataset)
     return outcome(table, settings.steps, len(missing), time.monotonic() - began)
+
+
+def check_apart(dataset: Dataset, results: Path) -> None:
+    """A folder of results counts as such, with all that is in it."""
+    where = results.absolute()
+    for each in dataset.entries:
+        if where in each.path.parents:
+            raise ValueError(
+                f"{results}: {visible(each.name)} of the study lies in there. Name a folder of "
+                f"its own, such as {results / 'results'}."
+            )
 
 
 def work_of(client: Any, batch: Batch, *, dataset: Dataset, rest: tuple) -> Any:

@@ -8,7 +8,7 @@ from typing import TypeVar
 from exoid.studies.statistics.agreement import Agreement, agreement
 from exoid.studies.statistics.asked import Answer, Answers, Asked
 from exoid.studies.statistics.groups import compare_groups
-from exoid.studies.statistics.multiple import corrected
+from exoid.studies.statistics.multiple import corrected, tested_as
 from exoid.studies.statistics.pairs import Pairs, pairs_of
 from exoid.studies.statistics.physics import missing_physics
 from exoid.studies.statistics.presence import presence
@@ -151,9 +151,12 @@ def with_corrected(answers: list[Answer], asked: Asked) -> tuple[Answer, ...]:
 
 def family(answers: list[Answer], asked: Asked) -> list[Answer]:
     """Every p among those of its kind of these quantities, and how many there are."""
+    own = tested_as([each.quantity for each in answers])
     for kind in TESTED:
         raw = [getattr(getattr(each, kind), "p", nan) for each in answers]
-        among, count = corrected(raw, asked.correction), sum(map(isfinite, raw))
+        asked_of = [p if own[at] == at else nan for at, p in enumerate(raw)]
+        known, count = corrected(asked_of, asked.correction), sum(map(isfinite, asked_of))
+        among = [known[at] for at in own]
         answers = [
             replace(each, corrected={**each.corrected, kind: p}, among={**each.among, kind: count})
             if isfinite(p)

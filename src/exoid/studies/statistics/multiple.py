@@ -14,6 +14,15 @@ WORDS: dict[Correction, str] = {
 }
 
 
+COPIES = {"normalised_relaxation_index": "relaxation_index"}  # but for a factor
+
+
+def tested_as(quantities: Sequence[str]) -> list[int]:
+    """Of each the place of that whose test it has: its own, or that of which it is a copy."""
+    place = {each: at for at, each in enumerate(quantities)}
+    return [place.get(COPIES.get(each, ""), at) for at, each in enumerate(quantities)]
+
+
 def corrected(raw: Sequence[float], correction: Correction) -> list[float]:
     """Of each p what it is among all; NaN stays, and counts for none."""
     found, asked = np.array(raw, dtype=float), np.isfinite(raw)

@@ -81,20 +81,26 @@ def of_segment(one: SegmentFit, result: FitResult) -> Iterator[Row]:
         yield Row(number, "fit", "velocity_rmse", float(one.velocity_rmse), unit="rad/s")
 
 
-def of_estimate(number: int, name: str, each: Estimate, result: FitResult) -> Row:
+def of_estimate(
+    number: int, name: str, each: Estimate, result: FitResult, step: str = "fit"
+) -> Row:
     if not result.follows:
-        return Row(number, "fit", name, unit=each.unit, note=f"the fit is astray: {result.astray}")
+        return Row(number, step, name, unit=each.unit, note=f"the fit is astray: {result.astray}")
     value, error = number_or_none(each.value), number_or_none(each.standard_error)
-    return Row(number, "fit", name, value, error, each.unit, each.set_by or "", each.reason or "")
+    return Row(number, step, name, value, error, each.unit, each.set_by or "", each.reason or "")
 
 
 def of_diagnosis(found: Diagnosis) -> Iterator[Row]:
-    """What physics is missing, by name, and its sizes."""
+    """What physics is missing, by name; its sizes, and the leg's ratios with it, each by what
+    determines it. Where that is open, there are none.
+    """
     for cause in causes(found):
         yield Row(WHOLE, "diagnose", "missing_physics", note=cause)
-    for each in found.parameters:
-        value, error = number_or_none(each.value), number_or_none(each.standard_error)
-        yield Row(WHOLE, "diagnose", each.name, value, error, each.unit, MEASURED)
+    after = found.after if found.verdict == "mismatch" else None
+    if after is None or not after.follows:
+        return
+    for name, each in {**after.ratios, **after.of_terms}.items():
+        yield of_estimate(WHOLE, name, each, after, "diagnose")
 
 
 def causes(found: Diagnosis) -> list[str]:

@@ -2,15 +2,16 @@
 
 from exoid.report.words.text import counted
 from exoid.studies.statistics.asked import Answers
-from exoid.studies.statistics.multiple import WORDS
+from exoid.studies.statistics.multiple import WORDS, tested_as
 
 QUANTITIES = "quantity", "quantities"
 
 
 def correction(answers: Answers) -> str:
     """Which quantities were corrected with which, and how."""
-    asked, whole = answers.asked, len(answers.each)
-    first = sum(each.quantity in asked.primary for each in answers.each)
+    asked, names = answers.asked, [each.quantity for each in answers.each]
+    first = tests([each for each in names if each in asked.primary])
+    whole = first + tests([each for each in names if each not in asked.primary])
     how = f"by {WORDS[asked.correction]}"
     if first:
         said = f"p is corrected over {counted(first, *primary())}"
@@ -20,6 +21,11 @@ def correction(answers: Answers) -> str:
     if whole < 2:
         return said
     return f"{said} Those that were the question from the start are named by --primary."
+
+
+def tests(quantities: list[str]) -> int:
+    """How many there are of so many quantities."""
+    return len(set(tested_as(quantities)))
 
 
 def primary() -> tuple[str, ...]:

@@ -1,35 +1,55 @@
 """On whom a finding rests, and who and what is missing, in sentences."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from exoid.studies.statistics.asked import Answer
 from exoid.studies.statistics.groups import MOST_GROUPS, Comparison
 from exoid.studies.statistics.presence import Count, Presence, Tally
 
+RECORDINGS, VALUES = "recordings without a value", "values are missing"
 NAMED = 5  # people who are missing; the others are counted
 
 
 def rests(answer: Answer) -> str:
     """How many people of each group, who is missing, and what that may do to a difference."""
-    return " ".join([people(answer.presence, grouped(answer)), *lacking(answer)])
+    found, parts = answer.presence, parts_of(answer)
+    each = {RECORDINGS: found.recordings, VALUES: found.values}
+    counts = [
+        f"{part_of(tally, what, parts)}." for what, tally in each.items() if uneven([tally], parts)
+    ]
+    return " ".join([people(found, grouped(answer)), *counts, *biased(answer)])
 
 
 def lacking(answer: Answer) -> Iterator[str]:
     """Recordings and values that are missing, and whether groups or sides differ in them."""
-    found, by_group = answer.presence, grouped(answer)
-    parts = ("group", "side") if by_group else ("side",)
+    found, parts = answer.presence, parts_of(answer)
     if found.recordings.every.missing:
-        yield f"{part_of(found.recordings, 'recordings have no value', parts)}."
+        yield f"{part_of(found.recordings, RECORDINGS, parts)}."
     if found.values.every.missing:
         why = f"; mostly as here: {found.reason.rstrip('.')}" if found.reason else ""
-        yield f"{part_of(found.values, 'values are missing', parts)}{why}."
-    tallies = (found.people, found.recordings, found.values)
-    uneven = [part for part in parts if any(each.uneven(part) for each in tallies)]
-    if uneven:
+        yield f"{part_of(found.values, VALUES, parts)}{why}."
+    yield from biased(answer)
+
+
+def biased(answer: Answer) -> Iterator[str]:
+    """Whether what is missing may make groups or sides differ."""
+    found = answer.presence
+    apart = uneven([found.people, found.recordings, found.values], parts_of(answer))
+    if apart:
         yield (
-            f"The share that is missing differs between {' and '.join(f'{one}s' for one in uneven)}"
+            f"The share that is missing differs between {' and '.join(f'{one}s' for one in apart)}"
             ", which may bias the difference between them."
         )
+
+
+def uneven(tallies: Sequence[Tally], parts: Sequence[str]) -> list[str]:
+    """The parts between which one of these differs."""
+    return [part for part in parts if any(each.uneven(part) for each in tallies)]
+
+
+def parts_of(answer: Answer) -> tuple[str, ...]:
+    """Between what something may differ."""
+    return ("group", "side") if grouped(answer) else ("side",)
 
 
 def grouped(answer: Answer) -> bool:
@@ -50,11 +70,11 @@ def people(found: Presence, by_group: bool) -> str:
     return f"It rests on {said} people{f'; missing: {names}' if names else ''}."
 
 
-def part_of(tally: Tally, what: str, parts: tuple[str, ...]) -> str:
+def part_of(tally: Tally, what: str, parts: Sequence[str]) -> str:
     """23 of 380 values are missing: control 3 of 190, spastic 20 of 190."""
     said = f"{tally.every.missing} of {tally.every.of} {what}"
-    uneven = [listed(tally.parts[each]) for each in parts if tally.uneven(each)]
-    return f"{said}: {'; '.join(uneven)}" if uneven else said
+    apart = [listed(tally.parts[each]) for each in uneven([tally], parts)]
+    return f"{said}: {'; '.join(apart)}" if apart else said
 
 
 def listed(each: Mapping[str, Count]) -> str:

@@ -119,16 +119,16 @@ def causes(found: Sequence[Cause], groups: Sequence[str]) -> Table:
 
 
 def failures(recordings: Frame) -> Table:
-    """Reasons, the most frequent first; those that differ in their numbers alone are one."""
+    """Reasons, the most frequent first; of those that differ in their numbers alone the first."""
     failed = recordings[recordings["status"] == "failed"]
-    failed = failed.assign(reason=failed["reason"].map(without_numbers))
-    count = failed["reason"].value_counts()
-    first = failed.drop_duplicates("reason").set_index("reason")["name"]
+    failed = failed.assign(kind=failed["reason"].map(without_numbers))
+    count = failed["kind"].value_counts()
+    first = failed.drop_duplicates("kind").set_index("kind")
     kept = list(count.index[:SHOWN])
     made = {
-        "reason": [each or "no reason is kept" for each in kept],
         "recordings": [str(count[each]) for each in kept],
-        "for example": [str(first[each]) for each in kept],
+        "the first": [str(first["name"][each]) for each in kept],
+        "its reason": [str(first["reason"][each]) or "no reason is kept" for each in kept],
     }
     return Table("Recordings that failed", made, "Recordings that failed")
 

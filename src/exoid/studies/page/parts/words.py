@@ -13,7 +13,7 @@ from exoid.report.words.text import (
 from exoid.studies.page.parts.numbers import number, odds, with_interval
 from exoid.studies.page.parts.presence import rests
 from exoid.studies.statistics.agreement import Agreement
-from exoid.studies.statistics.asked import Answer, Answers
+from exoid.studies.statistics.asked import Answer, Answers, Asked
 from exoid.studies.statistics.groups import Comparison
 from exoid.studies.statistics.physics import Cause
 from exoid.studies.statistics.reliability import Reliability
@@ -143,20 +143,33 @@ def shares(each: Cause) -> str:
     return f"{value} (95 % {low} to {high})"
 
 
+MAIN = ("change_by_group", "change", "groups")  # findings, the first of which leads
+
+
 def finding(answers: Answers) -> str:
-    """The main one, of the first quantity, on whom it rests, and what is missing."""
+    """The main one, of the first quantity, on whom it rests, and what is missing; where no primary
+    one was named, and of another the groups surely differ, that one.
+    """
     if not answers.each:
         return "No quantity has values that recordings told."
-    return f"{found_first(answers)} {rests(answers.each[0])}"
+    first = answers.each[0] if answers.asked.primary else surest(answers)
+    return f"{found_first(first, answers.asked)} {rests(first)}"
 
 
-def found_first(answers: Answers) -> str:
-    """The change by groups, the change, the groups, else how well it repeats."""
+def surest(answers: Answers) -> Answer:
+    """The first quantity of which groups surely differ, else the first."""
     first = answers.each[0]
+    kind = next((kind for kind in MAIN if kind in first.corrected), "")
+    sure = (each for each in answers.each if each.corrected.get(kind, 1.0) < SURE)
+    return next(sure, first)
+
+
+def found_first(first: Answer, asked: Asked) -> str:
+    """The change by groups, the change, the groups, else how well it repeats."""
     p, among = first.corrected, first.among
     if isinstance(first.change_by_group, Comparison):
         said = grouped(first.change_by_group, p["change_by_group"], among["change_by_group"])
-        return f"Change from {answers.asked.before} to {answers.asked.after}. {said}"
+        return f"Change from {asked.before} to {asked.after}. {said}"
     if isinstance(first.change, Agreement):
         return changed(first.change, p["change"], among["change"])
     if isinstance(first.groups, Comparison):

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from exoid.report.sections.blocks import Block, Group, element
-from exoid.report.words.text import quantity_words
+from exoid.report.words.text import by_reason, quantity_words
 from exoid.studies.page.parts.part import Told, part
 from exoid.studies.page.parts.presence import lacking
 from exoid.studies.page.parts.tables import comparisons
@@ -51,10 +51,11 @@ def compared(answers: Answers, kind: str, title: str) -> Iterator[Block]:
         yield picture
     notes = {note: None for found, *_ in told for note in found.notes}
     yield list(notes)
-    yield [
-        f"{quantity_words(each.quantity)}: {one}"
+    missing = by_reason(
+        (quantity_words(each.quantity), one)
         for each in answers.each
         if isinstance(getattr(each, kind), Comparison)
         for one in lacking(each)
-    ]
+    )
+    yield [f"{', '.join(names)}: {one}" for one, names in missing.items()]
     yield [f"{names}: {why}" for names, why in why_not(answers, kind).items()]

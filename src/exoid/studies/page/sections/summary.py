@@ -89,7 +89,8 @@ def parted(answers: Answers) -> Group | None:
     sure = [one for one in each if one.corrected["groups"] < SURE]
     dose = isinstance(each[0].groups, Comparison) and each[0].groups.slope is not None
     by = column_words(answers.asked.by)
-    question = f"Does anything change with {by}?" if dose else f"Do the groups of {by} differ?"
+    apart = "Do groups differ?" if by == "group" else f"Do the groups of {by} differ?"
+    question = f"Does anything change with {by}?" if dose else apart
     if not sure:
         why = f"No difference is sure in any of {counted(len(each), 'quantity', 'quantities')}."
         return card(question, "open", "Not surely.", why)
