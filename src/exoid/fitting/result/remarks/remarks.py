@@ -49,7 +49,9 @@ def remarks(problem: Problem, ended: SearchResult, at_bound: set[str]) -> list[s
     inertia = float(ended.best.leg.inertia[0]) if told else None
     said += of_kinds(ended.disturbance)
     unit = np.mean([each.residual_unit / each.angle_noise for each in problem.movements])
-    said += of_residual(ended.disturbance, gravity, inertia, float(unit))
+    within = float(ended.best.misfit[0]) * unit**2 < problem.samples.sum()
+    if not (within and ended.disturbance.cause == "encoder"):  # smoothed errors, which are told
+        said += of_residual(ended.disturbance, gravity, inertia, float(unit))
     if rig and "stiffness" not in problem.absent:
         said.append(
             "on a rig the spring term c phi also takes up a constant torque and an encoder zero "
