@@ -5,6 +5,7 @@ Where the rest of the movement fits without these instants and they do not, they
 """
 
 import numpy as np
+from scipy.special import chdtri
 
 from exoid.fitting.data.movement import Movement, weightless
 from exoid.fitting.misfit.missed import NOISY
@@ -12,7 +13,7 @@ from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.solve.problem import Problem
 
 WORSE = 3.0  # times what is missed elsewhere, a sample
-CLEAR = 4.0  # deviations of a chi-square; noise does it in 1 of 1000, and then little is lost
+RARE = 1e-4  # chance by which noise does it in a movement
 
 
 def without_first_instants(movements: list[Movement]) -> list[Movement]:
@@ -39,22 +40,23 @@ def disturbed(ended: SearchResult) -> bool:
 
 
 def starts_off(problem: Problem, ended: SearchResult, number: int) -> bool:
-    """Those of a movement that seems to begin free."""
+    """Those of a movement that seems to begin free, measured by what it misses elsewhere."""
     each, seen, best = problem.movements[number], problem.observation, ended.best
     count = 0 if each.extent is None else each.extent.doubted
-    rows = problem.own_rows(number)[:count]
+    rows = problem.own_rows(number)
     channels = (
         (each.angle, best.angle, seen.angle_weight),
         (each.angular_velocity, best.angular_velocity, seen.velocity_weight),
     )
     left = [
-        (measured[:count] - simulated[0, number][rows]) * np.asarray(weight[number])[rows]
+        (measured - simulated[0, number][rows]) * np.asarray(weight[number])[rows]
         for measured, simulated, weight in channels
         if measured is not None
     ]
-    square = np.concatenate(left) ** 2
-    known = int(np.sum(~np.isnan(square)))
-    return bool(np.nansum(square) > known + CLEAR * np.sqrt(2 * known))
+    first = np.concatenate([one[:count] for one in left])
+    usual = max(1.0, float(np.nanmean(np.concatenate([one[count:] for one in left]) ** 2)))
+    known = int(np.sum(~np.isnan(first)))
+    return bool(np.nansum(first**2) > chdtri(known, RARE) * usual)
 
 
 def told(each: Movement) -> int:
