@@ -1,6 +1,6 @@
 """What was told by whom."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from jaxtyping import Float
@@ -50,4 +50,5 @@ class Identifiability:
     correlation: Float[np.ndarray, "name name"]  # of the errors; data, prior and bounds together
     segment_shares: dict[str, Float[np.ndarray, " segment"]]  # which segments told a combination
     reversals: list[Reversal]  # every segment against its mirror image in time
-    sentences: list[str]
+    sentences: list[str]  # the strangers first
+    strangers: list[str] = field(default_factory=list)  # recordings that cannot be of one leg

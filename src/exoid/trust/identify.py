@@ -53,6 +53,7 @@ def identify(result: FitResult) -> Identifiability:
     shares = segment_shares(basis, {name: absolute[name] for name in told}, alone)
     mirrored = reversals(basis.problem.movements)
     names, correlation = correlations(told | dict(named(result)), gradients, basis)
+    apart = strangers(result)
     return Identifiability(
         exact,
         weak,
@@ -62,12 +63,13 @@ def identify(result: FitResult) -> Identifiability:
         shares,
         mirrored,
         [
-            *strangers(result),
+            *apart,
             *(each.words for each in exact),
             *(each.words for each in weak),
             *scale_remark(basis, "inertia" in told),
             *torque_remarks(basis, shares, mirrored, symbols),
         ],
+        apart,
     )
 
 

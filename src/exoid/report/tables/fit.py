@@ -34,6 +34,10 @@ ALIKE = 0.2  # relative spread of amplitudes
 
 def print_fit(result: FitResult, console: Console, told: Identifiability | None = None) -> None:
     """Print the whole fit, and what the recording told where that was asked; 80 columns do."""
+    strangers = [] if told is None else told.strangers
+    for sentence in strangers:
+        heading(console, "These recordings are not of one leg as it was")
+        say(console, capital(sentence))
     print_astray(result, console)
     print_parameters(result, console)
     print_table(ratios(result), console)
@@ -44,7 +48,8 @@ def print_fit(result: FitResult, console: Console, told: Identifiability | None 
     if told is not None:
         alone = ", ".join(each.symbol for each in told.combinations.values())
         first = f"by itself, without prior and bounds: {alone or 'nothing'}."
-        note(console, [first, *told.sentences], "What the recording tells")
+        more = [each for each in told.sentences if each not in strangers]
+        note(console, [first, *more], "What the recording tells")
     print_segments(result, console)
     print_quality(result, console)
     print_multistart(result, console)
