@@ -1,6 +1,7 @@
 """From what a search found to a verdict."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 from unittest.mock import Mock
 
 import numpy as np
@@ -58,10 +59,18 @@ def explaining(square, *terms):
     return replace(leaving(square), candidate=replace(NOTHING, terms=terms, values=values))
 
 
+def sprung(stiffness):
+    """Where a leg has such a c / J."""
+    return SimpleNamespace(shared=SimpleNamespace(stiffness=stiffness))
+
+
 def found_of(singles, pairs=(), pinned=()):
-    """A search that found these, of a mismatch of a hundred times the noise."""
+    """A search that found these, of a mismatch of a hundred times the noise; of a leg whose spring
+    is as stiff whatever explains it.
+    """
     measure = Yardstick(SAMPLES, scale=1.0)
-    prepared = Mock(spec=PreparedRecording, scale=AS_A_LEG)
+    prepared = Mock(spec=PreparedRecording, scale=AS_A_LEG, rig=False)
+    prepared.coordinates = lambda candidate: sprung(4.0)
     return Found(
         prepared, leaving(101_000.0), NOTHING, singles, list(pairs), list(pinned), [], measure
     )
@@ -331,3 +340,17 @@ def test_held_out_data_must_be_predicted_better_by_what_matters(after, better):
         return Prediction(nothing, nothing == 0, np.zeros(2), np.array(squares))
 
     assert improves(predicted((100.0, 100.0)), predicted(after)) == better
+
+
+def test_what_takes_the_place_of_the_legs_spring_is_not_certain_but_an_error_of_a_sensor_is():
+    best = explaining(2300.0, HardStop, GyroScale)
+    found = found_of([best])
+    assert certain_of(found, best) == (HardStop, GyroScale)
+
+    def at(candidate):
+        return sprung(0.04 if candidate is best.candidate else 4.0)
+
+    found.prepared.coordinates = at
+    assert certain_of(found, best) == (GyroScale,)
+    found.prepared.rig = True
+    assert certain_of(found, best) == (HardStop, GyroScale)

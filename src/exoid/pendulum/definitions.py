@@ -145,7 +145,7 @@ def peak_flexion_acceleration(drop: Landmarks) -> DropReading:
     release = drop.release
     after, value, error = release.steepest()
     later = drop.steepest(2, -1, release.start.time + HALF, drop.flexion(1).time)
-    if later.value + later.error < value + error:
+    if later.value < value:
         return size(later)
     start = release.start
     return size(Peak(start.sample, start.time + after, start.time_error, value, error))

@@ -4,6 +4,7 @@ import numpy as np
 
 from exoid.pendulum.catalogue import MEASURES, measures
 from exoid.pendulum.drop import Average, Drop, PendulumTest
+from exoid.recordings.conventions.jumps import AGAIN, jumps_of, told_jumps
 from exoid.recordings.landmarks.find_landmarks import find_landmarks
 from exoid.recordings.landmarks.measure import NotAllowed
 from exoid.recordings.landmarks.track import track_of
@@ -73,6 +74,8 @@ def drop(recording: Recording, number: int, name: str) -> Drop:
         if kind != "passive":
             raise NotAllowed(REFUSED[kind])
         track = track_of(segment, cleaned.angle.level)
+        if said := told_jumps(jumps_of(segment, cleaned.angle.level)):
+            raise NotAllowed(f"{said}. {AGAIN}")
         law = law_for(cleaned.recording, number)
         seen = signal_of(segment, cleaned.recording.sensors)
         found = find_landmarks(track, recording.subject.kind != "rig", law, seen)

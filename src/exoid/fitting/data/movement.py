@@ -2,12 +2,14 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from exoid.fitting.model.systematics import DECLARED_NOTHING, Systematics
+from exoid.recordings.conventions.jumps import Jump, jumps
 from exoid.recordings.filter.constants import UNTOLD
 from exoid.recordings.motion.extent import Extent
 from exoid.recordings.recording import Segment
@@ -61,6 +63,12 @@ class Movement:
     def velocity_noise(self) -> float:
         """Standard deviation of a gyro sample [rad/s]; infinite without a gyro."""
         return np.inf if self.gyro_noise is None else self.gyro_noise.level
+
+    @cached_property
+    def jumps(self) -> list[Jump]:
+        """Of its angle, which its gyro does not show; by the clock of the recording."""
+        clock = self.segment.begins + self.segment.time
+        return jumps(clock, self.angle, self.angular_velocity, self.angle_noise)
 
     @property
     def source(self) -> str:

@@ -41,6 +41,7 @@ from exoid.fitting.result.remarks.remarks import limits_met, of_astray, remarks
 from exoid.fitting.result.remarks.slack_angle import LEANING, slack_angle_remarks
 from exoid.fitting.solve.ask import around, finite, take
 from exoid.fitting.solve.problem import Problem
+from exoid.recordings.conventions.jumps import jumping
 
 UNFINISHED = "it was still moving when its steps ran out"
 # Of half a chi-square for a typical step of what is limited: where nothing tells a value, a search
@@ -150,7 +151,10 @@ def estimate_leg(
 def why_astray(
     problem: Problem, ended: SearchResult, segments: list[SegmentFit], at_bound: set[str]
 ) -> str | None:
-    """Why the fit does not follow the recording; None where it does."""
+    """Why the fit does not follow the recording, or should not; None where it does."""
+    why = jumping({each.name: each.jumps for each in problem.movements})
+    if why is not None:
+        return why
     why = astray(believed(segments, ended.disturbance), limits_met(problem, at_bound))
     why = beyond_belief(problem, ended) if why is None else why
     return UNSETTLED if why is None and ended.best.exhausted[0] else why

@@ -11,7 +11,9 @@ from exoid.mismatch.search.rank import alike, simpler_form
 from exoid.physics.library import library
 from exoid.physics.parameter import AT_AN_END, declarations
 from exoid.physics.scale import ranged
-from exoid.physics.term import Term, holds, name_of
+from exoid.physics.term import SensorTerm, Term, holds, name_of
+
+SOFT = 0.1  # of the stiffness that the baseline saw, below which a leg has hardly any
 
 
 def equivalents(found: Found, best: Optimum) -> list[Optimum]:
@@ -63,12 +65,28 @@ def certain_of(found: Found, best: Optimum) -> tuple[type[Term], ...]:
 
 def stretched(found: Found, best: Optimum) -> list[type[Term]]:
     """Its causes that are as large as they can be, by the first of their parameters, and so stand
-    in for what it does not have; none of a lone cause that leaves only noise.
+    in for what it does not have; none of a lone cause that leaves only noise. All that act on the
+    leg where they take the place of its spring.
     """
     if found.yardstick.explains(best.square) and causes(best) < 2:
         return []
+    if springless(found, best):
+        return [term for term in best.candidate.terms if not issubclass(term, SensorTerm)]
     each = zip(best.candidate.terms, best.candidate.values, strict=True)
     return [term for term, value in each if at_its_most(term, float(value[0]), found)]
+
+
+def springless(found: Found, best: Optimum) -> bool:
+    """Does more than noise remain, and a leg with hardly any of the stiffness that it seemed to
+    have?
+    """
+    if found.prepared.rig or found.yardstick.explains(best.square):
+        return False
+    before, after = (
+        float(found.prepared.coordinates(one.candidate).shared.stiffness)
+        for one in (found.base, best)
+    )
+    return after < SOFT * before
 
 
 def at_its_most(term: type[Term], size: float, found: Found) -> bool:

@@ -10,6 +10,7 @@ from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.screen.optimise import FEWER_ROUNDS, FLOOR, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.physics.term import SensorTerm
+from exoid.recordings.conventions.jumps import jumping
 
 SHORTEST = 1.5  # s of movement in all, about one swing of a leg
 QUIETEST = np.radians(12.0)  # rad, of movement: less is within straps and skin
@@ -33,6 +34,12 @@ def too_little(prepared: PreparedRecording) -> list[str]:
             f"the leg moves by {np.degrees(high - low):.0f} deg only: release it from higher up"
         )
     return reasons
+
+
+def broken(prepared: PreparedRecording) -> list[str]:
+    """That the angle jumps: behind that it has another zero, or its times are wrong."""
+    said = jumping({each.name: each.jumps for each in prepared.problem.movements})
+    return [said] if said else []
 
 
 def hands(prepared: PreparedRecording) -> list[str]:

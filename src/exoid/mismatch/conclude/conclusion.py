@@ -7,8 +7,16 @@ import numpy as np
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.remarks.remarks import unlike_anatomy
 from exoid.mismatch.answer.diagnosis import Diagnosis, Finding, NovelTorque, Suspect, Verdict
-from exoid.mismatch.conclude.asserted import certain_of, equivalents, has, stretched, weight
+from exoid.mismatch.conclude.asserted import (
+    certain_of,
+    equivalents,
+    has,
+    springless,
+    stretched,
+    weight,
+)
 from exoid.mismatch.conclude.cannot_tell import (
+    broken,
     chance,
     hands,
     luck,
@@ -203,7 +211,7 @@ def judge(
 ) -> tuple[Verdict, list[str]]:
     """None, mismatch, or an honest doubt."""
     prepared = found.prepared
-    little = too_little(prepared)
+    little = [*too_little(prepared), *broken(prepared)]
     if best is found.base:
         left = found.base.square / found.yardstick.samples
         if little:
@@ -232,6 +240,11 @@ def explains_it(found: Found, best: Optimum) -> bool:
 
 def undecided(found: Found, equal: list[Optimum]) -> list[str]:
     """That explanations without a cause in common come out alike, or what a lone one is not."""
+    if springless(found, equal[0]):
+        return [
+            f"{words(names(equal[0]))} would leave the leg hardly any stiffness, and stands in for "
+            "something else"
+        ]
     if len(equal) == 1:
         alone = words(names(equal[0]))
         return [f"{alone} explains most, at values at which it is not what it is called"]

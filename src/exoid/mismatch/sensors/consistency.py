@@ -10,8 +10,9 @@ from exoid.mismatch.sensors.agreement import Consistency, SensorError
 from exoid.mismatch.sensors.compare import Compared, Measured, compare, with_right_gyros
 from exoid.mismatch.sensors.faults import USUAL, Fault
 from exoid.mismatch.sensors.smooth import Reference, smooth
-from exoid.mismatch.sensors.strikes import strikes
+from exoid.mismatch.sensors.strikes import beside, strikes
 from exoid.mismatch.sensors.sure import Measuring, surely
+from exoid.recordings.conventions.jumps import jumps
 
 UNITS = dict(zip(USUAL, ("1", "rad/s", "s"), strict=True))
 CAUTION = 2.0  # times what is left, that a gyro is held to err beside the encoder
@@ -25,13 +26,21 @@ def consistency(seen: Observation, measuring: Measuring) -> Consistency:
     segments = [segment(seen, number) for number in range(seen.time.shape[0])]
     if not any(weights[:, 1].any() for _, _, weights in segments):
         return Consistency([], [smooth(*each) for each in segments])
-    struck = [strikes(*each) for each in segments]
+    struck = [strikes(*each) | jumped(*each) for each in segments]
     usual = compare(segments, struck, USUAL)
     sure = surely(segments, struck, usual, measuring)
     others = tuple(one for one in sure.faults if one not in USUAL)
     found = compare(segments, struck, (*USUAL, *others)) if others else usual
     errors = [error_of(found, one) for one in USUAL]
     return Consistency(errors, references(segments, found, errors), sure)
+
+
+def jumped(time: np.ndarray, data: np.ndarray, weights: np.ndarray) -> np.ndarray:
+    """The steps in which the angle jumps, and those beside them."""
+    seen = np.where(weights > 0, data, np.nan)
+    found = jumps(time, seen[:, 0], seen[:, 1], 1 / weights[:, 0].max())
+    steps = np.isin(time[1:], [one.time for one in found])
+    return beside(steps)
 
 
 def error_of(found: Compared, one: Fault) -> SensorError:

@@ -49,7 +49,7 @@ class Release:
         """Where its first part accelerates most towards flexion: s after t0, rad/s^2, error."""
         tried = np.linspace(0.0, HALF, 11)
         values, errors = self.derivative(2, tried)
-        at = int(np.argmin(values + errors))  # the greatest of noisy ones would be too great
+        at = int(np.argmin(values))
         value = float(values[at])
         return float(tried[at]), value, float(np.hypot(errors[at], MISSED * value))
 

@@ -1,0 +1,100 @@
+"""Jumps of an angle that its gyro does not show: a frame that slips, or samples that are lost.
+
+Between two samples an angle turns by the integral of its rate. A sensor may err in scale, in bias
+or by a delay; none of these is in one step and not in those beside it. What strikes a leg is in its
+rate as well.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from exoid.recordings.recording import Segment
+from exoid.recordings.samples import Samples
+
+NEAR = 10  # steps on either side, that show what is usual there
+SURE = 8.0  # standard deviations of a step ...
+ALONE = 4.0  # ... and times the greatest beside it
+LEAST = np.radians(0.5)
+STAYS = 0.7  # of a jump, by which the angle is off on its other side
+BESIDE = 5  # samples on either side, by which that is seen
+AGAIN = "Cut the recording there, or record it again"
+NORMAL = 1.4826  # standard deviation over the median of what is normal
+
+
+@dataclass(frozen=True)
+class Jump:
+    """Between a sample and the one before it."""
+
+    time: float  # s
+    size: float  # rad, beyond what the gyro turned
+
+    @property
+    def words(self) -> str:
+        return f"jumps by {np.degrees(self.size):.2g} deg at {self.time:.2f} s"
+
+
+def jumps(time: Samples, angle: Samples, rate: Samples | None, noise: float) -> list[Jump]:
+    """All of them; `noise` is that of the angle [rad]."""
+    if rate is None or time.size < 2 * NEAR + 2:
+        return []
+    step = np.diff(time)
+    turned = step * (rate[1:] + rate[:-1]) / 2
+    beyond = np.nan_to_num(np.diff(angle) - turned)
+    others = windows(beyond)
+    beyond = beyond - np.median(others, axis=1)
+    scale = max(2**0.5 * noise, NORMAL * float(np.median(np.abs(beyond))))
+    beside = np.abs(windows(beyond)).max(axis=1)
+    struck = step * np.abs(np.nan_to_num(np.diff(rate)))
+    size = np.abs(beyond)
+    clear = (size > LEAST) & (size > SURE * scale + struck) & (size > ALONE * beside)
+    apart = angle - np.concatenate([[0.0], np.cumsum(np.nan_to_num(turned))])
+    return [
+        Jump(float(time[at + 1]), float(beyond[at]))
+        for at in np.flatnonzero(clear)
+        if stays(apart, int(at), float(beyond[at]))
+    ]
+
+
+def jumps_of(segment: Segment, noise: float) -> list[Jump]:
+    """The same of what the sensors gave; a filter's channels do not jump."""
+    angle, rate = segment.raw_angle, segment.raw_angular_velocity
+    return [] if angle is None else jumps(segment.time, angle, rate, noise)
+
+
+def told_jumps(found: list[Jump]) -> str:
+    """What jumps, and what makes it jump; nothing where nothing does."""
+    if not found:
+        return ""
+    most = max(found, key=lambda one: abs(one.size))
+    more = f", and {len(found) - 1} times more" if len(found) > 1 else ""
+    return (
+        f"the angle {most.words}{more}, which the gyro does not show: a frame slipped, an encoder "
+        "stood still, or samples are lost"
+    )
+
+
+def jumping(segments: Mapping[str, list[Jump]]) -> str | None:
+    """The same of segments by their names; None where none jumps. Behind a jump the angle has
+    another zero, or the times are wrong.
+    """
+    each = [
+        f"in segment {name} {said}" for name, own in segments.items() if (said := told_jumps(own))
+    ]
+    return f"{'; '.join(each)}. {AGAIN}" if each else None
+
+
+def windows(each: Samples) -> np.ndarray:
+    """The values beside each: (value, neighbour)."""
+    padded = np.pad(each, NEAR)
+    around = np.lib.stride_tricks.sliding_window_view(padded, 2 * NEAR + 1)
+    return np.delete(around, NEAR, axis=1)
+
+
+def stays(apart: Samples, at: int, size: float) -> bool:
+    """Is the angle off by about that much from there on, as no spike leaves it?"""
+    before, after = apart[max(at + 1 - BESIDE, 0) : at + 1], apart[at + 1 : at + 1 + BESIDE]
+    if np.isnan(before).all() or np.isnan(after).all():
+        return False
+    return float(np.nanmedian(after) - np.nanmedian(before)) / size > STAYS
