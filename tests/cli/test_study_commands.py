@@ -72,7 +72,7 @@ def test_no_data_set_is_refused_in_a_line(command, tmp_path, words):
     (tmp_path / "empty").mkdir()
     for name, said in (
         ("nowhere", "there is no such folder"),
-        ("file.csv", "there is no such folder"),
+        ("file.csv", "this is a file"),
         ("empty", "no recording was found in it"),
     ):
         assert said in refusal(command("study", *words, tmp_path / name))

@@ -98,8 +98,8 @@ def test_what_even_the_best_leaves_may_tell_it_from_its_rivals():
 @pytest.mark.parametrize(
     ("share", "left", "certain"),
     [
-        (0.3, 20_000.0, (WobblingMass,)),
-        (0.5, 20_000.0, ()),
+        (0.3, 3_000.0, (WobblingMass,)),
+        (0.5, 3_000.0, ()),
         (0.5, 1_000.0, (WobblingMass,)),
     ],
 )
@@ -354,3 +354,11 @@ def test_what_takes_the_place_of_the_legs_spring_is_not_certain_but_an_error_of_
     assert certain_of(found, best) == (GyroScale,)
     found.prepared.rig = True
     assert certain_of(found, best) == (HardStop, GyroScale)
+
+
+def test_what_has_many_numbers_and_leaves_much_of_what_is_missing_is_not_named():
+    few, many = explaining(20_000.0, CoulombFriction), explaining(20_000.0, WobblingMass)
+    assert certain_of(found_of([few]), few) == (CoulombFriction,)
+    assert certain_of(found_of([many]), many) == ()
+    nearly = explaining(3000.0, WobblingMass)
+    assert certain_of(found_of([nearly]), nearly) == (WobblingMass,)

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from exoid.mismatch.evidence.yardstick import FOLLOWED
 from exoid.mismatch.screen.effect import named
 from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.search.found import Found, causes, size
@@ -13,6 +14,7 @@ from exoid.physics.parameter import AT_AN_END, declarations
 from exoid.physics.scale import ranged
 from exoid.physics.term import SensorTerm, Term, holds, name_of
 
+PLAIN = 2  # numbers of a cause; with more a wrong one comes near sooner
 SOFT = 0.1  # of the stiffness that the baseline saw, below which a leg has hardly any
 
 
@@ -59,21 +61,27 @@ def certain_of(found: Found, best: Optimum) -> tuple[type[Term], ...]:
     what nobody knows: then also what is best without one of them must have them.
     """
     fewer = [] if found.yardstick.explains(best.square) else with_one_less(found, best)
-    certain, most = asserted(best, [*equivalents(found, best), *fewer]), stretched(found, best)
+    certain, most = asserted(best, [*equivalents(found, best), *fewer]), stand_ins(found, best)
     return tuple(one for one in certain if not any(same_cause(one, term) for term in most))
 
 
-def stretched(found: Found, best: Optimum) -> list[type[Term]]:
-    """Its causes that are as large as they can be, by the first of their parameters, and so stand
-    in for what it does not have; none of a lone cause that leaves only noise. All that act on the
-    leg where they take the place of its spring.
+def stand_ins(found: Found, best: Optimum) -> dict[type[Term], str]:
+    """Its causes that stand in for what it does not have, and why they must; none of a lone cause
+    that leaves only noise.
     """
-    if found.yardstick.explains(best.square) and causes(best) < 2:
-        return []
+    noise = found.yardstick.explains(best.square)
+    if noise and causes(best) < 2:
+        return {}
     if springless(found, best):
-        return [term for term in best.candidate.terms if not issubclass(term, SensorTerm)]
-    each = zip(best.candidate.terms, best.candidate.values, strict=True)
-    return [term for term, value in each if at_its_most(term, float(value[0]), found)]
+        own = (term for term in best.candidate.terms if not issubclass(term, SensorTerm))
+        return dict.fromkeys(own, "would leave the leg hardly any stiffness")
+    each = list(zip(best.candidate.terms, best.candidate.values, strict=True))
+    most = "would have to be larger than it can be"
+    why = {term: most for term, value in each if at_its_most(term, float(value[0]), found)}
+    if not noise and found.followed(best) < FOLLOWED:
+        left = f"leaves {1 - found.followed(best):.0%} of what is missing, with so many numbers"
+        why |= {term: left for term, value in each if value.size > PLAIN}
+    return why
 
 
 def springless(found: Found, best: Optimum) -> bool:

@@ -11,8 +11,7 @@ from exoid.mismatch.conclude.asserted import (
     certain_of,
     equivalents,
     has,
-    springless,
-    stretched,
+    stand_ins,
     weight,
 )
 from exoid.mismatch.conclude.cannot_tell import (
@@ -240,20 +239,16 @@ def explains_it(found: Found, best: Optimum) -> bool:
 
 def undecided(found: Found, equal: list[Optimum]) -> list[str]:
     """That explanations without a cause in common come out alike, or what a lone one is not."""
-    if springless(found, equal[0]):
+    others = stand_ins(found, equal[0])
+    if others:
         return [
-            f"{words(names(equal[0]))} would leave the leg hardly any stiffness, and stands in for "
-            "something else"
+            f"{words([name_of(term) for term, own in others.items() if own == why])} {why}, and "
+            "stands in for something else"
+            for why in dict.fromkeys(others.values())
         ]
     if len(equal) == 1:
         alone = words(names(equal[0]))
         return [f"{alone} explains most, at values at which it is not what it is called"]
-    most = stretched(found, equal[0])
-    if most:
-        return [
-            f"{words([name_of(term) for term in most])} would have to be larger than it can be, "
-            "and stands in for something else"
-        ]
     each = [f"{words(names(one)) or 'no cause'} ({found.followed(one):.0%})" for one in equal]
     return [
         "explanations that have nothing in common come out alike (shares of the mismatch): "

@@ -10,10 +10,12 @@ from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.search.found import Found, names
 from exoid.mismatch.sensors.agreement import BIAS
 from exoid.physics.parameter import declarations
-from exoid.physics.term import name_of
+from exoid.physics.term import Term, name_of
 
 FORMULA = "formula"  # the name of a term that has none
 CERTAIN = 5.0  # standard deviations
+SOFTEST = 1e-3  # N m/rad, of a leg that has a rest angle
+NUDGE = 1e-6  # of an unknown, by which a slope is taken
 BIASED = np.radians(0.1)  # rad/s, from which on a gyro's bias is worth a word
 
 
@@ -63,19 +65,36 @@ def covariance(found: Found, one: Optimum) -> np.ndarray:
 
 def taken_in(found: Found, best: Optimum) -> set[str]:
     """The terms whose size is that of another with which they are one cause, but for the sign and
-    within the error of their sum.
+    within the error of their sum; a term that is the same torque is meant, too.
     """
-    candidate = best.candidate
-    ends = candidate.point.size + 2 + np.cumsum([value.size for value in candidate.values])
-    at = dict(zip(names(best), (int(end) - 1 for end in ends), strict=True))
     inside = set()
-    for term in candidate.terms:
-        if term.opposite in at:
-            both = [at[term.opposite], at[name_of(term)]]
-            variance = max(covariance(found, best)[np.ix_(both, both)].sum(), 0.0)
-            if abs(candidate.unknowns[both].sum()) < CERTAIN * np.sqrt(variance):
-                inside.add(term.opposite)
+    for term in best.candidate.terms:
+        for other in best.candidate.terms:
+            if term.opposite and term.opposite in (name_of(other), other.same_torque):
+                value, error = apart(found, best, term, other)
+                if abs(value) < CERTAIN * error:
+                    inside.add(name_of(other))
     return inside
+
+
+def apart(found: Found, best: Optimum, term: type[Term], other: type[Term]) -> tuple[float, float]:
+    """The sum of a term's size and of that of its opposite, and its error."""
+
+    def both(unknowns: np.ndarray) -> float:
+        at = best.candidate.at(unknowns)
+        size = dict(zip(at.terms, (value[0] for value in at.values), strict=True))
+        opposite = size[other]
+        if name_of(other) != term.opposite:
+            shared = found.prepared.coordinates(at).shared
+            stiffness = float(shared.stiffness * np.exp(shared.log_inertia))
+            opposite = other.as_same_torque(opposite, max(stiffness, SOFTEST))
+        return float(size[term] + opposite)
+
+    here = best.candidate.unknowns
+    steps = NUDGE * np.maximum(np.abs(here), 1.0)
+    slopes = [(both(here + step) - both(here - step)) / (2 * step.sum()) for step in np.diag(steps)]
+    variance = np.array(slopes) @ covariance(found, best) @ np.array(slopes)
+    return both(here), float(np.sqrt(max(variance, 0.0)))
 
 
 def parameters_of(found: Found, best: Optimum, formula: Formula | None) -> list[Parameter]:

@@ -6,6 +6,7 @@ from exoid.studies.dataset.motion_bids.labels import SUFFIX
 from exoid.studies.dataset.open_dataset import DEFAULTS
 
 NUMBER = re.compile(r"[-+]?\d+(?:[.,]\d+)*(?:e[-+]?\d+)?")
+COLUMN = re.compile(r"\bsay --column (\w+)=NAME")
 OPTIONS = re.compile(r"(\bsay )?(--(?:flip|zero) [a-z]+(?: --zero [a-z]+)?)")
 
 
@@ -16,6 +17,7 @@ def cause(said: str) -> str:
 
 def for_all(said: str, name: str) -> str:
     """A reason whose options of single commands are said as keys for a whole data set."""
+    said = COLUMN.sub(rf'write \1 = "NAME" in [columns] of {DEFAULTS}', said)
     where = f"[sensors] of {DEFAULTS} at the top of the data set"
     if name.endswith(SUFFIX):
         where = "sensors of exoid in task-NAME_motion.json at the top of the data set"

@@ -35,7 +35,8 @@ def open_dataset(folder: str | Path) -> Dataset:
     """
     folder = Path(folder)
     if not folder.is_dir():
-        raise ValueError(f"{folder}: there is no such folder. Name the folder of a data set.")
+        what = "this is a file" if folder.exists() else "there is no such folder"
+        raise ValueError(f"{folder}: {what}. Name the folder of a data set.")
     try:
         found = walk(folder.absolute())
     except OSError as fault:

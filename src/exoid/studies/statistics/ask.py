@@ -68,8 +68,8 @@ def column_of(study: Study, name: str) -> str:
 def check(what: str, wanted, there: tuple[str, ...]) -> None:
     for each in wanted:
         if each not in there:
-            known = ", ".join(there[:40]) or "none"
-            raise ValueError(f"{each!r}: the results have no such {what}. There is: {known}.")
+            known = f"There is: {', '.join(there[:40])}." if there else "They have none."
+            raise ValueError(f"{each!r}: the results have no such {what}. {known}")
 
 
 def answer(study: Study, values: Values, asked: Asked) -> Answer:
