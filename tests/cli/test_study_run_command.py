@@ -76,4 +76,5 @@ def test_progress_tells_rate_and_time_left():
     assert line("recordings", 0, 1000, 5.0) == "0 of 1000 recordings"
     told = line("recordings", 120, 1000, 10.0)
     assert told == "120 of 1000 recordings, 12 a second, 1 min 13 s left"
+    assert line("recordings", 2, 4, 720.0) == "2 of 4 recordings, 6 min 0 s each, 12 min 0 s left"
     assert lasting(7260.0) == "2 h 1 min"

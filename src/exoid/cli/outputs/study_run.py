@@ -3,6 +3,7 @@
 from pathlib import Path
 from typing import Any
 
+from exoid.cli.terminal.progress import pace
 from exoid.files.visible import visible
 
 SHOWN = 12  # reasons
@@ -23,8 +24,8 @@ def print_outcome(made: Any, results: Path, console: Any) -> None:
     table = Table(title="Study", title_justify="left")
     table.add_column("recordings")
     table.add_column("", justify="right")
-    rate = made.computed / made.seconds if made.computed else 0.0
-    told = f"{made.seconds:.1f} s" + (f", {rate:.3g} a second" if made.computed else "")
+    told = f"{made.seconds:.1f} s"
+    told += f", {pace(made.computed / made.seconds)}" if made.computed else ""
     for name, value in (
         ("all", made.recordings),
         ("measured", made.ok),

@@ -5,6 +5,8 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
+SELDOM = 0.2  # a second, below which one counts seconds
+
 
 @contextmanager
 def progress(what: str) -> Iterator[Callable[[int, int], None]]:
@@ -29,7 +31,12 @@ def line(what: str, done: int, of: int, seconds: float) -> str:
     if not done or seconds <= 0:
         return f"{done} of {of} {what}"
     rate = done / seconds
-    return f"{done} of {of} {what}, {rate:.3g} a second, {lasting((of - done) / rate)} left"
+    return f"{done} of {of} {what}, {pace(rate)}, {lasting((of - done) / rate)} left"
+
+
+def pace(rate: float) -> str:
+    """So many a second, or how long each takes where that is long."""
+    return f"{rate:.3g} a second" if rate > SELDOM else f"{lasting(1 / rate)} each"
 
 
 def lasting(seconds: float) -> str:
