@@ -79,8 +79,8 @@ def stand_ins(found: Found, best: Optimum) -> dict[type[Term], str]:
     most = "would have to be larger than it can be"
     why = {term: most for term, value in each if at_its_most(term, float(value[0]), found)}
     if not noise and found.followed(best) < FOLLOWED:
-        left = f"leaves {1 - found.followed(best):.0%} of what is missing, with so many numbers"
-        why |= {term: left for term, value in each if value.size > PLAIN}
+        left = f"numbers and leaves {1 - found.followed(best):.0%} of what is missing"
+        why |= {term: f"has {value.size} {left}" for term, value in each if value.size > PLAIN}
     return why
 
 

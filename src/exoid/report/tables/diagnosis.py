@@ -5,7 +5,7 @@ from rich.console import Console
 from exoid.mismatch.answer.diagnosis import Diagnosis, Tested
 from exoid.report.tables.leg import before_and_after
 from exoid.report.tables.table import Column, Table, print_table
-from exoid.report.words.diagnosis import headline, sentences
+from exoid.report.words.diagnosis import BESIDE, headline, sentences
 from exoid.report.words.text import (
     capital,
     heading,
@@ -38,6 +38,8 @@ def print_diagnosis(found: Diagnosis, console: Console) -> None:
     if found.after is not None:
         print_table(before_and_after(found.before, found.after), console)
         say(console, "± one standard error, with the part for what is still missing.")
+        if found.formula is not None:
+            say(console, BESIDE)
     if found.suspected:
         print_table(suspects(found), console)
         say(console, IN_ERRORS)

@@ -23,6 +23,10 @@ NO_LEG = (
 )
 SUSPECTS = 3  # that are named
 WHOLE = 0.8  # of a torque's variance, below which a formula is no more than a part of it
+BESIDE = (
+    "d, c and m l g are here beside the formula: what it has of the speed, the angle or gravity is "
+    "not in them."
+)
 LITTLE = 0.03  # share of what was missing that is worth no word
 ORIGINS = {  # of an inertia that the motion does not tell alone
     "prior": "which the prior sets: torques grow with it",

@@ -12,7 +12,7 @@ from exoid.report.sections.section import section
 from exoid.report.tables.diagnosis import LEGEND, candidates, suspects
 from exoid.report.tables.leg import before_and_after
 from exoid.report.tables.table import Table
-from exoid.report.words.diagnosis import sentences, value, verdict
+from exoid.report.words.diagnosis import BESIDE, sentences, value, verdict
 from exoid.report.words.text import in_words
 
 SAID = (
@@ -42,6 +42,8 @@ def physics(case: Case) -> Iterator[Block]:
     yield parameters(found.parameters if found.verdict == "mismatch" else [])
     if found.after is not None:
         yield before_and_after(found.before, found.after)
+        if found.formula is not None:
+            yield element("p", BESIDE, "small")
     if found.suspected:
         yield suspects(found)
     yield show_causes(found)
