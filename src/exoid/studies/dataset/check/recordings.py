@@ -110,7 +110,7 @@ def trials_alike(entries: Iterable[Entry]) -> Findings:
         if each.participant:
             key = (each.participant, each.session, each.side, each.task, each.run)
             alike[key].append(each.name)
-    for group in alike.values():
-        if len(group) > 1:
-            says = f"is of the same person, side, session and run as {group[0]}: which is which?"
-            yield warning("one trial", group[1], f"{says} Number them: run-1, run-2.")
+    for first, *others in alike.values():
+        for name in others:
+            says = f"is of the same person, side, session and run as {first}: which is which?"
+            yield warning("one trial", name, f"{says} Number them: run-1, run-2.")
