@@ -113,3 +113,12 @@ def test_a_formula_of_half_a_torque_is_not_that_torque():
     assert sentences(whole)["Missing"].startswith("tau = 0.2 sin(8 x) N m")
     assert "no short formula" in sentences(half)["Missing"]
     assert sentences(half)["Missing"].endswith("explains only 54% of its variance")
+
+
+def test_a_formula_says_from_when_its_time_counts_where_it_has_one():
+    one = novel()
+    assert one.formula is not None
+    fading = replace(one.formula, words="tau = 1.9 exp(-t/0.7 s) N m")
+    told = sentences(replace(one, formula=fading))["Missing"]
+    assert "t in s from a segment's first fitted sample on" in told
+    assert "t in s" not in sentences(one)["Missing"]

@@ -1,5 +1,6 @@
 """A diagnosis in sentences: what is missing, where, the proof, and what it had been booked as."""
 
+import re
 from math import degrees
 
 from exoid.fitting.model.term_parameters import RATIO_UNITS, parameters_of
@@ -100,7 +101,8 @@ def named(found: Diagnosis) -> list[str]:
     """Every effect with its parameters."""
     if found.formula is not None:
         own, share = found.formula, f"{found.formula.explained:.0%}"
-        units = f"x in rad, v in rad/s, t in s; {for_inertia(found.inertia, found.fit)}"
+        clock = ", t in s from a segment's first fitted sample on" if "t" in arguments(own) else ""
+        units = f"x in rad, v in rad/s{clock}; {for_inertia(found.inertia, found.fit)}"
         if own.explained < WHOLE:
             said = f"a torque that is no short formula; {own.words} ({units})"
             return [f"{said} explains only {share} of its variance{at_once(own)}"]
@@ -113,6 +115,11 @@ def named(found: Diagnosis) -> list[str]:
             own = [over_inertia(each, found.after) for each in own]
         lines.append(f"{one.title}, {', '.join(map(parameter, own))}{scale(found, own)}")
     return lines
+
+
+def arguments(formula: NovelTorque) -> set[str]:
+    """Of angle x, speed v and time t those that it has."""
+    return set(re.findall(r"\b[xvt]\b", formula.words))
 
 
 def at_once(formula: NovelTorque) -> str:
