@@ -72,6 +72,12 @@ def test_a_strike_is_in_the_rate_and_no_jump():
     assert jumps(TIME, angle, rate, NOISE) == []
 
 
+def test_a_gap_of_which_the_times_tell_is_none():
+    angle, rate = swing()
+    kept = np.delete(np.arange(TIME.size), np.arange(100, 226))  # a whole period
+    assert jumps(TIME[kept], angle[kept], rate[kept], NOISE) == []
+
+
 def test_without_a_gyro_nothing_is_said():
     angle, _ = swing()
     angle[200:] += 1.0

@@ -37,8 +37,8 @@ def consistency(seen: Observation, measuring: Measuring) -> Consistency:
 
 def jumped(time: np.ndarray, data: np.ndarray, weights: np.ndarray) -> np.ndarray:
     """The steps in which the angle jumps, and those beside them."""
-    seen = np.where(weights > 0, data, np.nan)
-    found = jumps(time, seen[:, 0], seen[:, 1], 1 / weights[:, 0].max())
+    seen, most = np.where(weights > 0, data, np.nan), float(weights[:, 0].max())
+    found = jumps(time, seen[:, 0], seen[:, 1], 1 / most if most > 0 else np.inf)
     steps = np.isin(time[1:], [one.time for one in found])
     return beside(steps)
 

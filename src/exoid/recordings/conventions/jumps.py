@@ -17,6 +17,7 @@ NEAR = 10  # steps on either side, that show what is usual there
 SURE = 8.0  # standard deviations of a step ...
 ALONE = 4.0  # ... and times the greatest beside it
 LEAST = np.radians(0.5)
+LONG = 2.5  # times the usual step, in which nobody knows how the leg moved
 STAYS = 0.7  # of a jump, by which the angle is off on its other side
 BESIDE = 5  # samples on either side, by which that is seen
 AGAIN = "Cut the recording there, or record it again"
@@ -48,7 +49,8 @@ def jumps(time: Samples, angle: Samples, rate: Samples | None, noise: float) -> 
     beside = np.abs(windows(beyond)).max(axis=1)
     struck = step * np.abs(np.nan_to_num(np.diff(rate)))
     size = np.abs(beyond)
-    clear = (size > LEAST) & (size > SURE * scale + struck) & (size > ALONE * beside)
+    known = step < LONG * np.median(step)
+    clear = known & (size > LEAST) & (size > SURE * scale + struck) & (size > ALONE * beside)
     apart = angle - np.concatenate([[0.0], np.cumsum(np.nan_to_num(turned))])
     return [
         Jump(float(time[at + 1]), float(beyond[at]))
