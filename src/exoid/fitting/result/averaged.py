@@ -17,11 +17,9 @@ def averaged(each: Sequence[Estimate], owner: Sequence[int]) -> Estimate:
     if values.size < 2:
         return replace(each[0], standard_error=None, shares=None, limited_by=None)
     scatter = float(values.std(ddof=1) / np.sqrt(values.size))
-    common = of_recordings(each, owner)
-    total = {name: size for name, size in common.items() if size}
-    shared = float(np.hypot.reduce([*total.values(), 0.0]))
-    error = float(np.hypot(scatter, shared))
-    part = {name: (size / error) ** 2 for name, size in total.items()}
+    common = {name: size for name, size in of_recordings(each, owner).items() if size}
+    error = float(np.hypot.reduce([scatter, *common.values()]))
+    part = {name: (size / error) ** 2 for name, size in common.items()}
     return replace(
         each[0], value=float(values.mean()), standard_error=error, shares=None, limited_by=part
     )

@@ -14,7 +14,6 @@ from exoid.physics.term import Term, name_of
 
 FORMULA = "formula"  # the name of a term that has none
 CERTAIN = 5.0  # standard deviations
-SOFTEST = 1e-3  # N m/rad, of a leg that has a rest angle
 NUDGE = 1e-6  # of an unknown, by which a slope is taken
 BIASED = np.radians(0.1)  # rad/s, from which on a gyro's bias is worth a word
 
@@ -83,12 +82,9 @@ def apart(found: Found, best: Optimum, term: type[Term], other: type[Term]) -> t
     def both(unknowns: np.ndarray) -> float:
         at = best.candidate.at(unknowns)
         size = dict(zip(at.terms, (value[0] for value in at.values), strict=True))
-        opposite = size[other]
-        if name_of(other) != term.opposite:
-            shared = found.prepared.coordinates(at).shared
-            stiffness = float(shared.stiffness * np.exp(shared.log_inertia))
-            opposite = other.as_same_torque(opposite, max(stiffness, SOFTEST))
-        return float(size[term] + opposite)
+        if name_of(other) == term.opposite:
+            return float(size[term] + size[other])
+        return float(size[term] + found.prepared.as_its_twin(at, other, size[other]))
 
     here = best.candidate.unknowns
     steps = NUDGE * np.maximum(np.abs(here), 1.0)

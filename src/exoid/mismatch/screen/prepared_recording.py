@@ -3,6 +3,7 @@
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import product
+from typing import Any
 
 import jax
 import numpy as np
@@ -31,6 +32,7 @@ from exoid.physics.sensing.angle_offset import AngleOffset
 from exoid.physics.term import Term, name_of
 
 OUTERMOST = 3.0  # standard deviations of a seat's tilt: one that is farther off is a cause
+SOFTEST = 1e-3  # N m/rad, of a leg that has a rest angle
 FARTHEST = 5.0  # typical steps of the inertia from the fit: a factor of four
 
 
@@ -126,6 +128,12 @@ class PreparedRecording:
 
     def coordinates(self, candidate: Hypothesis) -> Coordinates:
         return unflattened(candidate.point * self.units, self.like)
+
+    def as_its_twin(self, candidate: Hypothesis, term: type[Term], size: Any) -> Any:
+        """The size of the term named `same_torque` that pushes as much on a candidate's leg."""
+        shared = self.coordinates(candidate).shared
+        stiffness = float(shared.stiffness * np.exp(shared.log_inertia))
+        return term.as_same_torque(size, max(stiffness, SOFTEST))
 
     def point(self, coordinates: Coordinates) -> np.ndarray:
         return flattened(scaled(coordinates))

@@ -16,7 +16,6 @@ from exoid.physics.term import SensorTerm, Term, name_of
 
 BESIDE = 2  # of the best single terms are tried beside what the sensors surely say
 SEEN = 0.1  # of its period, over which what repeats shows itself
-SOFTEST = 1e-3  # N m/rad, of a leg that has a rest angle
 
 
 def applies(prepared: PreparedRecording, term: type[Term]) -> bool:
@@ -72,11 +71,12 @@ def renamed(
     prepared: PreparedRecording, candidate: Hypothesis, mine: type[Term], twin: type[Term]
 ) -> Hypothesis:
     """The candidate with the twin of one of its terms, as large."""
-    shared = prepared.coordinates(candidate).shared
-    stiffness = max(float(shared.stiffness * np.exp(shared.log_inertia)), SOFTEST)
     declared = next(each for _, each in declarations(twin))
     moved = [
-        (twin, np.clip(mine.as_same_torque(value, stiffness), declared.lower, declared.upper))
+        (
+            twin,
+            np.clip(prepared.as_its_twin(candidate, mine, value), declared.lower, declared.upper),
+        )
         if term is mine
         else (term, value)
         for term, value in zip(candidate.terms, candidate.values, strict=True)

@@ -12,6 +12,7 @@ import numpy as np
 
 from exoid.recordings.recording import Segment
 from exoid.recordings.samples import Samples
+from exoid.recordings.signal.scatter import robust_deviation
 
 NEAR = 10  # steps on either side, that show what is usual there
 SURE = 8.0  # standard deviations of a step ...
@@ -21,7 +22,6 @@ LONG = 2.5  # times the usual step, in which nobody knows how the leg moved
 STAYS = 0.7  # of a jump, by which the angle is off on its other side
 BESIDE = 5  # samples on either side, by which that is seen
 AGAIN = "Cut the recording there, or record it again"
-NORMAL = 1.4826  # standard deviation over the median of what is normal
 
 
 @dataclass(frozen=True)
@@ -42,10 +42,9 @@ def jumps(time: Samples, angle: Samples, rate: Samples | None, noise: float) -> 
         return []
     step = np.diff(time)
     turned = step * (rate[1:] + rate[:-1]) / 2
-    beyond = np.nan_to_num(np.diff(angle) - turned)
-    others = windows(beyond)
-    beyond = beyond - np.median(others, axis=1)
-    scale = max(2**0.5 * noise, NORMAL * float(np.median(np.abs(beyond))))
+    beyond = np.nan_to_num(np.diff(angle) - turned)  # a missing sample tells of no jump
+    beyond = beyond - np.median(windows(beyond), axis=1)
+    scale = robust_deviation(beyond, 2**0.5 * noise)
     beside = np.abs(windows(beyond)).max(axis=1)
     struck = step * np.abs(np.nan_to_num(np.diff(rate)))
     size = np.abs(beyond)

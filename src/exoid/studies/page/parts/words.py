@@ -148,7 +148,7 @@ MAIN = ("change_by_group", "change", "groups")  # findings, the first of which l
 
 def finding(answers: Answers) -> str:
     """The main one, of the first quantity, on whom it rests, and what is missing; where no primary
-    one was named, and of another the groups surely differ, that one.
+    one was named and another is sure, that one.
     """
     if not answers.each:
         return "No quantity has values that recordings told."
@@ -157,7 +157,7 @@ def finding(answers: Answers) -> str:
 
 
 def surest(answers: Answers) -> Answer:
-    """The first quantity of which groups surely differ, else the first."""
+    """The first quantity of which the leading kind of finding is sure, else the first."""
     first = answers.each[0]
     kind = next((kind for kind in MAIN if kind in first.corrected), "")
     sure = (each for each in answers.each if each.corrected.get(kind, 1.0) < SURE)
