@@ -22,7 +22,7 @@ LEG = np.array([[4.5, 0.42, 0.26, 0.33, 2.6, 0.0]])  # m, J, l, d, c, tau
 def posed(*terms):
     movements = movements_of([("drop", recorded(DROP))])
     problem = pose(movements, believe(BODY), "1/T", Raw())
-    starts = coordinates(LEG, movements, 100.0, term_starts(terms, movements, 1))
+    starts = coordinates(LEG, movements, term_starts(terms, movements, 1))
     return problem, take(starts, 0)
 
 

@@ -24,7 +24,7 @@ def arrived(*legs, loss):
     """A problem, and tied starts that ended at these legs."""
     movements = movements_of([("drop", recorded(DROP))])
     problem = pose(movements, believe(BODY), "1/T", Raw())
-    at = coordinates(np.array(legs), movements, 100.0)
+    at = coordinates(np.array(legs), movements)
     like = solved_structure()
     nowhere = jax.tree.unflatten(like, [np.zeros(0)] * like.num_leaves)
     ended = at, np.array(loss, dtype=float)

@@ -22,7 +22,7 @@ HEAVIER = (9.0, 0.84, 0.26, 0.66, 5.2, 0.0)  # of the same motion
 def posed(*legs):
     movements = movements_of([("drop", recorded(DROP))])
     problem = pose(movements, believe(BODY), "1/T", Raw())
-    return problem, coordinates(np.array(legs), movements, 100.0)
+    return problem, coordinates(np.array(legs), movements)
 
 
 def test_what_is_believed_most_is_the_same_from_anywhere_and_nothing_near_is_believed_more():

@@ -17,7 +17,7 @@ from exoid.fitting.multistart.search_result import SearchResult
 from exoid.fitting.multistart.settle import settle
 from exoid.fitting.multistart.simpler_problems import as_declared, without_scale, without_terms
 from exoid.fitting.multistart.starts import coordinates, usual_mounting
-from exoid.fitting.multistart.tethers import COARSE, FINE, tethers, without_thrust
+from exoid.fitting.multistart.tethers import COARSE, FINE, tethers, within_reach, without_thrust
 from exoid.fitting.multistart.weight_by_kind import alone, explained, explained_apart
 from exoid.fitting.solve.ask import advance, around, finite, left, lowest, take, task
 from exoid.fitting.solve.problem import Problem
@@ -40,9 +40,8 @@ def search(
     prior and limits. Also the problem, its priors wider where a seat or a clock is unusual
     (`gross_errors.py`).
     """
-    tether, _ = tethers(problem)
-    greatest = 2 / problem.longest_step - 2 * tether
-    begin = coordinates(starts, problem.movements, greatest, terms, problem.owned)
+    begin = coordinates(starts, problem.movements, terms, problem.owned)
+    begin = within_reach(begin, tethers(problem)[0], problem.longest_step)
     if near:
         gathered, member, failures = take(begin, [0]), np.zeros(len(starts), dtype=int), {}
     else:

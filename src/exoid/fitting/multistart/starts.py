@@ -77,22 +77,17 @@ def term_starts(
 def coordinates(
     parameters: np.ndarray,
     movements: list[Movement],
-    greatest_damping: float,
     terms: tuple[Term, ...] = (),
     owned: tuple[str, ...] = OWNED,
 ) -> Coordinates:
-    """The starts (m, J, l, d, c, tau) with terms, every movement from its first measured state.
-
-    d/J is held below `greatest_damping` [1/s]: beyond it the time step cannot carry the motion.
-    """
+    """The starts (m, J, l, d, c, tau) with terms, every movement from its first measured state."""
     leg, torque = LegParameters(*parameters.T[:-1]), parameters.T[-1]
-    shared = shared_of(leg)
     first = np.array([first_state(each) for each in movements])
     voluntary = np.array([each.voluntary for each in movements])
     shape = (torque.size, len(movements))
     none = {name: np.zeros(torque.size) for name in absent_of(movements)}
     return Coordinates(
-        shared=replace(shared, damping=np.minimum(shared.damping, greatest_damping), **none),
+        shared=replace(shared_of(leg), **none),
         log_mass=np.log(leg.mass),
         mounting=usual_mounting(movements, (torque.size,), owned),
         own=SegmentUnknowns(

@@ -12,6 +12,7 @@ from exoid.fitting.solve.program_values import Solved
 
 TETHERS = (60.0, 15.0)  # rad/s, of the first stage and the second; then free
 QUICKER = 2.0  # times the pace of a recording that is quicker than a leg: its first tether
+SPRING = 0.5  # greatest frequency of a start's own spring, over its tether's
 STIFF = 0.6  # greatest tether times step: Runge-Kutta carries it with room for the leg
 COARSE, FINE = 10.0, 1e-2  # tolerances, in units of noise
 
@@ -21,6 +22,18 @@ def tethers(problem: Problem) -> tuple[float, float]:
     pace = quickest(problem.movements)
     first = min(max(TETHERS[0], QUICKER * pace), STIFF / problem.longest_step)
     return first, min(max(TETHERS[1], first / 4), first / 2)
+
+
+def within_reach(starts: Coordinates, tether: float, step: float) -> Coordinates:
+    """The same, damping and springs no stronger than a tether [rad/s] can lead to the data.
+
+    d/J beyond what the time step [s] carries beside it would run away, and c/J of a spring that
+    alone swings at more than half its frequency would hold the leg off the measured motion.
+    """
+    shared = starts.shared
+    damping = np.minimum(shared.damping, 2 / step - 2 * tether)
+    stiffness = np.minimum(shared.stiffness, (SPRING * tether) ** 2)
+    return replace(starts, shared=replace(shared, damping=damping, stiffness=stiffness))
 
 
 def approach(problem: Problem, starts: Coordinates, scale: np.ndarray) -> Solved:
