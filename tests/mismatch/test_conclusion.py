@@ -119,6 +119,16 @@ def test_beside_another_cause_none_is_certain_that_would_have_to_be_larger_than_
         assert certain_of(found_of([], [best]), best) == certain
 
 
+def test_tissue_that_does_not_ring_is_no_tissue_that_wobbles():
+    """Tissue that relaxes in several times looks like that beside one that relaxes in one."""
+    pair = explaining(1_000.0, MaxwellElement, WobblingMass)
+    relaxing, tissue = pair.candidate.values
+    for ratio, certain in ((0.3, (MaxwellElement, WobblingMass)), (1.0, (MaxwellElement,))):
+        values = relaxing, np.array([*tissue[:-1], ratio])
+        best = replace(pair, candidate=replace(pair.candidate, values=values))
+        assert certain_of(found_of([], [best]), best) == certain
+
+
 @pytest.mark.parametrize(
     ("term", "size", "most"),
     [

@@ -8,6 +8,8 @@ from exoid.physics.moment import Moment
 from exoid.physics.parameter import Parameter, parameter
 from exoid.physics.term import Memory, PhysicsTerm, Scalar
 
+SLUGGISH = 0.9  # damping ratio from which on tissue rings no more
+
 
 class WobblingMass(PhysicsTerm):
     """A mass mu at the distance r from the knee, tied to the bone by springs along and across it.
@@ -42,6 +44,10 @@ class WobblingMass(PhysicsTerm):
     damping_ratio: Parameter = parameter(
         "zeta", "1", 0.02, 1.0, "damping ratio of the tissue", (0.2,)
     )
+
+    def itself(self) -> bool:
+        """Does it ring? What creeps behind the bone is tissue that relaxes."""
+        return bool(self.damping_ratio < SLUGGISH)
 
     def accelerations(self, now: Moment, memory: Memory) -> Float[Array, "3"]:
         """phi'', x'' and y''."""
