@@ -15,7 +15,7 @@ from exoid.mismatch.conclude.asserted import (
     plainest,
     weight,
 )
-from exoid.mismatch.conclude.cannot_tell import chance, luck, unrelaxed
+from exoid.mismatch.conclude.cannot_tell import chance, faint, luck, unrelaxed
 from exoid.mismatch.conclude.false_alarm import Chance
 from exoid.mismatch.evidence.prediction import Prediction, improves
 from exoid.mismatch.evidence.yardstick import Yardstick
@@ -141,6 +141,12 @@ def test_tissue_that_does_not_ring_is_no_tissue_that_wobbles():
 )
 def test_a_size_without_a_sign_is_not_at_its_limit_where_it_is_nothing(term, size, most):
     assert at_its_most(term, size, found_of([])) is most
+
+
+def test_no_two_causes_are_claimed_where_hardly_more_than_noise_is_missing():
+    """As of a sensor that lags on the skin by 0.05 deg, of noise of 0.04 deg."""
+    assert "take 2 causes at once" in faint(1.9, 2)[0]
+    assert faint(1.9, 1) == faint(5.0, 2) == []
 
 
 def test_what_a_formula_has_once_in_a_motion_may_be_a_moment():

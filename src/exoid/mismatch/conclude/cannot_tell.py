@@ -17,6 +17,7 @@ QUIETEST = np.radians(12.0)  # rad, of movement: less is within straps and skin
 FEW = 1 / 3  # of the segments, in which something may have happened once
 CYCLES = 3  # that a claim about the leg needs where all are voluntary
 MOSTLY = 0.5  # of resampled segments must give the same answer
+FAINT = 3.0  # mean square over the noise, below which several causes at once are no claim
 APART = 0.05  # relative, by which the slowest must be slower than the fastest
 
 
@@ -108,6 +109,19 @@ def once(prepared: PreparedRecording, best: Optimum) -> list[str]:
     return [
         f"what remains lies in segment {names} alone, and physics of the leg acts in all of them: "
         "a hand may have touched it there. Leave it out, or record it again"
+    ]
+
+
+def faint(square: float, causes: int) -> list[str]:
+    """That a mismatch about as large as the noise itself takes several causes at once.
+
+    `square` is the mean square of what is missing and of the noise, over the noise.
+    """
+    if causes < 2 or square > FAINT:
+        return []
+    return [
+        f"simulation and recording differ by {square**0.5:.2g} times the noise only, and it would "
+        f"take {causes} causes at once: drop the leg from higher up, or measure with less noise"
     ]
 
 

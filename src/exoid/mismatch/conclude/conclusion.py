@@ -17,6 +17,7 @@ from exoid.mismatch.conclude.asserted import (
 from exoid.mismatch.conclude.cannot_tell import (
     broken,
     chance,
+    faint,
     hands,
     luck,
     once,
@@ -47,7 +48,7 @@ from exoid.mismatch.evidence.yardstick import FOLLOWED
 from exoid.mismatch.novel.formula import Formula
 from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
-from exoid.mismatch.search.found import Found, Workings, names, size
+from exoid.mismatch.search.found import Found, Workings, causes, names, size
 from exoid.mismatch.search.resample import inclusion
 from exoid.mismatch.sensors.agreement import BIAS
 from exoid.physics.library import library
@@ -226,6 +227,7 @@ def judge(
     doubts = [
         *little,
         *unsure(prepared, best, shown, explained=explained),
+        *faint(found.base.square / found.yardstick.samples, causes(best)),
         *chance(repeated),
         *luck(lucky),
     ]
