@@ -9,6 +9,7 @@ from itertools import pairwise
 
 import numpy as np
 from scipy.integrate import solve_ivp
+from scipy.signal import butter, lsim
 
 from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
 from hands import ADULT, Hand, Knee, motion
@@ -20,6 +21,7 @@ STARTS = (-0.05, -0.3, -0.6)  # rad, of drops
 BEFORE = 0.7  # s that a hand holds the leg
 CYCLES = ((1.5, 17.0), (1.8, 16.5), (2.4, 16.0), (1.6, 18.0))  # s, 1/s^2: periods, torques over J
 FIRST = -0.25  # rad, where cycles begin
+FINE = 1e-3  # s, of what a filter sees
 
 
 @dataclass(frozen=True)
@@ -36,6 +38,8 @@ class Faults:
     bias_drift: float = 0.0  # rad/s^2
     delay: float = 0.0  # s, of the gyro
     clock: float = 0.0  # true seconds in a recorded one, less 1
+    smoothed: float = 0.0  # s, time constant of a gyro's filter of first order
+    held_back: float = 0.0  # s, delay of an encoder's Butterworth filter of second order
 
     def angle(self, time, true):
         """What the encoder shows of true angles."""
@@ -48,6 +52,22 @@ class Faults:
     def rate(self, time, true):
         """What the gyro shows of the true rates of its delayed instants."""
         return (1 + self.scale) * true + self.bias + self.bias_drift * time
+
+    def filtered(self, moving: "Moving") -> "Moving":
+        """The motion as sensors behind filters see it."""
+        encoder, gyro = ([1.0], [1.0]), ([1.0], [self.smoothed, 1.0])
+        if self.held_back:
+            encoder = butter(2, np.sqrt(2) / self.held_back, analog=True)
+
+        def seen(time):
+            fine = np.arange(0.0, time[-1] + FINE, FINE)
+            angle, rate = moving(fine)
+            behind = angle[0] + lsim(encoder, angle - angle[0], fine)[1]
+            return np.array(
+                [np.interp(time, fine, each) for each in (behind, lsim(gyro, rate, fine)[1])]
+            )
+
+        return seen if self.smoothed or self.held_back else moving
 
 
 Moving = Callable[[np.ndarray], np.ndarray]  # true times to (angle, rate)
@@ -117,7 +137,7 @@ def cycled(knee: Knee, period: float, torque: float) -> Moving:
 
 def shown(faults: Faults, moving: Moving, time, random, *, gyro: bool) -> Segment:
     """A motion as the sensors show it at recorded times."""
-    true = (1 + faults.clock) * time
+    true, moving = (1 + faults.clock) * time, faults.filtered(moving)
     noise = random.normal(size=(2, time.size))
     angle = faults.angle(time, moving(true)[0]) + NOISE[0] * noise[0]
     late = moving(true - faults.delay)[1]

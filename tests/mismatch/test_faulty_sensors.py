@@ -21,6 +21,8 @@ CASES = {
     "a wrong rate": (lambda: drops(Faults(clock=0.03)), {"gyro_scale"}),
     "twice per turn": (lambda: drops(Faults(second=SECOND)), {"encoder_second_harmonic"}),
     "a strap that creeps": (lambda: drops(Faults(zero_drift=7e-3)), {"zero_drift"}),
+    "a gyro behind a filter": (lambda: drops(Faults(smoothed=0.03)), {"first_order_filter"}),
+    "an encoder behind a filter": (lambda: drops(Faults(held_back=0.04)), {"sensor_skew"}),
     "five at once": (
         lambda: drops(FIVE),
         {"gyro_scale", "sensor_skew", "angle_offset", "gyro_bias"},

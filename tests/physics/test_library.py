@@ -45,6 +45,8 @@ NAMES = {
     "activation_lag",
     "stretch_reflex",
     "fatigue",
+    "butterworth_filter",
+    "first_order_filter",
     "encoder_eccentricity",
     "encoder_gain",
     "encoder_second_harmonic",

@@ -19,6 +19,7 @@ from exoid.fitting.solve.ask import take
 from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.problem import Problem
 from exoid.mismatch.evidence.yardstick import Yardstick
+from exoid.mismatch.filtered import filtered
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import FEWER_ROUNDS, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
@@ -65,7 +66,7 @@ def prepare(
     led = tethers(problem) if drifted or lost else ()
     made = PreparedRecording(problem, sensors, tested, inertia, rig, zero, tuple(common), led)
     begin = Hypothesis(tuple(common), tuple(common.values()), made.point(fitted))
-    return made, settle_free(made, begin, rounds=FEWER_ROUNDS)
+    return filtered(made, settle_free(made, begin, rounds=FEWER_ROUNDS))
 
 
 def common_of(

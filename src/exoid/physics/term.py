@@ -48,7 +48,7 @@ class Term(eqx.Module):
     isolate: eqx.AbstractClassVar[str]  # the recording that would show it apart from others
 
     twin: ClassVar[str] = ""  # what looks the same in every recording
-    named_only: ClassVar[bool] = False  # is it such a twin, which no search need try by itself
+    named_only: ClassVar[bool] = False  # need no search try it by itself: a twin, or a finer form
     same_torque: ClassVar[str] = ""  # the term that pushes just like this one
     opposite: ClassVar[str] = ""  # the term that this one takes in where the two are opposite
     memory_size: ClassVar[int] = 0  # of a state of its own
