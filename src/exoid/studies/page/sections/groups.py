@@ -49,8 +49,10 @@ def compared(answers: Answers, kind: str, title: str) -> Iterator[Block]:
     picture = effects([found for found, *_ in told]) if kind == "groups" else None
     if picture is not None:
         yield picture
-    notes = {note: None for found, *_ in told for note in found.notes}
-    yield list(notes)
+    notes = by_reason(
+        (quantity_words(found.quantity), one) for found, *_ in told for one in found.notes
+    )
+    yield [f"{', '.join(names)}: {one}" for one, names in notes.items()]
     missing = by_reason(
         (quantity_words(each.quantity), one)
         for each in answers.each
