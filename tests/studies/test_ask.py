@@ -42,29 +42,6 @@ def test_everything_is_answered_of_a_sound_study():
     assert min(corrected) == pytest.approx(min(2 * min(raw), 1.0))  # Holm's, of two
 
 
-def test_what_groups_differ_by_is_told_without_fits_that_miss_something_too():
-    """Six of twelve people of one group rub: each of their fits takes it for damping."""
-    made = simulate(Design(people=24, drops=2, truths=(Truth("damping_over_inertia", "1/s"),)), 0)
-    rubbing = {f"sub-{number:03d}" for number in range(1, 24, 4)}
-    rows = made.quantities.assign(step="fit")
-    rows.loc[rows["participant"].isin(rubbing), "value"] += 1.0
-    missed = made.recordings[made.recordings["participant"].isin(rubbing)]
-    missed = missed.assign(quantity="missed_torque", value=0.4, step="fit", segment=-1)
-    study = study_of(
-        made.recordings, pd.concat([rows, missed[missed.columns.intersection(rows.columns)]])
-    )
-    asked = Asked(by="group")
-    (whole,) = ask(study, asked).each
-    (note,) = whole.groups.notes
-    (known,) = ask(study_of(made.recordings, rows[~rows["participant"].isin(rubbing)]), asked).each
-    effect = known.groups.differences[0].effect
-    assert whole.groups.differences[0].effect.value > effect.value + 0.3
-    assert note.startswith(f"{len(missed)} of {len(made.recordings)} recordings have fits that")
-    assert f"is {effect.value:.3g} (95 % {effect.low:.3g} to {effect.high:.3g}) 1/s" in note
-    as_drops = study_of(made.recordings, study.quantities.assign(step="drops"))
-    assert ask(as_drops, asked).each[0].groups.notes == ()
-
-
 def test_primary_quantities_are_corrected_among_themselves_and_lead():
     three = (*TWO, Truth("time_to_rest", "s", 3.0, 0.1, 0.02, 0.02, 0.01, 0.01, 0.01, effect=0.0))
     study = simulate(Design(people=16, drops=2, truths=three), 0)

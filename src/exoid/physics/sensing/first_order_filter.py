@@ -18,8 +18,8 @@ class FirstOrderFilter(SensorTerm):
     title = "a sensor behind a low-pass filter of first order"
     reference = "LSM6DS3 datasheet: LPF1 of the gyro; exponential smoothing in software"
     explanation = (
-        "The gyro (the encoder, where the lag is below 0) is smoothed by a filter that the other "
-        "sensor does not have: it comes later, and quick movements smaller."
+        "One sensor is smoothed by a filter that the other does not have: it comes later, and "
+        "quick movements smaller."
     )
     isolate = "quick movements by hand; the filter shows without any leg model"
     named_only = True

@@ -3,7 +3,7 @@
 from rich.console import Console
 
 from exoid.report.tables.table import print_table
-from exoid.report.words.text import note, quantity_words, say
+from exoid.report.words.text import note, say
 from exoid.studies.page.parts.correction import correction
 from exoid.studies.page.parts.tables import (
     agreements,
@@ -15,7 +15,6 @@ from exoid.studies.page.parts.tables import (
 )
 from exoid.studies.page.parts.words import column_words, finding, silent, told_of, why_not
 from exoid.studies.statistics.asked import Answers
-from exoid.studies.statistics.groups import Comparison
 from exoid.studies.statistics.physics import ALL
 from exoid.studies.statistics.reliability import Reliability
 from exoid.studies.statistics.tables.said import Untold
@@ -47,12 +46,6 @@ def notes(answers: Answers) -> list[str]:
     """How p is corrected, what was left out, and what is not told."""
     said = [correction(answers)]
     said += [f"{each.quantity}: {one}" for each in answers.each for one in each.values.notes]
-    said += [
-        f"{quantity_words(each.quantity)}: {one}"
-        for each in answers.each
-        if isinstance(each.groups, Comparison)
-        for one in each.groups.notes
-    ]
     found = (each.reliability for each in answers.each)
     said += told_of([each for each in found if isinstance(each, Reliability)])
     said += silent(answers)

@@ -7,10 +7,10 @@ from typing import TypeVar
 
 from exoid.studies.statistics.agreement import Agreement, agreement
 from exoid.studies.statistics.asked import Answer, Answers, Asked
-from exoid.studies.statistics.groups import Comparison, compare_groups
+from exoid.studies.statistics.groups import compare_groups
 from exoid.studies.statistics.multiple import corrected, tested_as
 from exoid.studies.statistics.pairs import Pairs, pairs_of
-from exoid.studies.statistics.physics import missed_by, missing_physics
+from exoid.studies.statistics.physics import missing_physics
 from exoid.studies.statistics.presence import presence
 from exoid.studies.statistics.reliability import reliability
 from exoid.studies.statistics.tables.said import NotTold, Untold
@@ -80,7 +80,7 @@ def answer(study: Study, values: Values, asked: Asked) -> Answer:
     if asked.before:
         change = answered(lambda: paired(values, "session", asked.before, asked.after))
     if asked.by:
-        groups = with_followed(study, first, asked)
+        groups = answered(lambda: compare_groups(first, asked.by, asked.adjust))
     if asked.by and isinstance(change, Agreement):
         pairs = change.pairs
         changed = answered(lambda: compare_groups(changes(values, pairs), asked.by, asked.adjust))
@@ -97,38 +97,6 @@ def answer(study: Study, values: Values, asked: Asked) -> Answer:
         change,
         groups,
         changed,
-    )
-
-
-def with_followed(study: Study, values: Values, asked: Asked) -> Comparison | Untold:
-    """Groups compared, with a note of what remains without the recordings whose fits miss more than
-    noise: dry friction in one group, booked as damping, looks like a difference between groups.
-    """
-    every = answered(lambda: compare_groups(values, asked.by, asked.adjust))
-    frame = values.frame
-    gone = frame["recording"].isin(list(missed_by(study, values.quantity)))
-    if not isinstance(every, Comparison) or gone.all() or not gone.any():
-        return every
-    rest = replace(values, frame=frame[~gone])
-    found = answered(lambda: compare_groups(rest, asked.by, asked.adjust))
-    count, whole = (one["recording"].nunique() for one in (frame[gone], frame))
-    note = (
-        f"{count} of {whole} recordings have fits that miss more than noise, and a cause such as "
-        f"dry friction is booked as damping there; without them {in_short(found)}"
-    )
-    return replace(every, notes=(*every.notes, note))
-
-
-def in_short(found: Comparison | Untold) -> str:
-    """The differences, or the change per unit of a dose."""
-    if isinstance(found, Untold):
-        return f"nothing is left to compare: {found.why}"
-    each = [(f"{one.second} less {one.first}", one.effect) for one in found.differences]
-    if found.slope is not None:
-        each = [(f"the change per unit of {found.by}", found.slope)]
-    return "; ".join(
-        f"{what} is {one.value:.3g} (95 % {one.low:.3g} to {one.high:.3g}) {found.unit}".rstrip()
-        for what, one in each
     )
 
 

@@ -9,7 +9,6 @@ from exoid.studies.statistics.tables.said import Interval, NotTold
 from exoid.studies.statistics.tables.study import Study
 
 ALL = "all"
-MISSED = ("missed_torque", "missed_angle")  # quantities of a fit that misses more than noise
 NOTHING = ("cannot tell", "none")  # answers that name no cause: told last
 
 
@@ -26,13 +25,6 @@ class Cause:
     people: int
     of_people: int
     share: Interval
-
-
-def missed_by(study: Study, quantity: str) -> set[str]:
-    """The recordings whose fits miss more than noise; none for what was read off without a fit."""
-    rows = study.quantities[study.quantities["step"] == "fit"]
-    told = rows.loc[rows["quantity"] == quantity, "value"].notna().any()
-    return {*rows.loc[rows["quantity"].isin(MISSED), "recording"]} if told else set()
 
 
 def missing_physics(study: Study, by: str = "") -> tuple[Cause, ...]:

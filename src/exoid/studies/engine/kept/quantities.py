@@ -4,15 +4,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from math import isfinite, sqrt
 
-from exoid.fitting.misfit.missed import Disturbance
 from exoid.fitting.result.fit_result import Estimate, FitResult, SegmentFit
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.pendulum.drop import Average, Drop, PendulumTest
 from exoid.recordings.landmarks.measure import Measure
 
 WHOLE = -1  # the number of no segment: of the whole recording
-# By what may be missing in a fit: its name, and its unit; a torque is over the inertia.
-MISSED = {"torque": ("missed_torque", "rad/s^2"), "encoder": ("missed_angle", "rad")}
 MEASURED = "recording"  # who determined what is read off without a model
 
 
@@ -71,18 +68,8 @@ def of_fit(result: FitResult) -> Iterator[Row]:
     for one in result.segments:
         yield from of_segment(one, result)
     yield Row(WHOLE, "fit", "noise_scale", float(result.noise_scale), unit="1")
-    yield from of_missed(result.disturbance)
     for said in result.notes:
         yield Row(WHOLE, "fit", "note", note=said)
-
-
-def of_missed(found: Disturbance) -> Iterator[Row]:
-    """What remains besides noise, of the first kind of segments that misses something."""
-    for each in found.kinds.values():
-        if each.cause is not None:
-            name, unit = MISSED[each.cause]
-            yield Row(WHOLE, "fit", name, float(each.deviation), unit=unit)
-            return
 
 
 def of_segment(one: SegmentFit, result: FitResult) -> Iterator[Row]:

@@ -49,10 +49,8 @@ def compared(answers: Answers, kind: str, title: str) -> Iterator[Block]:
     picture = effects([found for found, *_ in told]) if kind == "groups" else None
     if picture is not None:
         yield picture
-    notes = by_reason(
-        (quantity_words(found.quantity), one) for found, *_ in told for one in found.notes
-    )
-    yield [f"{', '.join(names)}: {one}" for one, names in notes.items()]
+    notes = {note: None for found, *_ in told for note in found.notes}
+    yield list(notes)
     missing = by_reason(
         (quantity_words(each.quantity), one)
         for each in answers.each
