@@ -29,7 +29,7 @@ from exoid.fitting.solve.pose import pose
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.library import check_terms, library
 from exoid.physics.scale import AS_A_LEG
-from exoid.physics.term import Term, name_of
+from exoid.physics.term import SensorTerm, Term, name_of
 from exoid.recordings.loading.named import RecordingsLike, named_recordings
 from exoid.recordings.motion.extent import Motionless
 from exoid.recordings.recording import Recording
@@ -120,8 +120,9 @@ def fit(
     tried = {reading: search_of(movements, reading) for reading in readings(named, movements)}
     best = min(tried, key=lambda reading: float(tried[reading][1].best.misfit[0]))
     problem, ended = tried[best]
-    # What a term remembers is only known of a leg that has not moved yet.
-    at_once = at_once or any(each.memory_size > 0 for each in classes)
+    # What a term remembers is only known of a leg that has not moved yet; a sensor soon forgets it.
+    remembering = (each for each in classes if not issubclass(each, SensorTerm))
+    at_once = at_once or any(each.memory_size > 0 for each in remembering)
     if method == "lm" and clip == "free" and not plain:
         problem, ended = without_unseen_hands(
             problem,

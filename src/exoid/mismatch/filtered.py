@@ -22,7 +22,7 @@ from exoid.physics.sensing.sensor_skew import SensorSkew
 from exoid.physics.term import Term
 
 FORMS = (SensorSkew, FirstOrderFilter, ButterworthFilter)  # in which one sensor comes late
-LATE = 5e-3  # s, below which a filter shows what a delay does
+LATE = 0.01  # s, below which a filter shows what a delay does
 FORGETS = 6.0  # times it is late, after which a filter knows no more of what was before
 
 
@@ -31,7 +31,7 @@ def filtered(prepared: PreparedRecording, base: Optimum) -> tuple[PreparedRecord
     else the sensors surely seemed to do goes where a delay, or that filter, leaves less without it.
     """
     late = prepared.sensors.delay
-    if abs(late) < LATE or SensorSkew not in prepared.library:
+    if abs(late) < LATE:
         return prepared, base
     seen = later(prepared.seen, FORGETS * abs(late))  # no more of what the filter shows of the hand
     own = replace(prepared, problem=replace(prepared.problem, observation=seen), common=())
@@ -49,11 +49,11 @@ def filtered(prepared: PreparedRecording, base: Optimum) -> tuple[PreparedRecord
     best = min(others, key=lambda one: one.square)
     if not yardstick(own, best).clear(delayed.square, best.square, 1):
         best = delayed
-    if best.square > before.square or (best is delayed and not prepared.common):
+    as_before = best is delayed and {*prepared.common} <= {GyroScale, SensorSkew}
+    if as_before or not best.square <= before.square:
         return prepared, base
-    common = best.candidate.terms
-    made = replace(own, sensors=replace(own.sensors, sure=Sure()), common=common)
-    return made, settle_free(made, best.candidate)
+    sensors = replace(own.sensors, sure=Sure())
+    return replace(own, sensors=sensors, common=best.candidate.terms), best
 
 
 def later(seen: Observation, seconds: float) -> Observation:

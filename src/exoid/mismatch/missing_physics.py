@@ -129,13 +129,13 @@ def from_the_first(found: Diagnosis, movements: list[Movement]) -> bool:
     no other cause by chance.
     """
     work = just_made(found)
-    each = misfits(work.found.prepared.seen, work.best.motion)
-    early = [
-        one[: movement.late]
-        for channels, movement in zip(each, movements, strict=True)
-        for one in channels
-    ]
-    return noise_alone(np.concatenate(early), size(work.best))
+    seen = work.found.prepared.seen
+    late = np.array([[each.late] for each in movements])
+    early = np.arange(seen.time.shape[1]) < late
+    weights = {name: getattr(seen, name) * early for name in ("angle_weight", "velocity_weight")}
+    each = misfits(replace(seen, **weights), work.best.motion)
+    left = np.concatenate([one for channels in each for one in channels])
+    return noise_alone(left, size(work.best))
 
 
 def noise_alone(left: np.ndarray, parameters: int) -> bool:

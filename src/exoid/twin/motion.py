@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Annotated, Literal
 
 import equinox as eqx
@@ -12,6 +13,7 @@ from jaxtyping import Array, Float
 from exoid.physics.leg import LegModel
 from exoid.physics.moment import Moment, SegmentConstants
 from exoid.physics.motion.simulate import FIRST, cycle_of, simulate
+from exoid.physics.motion.step import rk4
 from exoid.physics.motion.with_terms import delayed, errors
 from exoid.physics.state import LegState
 from exoid.physics.term import SensorTerm
@@ -83,16 +85,37 @@ def sensed(
         model.ratios(), jnp.asarray(model.leg.inertia), cycle_of(NoTorque()), FIRST
     )
     time = jnp.arange(course.angle.size) * time_step
-    memory = tuple(jnp.zeros(term.memory_size) for term in sensing)
 
-    def error(time, angle, velocity, acceleration):
-        return errors(sensing, Moment(time, angle, velocity, acceleration, place), memory)
+    def moment(time, angle, velocity, acceleration):
+        return Moment(time, angle, velocity, acceleration, place)
 
     motion = (course.angle, course.angular_velocity, course.angular_acceleration)
-    each = jax.vmap(error)(time, *motion)
+    moments = jax.vmap(moment)(time, *motion)
+    memory = tuple(remembered(term, moments, time_step) for term in sensing)
+    each = jax.vmap(partial(errors, sensing))(moments, memory)
     velocity = course.angular_velocity + each.angular_velocity
     late = delayed(time, velocity, course.angular_acceleration, each.delay)
     return ShownMotion(course.angle + each.angle, late, course.angular_acceleration)
+
+
+def remembered(term: SensorTerm, moments: Moment, time_step: float) -> Float[Array, "time memory"]:
+    """The sensor's own state at every sample of a course that begins at rest."""
+    first = jax.tree.map(lambda leaf: leaf[0], moments)
+    before, after = (
+        jax.tree.map(lambda leaf, k=k: leaf[k:][: len(leaf) - 1], moments) for k in (0, 1)
+    )
+
+    def forward(memory, step):
+        def rate(memory, at):
+            now = jax.tree.map(lambda begin, end: begin + at * (end - begin), *step)
+            return term.memory_rate(now, memory)
+
+        memory = rk4(rate, memory, jnp.asarray(time_step))
+        return memory, memory
+
+    start = term.memory_at_rest(first)
+    _, later = jax.lax.scan(forward, start, (before, after))
+    return jnp.concatenate([start[None], later])
 
 
 def release(

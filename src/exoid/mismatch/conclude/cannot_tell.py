@@ -121,7 +121,7 @@ def faint(square: float, causes: int) -> list[str]:
         return []
     return [
         f"simulation and recording differ by {square**0.5:.2g} times the noise only, and it would "
-        f"take {causes} causes at once: drop the leg from higher up, or measure with less noise"
+        f"take {causes} causes at once: move it further, or measure with less noise"
     ]
 
 

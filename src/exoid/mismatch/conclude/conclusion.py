@@ -48,7 +48,7 @@ from exoid.mismatch.evidence.yardstick import FOLLOWED
 from exoid.mismatch.novel.formula import Formula
 from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
-from exoid.mismatch.search.found import Found, Workings, causes, names, size
+from exoid.mismatch.search.found import Found, Workings, names, size
 from exoid.mismatch.search.resample import inclusion
 from exoid.mismatch.sensors.agreement import BIAS
 from exoid.physics.library import library
@@ -227,11 +227,20 @@ def judge(
     doubts = [
         *little,
         *unsure(prepared, best, shown, explained=explained),
-        *faint(found.base.square / found.yardstick.samples, causes(best)),
+        *faint(found.base.square / found.yardstick.samples, at_once(found, best)),
         *chance(repeated),
         *luck(lucky),
     ]
     return ("cannot_tell", doubts) if doubts else ("mismatch", [])
+
+
+def at_once(found: Found, best: Optimum) -> int:
+    """How many causes it has that the sensors do not surely tell by themselves; a tilted thigh is
+    one.
+    """
+    sure = (*found.prepared.common, *(term for term in best.candidate.terms if term.everyday))
+    own = {name_of(term) for term in best.candidate.terms if term not in sure}
+    return len(own - taken_in(found, best))
 
 
 def explains_it(found: Found, best: Optimum) -> bool:

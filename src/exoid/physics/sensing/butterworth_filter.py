@@ -20,8 +20,8 @@ class ButterworthFilter(SensorTerm):
         "Butterworth, Wireless Engineer 7, 1930; Winter, Biomechanics and Motor Control, 2009"
     )
     explanation = (
-        "One sensor is smoothed by a filter that runs forwards only, as a device does while it "
-        "records, and the other is not."
+        "The gyro (the encoder, where the delay is below 0) is smoothed by a filter that runs "
+        "forwards only, as in a device while it records, and the other sensor is not."
     )
     isolate = "quick movements by hand; the filter shows without any leg model"
     named_only = True

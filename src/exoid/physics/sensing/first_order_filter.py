@@ -6,7 +6,8 @@ from exoid.physics.moment import Moment
 from exoid.physics.parameter import Parameter, parameter
 from exoid.physics.term import Memory, Reading, Scalar, SensorTerm, reading
 
-SHORTEST = 0.01  # s: a filter that is quicker shows as much less of this one
+# s, which steps of 0.02 s can follow: a filter that is quicker shows as much less of this one.
+SHORTEST = 0.015
 
 
 class FirstOrderFilter(SensorTerm):
@@ -18,8 +19,8 @@ class FirstOrderFilter(SensorTerm):
     title = "a sensor behind a low-pass filter of first order"
     reference = "LSM6DS3 datasheet: LPF1 of the gyro; exponential smoothing in software"
     explanation = (
-        "One sensor is smoothed by a filter that the other does not have: it comes later, and "
-        "quick movements smaller."
+        "The gyro (the encoder, where the lag is below 0) is smoothed by a filter that the other "
+        "sensor does not have: it comes later, and quick movements smaller."
     )
     isolate = "quick movements by hand; the filter shows without any leg model"
     named_only = True
