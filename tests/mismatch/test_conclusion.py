@@ -32,6 +32,7 @@ from exoid.physics.scale import AS_A_LEG
 from exoid.physics.sensing.clock_rate import ClockRate
 from exoid.physics.sensing.encoder_gain import EncoderGain
 from exoid.physics.sensing.gyro_scale import GyroScale
+from exoid.physics.sensing.zero_drift import ZeroDrift
 from exoid.physics.terms.device.backlash import Backlash
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.physics.terms.device.cuff_compliance import CuffCompliance
@@ -69,7 +70,7 @@ def found_of(singles, pairs=(), pinned=()):
     is as stiff whatever explains it.
     """
     measure = Yardstick(SAMPLES, scale=1.0)
-    prepared = Mock(spec=PreparedRecording, scale=AS_A_LEG, rig=False)
+    prepared = Mock(spec=PreparedRecording, scale=AS_A_LEG, rig=False, has_gyro=True)
     prepared.coordinates = lambda candidate: sprung(4.0)
     return Found(
         prepared, leaving(101_000.0), NOTHING, singles, list(pairs), list(pinned), [], measure
@@ -117,6 +118,17 @@ def test_beside_another_cause_none_is_certain_that_would_have_to_be_larger_than_
         values = friction, np.array([share, *tissue[1:]])
         best = replace(pair, candidate=replace(pair.candidate, values=values))
         assert certain_of(found_of([], [best]), best) == certain
+
+
+@pytest.mark.parametrize(
+    ("left", "gyro", "certain"),
+    [(30_000.0, True, (ZeroDrift,)), (30_000.0, False, ()), (1_000.0, False, (ZeroDrift,))],
+)
+def test_an_encoder_that_no_gyro_watches_is_blamed_only_down_to_the_noise(left, gyro, certain):
+    best = explaining(left, ZeroDrift)
+    found = found_of([best])
+    found.prepared.has_gyro = gyro
+    assert certain_of(found, best) == certain
 
 
 def test_tissue_that_does_not_ring_is_no_tissue_that_wobbles():

@@ -78,6 +78,9 @@ def stand_ins(found: Found, best: Optimum) -> dict[type[Term], str]:
     each = list(zip(best.candidate.terms, best.candidate.values, strict=True))
     most = "would have to be larger than it can be"
     why = {term: most for term, value in each if at_its_most(term, float(value[0]), found)}
+    if not noise and not found.prepared.has_gyro:
+        unwatched = "leaves more than noise where no gyro watches the encoder"
+        why |= {term: unwatched for term, _ in each if issubclass(term, SensorTerm)}
     if not noise and found.followed(best) < FOLLOWED:
         left = f"numbers and leaves {1 - found.followed(best):.0%} of what is missing"
         why |= {term: f"has {value.size} {left}" for term, value in each if value.size > PLAIN}

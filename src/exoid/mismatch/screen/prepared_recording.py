@@ -63,6 +63,11 @@ class PreparedRecording:
         return self.problem.observation
 
     @cached_property
+    def has_gyro(self) -> bool:
+        """Does one watch the encoder?"""
+        return bool((self.seen.velocity_weight > 0).any())
+
+    @cached_property
     def scale(self) -> Scale:
         """How large a rig's motion is beside a leg's."""
         return scale_of(self.problem.movements) if self.rig else AS_A_LEG

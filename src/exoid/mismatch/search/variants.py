@@ -31,7 +31,7 @@ def applies(prepared: PreparedRecording, term: type[Term]) -> bool:
     if np.ptp(prepared.range) < SEEN * term.period:
         return False
     if term.everyday:
-        return bool((prepared.seen.velocity_weight > 0).any())
+        return prepared.has_gyro
     return True
 
 
@@ -112,7 +112,7 @@ def unwatched(prepared: PreparedRecording, others: list[Optimum], base: Optimum)
     """What an encoder may do wrong where no gyro watches it: it bends a motion as springs do, and
     must not be missed for them.
     """
-    if (prepared.seen.velocity_weight > 0).any() or base.square < FLOOR * prepared.samples:
+    if prepared.has_gyro or base.square < FLOOR * prepared.samples:
         return []
     sensors = [one for one in others if issubclass(one.candidate.terms[-1], SensorTerm)]
     return [one for one in sensors if one.square < base.square]
