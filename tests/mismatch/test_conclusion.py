@@ -15,7 +15,7 @@ from exoid.mismatch.conclude.asserted import (
     plainest,
     weight,
 )
-from exoid.mismatch.conclude.cannot_tell import chance, faint, luck, unrelaxed
+from exoid.mismatch.conclude.cannot_tell import chance, faint, luck, unrelaxed, vague
 from exoid.mismatch.conclude.false_alarm import Chance
 from exoid.mismatch.evidence.prediction import Prediction, improves
 from exoid.mismatch.evidence.yardstick import Yardstick
@@ -159,6 +159,13 @@ def test_no_two_causes_are_claimed_where_hardly_more_than_noise_is_missing():
     """As of a sensor that lags on the skin by 0.05 deg, of noise of 0.04 deg."""
     assert "take 2 causes at once" in faint(1.9, 2)[0]
     assert faint(1.9, 1) == faint(5.0, 2) == []
+
+
+def test_a_formula_that_explains_less_than_half_is_no_claim():
+    """As a ripple and an event beside dry friction, of a pendulum that a motor swings."""
+    steady = Formula((next(iter(dictionary())),), np.array([1.0]), 0.44, 0.0)
+    assert "only 44% of the variance" in vague(steady)[0]
+    assert vague(replace(steady, explained=0.6)) == vague(None) == []
 
 
 def test_what_a_formula_has_once_in_a_motion_may_be_a_moment():

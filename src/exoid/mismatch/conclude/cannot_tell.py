@@ -6,6 +6,7 @@ from exoid.mismatch.conclude.false_alarm import Chance
 from exoid.mismatch.evidence.prediction import Proof
 from exoid.mismatch.evidence.proof import masked
 from exoid.mismatch.evidence.yardstick import UNEXPLAINED
+from exoid.mismatch.novel.formula import Formula
 from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.screen.optimise import FEWER_ROUNDS, FLOOR, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
@@ -16,7 +17,7 @@ SHORTEST = 1.5  # s of movement in all, about one swing of a leg
 QUIETEST = np.radians(12.0)  # rad, of movement: less is within straps and skin
 FEW = 1 / 3  # of the segments, in which something may have happened once
 CYCLES = 3  # that a claim about the leg needs where all are voluntary
-MOSTLY = 0.5  # of resampled segments must give the same answer
+MOSTLY = 0.5  # of resampled segments must give the same answer, and of what is missing a formula
 FAINT = 3.0  # mean square over the noise, below which several causes at once are no claim
 APART = 0.05  # relative, by which the slowest must be slower than the fastest
 
@@ -122,6 +123,16 @@ def faint(square: float, causes: int) -> list[str]:
     return [
         f"simulation and recording differ by {square**0.5:.2g} times the noise only, and it would "
         f"take {causes} causes at once: move it further, or measure with less noise"
+    ]
+
+
+def vague(formula: Formula | None) -> list[str]:
+    """That a formula explains too little of what is missing to be called what the library lacks."""
+    if formula is None or formula.explained >= MOSTLY:
+        return []
+    return [
+        f"no cause explains it, and the formula that comes nearest, {formula.words}, only "
+        f"{formula.explained:.0%} of the variance of what is missing"
     ]
 
 

@@ -24,6 +24,7 @@ from exoid.mismatch.conclude.cannot_tell import (
     too_little,
     unrelaxed,
     unsure,
+    vague,
 )
 from exoid.mismatch.conclude.choose import Chosen
 from exoid.mismatch.conclude.false_alarm import Chance, by_chance
@@ -94,6 +95,7 @@ def concluded(
     likely = unseen or [one for one in found.singles if found.followed(one) > SUSPECT]
     left = not explains_it(found, best) or formula
     doubts = (once(prepared, best) or unrelaxed(prepared, best)) if left else []
+    doubts = doubts or vague(formula)
     if verdict == "mismatch" and doubts:
         verdict, reasons = "cannot_tell", doubts
     novel = verdict == "mismatch" and formula is not None
