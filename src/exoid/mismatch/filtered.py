@@ -19,7 +19,6 @@ from exoid.physics.sensing.butterworth_filter import ButterworthFilter
 from exoid.physics.sensing.first_order_filter import FirstOrderFilter
 from exoid.physics.sensing.gyro_scale import GyroScale
 from exoid.physics.sensing.sensor_skew import SensorSkew
-from exoid.physics.term import Term
 
 FORMS = (SensorSkew, FirstOrderFilter, ButterworthFilter)  # in which one sensor comes late
 LATE = 0.01  # s, below which a filter shows what a delay does
@@ -38,14 +37,8 @@ def filtered(prepared: PreparedRecording, base: Optimum) -> tuple[PreparedRecord
     start = base.candidate.without(prepared.common)
     if GyroScale.replaces not in prepared.problem.owned:  # what every gyro has some of
         start = start.with_term(GyroScale, np.zeros(1))
-
-    def led(form: type[Term]) -> Optimum:
-        return settle_free(own, start.with_term(form, np.array([late])))
-
-    before, delayed, *others = side_by_side(
-        lambda task: task(),
-        [lambda: settle_free(own, base.candidate), *(partial(led, form) for form in FORMS)],
-    )
+    starts = [base.candidate, *(start.with_term(form, np.array([late])) for form in FORMS)]
+    before, delayed, *others = side_by_side(partial(settle_free, own), starts)
     best = min(others, key=lambda one: one.square)
     if not yardstick(own, best).clear(delayed.square, best.square, 1):
         best = delayed

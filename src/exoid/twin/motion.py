@@ -13,7 +13,7 @@ from jaxtyping import Array, Float
 from exoid.physics.leg import LegModel
 from exoid.physics.moment import Moment, SegmentConstants
 from exoid.physics.motion.simulate import FIRST, cycle_of, simulate
-from exoid.physics.motion.step import rk4
+from exoid.physics.motion.step import march, rk4
 from exoid.physics.motion.with_terms import delayed, errors
 from exoid.physics.state import LegState
 from exoid.physics.term import SensorTerm
@@ -100,22 +100,25 @@ def sensed(
 
 def remembered(term: SensorTerm, moments: Moment, time_step: float) -> Float[Array, "time memory"]:
     """The sensor's own state at every sample of a course that begins at rest."""
-    first = jax.tree.map(lambda leaf: leaf[0], moments)
-    before, after = (
-        jax.tree.map(lambda leaf, k=k: leaf[k:][: len(leaf) - 1], moments) for k in (0, 1)
-    )
+    steps = moments.time.size - 1
 
-    def forward(memory, step):
-        def rate(memory, at):
-            now = jax.tree.map(lambda begin, end: begin + at * (end - begin), *step)
+    def at_sample(index):
+        return jax.tree.map(lambda leaf: leaf[index], moments)
+
+    def forward(index, memory):
+        before, after = at_sample(index), at_sample(index + 1)
+
+        def rate(memory, part):
+            now = jax.tree.map(lambda begin, end: begin + part * (end - begin), before, after)
             return term.memory_rate(now, memory)
 
-        memory = rk4(rate, memory, jnp.asarray(time_step))
-        return memory, memory
+        return rk4(rate, memory, jnp.asarray(time_step))
 
-    start = term.memory_at_rest(first)
-    _, later = jax.lax.scan(forward, start, (before, after))
-    return jnp.concatenate([start[None], later])
+    def store(index, memory, table):
+        return table.at[index].set(memory)
+
+    table = jnp.zeros((steps + 1, term.memory_size))
+    return march(forward, store, term.memory_at_rest(at_sample(0)), table, steps)
 
 
 def release(

@@ -17,7 +17,8 @@ SHORTEST = 1.5  # s of movement in all, about one swing of a leg
 QUIETEST = np.radians(12.0)  # rad, of movement: less is within straps and skin
 FEW = 1 / 3  # of the segments, in which something may have happened once
 CYCLES = 3  # that a claim about the leg needs where all are voluntary
-MOSTLY = 0.5  # of resampled segments must give the same answer, and of what is missing a formula
+MOSTLY = 0.5  # of resampled segments must give the same answer
+HALF = 0.5  # of the variance of what is missing, that a formula must explain
 FAINT = 3.0  # mean square over the noise, below which several causes at once are no claim
 APART = 0.05  # relative, by which the slowest must be slower than the fastest
 
@@ -128,7 +129,7 @@ def faint(square: float, causes: int) -> list[str]:
 
 def vague(formula: Formula | None) -> list[str]:
     """That a formula explains too little of what is missing to be called what the library lacks."""
-    if formula is None or formula.explained >= MOSTLY:
+    if formula is None or formula.explained >= HALF:
         return []
     return [
         f"no cause explains it, and the formula that comes nearest, {formula.words}, only "

@@ -94,8 +94,7 @@ def concluded(
         reasons = [*of_zeros(result, prepared), *of_what_hides(result)]
     likely = unseen or [one for one in found.singles if found.followed(one) > SUSPECT]
     left = not explains_it(found, best) or formula
-    doubts = (once(prepared, best) or unrelaxed(prepared, best)) if left else []
-    doubts = doubts or vague(formula)
+    doubts = once(prepared, best) or unrelaxed(prepared, best) or vague(formula) if left else []
     if verdict == "mismatch" and doubts:
         verdict, reasons = "cannot_tell", doubts
     novel = verdict == "mismatch" and formula is not None
@@ -229,14 +228,14 @@ def judge(
     doubts = [
         *little,
         *unsure(prepared, best, shown, explained=explained),
-        *faint(found.base.square / found.yardstick.samples, at_once(found, best)),
+        *faint(found.base.square / found.yardstick.samples, claimed_at_once(found, best)),
         *chance(repeated),
         *luck(lucky),
     ]
     return ("cannot_tell", doubts) if doubts else ("mismatch", [])
 
 
-def at_once(found: Found, best: Optimum) -> int:
+def claimed_at_once(found: Found, best: Optimum) -> int:
     """How many causes it has that the sensors do not surely tell by themselves; a tilted thigh is
     one.
     """

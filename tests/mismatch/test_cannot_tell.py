@@ -1,0 +1,39 @@
+"""When the right answer is that this recording cannot tell."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from exoid.mismatch.conclude.cannot_tell import chance, faint, luck, vague
+from exoid.mismatch.conclude.false_alarm import Chance
+from exoid.mismatch.novel.dictionary import dictionary
+from exoid.mismatch.novel.formula import Formula
+
+
+@pytest.mark.parametrize(
+    ("share", "doubted"), [(None, False), (0.96, False), (0.04, True), (0.0, True)]
+)
+def test_what_other_segments_would_contradict_is_not_asserted(share, doubted):
+    assert bool(chance(share)) == doubted
+
+
+@pytest.mark.parametrize(
+    ("usual", "claimed", "doubted"),
+    [(-20.0, 5.0, False), (30.0, 100.0, True), (30.0, 5000.0, False), (30.0, 0.0, False)],
+)
+def test_what_chance_makes_nearly_as_clear_is_not_asserted(usual, claimed, doubted):
+    assert bool(luck(Chance(0.01, usual, claimed))) == doubted
+
+
+def test_no_two_causes_are_claimed_where_hardly_more_than_noise_is_missing():
+    """As of a sensor that lags on the skin by 0.05 deg, of noise of 0.04 deg."""
+    assert "take 2 causes at once" in faint(1.9, 2)[0]
+    assert faint(1.9, 1) == faint(5.0, 2) == []
+
+
+def test_a_formula_that_explains_less_than_half_is_no_claim():
+    """As a ripple and an event beside dry friction, of a pendulum that a motor swings."""
+    steady = Formula((next(iter(dictionary())),), np.array([1.0]), 0.44, 0.0)
+    assert "only 44% of the variance" in vague(steady)[0]
+    assert vague(replace(steady, explained=0.6)) == vague(None) == []
