@@ -11,6 +11,8 @@ from exoid.fitting.errors.posterior import sample
 from exoid.fitting.errors.profile import profiles
 from exoid.fitting.estimate import fit
 from exoid.fitting.model.term_parameters import over_inertia, parameters_of, term_of
+from exoid.fitting.multistart import join_terms
+from exoid.fitting.solve.ask import advance
 from exoid.physics.leg import LegModel
 from exoid.physics.library import library
 from exoid.physics.sensing.gyro_bias import GyroBias
@@ -178,6 +180,23 @@ def test_what_no_model_can_have_is_refused(rubbing, options, said):
 
 
 @pytest.mark.proof
+def test_on_its_way_to_the_terms_a_leg_leaves_recordings_as_declared(rubbing, monkeypatch):
+    """An encoder's zero half a turn off is a leg that gravity pushes up: far from the terms that
+    may leave less.
+    """
+    moved = []
+
+    def watched(problem, starts, *asked):
+        ended = advance(problem, starts, *asked)
+        before, after = starts.mounting.zero, ended.coordinates.mounting.zero
+        moved.append(float(np.abs(after - before).max()))
+        return ended
+
+    monkeypatch.setattr(join_terms, "advance", watched)
+    fit(rubbing, multistart=4, terms=(CoulombFriction,))
+    assert moved[0] == 0 < moved[-1]
+
+
 def test_a_late_gyro_comes_back_to_a_tenth_of_a_millisecond():
     each = fit(worn(SensorSkew(jnp.asarray(0.008))), multistart=2, terms=(SensorSkew,))
     assert each.terms["sensor_skew"]["skew"].value == pytest.approx(0.008, abs=1e-4)

@@ -16,6 +16,7 @@ from exoid.mismatch.conclude.asserted import (
     weight,
 )
 from exoid.mismatch.conclude.cannot_tell import unrelaxed
+from exoid.mismatch.conclude.conclusion import undecided
 from exoid.mismatch.evidence.prediction import Prediction, improves
 from exoid.mismatch.evidence.yardstick import Yardstick
 from exoid.mismatch.missing_physics import noise_alone
@@ -282,6 +283,15 @@ def test_a_second_cause_is_certain_only_where_noise_is_left(left, second):
     singles = [explaining(20_000.0, CoulombFriction), explaining(60_000.0, QuadraticDrag)]
     certain = certain_of(found_of(singles, [best]), best)
     assert certain == ((CoulombFriction, QuadraticDrag) if second else (CoulombFriction,))
+
+
+def test_of_two_that_explain_nothing_without_each_other_neither_is_certain_above_the_noise():
+    """A robot's joint had a constant torque beside hysteresis that alone left more than Eq. 9."""
+    for left, certain in ((1000.0, (CoulombFriction, TorqueBias)), (5000.0, ())):
+        best = explaining(left, CoulombFriction, TorqueBias)
+        found = found_of([explaining(102_000.0, TorqueBias)], [best])
+        assert certain_of(found, best) == certain
+    assert "alone" in undecided(found, [best])[0]
 
 
 def test_explanations_weigh_by_their_evidence_and_by_what_even_the_best_leaves():

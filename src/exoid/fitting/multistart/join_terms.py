@@ -7,7 +7,7 @@ import jax
 import numpy as np
 
 from exoid.fitting.model.coordinates import Coordinates
-from exoid.fitting.multistart.simpler_problems import with_terms_kept
+from exoid.fitting.multistart.simpler_problems import as_declared, with_terms_kept
 from exoid.fitting.multistart.tethers import COARSE, FINE
 from exoid.fitting.solve.ask import advance, finite, take, task
 from exoid.fitting.solve.problem import Problem
@@ -23,16 +23,16 @@ def join_terms(
 ) -> tuple[Solved, np.ndarray, dict[str, int]]:
     """Where starts end freely; each start's end; why some were lost.
 
-    Leg and terms run free at once, and again after the leg has found its way to the terms as they
-    begin: what both are far from may pass for a frame that rings. What one bout of the solver
-    shows to be beaten is lost.
+    Leg and terms run free at once, and again after the leg, its recordings as declared, has found
+    its way to the terms as they begin: what both are far from may pass for a frame that rings. What
+    one bout of the solver shows to be beaten is lost.
     """
     fine = task(problem, 0.0, problem.steps, FINE)
     if not problem.terms:
         return advance(problem, gathered, fine), member, failures
     bout = task(problem, 0.0, problem.steps, COARSE, rounds=1)
     towards = replace(bout, tolerance=np.asarray(NEARBY))
-    led = advance(with_terms_kept(problem), gathered, towards).coordinates
+    led = advance(with_terms_kept(as_declared(problem)), gathered, towards).coordinates
     both = jax.tree.map(lambda *each: np.concatenate(each), gathered, led)
     tried = advance(problem, both, bout)
     kept = np.flatnonzero(finite(tried.loss) <= BEATEN * finite(tried.loss).min())

@@ -113,14 +113,16 @@ def at_its_most(term: type[Term], size: float, found: Found) -> bool:
 
 
 def with_one_less(found: Found, best: Optimum) -> list[Optimum]:
-    """Of what was simulated with one of the causes of the best less, the best."""
+    """Of what was simulated with one of the causes of the best less, the best; that without any
+    cause where it leaves less than all of these.
+    """
     mine = best.candidate.terms
     each = [
         one
         for one in (*found.singles, *found.pairs)
         if len(one.candidate.terms) == len(mine) - 1 and set(one.candidate.terms) < set(mine)
     ]
-    return [max(each, key=found.evidence)] if each else []
+    return [max([found.base, *each], key=found.evidence)] if each else []
 
 
 def causes_of(one: Optimum) -> list[type[Term]]:

@@ -13,6 +13,7 @@ from exoid.mismatch.conclude.asserted import (
     has,
     stand_ins,
     weight,
+    with_one_less,
 )
 from exoid.mismatch.conclude.cannot_tell import (
     broken,
@@ -257,6 +258,11 @@ def undecided(found: Found, equal: list[Optimum]) -> list[str]:
             f"{words([name_of(term) for term, own in others.items() if own == why])} {why}, and "
             "stands in for something else"
             for why in dict.fromkeys(others.values())
+        ]
+    if len(equal) == 1 and with_one_less(found, equal[0]) == [found.base]:
+        return [
+            f"{words(names(equal[0]))} together come nearest, not down to the noise, and with one "
+            "of them less no more is explained than by Eq. 9 alone: what is missing may be neither"
         ]
     if len(equal) == 1:
         alone = words(names(equal[0]))
