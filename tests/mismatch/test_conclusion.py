@@ -1,11 +1,11 @@
 """From what a search found to a verdict."""
 
 from dataclasses import replace
-from types import SimpleNamespace
 from unittest.mock import Mock
 
 import numpy as np
 import pytest
+from found_by_hand import NOTHING, explaining, found_of, leaving, sprung
 
 from exoid.fitting.result.fit_result import Estimate
 from exoid.mismatch.conclude.asserted import (
@@ -18,17 +18,13 @@ from exoid.mismatch.conclude.asserted import (
 from exoid.mismatch.conclude.cannot_tell import unrelaxed
 from exoid.mismatch.conclude.conclusion import undecided
 from exoid.mismatch.evidence.prediction import Prediction, improves
-from exoid.mismatch.evidence.yardstick import Yardstick
 from exoid.mismatch.missing_physics import noise_alone
 from exoid.mismatch.novel.dictionary import dictionary
 from exoid.mismatch.novel.formula import Formula
-from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum, Products
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.challenge import as_near
-from exoid.mismatch.search.found import Found
 from exoid.mismatch.with_model import for_inertia
 from exoid.physics.parameter import declarations
-from exoid.physics.scale import AS_A_LEG
 from exoid.physics.sensing.clock_rate import ClockRate
 from exoid.physics.sensing.encoder_gain import EncoderGain
 from exoid.physics.sensing.gyro_scale import GyroScale
@@ -44,37 +40,6 @@ from exoid.physics.terms.tissue.hysteresis import Hysteresis
 from exoid.physics.terms.tissue.maxwell_element import MaxwellElement
 from exoid.physics.terms.tissue.stiffness_rest_angle import StiffnessRestAngle
 from exoid.physics.terms.tissue.wobbling_mass import WobblingMass
-
-SAMPLES = 1000
-NOTHING = Hypothesis((), (), np.zeros(4))
-
-
-def leaving(square):
-    """A candidate that leaves so much."""
-    return Optimum(NOTHING, Products(np.zeros((1, 1, 1)), np.array([[square]])), motion=None)
-
-
-def explaining(square, *terms):
-    """Terms that leave so much, with values of no matter."""
-    values = tuple(np.zeros(len(dict(declarations(term)))) for term in terms)
-    return replace(leaving(square), candidate=replace(NOTHING, terms=terms, values=values))
-
-
-def sprung(stiffness):
-    """Where a leg has such a c / J."""
-    return SimpleNamespace(shared=SimpleNamespace(stiffness=stiffness))
-
-
-def found_of(singles, pairs=(), pinned=()):
-    """A search that found these, of a mismatch of a hundred times the noise; of a leg whose spring
-    is as stiff whatever explains it.
-    """
-    measure = Yardstick(SAMPLES, scale=1.0)
-    prepared = Mock(spec=PreparedRecording, scale=AS_A_LEG, rig=False, has_gyro=True)
-    prepared.coordinates = lambda candidate: sprung(4.0)
-    return Found(
-        prepared, leaving(101_000.0), NOTHING, singles, list(pairs), list(pinned), [], measure
-    )
 
 
 def test_what_leaves_only_noise_is_certain_where_its_rivals_leave_clearly_more():

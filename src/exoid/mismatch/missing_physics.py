@@ -23,8 +23,9 @@ from exoid.mismatch.evidence.measure import misfits
 from exoid.mismatch.evidence.proof import predict
 from exoid.mismatch.prepare import prepare
 from exoid.mismatch.screen.optimise import strikes
-from exoid.mismatch.search.challenge import challenged, with_strikes
+from exoid.mismatch.search.challenge import challenged, with_hidden
 from exoid.mismatch.search.found import causes, names, size
+from exoid.mismatch.search.likely import smeared
 from exoid.mismatch.search.search import look
 from exoid.mismatch.with_model import just_made, with_model
 from exoid.physics.term import SensorTerm, Term
@@ -93,7 +94,8 @@ def asked(
         told("looking for a formula")
         chosen, formula = formulated(found, chosen)
     if formula is not None and not any(strikes(one.candidate) for one in found.singles):
-        found = with_strikes(found, told)  # before something is called new
+        hidden = [one for one in found.pinned if smeared(one.candidate)]
+        found = with_hidden(found, hidden, told)  # before something is called new
         chosen, formula = formulated(found, choose(found))
     found, best = with_faults_told(found, chosen.best)
     if prepared.common:

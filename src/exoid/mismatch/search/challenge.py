@@ -7,7 +7,6 @@ from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.mismatch.screen.hypothesis import Linear, Optimum
 from exoid.mismatch.screen.optimise import given, strikes
 from exoid.mismatch.search.found import Found
-from exoid.mismatch.search.likely import smeared
 from exoid.mismatch.search.race import left_of, raced, simulated
 from exoid.mismatch.search.rank import alike, by_evidence
 
@@ -48,14 +47,15 @@ def as_near(found: Found, best: Optimum) -> list[Optimum]:
     return sorted(near, key=lambda one: one.square)
 
 
-def with_strikes(found: Found, told: Callable[[str], None]) -> Found:
-    """The same with what no look along a motion shows, as what strikes or sticks."""
+def with_hidden(found: Found, some: list[Optimum], told: Callable[[str], None]) -> Found:
+    """The same with these of the first look, of which that shows nothing, as what strikes or
+    sticks, from all their starts.
+    """
     told("simulating what acts for moments only")
     base, measure = found.base, found.yardstick
     rival = min((base, *found.singles), key=left_of).square
     done = {one.candidate.terms for one in found.singles if not strikes(one.candidate)}
-    hidden = [one for one in found.pinned if smeared(one.candidate)]
-    left = [one for one in hidden if one.candidate.terms not in done]
+    left = [one for one in some if one.candidate.terms not in done]
     known = given(found.prepared, found.begin)
     more = side_by_side(lambda one: found_anyhow(found, one, known, rival), left)
     return replace(found, singles=by_evidence([*found.singles, *more], base, measure))

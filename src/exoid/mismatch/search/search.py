@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.mismatch.evidence.measure import yardstick
+from exoid.mismatch.evidence.yardstick import APART
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
 from exoid.mismatch.screen.optimise import (
     FEWER_ROUNDS,
@@ -16,13 +17,14 @@ from exoid.mismatch.screen.optimise import (
     polished,
     settle,
     settle_free,
+    strikes,
 )
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
-from exoid.mismatch.search.challenge import with_strikes
+from exoid.mismatch.search.challenge import with_hidden
 from exoid.mismatch.search.exchange import exchanged
-from exoid.mismatch.search.found import Found, best_of
+from exoid.mismatch.search.found import Found, best_of, size
 from exoid.mismatch.search.glance import beside_free
-from exoid.mismatch.search.likely import likeliest, ordered, shortlist
+from exoid.mismatch.search.likely import likeliest, ordered, shortlist, smeared
 from exoid.mismatch.search.pairs import pairs, plainer_pairs
 from exoid.mismatch.search.race import simulated
 from exoid.mismatch.search.rank import by_evidence
@@ -75,11 +77,52 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
     alone = [one for one in suspected if len(one.candidate.terms) == 1]
     singles = by_evidence([*singles, *alone], base, measure)
     found = Found(prepared, base, begin, singles, sensors, ranked, failed, measure)
-    if not measure.explains(least(base, *found.singles).square):
-        found = with_strikes(found, told)
-    found = exchanged(found)
+    explained = measure.explains(least(base, *singles).square)
+    holding = [one for one in ranked if smeared(one.candidate) and not strikes(one.candidate)]
+    found = exchanged(found if explained else with_hidden(found, holding, told))
+    found, sought = with_pairs(found, usable, told, struck=explained)
+    if not explained and (striking := may_strike(found)):
+        found = exchanged(with_hidden(found, striking, told))
+        if not leaving_noise(found.pairs, prepared):
+            found, sought = with_pairs(found, usable, told, struck=True)
+    return with_sets(found, usable, told) if sought else found
+
+
+def may_strike(found: Found) -> list[Optimum]:
+    """What strikes, which takes longest to race: where a pair leaves only noise, none that needs so
+    many numbers more that it cannot come near.
+    """
+    each = [one for one in found.pinned if strikes(one.candidate)]
+    known = leaving_noise(found.pairs, found.prepared)
+    if not known:
+        return each
+    few, measure = min(map(size, known)), yardstick(found.prepared, least(*known))
+    return [one for one in each if measure.price(size(one) - few) < APART]
+
+
+def leaving_noise(some: list[Optimum], prepared: PreparedRecording) -> list[Optimum]:
+    """Those that leave only noise."""
+    return [one for one in some if enough(prepared, one.square)]
+
+
+def with_pairs(
+    found: Found, usable: list[type[Term]], told: Told, *, struck: bool
+) -> tuple[Found, bool]:
+    """The same with the best pairs running free that have not yet, and whether there is anything to
+    pair; with what strikes only where `struck`.
+    """
+    prepared, known = found.prepared, {frozenset(one.candidate.terms) for one in found.pairs}
     both, free = seconds(found, usable, told)
-    return with_sets(found, usable, both, free, told) if both or free else found
+    if not both and not free:
+        return found, False
+    told("simulating the best pairs")
+    possible = [one for one in both if struck or not strikes(one.candidate)]
+    fresh = [one for one in shortlist(possible) if frozenset(one.candidate.terms) not in known]
+    joint = [*led_free(prepared, likeliest(prepared, fresh)), *found.pairs]
+    alone = least(found.base, *found.singles)
+    more = [one for one in free if frozenset(one.terms) not in known]
+    joint += simulated(prepared, more, least(alone, *joint).square)
+    return replace(found, pairs=joint, glimpsed=tuple(both)), True
 
 
 def seconds(
@@ -115,21 +158,12 @@ def truer_baseline(prepared: PreparedRecording, base: Optimum, best: Optimum) ->
     return found if found.square < FALSE * base.square else None
 
 
-def with_sets(
-    found: Found,
-    usable: list[type[Term]],
-    both: list[Optimum],
-    free: list[Hypothesis],
-    told: Told,
-) -> Found:
-    """The same with the best of these pairs, with sets where no pair is enough, and with what
-    remains of them where one cause of them is all it takes.
+def with_sets(found: Found, usable: list[type[Term]], told: Told) -> Found:
+    """The same with sets where no pair is enough, and with what remains of them where one cause of
+    them is all it takes.
     """
-    prepared, base = found.prepared, found.base
-    told("simulating the best pairs")
+    prepared, base, joint = found.prepared, found.base, [*found.pairs]
     alone = least(base, *found.singles)
-    joint = [*led_free(prepared, likeliest(prepared, shortlist(both))), *found.pairs]
-    joint += simulated(prepared, free, least(alone, *joint).square)
     for best in ordered(joint)[:1]:
         clear = found.clear(alone, best) or best.square > FLOOR * prepared.samples
         if clear and not enough(prepared, best.square):
@@ -144,7 +178,7 @@ def with_sets(
     joint = [*(hopped(prepared, one) for one in joint[:1]), *joint[1:]]
     joint = by_evidence([*joint, *twins(prepared, joint[:1], joint)], base, measure)
     singles = by_evidence(singles, base, measure)
-    return replace(found, singles=singles, pairs=joint, yardstick=measure, glimpsed=tuple(both))
+    return replace(found, singles=singles, pairs=joint, yardstick=measure)
 
 
 def led_free(prepared: PreparedRecording, pinned: list[Optimum]) -> list[Optimum]:
