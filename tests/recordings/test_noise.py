@@ -34,6 +34,20 @@ def test_the_noise_of_a_swing_is_told_whatever_its_rate_and_size(rate, degrees):
     assert not found.heavy
 
 
+@pytest.mark.parametrize("samples", [12, 20, 31, 50, 70])
+def test_few_samples_tell_the_noise_roughly_and_are_not_called_smoothed(samples):
+    """A tenth of a second of a swing has 6 errors, which tell a deviation to 30 %."""
+    found = []
+    for seed in range(20):
+        time, angle = sampled(100, NOISE, seed, duration=samples / 100)
+        angle = np.round(angle, 6)
+        each = noise_of([time], [angle], None, angle=True)
+        assert NOISE / 5 < each.level < 5 * NOISE
+        found.append(each.level)
+        assert each.alike_over == 0
+    assert np.median(found) == pytest.approx(NOISE, rel=0.3)
+
+
 def test_uneven_rates_and_lost_samples_cost_nothing_but_information():
     time, angle = sampled(100, NOISE, jitter=0.6)
     angle[np.random.default_rng(1).random(angle.size) < 0.03] = np.nan

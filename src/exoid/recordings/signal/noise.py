@@ -77,7 +77,8 @@ def noise_of(
     errors = np.concatenate([each.errors()[1] for each in known])
     step = quantum(signals) / np.sqrt(12)
     if errors.size < FEWEST:
-        return Noise(max(declared or step, NONE), None, declared, samples=errors.size)
+        level = max(declared or of_few(errors), step, NONE)
+        return Noise(level, None, declared, samples=errors.size)
     robust = robust_deviation(errors, step)
     inside = errors[np.abs(errors) <= FAR * robust]
     measured = max(float(np.sqrt(np.mean(inside**2))), step, NONE)
@@ -86,6 +87,13 @@ def noise_of(
         measured, width = smoothed(known, usual_step(times[0]), measured)
     level = measured if declared is None or measured > MORE * declared else declared
     return Noise(level, measured, declared, heaviness, samples=errors.size, alike_over=width)
+
+
+def of_few(errors: Samples) -> float:
+    """The standard deviation of errors too few to tell it, by one of its own errors larger."""
+    if not errors.size:
+        return 0.0
+    return float(np.sqrt(np.mean(errors**2))) * (1 + 1 / np.sqrt(2 * errors.size))
 
 
 def smoothed(known: list[Known], step: float, white: float) -> tuple[float, float]:
@@ -101,7 +109,7 @@ def smoothed(known: list[Known], step: float, white: float) -> tuple[float, floa
     def scatter(stride: int, most: int) -> float:
         """nan where too few samples tell."""
         found = np.concatenate([each.errors(stride, most // len(known))[1] for each in known])
-        return robust_deviation(found) if found.size >= FEWEST else np.nan
+        return robust_deviation(found) if found.size >= 2 * FEWEST else np.nan
 
     def shared(stride: int) -> float:
         bend = SWING * (2 * np.sin(QUICK * stride * step / 2)) ** 6 / 20
