@@ -100,7 +100,8 @@ def tilted(each: MountingFit) -> list[str]:
     value, error = np.degrees(tilt.value), np.degrees(tilt.standard_error)
     return [
         f"the thigh seems to be tilted by {value:.2g} ± {error:.1g} deg beyond what is declared, "
-        "and the fit follows that: measure it, and give thigh_angle_deg."
+        "and the fit follows that: measure it, and give thigh_angle_deg. A spring that is slack at "
+        "another angle, or grows stiffer, looks alike, and belongs to another leg."
     ]
 
 

@@ -19,6 +19,7 @@ from exoid.physics.term import name_of
 
 BENT = np.radians(30.0)  # of flexion, where a spring may well be slack: Riener & Edrich have 61 deg
 TOLD = np.radians(5.0)  # error of the rest angle below which a fit by itself shows one of BENT
+FELT = 2.0  # errors of a ratio that must be open, where the recording shows the rest angle
 STIFFER = 2.0  # times as stiff as by the fit, at most: beyond, nothing is linear any more
 CONSTANT = {"stiffness_rest_angle", "torque_bias"}  # terms of such a torque
 LEANING = ("gravity_over_inertia", "stiffness_over_inertia")
@@ -47,22 +48,39 @@ def slack_angle_remarks(
     problem: Problem, ended: SearchResult, errors: Sequence[float]
 ) -> list[str]:
     """Where another rest angle changes the `LEANING` ratios by more than these errors of them, and
-    the recording does not rule it out.
+    the recording does not rule that out.
     """
     found = leaning(problem, ended)
-    if found is None or (found.told < TOLD and ended.disturbance.cause is None):
+    if found is None:
         return []
-    changes = found.gravity, found.stiffness
-    if all(abs(change) < error for change, error in zip(changes, errors, strict=True)):
+    shown = found.told < TOLD and ended.disturbance.cause is None
+    off = np.array([*found.spread.values()] if shown else [found.gravity, found.stiffness])
+    if (abs(off) < (FELT if shown else 1.0) * np.array(errors)).all():
         return []
-    each = (f"{abs(one):.2g} 1/s^2 {'higher' if one > 0 else 'lower'}" for one in changes)
-    gravity, stiffness = each
     return [
         "m l g / J and c / J hold for a spring that is slack at full extension (Eq. 9), and ± says "
-        f"nothing of that: of a leg whose spring is slack at {np.degrees(BENT):.0f} deg of flexion "
-        f"m l g / J is {gravity}, c / J {stiffness}. 'exoid diagnose' asks where it is slack; the "
-        "hanging angle without and with a known mass tells best."
+        f"nothing of that: {seen(found, *off) if shown else bent(*off)}. 'exoid diagnose' asks "
+        "where it is slack; the hanging angle without and with a known mass tells best."
     ]
+
+
+def bent(gravity: float, stiffness: float) -> str:
+    """How far off both ratios [1/s^2] of a leg are whose spring is slack at BENT."""
+    changes = (
+        f"{abs(one):.2g} 1/s^2 {'higher' if one > 0 else 'lower'}" for one in (gravity, stiffness)
+    )
+    first, second = changes
+    where = f"{np.degrees(BENT):.0f} deg of flexion"
+    return f"of a leg whose spring is slack at {where} m l g / J is {first}, c / J {second}"
+
+
+def seen(found: Leaning, gravity: float, stiffness: float) -> str:
+    """Where the recording shows it slack, and how far off the ratios [1/s^2] may be for that."""
+    angle, error = -np.degrees(found.seen), np.degrees(found.told)
+    return (
+        f"by this recording it is slack at {angle:.2g} ± {error:.2g} deg of flexion, which leaves "
+        f"m l g / J open by ± {gravity:.2g} 1/s^2, c / J by ± {stiffness:.2g} 1/s^2"
+    )
 
 
 def leaning(problem: Problem, ended: SearchResult) -> Leaning | None:
