@@ -19,7 +19,7 @@ from exoid.physics.term import name_of
 
 BENT = np.radians(30.0)  # of flexion, where a spring may well be slack: Riener & Edrich have 61 deg
 TOLD = np.radians(5.0)  # error of the rest angle below which a fit by itself shows one of BENT
-FELT = 2.0  # errors of a ratio that must be open, where the recording shows the rest angle
+FELT, WORTH = 2.0, 0.01  # errors, and share, of a ratio left open where the rest angle is told
 STIFFER = 2.0  # times as stiff as by the fit, at most: beyond, nothing is linear any more
 CONSTANT = {"stiffness_rest_angle", "torque_bias"}  # terms of such a torque
 LEANING = ("gravity_over_inertia", "stiffness_over_inertia")
@@ -55,7 +55,11 @@ def slack_angle_remarks(
         return []
     shown = found.told < TOLD and ended.disturbance.cause is None
     off = np.array([*found.spread.values()] if shown else [found.gravity, found.stiffness])
-    if (abs(off) < (FELT if shown else 1.0) * np.array(errors)).all():
+    least = np.array(errors)
+    if shown:
+        of_leg = (getattr(ended.point.shared, name) for name in ("gravity", "stiffness"))
+        least = np.maximum(FELT * least, WORTH * np.array([*map(float, of_leg)]))
+    if (abs(off) < least).all():
         return []
     return [
         "m l g / J and c / J hold for a spring that is slack at full extension (Eq. 9), and ± says "
