@@ -27,7 +27,8 @@ exoid's own:
 Amplitudes are differences of knee angles. Angles are exoid's: 0 extended, flexion negative.
 Velocity and acceleration are derivatives of the angle, so that a gyro's scale and bias do not
 enter. Standard errors hold the white noise of the angle, and 5 % of the acceleration at the release
-for what the polynomial there leaves out; an off-centre magnet or a cuff that slips is not in them.
+for what the polynomial there leaves out; an off-centre magnet, a cuff that slips or what a filter
+takes from peaks is not in them (`smoothing.py` says of which angles).
 """
 
 from dataclasses import dataclass

@@ -20,6 +20,7 @@ class Drop:
     measures: dict[str, Measure]
     landmarks: Landmarks | None  # None where it is refused whole
     reason: str | None = None
+    note: str | None = None  # what its errors do not hold
 
     @property
     def curve(self) -> Curve | None:

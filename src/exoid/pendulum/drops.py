@@ -4,6 +4,7 @@ import numpy as np
 
 from exoid.pendulum.catalogue import MEASURES, measures
 from exoid.pendulum.drop import Average, Drop, PendulumTest
+from exoid.pendulum.smoothing import hides_noise, of_smoothing, without_errors
 from exoid.recordings.conventions.jumps import AGAIN, jumps_of, told_jumps
 from exoid.recordings.landmarks.find_landmarks import find_landmarks
 from exoid.recordings.landmarks.measure import NotAllowed
@@ -81,7 +82,10 @@ def drop(recording: Recording, number: int, name: str) -> Drop:
         found = find_landmarks(track, recording.subject.kind != "rig", law, seen)
     except NotAllowed as why:
         return Drop(name, segment, mass, {}, None, str(why))
-    return Drop(name, segment, mass, measures(found), found)
+    read, note = measures(found), of_smoothing(cleaned.angle, recording)
+    if hides_noise(cleaned.angle, recording):
+        read = without_errors(read)
+    return Drop(name, segment, mass, read, found, note=note)
 
 
 def averages(drops: list[Drop]) -> dict[str, Average]:

@@ -29,5 +29,6 @@ def drop(each: Drop) -> dict[str, Any]:
         "added_mass_kg": each.added_mass,
         "begins_s": each.segment.begins,
         "reason": each.reason,
+        "note": each.note,
         "measures": {name: shown(one, ["name"]) for name, one in each.measures.items()},
     }

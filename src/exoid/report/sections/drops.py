@@ -66,9 +66,11 @@ def average(read: list[Drop], test: PendulumTest) -> str:
 
 
 def refused(test: PendulumTest) -> list[str]:
-    """Segments and measures that were not read, by the reason."""
+    """Segments and measures that were not read, by the reason, and errors that say little."""
     whole = by_reason((drop.name, drop.reason) for drop in test.drops)
     said = [f"Segment {', '.join(names)} not read: {reason}." for reason, names in whole.items()]
+    noted = by_reason((drop.name, drop.note) for drop in test.drops)
+    said += [f"Segment {', '.join(names)}: {note}." for note, names in noted.items()]
     for drop in test.drops:
         parts = by_reason((one.title, one.reason) for one in drop.measures.values())
         said += [

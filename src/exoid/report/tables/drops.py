@@ -30,6 +30,8 @@ def print_drops(test: PendulumTest, console: Console) -> None:
     said = [f"{', '.join(names)}: {reason.rstrip('.')}." for reason, names in refused.items()]
     note(console, said, "Segments that were not read")
     heading(console, "About these numbers")
+    for reason, names in by_reason((drop.name, drop.note) for drop in test.drops).items():
+        say(console, f"Segment {', '.join(names)}: {reason}.")
     say(console, "± is one standard error by the noise of the angle; of an average, the standard "
         "deviation over drops. Flexion is negative, 0 is the extended knee.")  # fmt: skip
     say(console, SOURCE)
