@@ -12,7 +12,7 @@ from exoid.fitting.model.coordinates import leg_parameters, torque_amplitudes
 from exoid.fitting.model.limits import constraint_names
 from exoid.fitting.model.prior_and_limits import leg_limits, limits_by_hand
 from exoid.fitting.model.user_values import ByHand
-from exoid.fitting.multistart.starts import coordinates, draw, first_state
+from exoid.fitting.multistart.starts import check_draw, coordinates, draw, first_state
 from exoid.fitting.multistart.tethers import within_reach
 from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.torque import NoTorque
@@ -113,3 +113,16 @@ def test_a_start_begins_where_the_leg_began(gyro):
     assert angle == pytest.approx(each.angle[0], abs=0.02)
     first = np.searchsorted(TIME, 0.0)
     assert velocity == pytest.approx(-0.5 - 25 * TIME[first], abs=1.0)
+
+
+@pytest.mark.parametrize(
+    ("count", "seed", "said"),
+    [
+        (0, 0, "multistart is 0: give a whole number, 1 or more"),
+        (2.5, 0, "multistart is 2.5"),
+        (1, -1, "seed is -1: give a whole number, 0 or more"),
+    ],
+)
+def test_starts_and_seeds_that_are_no_counts_are_refused(count, seed, said):
+    with pytest.raises(ValueError, match=said):
+        check_draw(count, seed)

@@ -12,13 +12,17 @@ REST = 'zero = "unknown" (flip = "all" with a gyro).'
 @pytest.mark.parametrize(
     ("name", "where"),
     [
-        ("P01_left.csv", "[sensors] of defaults.toml"),
-        ("sub-01_task-knee_motion.tsv", "sensors of exoid in task-NAME_motion.json"),
+        ("P01_left.csv", ("[sensors] of its sidecar", "defaults.toml")),
+        (
+            "sub-01_task-knee_motion.tsv",
+            ("sensors of exoid in its _motion.json", "task-NAME_motion.json"),
+        ),
     ],
 )
 def test_options_of_one_command_are_said_as_keys_for_all(name, where):
-    wanted = f"Then write {KEYS} in {where} at the top of the data set, or {REST}"
-    assert for_all(SAID, name) == wanted
+    own, all_of = where
+    every = f"or where all are like this of {all_of} at the top of the data set"
+    assert for_all(SAID, name) == f"Then write {KEYS} in {own}, {every}, or {REST}"
 
 
 def test_reasons_are_alike_where_numbers_alone_differ():

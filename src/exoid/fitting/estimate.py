@@ -21,7 +21,7 @@ from exoid.fitting.model.prior_and_limits import believe
 from exoid.fitting.model.user_values import Bounds, Expectations, Fixed
 from exoid.fitting.multistart.search import search
 from exoid.fitting.multistart.search_result import SearchResult
-from exoid.fitting.multistart.starts import draw, driven, informed, term_starts
+from exoid.fitting.multistart.starts import check_draw, draw, driven, informed, term_starts
 from exoid.fitting.result.describe import describe
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.remarks.remarks import UPWARDS, upwards
@@ -92,6 +92,7 @@ def fit(
     **Raises** `ValueError` where the recording cannot be fitted or gravity comes out upwards in
     passive segments, `ArithmeticError` where no start succeeded.
     """
+    check_draw(multistart, seed)
     named = named_recordings(recordings)
     check_one_leg(named)
     amount = manageable(named, most, average=smooth == 1)

@@ -13,20 +13,24 @@ from exoid.fitting.estimate import fit
 from exoid.fitting.result.fit_result import FitResult
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.mismatch.conclude.asserted import plainest
+from exoid.mismatch.conclude.cannot_tell import too_little
 from exoid.mismatch.conclude.choose import Chosen, choose
 from exoid.mismatch.conclude.conclusion import concluded
 from exoid.mismatch.conclude.formulated import formulated
 from exoid.mismatch.conclude.sensor_faults import with_faults_told
 from exoid.mismatch.conclude.unusual_zero import as_a_term, unusual
 from exoid.mismatch.evidence.locate import locate
-from exoid.mismatch.evidence.measure import misfits
+from exoid.mismatch.evidence.measure import misfits, yardstick
 from exoid.mismatch.evidence.proof import predict
 from exoid.mismatch.prepare import prepare
+from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.screen.optimise import strikes
+from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.challenge import challenged, with_hidden
-from exoid.mismatch.search.found import causes, names, size
+from exoid.mismatch.search.found import Found, causes, names, size
 from exoid.mismatch.search.likely import smeared
 from exoid.mismatch.search.search import look
+from exoid.mismatch.stand_in import with_nameless
 from exoid.mismatch.with_model import just_made, with_model
 from exoid.physics.term import SensorTerm, Term
 from exoid.recordings.loading.named import RecordingsLike, named_recordings
@@ -86,6 +90,10 @@ def asked(
 ) -> Diagnosis:
     """What is missing in a fit."""
     prepared, base = prepare(result, named, terms)
+    if too_little(prepared):
+        found, before = unsought(prepared, base), predict(prepared, base)
+        location = locate(prepared, base.candidate, base)
+        return concluded(result, found, Chosen(base, before, before), None, location, seed)
     found = challenged(look(prepared, base, told))
     told("proving it on held-out data")
     chosen = choose(found)
@@ -105,9 +113,17 @@ def asked(
         chosen = Chosen(best, *(predict(found.prepared, one) for one in (found.base, best)))
     if formula is None and (plain := plainest(found, chosen.best)) is not chosen.best:
         chosen = replace(chosen, best=plain, after=predict(found.prepared, plain))
+    if formula is None and chosen.best is not found.base:
+        told("trying simple torques without a name")
+        found = with_nameless(found, chosen.best)
     told("locating the mismatch")
     location = locate(found.prepared, found.begin, chosen.best)
     return concluded(result, found, chosen, formula, location, seed)
+
+
+def unsought(prepared: PreparedRecording, base: Optimum) -> Found:
+    """Nothing but the baseline, of what could show nothing else."""
+    return Found(prepared, base, base.candidate, [], [], [], [], yardstick(prepared, base))
 
 
 def names_it(found: Diagnosis) -> bool:

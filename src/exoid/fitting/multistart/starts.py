@@ -3,6 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import product
+from numbers import Integral
+from typing import Any
 
 import jax
 import numpy as np
@@ -25,6 +27,16 @@ from exoid.recordings.signal.local_line import local_line
 
 FROM_NONE = 1e-3  # of the upper limit: where a draw begins whose lower limit is zero
 SLOPE_WIDTH = 0.08  # s, over which the acceleration is taken for inverse dynamics
+
+
+def check_draw(count: Any, seed: Any) -> None:
+    """Whole numbers: one start or more, a seed that is not negative.
+
+    **Raises** `ValueError` where they are not.
+    """
+    for name, value, least in (("multistart", count, 1), ("seed", seed, 0)):
+        if not isinstance(value, Integral) or value < least:
+            raise ValueError(f"{name} is {value!r}: give a whole number, {least} or more.")
 
 
 def draw(count: int, seed: int, limits: Limits | None = None) -> np.ndarray:

@@ -18,9 +18,10 @@ def cause(said: str) -> str:
 def for_all(said: str, name: str) -> str:
     """A reason whose options of single commands are said as keys for a whole data set."""
     said = COLUMN.sub(rf'write \1 = "NAME" in [columns] of {DEFAULTS}', said)
-    where = f"[sensors] of {DEFAULTS} at the top of the data set"
+    own, all_of = "[sensors] of its sidecar", DEFAULTS
     if name.endswith(SUFFIX):
-        where = "sensors of exoid in task-NAME_motion.json at the top of the data set"
+        own, all_of = "sensors of exoid in its _motion.json", "task-NAME_motion.json"
+    where = f"{own}, or where all are like this of {all_of} at the top of the data set"
 
     def told(found: re.Match[str]) -> str:
         return f"write {keys(found[2])} in {where}" if found[1] else keys(found[2])

@@ -1,0 +1,112 @@
+"""Simple torques that the library does not name: what has a name may only stand in for them.
+
+Damping that saturates passes for dry friction, damping that depends on the angle for drag, a muscle
+that lets go after the release for relaxing tissue.
+"""
+
+import jax.numpy as jnp
+
+from exoid.physics.moment import Moment
+from exoid.physics.parameter import Parameter, parameter
+from exoid.physics.term import Memory, PhysicsTerm, Scalar
+
+SLOW = 0.01  # rad/s, below which saturating damping is in proportion to the rate
+LATE = (0.1, 10.0)  # s, within which something fades
+
+
+class DampingByAngle(PhysicsTerm):
+    """tau = -k phi phi'."""
+
+    title = "damping that changes with the angle"
+    reference = "Lin & Rymer, IEEE TBME 38(9), 1991: damping differs along the range"
+    explanation = "The leg is damped more at one end of its range than at the other."
+    isolate = "small swings about several angles, by added masses or another tilt of the thigh"
+
+    by_angle: Parameter = parameter("k", "N m s/rad^2", -2.0, 2.0, "damping per angle", (0.0,))
+
+    def torque(self, now: Moment, memory: Memory) -> Scalar:
+        return -self.by_angle * now.angle * now.angular_velocity
+
+
+class DampingAwayFromHanging(PhysicsTerm):
+    """tau = -k cos^2(phi) phi'."""
+
+    title = "damping that changes away from where the leg hangs"
+    reference = DampingByAngle.reference
+    explanation = "The leg is damped otherwise where it hangs than at the ends of its swings."
+    isolate = DampingByAngle.isolate
+
+    outward: Parameter = parameter("k", "N m s/rad", -2.0, 2.0, "damping at the level leg", (0.0,))
+
+    def torque(self, now: Moment, memory: Memory) -> Scalar:
+        return -self.outward * jnp.cos(now.angle) ** 2 * now.angular_velocity
+
+
+class DampingByDirection(PhysicsTerm):
+    """tau = -k |phi'|."""
+
+    title = "damping that differs by direction"
+    reference = "Vodovnik et al., Med Biol Eng Comput 22, 1984: extensors that are stretched"
+    explanation = "Flexion is damped more, or less, than extension."
+    isolate = "drops with surface electrodes on the muscles, which tell of one that is at work"
+
+    by_direction: Parameter = parameter("k", "N m s/rad", -1.0, 1.0, "half the difference", (0.0,))
+
+    def torque(self, now: Moment, memory: Memory) -> Scalar:
+        return -self.by_direction * jnp.abs(now.angular_velocity)
+
+
+class SaturatingDamping(PhysicsTerm):
+    """tau = -k sgn(phi') |phi'|^(1/2), smooth about 0: it holds no leg."""
+
+    title = "damping that grows slower than the rate"
+    reference = "power-law damping, as of eddy currents and of creeping tissue"
+    explanation = "Slow movement is damped more than in proportion; nothing holds the leg."
+    isolate = "swings until the leg rests, with little noise: dry friction ends them short of rest"
+
+    saturating: Parameter = parameter("k", "N m (s/rad)^0.5", 0.0, 5.0, "damping", (0.0,))
+
+    def torque(self, now: Moment, memory: Memory) -> Scalar:
+        rate = now.angular_velocity
+        return -self.saturating * rate / jnp.sqrt(jnp.abs(rate) + SLOW)
+
+
+class FadingDamping(PhysicsTerm):
+    """tau = -k exp(-t / T) phi', from the begin of every segment on."""
+
+    title = "damping that fades after the release"
+    reference = "thixotropy: Lakie, Walsh & Wright, J Physiol 353, 1984"
+    explanation = "A leg that was held still is damped more at first, or ever more as it swings."
+    isolate = "drops straight after some swings by hand, and after a minute's rest"
+
+    fading_damping: Parameter = parameter("k", "N m s/rad", -50.0, 50.0, "at the begin", (0.0,))
+    fading_time: Parameter = parameter("T", "s", *LATE, "time constant", (1.0,))
+
+    def torque(self, now: Moment, memory: Memory) -> Scalar:
+        faded = jnp.exp(-now.time / self.fading_time)
+        return -self.fading_damping * faded * now.angular_velocity
+
+
+class FadingTorque(PhysicsTerm):
+    """tau = k exp(-t / T), from the begin of every segment on."""
+
+    title = "a torque that fades after the release"
+    reference = "Bajd & Vodovnik, J Biomed Eng 6, 1984: people who do not relax at once"
+    explanation = "A muscle lets go only after the leg was released."
+    isolate = "drops that are announced and drops that are not"
+
+    fading_torque: Parameter = parameter("k", "N m", -100.0, 100.0, "at the begin", (0.0,))
+    fading_while: Parameter = parameter("T", "s", *LATE, "time constant", (1.0,))
+
+    def torque(self, now: Moment, memory: Memory) -> Scalar:
+        return self.fading_torque * jnp.exp(-now.time / self.fading_while)
+
+
+NAMELESS = (
+    DampingByAngle,
+    DampingAwayFromHanging,
+    DampingByDirection,
+    SaturatingDamping,
+    FadingDamping,
+    FadingTorque,
+)
