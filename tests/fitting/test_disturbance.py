@@ -11,9 +11,11 @@ from exoid.fitting.misfit.condensed import Sensed
 from exoid.fitting.misfit.disturbance import explain as explaining
 from exoid.fitting.misfit.disturbance.explain import explain
 from exoid.fitting.misfit.disturbance.likelihood import Likelihood, restricted
-from exoid.fitting.misfit.gram import CAUSES, Cause, Grams
+from exoid.fitting.misfit.gram import CAUSES, UNIT, Cause, Grams
 from exoid.fitting.misfit.gram_matrices import gram, hats, matern, nodes_of, pushes, triangles
 from exoid.fitting.misfit.information import common, spoiled
+from exoid.fitting.misfit.missed import Missed
+from exoid.fitting.result.remarks.remarks import of_missed
 from exoid.physics.motion.step import Drive
 
 SAMPLES, DURATION, NODES = 600, 6.0, 48
@@ -283,3 +285,12 @@ def test_the_matern_covariance_is_a_covariance_of_unit_variance():
     assert matern(np.array([0.0, 0.3]), 0.3)[0, 1] == pytest.approx(
         (1 + 5**0.5 + 5 / 3) * np.exp(-(5**0.5))
     )
+
+
+@pytest.mark.parametrize(("part", "incomplete"), [(2e-4, False), (5e-3, True)])
+def test_a_torque_that_matters_to_nobody_makes_no_error_bar_incomplete(part, incomplete):
+    """Two ten-thousandths of m l g are 2 mN m of an adult, and five thousandths 0.05 N m."""
+    found = Missed("torque", 0.1, (part * 27.0 / UNIT["torque"]) ** 2, 1.0, 0.0)
+    (said,) = of_missed(found, "the residual", 27.0, 0.4, 1.0)
+    assert ("no error bar of a model that misses something" in said) == incomplete
+    assert "Errors are widened for it" in said

@@ -8,13 +8,10 @@ from exoid.recordings.landmarks.measure import Measure
 from exoid.recordings.recording import Recording
 from exoid.recordings.signal.noise import Noise
 
-QUIET = np.radians(0.003)  # less than encoders, cameras and gyros on a leg scatter
-
 
 def hides_noise(noise: Noise, recording: Recording) -> bool:
-    """Does the angle scatter by less than a sensor on a leg can, and nobody declared it?"""
-    undeclared = recording.subject.kind != "rig" and noise.declared is None
-    return bool(undeclared and noise.level < QUIET)
+    """Has a filter left an angle of a leg without noise?"""
+    return recording.subject.kind != "rig" and noise.hidden
 
 
 def without_errors(measures: dict[str, Measure]) -> dict[str, Measure]:

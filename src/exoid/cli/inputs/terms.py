@@ -192,8 +192,13 @@ def suspected_in(model: Path, own: tuple) -> list[str]:
 
 
 def rivals_in(found) -> list[str]:
-    """The single causes that a diagnosis suspects, as --between takes them."""
-    return [each.terms[0] for each in found.suspected if len(each.terms) == 1]
+    """The single causes of a name that a diagnosis suspects, as --between takes them."""
+    from exoid.mismatch.novel.nameless import NAMELESS
+    from exoid.physics.term import name_of
+
+    nameless = set(map(name_of, NAMELESS))
+    single = [each.terms[0] for each in found.suspected if len(each.terms) == 1]
+    return [name for name in single if name not in nameless]
 
 
 def valued(name: str, term: type, text: str):

@@ -137,6 +137,20 @@ def vague(formula: Formula | None) -> list[str]:
     ]
 
 
+def filtered_away(prepared: PreparedRecording, formula: Formula | None) -> list[str]:
+    """That an angle without noise went through a filter, which makes of a release what no torque
+    does.
+    """
+    hidden = [one.noise.level for one in prepared.problem.movements if one.noise.hidden]
+    if formula is None or prepared.rig or not hidden:
+        return []
+    return [
+        f"the angle scatters by {np.degrees(hidden[0]):.1g} deg only, less than a sensor on a leg "
+        "does: a filter that smoothed it also smooths a release, and that looks like a torque. "
+        "Export it without one, or give angle_noise_rad in [sensors]"
+    ]
+
+
 def luck(lucky: Chance) -> list[str]:
     """That what is left would often enough look like a cause by chance."""
     if not lucky.doubtful:

@@ -19,6 +19,7 @@ from exoid.mismatch.conclude.cannot_tell import (
     broken,
     chance,
     faint,
+    filtered_away,
     hands,
     luck,
     once,
@@ -48,6 +49,7 @@ from exoid.mismatch.evidence.prediction import Proof
 from exoid.mismatch.evidence.proof import proof
 from exoid.mismatch.evidence.yardstick import FOLLOWED
 from exoid.mismatch.novel.formula import Formula
+from exoid.mismatch.novel.nameless import NAMELESS
 from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.found import Found, Workings, names, size
@@ -95,7 +97,10 @@ def concluded(
         reasons = [*of_zeros(result, prepared), *of_what_hides(result)]
     likely = unseen or [one for one in found.singles if found.followed(one) > SUSPECT]
     left = not explains_it(found, best) or formula
-    doubts = once(prepared, best) or unrelaxed(prepared, best) or vague(formula) if left else []
+    doubts = []
+    if left:
+        doubts = once(prepared, best) or unrelaxed(prepared, best) or vague(formula)
+        doubts = doubts or filtered_away(prepared, formula)
     if verdict == "mismatch" and doubts:
         verdict, reasons = "cannot_tell", doubts
     novel = verdict == "mismatch" and formula is not None
@@ -190,13 +195,16 @@ def included(
     formula: Formula | None,
     seed: int,
 ) -> float | None:
-    """How often resampled segments ask for the same causes, in this form or another one."""
+    """How often resampled segments ask for the same causes of the library, in this form or another
+    one.
+    """
     if best is found.base:
         return None
     if formula:
         return inclusion(found, [best], [found.base], seed)
     same, rivals = [best], [found.base]
-    for one in (*found.singles, *found.pairs):
+    named = (one for one in (*found.singles, *found.pairs) if not {*one.candidate.terms} & NAMELESS)
+    for one in named:
         holds = all(has(one, cause) for cause in certain or best.candidate.terms)
         (same if holds else rivals).append(one)
     return inclusion(found, same, rivals, seed)

@@ -8,7 +8,7 @@ import jax.numpy as jnp
 
 from exoid.physics.moment import Moment
 from exoid.physics.parameter import Parameter, parameter
-from exoid.physics.term import Memory, PhysicsTerm, Scalar
+from exoid.physics.term import Memory, PhysicsTerm, Scalar, Term
 
 SLOW = 0.01  # rad/s, below which saturating damping is in proportion to the rate
 LATE = (0.1, 10.0)  # s, within which something fades
@@ -28,18 +28,19 @@ class DampingByAngle(PhysicsTerm):
         return -self.by_angle * now.angle * now.angular_velocity
 
 
-class DampingAwayFromHanging(PhysicsTerm):
-    """tau = -k cos^2(phi) phi'."""
+class DampingFromTheMiddle(PhysicsTerm):
+    """tau = -k (phi - phi_m)^2 phi'."""
 
-    title = "damping that changes away from where the leg hangs"
+    title = "damping that changes away from the middle of the swings"
     reference = DampingByAngle.reference
-    explanation = "The leg is damped otherwise where it hangs than at the ends of its swings."
+    explanation = "The leg is damped otherwise about where it hangs than at the ends of its swings."
     isolate = DampingByAngle.isolate
 
-    outward: Parameter = parameter("k", "N m s/rad", -2.0, 2.0, "damping at the level leg", (0.0,))
+    outward: Parameter = parameter("k", "N m s/rad^3", -5.0, 5.0, "damping outwards", (0.0,))
+    middle: Parameter = parameter("phi_m", "rad", -2.0, -0.5, "where it changes least", (-1.4,))
 
     def torque(self, now: Moment, memory: Memory) -> Scalar:
-        return -self.outward * jnp.cos(now.angle) ** 2 * now.angular_velocity
+        return -self.outward * (now.angle - self.middle) ** 2 * now.angular_velocity
 
 
 class DampingByDirection(PhysicsTerm):
@@ -102,11 +103,13 @@ class FadingTorque(PhysicsTerm):
         return self.fading_torque * jnp.exp(-now.time / self.fading_while)
 
 
-NAMELESS = (
-    DampingByAngle,
-    DampingAwayFromHanging,
-    DampingByDirection,
-    SaturatingDamping,
-    FadingDamping,
-    FadingTorque,
+NAMELESS: frozenset[type[Term]] = frozenset(
+    {
+        DampingByAngle,
+        DampingFromTheMiddle,
+        DampingByDirection,
+        SaturatingDamping,
+        FadingDamping,
+        FadingTorque,
+    }
 )

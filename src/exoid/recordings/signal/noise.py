@@ -18,6 +18,7 @@ STRIDES = 60  # neighbourhoods that are tried at most
 SWING, QUICK = 0.2, 8.0  # rad, rad/s: how much, and how fast, a leg swings most of the time
 TELLING = 20_000  # samples of all segments, which tell a scatter to 0.6 %
 HINTING, HINT = 500, 0.7  # samples that tell it to 4 %, and the share of the limit to look closer
+QUIET = np.radians(0.003)  # of an angle: less than encoders and cameras on a leg scatter
 HEAVY = 1.15  # root mean square over robust deviation, from which on tails are worth a word
 
 
@@ -45,6 +46,11 @@ class Noise:
         if self.declared is None or self.measured is None:
             return False
         return not bool(1 / AGREE <= self.measured / self.declared <= AGREE)
+
+    @property
+    def hidden(self) -> bool:
+        """Does an angle scatter by less than a sensor on a leg can, and nobody declared it?"""
+        return self.declared is None and bool(self.level < QUIET)
 
     @property
     def heavy(self) -> bool:

@@ -7,6 +7,7 @@ from markupsafe import Markup
 from exoid.fitting.errors.profile import named
 from exoid.fitting.result.agreement import of_the_rest
 from exoid.fitting.result.fit_result import Estimate
+from exoid.fitting.result.remarks.remarks import slight
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.report.parts.case import Case
 from exoid.report.sections.blocks import Block, Group, State, card, element
@@ -98,7 +99,7 @@ def agreement(case: Case) -> Group:
         return card(question, "open", "A part of it only.", sentence(partly[0]))
     if fit.disturbance.cause is None:
         return card(question, "good", "Yes, within the noise.", because)
-    if unnamed(case):
+    if unnamed(case) or barely(case):
         answer = "Nearly. What is left is little and has no cause that is known; ± allows for it."
         return card(question, "good", answer, because)
     answer = "Not entirely: something is in the recording that the model does not have."
@@ -110,9 +111,17 @@ def unnamed(case: Case) -> bool:
     return case.diagnosis is not None and case.diagnosis.verdict == "none"
 
 
+def barely(case: Case) -> bool:
+    """Is all that the fit leaves beyond the noise too little to matter?"""
+    gravity = case.fit.ratios["gravity_over_inertia"].value or 0.0
+    each = [one for one in case.fit.disturbance.kinds.values() if one.cause is not None]
+    return bool(each) and all(slight(one, gravity) for one in each)
+
+
 def misses(case: Case) -> bool:
     """Does the model lack something by which all numbers may be moved?"""
-    return case.fit.disturbance.cause is not None and not unnamed(case)
+    little = unnamed(case) or barely(case)
+    return case.fit.disturbance.cause is not None and not little
 
 
 def missing(found: Diagnosis) -> Group:

@@ -54,4 +54,7 @@ def tell(dataset: Path, begun: "Begun") -> None:
     elif begun.absent:
         say(f"{begun.table} is kept as it is. It lacks rows for: {listed([*begun.absent], SHOWN)}")
     elif not begun.written:
-        say(f"{dataset}: nothing is missing.")
+        say(
+            f"{dataset}: all files and rows are there. Which cells are empty, 'exoid study check "
+            f"{dataset}' says."
+        )

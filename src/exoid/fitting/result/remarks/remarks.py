@@ -26,6 +26,7 @@ NO_RIG = (
 )
 RULES = ("m l^2 <= J", "J <= reach m l")
 STRANGE = 3.29  # standard deviations from what anatomy expects: one leg in a thousand
+SLIGHT = 1e-3  # of m l g, below which an unknown torque changes no number that anybody reads
 INCOMPLETE = "no error bar of a model that misses something is complete"
 
 
@@ -220,6 +221,11 @@ def of_residual(
     ]
 
 
+def slight(found: Missed, gravity: float) -> bool:
+    """Is what is missed a torque that matters to nobody, beside m l g over J [1/s^2]?"""
+    return found.cause == "torque" and found.deviation < SLIGHT * abs(gravity)
+
+
 def of_missed(
     found: Missed, where: str, gravity: float, inertia: float | None, unit: float
 ) -> list[str]:
@@ -232,6 +238,11 @@ def of_missed(
         each = [f"{100 * found.deviation / abs(gravity):.2g} % of m l g"] if gravity else []
         each += [] if inertia is None else [f"{found.deviation * inertia:.2g} N m"]
         share = ", ".join(each) or f"{found.deviation:.2g} rad/s^2 times J"
+        if slight(found, gravity):
+            return [
+                f"{where} holds a little more than the sensors' noise, as an unknown torque of "
+                f"about {share}, {over}, would leave it. Errors are widened for it."
+            ]
         return [
             f"{where} is more than the sensors' noise: the model misses something. It is what "
             f"an unknown torque of about {share}, {over}, would leave. {widened}"
