@@ -101,6 +101,18 @@ def test_what_may_act_besides_is_apart_from_what_it_may_be_instead():
     ) in said
 
 
+@pytest.mark.parametrize(
+    ("named", "twin"),
+    [("stiffness_rest_angle", "torque_bias"), ("gyro_scale", "clock_rate")],
+)
+def test_what_is_the_same_in_every_recording_is_no_doubt(named, twin):
+    (cause,) = found().findings
+    one = replace(found(), findings=[replace(cause, name=named)], equivalent=[named, twin])
+    said = sentences(one)["How sure"]
+    assert f"{twin.replace('_', ' ')} would look exactly alike;" in said
+    assert "cannot tell" not in said
+
+
 def test_a_number_that_is_smaller_than_its_error_is_no_size():
     wide = Parameter("torque_bias.bias", -0.2, "N m", 1.3)
     assert parameter(wide) == "bias not determined (± 1.3 N m)"

@@ -9,6 +9,7 @@ from exoid.mismatch.answer.diagnosis import Diagnosis, NovelTorque, Parameter
 from exoid.mismatch.sensors.agreement import BIAS, SensorError
 from exoid.physics.library import library
 from exoid.physics.parameter import AT_AN_END
+from exoid.physics.term import name_of
 from exoid.report.words.text import DIMENSIONLESS, in_degrees, quantity_words, with_error
 
 SEEN = 0.01  # share of a number, from which on its change is worth a word
@@ -211,10 +212,23 @@ def others(found: Diagnosis) -> list[str]:
     mine = named - {BIAS}  # a bias is free in every candidate, and has no rival
     each = [name.split(" + ") for name in found.equivalent]
     beside = [" + ".join(x for x in one if x not in named) for one in each if mine <= {*one}]
-    instead = [" + ".join(one) for one in each if not mine <= {*one}]
+    rest = [one for one in each if not mine <= {*one}]
+    alike = [name for one in rest if (name := exact_twin(mine, {*one}))]
+    instead = [" + ".join(one) for one in rest if not exact_twin(mine, {*one})]
     said = [f"besides it perhaps {', or '.join(filter(None, beside))}"] if any(beside) else []
     said += [f"or instead {', or '.join(instead)}"] if instead else []
-    return [f"{'; '.join(said).replace('_', ' ')}: this recording cannot tell"] if said else []
+    doubts = [f"{'; '.join(said)}: this recording cannot tell"] if said else []
+    twins = [f"{name} would look exactly alike" for name in alike]
+    return [one.replace("_", " ") for one in (*twins, *doubts)]
+
+
+def exact_twin(mine: set[str], other: set[str]) -> str | None:
+    """The one cause that is another there, where it is the same in every recording."""
+    known = {name_of(term): term for term in library()}
+    match [*(mine - other)], [*(other - mine)]:
+        case [one], [twin] if one in known and twin in (known[one].twin, known[one].same_torque):
+            return twin
+    return None
 
 
 def where(found: Diagnosis) -> str:
