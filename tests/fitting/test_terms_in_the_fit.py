@@ -179,7 +179,6 @@ def test_what_no_model_can_have_is_refused(rubbing, options, said):
         fit(rubbing, multistart=1, **options)
 
 
-@pytest.mark.proof
 def test_on_its_way_to_the_terms_a_leg_leaves_recordings_as_declared(rubbing, monkeypatch):
     """An encoder's zero half a turn off is a leg that gravity pushes up: far from the terms that
     may leave less.
@@ -197,6 +196,7 @@ def test_on_its_way_to_the_terms_a_leg_leaves_recordings_as_declared(rubbing, mo
     assert moved[0] == 0 < moved[-1]
 
 
+@pytest.mark.proof
 def test_a_late_gyro_comes_back_to_a_tenth_of_a_millisecond():
     each = fit(worn(SensorSkew(jnp.asarray(0.008))), multistart=2, terms=(SensorSkew,))
     assert each.terms["sensor_skew"]["skew"].value == pytest.approx(0.008, abs=1e-4)

@@ -1,14 +1,25 @@
 """Torques without a name keep what has one from standing in for them; legs by SciPy."""
 
 from dataclasses import dataclass, replace
+from types import SimpleNamespace
 
+import jax
 import numpy as np
 import pytest
+from found_by_hand import explaining, found_of
 
-from exoid.mismatch.conclude.asserted import same_cause
+from exoid.cli.inputs.terms import rivals_in
+from exoid.mismatch.answer.diagnosis import Suspect
+from exoid.mismatch.conclude.asserted import certain_of, same_cause
+from exoid.mismatch.conclude.conclusion import undecided
 from exoid.mismatch.missing_physics import diagnose
-from exoid.mismatch.novel.nameless import NAMELESS
+from exoid.mismatch.novel.nameless import NAMELESS, SaturatingDamping
+from exoid.mismatch.stand_in import with_nameless
 from exoid.physics.library import library
+from exoid.physics.parameter import parameter
+from exoid.physics.sensing.gyro_scale import GyroScale
+from exoid.physics.term import PhysicsTerm
+from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from hands import Device, Hand, Knee, dropped
 
 POTENTIOMETER = Device(rate=100.0, noise=2.5e-3, gyro=None)
@@ -40,6 +51,35 @@ def test_none_of_them_is_a_cause_of_the_library_or_a_form_of_one():
     assert not set(NAMELESS) & set(library())
     for one in NAMELESS:
         assert not any(same_cause(one, other) for other in (*library(), *NAMELESS) if other != one)
+
+
+class Brake(PhysicsTerm):
+    """A user's own, which is one of them by another name."""
+
+    title = reference = explanation = isolate = "an eddy brake"
+    torque = SaturatingDamping.torque
+
+    saturating: jax.Array = parameter("k", "N m", 0.0, 5.0, "torque at 1 rad/s", (0.1,))
+
+
+@pytest.mark.parametrize("term", [Brake, GyroScale])
+def test_they_take_no_place_of_a_users_own_term_or_of_a_sensors_error(term):
+    best = explaining(1000.0, term)
+    found = found_of([best])
+    assert with_nameless(found, best) is found
+
+
+def test_a_plan_is_asked_to_tell_named_causes_apart():
+    suspected = [Suspect([name], []) for name in ("coulomb_friction", "saturating_damping")]
+    assert rivals_in(SimpleNamespace(suspected=suspected)) == ["coulomb_friction"]
+
+
+def test_where_one_explains_as_much_the_reason_says_that_it_has_no_name():
+    best, rival = (explaining(1000.0, term) for term in (CoulombFriction, SaturatingDamping))
+    found = found_of([best, rival])
+    assert certain_of(found, best) == ()
+    (why,) = undecided(found, [best, rival])
+    assert why.startswith("saturating damping, a simple torque that the library does not name")
 
 
 @pytest.mark.proof

@@ -24,11 +24,10 @@ from exoid.mismatch.evidence.measure import misfits, yardstick
 from exoid.mismatch.evidence.proof import predict
 from exoid.mismatch.prepare import prepare
 from exoid.mismatch.screen.hypothesis import Optimum
-from exoid.mismatch.screen.optimise import strikes
+from exoid.mismatch.screen.optimise import settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.mismatch.search.challenge import challenged, with_hidden
 from exoid.mismatch.search.found import Found, causes, names, size
-from exoid.mismatch.search.likely import smeared
 from exoid.mismatch.search.search import look
 from exoid.mismatch.stand_in import with_nameless
 from exoid.mismatch.with_model import just_made, with_model
@@ -91,9 +90,7 @@ def asked(
     """What is missing in a fit."""
     prepared, base = prepare(result, named, terms)
     if too_little(prepared):
-        found, before = unsought(prepared, base), predict(prepared, base)
-        location = locate(prepared, base.candidate, base)
-        return concluded(result, found, Chosen(base, before, before), None, location, seed)
+        return unsought(result, prepared, base, seed)
     found = challenged(look(prepared, base, told))
     told("proving it on held-out data")
     chosen = choose(found)
@@ -101,10 +98,13 @@ def asked(
     if chosen.best.square > REMAINS * found.yardstick.samples or causes(chosen.best) > 1:
         told("looking for a formula")
         chosen, formula = formulated(found, chosen)
-    if formula is not None and not any(strikes(one.candidate) for one in found.singles):
-        hidden = [one for one in found.pinned if smeared(one.candidate)]
-        found = with_hidden(found, hidden, told)  # before something is called new
-        chosen, formula = formulated(found, choose(found))
+    if formula is not None:
+        done = {one.candidate.terms for one in found.singles}
+        others = [one for one in found.pinned if one.candidate.terms not in done]
+        raced = with_hidden(found, others, told)  # before something is called new
+        if raced is not found:
+            found = raced
+            chosen, formula = formulated(found, choose(found))
     found, best = with_faults_told(found, chosen.best)
     if prepared.common:
         chosen = Chosen(best, *(predict(prepared, one) for one in (found.base, best)))
@@ -121,9 +121,13 @@ def asked(
     return concluded(result, found, chosen, formula, location, seed)
 
 
-def unsought(prepared: PreparedRecording, base: Optimum) -> Found:
-    """Nothing but the baseline, of what could show nothing else."""
-    return Found(prepared, base, base.candidate, [], [], [], [], yardstick(prepared, base))
+def unsought(result: FitResult, prepared: PreparedRecording, base: Optimum, seed: int) -> Diagnosis:
+    """The answer to a recording that could show nothing but the baseline."""
+    if prepared.common:
+        base = settle_free(prepared, base.candidate.without(prepared.common))
+    found = Found(prepared, base, base.candidate, [], [], [], [], yardstick(prepared, base))
+    before, location = predict(prepared, base), locate(prepared, base.candidate, base)
+    return concluded(result, found, Chosen(base, before, before), None, location, seed)
 
 
 def names_it(found: Diagnosis) -> bool:

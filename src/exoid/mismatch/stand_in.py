@@ -9,7 +9,7 @@ from exoid.mismatch.screen.optimise import settle_free
 from exoid.mismatch.search.found import Found
 from exoid.mismatch.search.glance import beside_free
 from exoid.mismatch.search.rank import by_evidence
-from exoid.mismatch.search.several import with_one_less
+from exoid.physics.library import library
 from exoid.physics.term import SensorTerm, name_of
 
 NEAR = 3.0  # times what the best leaves, within which running free may change the order
@@ -17,30 +17,37 @@ MOST = 2  # torques that run free, of every set
 
 
 def with_nameless(found: Found, best: Optimum) -> Found:
-    """The same with torques without a name in the place of one of the causes of the best, or of
-    all: where these explain as much, it is not certain that those are there.
+    """The same with torques without a name in the place of one of the library's torques that the
+    best has, and of all: where these explain as much, it is not certain that those are there.
     """
-    prepared, first = found.prepared, len(found.prepared.common)
-    own = best.candidate.terms[first:]
-    if not own or all(issubclass(term, SensorTerm) for term in own):
+    known = {*library()}
+    torques = [
+        term for term in best.candidate.terms if term in known and not issubclass(term, SensorTerm)
+    ]
+    if not torques:
         return found
-    fewer = [found.base.candidate, *with_one_less(best.candidate, first)]
-    less = {frozenset(one.terms): one for one in fewer}
-    known = {
-        frozenset(one.candidate.terms): one for one in (found.base, *found.singles, *found.pairs)
-    }
-    sets = [known.get(terms) or settle_free(prepared, start) for terms, start in less.items()]
+    fewer = [best.candidate.without(each) for each in (torques, *([one] for one in torques))]
+    sets = [settled(found, one) for one in {frozenset(one.terms): one for one in fewer}.values()]
     tried = side_by_side(
-        lambda start: settle_free(prepared, start, rival=best.square),
+        lambda start: settle_free(found.prepared, start, rival=best.square),
         [start for one in sets for start in near(found, one, best)],
     )
-    alone = [one for one in tried if one.sound and len(one.candidate.terms) == first + 1]
-    joint = [one for one in tried if one.sound and len(one.candidate.terms) > first + 1]
+    sound = [one for one in tried if one.sound]
     singles, pairs = (
         by_evidence([*those, *more], found.base, found.yardstick) if more else those
-        for those, more in ((found.singles, alone), (found.pairs, joint))
+        for those, more in (
+            (found.singles, [one for one in sound if len(one.candidate.terms) == 1]),
+            (found.pairs, [one for one in sound if len(one.candidate.terms) > 1]),
+        )
     )
     return replace(found, singles=singles, pairs=pairs)
+
+
+def settled(found: Found, candidate: Hypothesis) -> Optimum:
+    """Where a set with a cause less ends: as the search left it, or from here."""
+    each = (found.base, *found.singles, *found.pairs)
+    same = [one for one in each if {*one.candidate.terms} == {*candidate.terms}]
+    return max(same, key=found.evidence) if same else settle_free(found.prepared, candidate)
 
 
 def near(found: Found, one: Optimum, best: Optimum) -> list[Hypothesis]:

@@ -4,7 +4,7 @@ import numpy as np
 
 from exoid.pendulum.catalogue import MEASURES, measures
 from exoid.pendulum.drop import Average, Drop, PendulumTest
-from exoid.pendulum.smoothing import hides_noise, of_smoothing, without_errors
+from exoid.pendulum.smoothing import as_smoothed
 from exoid.recordings.conventions.jumps import AGAIN, jumps_of, told_jumps
 from exoid.recordings.landmarks.find_landmarks import find_landmarks
 from exoid.recordings.landmarks.measure import NotAllowed
@@ -82,9 +82,7 @@ def drop(recording: Recording, number: int, name: str) -> Drop:
         found = find_landmarks(track, recording.subject.kind != "rig", law, seen)
     except NotAllowed as why:
         return Drop(name, segment, mass, {}, None, str(why))
-    read, note = measures(found), of_smoothing(cleaned.angle, recording)
-    if hides_noise(cleaned.angle, recording):
-        read = without_errors(read)
+    read, note = as_smoothed(measures(found), cleaned.angle, recording)
     return Drop(name, segment, mass, read, found, note=note)
 
 

@@ -101,7 +101,7 @@ def tilted(each: MountingFit) -> list[str]:
     return [
         f"the thigh seems to be tilted by {value:.2g} ± {error:.1g} deg beyond what is declared, "
         "and the fit follows that: measure it, and give thigh_angle_deg. A spring that is slack at "
-        "another angle, or grows stiffer, looks alike, and belongs to another leg."
+        "another angle, or grows stiffer, looks alike: then m l g / J and c / J are others."
     ]
 
 

@@ -113,8 +113,8 @@ def at_its_most(term: type[Term], size: float, found: Found) -> bool:
 
 
 def with_one_less(found: Found, best: Optimum) -> list[Optimum]:
-    """Of what was simulated with one of the causes of the best less, the best; that without any
-    cause where it leaves less than all of these.
+    """Of what was simulated with one of the causes of the best less, that with most evidence; the
+    baseline where that has more.
     """
     mine = best.candidate.terms
     each = [

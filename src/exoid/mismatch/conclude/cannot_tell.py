@@ -12,6 +12,7 @@ from exoid.mismatch.screen.optimise import FEWER_ROUNDS, FLOOR, settle_free
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
 from exoid.physics.term import SensorTerm
 from exoid.recordings.conventions.jumps import jumping
+from exoid.recordings.signal.noise import of_hidden_noise
 
 SHORTEST = 1.5  # s of movement in all, about one swing of a leg
 QUIETEST = np.radians(12.0)  # rad, of movement: less is within straps and skin
@@ -138,17 +139,11 @@ def vague(formula: Formula | None) -> list[str]:
 
 
 def filtered_away(prepared: PreparedRecording, formula: Formula | None) -> list[str]:
-    """That an angle without noise went through a filter, which makes of a release what no torque
-    does.
-    """
-    hidden = [one.noise.level for one in prepared.problem.movements if one.noise.hidden]
+    """That an angle went through a filter, which makes of a release what looks like a torque."""
+    hidden = [one.noise for one in prepared.problem.movements if one.noise.hidden]
     if formula is None or prepared.rig or not hidden:
         return []
-    return [
-        f"the angle scatters by {np.degrees(hidden[0]):.1g} deg only, less than a sensor on a leg "
-        "does: a filter that smoothed it also smooths a release, and that looks like a torque. "
-        "Export it without one, or give angle_noise_rad in [sensors]"
-    ]
+    return [of_hidden_noise(hidden[0])]
 
 
 def luck(lucky: Chance) -> list[str]:

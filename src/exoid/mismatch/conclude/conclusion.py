@@ -132,7 +132,7 @@ def concluded(
         sensors=prepared.sensors.errors,
         before=result,
         suspected=suspects(found, suspected, best),
-        advice=advice(equal or likely[:2], verdict, formula),
+        advice=[] if too_little(prepared) else advice(equal or likely[:2], verdict, formula),
         workings=Workings(found, best),
     )
 
@@ -267,10 +267,19 @@ def undecided(found: Found, equal: list[Optimum]) -> list[str]:
             "stands in for something else"
             for why in dict.fromkeys(others.values())
         ]
-    if len(equal) == 1 and with_one_less(found, equal[0]) == [found.base]:
+    best = equal[0]
+    noise = found.yardstick.explains(best.square)
+    if len(equal) == 1 and not noise and with_one_less(found, best) == [found.base]:
         return [
-            f"{words(names(equal[0]))} together come nearest, not down to the noise, and with one "
-            "of them less no more is explained than by Eq. 9 alone: what is missing may be neither"
+            f"{words(names(best))} together come nearest, not down to the noise, and with one of "
+            "them less no more is explained than by Eq. 9 alone: it may be none of them"
+        ]
+    nameless = [one for one in equal if {*one.candidate.terms} & NAMELESS]
+    if nameless:
+        return [
+            f"{words(names(nameless[0]))}, a simple torque that the library does not name, "
+            f"explains as much as {words(names(best))} ({found.followed(nameless[0]):.0%} of the "
+            f"mismatch and {found.followed(best):.0%})"
         ]
     if len(equal) == 1:
         alone = words(names(equal[0]))

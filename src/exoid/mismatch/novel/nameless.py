@@ -14,6 +14,11 @@ SLOW = 0.01  # rad/s, below which saturating damping is in proportion to the rat
 LATE = (0.1, 10.0)  # s, within which something fades
 
 
+def halfway(lowest: float, highest: float) -> tuple[float, ...]:
+    """The middle of a motion [rad]."""
+    return ((lowest + highest) / 2,)
+
+
 class DampingByAngle(PhysicsTerm):
     """tau = -k phi phi'."""
 
@@ -37,7 +42,7 @@ class DampingFromTheMiddle(PhysicsTerm):
     isolate = DampingByAngle.isolate
 
     outward: Parameter = parameter("k", "N m s/rad^3", -5.0, 5.0, "damping outwards", (0.0,))
-    middle: Parameter = parameter("phi_m", "rad", -2.0, -0.5, "where it changes least", (-1.4,))
+    middle: Parameter = parameter("phi_m", "rad", -4.0, 4.0, "where it changes least", halfway)
 
     def torque(self, now: Moment, memory: Memory) -> Scalar:
         return -self.outward * (now.angle - self.middle) ** 2 * now.angular_velocity
@@ -58,14 +63,14 @@ class DampingByDirection(PhysicsTerm):
 
 
 class SaturatingDamping(PhysicsTerm):
-    """tau = -k sgn(phi') |phi'|^(1/2), smooth about 0: it holds no leg."""
+    """tau = -k sgn(phi') (|phi'| / 1 rad/s)^(1/2), smooth about 0: it holds no leg."""
 
     title = "damping that grows slower than the rate"
     reference = "power-law damping, as of eddy currents and of creeping tissue"
     explanation = "Slow movement is damped more than in proportion; nothing holds the leg."
     isolate = "swings until the leg rests, with little noise: dry friction ends them short of rest"
 
-    saturating: Parameter = parameter("k", "N m (s/rad)^0.5", 0.0, 5.0, "damping", (0.0,))
+    saturating: Parameter = parameter("k", "N m", 0.0, 5.0, "torque at 1 rad/s", (0.0,))
 
     def torque(self, now: Moment, memory: Memory) -> Scalar:
         rate = now.angular_velocity

@@ -7,6 +7,7 @@ from exoid.fitting.solve.side_by_side import side_by_side
 from exoid.mismatch.screen.hypothesis import Linear, Optimum
 from exoid.mismatch.screen.optimise import given, strikes
 from exoid.mismatch.search.found import Found
+from exoid.mismatch.search.likely import smeared
 from exoid.mismatch.search.race import left_of, raced, simulated
 from exoid.mismatch.search.rank import alike, by_evidence
 
@@ -48,17 +49,20 @@ def as_near(found: Found, best: Optimum) -> list[Optimum]:
 
 
 def with_hidden(found: Found, some: list[Optimum], told: Callable[[str], None]) -> Found:
-    """The same with these of the first look, of which that shows nothing, as what strikes or
-    sticks, from all their starts.
+    """The same with those of `some` that act in moments only, as what strikes or sticks: the first
+    look along a motion shows nothing of them, so that they begin from all their starts. What sticks
+    and ran free before is left out; what strikes may have stopped in a false valley.
     """
-    told("simulating what acts for moments only")
-    base, measure = found.base, found.yardstick
-    rival = min((base, *found.singles), key=left_of).square
     done = {one.candidate.terms for one in found.singles if not strikes(one.candidate)}
-    left = [one for one in some if one.candidate.terms not in done]
+    left = [one for one in some if smeared(one.candidate) and one.candidate.terms not in done]
+    if not left:
+        return found
+    told("simulating what acts for moments only")
+    rival = min((found.base, *found.singles), key=left_of).square
     known = given(found.prepared, found.begin)
     more = side_by_side(lambda one: found_anyhow(found, one, known, rival), left)
-    return replace(found, singles=by_evidence([*found.singles, *more], base, measure))
+    singles = by_evidence([*found.singles, *more], found.base, found.yardstick)
+    return replace(found, singles=singles)
 
 
 def found_anyhow(found: Found, one: Optimum, known: Linear | None, rival: float) -> Optimum:

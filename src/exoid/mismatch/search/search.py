@@ -24,7 +24,7 @@ from exoid.mismatch.search.challenge import with_hidden
 from exoid.mismatch.search.exchange import exchanged
 from exoid.mismatch.search.found import Found, best_of, size
 from exoid.mismatch.search.glance import beside_free
-from exoid.mismatch.search.likely import likeliest, ordered, shortlist, smeared
+from exoid.mismatch.search.likely import likeliest, ordered, shortlist
 from exoid.mismatch.search.pairs import pairs, plainer_pairs
 from exoid.mismatch.search.race import simulated
 from exoid.mismatch.search.rank import by_evidence
@@ -77,20 +77,28 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
     alone = [one for one in suspected if len(one.candidate.terms) == 1]
     singles = by_evidence([*singles, *alone], base, measure)
     found = Found(prepared, base, begin, singles, sensors, ranked, failed, measure)
-    explained = measure.explains(least(base, *singles).square)
-    holding = [one for one in ranked if smeared(one.candidate) and not strikes(one.candidate)]
-    found = exchanged(found if explained else with_hidden(found, holding, told))
-    found, sought = with_pairs(found, usable, told, struck=explained)
-    if not explained and (striking := may_strike(found)):
+    return beyond_the_first(found, usable, told)
+
+
+def beyond_the_first(found: Found, usable: list[type[Term]], told: Told) -> Found:
+    """What acts in moments only, pairs, and sets. What strikes takes longest: it comes after pairs
+    of everything else.
+    """
+    explained = found.yardstick.explains(least(found.base, *found.singles).square)
+    if not explained:
+        sticking = [one for one in found.pinned if not strikes(one.candidate)]
+        found = with_hidden(found, sticking, told)
+    found, sought = with_pairs(exchanged(found), usable, told, struck=explained)
+    if not explained and (striking := strikes_in_reach(found)):
         found = exchanged(with_hidden(found, striking, told))
-        if not leaving_noise(found.pairs, prepared):
+        if not leaving_noise(found.pairs, found.prepared):
             found, sought = with_pairs(found, usable, told, struck=True)
     return with_sets(found, usable, told) if sought else found
 
 
-def may_strike(found: Found) -> list[Optimum]:
-    """What strikes, which takes longest to race: where a pair leaves only noise, none that needs so
-    many numbers more that it cannot come near.
+def strikes_in_reach(found: Found) -> list[Optimum]:
+    """What strikes; where a pair leaves only noise, none that needs so many numbers more that it
+    cannot come near.
     """
     each = [one for one in found.pinned if strikes(one.candidate)]
     known = leaving_noise(found.pairs, found.prepared)
@@ -108,13 +116,13 @@ def leaving_noise(some: list[Optimum], prepared: PreparedRecording) -> list[Opti
 def with_pairs(
     found: Found, usable: list[type[Term]], told: Told, *, struck: bool
 ) -> tuple[Found, bool]:
-    """The same with the best pairs running free that have not yet, and whether there is anything to
-    pair; with what strikes only where `struck`.
+    """The same with the best pairs, running free, and whether there is anything to pair; with what
+    strikes only where `struck`. A pair that ran before does not run again.
     """
     prepared, known = found.prepared, {frozenset(one.candidate.terms) for one in found.pairs}
     both, free = seconds(found, usable, told)
     if not both and not free:
-        return found, False
+        return replace(found, pairs=by_evidence(found.pairs, found.base, found.yardstick)), False
     told("simulating the best pairs")
     possible = [one for one in both if struck or not strikes(one.candidate)]
     fresh = [one for one in shortlist(possible) if frozenset(one.candidate.terms) not in known]

@@ -58,6 +58,16 @@ class Noise:
         return bool(self.heaviness > HEAVY)
 
 
+def of_hidden_noise(noise: Noise) -> str:
+    """What is wrong with an angle whose noise is hidden, and what to do about it."""
+    level = f"{np.degrees(noise.level):.4f}".rstrip("0").rstrip(".")
+    return (
+        f"the angle scatters by {level} deg only, less than a sensor on a leg does: a filter "
+        "hides noise, and takes from peaks and releases what it smooths. Export the angle without "
+        "one, or give angle_noise_rad in [sensors]"
+    )
+
+
 def declared_angle_noise(sensors: Sensors, signals: list[Samples]) -> float | None:
     """What the sidecar says [rad], with what the encoder's steps add; None where it is silent.
 

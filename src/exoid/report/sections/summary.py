@@ -99,7 +99,7 @@ def agreement(case: Case) -> Group:
         return card(question, "open", "A part of it only.", sentence(partly[0]))
     if fit.disturbance.cause is None:
         return card(question, "good", "Yes, within the noise.", because)
-    if unnamed(case) or barely(case):
+    if little(case):
         answer = "Nearly. What is left is little and has no cause that is known; ± allows for it."
         return card(question, "good", answer, because)
     answer = "Not entirely: something is in the recording that the model does not have."
@@ -111,8 +111,15 @@ def unnamed(case: Case) -> bool:
     return case.diagnosis is not None and case.diagnosis.verdict == "none"
 
 
+def little(case: Case) -> bool:
+    """Is what the fit leaves beyond the noise without a cause that is known, or too little to
+    matter?
+    """
+    return unnamed(case) or barely(case)
+
+
 def barely(case: Case) -> bool:
-    """Is all that the fit leaves beyond the noise too little to matter?"""
+    """Is all that the fit leaves beyond the noise a torque that changes no number?"""
     gravity = case.fit.ratios["gravity_over_inertia"].value or 0.0
     each = [one for one in case.fit.disturbance.kinds.values() if one.cause is not None]
     return bool(each) and all(slight(one, gravity) for one in each)
@@ -120,8 +127,7 @@ def barely(case: Case) -> bool:
 
 def misses(case: Case) -> bool:
     """Does the model lack something by which all numbers may be moved?"""
-    little = unnamed(case) or barely(case)
-    return case.fit.disturbance.cause is not None and not little
+    return case.fit.disturbance.cause is not None and not little(case)
 
 
 def missing(found: Diagnosis) -> Group:

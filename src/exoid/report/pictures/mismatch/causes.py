@@ -72,12 +72,12 @@ def bars(role: Role, rows: list[Cause], numbers: list[int]) -> Bars:
 
 def show_causes(found: Diagnosis) -> Picture:
     rows = causes(found)
-    least = min(rows[1:], key=lambda row: row.left, default=rows[0])
+    least = [min(rows[1:], key=lambda row: row.left)] if rows[1:] else []
+    others = [f"; {' '.join(one.name.split())} leaves {in_times(one.left)}" for one in least]
     return Picture(
         "causes",
         "Bars of what every cause leaves unexplained, as mean square over the noise. Eq. 9 alone "
-        f"leaves {in_times(rows[0].left)}; {' '.join(least.name.split())} leaves "
-        f"{in_times(least.left)}.",
+        f"leaves {in_times(rows[0].left)}{''.join(others)}.",
         "How much each explanation leaves, on a logarithmic scale: the dashed line is the noise "
         "itself, nothing is left below it. Blue without stripes: what was chosen.",
         (causes_of(found),),

@@ -5,7 +5,7 @@ from found_by_hand import SAMPLES, explaining, found_of
 
 from exoid.mismatch.evidence.yardstick import Yardstick
 from exoid.mismatch.search import search
-from exoid.mismatch.search.search import may_strike
+from exoid.mismatch.search.search import strikes_in_reach
 from exoid.physics.terms.device.backlash import Backlash
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.physics.terms.device.hard_stop import HardStop
@@ -34,4 +34,4 @@ def test_beside_a_pair_that_leaves_noise_only_what_needs_hardly_more_numbers(
     monkeypatch.setattr(search, "yardstick", lambda *_: Yardstick(SAMPLES, 1.0))
     found = found_of([], [explaining(left, *pair)], FIRST_LOOK)
     found.prepared.samples = SAMPLES
-    assert {one.candidate.terms[-1] for one in may_strike(found)} == raced
+    assert {one.candidate.terms[-1] for one in strikes_in_reach(found)} == raced
