@@ -278,17 +278,22 @@ def undecided(found: Found, equal: list[Optimum]) -> list[str]:
     if nameless:
         return [
             f"{words(names(nameless[0]))}, a simple torque that the library does not name, "
-            f"explains as much as {words(names(best))} ({found.followed(nameless[0]):.0%} of the "
-            f"mismatch and {found.followed(best):.0%})"
+            f"explains as much as {words(names(best))}: {share(found, nameless[0])} of the mismatch "
+            f"and {share(found, best)}"
         ]
     if len(equal) == 1:
         alone = words(names(equal[0]))
         return [f"{alone} explains most, at values at which it is not what it is called"]
-    each = [f"{words(names(one)) or 'no cause'} ({found.followed(one):.0%})" for one in equal]
+    each = [f"{words(names(one)) or 'no cause'} ({share(found, one)})" for one in equal]
     return [
         "explanations that have nothing in common come out alike (shares of the mismatch): "
         f"{', '.join(each[:SUSPECTS])}"
     ]
+
+
+def share(found: Found, one: Optimum) -> str:
+    """How much of the mismatch it explains, all of it where the noise turned out smaller."""
+    return f"{min(found.followed(one), 1.0):.0%}"
 
 
 def ranked(found: Found, selected: list[str], formula: Formula | None) -> list[str]:

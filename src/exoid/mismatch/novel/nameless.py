@@ -23,7 +23,7 @@ class DampingByAngle(PhysicsTerm):
     """tau = -k phi phi'."""
 
     title = "damping that changes with the angle"
-    reference = "Lin & Rymer, IEEE TBME 38(9), 1991: damping differs along the range"
+    reference = "assumed: the first power of the angle"
     explanation = "The leg is damped more at one end of its range than at the other."
     isolate = "small swings about several angles, by added masses or another tilt of the thigh"
 
@@ -37,7 +37,7 @@ class DampingFromTheMiddle(PhysicsTerm):
     """tau = -k (phi - phi_m)^2 phi'."""
 
     title = "damping that changes away from the middle of the swings"
-    reference = DampingByAngle.reference
+    reference = "assumed: the second power of the angle"
     explanation = "The leg is damped otherwise about where it hangs than at the ends of its swings."
     isolate = DampingByAngle.isolate
 
@@ -52,7 +52,7 @@ class DampingByDirection(PhysicsTerm):
     """tau = -k |phi'|."""
 
     title = "damping that differs by direction"
-    reference = "Vodovnik et al., Med Biol Eng Comput 22, 1984: extensors that are stretched"
+    reference = "assumed: two coefficients, one for each direction"
     explanation = "Flexion is damped more, or less, than extension."
     isolate = "drops with surface electrodes on the muscles, which tell of one that is at work"
 
@@ -66,7 +66,7 @@ class SaturatingDamping(PhysicsTerm):
     """tau = -k sgn(phi') (|phi'| / 1 rad/s)^(1/2), smooth about 0: it holds no leg."""
 
     title = "damping that grows slower than the rate"
-    reference = "power-law damping, as of eddy currents and of creeping tissue"
+    reference = "assumed: a power of the rate below the first"
     explanation = "Slow movement is damped more than in proportion; nothing holds the leg."
     isolate = "swings until the leg rests, with little noise: dry friction ends them short of rest"
 
@@ -97,7 +97,7 @@ class FadingTorque(PhysicsTerm):
     """tau = k exp(-t / T), from the begin of every segment on."""
 
     title = "a torque that fades after the release"
-    reference = "Bajd & Vodovnik, J Biomed Eng 6, 1984: people who do not relax at once"
+    reference = "assumed: a muscle that lets go as a first-order system does"
     explanation = "A muscle lets go only after the leg was released."
     isolate = "drops that are announced and drops that are not"
 
