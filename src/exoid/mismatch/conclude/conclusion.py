@@ -278,8 +278,8 @@ def undecided(found: Found, equal: list[Optimum]) -> list[str]:
     if nameless:
         return [
             f"{words(names(nameless[0]))}, a simple torque that the library does not name, "
-            f"explains as much as {words(names(best))}: {share(found, nameless[0])} of the mismatch "
-            f"and {share(found, best)}"
+            f"explains as much as {words(names(best))}: {share(found, nameless[0])} of the "
+            f"mismatch and {share(found, best)}"
         ]
     if len(equal) == 1:
         alone = words(names(equal[0]))
