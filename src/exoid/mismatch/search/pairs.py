@@ -2,13 +2,16 @@
 
 from exoid.mismatch.screen.along_motion import linear
 from exoid.mismatch.screen.hypothesis import Hypothesis, Optimum
-from exoid.mismatch.screen.optimise import strikes
+from exoid.mismatch.screen.optimise import enough, settle_free, strikes
 from exoid.mismatch.screen.prepared_recording import PreparedRecording
-from exoid.mismatch.search.glance import nearest
+from exoid.mismatch.search.glance import beside_free, nearest
+from exoid.physics.parameter import declarations
+from exoid.physics.term import Term
 
 PAIRED = 3  # first terms of a pair
 SECONDS = 8  # second ones of each that are looked at beyond the first order
 PLAIN = 3  # the same of causes with one parameter
+FEW = 2  # parameters of a cause; one with more explains what several simple ones do
 
 
 def pairs(
@@ -49,7 +52,7 @@ def plainer_pairs(
     """Pairs of causes with one parameter each, where the best single cause has more than two: what
     one with many explains, two simple ones may explain as well.
     """
-    if best.candidate.terms == prepared.common or best.candidate.values[-1].size <= 2:
+    if best.candidate.terms == prepared.common or best.candidate.values[-1].size <= FEW:
         return []
     plain = [one for one in ranked if one.candidate.values[-1].size == 1]
     made = []
@@ -61,4 +64,22 @@ def plainer_pairs(
             for value in prepared.starts(second.candidate.terms[-1])
         ]
         made += nearest(prepared, starts, PLAIN)
+    return made
+
+
+def plainer_sets(
+    prepared: PreparedRecording, usable: list[type[Term]], best: Optimum
+) -> list[Hypothesis]:
+    """Where a set leaves only noise, others, in which causes with one parameter take the place of
+    one with more than two: these may explain as much, and are the likelier.
+    """
+    if not enough(prepared, best.square):
+        return []
+    each = zip(best.candidate.terms, best.candidate.values, strict=True)
+    rich = [term for term, value in each if value.size > FEW]
+    plain = [term for term in usable if len([*declarations(term)]) == 1]
+    made = []
+    for term in rich:
+        fewer = settle_free(prepared, best.candidate.without([term]))
+        made += [start for _, start in beside_free(prepared, plain, fewer)[:PLAIN]]
     return made

@@ -25,7 +25,7 @@ from exoid.mismatch.search.exchange import exchanged
 from exoid.mismatch.search.found import Found, best_of, size
 from exoid.mismatch.search.glance import beside_free
 from exoid.mismatch.search.likely import likeliest, ordered, shortlist
-from exoid.mismatch.search.pairs import pairs, plainer_pairs
+from exoid.mismatch.search.pairs import pairs, plainer_pairs, plainer_sets
 from exoid.mismatch.search.race import simulated
 from exoid.mismatch.search.rank import by_evidence
 from exoid.mismatch.search.several import as_good, several, sticks, with_one_more
@@ -178,6 +178,9 @@ def with_sets(found: Found, usable: list[type[Term]], told: Told) -> Found:
             told("testing three causes and more")
             joint += several(prepared, usable, best)
             joint += nested(prepared, ordered(joint)[:1], usable)
+    for best in ordered(joint)[:1]:
+        plainer = plainer_sets(prepared, usable, best)
+        joint += simulated(prepared, plainer, best.square)
     single = [*found.singles, *reduced(prepared, ordered(joint)[:1])]
     singles = by_evidence(single, base, found.yardstick)
     singles += nested(prepared, singles, of_all(singles))
