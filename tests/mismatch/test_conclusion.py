@@ -257,6 +257,11 @@ def test_of_two_that_explain_nothing_without_each_other_neither_is_certain_above
         found = found_of([explaining(102_000.0, TorqueBias)], [best])
         assert certain_of(found, best) == certain
     assert "alone" in undecided(found, [best])[0]
+    # a robot's link had dry friction, of which Coulomb's form alone stopped at nothing
+    form = found_of(
+        [explaining(102_000.0, TorqueBias), explaining(60_000.0, StribeckFriction)], [best]
+    )
+    assert certain_of(form, best) == (CoulombFriction,)
 
 
 def test_explanations_weigh_by_their_evidence_and_by_what_even_the_best_leaves():

@@ -113,14 +113,15 @@ def at_its_most(term: type[Term], size: float, found: Found) -> bool:
 
 
 def with_one_less(found: Found, best: Optimum) -> list[Optimum]:
-    """Of what was simulated with one of the causes of the best less, that with most evidence; the
-    baseline where that has more.
+    """Of what was simulated with one of the causes of the best less, in one form or another, that
+    with most evidence; the baseline where that has more.
     """
     mine = best.candidate.terms
     each = [
         one
         for one in (*found.singles, *found.pairs)
-        if len(one.candidate.terms) == len(mine) - 1 and set(one.candidate.terms) < set(mine)
+        if len(one.candidate.terms) == len(mine) - 1
+        and all(any(same_cause(term, own) for own in mine) for term in one.candidate.terms)
     ]
     return [max([found.base, *each], key=found.evidence)] if each else []
 
