@@ -212,13 +212,12 @@ def others(found: Diagnosis) -> list[str]:
     mine = named - {BIAS}  # a bias is free in every candidate, and has no rival
     each = [name.split(" + ") for name in found.equivalent]
     beside = [" + ".join(x for x in one if x not in named) for one in each if mine <= {*one}]
-    rest = [one for one in each if not mine <= {*one}]
-    alike = [name for one in rest if (name := exact_twin(mine, {*one}))]
-    instead = [" + ".join(one) for one in rest if not exact_twin(mine, {*one})]
+    rest = {" + ".join(one): exact_twin(mine, {*one}) for one in each if not mine <= {*one}}
+    instead = [name for name, twin in rest.items() if not twin]
     said = [f"besides it perhaps {', or '.join(filter(None, beside))}"] if any(beside) else []
     said += [f"or instead {', or '.join(instead)}"] if instead else []
     doubts = [f"{'; '.join(said)}: this recording cannot tell"] if said else []
-    twins = [f"{name} would look exactly alike" for name in alike]
+    twins = [f"{twin} would look exactly alike" for twin in rest.values() if twin]
     return [one.replace("_", " ") for one in (*twins, *doubts)]
 
 
