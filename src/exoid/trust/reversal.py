@@ -15,8 +15,12 @@ STEPS = 61  # tried middles
 
 
 def reversals(movements: list[Movement]) -> list[Reversal]:
-    """Every segment against its mirror image, from the data alone, whatever its kind is called."""
-    return [Reversal(each.name, each.voluntary, odd_part(each)) for each in movements]
+    """Every segment against its mirror image, from the data alone, whatever its kind is called.
+
+    Where the torque was measured nothing follows from it, and it is not asked.
+    """
+    asked = [each for each in movements if each.kind != "measured"]
+    return [Reversal(each.name, each.voluntary, odd_part(each)) for each in asked]
 
 
 def odd_part(each: Movement) -> float:

@@ -211,13 +211,30 @@ def of_residual(
     `gravity` is m l g / J [1/s^2]; `inertia` None where J is not known; `unit` that of the
     residuals over the noise.
     """
+    noisy = of_noisy_torque(found, gravity)
     if len(set(found.kinds.values())) == 1:
         missed = next(iter(found.kinds.values()))
-        return of_missed(missed, "the residual", gravity, inertia, unit)
+        return of_missed(missed, "the residual", gravity, inertia, unit) + noisy
     return [
         sentence
         for kind, each in found.kinds.items()
         for sentence in of_missed(each, f"the residual of {kind} segments", gravity, inertia, unit)
+    ] + noisy
+
+
+def of_noisy_torque(found: Disturbance, gravity: float) -> list[str]:
+    """What it means where the noise of a measured torque would look alike: a simulation that such
+    noise drives strays less the heavier its leg is.
+    """
+    missed = found.kinds.get("measured")
+    if missed is None or missed.cause != "torque" or slight(missed, gravity):
+        return []
+    if missed.correlation_time > CORRELATED[0]:
+        return []
+    return [
+        "noise of the measured torque looks like that, too. It makes J too large and the ratios to "
+        "it too small, by more than ± says where the leg is led slowly and evenly, as by a stiff "
+        "motor: move it quicker and less evenly, or measure the torque with less noise."
     ]
 
 
