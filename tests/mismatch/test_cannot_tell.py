@@ -5,10 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from exoid.mismatch.conclude.cannot_tell import chance, faint, luck, vague
+from exoid.fitting.model.prior_and_limits import believe
+from exoid.mismatch.conclude.cannot_tell import chance, faint, luck, unlike_a_leg, vague
 from exoid.mismatch.conclude.false_alarm import Chance
 from exoid.mismatch.novel.dictionary import dictionary
 from exoid.mismatch.novel.formula import Formula
+from exoid.recordings.recording import Subject
 
 
 @pytest.mark.parametrize(
@@ -37,3 +39,13 @@ def test_a_formula_that_explains_less_than_half_is_no_claim():
     steady = Formula((next(iter(dictionary())),), np.array([1.0]), 0.44, 0.0)
     assert "only 44% of the variance" in vague(steady)[0]
     assert vague(replace(steady, explained=0.6)) == vague(None) == []
+
+
+def test_what_leaves_no_human_leg_is_no_claim():
+    """As stiffening ends and a cube in the place of a cubic spring that is slack at 46 deg."""
+    belief = believe(Subject(kind="leg", body_mass=75.0, height=1.78))
+    expected = 26.8  # 1/s^2, m l g / J of a person of this size
+    assert "no leg" in unlike_a_leg(belief, 19.1, 17.9)[0]
+    assert unlike_a_leg(belief, 17.9, 19.1) == []  # it was no leg before, and less of one
+    assert unlike_a_leg(belief, expected, 25.0) == []  # as scattered as people are
+    assert unlike_a_leg(believe(Subject(kind="leg")), 19.1, 17.9) == []

@@ -2,6 +2,8 @@
 
 import numpy as np
 
+from exoid.fitting.model.belief import Belief
+from exoid.fitting.result.remarks.anatomy_remarks import from_anatomy, unlike_anatomy
 from exoid.mismatch.conclude.false_alarm import Chance
 from exoid.mismatch.evidence.prediction import Proof
 from exoid.mismatch.evidence.proof import masked
@@ -125,6 +127,20 @@ def faint(square: float, causes: int) -> list[str]:
     return [
         f"simulation and recording differ by {square**0.5:.2g} times the noise only, and it would "
         f"take {causes} causes at once: move it further, or measure with less noise"
+    ]
+
+
+def unlike_a_leg(belief: Belief, before: float, after: float) -> list[str]:
+    """That what would be missing leaves a leg that nobody has, and less of one than Eq. 9 alone.
+
+    Springs and gravity make up for each other: what is not the physics that it is called drives
+    m l g / J away, from `before` to `after` [1/s^2].
+    """
+    if abs(from_anatomy(belief, after)) <= abs(from_anatomy(belief, before)):
+        return []
+    return [
+        f"what explains it best leaves a leg that is no leg: {each}. Without it, it is nearer"
+        for each in unlike_anatomy(belief, after)
     ]
 
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from exoid.fitting.result.fit_result import FitResult
-from exoid.fitting.result.remarks.remarks import unlike_anatomy
+from exoid.fitting.result.remarks.anatomy_remarks import unlike_anatomy
 from exoid.mismatch.answer.diagnosis import Diagnosis, Finding, NovelTorque, Suspect, Verdict
 from exoid.mismatch.conclude.asserted import (
     certain_of,
@@ -24,6 +24,7 @@ from exoid.mismatch.conclude.cannot_tell import (
     luck,
     once,
     too_little,
+    unlike_a_leg,
     unrelaxed,
     unsure,
     vague,
@@ -240,8 +241,14 @@ def judge(
         *faint(found.base.square / found.yardstick.samples, claimed_at_once(found, best)),
         *chance(repeated),
         *luck(lucky),
+        *unlike_a_leg(prepared.problem.belief, gravity(found, found.base), gravity(found, best)),
     ]
     return ("cannot_tell", doubts) if doubts else ("mismatch", [])
+
+
+def gravity(found: Found, one: Optimum) -> float:
+    """m l g / J of a candidate [1/s^2]."""
+    return float(leg_of(found, one).gravity)
 
 
 def claimed_at_once(found: Found, best: Optimum) -> int:

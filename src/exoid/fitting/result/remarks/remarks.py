@@ -8,9 +8,10 @@ from exoid.fitting.misfit.disturbance.explain import CORRELATED
 from exoid.fitting.misfit.missed import NOISY, Disturbance, Missed
 from exoid.fitting.model.belief import Belief
 from exoid.fitting.multistart.search_result import FEASIBLE, SearchResult, scale_told
+from exoid.fitting.result.remarks.anatomy_remarks import of_anatomy
 from exoid.fitting.result.remarks.noise_remarks import noise_remarks
 from exoid.fitting.solve.problem import Problem
-from exoid.physics.leg import GRAVITY, LegParameters
+from exoid.physics.leg import LegParameters
 from exoid.physics.parameter import declarations
 from exoid.physics.term import name_of
 
@@ -25,7 +26,6 @@ NO_RIG = (
     'spring is, say [subject] spring = "none"'
 )
 RULES = ("m l^2 <= J", "J <= reach m l")
-STRANGE = 3.29  # standard deviations from what anatomy expects: one leg in a thousand
 SLIGHT = 1e-3  # of m l g, below which an unknown torque changes no number that anybody reads
 INCOMPLETE = "no error bar of a model that misses something is complete"
 
@@ -127,32 +127,6 @@ def of_kept(problem: Problem) -> list[str]:
         "keeps it. Leave it alone until it hangs still."
         for each in problem.movements
         if each.kept is not None
-    ]
-
-
-def of_anatomy(belief: Belief, gravity: float) -> list[str]:
-    """That the leg's motion and its body's tables contradict each other, and what to do."""
-    return [
-        f"{each}. Check body mass, height and age, the encoder's zero, and that every mass on the "
-        "leg is declared. m, J, l, d and c lean on anatomy; --prior none shows what the motion "
-        "tells."
-        for each in unlike_anatomy(belief, gravity)
-    ]
-
-
-def unlike_anatomy(belief: Belief, gravity: float) -> list[str]:
-    """That they contradict each other; `gravity` as m l g / J."""
-    expected = belief.expected
-    if expected is None or expected.covariance is None or belief.by_hand or gravity <= 0:
-        return []
-    length = expected.inertia.value / (expected.mass.value * expected.com_distance.value)
-    scatter = float(np.sqrt(expected.covariance[2][2]))
-    seen = GRAVITY / gravity
-    if abs(np.log(seen / length)) < STRANGE * scatter:
-        return []
-    return [
-        f"by its motion this leg has J / (m l) = {seen:.3g} m, and anatomy expects {length:.3g} +- "
-        f"{scatter * length:.2g} m of this body: fewer than one leg in a thousand are as far off"
     ]
 
 

@@ -1,0 +1,50 @@
+"""How far a leg's motion is from what its body's tables expect."""
+
+import numpy as np
+
+from exoid.fitting.model.belief import Belief
+from exoid.physics.anatomy.expected import ExpectedLeg
+from exoid.physics.leg import GRAVITY
+
+STRANGE = 3.29  # standard deviations from what anatomy expects: one leg in a thousand
+
+
+def of_anatomy(belief: Belief, gravity: float) -> list[str]:
+    """That the leg's motion and its body's tables contradict each other, and what to do."""
+    return [
+        f"{each}. Check body mass, height and age, the encoder's zero, and that every mass on the "
+        "leg is declared. m, J, l, d and c lean on anatomy; --prior none shows what the motion "
+        "tells."
+        for each in unlike_anatomy(belief, gravity)
+    ]
+
+
+def unlike_anatomy(belief: Belief, gravity: float) -> list[str]:
+    """That they contradict each other; `gravity` as m l g / J."""
+    off = from_anatomy(belief, gravity)
+    if abs(off) < STRANGE or belief.expected is None:
+        return []
+    expected, scatter = length_of(belief.expected)
+    return [
+        f"by its motion this leg has J / (m l) = {GRAVITY / gravity:.3g} m, and anatomy expects "
+        f"{expected:.3g} +- {scatter * expected:.2g} m of this body: fewer than one leg in a "
+        "thousand are as far off"
+    ]
+
+
+def from_anatomy(belief: Belief, gravity: float) -> float:
+    """How far J / (m l) is from what anatomy expects, in standard deviations; 0 where it expects
+    nothing.
+    """
+    expected = belief.expected
+    if expected is None or expected.covariance is None or belief.by_hand or gravity <= 0:
+        return 0.0
+    length, scatter = length_of(expected)
+    return float(np.log(GRAVITY / gravity / length)) / scatter
+
+
+def length_of(expected: ExpectedLeg) -> tuple[float, float]:
+    """What is expected of J / (m l) [m], and its relative scatter."""
+    assert expected.covariance is not None
+    length = expected.inertia.value / (expected.mass.value * expected.com_distance.value)
+    return length, float(np.sqrt(expected.covariance[2][2]))
