@@ -147,7 +147,8 @@ def test_what_is_no_saved_fit_is_refused_in_one_line(command, saved, recordings,
     assert "cut.nc: this is no result of" in refusal(command("compare", whole, cut))
     assert "Check the name" in refusal(command("compare", whole, tmp_path / "none.nc"))
     assert "directory" in refusal(command("compare", ".", whole))
-    assert ".nc" in refusal(command("fit", recordings / "drop.csv", "--save", tmp_path / "a.json"))
+    wrong = refusal(command("fit", recordings / "drop.csv", "--save", tmp_path / "a.mat"))
+    assert wrong.endswith("a.mat: the name must end in .nc or .json.")
 
 
 def test_the_page_of_a_saved_fit_is_written_without_computing(command, saved, recordings, tmp_path):
@@ -159,6 +160,32 @@ def test_the_page_of_a_saved_fit_is_written_without_computing(command, saved, re
     assert f"exoid fit {recordings / 'drop.csv'} --save" in page
     for section in ("quality", "drops", "parameters", "told"):
         assert f'<section id="{section}"' in page
+
+
+def test_a_fit_saved_as_json_is_told_again_and_a_document_is_not(
+    command, saved, recordings, tmp_path
+):
+    kept, document, page = (tmp_path / name for name in ("a.json", "document.json", "a.html"))
+    done = command("fit", recordings / "drop.csv", "--save", kept, "--json", document)
+    assert done.returncode == 0, done.stderr
+    for words in (
+        ("report", kept, "-o", page),
+        ("compare", kept, saved / "a.nc"),
+        ("export", kept, "--as", "python", "-o", tmp_path / "leg.py"),
+        ("simulate", tmp_path / "again.csv", "--model", kept, "--drop", -30),
+    ):
+        done = command(*words)
+        assert done.returncode == 0, done.stderr
+    assert '<section id="parameters"' in page.read_text(encoding="utf-8")
+    told = refusal(command("report", document, "-o", page, "--force"))
+    assert "Name what --save wrote (.nc, .json)" in told
+
+
+@pytest.mark.parametrize("name", ["a.nc", "a.json"])
+def test_a_saved_result_is_no_recording_and_it_is_said_what_takes_it(command, tmp_path, name):
+    (tmp_path / name).write_text("{}")
+    for words in ("fit", "diagnose", "drops", "plan"):
+        assert "is for 'exoid report'" in refusal(command(words, tmp_path / name))
 
 
 def test_what_only_the_recordings_show_is_left_out_without_them(command, recordings, tmp_path):

@@ -14,7 +14,7 @@ from exoid.cli.terminal.waiting import patiently
 
 def compare(
     first: Annotated[
-        Path, typer.Argument(help="What --save of 'exoid fit' or 'exoid diagnose' wrote (.nc).")
+        Path, typer.Argument(help="What 'exoid fit' or 'exoid diagnose' saved (.nc, .json).")
     ],
     second: Annotated[Path, typer.Argument(help="Another one.")],
     terms: OwnTerms = None,

@@ -54,7 +54,9 @@ def diagnose(
     json: Json = None,
     save: Annotated[
         Path | None,
-        typer.Option(help="All of it (.nc), for exoid compare and exoid report.", metavar="FILE"),
+        typer.Option(
+            help="All of it (.nc, .json), for exoid compare and exoid report.", metavar="FILE"
+        ),
     ] = None,
     report: Report = None,
     force: Force = False,

@@ -24,7 +24,7 @@ Form = Literal["mjcf", "urdf", "osim", "c", "python"]
 
 def export(
     result: Annotated[
-        Path, typer.Argument(help="What --save of 'exoid fit' or 'exoid diagnose' wrote (.nc).")
+        Path, typer.Argument(help="What 'exoid fit' or 'exoid diagnose' saved (.nc, .json).")
     ],
     form: Annotated[
         Form,

@@ -23,6 +23,7 @@ from exoid.cli.inputs.terms import (
     undecided_in,
 )
 from exoid.cli.outputs.destination import (
+    DRAWS,
     FIGURES,
     PAGES,
     SAVED,
@@ -100,7 +101,7 @@ def fit(
     ] = None,
     save: Annotated[
         Path | None,
-        typer.Option(help="The fit (.nc), for exoid compare and report.", metavar="FILE"),
+        typer.Option(help="The fit (.nc, .json), for exoid compare and report.", metavar="FILE"),
     ] = None,
     report: Report = None,
     force: Force = False,
@@ -121,7 +122,7 @@ def fit(
       exoid fit log.asc --dbc my.dbc --signal raw_angle=Knee.Angle --body-mass 77 --height 1.8
     """
     paths = recordings or [EXAMPLE]
-    outputs = (plot, FIGURES), (json, ()), (posterior, SAVED), (save, SAVED), (report, PAGES)
+    outputs = (plot, FIGURES), (json, ()), (posterior, DRAWS), (save, SAVED), (report, PAGES)
     check_outputs(*outputs, force=force, inputs=[*paths, *([model] if model else [])])
     if posterior is not None:
         check_posterior(each)

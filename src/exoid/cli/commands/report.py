@@ -26,8 +26,8 @@ def report(
     recordings: Annotated[
         list[Path] | None,
         typer.Argument(
-            help="Tables or CAN logs of one leg, analysed together, or one saved result (.nc). "
-            "Without one, the example."
+            help="Tables or CAN logs of one leg, analysed together, or one saved result (.nc, "
+            ".json). Without one, the example."
         ),
     ] = None,
     output: Annotated[

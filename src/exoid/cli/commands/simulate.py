@@ -36,7 +36,7 @@ def simulate(
     terms: OwnTerms = None,
     model: Annotated[
         Path | None,
-        typer.Option(help="Leg and terms of a saved fit or diagnosis (.nc).", metavar="FILE"),
+        typer.Option(help="Leg and terms of a saved result (.nc, .json).", metavar="FILE"),
     ] = None,
     drop: Annotated[
         list[float] | None,

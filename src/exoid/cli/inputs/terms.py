@@ -35,7 +35,7 @@ Between = Annotated[
 ]
 Model = Annotated[
     Path | None,
-    typer.Option(help="The model of a saved fit or diagnosis (.nc): its terms.", metavar="FILE"),
+    typer.Option(help="The model of a saved result (.nc, .json): its terms.", metavar="FILE"),
 ]
 
 

@@ -9,7 +9,8 @@ import typer
 
 from exoid.files.replacing import behind_links
 
-FIGURES, PAGES, SAVED = ("pdf", "svg", "png"), ("html", "htm"), ("nc",)
+FIGURES, PAGES = ("pdf", "svg", "png"), ("html", "htm")
+SAVED, DRAWS = ("nc", "json"), ("nc",)
 Json = Annotated[Path | None, typer.Option(help="Everything for machines.", metavar="FILE")]
 Report = Annotated[
     Path | None, typer.Option(help="Page (.html) to look at and print.", metavar="FILE")

@@ -48,7 +48,7 @@ def check_alone(paths: list[Path], given: list[str]) -> None:
     """Refuse options that would need computing: a saved result is told as it is."""
     if len(paths) > 1:
         raise ValueError(
-            "a saved result (.nc) has a page of its own: name no other file beside it."
+            "a saved result (.nc, .json) has a page of its own: name no other file beside it."
         )
     if given:
         raise ValueError(

@@ -22,12 +22,17 @@ READERS: dict[str, tuple[str, str | None, str | None]] = {
     ".c3d": ("c3d", "a C3D file", "ezc3d"),
     ".parquet": ("parquet", "a Parquet file", "pyarrow"),
 }
+INSTEAD = (
+    "Write a recording as .csv or .parquet; a result that exoid saved is for 'exoid report', "
+    "'exoid compare' and 'exoid export', and for --model."
+)
 ELSEWHERE = {
     ".xls": "is in Excel's format of before 2007. Save it as .xlsx or .csv.",
     ".ods": "is an OpenDocument table. Save it as .xlsx or .csv.",
     ".npy": "is one array without names. Save with np.savez(time=..., raw_angle_deg=...).",
     ".feather": "is a Feather file. Write it as .parquet.",
-    ".json": "is JSON. Write it as .csv or .parquet.",
+    ".nc": f"is netCDF. {INSTEAD}",
+    ".json": f"is JSON. {INSTEAD}",
 }
 
 

@@ -22,7 +22,7 @@ JSON = ".json"
 
 def write(one: Any, path: Path) -> None:
     """Write a dataclass as netCDF, or as JSON (.json), in full or not at all."""
-    content = to_json(one).encode() if path.suffix == JSON else to_netcdf(one)
+    content = to_json(one).encode() if path.suffix.lower() == JSON else to_netcdf(one)
     with replacing(path) as part:
         part.write_bytes(content)
 
@@ -32,7 +32,7 @@ def read(of: type[Of], path: Path, *, own: Sequence[type] = ()) -> Of:
 
     **Raises** `DocumentError` where the file is another one, or not as it was written.
     """
-    take = from_json if path.suffix == JSON else from_netcdf
+    take = from_json if path.suffix.lower() == JSON else from_netcdf
     return take(of, path.read_bytes(), own)
 
 
@@ -71,7 +71,7 @@ def from_json(of: type[Of], content: bytes | str, own: Sequence[type] = ()) -> O
     except (ValueError, LookupError, AttributeError, TypeError) as fault:
         raise DocumentError(
             "this is no result that was saved: what --json writes is for other programs. Name what "
-            "--save wrote, or save it again."
+            "--save wrote (.nc, .json), or save it again."
         ) from fault
     if told != digest(document):
         raise DocumentError("it is damaged, or was changed (SHA-256). Save it again.")

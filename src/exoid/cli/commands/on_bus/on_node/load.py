@@ -26,7 +26,7 @@ Share = Annotated[
 
 def load(
     result: Annotated[
-        Path, typer.Argument(help="What --save of 'exoid fit' or 'exoid diagnose' wrote (.nc).")
+        Path, typer.Argument(help="What 'exoid fit' or 'exoid diagnose' saved (.nc, .json).")
     ],
     channel: Channel,
     interface: Interface = INTERFACE,
