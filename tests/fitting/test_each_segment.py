@@ -54,6 +54,7 @@ def test_ratios_are_the_mean_of_segments_and_errors_hold_their_scatter(drops, al
         )
         assert found.ratios[name].standard_error == pytest.approx(np.hypot(scatter, common**0.5))
     assert [each.name for each in found.segments] == ["0", "1"]
+    assert {each.recording for each in found.mountings} == {"0", "1"}
     assert found.loss == pytest.approx(sum(each.loss for each in alone), rel=1e-12)
 
 

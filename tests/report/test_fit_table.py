@@ -12,6 +12,8 @@ from hypothesis import strategies as st
 from rich.console import Console
 from test_fit_json import fitted
 
+from exoid.fitting.result.fit_result import Estimate, MountingFit
+from exoid.physics.leg import LegParameters
 from exoid.report.tables.fit import print_fit
 from exoid.report.words.text import (
     MOST_DIGITS,
@@ -115,6 +117,29 @@ def test_family_says_where_all_sets_agree():
     result = fitted()
     start = replace(result.multistart, family={"inertia": (0.45, 0.45)})
     assert "0.45 kg m^2, the same in all" in printed(replace(result, multistart=start))
+
+
+def owned(*names):
+    zero = Estimate("zero", "encoder zero", "rad", 0.01, 0.002, reason=None)
+    return replace(fitted(), mountings=[MountingFit(name, zero=zero) for name in names])
+
+
+def together(*names):
+    return replace(owned(*names), leg=LegParameters(*map(np.asarray, (4.5, 0.4, 0.25, 0.3, 2.6))))
+
+
+def test_mounting_of_one_recording_has_no_column_of_its_name():
+    text = printed(together("recording"))
+    assert re.search(r"^Mounting\n +value +unit", text, re.MULTILINE)
+    assert line_of("encoder zero", text).split() == ["encoder", "zero", "0.57", "±", "0.11", "deg"]
+
+
+def test_mountings_of_several_are_named_by_recording_or_by_segment_fitted_alone():
+    text = printed(together("bare.csv", "loaded.csv"))
+    assert re.search(r"^Mounting, of each recording\nrecording +value", text, re.MULTILINE)
+    assert "encoder zero" in line_of("loaded.csv", text)
+    text = printed(owned("0", "1"))
+    assert re.search(r"^Mounting, of each segment\nsegment +value", text, re.MULTILINE)
 
 
 def last_place(number):

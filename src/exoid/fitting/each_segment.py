@@ -132,13 +132,14 @@ def of_each(recordings: list[tuple[str, Recording]]) -> Amount:
 
 
 def alone(part: Part, options: dict) -> FitResult:
-    """The fit of one segment, which keeps the name it has among the others."""
+    """The fit of one segment; it and what it owned keep the name they have among the others."""
     try:
         result = fit([(part.name, only(part.recording, part.number))], **options)
     except ValueError as fault:
         raise ValueError(f"segment {part.name} alone: {fault}") from fault
     named = [replace(each, name=part.name + each.name[1:]) for each in result.segments]
-    return replace(result, segments=named)
+    owned = [replace(each, recording=part.name) for each in result.mountings]
+    return replace(result, segments=named, mountings=owned)
 
 
 def only(recording: Recording, number: int) -> Recording:

@@ -91,19 +91,24 @@ def before_and_after(before: FitResult, after: FitResult) -> Table:
 
 
 def mountings(result: FitResult) -> Table:
-    """What every recording owned, where there was something to estimate."""
+    """What every recording owned, where there was something to estimate; of segments that were
+    fitted alone, what each of them took it for.
+    """
     rows = [
         (mounting.recording, MOUNTED[name], in_print(each))
         for mounting in result.mountings
         for name, each in mounting.known.items()
     ]
+    owner = "segment" if result.model is None else "recording"
+    several = len(result.mountings) > 1
+    named = Column([name for name, *_ in rows], shortest=SHORTEST_NAME)
     columns = {
-        "recording": Column([recording for recording, *_ in rows], shortest=SHORTEST_NAME),
+        **({owner: named} if several else {}),
         "quantity": Column([name for _, name, _ in rows], head=""),
         "value": quantities_of([each for *_, each in rows]),
     }
     caption = "Sensors, seat and added mass, against what is declared of them"
-    return Table(caption, columns, "Mounting, of each recording")
+    return Table(caption, columns, f"Mounting, of each {owner}" if several else "Mounting")
 
 
 def segments(each: list[SegmentFit]) -> Table:
