@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from diagnosis_by_hand import found
 from matplotlib.collections import LineCollection, PathCollection
+from matplotlib.colors import to_rgba
 from matplotlib.container import BarContainer, ErrorbarContainer
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
@@ -16,7 +17,7 @@ from exoid.pendulum.drops import measure_drops
 from exoid.report.figures.draw import draw as draw_page
 from exoid.report.pictures.determined import shares_of, show_parameters
 from exoid.report.pictures.drops import drop_of
-from exoid.report.pictures.mismatch.causes import causes_of
+from exoid.report.pictures.mismatch.causes import causes_of, show_causes
 from exoid.report.pictures.mismatch.proof import proof_of
 from exoid.report.pictures.mismatch.torque import parting_of, plane_of, show_torque, torque_of
 from exoid.report.pictures.motion import motion_of
@@ -37,6 +38,7 @@ from exoid.report.pictures.role import Role
 from exoid.report.pictures.search import costs_of, family_of, pairs_of
 from exoid.report.plots.diagnosis import plot_diagnosis
 from exoid.report.plots.draw import draw as draw_print
+from exoid.report.tables.diagnosis import candidates, legend
 from exoid.report.words.typeset import with_formulas, with_mathtext
 from swings import drop
 
@@ -252,3 +254,17 @@ def test_nothing_is_strongest_where_nothing_is_missing(verdict, strongest):
     assert roles.count(Role.STRONGEST) == strongest
     assert bool(spots) == bool(strongest)
     assert ("Amber" in show_torque(parting_of(one), 0).caption) == bool(strongest)
+
+
+@pytest.mark.parametrize(("verdict", "chosen"), [("mismatch", 1), ("cannot_tell", 0), ("none", 0)])
+def test_no_cause_looks_chosen_where_none_is(verdict, chosen):
+    one = replace(found(), verdict=verdict)
+    assert one.best.chosen
+    bars = [each for each in causes_of(one).of(Bars) if each.role is Role.CHOSEN_CAUSE]
+    assert sum(len(each.rows) for each in bars) == chosen
+    blue = to_rgba(Role.CHOSEN_CAUSE.look.colour)
+    drawn = [each.get_facecolor() for each in plot_diagnosis(one).findobj(Rectangle)]
+    assert drawn.count(blue) == chosen
+    assert sum(row.count("chosen") for row in candidates(one).rows) == chosen
+    assert ("chosen" in legend(one)) == bool(chosen)
+    assert ("Blue without stripes" in show_causes(one).caption) == bool(chosen)

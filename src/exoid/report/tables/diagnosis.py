@@ -5,7 +5,7 @@ from rich.console import Console
 from exoid.mismatch.answer.diagnosis import Diagnosis, Tested
 from exoid.report.tables.leg import before_and_after
 from exoid.report.tables.table import Column, Table, print_table
-from exoid.report.words.diagnosis import BESIDE, headline, sentences
+from exoid.report.words.diagnosis import BESIDE, headline, is_chosen, sentences
 from exoid.report.words.text import (
     capital,
     heading,
@@ -19,9 +19,9 @@ from exoid.report.words.text import (
 IN_ERRORS = "The errors of the leg's numbers hold how far these are apart, each by its odds."
 LEGEND = (
     "left: mean square of what is left over the noise, 1.00 is the noise itself. evidence: log "
-    "odds times two against the baseline, after the price of the parameters. chosen: more causes "
-    "only where they leave less than a third as much."
+    "odds times two against the baseline, after the price of the parameters."
 )
+CHOSEN = "chosen: more causes only where they leave less than a third as much."
 MOST = 8  # candidates that are listed
 MARGIN = 15  # characters, as wide as the longest heading
 
@@ -44,7 +44,7 @@ def print_diagnosis(found: Diagnosis, console: Console) -> None:
         print_table(suspects(found), console)
         say(console, IN_ERRORS)
     print_table(candidates(found), console)
-    say(console, LEGEND)
+    say(console, legend(found))
     console.print()
 
 
@@ -68,7 +68,7 @@ def candidates(found: Diagnosis) -> Table:
     """Those that ran free, the most evident first."""
     ran = sorted([*found.pairs, *found.singles], key=evidence, reverse=True)[:MOST]
     ran += [] if not found.changed or any(one.chosen for one in ran) else [found.best]
-    chosen = ["", *("chosen" if one.chosen else "" for one in ran)]
+    chosen = ["", *("chosen" if is_chosen(one, found) else "" for one in ran)]
     columns = {
         "cause": ["baseline, Eq. 9", *(" + ".join(map(in_words, one.terms)) for one in ran)],
         "left": [f"{one.mean_square:.2f}" for one in (found.baseline, *ran)],
@@ -76,6 +76,11 @@ def candidates(found: Diagnosis) -> Table:
         "verdict": Column(chosen, head=" "),
     }
     return Table("The candidates that ran free", columns, "Candidates")
+
+
+def legend(found: Diagnosis) -> str:
+    """What the columns of the candidates say."""
+    return f"{LEGEND} {CHOSEN}" if is_chosen(found.best, found) else LEGEND
 
 
 def evidence(one: Tested) -> float:

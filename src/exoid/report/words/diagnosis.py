@@ -5,7 +5,7 @@ from math import degrees
 
 from exoid.fitting.model.term_parameters import RATIO_UNITS, parameters_of
 from exoid.fitting.result.fit_result import FitResult
-from exoid.mismatch.answer.diagnosis import Diagnosis, NovelTorque, Parameter
+from exoid.mismatch.answer.diagnosis import Diagnosis, NovelTorque, Parameter, Tested
 from exoid.mismatch.sensors.agreement import BIAS, SensorError
 from exoid.physics.library import library
 from exoid.physics.parameter import AT_AN_END
@@ -63,6 +63,11 @@ def verdict(found: Diagnosis) -> str:
 def only_sensors(found: Diagnosis) -> bool:
     """Is all that was found what encoder and gyro show of each other, and the fit estimates?"""
     return found.verdict == "mismatch" and not found.changed and not found.novel
+
+
+def is_chosen(one: Tested, found: Diagnosis) -> bool:
+    """Is it the cause that the answer names? Where the answer is that nobody can tell, none is."""
+    return one.chosen and found.verdict == "mismatch"
 
 
 def parted(found: Diagnosis) -> bool:

@@ -7,6 +7,7 @@ import numpy as np
 from exoid.mismatch.answer.diagnosis import Diagnosis, Tested
 from exoid.report.pictures.panel import Axis, Bars, Panel, Picture, Rule
 from exoid.report.pictures.role import Role
+from exoid.report.words.diagnosis import is_chosen
 
 BAR = 0.53  # size of one
 LARGE = 1000.0  # times the noise, from which on three digits would be a power of ten
@@ -14,6 +15,8 @@ NARROWEST = 20.0  # times the noise: at least two powers of ten
 ROOM = 1.3  # times the longest bar on its logarithmic axis, for the number beside it
 MOST = 7  # beside the baseline
 PAIRS = 2  # of them
+CHOSEN = "Blue without stripes: what was chosen."
+NONE_CHOSEN = "None of them was chosen."
 LEAST = 0.5  # of what is left, that a logarithmic axis shows
 
 
@@ -35,7 +38,7 @@ def causes(found: Diagnosis) -> list[Cause]:
     rows = [*ran, *(one for one in found.pinned if one.terms not in known)]
     best = sorted(rows, key=lambda one: one.mean_square)[:MOST]
     alone = Cause("Eq. 9 alone", found.baseline.mean_square, False)
-    return [alone, *(Cause(label(one), one.mean_square, one.chosen) for one in best)]
+    return [alone, *(Cause(label(one), one.mean_square, is_chosen(one, found)) for one in best)]
 
 
 def label(one: Tested) -> str:
@@ -74,12 +77,13 @@ def show_causes(found: Diagnosis) -> Picture:
     rows = causes(found)
     least = [min(rows[1:], key=lambda row: row.left)] if rows[1:] else []
     others = [f"; {' '.join(one.name.split())} leaves {in_times(one.left)}" for one in least]
+    some = any(row.chosen for row in rows)
     return Picture(
         "causes",
         "Bars of what every cause leaves unexplained, as mean square over the noise. Eq. 9 alone "
         f"leaves {in_times(rows[0].left)}{''.join(others)}.",
         "How much each explanation leaves, on a logarithmic scale: the dashed line is the noise "
-        "itself, nothing is left below it. Blue without stripes: what was chosen.",
+        f"itself, nothing is left below it. {CHOSEN if some else NONE_CHOSEN}",
         (causes_of(found),),
     )
 

@@ -9,7 +9,7 @@ from exoid.report.parts.case import Case
 from exoid.report.pictures.mismatch.causes import show_causes
 from exoid.report.sections.blocks import Block, element
 from exoid.report.sections.section import section
-from exoid.report.tables.diagnosis import LEGEND, candidates, suspects
+from exoid.report.tables.diagnosis import candidates, legend, suspects
 from exoid.report.tables.leg import before_and_after
 from exoid.report.tables.table import Table
 from exoid.report.words.diagnosis import BESIDE, sentences, value, verdict
@@ -48,7 +48,7 @@ def physics(case: Case) -> Iterator[Block]:
         yield suspects(found)
     yield show_causes(found)
     yield candidates(found)
-    yield element("p", LEGEND, "small")
+    yield element("p", legend(found), "small")
     if found.excluded:
         excluded = ", ".join(map(in_words, found.excluded))
         yield element("p", f"Not tested, because they cannot be differentiated: {excluded}.")
