@@ -10,6 +10,7 @@ from scipy.stats import binom
 
 from exoid.fitting.estimate import fit
 from exoid.fitting.multistart.starts import draw
+from exoid.fitting.result.estimates import ON_BOUND
 from exoid.physics.anatomy import expected_leg
 from exoid.physics.leg import LegModel, LegParameters
 from exoid.physics.motion.simulate import simulate
@@ -257,6 +258,17 @@ def test_nearly_every_start_of_the_whole_box_finds_the_best_leg():
     report = fit(recorded(CYCLE), starts=starts).multistart
     assert report.starts == 256
     assert report.at_best >= 0.99 * 256
+
+
+def test_a_ratio_on_a_limit_has_no_error_and_no_rounding_of_it():
+    """m l g / J on the limit that no part of a leg is farther out than it reaches, c on zero."""
+    result = fit(recorded(DROP, inertia=0.9), multistart=4)
+    assert any("J <= reach m l" in each for each in result.notes)
+    for name in ("gravity_over_inertia", "stiffness_over_inertia"):
+        held = result.ratios[name]
+        assert (held.standard_error, held.determined_by, held.reason) == (None, "bound", ON_BOUND)
+    assert result.ratios["gravity_over_inertia"].value > 0
+    assert result.multistart.family["stiffness"] == (0.0, 0.0)
 
 
 def test_every_member_of_the_family_moves_as_the_best_and_meets_the_limits():

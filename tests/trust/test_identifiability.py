@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from exoid.fitting.estimate import fit
-from exoid.fitting.result.fit_result import RIVALS
+from exoid.fitting.result.fit_result import RIVALS, Estimate
 from exoid.recordings.recording import Segment
 from exoid.trust.directions import in_words
 from exoid.trust.identify import identify
@@ -188,7 +188,14 @@ def test_a_fit_of_every_segment_alone_cannot_be_asked():
         identify(replace(result, basis=None))
 
 
-def test_room_beyond_a_hundredfold_is_written_without_an_exponent():
-    assert in_words({"a": 1.0, "b": -0.5}, 32.4, {"a": "F_c", "b": "d"}) == (
-        "F_c up 3200 %, d down 1600 %"
+def test_room_of_more_than_the_value_is_told_as_how_large_it_may_be():
+    """A damping that came out near zero is nowhere told in shares of itself."""
+    symbols = {"a": "d / J", "b": "c / J"}
+    told = {
+        name: Estimate(symbols[name], name, unit, value, 0.1)
+        for name, value, unit in (("a", 0.002, "1/s"), ("b", 6.0, "1/s^2"))
+    }
+    assert in_words({"a": 1.0, "b": -0.001}, 370.0, symbols, told) == (
+        "d / J of any size up to 0.74 1/s"
     )
+    assert in_words({"a": 1.0, "b": -0.5}, 0.5, symbols, told) == "d / J up 50 %, c / J down 25 %"

@@ -1,5 +1,8 @@
 """Directions in which parameters can move together: without any trace, or with hardly any."""
 
+from collections.abc import Mapping
+from types import MappingProxyType
+
 import numpy as np
 
 from exoid.fitting.misfit.uncertainty import HELD, Information, determined, inverse_times
@@ -10,6 +13,8 @@ from exoid.trust.identifiability import Changes, Direction
 SHIFT = 0.10  # relative change by which an exact direction is put into words
 TRACE = 1e-3  # of the largest change along a direction; smaller ones are rounding
 VISIBLE = 0.05  # of the largest change; smaller ones are left out of the words
+GONE = 1.0  # relative change from which on a value may as well be none
+NONE_TOLD: Mapping[str, Estimate] = MappingProxyType({})
 WEAK = 0.05  # relative standard error from which on a combination counts as hardly told
 
 
@@ -69,23 +74,39 @@ def weak_directions(
         if error > WEAK:
             changes = dict(zip(names, map(float, axis), strict=True))
             step = error * max(map(abs, changes.values()))
-            room = in_words(changes, step, symbols)
+            room = in_words(changes, step, symbols, told)
             words = f"this recording hardly tells: {room} fits nearly as well."
             found.append(Direction(changes, error, words))
     return found
 
 
-def in_words(changes: Changes, step: float, symbols: dict[str, str]) -> str:
-    """The changes where the largest is `step`: what goes up and down, by how much."""
+def in_words(
+    changes: Changes, step: float, symbols: dict[str, str], told: Mapping[str, Estimate] = NONE_TOLD
+) -> str:
+    """The changes where the largest is `step`: what goes up and down, by how much.
+
+    Of what is `told` and may as well be gone, or twice as large, no share is said but how large it
+    may be.
+    """
     largest = max(changes.values(), key=abs)
     steps = {name: step * change / largest for name, change in changes.items()}
     groups: dict[str, list[str]] = {}
     for name, each in sorted(steps.items(), key=lambda item: -abs(item[1])):
         if abs(each) > VISIBLE * step:
-            percent = float(f"{100 * abs(each):.2g}")  # two digits, as 3200 and not 3.2e+03
-            move = f"{'up' if each > 0 else 'down'} {percent:g} %"
+            move = size(told[name], each) if name in told and abs(each) >= GONE else share(each)
             groups.setdefault(move, []).append(symbols[name])
     return ", ".join(f"{listed(each)} {move}" for move, each in groups.items())
+
+
+def share(change: float) -> str:
+    """Of a value, to two digits: 3200 and not 3.2e+03."""
+    return f"{'up' if change > 0 else 'down'} {float(f'{100 * abs(change):.2g}'):g} %"
+
+
+def size(each: Estimate, change: float) -> str:
+    """How large it is after a change by more than itself."""
+    most = abs(each.value or 0.0) * (1 + abs(change))
+    return f"of any size up to {most:.2g} {each.unit}"
 
 
 def listed(words: list[str]) -> str:

@@ -80,7 +80,7 @@ def describe(
         torque_amplitude=torque(each_torque) if torques else None,
         segments=segments,
         mountings=mountings,
-        multistart=report(problem, ended),
+        multistart=report(problem, ended, ratios),
         loss=float(best.loss[0]),
         disturbance=ended.disturbance,
         torque_frequency=reading,
@@ -228,7 +228,7 @@ def root_mean_square(samples: np.ndarray) -> float:
     return float(np.sqrt(np.nanmean(samples**2)))
 
 
-def report(problem: Problem, ended: SearchResult) -> MultistartReport:
+def report(problem: Problem, ended: SearchResult, ratios: dict[str, Estimate]) -> MultistartReport:
     """How many starts arrived where, and the sets that fit as well as the chosen one.
 
     Who ran out of steps short of the best cost found no minimum, and did not succeed.
@@ -240,7 +240,7 @@ def report(problem: Problem, ended: SearchResult) -> MultistartReport:
     tired = reached & moving[ended.member]
     loss = np.where(reached, free[ended.member], np.inf)
     at_best = loss <= least
-    family, members = equally_good(problem, ended, np.flatnonzero(at_best))
+    family, members = equally_good(problem, ended, np.flatnonzero(at_best), ratios)
     minima = free[np.isfinite(free) & ~moving]
     return MultistartReport(
         starts=ended.member.size,

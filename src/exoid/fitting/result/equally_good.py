@@ -1,13 +1,18 @@
 """The sets of parameters that fit as well as the chosen one."""
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from exoid.fitting.multistart.search_result import SearchResult, scale_told
+from exoid.fitting.result.fit_result import Estimate
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.leg import GRAVITY
 
 
-def equally_good(problem: Problem, ended: SearchResult, rows: np.ndarray):
+def equally_good(
+    problem: Problem, ended: SearchResult, rows: np.ndarray, ratios: Mapping[str, Estimate]
+):
     """The range of every parameter at the chosen ratios within the limits, and a set per start.
 
     At given ratios each J leaves an interval of l (with m = J (m l / J) / l), so the exact ranges
@@ -27,7 +32,11 @@ def equally_good(problem: Problem, ended: SearchResult, rows: np.ndarray):
         return {}, {}
     shortest = float(low.com_distance)
     lightest, heaviest = float(low.mass), float(high.mass)
-    stiffness, damping = float(shared.stiffness[0]), float(shared.damping[0])
+    stiffness, damping = (
+        float(getattr(shared, name)[0]) if value is None else value
+        for name in ("stiffness", "damping")
+        for value in [ratios[f"{name}_over_inertia"].value]
+    )
     length = (
         max(shortest, moment * inertia[0] / heaviest),
         min(longest, moment * inertia[1] / lightest),

@@ -11,7 +11,7 @@ from exoid.fitting.model.belief import NAMES, Belief
 from exoid.fitting.model.term_parameters import ratio_name, ratio_unit
 from exoid.fitting.model.user_values import DECLARED, Means
 from exoid.fitting.result.fit_result import Basis, Estimate
-from exoid.fitting.result.remarks.remarks import NO_RIG, upside_down
+from exoid.fitting.result.remarks.remarks import NO_RIG, REACH, upside_down
 from exoid.physics.parameter import Declaration, declarations
 from exoid.physics.term import name_of
 from exoid.physics.torque import CycleTorque
@@ -189,9 +189,7 @@ def estimate_ratios(basis: Basis, at_bound: set[str]) -> dict[str, Estimate]:
             estimates[name] = Estimate(*label, value=None, standard_error=None, reason=NO_RIG)
             continue
         at_zero = abs(found.value) < NO_RATIO
-        if parameter in at_bound:
-            none = parameter == "damping" or (parameter == "stiffness" and at_zero)
-            found = replace(found, held=none)
+        found = replace(found, held=at_its_end(parameter, at_bound, at_zero))
         held = found.shares == HELD
         fixed = held and parameter in problem.belief.by_hand.fix
         if held and at_zero:  # no rounding of a bound at zero
@@ -202,6 +200,13 @@ def estimate_ratios(basis: Basis, at_bound: set[str]) -> dict[str, Estimate]:
             reason=FIXED if fixed else ON_BOUND if held else untold(found, UNTOLD),
         )
     return estimates
+
+
+def at_its_end(parameter: str, at_bound: set[str], at_zero: bool) -> bool:
+    """Is the ratio itself on a limit? That of c is 0 alone, that of m l the reach of the leg."""
+    if parameter == "gravity":
+        return REACH in at_bound
+    return parameter in at_bound and (parameter == "damping" or at_zero)
 
 
 def none_of(label: tuple[str, str, str]) -> Estimate:

@@ -25,7 +25,8 @@ NO_RIG = (
     "gravity would pull upwards: of this rig a spring and gravity are not told apart. Where no "
     'spring is, say [subject] spring = "none"'
 )
-RULES = ("m l^2 <= J", "J <= reach m l")
+REACH = "J <= reach m l"
+RULES = ("m l^2 <= J", REACH)
 SLIGHT = 1e-3  # of m l g, below which an unknown torque changes no number that anybody reads
 INCOMPLETE = "no error bar of a model that misses something is complete"
 
