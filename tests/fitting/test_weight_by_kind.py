@@ -7,7 +7,9 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from exoid.fitting.estimate import fit
+from exoid.fitting.result.agreement import of_the_rest
 from exoid.recordings.recording import Protocol, Recording, Segment, Sensors, Subject
+from exoid.trust.identify import identify
 
 BODY = Subject(kind="leg", body_mass=74.0, height=1.78)
 GRAVITY, STIFFNESS, DAMPING = 26.5, 7.0, 0.9  # 1/s^2, 1/s^2, 1/s: over the inertia
@@ -38,6 +40,11 @@ def own_way(time, angle, period, effort):
 def stiffened(time, angle, period, effort):
     """By muscles that are at work: such cycles alone are those of another leg, to the noise."""
     return rehearsed(time, angle, period, effort) - 0.3 * STIFFNESS * angle
+
+
+def kicked(time, angle, period, effort):
+    """Up at once, and down again: no cosine is like it."""
+    return 0.4 * effort * np.sign(np.sin(4 * np.pi * time / period))
 
 
 def calm(time, angle, velocity):
@@ -109,10 +116,29 @@ def test_bad_cycles_neither_move_nor_widen_what_a_good_drop_tells(torque, sensor
     # Of tau / J cycles tell most; where a camera leaves the zero open, a drop tells the fifth of it
     # that goes with c / J, and no one kind is named.
     named = ("active",) if sensors is NOISE else ("active", None)
-    assert both.ratios["torque_over_inertia"].shares.kind in named
+    torque = both.ratios["torque_over_inertia"]
+    followed = not of_the_rest(both.segments, both.disturbance)  # else nothing tells it
+    assert torque.shares.kind in named if followed else torque.shares is None
     assert both.disturbance.kinds["passive"].cause is None
     assert both.disturbance.kinds["active"].cause is not None
     assert any("divided by" in note and "active" in note for note in both.notes)
+
+
+@pytest.mark.parametrize("sensors", [NOISE, CAMERA], ids=["exoskeleton", "camera"])
+def test_what_cycles_tell_that_are_not_followed_is_not_told(sensors):
+    """With a camera the drop tells a part of tau / J, too, by the zero of both."""
+    both = fitted(kicked, sensors=sensors)
+    assert both.follows
+    drop, *cycles = both.segments
+    assert min(each.angle_rmse for each in cycles) > np.radians(4)
+    assert drop.torque_amplitude is None
+    each = [both.ratios["torque_over_inertia"], both.torque_amplitude]
+    for torque in (*each, *(one.torque_amplitude for one in cycles)):
+        assert (torque.value, torque.standard_error, torque.determined_by) == (None, None, None)
+        assert torque.reason.startswith("the simulation does not follow the active segments")
+    for name, truth in TRUE.items():
+        assert abs(both.ratios[name].value - truth) < 3 * both.ratios[name].standard_error
+    assert list(identify(both).combinations) == list(TRUE)
 
 
 @pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.proof)])

@@ -39,16 +39,32 @@ def believed(segments: Sequence[SegmentFit], found: Disturbance) -> list[Segment
 
 def of_the_rest(segments: list[SegmentFit], found: Disturbance) -> list[str]:
     """That the simulation does not follow segments that were not believed."""
-    kept = {each.kind for each in believed(segments, found)}
-    others = [each for each in segments if each.kind not in kept]
+    others = unbelieved(segments, found)
     why = astray(others) if others else None
     if why is None:
         return []
-    kinds = " and ".join(sorted({each.kind for each in others}))
     return [
-        f"the simulation does not follow the {kinds} segments: {why}. They told hardly anything, "
-        "because the others are explained: do not use what is 'set by' them."
+        f"{not_followed(others)}: {why}. They told hardly anything, because the others are "
+        "explained: no number is given that they alone tell."
     ]
+
+
+def unbelieved(segments: Sequence[SegmentFit], found: Disturbance) -> list[SegmentFit]:
+    """The segments of the other kinds."""
+    kept = {each.kind for each in believed(segments, found)}
+    return [each for each in segments if each.kind not in kept]
+
+
+def not_followed(segments: Sequence[SegmentFit]) -> str:
+    """That the simulation does not follow these."""
+    kinds = " and ".join(sorted({each.kind for each in segments}))
+    return f"the simulation does not follow the {kinds} segments"
+
+
+def lost(segments: Sequence[SegmentFit], found: Disturbance) -> str | None:
+    """Why what only segments that were not believed tell is worth nothing; None where it is."""
+    others = unbelieved(segments, found)
+    return f"{not_followed(others)}, which alone tell it" if others and astray(others) else None
 
 
 def roughly(error: float, segments: Sequence[SegmentFit]) -> bool:

@@ -1,5 +1,7 @@
 """From where a search ended to values with errors, units and reasons."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from exoid.fitting.misfit.neighbourhood import columns, told
@@ -39,6 +41,7 @@ from exoid.fitting.result.limiting_systematics import granted, limiting, suspici
 from exoid.fitting.result.mountings import FIELDS, beyond_belief, estimate_mountings
 from exoid.fitting.result.remarks.remarks import limits_met, of_astray, remarks
 from exoid.fitting.result.remarks.slack_angle import LEANING, slack_angle_remarks
+from exoid.fitting.result.untold import without_lost
 from exoid.fitting.solve.ask import around, finite, take
 from exoid.fitting.solve.problem import Problem
 from exoid.recordings.conventions.jumps import jumping
@@ -73,13 +76,12 @@ def describe(
         for number in range(len(problem.movements))
     ]
     why = why_astray(problem, ended, segments, at_bound)
-    mountings = estimate_mountings(basis)
-    return FitResult(
+    result = FitResult(
         parameters=with_reasons(parameters, problem.belief.rig),
         ratios=ratios,
         torque_amplitude=torque(each_torque) if torques else None,
         segments=segments,
-        mountings=mountings,
+        mountings=estimate_mountings(basis),
         multistart=report(problem, ended, ratios),
         loss=float(best.loss[0]),
         disturbance=ended.disturbance,
@@ -90,20 +92,27 @@ def describe(
         leg=leg_parameters(ended.point, np),
         thigh_angle=float(problem.movements[0].thigh_angle),
         fitted_terms=with_inertia(ended.point, np),
-        notes=[
-            *of_astray(why, problem.belief, len(problem.recordings) > 1),
-            *of_the_rest(segments, ended.disturbance),
-            *remarks(problem, ended, at_bound),
-            *slack_angle_remarks(
-                problem, ended, [ratios[each].standard_error or 0.0 for each in LEANING]
-            ),
-            *suspicions(problem, mountings, ended.disturbance),
-            *limiting({**parameters, **ratios}),
-            *granted(problem),
-        ],
+        notes=[],
         astray=why,
         basis=basis,
     )
+    told = without_lost(result)
+    return replace(told, notes=notes(told, basis, at_bound))
+
+
+def notes(result: FitResult, basis: Basis, at_bound: set[str]) -> list[str]:
+    """What the user should know of a fit, that it does not follow first."""
+    problem, ended = basis.problem, basis.ended
+    errors = [result.ratios[each].standard_error or 0.0 for each in LEANING]
+    return [
+        *of_astray(result.astray, problem.belief, len(problem.recordings) > 1),
+        *of_the_rest(result.segments, ended.disturbance),
+        *remarks(problem, ended, at_bound),
+        *slack_angle_remarks(problem, ended, errors),
+        *suspicions(problem, result.mountings, ended.disturbance),
+        *limiting({**result.parameters, **result.ratios}),
+        *granted(problem),
+    ]
 
 
 def leans(problem: Problem, ended: SearchResult) -> np.ndarray:

@@ -1,0 +1,47 @@
+"""What nothing tells any more where a kind of segment is not followed."""
+
+from dataclasses import replace
+
+from exoid.fitting.result.agreement import lost, unbelieved
+from exoid.fitting.result.fit_result import Estimate, FitResult, SegmentFit
+
+TORQUE = "torque_over_inertia"
+
+
+def without_lost(result: FitResult) -> FitResult:
+    """The same without the numbers that only segments tell which the simulation does not follow.
+
+    A torque of another form than Eq. 10's leaves an amplitude, and no error says how wrong it is.
+    """
+    why = lost(result.segments, result.disturbance)
+    if why is None:
+        return result
+    kinds = {each.kind for each in unbelieved(result.segments, result.disturbance)}
+    driven = {each.kind for each in result.segments if each.torque_amplitude is not None}
+
+    def kept(name: str, each: Estimate) -> Estimate:
+        rests = each.shares is not None and each.shares.kind in kinds
+        return without_value(each, why) if rests or (name == TORQUE and driven & kinds) else each
+
+    def of_segment(each: SegmentFit) -> SegmentFit:
+        torque = each.torque_amplitude
+        if torque is None or each.kind not in kinds:
+            return each
+        return replace(each, torque_amplitude=without_value(torque, why))
+
+    def of_all(each: dict[str, Estimate]) -> dict[str, Estimate]:
+        return {name: kept(name, one) for name, one in each.items()}
+
+    mean = result.torque_amplitude
+    return replace(
+        result,
+        parameters=of_all(result.parameters),
+        ratios=of_all(result.ratios),
+        terms={term: of_all(own) for term, own in result.terms.items()},
+        segments=[of_segment(each) for each in result.segments],
+        torque_amplitude=without_value(mean, why) if mean is not None and driven & kinds else mean,
+    )
+
+
+def without_value(each: Estimate, why: str) -> Estimate:
+    return replace(each, value=None, standard_error=None, shares=None, reason=why, limited_by={})
