@@ -8,7 +8,9 @@ from diagnosis_by_hand import found, novel
 from exoid.fitting.misfit.uncertainty import Shares
 from exoid.fitting.result.fit_result import Estimate
 from exoid.mismatch.answer.diagnosis import Finding, Parameter
-from exoid.report.words.diagnosis import headline, parameter, sentences
+from exoid.report.words.diagnosis.cause import parameter
+from exoid.report.words.diagnosis.sentences import sentences
+from exoid.report.words.diagnosis.verdict import headline
 
 
 def test_a_parameter_without_an_error_is_no_measurement():

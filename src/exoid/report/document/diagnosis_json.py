@@ -6,7 +6,8 @@ from typing import Any
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.report.document.fit_json import model
 from exoid.report.document.plain_json import plain, shown
-from exoid.report.words.diagnosis import headline, sentences
+from exoid.report.words.diagnosis.sentences import sentences
+from exoid.report.words.diagnosis.verdict import headline
 
 
 def diagnosis_document(

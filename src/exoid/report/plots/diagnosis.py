@@ -11,7 +11,7 @@ from exoid.report.pictures.mismatch.torque import parting_of, plane_of, torque_o
 from exoid.report.plots.arrange import draw_rows, head
 from exoid.report.plots.draw import draw
 from exoid.report.plots.style import TEXT
-from exoid.report.words.diagnosis import verdict
+from exoid.report.words.diagnosis.verdict import verdict
 from exoid.report.words.text import in_degrees
 
 WIDE, TALL = 10.5, 9.4  # inches

@@ -16,8 +16,9 @@ from exoid.report.sections.quality import appraisals
 from exoid.report.sections.section import section
 from exoid.report.tables.leg import quantities_of
 from exoid.report.tables.table import Column, Table
-from exoid.report.words import diagnosis as words
-from exoid.report.words.diagnosis import only_sensors, verdict
+from exoid.report.words.diagnosis import cause, certainty
+from exoid.report.words.diagnosis.asserted import only_sensors
+from exoid.report.words.diagnosis.verdict import verdict
 from exoid.report.words.text import capital, counted, in_degrees, in_words
 
 BELIEF = {
@@ -144,7 +145,7 @@ def missing(found: Diagnosis) -> Group:
             f"With it, held-out data are predicted to {in_degrees(after)} deg instead of "
             f"{in_degrees(before)} deg."
         )
-    effects = sentence("; ".join([*words.named(found), *words.others(found)]))
+    effects = sentence("; ".join([*cause.named(found), *certainty.others(found)]))
     return card(question, "care", answer, f"{effects} {proof}".strip())
 
 

@@ -6,7 +6,7 @@ from typing import Any
 
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.report.tables.table import Table
-from exoid.report.words.diagnosis import titles
+from exoid.report.words.diagnosis.verdict import titles
 from exoid.report.words.text import in_degrees
 
 VERDICTS = {

@@ -7,7 +7,7 @@ import numpy as np
 from exoid.mismatch.answer.diagnosis import Diagnosis, Tested
 from exoid.report.pictures.panel import Axis, Bars, Panel, Picture, Rule
 from exoid.report.pictures.role import Role
-from exoid.report.words.diagnosis import is_chosen
+from exoid.report.words.diagnosis.asserted import is_chosen
 
 BAR = 0.53  # size of one
 LARGE = 1000.0  # times the noise, from which on three digits would be a power of ten

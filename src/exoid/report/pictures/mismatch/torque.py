@@ -9,7 +9,7 @@ from exoid.mismatch.evidence.location import Location
 from exoid.report.pictures.motion import TIME
 from exoid.report.pictures.panel import Axis, Band, Cloud, Line, Panel, Picture, Rule
 from exoid.report.pictures.role import Role
-from exoid.report.words.diagnosis import parted
+from exoid.report.words.diagnosis.asserted import parted
 
 SHOWN = 4  # segments
 CLIPPED = 0.98  # quantile of the torque beyond which colours are the same

@@ -8,7 +8,8 @@ from exoid.report.pictures.mismatch.torque import parting_of, show_plane, show_t
 from exoid.report.sections.blocks import Block, some
 from exoid.report.sections.section import section
 from exoid.report.tables.table import Table
-from exoid.report.words.diagnosis import parted, where
+from exoid.report.words.diagnosis.asserted import parted
+from exoid.report.words.diagnosis.sentences import where
 from exoid.report.words.text import capital
 
 NOTHING = (

@@ -12,7 +12,10 @@ from exoid.report.sections.section import section
 from exoid.report.tables.diagnosis import candidates, legend, suspects
 from exoid.report.tables.leg import before_and_after
 from exoid.report.tables.table import Table
-from exoid.report.words.diagnosis import BESIDE, sentences, value, verdict
+from exoid.report.words.diagnosis.cause import value
+from exoid.report.words.diagnosis.leg import BESIDE
+from exoid.report.words.diagnosis.sentences import sentences
+from exoid.report.words.diagnosis.verdict import verdict
 from exoid.report.words.text import in_words
 
 SAID = (

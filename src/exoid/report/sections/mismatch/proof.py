@@ -9,7 +9,7 @@ from exoid.report.pictures.mismatch.torque import worst
 from exoid.report.sections.blocks import Block, some
 from exoid.report.sections.section import section
 from exoid.report.tables.table import Table
-from exoid.report.words import diagnosis as words
+from exoid.report.words.diagnosis.remainder import remains
 from exoid.report.words.text import capital, in_degrees
 
 NOTHING = (
@@ -34,7 +34,7 @@ def proof(case: Case) -> Iterator[Block]:
 def sentence(found: Diagnosis) -> str:
     """What the prediction shows."""
     if found.changed:
-        return capital(words.remains(found))
+        return capital(remains(found))
     total, floor = found.proof.before.total, found.proof.noise_floor
     return NOTHING.format(in_degrees(total), total / floor, in_degrees(floor))
 

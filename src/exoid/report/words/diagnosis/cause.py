@@ -1,0 +1,122 @@
+"""What is missing: its name, its numbers, the inertia that they go with, and its reason."""
+
+import re
+from math import degrees
+
+from exoid.fitting.model.term_parameters import RATIO_UNITS, parameters_of
+from exoid.fitting.result.fit_result import FitResult
+from exoid.mismatch.answer.diagnosis import Diagnosis, NovelTorque, Parameter
+from exoid.mismatch.sensors.agreement import SensorError
+from exoid.physics.library import library
+from exoid.physics.parameter import AT_AN_END
+from exoid.report.words.text import DIMENSIONLESS, with_error
+
+WHOLE = 0.8  # of a torque's variance, below which a formula is no more than a part of it
+ORIGINS = {  # of an inertia that the motion does not tell alone
+    "prior": "which the prior sets: torques grow with it",
+    "both": "to which the prior adds: torques grow with it",
+    "bound": "which a bound sets: torques grow with it",
+}
+
+
+def named(found: Diagnosis) -> list[str]:
+    """Every effect with its parameters."""
+    if found.formula is not None:
+        own, share = found.formula, f"{found.formula.explained:.0%}"
+        clock = ", t in s from a segment's first fitted sample on" if "t" in arguments(own) else ""
+        units = f"x in rad, v in rad/s{clock}; {for_inertia(found.inertia, found.fit)}"
+        if own.explained < WHOLE:
+            said = f"a torque that is no short formula; {own.words} ({units})"
+            return [f"{said} explains only {share} of its variance{at_once(own)}"]
+        said = f"{own.words} ({units}), which explains {share} of the missing torque's variance"
+        return [f"{said}{at_once(own)}"]
+    lines = []
+    for one in found.findings:
+        own = [each for each in found.parameters if each.name.startswith(f"{one.name}.")]
+        if found.after is not None and found.after.parameters["inertia"].value is None:
+            own = [over_inertia(each, found.after) for each in own]
+        lines.append(f"{one.title}, {', '.join(map(parameter, own))}{scale(found, own)}")
+    return lines
+
+
+def arguments(formula: NovelTorque) -> set[str]:
+    """Of angle x, speed v and time t those that it has."""
+    return set(re.findall(r"\b[xvt]\b", formula.words))
+
+
+def at_once(formula: NovelTorque) -> str:
+    """That what acts once goes with a place, or with a moment."""
+    if formula.once is None:
+        return ""
+    first, last = formula.once
+    return (
+        f". Nearly all of it acts once, from {first:.2f} to {last:.2f} s: whether that goes with "
+        "the place or with the moment, as a touch does, one passage cannot tell"
+    )
+
+
+def over_inertia(each: Parameter, after: FitResult) -> Parameter:
+    """The ratio in place of a torque, where nothing tells the inertia that it goes with."""
+    ratio = after.of_terms.get(f"{each.name}_over_inertia")
+    if ratio is None or ratio.value is None:
+        return each
+    return Parameter(f"{each.name} / J", ratio.value, ratio.unit, ratio.standard_error)
+
+
+def scale(found: Diagnosis, parameters: list[Parameter]) -> str:
+    """The inertia that torques go with: drops alone tell only their ratio to it."""
+    torques = [each for each in parameters if each.unit.startswith("N m")]
+    if not torques:
+        return ""
+    inertia, first = found.inertia, torques[0]
+    if first.standard_error is None:
+        return ""
+    name = first.name.rpartition(".")[2].replace("_", " ")
+    unit = RATIO_UNITS.get(first.unit, f"{first.unit} per kg m^2")
+    ratio = f"{name} / J = {first.value / inertia:.3g} {unit}"
+    return f" ({for_inertia(inertia, found.fit)}; {ratio})"
+
+
+def for_inertia(inertia: float, fit: FitResult) -> str:
+    """The inertia that torques go with, and who says it where that is not the motion."""
+    said = f"for J = {inertia:.3g} kg m^2"
+    known = fit.parameters["inertia"]
+    if known.value is None:
+        return f"{said}, which is a guess: torques grow with it"
+    if known.by_hand == "fix":
+        return f"{said}, which you fixed: torques grow with it"
+    return f"{said}, {ORIGINS[known.determined_by]}" if known.determined_by in ORIGINS else said
+
+
+def parameter(each: Parameter | SensorError) -> str:
+    return f"{each.name.rpartition('.')[2].replace('_', ' ')} {value(each)}"
+
+
+def value(each: Parameter | SensorError) -> str:
+    """With its error and its unit; one without an error lies at its limit, or acts nowhere."""
+    number, error, unit = each.value, each.standard_error, f" {each.unit}"
+    if each.unit in ("rad", "rad/s"):
+        number, error, unit = degrees(number), error and degrees(error), unit.replace("rad", "deg")
+    if each.unit in DIMENSIONLESS:
+        unit = ""
+    if error is None:
+        limit = ", its limit" if at_limit(each) else ""
+        return f"not determined (at {number:.3g}{unit}{limit})"
+    if error > abs(number):
+        return f"not determined (± {error:.2g}{unit})"
+    return f"{with_error(number, error)}{unit}"
+
+
+def at_limit(each: Parameter | SensorError) -> bool:
+    """Is it as large, or as small, as its term lets it be?"""
+    declared = dict(parameters_of(library())).get(each.name)
+    if declared is None:
+        return False
+    near = AT_AN_END * (declared.upper - declared.lower)
+    return min(abs(each.value - declared.lower), abs(each.value - declared.upper)) < near
+
+
+def explanations(found: Diagnosis) -> list[str]:
+    if found.formula is not None:
+        return []
+    return [each.explanation for each in found.findings]

@@ -1,0 +1,67 @@
+"""How sure an answer is, and what else it may be."""
+
+from exoid.mismatch.answer.diagnosis import Diagnosis
+from exoid.mismatch.sensors.agreement import BIAS
+from exoid.physics.library import library
+from exoid.physics.term import name_of
+
+SUSPECTS = 3  # that are named
+CERTAIN = 0.001  # below this share a chance is written as "below"
+
+
+def others(found: Diagnosis) -> list[str]:
+    """What may act besides, and what it may be instead."""
+    named = set(found.selected)
+    mine = named - {BIAS}  # a bias is free in every candidate, and has no rival
+    each = [name.split(" + ") for name in found.equivalent]
+    beside = [" + ".join(x for x in one if x not in named) for one in each if mine <= {*one}]
+    rest = {" + ".join(one): exact_twin(mine, {*one}) for one in each if not mine <= {*one}}
+    instead = [name for name, twin in rest.items() if not twin]
+    said = [f"besides it perhaps {', or '.join(filter(None, beside))}"] if any(beside) else []
+    said += [f"or instead {', or '.join(instead)}"] if instead else []
+    doubts = [f"{'; '.join(said)}: this recording cannot tell"] if said else []
+    twins = [f"{twin} would look exactly alike" for twin in rest.values() if twin]
+    return [one.replace("_", " ") for one in (*twins, *doubts)]
+
+
+def exact_twin(mine: set[str], other: set[str]) -> str | None:
+    """The one cause that is another there, where it is the same in every recording."""
+    known = {name_of(term): term for term in library()}
+    match [*(mine - other)], [*(other - mine)]:
+        case [one], [twin] if one in known and twin in (known[one].twin, known[one].same_torque):
+            return twin
+    return None
+
+
+def how_sure(found: Diagnosis) -> str:
+    """Whether other data would say the same, and what else it may be."""
+    share, weight = found.inclusion, found.weight
+    held = "" if weight is None else f"explanations with it hold {certain(weight)} of the weight; "
+    again = "" if share is None else f"with segments drawn anew, {share:.0%} say the same; "
+    alike = "".join(f"{one}; " for one in others(found))
+    return (
+        f"{held}{again}{alike}chance alone would look like it in "
+        f"{chance(found.false_alarm_rate)} of recordings, an effect of this size is found with a "
+        f"chance of {certain(found.power)}."
+    )
+
+
+def suspected(found: Diagnosis) -> str:
+    """What explains most of it, and how much."""
+    first = [one for one in (*found.singles, *found.pairs) if one.terms][:SUSPECTS]
+    return ", ".join(" + ".join(one.terms).replace("_", " ") for one in first) + "."
+
+
+def trust(found: Diagnosis) -> str:
+    return (
+        f"the {len(found.pinned)} causes that can act here were tested; chance makes one of them "
+        f"stand out in {chance(found.false_alarm_rate)} of recordings."
+    )
+
+
+def chance(share: float) -> str:
+    return "below 0.1 %" if share < CERTAIN else f"{share:.1%}"
+
+
+def certain(share: float) -> str:
+    return "above 99.9 %" if share > 1 - CERTAIN else f"{share:.1%}"

@@ -1,0 +1,35 @@
+"""What a diagnosis says of the numbers of the leg."""
+
+from exoid.mismatch.answer.diagnosis import Diagnosis
+from exoid.report.words.text import quantity_words
+
+SEEN = 0.01  # share of a number, from which on its change is worth a word
+USUAL = {  # of a leg, in their units
+    "damping": 0.3,
+    "stiffness": 2.5,
+    "gravity_moment": 12.0,
+    "damping_over_inertia": 0.7,
+}
+NO_LEG = (
+    "its numbers are not to be used: with what was found the model still does not follow the "
+    "recording, and no error says how wrong they are."
+)
+BESIDE = (
+    "d, c and m l g are here beside the formula: what it has of the speed, the angle or gravity is "
+    "not in them."
+)
+
+
+def booked(found: Diagnosis) -> str:
+    """What the baseline had made of it: whatever changes by more than a percent."""
+    changes = [
+        f"{quantity_words(each.name)} {each.before:.3g} -> {each.after:.3g} {each.unit}"
+        for each in found.booked
+        if abs(each.after - each.before)
+        > SEEN * max(abs(each.before), abs(each.after), USUAL[each.name])
+    ]
+    if not changes:
+        stay = ", ".join(quantity_words(each.name) for each in found.booked)
+        return f"nothing: {stay} changed by less than 1 %."
+    scale = " (for the inertia that the fit took)" if "N m" in found.booked[0].unit else ""
+    return f"{', '.join(changes)}{scale}."

@@ -1,0 +1,34 @@
+"""What is left on data that the fit has not seen."""
+
+from exoid.mismatch.answer.diagnosis import Diagnosis
+from exoid.report.words.text import in_degrees
+
+
+def remains(found: Diagnosis) -> str:
+    """What is left on data that the fit has not seen, beside what was there before."""
+    shown = found.proof
+    before, after = in_degrees(shown.before.total), in_degrees(shown.after.total)
+    times = f"{shown.after.total / shown.noise_floor:.1f} times the noise floor"
+    if not found.changed:
+        return f"held-out angle RMSE {after} deg, {times}."
+    parts = "quarters of the recording" if shown.in_time else "segments"
+    return (
+        f"held-out angle RMSE {before} -> {after} deg, {left_over(found)}{times} "
+        f"({shown.better} of {shown.after.squares.size} {parts} better, each from the others)."
+    )
+
+
+def left_over(found: Diagnosis) -> str:
+    share = share_left(found)
+    if share is not None and share > 1:
+        return "worse than without it; "
+    return "" if share is None else f"{share:.0%} of the squares that were missing; "
+
+
+def share_left(found: Diagnosis) -> float | None:
+    """The share of what was missing over the noise, in squares, that still is."""
+    shown = found.proof
+    missing = shown.before.total**2 - shown.noise_floor**2
+    if missing <= 0:
+        return None
+    return max(shown.after.total**2 - shown.noise_floor**2, 0.0) / missing

@@ -1,0 +1,58 @@
+"""A diagnosis in sentences: what is missing, where, the proof, and what it had been booked as."""
+
+from exoid.mismatch.answer.diagnosis import Diagnosis
+from exoid.report.words.diagnosis.asserted import only_sensors, parted
+from exoid.report.words.diagnosis.cause import explanations, for_inertia, named, parameter
+from exoid.report.words.diagnosis.certainty import how_sure, suspected, trust
+from exoid.report.words.diagnosis.leg import NO_LEG, booked
+from exoid.report.words.diagnosis.remainder import remains
+
+BY_SENSORS = "encoder and gyro show it of each other, without any leg model."
+
+
+def sentences(found: Diagnosis) -> dict[str, str]:
+    """The answer, line by line, by its heading; first what was missing, how sure that is, what it
+    changed and what remains.
+    """
+    lines = {}
+    if found.verdict == "mismatch":
+        lines["Missing"] = "; ".join(named(found))
+        lines["How sure"] = BY_SENSORS if only_sensors(found) else how_sure(found)
+        lines["Changed"] = booked(found)
+        lines["Remains"] = remains(found)
+        lines["Reason"] = " ".join(explanations(found))
+        if found.changed and not found.fit.follows and found.formula is None:
+            lines["The leg"] = NO_LEG
+    elif found.reasons:
+        lines["Why"] = "; ".join(found.reasons) + "."
+        if found.changed:
+            lines["Suspected"] = suspected(found)
+            lines["Remains"] = remains(found)
+    if parted(found):
+        lines["Where"] = where(found)
+    lines["Sensors"] = sensors(found)
+    if found.verdict == "none":
+        lines["Trust"] = trust(found)
+    if found.advice:
+        lines["Record next"] = " ".join(found.advice)
+    return {heading: line for heading, line in lines.items() if line}
+
+
+def where(found: Diagnosis) -> str:
+    regions = [f"{each.description} (segment {each.segment}, {each.begin:.2f}-{each.end:.2f} s)"
+               for each in found.location.regions[:3]]  # fmt: skip
+    if not regions:
+        return "no torque stands out of the noise: the sensors differ, or it is spread thinly."
+    said = for_inertia(found.location.inertia or found.inertia, found.before)
+    scale = f" ({said})" if "," in said else ""
+    return f"{'; '.join(regions)}{scale}. Over all of it, {found.location.pattern}."
+
+
+def sensors(found: Diagnosis) -> str:
+    """What encoder and gyro say of each other."""
+    if not found.sensors:
+        return "no gyro: encoder and gyro cannot be compared."
+    clear = [each for each in found.sensors if each.clear]
+    if not clear:
+        return "encoder and gyro agree."
+    return f"encoder and gyro differ as if by {', '.join(map(parameter, clear))}."

@@ -1,0 +1,34 @@
+"""The verdict of a diagnosis in one line."""
+
+from exoid.mismatch.answer.diagnosis import Diagnosis
+from exoid.report.words.diagnosis.asserted import only_sensors
+from exoid.report.words.diagnosis.remainder import share_left
+
+LITTLE = 0.03  # share of what was missing that is worth no word
+
+
+def headline(found: Diagnosis) -> str:
+    """The verdict in one line."""
+    if found.verdict == "none":
+        return "Nothing is missing: simulation and recording agree within the noise."
+    if found.verdict == "cannot_tell":
+        return "Cannot tell from this recording."
+    if found.novel:
+        return "Something is missing that the library does not know."
+    if only_sensors(found):
+        return "A sensor errs; of the leg's motion nothing is missing."
+    if not found.explained and (share_left(found) or 0.0) > LITTLE:
+        return "Something is missing, and a part of it has a name."
+    return "Something is missing."
+
+
+def verdict(found: Diagnosis) -> str:
+    """What is missing by its name, where it has one; else the headline."""
+    if found.verdict != "mismatch" or found.novel or only_sensors(found) or not found.selected:
+        return headline(found)
+    return "Missing: " + " and ".join(titles(found))
+
+
+def titles(found: Diagnosis) -> list[str]:
+    """What is missing, in a user's words."""
+    return [each.title for each in found.findings]
