@@ -63,10 +63,12 @@ def test_files_that_do_not_come_along_are_named_and_what_describes_the_study_doe
 ):
     (folder / "README.md").write_text("ours")
     (folder / "P01" / "consent.pdf").write_text("")
+    (folder / "P01" / "notes.txt").write_text("She was tired, 2 of 5 drops.")
     for source, target in ((folder, tmp_path / "bids"), (tmp_path / "bids", tmp_path / "back")):
         done = command("convert", source, "-o", target)
         assert (target / "README.md").read_text() == "ours"
-        left = "exoid: 1 other file left behind: P01/consent.pdf\n" if source == folder else ""
+        names = "P01/consent.pdf, P01/notes.txt"
+        left = f"exoid: 2 other files left behind: {names}\n" if source == folder else ""
         assert (done.returncode, done.stderr) == (0, left)
 
 

@@ -59,6 +59,17 @@ def test_check_ends_with_1_where_something_must_be_mended_and_has_all_for_machin
     assert (finding["level"], finding["where"]) == ("error", "P01/pre/left_1.csv")
 
 
+def test_a_text_without_a_table_is_left_aside_and_named(command, folder):
+    (folder / "notes.txt").write_text("She was tired, 2 of 5 drops.")
+    checked = command("study", "check", folder)
+    assert checked.returncode == 0
+    assert checked.stdout.startswith(f"{folder}: 16 recordings of 2 people\n")
+    assert "left aside: 1\n    notes.txt: is a text without a table of numbers" in checked.stdout
+    begun = command("study", "init", folder)
+    assert begun.stderr == "exoid: left aside, as texts without a table of numbers: notes.txt\n"
+    assert "of nobody" not in begun.stdout
+
+
 def test_check_shows_letters_that_steer_a_terminal_escaped(command, folder):
     (folder / "P01_\x1b[31m_left.csv").write_text("nothing")
     done = command("study", "check", folder)

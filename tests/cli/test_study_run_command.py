@@ -8,6 +8,7 @@ import pytest
 from command_line import refusal
 
 from exoid.cli.terminal.progress import lasting, line
+from study_folders import study
 from study_runs import COMPUTED, NAMES, in_this_process, people
 
 
@@ -36,6 +37,16 @@ def test_a_run_says_what_it_did_and_writes_two_tables_and_a_document(
     told = json.loads(document.read_text())
     assert (told["recordings"], told["computed"]) == (len(NAMES) + 2, COMPUTED)
     assert (told["ok"], told["failed"], told["duplicates"]) == (40, 1, 1)
+
+
+def test_a_text_without_a_table_is_no_row_of_the_tables_and_named(command, here, tmp_path):
+    study(tmp_path, ["P01_left.csv"], {"notes.txt": "She was tired, 2 of 5 drops."})
+    document = tmp_path / "run.json"
+    asked = ("--steps", "drops", "--json", document)
+    done = command("study", "run", tmp_path, "-o", tmp_path / "results", *asked)
+    assert done.returncode == 0
+    assert "left aside, as texts without a table of numbers: notes.txt\n" in done.stderr
+    assert json.loads(document.read_text())["recordings"] == 1
 
 
 def test_where_not_one_recording_can_be_measured_the_exit_code_says_so(command, here, tmp_path):

@@ -124,3 +124,41 @@ def test_folders_too_deep_to_be_entered_are_a_problem_in_a_line_that_can_be_read
     (problem,) = open_dataset(tmp_path).problems
     assert problem.endswith("File name too long. Choose a shorter name.")
     assert len(problem) < 200
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        b"notes",
+        b"Visit of P01.\nTired, 2 of 5 drops, 3, 4 and 5 with a pause.\r\nAgain on 3.4.2024\n",
+        "\ufeffMüde, 2 von 5.\n".encode("utf-16-le"),
+    ],
+)
+def test_a_text_without_a_table_is_no_recording_and_named(tmp_path, content):
+    study(tmp_path, ["P01_left.txt"])
+    (tmp_path / "P01").mkdir()
+    (tmp_path / "P01" / "notes.txt").write_bytes(content)
+    dataset = open_dataset(tmp_path)
+    assert [each.name for each in dataset.entries] == ["P01_left.txt"]
+    assert dataset.aside == ("P01/notes.txt",)
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        "",
+        "Lab 1, 2024\n" * 30 + "time [s]\tangle [deg]\n" + "0,010\t-20,10\n" * 300,
+        "angle [deg]\n" + "-20.1\n" * 30,
+        "time side angle\n" + "12:00:01.5 left -20.1\n" * 30,
+    ],
+)
+def test_a_text_with_a_table_is_a_recording_and_so_is_an_empty_one(tmp_path, content):
+    (tmp_path / "P01_left.txt").write_text(content)
+    dataset = open_dataset(tmp_path)
+    assert ([each.name for each in dataset.entries], dataset.aside) == (["P01_left.txt"], ())
+
+
+def test_what_office_keeps_beside_an_open_table_is_hidden(tmp_path):
+    study(tmp_path, ["P01_left.csv"])
+    (tmp_path / "~$participants.xlsx").write_bytes(b"\x05anna")
+    assert [each.name for each in open_dataset(tmp_path).entries] == ["P01_left.csv"]

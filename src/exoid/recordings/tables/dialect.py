@@ -20,6 +20,7 @@ PROBED = 50  # lines in the middle, by which the ways of writing are compared
 BLANK = " "  # stands for any number of blanks
 DOUBT = 0.9  # of blanks, which stand within titles and beside other separators as well
 LEAST = 0.4  # share of the cells that are numbers, below which it is no table
+SHORTEST = 3  # lines: titles, and two samples
 DECLARED = re.compile(r"^sep=(.)$", re.IGNORECASE)  # Excel's own first line
 
 
@@ -67,9 +68,7 @@ def rows_in(lines: list[str], dialect: Dialect) -> list[Row]:
 
 def sniffed(lines: list[str]) -> Dialect:
     """The dialect in which most cells of the middle lines are numbers."""
-    full = [line for line in lines if line.strip()]
-    begin = max(0, len(full) // 2 - PROBED // 2)
-    middle = full[begin : begin + PROBED]
+    full, middle = probed(lines)
     alone = single(full[: 2 * PROBED])
     if alone is not None:
         return alone
@@ -78,6 +77,22 @@ def sniffed(lines: list[str]) -> Dialect:
     if shares[best] < LEAST:
         raise ValueError(NO_TABLE)
     return best
+
+
+def holds_table(lines: list[str]) -> bool:
+    """Would some dialect do? Sooner told than which of them does best."""
+    full, middle = probed(lines)
+    if len(full) < SHORTEST:
+        return False
+    some = any(share(middle, dialect) >= LEAST for dialect in DIALECTS)
+    return some or single(full[: 2 * PROBED]) is not None
+
+
+def probed(lines: list[str]) -> tuple[list[str], list[str]]:
+    """The lines that are not empty, and those in the middle of them."""
+    full = [line for line in lines if line.strip()]
+    begin = max(0, len(full) // 2 - PROBED // 2)
+    return full, full[begin : begin + PROBED]
 
 
 def single(lines: list[str]) -> Dialect | None:

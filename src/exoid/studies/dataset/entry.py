@@ -49,7 +49,7 @@ class Dataset:
     """The recordings of a folder in the order of their names, and who the people are.
 
     `problems` are what is wrong with folders and table, one line each: what of them could not be
-    read or is contradictory is not told.
+    read or is contradictory is not told. `aside` are texts that hold no table, by their names.
     """
 
     folder: Path
@@ -58,3 +58,4 @@ class Dataset:
     table: Path | None = None  # where the participants stand
     bids: bool = False
     problems: tuple[str, ...] = ()
+    aside: tuple[str, ...] = ()

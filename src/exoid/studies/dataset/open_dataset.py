@@ -14,6 +14,7 @@ from exoid.studies.dataset.entry import Dataset, Entry
 from exoid.studies.dataset.layout import entry_of
 from exoid.studies.dataset.motion_bids.labels import SUFFIX
 from exoid.studies.dataset.participants import ENDINGS, Table, read_participants
+from exoid.studies.dataset.prose import is_prose
 from exoid.studies.dataset.walk import walk
 
 READABLE = {*FORMATS, *READERS}
@@ -27,8 +28,9 @@ def open_dataset(folder: str | Path) -> Dataset:
 
     Motion-BIDS where it holds `dataset_description.json` or `sub-*_motion.tsv`, else any files
     that `load` reads, in any folders, whose names say whose they are (`layout.py`). A table
-    `participants.csv`, `.tsv`, `.parquet` or `.xlsx` tells of the people. No recording is opened:
-    10^5 of them take about as long as listing their folders.
+    `participants.csv`, `.tsv`, `.parquet` or `.xlsx` tells of the people. No recording is opened,
+    but for the begin of a `.txt`, which may be a note: 10^5 take about as long as listing their
+    folders.
 
     **Raises** `ValueError` (one line) where there is no folder, no recording in it, or a table of
     participants that cannot be read. Lesser faults are the `problems` of what is returned.
@@ -43,6 +45,8 @@ def open_dataset(folder: str | Path) -> Dataset:
         raise ValueError(f"{folder}: {told(fault)}") from fault
     bids = DESCRIPTION in found.names or any(map(is_motion, found.names))
     names = [name for name in found.names if (is_motion(name) if bids else is_recording(name))]
+    aside = {name: visible(name) for name in names if is_prose(folder / name)}
+    names = [name for name in names if name not in aside]
     if not names:
         raise ValueError(none_found(folder, bids, found.unread))
     table = the_table(folder, found.names)
@@ -52,7 +56,8 @@ def open_dataset(folder: str | Path) -> Dataset:
     problems = (*map(visible, found.unread), *people.problems)
     if not bids:
         entries = with_defaults(folder.absolute(), entries, found.names)
-    return Dataset(folder.absolute(), entries, people.participants, table, bids, problems)
+    about = (people.participants, table, bids, problems, tuple(aside.values()))
+    return Dataset(folder.absolute(), entries, *about)
 
 
 def with_defaults(

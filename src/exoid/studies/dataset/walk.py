@@ -8,6 +8,7 @@ from exoid.files.system_errors import told
 
 RESULTS = {"recordings.parquet", "quantities.parquet"}  # a folder with both is what a run has made
 
+HIDDEN = (".", "~$")  # also what Office keeps beside a file that is open
 SHOWN = 60  # letters at either end of a long name
 
 
@@ -55,7 +56,7 @@ def entries_of(folder: Path, seen: set[tuple[int, int]], *, top: bool) -> list[o
         return []
     seen.add((about.st_dev, about.st_ino))
     with os.scandir(folder) as found:
-        entries = [each for each in found if not each.name.startswith(".")]
+        entries = [each for each in found if not each.name.startswith(HIDDEN)]
     if not {each.name for each in entries} >= RESULTS:
         return entries
     return [each for each in entries if each.name not in RESULTS] if top else []

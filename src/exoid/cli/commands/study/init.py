@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from exoid.cli.inputs.data_set import opened
 from exoid.cli.terminal.say import say
 from exoid.cli.terminal.waiting import patiently
 
@@ -25,12 +26,9 @@ def init(dataset: Folder) -> None:
     Examples:
       exoid study init study
     """
-    from exoid.studies.dataset.open_dataset import open_dataset
     from exoid.studies.dataset.writing.init import begin_study
 
-    found = patiently(lambda: open_dataset(dataset), f"reading {dataset.name}")
-    for each in found.problems:
-        say(f"exoid: {each}", err=True)
+    found = opened(dataset)
     begun = patiently(lambda: begin_study(found), "asking the sidecars")
     tell(dataset, begun)
 

@@ -9,13 +9,12 @@ import typer
 from exoid.cli.commands.study.init import Folder
 from exoid.cli.inputs.assumptions import Bound, BoundsOption, Fix, Prior, assumed
 from exoid.cli.inputs.choices import Clip, Misfit, Seed
+from exoid.cli.inputs.data_set import opened
 from exoid.cli.outputs.destination import Force, Json, check_outputs
 from exoid.cli.outputs.results import show
 from exoid.cli.outputs.study_run import check_results, print_outcome
 from exoid.cli.outputs.written import Outputs
 from exoid.cli.terminal.progress import progress
-from exoid.cli.terminal.say import say
-from exoid.cli.terminal.waiting import patiently
 
 
 def run(
@@ -65,7 +64,6 @@ def run(
     check_results(results)
     if workers is not None and scheduler is not None:
         raise ValueError("--workers are of this machine, --scheduler names others: leave one out.")
-    from exoid.studies.dataset.open_dataset import open_dataset
     from exoid.studies.engine.run_study import run_study
     from exoid.studies.engine.settings import Settings
 
@@ -74,9 +72,7 @@ def run(
     fitted = {**asked, **more, "misfit": misfit, "clip": clip}
     named = tuple(each.strip() for each in steps.split(","))
     settings = Settings(named, fitted, asked)
-    found = patiently(lambda: open_dataset(dataset), f"reading {dataset.name}")
-    for each in found.problems:
-        say(f"exoid: {each}", err=True)
+    found = opened(dataset)
     with progress("recordings") as told:
         made = run_study(found, results, settings, count=workers, scheduler=scheduler, told=told)
     show(lambda console: print_outcome(made, results, console))

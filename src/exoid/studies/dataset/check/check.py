@@ -4,13 +4,14 @@ from collections import Counter
 from dataclasses import dataclass
 
 from exoid.studies.dataset.check.across import across
-from exoid.studies.dataset.check.finding import Finding, error
+from exoid.studies.dataset.check.finding import Finding, error, warning
 from exoid.studies.dataset.check.look import Progress, look
 from exoid.studies.dataset.check.looked import Looked
 from exoid.studies.dataset.check.people import people
 from exoid.studies.dataset.check.recordings import recordings
 from exoid.studies.dataset.entry import Dataset
 
+NO_TABLE = "is a text without a table of numbers, and taken for no recording."
 UNTOLD = ("no body mass", "no height")
 
 
@@ -43,6 +44,7 @@ def check_dataset(dataset: Dataset, most: int, say: Progress) -> Checked:
     looked = look(dataset, most, say)
     say("comparing what the recordings hold")
     findings = [error("layout", "", each) for each in dataset.problems]
+    findings += [warning("left aside", each, NO_TABLE) for each in dataset.aside]
     findings += [*people(dataset, looked), *recordings(dataset, looked), *across(looked)]
     findings.sort(key=lambda each: each.level)
     return summed(dataset, looked, tuple(findings), min(most, len(looked)))
