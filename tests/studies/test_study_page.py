@@ -7,6 +7,7 @@ from dataclasses import replace
 import pytest
 from benchmarks.studies.tables import Design, Truth, simulate
 from html_tree import parse
+from pandas import concat
 
 from exoid.report.parts.origin import Origin
 from exoid.studies.page.page import PARTS, build_page
@@ -195,3 +196,27 @@ def test_it_says_over_how_many_quantities_p_was_corrected(study):
     assert "over 2 quantities, by Holm" in both.by_id("origin").text
     assert "are named by --primary" in both.by_id("origin").text
     assert "(corrected for 2 quantities: " in both.by_id("summary").of_class("verdict")[0].text
+
+
+def test_where_not_every_quantity_answers_each_question_has_the_number_that_p_was_corrected_for(
+    study,
+):
+    rows = study.quantities
+    lame = rows[(rows["quantity"] != "period") | (rows["side"] == "left")]
+    tree = parse(build_page(told(study_of(study.recordings, lame), by="group")))
+    number = "over the quantities that have an answer (2 between groups, 1 between sides), by Holm"
+    assert number in tree.by_id("origin").text
+    summary = tree.by_id("summary").text
+    assert "(corrected for 2 quantities: " in summary
+    assert "corrected for 1 " not in summary
+
+
+def test_a_quantity_that_is_another_but_for_a_factor_is_counted_once(study):
+    rows = study.quantities
+    copy = rows[rows["quantity"] == "relaxation_index"].assign(
+        quantity="normalised_relaxation_index"
+    )
+    both = study_of(study.recordings, concat([rows, copy]))
+    tree = parse(build_page(told(both, by="group")))
+    assert "over 2 quantities, by Holm" in tree.by_id("origin").text
+    assert "Yes, in 1 of 2 quantities." in tree.by_id("summary").text

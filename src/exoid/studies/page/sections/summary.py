@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 from exoid.report.sections.blocks import Block, Group, card, element
 from exoid.report.words.text import capital, counted, quantity_words
+from exoid.studies.page.parts.correction import tested
 from exoid.studies.page.parts.part import Told, part
 from exoid.studies.page.parts.tables import values
 from exoid.studies.page.parts.words import (
@@ -83,7 +84,7 @@ def trusted(answers: Answers) -> Group:
 
 def parted(answers: Answers) -> Group | None:
     """The groups, or what goes with a dose."""
-    each = [one for one in answers.each if isinstance(one.groups, Comparison)]
+    each = tested([one for one in answers.each if isinstance(one.groups, Comparison)])
     if not each:
         return None
     sure = [one for one in each if one.corrected["groups"] < SURE]
