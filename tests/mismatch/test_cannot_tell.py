@@ -47,5 +47,6 @@ def test_what_leaves_no_human_leg_is_no_claim():
     expected = 26.8  # 1/s^2, m l g / J of a person of this size
     assert "no leg" in unlike_a_leg(belief, 19.1, 17.9)[0]
     assert unlike_a_leg(belief, 17.9, 19.1) == []  # it was no leg before, and less of one
+    assert unlike_a_leg(belief, 19.1, 19.0) == []  # nor is it one by chance, as with a gyro's scale
     assert unlike_a_leg(belief, expected, 25.0) == []  # as scattered as people are
     assert unlike_a_leg(believe(Subject(kind="leg")), 19.1, 17.9) == []

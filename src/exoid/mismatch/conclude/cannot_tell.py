@@ -23,6 +23,7 @@ CYCLES = 3  # that a claim about the leg needs where all are voluntary
 MOSTLY = 0.5  # of resampled segments must give the same answer
 HALF = 0.5  # of the variance of what is missing, that a formula must explain
 FAINT = 3.0  # mean square over the noise, below which several causes at once are no claim
+FARTHER = 1.0  # standard deviation of legs, from what anatomy expects
 APART = 0.05  # relative, by which the slowest must be slower than the fastest
 
 
@@ -134,9 +135,9 @@ def unlike_a_leg(belief: Belief, before: float, after: float) -> list[str]:
     """That what would be missing leaves a leg that nobody has, and less of one than Eq. 9 alone.
 
     Springs and gravity make up for each other: what is not the physics that it is called drives
-    m l g / J away, from `before` to `after` [1/s^2].
+    m l g / J away, from `before` to `after` [1/s^2], and by more than it may by chance.
     """
-    if abs(from_anatomy(belief, after)) <= abs(from_anatomy(belief, before)):
+    if abs(from_anatomy(belief, after)) < abs(from_anatomy(belief, before)) + FARTHER:
         return []
     return [
         f"what explains it best leaves a leg that is no leg: {each}. Without it, it is nearer"
