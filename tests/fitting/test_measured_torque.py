@@ -1,0 +1,53 @@
+"""A leg led by a stiff motor, made by SciPy: the noise of its torque is no noise of the sensors."""
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from exoid.fitting.estimate import fit
+from exoid.recordings.recording import Protocol, Recording, Segment, Subject
+from exoid.trust.identify import identify
+
+INERTIA, GRAVITY_MOMENT, DAMPING, STIFFNESS = 0.42, 10.33, 0.6, 3.0  # kg m^2, N m, SI
+ADULT = Subject(kind="leg", body_mass=75.0, height=1.78)
+
+
+def led(torque_noise: float) -> Recording:
+    """Slow cosines by a stiff controller, whose torque is recorded with so much noise [N m]."""
+    generator, time = np.random.default_rng(5), np.arange(201) / 100
+    middle, reach, rate = np.radians(-55.0), np.radians(30.0), np.pi
+
+    def torque(t, angle, velocity):
+        wanted = middle - reach * np.cos(rate * t)
+        error = reach * rate * np.sin(rate * t) - velocity
+        return 300 * (wanted - angle) + 20 * error + GRAVITY_MOMENT * np.cos(wanted)
+
+    def rates(t, state):
+        angle, velocity = state
+        pull = GRAVITY_MOMENT * np.cos(angle) + STIFFNESS * angle + DAMPING * velocity
+        return [velocity, (torque(t, angle, velocity) - pull) / INERTIA]
+
+    begin = [middle - reach, 0.0]
+    angle, velocity = solve_ivp(rates, (0, time[-1]), begin, t_eval=time, rtol=1e-9, atol=1e-11).y
+    driven = torque(time, angle, velocity)
+    segment = Segment(
+        time=time,
+        raw_angle=angle + generator.normal(0, np.radians(0.05), time.size),
+        raw_angular_velocity=velocity + generator.normal(0, np.radians(0.1), time.size),
+        applied_torque=driven + generator.normal(0, torque_noise, time.size),
+    )
+    return Recording((segment,), ADULT, Protocol(kind="measured"))
+
+
+@pytest.mark.parametrize(("noise", "doubted"), [(0.05, True), (0.0, False)])
+def test_a_torque_that_may_be_noisy_is_said_to_make_the_leg_too_heavy(noise, doubted):
+    """Noise of 0.05 N m makes J a tenth too large here, on the average."""
+    result = fit(led(noise), multistart=4)
+    assert any("noise of the measured torque" in each for each in result.notes) == doubted
+    assert (result.parameters["inertia"].value > INERTIA * 1.03) == doubted
+
+
+def test_what_a_torque_drove_is_not_asked_whether_it_was_passive():
+    told = identify(fit(led(0.0), multistart=4))
+    assert told.reversals == []
+    assert "really passive" not in " ".join(told.sentences)
