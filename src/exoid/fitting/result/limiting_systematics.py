@@ -86,11 +86,12 @@ def suspicions(problem: Problem, mountings: list[MountingFit], found: Disturbanc
     said = []
     for each in mountings:
         where = f"{each.recording}: " if len(mountings) > 1 else ""
-        said += [f"{where}{words}" for words in (*tilted(each), *disagreeing(problem, each, found))]
+        doubts = (*tilted(each, found), *disagreeing(problem, each, found))
+        said += [f"{where}{words}" for words in doubts]
     return said
 
 
-def tilted(each: MountingFit) -> list[str]:
+def tilted(each: MountingFit, found: Disturbance) -> list[str]:
     """A seat that is clearly tilted."""
     tilt = each.tilt
     if tilt is None or tilt.standard_error is None or tilt.value is None:
@@ -98,6 +99,12 @@ def tilted(each: MountingFit) -> list[str]:
     if abs(tilt.value) < CLEAR * tilt.standard_error:
         return []
     value, error = np.degrees(tilt.value), np.degrees(tilt.standard_error)
+    if found.cause is not None:
+        return [
+            f"the fit tilts the thigh by {value:.2g} ± {error:.1g} deg beyond what is declared. "
+            "That may be what the model misses, as of a spring that is slack at another angle, or "
+            "grows stiffer: hold a level to the thigh; 'exoid diagnose' asks what is missing."
+        ]
     return [
         f"the thigh seems to be tilted by {value:.2g} ± {error:.1g} deg beyond what is declared, "
         "and the fit follows that: measure it, and give thigh_angle_deg. A spring that is slack at "
