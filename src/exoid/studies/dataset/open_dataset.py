@@ -29,8 +29,8 @@ def open_dataset(folder: str | Path) -> Dataset:
     Motion-BIDS where it holds `dataset_description.json` or `sub-*_motion.tsv`, else any files
     that `load` reads, in any folders, whose names say whose they are (`layout.py`). A table
     `participants.csv`, `.tsv`, `.parquet` or `.xlsx` tells of the people. No recording is opened,
-    but for the first lines of a `.txt`, which may be a note: 10^5 take about as long as listing their
-    folders.
+    but for the first lines of a `.txt`, which may be a note: 10^5 take about as long as listing
+    their folders.
 
     **Raises** `ValueError` (one line) where there is no folder, no recording in it, or a table of
     participants that cannot be read. Lesser faults are the `problems` of what is returned.
