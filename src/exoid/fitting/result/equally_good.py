@@ -32,11 +32,8 @@ def equally_good(
         return {}, {}
     shortest = float(low.com_distance)
     lightest, heaviest = float(low.mass), float(high.mass)
-    stiffness, damping = (
-        float(getattr(shared, name)[0]) if value is None else value
-        for name in ("stiffness", "damping")
-        for value in [ratios[f"{name}_over_inertia"].value]
-    )
+    stiffness = value_of(ratios["stiffness_over_inertia"], shared.stiffness)
+    damping = value_of(ratios["damping_over_inertia"], shared.damping)
     length = (
         max(shortest, moment * inertia[0] / heaviest),
         min(longest, moment * inertia[1] / lightest),
@@ -98,3 +95,8 @@ def inertia_range(
     if torque > 0:
         upper.append(float(limits.torque) / torque)
     return max(lower), min(upper)
+
+
+def value_of(each: Estimate, ended: np.ndarray) -> float:
+    """As it is printed, exact on a limit; where the search ended if nothing tells it."""
+    return float(ended[0]) if each.value is None else each.value

@@ -23,7 +23,7 @@ CYCLES = 3  # that a claim about the leg needs where all are voluntary
 MOSTLY = 0.5  # of resampled segments must give the same answer
 HALF = 0.5  # of the variance of what is missing, that a formula must explain
 FAINT = 3.0  # mean square over the noise, below which several causes at once are no claim
-FARTHER = 1.0  # standard deviation of legs, from what anatomy expects
+FARTHER = 1.0  # standard deviations of legs, by which a cause drives one from what anatomy expects
 APART = 0.05  # relative, by which the slowest must be slower than the fastest
 
 
