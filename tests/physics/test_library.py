@@ -30,6 +30,7 @@ NAMES = {
     "end_range_stiffening",
     "hard_stop",
     "cubic_stiffness",
+    "slack_cubic_stiffness",
     "cuff_compliance",
     "wobbling_mass",
     "maxwell_element",

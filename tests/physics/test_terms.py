@@ -65,7 +65,8 @@ def names(chosen, faults):
 
 
 UNSTABLE = {
-    "cubic_stiffness": "a leg that softens as much as k_3 = -3 truly runs away to infinity",
+    name: "a leg that softens as much as k_3 = -3 truly runs away to infinity"
+    for name in ("cubic_stiffness", "slack_cubic_stiffness")
 }
 DRY = ("coulomb_friction", "stribeck_friction")
 
@@ -519,6 +520,9 @@ STORED = {
         -LEG["stiffness"] * term.rest_angle * angle
     ),
     "cubic_stiffness": lambda term, angle, velocity: term.coefficient * angle**4 / 4,
+    "slack_cubic_stiffness": lambda term, angle, velocity: (
+        term.coefficient * (angle - term.slack_angle) ** 4 / 4
+    ),
     "end_range_stiffening": end_range_energy,
     "hard_stop": stop_energy,
     "polycentric_axis": axis_energy,

@@ -206,3 +206,13 @@ def test_a_drop_with_the_lift_after_it_is_no_voluntary_movement(noise):
     assert classify(Segment(time, raw_angle=angle)) == "passive"
     voluntary = -1.4 + 0.6 * (1 - np.cos(2 * np.pi * np.minimum(time, 2) / 2))
     assert classify(Segment(time, raw_angle=voluntary)) == "active"
+
+
+def test_a_drop_that_is_hardly_damped_is_one_although_it_ends_near_its_start():
+    time = np.arange(0, 6, 0.01)
+    swing = -1.3 + 1.1 * np.exp(-0.13 * time) * np.cos(5.8 * time)  # each 0.93 of the last
+    through = time < 1.0 + 2 * np.pi / 5.8 * 4  # ends in its fifth swing upwards
+    assert classify(Segment(time[through], raw_angle=swing[through])) == "passive"
+    again = -0.5 + 0.5 * np.cos(2 * np.pi * time / 1.5)  # four cycles of a muscle that tires
+    tired = again * (1 - 0.05 * np.floor(time / 1.5))
+    assert classify(Segment(time, raw_angle=tired)) == "active"

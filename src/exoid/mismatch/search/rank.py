@@ -40,6 +40,8 @@ def alike(one: Optimum, best: Optimum, measure: Yardstick, times: float = 1.0) -
 
 
 def simpler_form(simple: type[Term], rich: type[Term]) -> bool:
-    """Does the richer of two torques, or of two errors of sensors, hold all of the simple one?"""
-    few, many = ({*dict(declarations(each))} for each in (simple, rich))
+    """Does the richer of two torques, or of two errors of sensors, hold all numbers of the simple
+    one, by name and unit?
+    """
+    few, many = ({(name, each.unit) for name, each in declarations(of)} for of in (simple, rich))
     return few < many and issubclass(simple, SensorTerm) == issubclass(rich, SensorTerm)

@@ -12,7 +12,7 @@ from exoid.recordings.signal.turns import bends
 
 MOTION_SPEED = np.radians(20.0)  # rad/s, the paper's criterion of significant motion
 SMOOTHING = 0.05  # s, of the velocity that decides what moves; half a leg's swing takes 0.5 s
-FREE, SHRINKS = 3, 0.9  # swings that no muscle makes, and to what share each shrinks
+FREE, SHRUNK = 3, 0.8  # swings that no muscle makes, and to what share they shrink in all
 RINGING = 0.1  # of its travel: the least that a swing goes
 NEAR = 0.35  # of the range of a movement; a drop ends at 0.5 (no damping) to 1 of it, lower
 
@@ -118,5 +118,6 @@ def swings_out(time: Samples, angle: Samples) -> bool:
     turns = reversals(smooth, RINGING * float(np.ptp(smooth)))
     swings = np.diff(smooth[[0, *turns]])
     size = np.abs(swings)
-    shrinks = (size[1:] < SHRINKS * size[:-1]).all()
-    return bool(size.size >= FREE and swings[0] < 0 and shrinks)
+    if size.size < FREE or swings[0] > 0:
+        return False
+    return bool((np.diff(size) < 0).all() and size[-1] < SHRUNK * size[0])
