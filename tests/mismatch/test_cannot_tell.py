@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from exoid.fitting.model.prior_and_limits import believe
+from exoid.fitting.result.fit_result import Estimate
 from exoid.mismatch.conclude.cannot_tell import chance, faint, luck, unlike_a_leg, vague
 from exoid.mismatch.conclude.false_alarm import Chance
 from exoid.mismatch.novel.dictionary import dictionary
@@ -45,8 +46,19 @@ def test_what_leaves_no_human_leg_is_no_claim():
     """As stiffening ends and a cube in the place of a cubic spring that is slack at 46 deg."""
     belief = believe(Subject(kind="leg", body_mass=75.0, height=1.78))
     expected = 26.8  # 1/s^2, m l g / J of a person of this size
-    assert "no leg" in unlike_a_leg(belief, 19.1, 17.9)[0]
-    assert unlike_a_leg(belief, 17.9, 19.1) == []  # it was no leg before, and less of one
-    assert unlike_a_leg(belief, 19.1, 19.0) == []  # nor is it one by chance, as with a gyro's scale
-    assert unlike_a_leg(belief, expected, 25.0) == []  # as scattered as people are
-    assert unlike_a_leg(believe(Subject(kind="leg")), 19.1, 17.9) == []
+
+    def told(value: float | None, error: float | None = 0.4):
+        return Estimate("m l g / J", "gravity", "1/s^2", value, error)
+
+    assert "no leg" in unlike_a_leg(belief, told(19.1), told(17.9))[0]
+    assert "no leg" in unlike_a_leg(belief, told(19.1), told(17.9, None))[0]  # on its limit
+    others = [
+        (17.9, 19.1, 0.4),  # it was no leg before, and less of one
+        (19.1, 19.0, 0.4),  # nor is it one by chance, as with a gyro's scale
+        (expected, 25.0, 0.4),  # as scattered as people are
+        (19.1, 17.9, 3.0),  # it may be one: the recording hardly tells
+        (19.1, None, None),
+    ]
+    for before, after, error in others:
+        assert unlike_a_leg(belief, told(before), told(after, error)) == []
+    assert unlike_a_leg(believe(Subject(kind="leg")), told(19.1), told(17.9)) == []

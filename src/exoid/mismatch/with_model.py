@@ -13,7 +13,15 @@ from exoid.fitting.model.coordinates import leg_parameters, torque_amplitudes
 from exoid.fitting.result.fit_result import Estimate, FitResult
 from exoid.mismatch.answer.diagnosis import Diagnosis, Parameter
 from exoid.mismatch.conclude.asserted import same_cause
-from exoid.mismatch.conclude.rivals import by_the_fits, with_rivals, words
+from exoid.mismatch.conclude.cannot_tell import unlike_a_leg
+from exoid.mismatch.conclude.rivals import (
+    advice,
+    by_the_fits,
+    likely,
+    suspects,
+    with_rivals,
+    words,
+)
 from exoid.mismatch.novel.formula import fitted_words
 from exoid.mismatch.screen.effect import named as named_values
 from exoid.mismatch.screen.hypothesis import Hypothesis
@@ -41,24 +49,48 @@ def with_model(
     work = just_made(found)
     wanted = extended(found, work.best.candidate)
     if not wanted:
-        before = with_rivals(found.before, work, work.found.base)
-        said = before.notes[: len(before.notes) - len(found.before.notes)]
-        reasons = [*found.reasons, *(each.rstrip(".") for each in said)]
-        booked, suspected = by_the_fits(found, None)
-        return replace(found, before=before, reasons=reasons, booked=booked, suspected=suspected)
+        return by_eq9(found)
     told("fitting the model with what was found")
     try:
         after = fit(named, multistart=STARTS, terms=wanted, near=leg_of(work), **options)
     except ArithmeticError:
         after = None
-    if after is not None and after.follows:
-        return told_by(found, with_rivals(after, work, work.best))
-    if found.before.follows:
+    if reasons := doubts(found, after):
+        return by_eq9(unclaimed(found, reasons))
+    if after is None or not after.follows:
         return found
+    return told_by(found, with_rivals(after, work, work.best))
+
+
+def doubts(found: Diagnosis, after: FitResult | None) -> list[str]:
+    """Why the model with what was found is no answer."""
+    if after is not None and after.follows and after.basis is not None:
+        gravity = (each.ratios["gravity_over_inertia"] for each in (found.before, after))
+        return unlike_a_leg(after.basis.problem.belief, *gravity)
+    if found.before.follows:
+        return []
     cause = words(found.selected) or "a formula"
-    why = f"{cause} explains most, but with it the model is still astray"
+    return [f"{cause} explains most, but with it the model is still astray"]
+
+
+def unclaimed(found: Diagnosis, reasons: list[str]) -> Diagnosis:
+    """The same without what was found, which is only what it may be."""
+    own, best = just_made(found).found, just_made(found).best
+    each = likely(own)
     nothing: dict[str, Any] = {"findings": [], "novel": False, "formula": None}
-    return replace(found, verdict="cannot_tell", reasons=[why], **nothing)
+    suspected, then = suspects(own, each, best), advice(each[:2], "cannot_tell", None)
+    more: dict[str, Any] = {"suspected": suspected, "advice": then}
+    return replace(found, verdict="cannot_tell", reasons=reasons, **nothing, **more)
+
+
+def by_eq9(found: Diagnosis) -> Diagnosis:
+    """The same with the numbers of Eq. 9 alone, and what others would make of them."""
+    work = just_made(found)
+    before = with_rivals(found.before, work, work.found.base)
+    said = before.notes[: len(before.notes) - len(found.before.notes)]
+    reasons = [*found.reasons, *(each.rstrip(".") for each in said)]
+    booked, suspected = by_the_fits(found, None)
+    return replace(found, before=before, reasons=reasons, booked=booked, suspected=suspected)
 
 
 def told_by(found: Diagnosis, after: FitResult) -> Diagnosis:

@@ -3,6 +3,7 @@
 import numpy as np
 
 from exoid.fitting.model.belief import Belief
+from exoid.fitting.result.fit_result import Estimate
 from exoid.fitting.result.remarks.anatomy_remarks import from_anatomy, unlike_anatomy
 from exoid.mismatch.conclude.false_alarm import Chance
 from exoid.mismatch.evidence.prediction import Proof
@@ -131,17 +132,21 @@ def faint(square: float, causes: int) -> list[str]:
     ]
 
 
-def unlike_a_leg(belief: Belief, before: float, after: float) -> list[str]:
+def unlike_a_leg(belief: Belief, before: Estimate, after: Estimate) -> list[str]:
     """That what would be missing leaves a leg that nobody has, and less of one than Eq. 9 alone.
 
     Springs and gravity make up for each other: what is not the physics that it is called drives
-    m l g / J away, from `before` to `after` [1/s^2], and by more than it may by chance.
+    m l g / J away, from `before` to `after`, and by more than it may by chance.
     """
-    if abs(from_anatomy(belief, after)) < abs(from_anatomy(belief, before)) + FARTHER:
+    if before.value is None or after.value is None:
+        return []
+    error = after.standard_error or 0.0
+    known, now = (abs(from_anatomy(belief, one, error)) for one in (before.value, after.value))
+    if now < known + FARTHER:
         return []
     return [
         f"what explains it best leaves a leg that is no leg: {each}. Without it, it is nearer"
-        for each in unlike_anatomy(belief, after)
+        for each in unlike_anatomy(belief, after.value, error)
     ]
 
 

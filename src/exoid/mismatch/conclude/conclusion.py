@@ -6,7 +6,7 @@ import numpy as np
 
 from exoid.fitting.result.fit_result import FitResult
 from exoid.fitting.result.remarks.anatomy_remarks import unlike_anatomy
-from exoid.mismatch.answer.diagnosis import Diagnosis, Finding, NovelTorque, Suspect, Verdict
+from exoid.mismatch.answer.diagnosis import Diagnosis, Finding, NovelTorque, Verdict
 from exoid.mismatch.conclude.asserted import (
     certain_of,
     equivalents,
@@ -24,7 +24,6 @@ from exoid.mismatch.conclude.cannot_tell import (
     luck,
     once,
     too_little,
-    unlike_a_leg,
     unrelaxed,
     unsure,
     vague,
@@ -37,13 +36,20 @@ from exoid.mismatch.conclude.numbers import (
     booked,
     gyro_bias,
     leg_of,
-    moved,
     parameters_of,
     pinned,
     taken_in,
     weighed,
 )
-from exoid.mismatch.conclude.rivals import hidden, of_hidden, words
+from exoid.mismatch.conclude.rivals import (
+    SUSPECTS,
+    advice,
+    hidden,
+    likely,
+    of_hidden,
+    suspects,
+    words,
+)
 from exoid.mismatch.conclude.twins import named_alike
 from exoid.mismatch.evidence.location import Location
 from exoid.mismatch.evidence.prediction import Proof
@@ -58,14 +64,6 @@ from exoid.mismatch.search.resample import inclusion
 from exoid.mismatch.sensors.agreement import BIAS
 from exoid.physics.library import library
 from exoid.physics.term import Term, name_of
-
-SUSPECTS = 4  # causes of which it is said what they would change
-SUSPECT = 0.5  # share of the mismatch that a cause must explain to be worth a recording
-REPEAT = (
-    "Repeat the same movement several times: what comes back each time is physics, what does not "
-    "was an event."
-)
-ONE_AT_A_TIME = "Change one thing at a time (speed, angle, load) and watch which moves the torque."
 
 
 def concluded(
@@ -96,7 +94,7 @@ def concluded(
     verdict = "mismatch" if biased else verdict
     if verdict == "none":
         reasons = [*of_zeros(result, prepared), *of_what_hides(result)]
-    likely = unseen or [one for one in found.singles if found.followed(one) > SUSPECT]
+    maybe = unseen or likely(found)
     left = not explains_it(found, best) or formula
     doubts = []
     if left:
@@ -106,7 +104,7 @@ def concluded(
         verdict, reasons = "cannot_tell", doubts
     novel = verdict == "mismatch" and formula is not None
     selected = [*named_terms(found, best, certain), *biased]
-    suspected = likely if verdict == "cannot_tell" else equal if len(equal) > 1 else []
+    suspected = maybe if verdict == "cannot_tell" else equal if len(equal) > 1 else []
     return Diagnosis(
         verdict=verdict,
         reasons=reasons,
@@ -133,7 +131,7 @@ def concluded(
         sensors=prepared.sensors.errors,
         before=result,
         suspected=suspects(found, suspected, best),
-        advice=[] if too_little(prepared) else advice(equal or likely[:2], verdict, formula),
+        advice=[] if too_little(prepared) else advice(equal or maybe[:2], verdict, formula),
         workings=Workings(found, best),
     )
 
@@ -145,12 +143,6 @@ def novel_torque(found: Found, formula: Formula, best: Optimum) -> NovelTorque:
         angle, velocity = np.asarray(best.motion)[0].T
         once = formula.moment_of(angle, velocity, np.asarray(found.prepared.seen.time)[0])
     return NovelTorque(formula.words, formula.explained, formula.known, once)
-
-
-def suspects(found: Found, each: list[Optimum], best: Optimum) -> list[Suspect]:
-    """What the likeliest causes would make of the leg's numbers; the one that is named is first."""
-    each = sorted(each, key=lambda one: one is not best)[:SUSPECTS]
-    return [Suspect(names(one), moved(found, found.base, one)) for one in each]
 
 
 def of_zeros(result: FitResult, prepared: PreparedRecording) -> list[str]:
@@ -241,14 +233,8 @@ def judge(
         *faint(found.base.square / found.yardstick.samples, claimed_at_once(found, best)),
         *chance(repeated),
         *luck(lucky),
-        *unlike_a_leg(prepared.problem.belief, gravity(found, found.base), gravity(found, best)),
     ]
     return ("cannot_tell", doubts) if doubts else ("mismatch", [])
-
-
-def gravity(found: Found, one: Optimum) -> float:
-    """m l g / J of a candidate [1/s^2]."""
-    return float(leg_of(found, one).gravity)
 
 
 def claimed_at_once(found: Found, best: Optimum) -> int:
@@ -315,15 +301,3 @@ def by_share(found: Found, selected: list[str]) -> list[str]:
     """Of two effects the one first that explains more by itself."""
     alone = {names(one)[-1]: one.square for one in found.pinned}
     return sorted(selected, key=lambda name: alone.get(name, np.inf))
-
-
-def advice(rivals: list[Optimum], verdict: Verdict, formula: Formula | None) -> list[str]:
-    """What to record next, to tell `rivals` apart."""
-    if verdict == "none":
-        return []
-    if formula is not None:
-        return [REPEAT, ONE_AT_A_TIME]
-    terms = dict.fromkeys(term for one in rivals for term in one.candidate.terms)
-    if verdict == "mismatch" and len(rivals) < 2 and not any(term.twin for term in terms):
-        return []
-    return [f"To tell {term.title} apart: {term.isolate}." for term in terms] or [REPEAT]

@@ -6,24 +6,43 @@ import numpy as np
 
 from exoid.fitting.result.fit_result import RIVALS, Estimate, FitResult
 from exoid.fitting.result.remarks.slack_angle import BENT, leaning
-from exoid.mismatch.answer.diagnosis import Booked, Diagnosis, Suspect
+from exoid.mismatch.answer.diagnosis import Booked, Diagnosis, Suspect, Verdict
 from exoid.mismatch.conclude.numbers import moved
 from exoid.mismatch.evidence.yardstick import APART
+from exoid.mismatch.novel.formula import Formula
 from exoid.mismatch.screen.hypothesis import Optimum
 from exoid.mismatch.search.found import Found, Workings, names
 
 FELT = 2.0  # standard errors by which a cause that is hardly seen must move a number
 LARGE = 0.1  # share of the variance, from which on a cause is worth a word
+SUSPECTS = 4  # causes of which it is said what they would change
+SUSPECT = 0.5  # share of the mismatch that a cause must explain to be worth a recording
+REPEAT = (
+    "Repeat the same movement several times: what comes back each time is physics, what does not "
+    "was an event."
+)
+ONE_AT_A_TIME = "Change one thing at a time (speed, angle, load) and watch which moves the torque."
 SLACK = f"a spring that is slack up to {np.degrees(BENT):.0f} deg from full extension"
 OF_RATIO = {"stiffness": "stiffness_over_inertia", "damping": "damping_over_inertia"}
+
+
+def likely(found: Found) -> list[Optimum]:
+    """The single causes that explain enough of the mismatch to be worth a recording."""
+    return [one for one in found.singles if found.followed(one) > SUSPECT]
+
+
+def suspects(found: Found, each: list[Optimum], best: Optimum) -> list[Suspect]:
+    """What the likeliest causes would make of the leg's numbers; the one that is named is first."""
+    each = sorted(each, key=lambda one: one is not best)[:SUSPECTS]
+    return [Suspect(names(one), moved(found, found.base, one)) for one in each]
 
 
 def hidden(found: Found, result: FitResult) -> list[Optimum]:
     """Causes that the data prefer to Eq. 9 alone, yet that change too little to be claimed: Eq. 9
     takes nearly all of them for something else, and its numbers are wrong by as much.
     """
-    likely = [one for one in found.singles if found.evidence(one) > APART]
-    return [one for one in likely if felt(result, moved(found, found.base, one))]
+    seen = [one for one in found.singles if found.evidence(one) > APART]
+    return [one for one in seen if felt(result, moved(found, found.base, one))]
 
 
 def felt(result: FitResult, numbers: list[Booked]) -> bool:
@@ -143,6 +162,18 @@ def value_of(name: str, fit: FitResult) -> float | None:
     if gravity.value is None or inertia.value is None:
         return None
     return gravity.value * inertia.value
+
+
+def advice(rivals: list[Optimum], verdict: Verdict, formula: Formula | None) -> list[str]:
+    """What to record next, to tell `rivals` apart."""
+    if verdict == "none":
+        return []
+    if formula is not None:
+        return [REPEAT, ONE_AT_A_TIME]
+    terms = dict.fromkeys(term for one in rivals for term in one.candidate.terms)
+    if verdict == "mismatch" and len(rivals) < 2 and not any(term.twin for term in terms):
+        return []
+    return [f"To tell {term.title} apart: {term.isolate}." for term in terms] or [REPEAT]
 
 
 def words(terms: list[str]) -> str:

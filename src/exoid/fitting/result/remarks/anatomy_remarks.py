@@ -19,9 +19,9 @@ def of_anatomy(belief: Belief, gravity: float) -> list[str]:
     ]
 
 
-def unlike_anatomy(belief: Belief, gravity: float) -> list[str]:
-    """That they contradict each other; `gravity` as m l g / J."""
-    off = from_anatomy(belief, gravity)
+def unlike_anatomy(belief: Belief, gravity: float, error: float = 0.0) -> list[str]:
+    """That they contradict each other; `gravity` as m l g / J, with its standard error [1/s^2]."""
+    off = from_anatomy(belief, gravity, error)
     if abs(off) < STRANGE or belief.expected is None:
         return []
     expected, scatter = length_of(belief.expected)
@@ -32,15 +32,15 @@ def unlike_anatomy(belief: Belief, gravity: float) -> list[str]:
     ]
 
 
-def from_anatomy(belief: Belief, gravity: float) -> float:
-    """How far J / (m l) is from what anatomy expects, in standard deviations; 0 where it expects
-    nothing.
+def from_anatomy(belief: Belief, gravity: float, error: float = 0.0) -> float:
+    """How far J / (m l) is from what anatomy expects, in standard deviations of legs and of
+    m l g / J; 0 where it expects nothing.
     """
     expected = belief.expected
     if expected is None or expected.covariance is None or belief.by_hand or gravity <= 0:
         return 0.0
     length, scatter = length_of(expected)
-    return float(np.log(GRAVITY / gravity / length)) / scatter
+    return float(np.log(GRAVITY / gravity / length)) / float(np.hypot(scatter, error / gravity))
 
 
 def length_of(expected: ExpectedLeg) -> tuple[float, float]:
