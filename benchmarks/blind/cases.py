@@ -19,7 +19,7 @@ from .effects import Effect, draw_effect
 from .motion import TICK, Motion, perform
 from .refit import Ratio, ratio
 from .scenario import Scenario, draw_scenario, possible, readings
-from .truth import truth_entry
+from .truth import Concealed, truth_entry
 
 LEAST, MOST = 2.0, 15.0  # what remains over the noise floor
 PAIRED = (2.5, 7.0)  # of each of two effects alone
@@ -36,16 +36,6 @@ class Case:
     name: str
     recording: Recording
     truth: dict[str, Any]
-
-
-@dataclass(frozen=True, eq=False)
-class Concealed:
-    """Effects with their sizes, the motion that they make and how far it is from a baseline."""
-
-    effects: tuple[Effect, ...]
-    sizes: tuple[float, ...]
-    motion: Motion
-    ratio: Ratio
 
 
 def name_of_case(seed: int, number: int) -> str:

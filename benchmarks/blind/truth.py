@@ -1,12 +1,13 @@
 """The entry of a case in a truth file: what is concealed in it, and how far it shows."""
 
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass
+from typing import Any
 
 from .deck import Card
+from .effects import Effect
+from .motion import Motion
+from .refit import Ratio
 from .scenario import Scenario
-
-if TYPE_CHECKING:
-    from .cases import Concealed
 
 # Another name that is as right: exactly the same motion, or a form that holds the true one.
 AS_RIGHT = {
@@ -20,8 +21,18 @@ NEARLY = {
 SUBTLE, MODERATE = 3.0, 8.0  # ratios up to which an effect is called so
 
 
+@dataclass(frozen=True, eq=False)
+class Concealed:
+    """Effects with their sizes, the motion that they make and how far it is from a baseline."""
+
+    effects: tuple[Effect, ...]
+    sizes: tuple[float, ...]
+    motion: Motion
+    ratio: Ratio
+
+
 def truth_entry(
-    name: str, card: Card, scenario: Scenario, concealed: "Concealed", extra: dict[str, Any]
+    name: str, card: Card, scenario: Scenario, concealed: Concealed, extra: dict[str, Any]
 ) -> dict[str, Any]:
     """All that is known of a case; `residual_ratio` is with noise, 1 where nothing is left."""
     done = {what: rounded(values) for what, values in extra.items()}
