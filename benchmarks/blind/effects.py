@@ -140,6 +140,9 @@ RECIPES = {
     ),
     "polycentric_axis": Recipe(0.003, 0.25, {"change": EXACTLY}, signed=True),
     "quadratic_drag": Recipe(0.001, 0.3, {"coefficient": EXACTLY}),
+    "slack_cubic_stiffness": Recipe(
+        0.01, 3.0, {"coefficient": EXACTLY}, {"slack_angle": (-1.2, -0.3)}, signed=True
+    ),
     "sensor_skew": Recipe(0.0015, 0.02, {"skew": EXACTLY}, signed=True),
     "stiffness_rest_angle": Recipe(0.03, 1.1, {"rest_angle": EXACTLY}, signed=True),
     "stretch_reflex": Recipe(
