@@ -9,6 +9,7 @@ import pyarrow.parquet as pq
 import pytest
 
 from exoid.studies.engine import run_study as module
+from exoid.studies.engine.kept.parts import DONE, FOLDER, keys_of
 from exoid.studies.engine.settings import Settings
 from study_folders import study, table_of
 
@@ -65,6 +66,16 @@ def people(folder: Path) -> Path:
     (folder / "P91_left.csv").write_text(table_of(3))
     (folder / "participants.csv").write_text("id,body_mass_kg,group\nP00,70,a\nP01,,b\n")
     return folder
+
+
+def parts(results: Path, step: str = "drops") -> list[Path]:
+    """What was kept of a step."""
+    return sorted((results / FOLDER).glob(f"{step}-*/{DONE}-*.parquet"))
+
+
+def kept(results: Path, step: str = "drops") -> set[str]:
+    """The keys of all recordings that a step was done with."""
+    return {key for part in parts(results, step) for key in keys_of(part)}
 
 
 def copied(folder: Path, there: Path) -> Path:

@@ -113,20 +113,21 @@ def bare(folder: Path, count: int, settings: Settings) -> Taken:
     from tempfile import TemporaryDirectory
 
     from exoid.studies.engine.kept.item import Item
-    from exoid.studies.engine.kept.parts import FOLDER
     from exoid.studies.engine.plan import plan
     from exoid.studies.engine.read_contents import read_contents
+    from exoid.studies.engine.settings import TOGETHER
     from exoid.studies.engine.work import work
 
     found = open_dataset(folder)
-    items = [each for each in read_contents(found, "") if isinstance(each, Item)]
-    batches = plan(items, 1, settings.together)
+    items = [each for each in read_contents(found) if isinstance(each, Item)]
+    batches = {step: plan(items, 1, TOGETHER[step]) for step in settings.steps}
     with TemporaryDirectory() as there:
-        (Path(there) / FOLDER).mkdir()
-        work(batches[-1], found, settings, "", Path(there))
+        for step, each in batches.items():
+            work(each[-1], found, step, settings, Path(there) / step)
 
         def all_of_them() -> None:
-            for each in batches:
-                work(each, found, settings, "", Path(there))
+            for step, each in batches.items():
+                for batch in each:
+                    work(batch, found, step, settings, Path(there) / step)
 
         return timed("batches without the engine", count, all_of_them)

@@ -7,10 +7,9 @@ import sys
 import pytest
 
 from exoid.studies.dataset.open_dataset import open_dataset
-from exoid.studies.engine.kept.parts import kept, parts
 from exoid.studies.engine.run_study import run_study
 from killed_runs import assert_nothing_is_lost_or_there_twice, cluster, started, until, workers_of
-from study_runs import COMPUTED, DROPS, contents, in_this_process
+from study_runs import COMPUTED, DROPS, contents, in_this_process, kept, parts
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")

@@ -10,11 +10,11 @@ import pytest
 
 from exoid.studies.dataset.open_dataset import open_dataset
 from exoid.studies.engine import run_study as module
-from exoid.studies.engine.kept.parts import FOLDER, parts
+from exoid.studies.engine.kept.parts import folder_of
 from exoid.studies.engine.plan import Batch
 from exoid.studies.engine.run_study import run_study
 from exoid.studies.engine.work import work
-from study_runs import COMPUTED, DROPS, NAMES, contents, copied, rows
+from study_runs import COMPUTED, DROPS, NAMES, contents, copied, parts, rows
 
 
 def test_every_recording_is_one_row_and_every_quantity_another(expected):
@@ -97,9 +97,10 @@ def test_a_disk_that_fills_up_ends_the_run_which_then_goes_on(
     monkeypatch.setattr(pq, "write_table", filling)
     with pytest.raises(OSError, match="No space left") as told:
         run_study(open_dataset(folder), tmp_path, DROPS)
-    assert told.value.filename == str(tmp_path / FOLDER)
+    where = folder_of(tmp_path, "drops", DROPS.digest("drops"))
+    assert told.value.filename == str(where)
     assert len(parts(tmp_path)) == 1  # the second batch has quantities, and is not taken for done
-    assert not list((tmp_path / FOLDER).glob(".*"))
+    assert not list(where.glob(".*"))
     monkeypatch.setattr(pq, "write_table", usual)
     run_study(open_dataset(folder), tmp_path, DROPS)
     assert contents(tmp_path) == contents(expected)
@@ -127,6 +128,6 @@ def test_a_batch_whose_worker_was_killed_after_it_was_kept_is_not_computed_again
 ):
     run_study(open_dataset(folder), tmp_path, DROPS)
     before = {part: part.stat().st_mtime_ns for part in parts(tmp_path)}
-    monkeypatch.setattr("exoid.studies.engine.kept.parts.kept", lambda results: {})
+    monkeypatch.setattr("exoid.studies.engine.kept.parts.kept", lambda folder: {})
     run_study(open_dataset(folder), tmp_path, DROPS)
     assert {part: part.stat().st_mtime_ns for part in parts(tmp_path)} == before

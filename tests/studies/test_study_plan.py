@@ -6,7 +6,7 @@ from pathlib import Path
 from exoid.studies.dataset.entry import Entry, Participant
 from exoid.studies.engine.kept.item import Item
 from exoid.studies.engine.plan import FIRST, LARGEST, SMALLEST, Batch, plan, unlike
-from exoid.studies.engine.settings import Settings
+from exoid.studies.engine.settings import TOGETHER
 
 
 def item(name: str, size: int = 1000, recording: str = "") -> Item:
@@ -40,9 +40,8 @@ def test_the_first_batch_of_each_worker_is_small_so_that_something_is_kept_soon(
 
 def test_every_diagnosis_is_kept_and_told_of_when_it_is_done():
     items = [item(f"{n}.csv") for n in range(200)]
-    together = Settings(("drops", "fit", "diagnose")).together
-    assert {len(batch.items) for batch in plan(items, 2, together)} == {1}
-    assert max(len(b.items) for b in plan(items, 2, Settings(("drops", "fit")).together)) == 25
+    assert {len(batch.items) for batch in plan(items, 2, TOGETHER["diagnose"])} == {1}
+    assert max(len(b.items) for b in plan(items, 2, TOGETHER["fit"])) == 25
 
 
 def test_of_recordings_that_hold_the_same_the_first_is_computed():

@@ -9,19 +9,20 @@ SELDOM = 0.2  # a second, below which one counts seconds
 
 
 @contextmanager
-def progress(what: str) -> Iterator[Callable[[int, int], None]]:
-    """A function that hears how many are done, of how many."""
+def progress(what: str) -> Iterator[Callable[[str, int, int], None]]:
+    """A function that hears with how many a step is done, of how many; of none as it begins."""
     if not sys.stderr.isatty():
-        yield lambda done, of: None
+        yield lambda step, done, of: None
         return
     from rich.console import Console
 
     with Console(stderr=True).status("starting") as shown:
-        began: list[float] = []
+        began = [time.monotonic()]
 
-        def told(done: int, of: int) -> None:
-            began[:] = began or [time.monotonic()]
-            shown.update(line(what, done, of, time.monotonic() - began[0]))
+        def told(step: str, done: int, of: int) -> None:
+            if not done:
+                began[0] = time.monotonic()
+            shown.update(f"{step}: {line(what, done, of, time.monotonic() - began[0])}")
 
         yield told
 

@@ -19,15 +19,15 @@ from exoid.studies.engine.reason import reason_of
 from exoid.studies.engine.settings import Settings
 
 
-def measure(batch: Batch, dataset: Dataset, settings: Settings) -> list[Measured]:
-    """All steps of every recording; one that fails is told among the others."""
+def measure(batch: Batch, dataset: Dataset, step: str, settings: Settings) -> list[Measured]:
+    """A step of every recording; one that fails is told among the others."""
     each = [read(item, dataset) for item in batch.items]
     there = [one for one in each if one.recording is not None]
-    for step in settings.steps:
-        if step == "fit":
-            fitted(there, dict(settings.fit))
-        for one in there if step != "fit" else ():
-            take(one, step, lambda one=one, step=step: of_step(step, one.recording, settings))
+    if step == "fit":
+        fitted(there, dict(settings.fit))
+        return each
+    for one in there:
+        take(one, lambda one=one: of_step(step, one.recording, settings))
     return each
 
 
@@ -36,16 +36,15 @@ def read(item: Item, dataset: Dataset) -> Measured:
         return Measured(item, recording_of(item.entry, dataset))
     except Exception as fault:
         said = reason_of(fault).removeprefix(f"{visible(str(item.entry.path))}: ")
-        return Measured(item, faults=[for_all(said, item.entry.name)])
+        return Measured(item, fault=for_all(said, item.entry.name))
 
 
-def take(one: Measured, step: str, work: Callable[[], Iterable[Row]]) -> None:
+def take(one: Measured, work: Callable[[], Iterable[Row]]) -> None:
     """Add the rows of a step, or why it has none."""
     try:
         one.rows += work()
     except Exception as fault:
-        said = for_all(reason_of(fault), one.item.entry.name)
-        one.faults.append(f"{step}: {said}")
+        one.fault = for_all(reason_of(fault), one.item.entry.name)
 
 
 def of_step(step: str, recording: Any, settings: Settings) -> Iterable[Row]:
@@ -65,9 +64,9 @@ def fitted(each: list[Measured], options: dict[str, Any]) -> None:
     recordings = [one.recording for one in each if one.recording is not None]
     results = with_sound_programs(lambda: fit_many(recordings, **options))
     for one, result in zip(each, results, strict=True):
-        take(one, "fit", lambda result=result: of_fit(sound(result)))
+        take(one, lambda result=result: of_fit(sound(result)))
         if isinstance(result, FitResult) and not result.follows:
-            one.faults.append(f"fit: {UNLIKE}: {result.astray}")
+            one.fault = f"{UNLIKE}: {result.astray}"
 
 
 def sound(result: FitResult | Exception) -> FitResult:

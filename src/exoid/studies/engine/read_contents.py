@@ -12,16 +12,16 @@ from exoid.studies.engine.kept.item import Item, Unread
 BESIDE = ("_channels.tsv", "_events.tsv", "_motion.json")
 
 
-def read_contents(dataset: Dataset, settings: str) -> list[Item | Unread]:
-    """Every recording with its keys, `settings` being their digest.
+def read_contents(dataset: Dataset) -> list[Item | Unread]:
+    """Every recording with its keys.
 
-    The key of a result is a hash of the recording, of what stands beside it, of what layout and
-    table of participants say of it, and of the settings; not of its name.
+    The key of its results is a hash of the recording, of what stands beside it, and of what layout
+    and table of participants say of it; not of its name.
     """
-    return [content_of(entry, dataset, settings) for entry in dataset.entries]
+    return [content_of(entry, dataset) for entry in dataset.entries]
 
 
-def content_of(entry: Entry, dataset: Dataset, settings: str) -> Item | Unread:
+def content_of(entry: Entry, dataset: Dataset) -> Item | Unread:
     try:
         content = entry.path.read_bytes()
         others = [path.read_bytes() for path in (*entry.defaults, *beside(entry.path))]
@@ -31,7 +31,7 @@ def content_of(entry: Entry, dataset: Dataset, settings: str) -> Item | Unread:
     said = (entry.participant, entry.session, entry.side, entry.task, entry.run, entry.path.suffix)
     recording = hashlib.sha256(content).hexdigest()
     row = (person.body_mass, person.height, person.age, sorted(person.more.items()))
-    digest = hashlib.sha256(repr((recording, said, row, settings)).encode())
+    digest = hashlib.sha256(repr((recording, said, row)).encode())
     for each in others:
         digest.update(hashlib.sha256(each).digest())
     return Item(entry, person, recording[:32], digest.hexdigest()[:32], len(content))

@@ -15,7 +15,7 @@ from exoid.studies.engine.kept.item import Item, Unread
 from exoid.studies.engine.outcome import Outcome, outcome
 from exoid.studies.engine.plan import Batch, plan, unlike
 from exoid.studies.engine.read_contents import read_contents
-from exoid.studies.engine.settings import Settings
+from exoid.studies.engine.settings import TOGETHER, Settings
 from exoid.studies.engine.work import work
 from exoid.studies.engine.workers import workers
 
@@ -27,39 +27,42 @@ def run_study(
     *,
     count: int | None = None,
     scheduler: str | None = None,
-    told: Callable[[int, int], None] = lambda done, of: None,
+    told: Callable[[str, int, int], None] = lambda step, done, of: None,
 ) -> Outcome:
-    """Compute what is missing in the folder `results`, and write the tables of the study there.
+    """Compute what is missing in the folder `results`, one step of all recordings after the other,
+    and write the tables of the study there after each step.
 
-    `count` workers of this machine, or those of `scheduler`. `told` hears how many recordings are
-    done, of how many.
+    `count` workers of this machine, or those of `scheduler`. `told` hears of a step with how many
+    recordings it is done, of how many.
 
     **Raises** `ValueError` where recordings of the study lie in `results`.
     """
     check_apart(dataset, results)
     require("pyarrow", "the tables of a study are written", "study")
     from exoid.studies.engine.kept.assemble import assemble
-    from exoid.studies.engine.kept.parts import FOLDER, kept
+    from exoid.studies.engine.kept.parts import FOLDER, folder_of, missing_in
 
     began = time.monotonic()
     (results / FOLDER).mkdir(parents=True, exist_ok=True)
-    digest = settings.digest
-    contents = read_contents(dataset, digest)
+    contents = read_contents(dataset)
     items, again = unlike(each for each in contents if isinstance(each, Item))
-    there = kept(results)
-    missing = [item for item in items if item.key not in there]
-    submitted = partial(work_of, dataset=dataset, rest=(settings, digest, results.absolute()))
-    lost = []
+    folders = {step: folder_of(results, step, settings.digest(step)) for step in settings.steps}
+    missing = missing_in(folders, items)
+    names = {item.key: item.entry.name for item in items}
+    write = partial(assemble, results, folders, names, dataset)
+    others = {"": rows_of_no_step(contents, again)}
     if missing:
         with workers(count, scheduler, settings.memory) as client:
-            hear = heard(told, len(missing))
-            batches = plan(missing, count_of(client), settings.together)
-            lost = carry_out(client, batches, partial(submitted, client), hear)
-        there = kept(results)
-    found = by_part(items, there)
-    others = rows_without_part(contents, again, lost, digest)
-    table = assemble(results, found, others, dataset)
-    return outcome(table, settings.steps, len(missing), time.monotonic() - began)
+            for step, left in missing.items():
+                if step != settings.steps[0]:
+                    write(others)  # so that what is there can be asked while this step goes on
+                batches = plan(left, count_of(client), TOGETHER[step])
+                rest = (step, settings, folders[step].absolute())
+                submit = partial(work_of, client, dataset=dataset, rest=rest)
+                lost = carry_out(client, batches, submit, heard(told, step, len(left)))
+                others[step] = rows_of_lost(lost)
+    computed = {item.key for left in missing.values() for item in left}
+    return outcome(write(others), settings.steps, len(computed), time.monotonic() - began)
 
 
 def check_apart(dataset: Dataset, results: Path) -> None:
@@ -81,33 +84,20 @@ def work_of(client: Any, batch: Batch, *, dataset: Dataset, rest: tuple) -> Any:
     return client.submit(work, batch, own, *rest, pure=False)
 
 
-def heard(told: Callable[[int, int], None], whole: int) -> Callable[[int], None]:
+def heard(told: Callable[[str, int, int], None], step: str, whole: int) -> Callable[[int], None]:
     """A function that counts what is done, and tells."""
     done = [0]
 
     def more(count: int) -> None:
         done[0] += count
-        told(done[0], whole)
+        told(step, done[0], whole)
 
-    told(0, whole)
+    told(step, 0, whole)
     return more
 
 
-def by_part(items: list[Item], there: dict[str, Path]) -> dict[Path, dict[str, str]]:
-    """The keys that every part has for this study, with the names of the recordings."""
-    found: dict[Path, dict[str, str]] = {}
-    for item in items:
-        if item.key in there:
-            found.setdefault(there[item.key], {})[item.key] = item.entry.name
-    return dict(sorted(found.items()))
-
-
-def rows_without_part(
-    contents: list[Item | Unread], again: dict[str, str], lost: list[Item], digest: str
-) -> list[dict[str, Any]]:
-    """The rows of what was not computed: files that are not read, that hold the same as another, or
-    that took their worker down.
-    """
+def rows_of_no_step(contents: list[Item | Unread], again: dict[str, str]) -> list[dict[str, Any]]:
+    """The rows of files that are not read, or that hold the same as another."""
     from exoid.studies.engine.kept.measured import Measured
     from exoid.studies.engine.kept.tables import recording_row
 
@@ -115,8 +105,16 @@ def rows_without_part(
     for each in contents:
         if isinstance(each, Unread):
             item = Item(each.entry, Participant(""), "", "", 0)
-            rows.append(recording_row(Measured(item, faults=[each.reason]), digest))
+            rows.append(recording_row(Measured(item, fault=each.reason)))
         elif each.entry.name in again:
-            row = recording_row(Measured(each), digest)
+            row = recording_row(Measured(each))
             rows.append(row | {"status": "duplicate", "duplicate_of": again[each.entry.name]})
-    return rows + [recording_row(Measured(item, faults=[TAKEN_DOWN]), digest) for item in lost]
+    return rows
+
+
+def rows_of_lost(lost: list[Item]) -> list[dict[str, Any]]:
+    """The rows of recordings that took their worker down."""
+    from exoid.studies.engine.kept.measured import Measured
+    from exoid.studies.engine.kept.tables import recording_row
+
+    return [recording_row(Measured(item, fault=TAKEN_DOWN)) for item in lost]

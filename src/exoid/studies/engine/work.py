@@ -1,4 +1,4 @@
-"""The task of a worker: measure a batch, and keep it."""
+"""The task of a worker: a step of a batch, which is kept."""
 
 import gc
 import os
@@ -12,18 +12,18 @@ from exoid.studies.engine.settings import Settings
 OBJECTS = 100_000  # between looks for cycles of them, which take a twentieth of a fit else
 
 
-def work(batch: Batch, dataset: Dataset, settings: Settings, digest: str, results: Path) -> int:
-    """How many recordings were measured, once their rows are kept."""
+def work(batch: Batch, dataset: Dataset, step: str, settings: Settings, folder: Path) -> int:
+    """How many recordings went through a step, once their rows are kept in its folder."""
     from exoid.studies.engine.kept.parts import is_kept, keep
 
-    if is_kept(results, batch.name):
+    if is_kept(folder, batch.name):
         return len(batch.items)
     prepare()
     from exoid.studies.engine.kept.tables import quantities_table, recordings_table
     from exoid.studies.engine.measure import measure
 
-    found = measure(batch, dataset, settings)
-    keep(results, batch.name, recordings_table(found, digest), quantities_table(found))
+    found = measure(batch, dataset, step, settings)
+    keep(folder, batch.name, recordings_table(found), quantities_table(found))
     return len(found)
 
 

@@ -50,9 +50,9 @@ def run(
     """Measure every recording of a data set, and write the tables.
 
     recordings.parquet has a row for every recording, quantities.parquet one for every quantity,
-    segment and recording. A recording that fails is a row with its reason. What was computed is
-    kept: run again, only what is new or has changed is computed, and a run that was killed goes on
-    where it was. Exit code 1: not one recording could be measured.
+    segment and recording. A recording that fails is a row with its reason. What every step
+    computed is kept: run again, only what is new, has changed or was not asked before is computed,
+    and a run that was killed goes on where it was. Exit code 1: none could be measured.
 
     \b
     Examples:

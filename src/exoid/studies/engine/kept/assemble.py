@@ -1,6 +1,6 @@
-"""The two tables of a study, from what its batches kept."""
+"""The two tables of a study, from what its steps kept."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import pyarrow as pa
@@ -9,33 +9,44 @@ import pyarrow.parquet as pq
 from exoid.files.replacing import replacing
 from exoid.studies.dataset.entry import Dataset
 from exoid.studies.dataset.recording_of import person_of
-from exoid.studies.engine.kept.parts import quantities_beside
+from exoid.studies.engine.kept.merge import merge
+from exoid.studies.engine.kept.parts import named, quantities_beside
 from exoid.studies.engine.kept.tables import QUANTITIES, RECORDINGS
 
 ROWS = 1 << 18  # of a group in a file
+Rows = Sequence[Mapping[str, object]]
 
 
 def assemble(
     results: Path,
-    found: Mapping[Path, Mapping[str, str]],
-    others: Iterable[Mapping[str, object]],
+    folders: Mapping[str, Path],
+    names: Mapping[str, str],
     dataset: Dataset,
+    others: Mapping[str, Rows],
 ) -> pa.Table:
     """Write `recordings.parquet` and `quantities.parquet`; the recordings are returned.
 
-    `found` are the keys to take from every part, each with the name that its recording now has;
-    `others` the rows of recordings that have no part. The order is that of names: whatever the
-    order of computing was, the files are the same to the last byte.
+    `folders` has the parts of every step, `names` those that recordings now have by their key,
+    `others` the rows of recordings that have no part of a step, or, under "", of any. The order is
+    that of names and steps: whatever the order of computing was, the files are the same to the last
+    byte.
     """
-    recordings, quantities = [RECORDINGS.empty_table()], [QUANTITIES.empty_table()]
-    for part, names in found.items():
-        recordings.append(renamed(pq.read_table(part), names))
-        quantities.append(renamed(pq.read_table(quantities_beside(part)), names))
-    recordings.append(pa.Table.from_pylist(list(others), RECORDINGS))
-    whole = pa.concat_tables(recordings).sort_by("name").drop_columns(["key"])
+    steps = {"": pa.Table.from_pylist(list(others[""]), RECORDINGS)}
+    quantities = [QUANTITIES.empty_table()]
+    for step, folder in folders.items():
+        lost = pa.Table.from_pylist(list(others.get(step, ())), RECORDINGS)
+        found = named(folder, names)
+        own = [renamed(pq.read_table(part), keys) for part, keys in found.items()]
+        steps[step] = pa.concat_tables([lost, *own])
+        quantities += [
+            renamed(pq.read_table(quantities_beside(part)), keys) for part, keys in found.items()
+        ]
+    settings = " ".join(folder.name for folder in folders.values())
+    whole = merge(steps).sort_by("name").drop_columns(["key"])
+    whole = whole.append_column("settings", pa.repeat(settings, whole.num_rows))
     whole = with_participants(whole, dataset)
-    order = [("name", "ascending"), ("order", "ascending")]
-    each = pa.concat_tables(quantities).sort_by(order).drop_columns(["key", "order"])
+    # The sort is stable: of every name, rows stay in the order of steps, and of each as it told.
+    each = pa.concat_tables(quantities).sort_by("name").drop_columns(["key"])
     put(results / "quantities.parquet", each)
     put(results / "recordings.parquet", whole)  # last: whose quantities are there, too
     return whole

@@ -15,7 +15,7 @@ class Item:
     entry: Entry
     participant: Participant
     recording: str  # hash of the file
-    key: str  # hash of all that its results hang on
+    key: str  # hash of all that is known of it, on which its results hang
     size: int  # bytes
 
 

@@ -1,4 +1,4 @@
-"""A recording with all that was found of it."""
+"""A recording with what a step found of it."""
 
 from dataclasses import dataclass, field
 from typing import Any
@@ -11,12 +11,12 @@ from exoid.studies.engine.kept.quantities import Row
 
 @dataclass
 class Measured:
-    """A recording with all that was found; `faults` say which steps failed, and why."""
+    """A recording with what a step found; `fault` says why the step failed."""
 
     item: Item
     recording: Recording | None = None
     rows: list[Row] = field(default_factory=list)
-    faults: list[str] = field(default_factory=list)
+    fault: str | None = None
 
 
 def facts(one: Measured) -> dict[str, Any]:

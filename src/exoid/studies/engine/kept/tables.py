@@ -25,13 +25,11 @@ RECORDINGS = pa.schema(
         ("device", TEXT),
         *((name, NUMBER) for name in ("body_mass_kg", "height_m", "age_years")),
         ("exoid", TEXT),
-        ("settings", TEXT),
     ]
 )
 QUANTITIES = pa.schema(
     [
         KEY,
-        ("order", COUNT),  # of a part only: of the rows of a recording
         *WHOSE,
         ("segment", COUNT),
         ("step", TEXT),
@@ -43,32 +41,27 @@ QUANTITIES = pa.schema(
 )
 
 
-def recordings_table(each: Iterable[Measured], settings: str) -> pa.Table:
+def recordings_table(each: Iterable[Measured]) -> pa.Table:
     """A row for every recording of a batch."""
-    return pa.Table.from_pylist([recording_row(one, settings) for one in each], RECORDINGS)
+    return pa.Table.from_pylist([recording_row(one) for one in each], RECORDINGS)
 
 
-def recording_row(one: Measured, settings: str) -> dict[str, Any]:
+def recording_row(one: Measured) -> dict[str, Any]:
     return {
         "key": one.item.key,
         **whose(one),
-        "status": "failed" if one.faults else "ok",
-        "reason": " ".join(one.faults),
+        "status": "ok" if one.fault is None else "failed",
+        "reason": one.fault or "",
         "duplicate_of": "",
         "device": "",
         **facts(one),
         "exoid": version("exoid"),
-        "settings": settings,
     }
 
 
 def quantities_table(each: Iterable[Measured]) -> pa.Table:
     """A row for every quantity of a batch."""
-    rows = [
-        {"key": one.item.key, "order": order, **whose(one), **vars(row)}
-        for one in each
-        for order, row in enumerate(one.rows)
-    ]
+    rows = [{"key": one.item.key, **whose(one), **vars(row)} for one in each for row in one.rows]
     return pa.Table.from_pylist(rows, QUANTITIES)
 
 
