@@ -7,7 +7,8 @@ import sys
 import pytest
 from command_line import refusal
 
-from exoid.cli.terminal.progress import lasting, line
+from exoid.cli.terminal import progress as module
+from exoid.cli.terminal.progress import Log, lasting, line
 from study_folders import study
 from study_runs import COMPUTED, NAMES, in_this_process, people
 
@@ -81,6 +82,31 @@ def test_without_its_packages_a_study_names_the_one_extra_that_has_them(
     command = [sys.executable, "-c", without, "study", asked, *map(str, made)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert 'which is missing: pip install "exoid[study]"' in refusal(done)
+
+
+def test_without_a_terminal_a_long_run_has_lines_and_a_short_one_none(
+    command, here, folder, tmp_path, monkeypatch
+):
+    asked = ("study", "run", folder, "--steps", "drops", "-o")
+    assert command(*asked, tmp_path / "short").stderr == ""
+    monkeypatch.setattr(module, "SHORT", 0.0)
+    lines = command(*asked, tmp_path / "long").stderr.splitlines()
+    assert f"exoid: drops: 0 of {COMPUTED} recordings" in lines
+    assert lines[-1].startswith(f"exoid: drops: {COMPUTED} of {COMPUTED} recordings, ")
+
+
+def test_a_log_tells_begins_tenths_and_what_takes_minutes(monkeypatch):
+    now, told = [0.0], []
+    monkeypatch.setattr(module.time, "monotonic", lambda: now[0])
+    monkeypatch.setattr(module.Screen, "tell", lambda screen, line: told.append(line))
+    log = Log()
+    for second, done in ((1, 0), (9, 90), (11, 91), (12, 100), (13, 101), (320, 102), (321, 103)):
+        now[0] = float(second)
+        log.hear(f"{done}", done, 1000)
+    log.hear("next", 0, 1000)
+    assert told == ["100", "102", "next"]
+    log.tell()  # as its timer has it, where nothing more is heard
+    assert told[-1] == "next"
 
 
 def test_progress_tells_rate_and_time_left():

@@ -20,7 +20,8 @@ def test_a_worker_that_is_killed_costs_nothing_but_time(folder, expected, progra
     if running.poll() is None:
         os.kill(victim, signal.SIGKILL)
     said, complaints = running.communicate(timeout=600)
-    assert (running.returncode, complaints) == (0, "")
+    assert running.returncode == 0
+    assert all(each.startswith("exoid: drops: ") for each in complaints.splitlines())
     assert "wrote" in said
     assert contents(tmp_path) == contents(expected)
 
@@ -49,8 +50,8 @@ def test_a_scheduler_that_is_killed_is_told_and_the_next_run_goes_on(
         _, complaints = running.communicate(timeout=600)
     if running.returncode:  # else it was done before
         assert running.returncode == 2
-        assert "the scheduler does not answer any more" in complaints
-        assert complaints.count("\n") == 1
+        assert "the scheduler does not answer any more" in complaints.splitlines()[-1]
+        assert "Traceback" not in complaints
     with in_this_process():
         run_study(open_dataset(folder), results, DROPS)
     assert contents(results) == contents(expected)
@@ -60,5 +61,6 @@ def test_a_scheduler_that_is_not_there_is_told_with_what_to_do(folder, programs,
     running = started(folder, tmp_path, programs, "--scheduler", "tcp://127.0.0.1:9")
     _, complaints = running.communicate(timeout=600)
     assert running.returncode == 2
-    assert complaints.startswith("exoid: tcp://127.0.0.1:9: no scheduler answers there.")
-    assert complaints.count("\n") == 1
+    last = complaints.splitlines()[-1]
+    assert last.startswith("exoid: tcp://127.0.0.1:9: no scheduler answers there.")
+    assert "Traceback" not in complaints
