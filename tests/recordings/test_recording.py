@@ -1,5 +1,9 @@
 """What a Recording refuses, and what it answers about its segments."""
 
+import re
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 
@@ -101,13 +105,38 @@ def test_a_rig_may_turn_further_than_a_knee():
 
 
 @pytest.mark.parametrize(
+    ("made", "words", "message"),
+    [
+        (Subject, {"side": "both"}, "side is 'both'; it can be left or right."),
+        (Protocol, {"torque_frequency": "3/T"}, "torque_frequency is '3/T'; it can be 1/T or 2/T."),
+        (Sensors, {"flip": "both"}, "flip is 'both'; it can be angle or gyro or all."),
+        (Sensors, {"zero": "0"}, "zero is '0'; it can be extended or hanging or unknown."),
+    ],
+)
+def test_a_word_that_a_field_cannot_be_is_refused_where_it_is_said(made, words, message):
+    with pytest.raises(ValueError, match=f"^{re.escape(message)}$"):
+        made(**words)
+
+
+def test_a_kind_that_there_is_none_of_is_refused_where_no_types_are_checked():
+    code = "import exoid; exoid.{}"
+    for made, said in (
+        ("Subject(kind='dog')", "kind is 'dog'; it can be leg or rig."),
+        ("Protocol(kind=('passive', 'rest'))", "kind is 'rest'; it can be passive or active or"),
+    ):
+        done = subprocess.run(
+            [sys.executable, "-c", code.format(made)], capture_output=True, text=True, check=False
+        )
+        assert done.stderr.splitlines()[-1].startswith(f"ValueError: {said}")
+
+
+@pytest.mark.parametrize(
     ("metadata", "message"),
     [
         ({"subject": Subject(height=180.0)}, "height_m is 180 m; it must lie between 0.4 and 2.6"),
         ({"subject": Subject(body_mass=float("nan"))}, "body_mass_kg is nan"),
         ({"subject": Subject(added_mass_distance=0.4)}, "without added_mass_kg"),
         ({"protocol": Protocol(cycle_period=(2.0, 2.0))}, r"lists 2 value\(s\) for 1 segment"),
-        ({"protocol": Protocol(torque_frequency="3/T")}, "it can be 1/T or 2/T"),
         ({"sensors": Sensors(encoder_counts=12.0)}, "encoder_counts is 12 counts per turn"),
     ],
 )

@@ -48,9 +48,30 @@ def extra():
     return field(default_factory=dict, hash=False)
 
 
+def known(table):
+    """The fields that the format names: all but what is kept as extra."""
+    return [entry for entry in fields(table) if entry.metadata]
+
+
+def check_words(table) -> None:
+    """Refuses a word that is none of those that a field can be."""
+    for entry in known(table):
+        value = getattr(table, entry.name)
+        for each in value if isinstance(value, tuple) else (value,):
+            check_word(entry.metadata, each)
+
+
+def check_word(meta, value) -> None:
+    choices = meta.get("choices")
+    if choices and value is not None and value not in choices:
+        raise ValueError(f"{meta['key']} is {value!r}; it can be {' or '.join(choices)}.")
+
+
 @dataclass(frozen=True)
 class Subject:
     """Whose leg, or which rig. None means unknown, never a default.
+
+    **Raises** `ValueError` for a word that a field cannot be, as do `Protocol` and `Sensors`.
 
     >>> exoid.Subject(kind="leg", body_mass=77.0, height=1.8).age is None  # unknown
     True
@@ -80,6 +101,9 @@ class Subject:
     notes: str | None = text("notes")
     extra_keys: Mapping[str, Any] = extra()
 
+    def __post_init__(self):
+        check_words(self)
+
 
 @dataclass(frozen=True)
 class Protocol:
@@ -99,6 +123,9 @@ class Protocol:
     torque_known: bool | None = flag("torque_known")
     time_origin: float | None = ranged("time_origin_s", "s", 0.0, 1e19)
     extra_keys: Mapping[str, Any] = extra()
+
+    def __post_init__(self):
+        check_words(self)
 
 
 @dataclass(frozen=True)
@@ -126,6 +153,9 @@ class Sensors:
     filter: str | None = text("filter", FILTERS)
     filter_step: float | None = ranged("filter_step_s", "s", 1e-5, 1.0)
     extra_keys: Mapping[str, Any] = extra()
+
+    def __post_init__(self):
+        check_words(self)
 
 
 class BadSample(ValueError):
@@ -253,11 +283,6 @@ class Recording:
         return per_segment(self.subject.added_mass_distance, segment)
 
 
-def known(table):
-    """The fields that the format names: all but what is kept as extra."""
-    return [entry for entry in fields(table) if entry.metadata]
-
-
 def per_segment(value, segment: int):
     """An entry of the metadata that holds for all segments, or one for each (nan: not this one)."""
     one = value[segment] if isinstance(value, tuple) else value
@@ -360,8 +385,7 @@ def check_entry(meta, value, segments: int | None) -> None:
             f"{key} lists {len(value)} value(s) for {segments} segment(s). Give one for each."
         )
     for each in values:
-        if meta.get("choices") and each not in meta["choices"]:
-            raise ValueError(f"{key} is {each!r}; it can be {' or '.join(meta['choices'])}.")
+        check_word(meta, each)
         if isinstance(value, tuple) and each != each:
             continue  # nan in a list: this segment has none, as a passive one has no period
         if "lower" in meta and not meta["lower"] <= each <= meta["upper"]:
