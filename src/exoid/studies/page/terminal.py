@@ -5,6 +5,7 @@ from rich.console import Console
 from exoid.report.tables.table import print_table
 from exoid.report.words.text import note, say
 from exoid.studies.page.parts.correction import correction
+from exoid.studies.page.parts.opening import opening
 from exoid.studies.page.parts.tables import (
     agreements,
     causes,
@@ -13,7 +14,7 @@ from exoid.studies.page.parts.tables import (
     reliabilities,
     values,
 )
-from exoid.studies.page.parts.words import column_words, finding, silent, told_of, why_not
+from exoid.studies.page.parts.words import column_words, silent, told_of, why_not
 from exoid.studies.statistics.asked import Answers
 from exoid.studies.statistics.physics import ALL
 from exoid.studies.statistics.reliability import Reliability
@@ -21,8 +22,9 @@ from exoid.studies.statistics.tables.said import Untold
 
 
 def print_study(answers: Answers, console: Console) -> None:
-    """The main finding, then every table that holds something, then why others do not."""
-    say(console, finding(answers))
+    """The clearest answers, then every table that holds something, then why others do not."""
+    for each in opening(answers):
+        say(console, each)
     asked = answers.asked
     found = [values(answers.each), reliabilities(answers)]
     if asked.by:

@@ -1,17 +1,17 @@
-"""The study on half a page: the main finding first, in plain words."""
+"""The study on half a page: its clearest answers first, in plain words."""
 
 from collections.abc import Iterator
 
 from exoid.report.sections.blocks import Block, Group, card, element
 from exoid.report.words.text import capital, counted, quantity_words
 from exoid.studies.page.parts.correction import tested
+from exoid.studies.page.parts.opening import opening
 from exoid.studies.page.parts.part import Told, part
 from exoid.studies.page.parts.tables import values
 from exoid.studies.page.parts.words import (
     SURE,
     changed,
     column_words,
-    finding,
     grade,
     grouped,
     leading,
@@ -32,7 +32,9 @@ from exoid.studies.statistics.tables.said import Untold
 def summary(told: Told) -> Iterator[Block]:
     """What was found, how far to trust it, and what the study is."""
     answers = told.answers
-    yield element("p", finding(answers), "verdict")
+    first, *more = opening(answers)
+    yield element("p", first, "verdict")
+    yield more
     asked = (whole, parted, moved, trusted, alike, missing)
     cards = (each(answers) for each in asked)
     yield Group("div", [each for each in cards if each is not None], "cards")

@@ -1,0 +1,93 @@
+"""What a study says first: its clearest answers, in a few sentences."""
+
+from collections.abc import Iterator
+
+from exoid.recordings.tables.sheet import listed
+from exoid.report.words.text import by_reason, counted, quantity_words
+from exoid.studies.page.parts.correction import tested
+from exoid.studies.page.parts.presence import rests
+from exoid.studies.page.parts.tables import failures
+from exoid.studies.page.parts.words import (
+    MAIN,
+    SURE,
+    cause_words,
+    finding,
+    grade,
+    shares,
+    sided,
+)
+from exoid.studies.statistics.agreement import Agreement
+from exoid.studies.statistics.asked import Answers
+from exoid.studies.statistics.physics import ALL, NOTHING
+from exoid.studies.statistics.reliability import Reliability
+from exoid.studies.statistics.tables.frames import Frame
+from exoid.studies.statistics.tables.said import Untold
+
+NAMED = 3  # quantities or causes of a sentence
+
+
+def opening(answers: Answers) -> list[str]:
+    """What differs, how well it repeats, which physics was missing, and what failed."""
+    if not answers.each:
+        return [finding(answers), failed(answers.study.once)]
+    parts = (difference(answers), repeats(answers), lacked(answers))
+    return [*(each for each in parts if each), failed(answers.study.once)]
+
+
+def difference(answers: Answers) -> str:
+    """The finding, where groups or sessions were compared; else whether sides differ."""
+    if any(kind in each.corrected for each in answers.each for kind in MAIN):
+        return finding(answers)
+    first = answers.each[0]
+    why = [found.why for kind in MAIN if isinstance(found := getattr(first, kind), Untold)]
+    return " ".join([*dict.fromkeys(why), *between_sides(answers)])
+
+
+def between_sides(answers: Answers) -> Iterator[str]:
+    """The first difference that is sure, or that none is."""
+    each = tested([one for one in answers.each if isinstance(one.sides, Agreement)])
+    sure = next((one for one in each if one.corrected["sides"] < SURE), None)
+    if sure is not None and isinstance(sure.sides, Agreement):
+        yield sided(sure.sides, sure.corrected["sides"], sure.among["sides"])
+        yield rests(sure)
+    elif each:
+        count = counted(len(each), "quantity", "quantities")
+        yield f"No difference between left and right is sure in any of {count}."
+
+
+def repeats(answers: Answers) -> str:
+    """The quantities by how well one day of them tells people apart."""
+    each = [(one.quantity, one.reliability) for one in tested(answers.each)]
+    found = [(name, one) for name, one in each if isinstance(one, Reliability)]
+    if not found:
+        why = [one.why for _, one in each if isinstance(one, Untold)]
+        return f"How well they repeat is not told: {why[0]}"
+    graded = by_reason((quantity_words(name), grade(one)) for name, one in found)
+    said = "; ".join(f"{word} for {listed(names, NAMED)}" for word, names in graded.items())
+    return (
+        "How well one day of one leg tells people apart, by the lower end of the interval of "
+        f"ICC(A,1): {said}."
+    )
+
+
+def lacked(answers: Answers) -> str:
+    """In how many people which physics was missing; nothing where nobody was diagnosed."""
+    if isinstance(answers.physics, Untold):
+        return ""
+    found = [each for each in answers.physics if each.group == ALL]
+    named = [each for each in found if each.name not in NOTHING]
+    shown = [*named[:NAMED], *(each for each in found if each.name in NOTHING)]
+    said = "; ".join(f"{cause_words(each.name)} in {each.people}, {shares(each)}" for each in shown)
+    people = counted(found[0].of_people, "person", "people")
+    return f"Missing physics, of {people} diagnosed: {said}."
+
+
+def failed(recordings: Frame) -> str:
+    """How many recordings failed, and the reason that most of them have."""
+    count = int((recordings["status"] == "failed").sum())
+    if not count:
+        return f"None of {counted(len(recordings), 'recording')} failed."
+    most, first, reason = failures(recordings).rows[0]
+    which = first if count == 1 else f"{most} of them as {first}"
+    said = f"{count} of {counted(len(recordings), 'recording')} failed"
+    return f"{said}, {which}: {reason.rstrip('.')}."

@@ -1,0 +1,89 @@
+"""What a study's report says first: its clearest answers, and that there is none."""
+
+import re
+
+import pytest
+from benchmarks.studies.tables import Design, Truth, simulate
+from html_tree import parse
+
+from exoid.report.parts.origin import Origin
+from exoid.studies.page.page import build_page
+from exoid.studies.page.parts.opening import opening
+from exoid.studies.page.parts.part import Told
+from exoid.studies.page.parts.words import finding
+from exoid.studies.statistics.ask import ask
+from exoid.studies.statistics.asked import Asked
+from exoid.studies.statistics.tables.study import study_of
+
+TRUTHS = (
+    Truth(effect=-0.6),
+    Truth("period", "s", 1.1, 0.05, 0.02, 0.02, 0.01, 0.01, 0.01, effect=0.0),
+)
+
+
+@pytest.fixture(scope="module")
+def study():
+    return simulate(Design(people=16, drops=2, truths=TRUTHS), 0)
+
+
+def said(study, **asked) -> list[str]:
+    return opening(ask(study, Asked(**asked)))
+
+
+def shifted(study, by: float):
+    """The right legs differ by so much."""
+    rows = study.quantities
+    right = (rows["side"] == "right") & (rows["quantity"] == "period")
+    moved = rows["value"].where(~right, rows["value"] + by)
+    return study_of(study.recordings, rows.assign(value=moved))
+
+
+def test_groups_that_were_asked_for_come_first_then_repeats_physics_and_failures(study):
+    answers = ask(study, Asked(by="group"))
+    first, repeats, physics, failed = opening(answers)
+    assert first == finding(answers)
+    assert re.search(r"lower by .* \(95 % .*\(corrected for 2 quantities: ", first)
+    assert re.search(r"ICC\(A,1\): \w+ for relaxation index; \w+ for period\.$", repeats)
+    assert physics.startswith("Missing physics, of 16 people diagnosed: nothing was missing in 16,")
+    assert failed == "None of 64 recordings failed."
+
+
+def test_where_nothing_was_asked_a_sure_difference_of_sides_comes_first_or_none_is_said(study):
+    assert said(study)[0] == "No difference between left and right is sure in any of 2 quantities."
+    differ = said(shifted(study, 0.5))[0]
+    assert differ.startswith("Period: sides differ on average, right less left is 0.")
+    assert differ.endswith("It rests on 16 of 16 people.")
+
+
+def test_groups_that_cannot_be_compared_say_why(study):
+    of_one = study.recordings["participant_group"] == "control"
+    kept = study.recordings[of_one]
+    rows = study.quantities[study.quantities["recording"].isin(kept["recording"])]
+    first = said(study_of(kept, rows), by="group")[0]
+    assert first.startswith("All people are of one participant_group: control.")
+
+
+def test_what_failed_has_its_most_frequent_reason(study):
+    status = ["failed"] * 3 + ["ok"] * (len(study.recordings) - 3)
+    reasons = ["fit: it misses by 1 deg.", "empty.", "fit: it misses by 2 deg."]
+    reason = [*reasons, *([""] * (len(study.recordings) - 3))]
+    recordings = study.recordings.assign(status=status, reason=reason)
+    first = recordings["name"].iloc[0]
+    told = said(study_of(recordings, study.quantities))[-1]
+    assert told == f"3 of 64 recordings failed, 2 of them as {first}: fit: it misses by 1 deg."
+
+
+def test_one_day_tells_no_repeat_and_an_empty_study_nothing(study):
+    day = study.quantities[study.quantities["session"] == "day1"]
+    assert "How well they repeat is not told: 0 people" in said(study_of(study.recordings, day))[1]
+    empty = said(study_of(study.recordings[:0], study.quantities[:0]))
+    assert empty[0] == "No quantity has values that recordings told."
+
+
+def test_the_page_has_all_of_it_before_anything_else(study):
+    answers = ask(study, Asked())
+    page = build_page(Told(answers, Origin("exoid study report", "", {}, {}, {}), "results"))
+    text = " ".join(parse(page).by_id("summary").text.split())
+    places = [text.index(each) for each in opening(answers)]
+    assert places == sorted(places)
+    assert places[-1] < text.index("Were all recordings read?")
