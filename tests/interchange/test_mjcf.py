@@ -55,7 +55,7 @@ def test_bodies_that_move_on_the_leg_move_so_in_mujoco(name):
 
 @pytest.mark.parametrize("name", REFUSED)
 def test_what_mujoco_has_nothing_for_is_refused_by_name_with_advice(name):
-    with pytest.raises(ValueError, match=f"nothing for {name} .*{REFUSED[name]}. Export --as py"):
+    with pytest.raises(ValueError, match=f"nothing for {name} .*{REFUSED[name]}. Export it for Py"):
         mjcf(of_term(name).joint)
 
 

@@ -121,7 +121,7 @@ def test_the_error_of_smoothed_friction_is_told():
 
 @pytest.mark.parametrize("name", REMEMBERING)
 def test_a_term_that_remembers_is_refused_by_name(name):
-    with pytest.raises(ValueError, match=f"nothing of {name} .*it remembers. Export --as python"):
+    with pytest.raises(ValueError, match=f"nothing of {name} .*it remembers. Export it for Python"):
         osim(of_term(name).joint)
 
 

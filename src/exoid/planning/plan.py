@@ -88,7 +88,7 @@ def advice(
     if known.belief.expected is None:
         said.append(
             "body mass and height are unknown, so the plan is made for a typical adult and "
-            "absolute values have no prior: give --body-mass KG and --height M."
+            "absolute values have no prior: tell them (--body-mass KG, --height M)."
         )
     if enough and not known.checked:
         said.append(

@@ -144,7 +144,7 @@ def expectation(subject: Subject, name: PriorName) -> tuple[ExpectedLeg | None, 
     known = {"body mass": body_mass, "height": height}
     missing = " and ".join(name for name, value in known.items() if value is None)
     return None, (
-        f"{missing} unknown, so absolute values stay open: give --body-mass KG and --height M"
+        f"{missing} unknown, so absolute values stay open: tell them (--body-mass KG, --height M)"
     )
 
 

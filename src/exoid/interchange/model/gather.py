@@ -73,7 +73,7 @@ def chosen(result: FitResult, segment: int | None) -> tuple[SegmentFit, Conditio
     """The segment that is asked for, and how it began."""
     if result.leg is None:
         raise ValueError(
-            "every segment was fitted alone there: it holds no one model. Fit without --each."
+            "every segment was fitted alone there: it holds no one model. Fit them together."
         )
     number, last = segment or 0, len(result.segments) - 1
     if not 0 <= number <= last:

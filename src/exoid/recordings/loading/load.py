@@ -64,7 +64,10 @@ def load(
             None,
         )
     if columns:
-        raise ValueError(f"{path}: a CAN log has no columns to name. Give --dbc and --signal.")
+        raise ValueError(
+            f"{path}: a CAN log has no columns to name. Give a DBC and a signal map (--dbc and "
+            "--signal)."
+        )
     from exoid.recordings.loading.can_log import read_can_log
 
     sidecar = path.with_suffix(".toml")
