@@ -66,7 +66,7 @@ def look(prepared: PreparedRecording, base: Optimum, told: Told) -> Found:
     likely = likeliest(prepared, shortlist(ranked))
     likely += unwatched(prepared, [one for one in ranked if one not in likely], base)
     singles = led_free(prepared, likely)
-    singles += [*twins(prepared, singles, singles), *nested(prepared, singles, of_all(singles))]
+    singles += [*twins(prepared, singles, singles), *nested(prepared, singles, usable)]
     truer = truer_baseline(prepared, base, least(base, *singles))
     if truer is not None:
         return look(prepared, truer, told)
@@ -183,7 +183,7 @@ def with_sets(found: Found, usable: list[type[Term]], told: Told) -> Found:
         joint += simulated(prepared, plainer, best.square)
     single = [*found.singles, *reduced(prepared, ordered(joint)[:1])]
     singles = by_evidence(single, base, found.yardstick)
-    singles += nested(prepared, singles, of_all(singles))
+    singles += nested(prepared, singles, usable)
     measure = yardstick(prepared, least(base, *singles, *joint))
     joint = by_evidence(joint, base, measure)
     joint = [*(hopped(prepared, one) for one in joint[:1]), *joint[1:]]
@@ -206,11 +206,6 @@ def beginning(prepared: PreparedRecording, base: Optimum) -> Hypothesis:
     declared = replace(prepared, zero=0.0)
     start = replace(at, zero=at.zero * [1.0, 0.0])
     return settle_free(declared, start, rounds=FEWER_ROUNDS).candidate
-
-
-def of_all(some: list[Optimum]) -> list[type[Term]]:
-    """The terms of all of them, each once."""
-    return list(dict.fromkeys(term for one in some for term in one.candidate.terms))
 
 
 def least(*settled: Optimum) -> Optimum:
