@@ -4,6 +4,7 @@ import socket
 import subprocess
 import sys
 from contextlib import suppress
+from unittest.mock import Mock
 
 import pytest
 
@@ -65,3 +66,11 @@ def test_there_are_no_more_workers_than_have_the_memory_that_steps_need(
 def test_memory_that_linux_fills_with_files_is_free():
     told = "MemTotal: 8000 kB\nMemFree: 100 kB\nMemAvailable:    6000 kB\nHugePages_Total: 0\n"
     assert module.available(told) == 6000 * 1024
+
+
+def test_a_worker_that_is_killed_while_it_starts_is_started_again():
+    died = [RuntimeError("Nanny failed to start"), RuntimeError("Nanny failed to start")]
+    begin = Mock(side_effect=[*died, "cluster"])
+    assert module.begun(begin) == "cluster"
+    with pytest.raises(OSError, match="fewer workers"):
+        module.begun(Mock(side_effect=died * 2))

@@ -2,8 +2,9 @@
 
 import logging
 import os
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,11 @@ SHARE = 0.8  # of the memory that is free, for all workers
 ALONE = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", "NPROC": "1"}
 PORT = "127.0.0.1:0"  # of the scheduler's page: any that is free, so that runs stand side by side
 ANSWER = 15.0  # s that a scheduler has to answer
+BEGINS = 3  # times that workers are started, where one dies in it
+NONE = (
+    "no process for the study stays alive while it starts: is there memory for it? Ask for fewer "
+    "workers."
+)
 AGAIN = 1  # workers that a batch may take down before it is cut
 
 
@@ -65,7 +71,8 @@ def local(count: int, needed: int) -> Iterator[Any]:
     from distributed import Client, LocalCluster
 
     os.environ.update({name: os.environ.get(name, value) for name, value in ALONE.items()})
-    cluster = LocalCluster(
+    begin = partial(
+        LocalCluster,
         n_workers=count,
         threads_per_worker=1,
         processes=True,
@@ -74,8 +81,22 @@ def local(count: int, needed: int) -> Iterator[Any]:
         scheduler_kwargs={"dashboard_address": PORT},
         silence_logs=logging.CRITICAL,
     )
-    with cluster, Client(cluster, set_as_default=False) as client:
+    with begun(begin) as cluster, Client(cluster, set_as_default=False) as client:
         yield client
+
+
+def begun(begin: Callable[[], Any]) -> Any:
+    """A cluster; where a worker was killed while it started, another one.
+
+    **Raises** `OSError` where none starts.
+    """
+    for _ in range(BEGINS - 1):
+        with suppress(RuntimeError):
+            return begin()
+    try:
+        return begin()
+    except RuntimeError as fault:
+        raise OSError(NONE) from fault
 
 
 def affordable(needed: int) -> int:
