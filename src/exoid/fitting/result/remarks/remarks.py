@@ -9,6 +9,7 @@ from exoid.fitting.misfit.missed import NOISY, Disturbance, Missed
 from exoid.fitting.model.belief import Belief
 from exoid.fitting.multistart.search_result import FEASIBLE, SearchResult, scale_told
 from exoid.fitting.result.remarks.anatomy_remarks import of_anatomy
+from exoid.fitting.result.remarks.late_gyro import of_late_gyro
 from exoid.fitting.result.remarks.noise_remarks import noise_remarks
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.leg import LegParameters
@@ -52,8 +53,11 @@ def remarks(problem: Problem, ended: SearchResult, at_bound: set[str]) -> list[s
     said += of_kinds(ended.disturbance)
     unit = np.mean([each.residual_unit / each.angle_noise for each in problem.movements])
     within = float(ended.best.misfit[0]) * unit**2 < problem.samples.sum()
-    if not (within and ended.disturbance.cause == "encoder"):  # smoothed errors, which are told
+    sensors = ended.disturbance.cause == "encoder"
+    late = of_late_gyro(problem.movements) if sensors else []
+    if not late and not (within and sensors):  # smoothed errors, which are told
         said += of_residual(ended.disturbance, gravity, inertia, float(unit))
+    said += late
     if rig and "stiffness" not in problem.absent:
         said.append(
             "on a rig the spring term c phi also takes up a constant torque and an encoder zero "

@@ -1,0 +1,58 @@
+"""Does a gyro show what the encoder shows, but at another time? That is told without any leg."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from exoid.fitting.data.movement import Movement
+from exoid.recordings.signal.condition import SMOOTHING
+from exoid.recordings.signal.local_line import local_line
+
+MOST = 0.5  # of the squares by which gyro and encoder differ, that their delay must explain
+
+
+def of_late_gyro(movements: Sequence[Movement]) -> list[str]:
+    """That it does, and what to do."""
+    late = late_gyro(movements)
+    if late is None:
+        return []
+    when = "later" if late > 0 else "earlier"
+    return [
+        f"the gyro shows the leg about {1000 * abs(late):.2g} ms {when} than the encoder, which is "
+        "most of how the two differ. Errors are widened for it; 'exoid fit --with sensor_skew' "
+        "estimates it, and 'exoid diagnose' asks whether it is that."
+    ]
+
+
+def late_gyro(movements: Sequence[Movement]) -> float | None:
+    """How much later [s] than the encoder a gyro shows the leg; None where that is not most of how
+    the two differ beside the gyro's scale and bias, or where no raw gyro is there.
+
+    A rate shown t_s late is v - t_s v' to first order, v the slope of the angle.
+    """
+    pairs = [pair_of(each) for each in movements if each.gyro_noise and not each.filtered]
+    if not pairs:
+        return None
+    slope, rate, change = np.concatenate(pairs, axis=1)
+    alike = np.stack([slope, np.ones_like(slope)], axis=1)
+    before, _ = left_of(rate, alike)
+    after, found = left_of(rate, np.column_stack([alike, -change]))
+    return float(found[-1]) if after < (1 - MOST) * before else None
+
+
+def left_of(rate: np.ndarray, columns: np.ndarray) -> tuple[float, np.ndarray]:
+    """The sum of squares that least squares leave, and what they found."""
+    found = np.linalg.lstsq(columns, rate, rcond=None)[0]
+    return float(np.square(rate - columns @ found).sum()), found
+
+
+def pair_of(each: Movement) -> np.ndarray:
+    """The angle's slope, the gyro's rate and how that changes, smoothed alike, where both were
+    measured.
+    """
+    assert each.angular_velocity is not None  # it has a gyro's noise
+    time = each.segment.time
+    slope = local_line(time, each.angle, SMOOTHING)[1]
+    rate, change = local_line(time, each.angular_velocity, SMOOTHING)
+    seen = ~np.isnan(each.angle) & ~np.isnan(each.angular_velocity)
+    return np.stack([slope, rate, change])[:, seen]

@@ -1,0 +1,43 @@
+"""A gyro that is later than the encoder is told from their motions alone."""
+
+import numpy as np
+import pytest
+
+from exoid.fitting.data.segment import movement
+from exoid.fitting.result.remarks.late_gyro import late_gyro, of_late_gyro
+from exoid.recordings.recording import Protocol, Recording, Segment
+
+MIDDLE, SIZE, DECAY, RATE = -1.3, 0.9, 0.4, 5.5  # rad, rad, 1/s, rad/s
+
+
+def swing(late=0.0, scale=1.0, err=0.0, noise=True):
+    """A decaying swing in closed form, the gyro `late` [s]; the encoder errs by `err` [rad]."""
+    time, random = np.arange(0.0, 4.0, 0.01), np.random.default_rng(0)
+    faded = SIZE * np.exp((1j * RATE - DECAY) * time)
+    angle = MIDDLE + faded.real
+    before = SIZE * np.exp((1j * RATE - DECAY) * (time - late))
+    velocity = scale * ((1j * RATE - DECAY) * before).real
+    angle = angle + err * np.sin(2 * angle) + noise * 1e-3 * random.standard_normal(time.size)
+    velocity = velocity + 0.02 + noise * 1e-2 * random.standard_normal(time.size)
+    segment = Segment(time, raw_angle=angle, raw_angular_velocity=velocity)
+    recording = Recording((segment,), protocol=Protocol(kind="passive"))
+    return [movement(recording, 0, "swing 0")]
+
+
+@pytest.mark.parametrize("late", [0.02, 0.005, -0.01])
+def test_the_delay_of_a_gyro_is_found_beside_its_scale_and_bias(late):
+    # noise of the slopes, 0.03 rad/s of 25 rad/s^2 times 5 ms, and windows at the ends leave a part
+    assert late_gyro(swing(late, scale=1.05)) == pytest.approx(late, rel=0.05, abs=2e-4)
+
+
+def test_other_errors_are_no_delay():
+    assert late_gyro(swing()) is late_gyro(swing(scale=1.1)) is None
+    assert late_gyro(swing(err=0.02)) is None
+
+
+def test_the_user_is_told_when_and_what_to_do():
+    (said,) = of_late_gyro(swing(0.02))
+    assert "about 20 ms later" in said
+    assert "--with sensor_skew" in said
+    assert "about 9.8 ms earlier" in of_late_gyro(swing(-0.01))[0]
+    assert of_late_gyro(swing()) == []
