@@ -6,9 +6,10 @@ from types import SimpleNamespace
 import jax
 import numpy as np
 import pytest
-from found_by_hand import explaining, found_of
+from found_by_hand import SAMPLES, explaining, found_of
 
 from exoid.cli.inputs.terms import rivals_in
+from exoid.mismatch import stand_in
 from exoid.mismatch.answer.diagnosis import Suspect
 from exoid.mismatch.conclude.asserted import certain_of, same_cause
 from exoid.mismatch.conclude.conclusion import undecided
@@ -18,7 +19,7 @@ from exoid.mismatch.stand_in import with_nameless
 from exoid.physics.library import library
 from exoid.physics.parameter import parameter
 from exoid.physics.sensing.gyro_scale import GyroScale
-from exoid.physics.term import PhysicsTerm
+from exoid.physics.term import PhysicsTerm, name_of
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from hands import Device, Hand, Knee, dropped
 
@@ -80,6 +81,17 @@ def test_where_one_explains_as_much_the_reason_says_that_it_has_no_name():
     assert certain_of(found, best) == ()
     (why,) = undecided(found, [best, rival])
     assert why.startswith("saturating damping, a simple torque that the library does not name")
+
+
+def test_all_of_them_are_tried_where_more_than_noise_is_left(monkeypatch):
+    """To first order nobody sees how fast friction fades: from the start that is far off."""
+    far = [(1e6, explaining(1e6, term).candidate) for term in sorted(NAMELESS, key=name_of)]
+    monkeypatch.setattr(stand_in, "beside_free", lambda *_: far)
+    worse, noise = (explaining(left, CoulombFriction) for left in (4.0 * SAMPLES, 1.0 * SAMPLES))
+    found = found_of([worse, noise])
+    monkeypatch.setattr(found.prepared, "samples", SAMPLES)
+    assert len(stand_in.near(found, worse, worse)) == len(NAMELESS)
+    assert stand_in.near(found, noise, noise) == []
 
 
 @pytest.mark.proof

@@ -51,7 +51,11 @@ def settled(found: Found, candidate: Hypothesis) -> Optimum:
 
 
 def near(found: Found, one: Optimum, best: Optimum) -> list[Hypothesis]:
-    """What has one of these torques more, and to first order may come near the best."""
-    most = NEAR * max(best.square, found.prepared.samples)
+    """What has one of these torques more and to first order may come near the best; all of them
+    where the best leaves more than noise, since to first order nobody sees how fast one fades.
+    """
     beside = beside_free(found.prepared, sorted(NAMELESS, key=name_of), one)
+    if not found.yardstick.explains(best.square):
+        return [start for _, start in beside]
+    most = NEAR * max(best.square, found.prepared.samples)
     return [start for left, start in beside[:MOST] if left < most]

@@ -11,6 +11,7 @@ from exoid.physics.parameter import Parameter, parameter
 from exoid.physics.term import Memory, PhysicsTerm, Scalar, Term
 
 SLOW = 0.01  # rad/s, below which saturating damping is in proportion to the rate
+STILL = 0.1  # rad/s, below which friction that fades is in proportion to the rate
 LATE = (0.1, 10.0)  # s, within which something fades
 
 
@@ -93,6 +94,23 @@ class FadingDamping(PhysicsTerm):
         return -self.fading_damping * faded * now.angular_velocity
 
 
+class FadingFriction(PhysicsTerm):
+    """tau = -k exp(-t / T) sgn(phi'), smooth about 0, from the begin of every segment on."""
+
+    title = "friction that fades after the release"
+    reference = FadingDamping.reference
+    explanation = "Muscles that were held still resist at first, however slowly they are moved."
+    isolate = FadingDamping.isolate
+
+    fading_friction: Parameter = parameter("k", "N m", -10.0, 10.0, "at the begin", (0.0,))
+    fading_slowly: Parameter = parameter("T", "s", *LATE, "time constant", (1.0,))
+
+    def torque(self, now: Moment, memory: Memory) -> Scalar:
+        rate = now.angular_velocity
+        faded = jnp.exp(-now.time / self.fading_slowly)
+        return -self.fading_friction * faded * rate / jnp.hypot(rate, STILL)
+
+
 class FadingTorque(PhysicsTerm):
     """tau = k exp(-t / T), from the begin of every segment on."""
 
@@ -115,6 +133,7 @@ NAMELESS: frozenset[type[Term]] = frozenset(
         DampingByDirection,
         SaturatingDamping,
         FadingDamping,
+        FadingFriction,
         FadingTorque,
     }
 )
