@@ -2,7 +2,7 @@
 
 from exoid.physics.sensing.gyro_scale import GyroScale
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
-from exoid.physics.terms.device.quadratic_drag import QuadraticDrag
 from exoid.physics.terms.tissue.maxwell_element import MaxwellElement
+from exoid.physics.terms.tissue.quadratic_drag import QuadraticDrag
 
 SMALL = (CoulombFriction, GyroScale, MaxwellElement, QuadraticDrag)

@@ -33,7 +33,7 @@ ALIKE = (
     },
     {"torque_bias", "stiffness_rest_angle", "angle_offset", "end_range_stiffening"},
     {"cubic_stiffness", "slack_cubic_stiffness", "end_range_stiffening"},
-    {"quadratic_drag", "stretch_reflex"},
+    {"power_drag", "quadratic_drag", "stretch_reflex"},
     {"activation_lag", "torque_asymmetry", "torque_harmonic"},
 )
 

@@ -139,6 +139,7 @@ RECIPES = {
         },
     ),
     "polycentric_axis": Recipe(0.003, 0.25, {"change": EXACTLY}, signed=True),
+    "power_drag": Recipe(0.001, 0.3, {"coefficient": EXACTLY}, {"power": (1.4, 1.7)}),
     "quadratic_drag": Recipe(0.001, 0.3, {"coefficient": EXACTLY}),
     "slack_cubic_stiffness": Recipe(
         0.01, 3.0, {"coefficient": EXACTLY}, {"slack_angle": (-1.2, -0.3)}, signed=True

@@ -16,7 +16,7 @@ from exoid.physics.library import library
 from exoid.physics.parameter import declarations
 from exoid.physics.term import name_of
 
-DECK = 58  # cards
+DECK = 59  # cards
 COUNT = 2 * np.pi / 4096  # rad, of the encoder
 FRICTION = Card("single", active=False, effects=("coulomb_friction",))
 GYRO = Card("single", active=True, effects=("gyro_scale",))

@@ -9,7 +9,7 @@ from command_line import refusal
 
 import exoid
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
-from exoid.physics.terms.device.quadratic_drag import QuadraticDrag
+from exoid.physics.terms.tissue.quadratic_drag import QuadraticDrag
 from exoid.recordings.commissioning.torque_parameters import from_data
 from fake_node import FakeBus, FakeNode
 

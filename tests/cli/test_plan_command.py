@@ -82,7 +82,7 @@ def test_rivals_that_cannot_be_told_apart_are_refused(command, recordings):
 
 def test_terms_of_ones_own_are_asked_for_by_name(command, recordings, tmp_path):
     mine = tmp_path / "mine.py"
-    mine.write_text("from exoid.physics.terms.device.quadratic_drag import QuadraticDrag\n"
+    mine.write_text("from exoid.physics.terms.tissue.quadratic_drag import QuadraticDrag\n"
                     "class Mud(QuadraticDrag):\n    title = 'mud'\n")  # fmt: skip
     for name in ("plan", "fit"):
         said = refusal(command(name, recordings / "drop.csv", "--terms", mine))

@@ -3,7 +3,7 @@
 import pytest
 
 from exoid.fitting.estimate import fit
-from exoid.physics.terms.device.quadratic_drag import QuadraticDrag
+from exoid.physics.terms.tissue.quadratic_drag import QuadraticDrag
 from fit_cases import CYCLE, DROP, LOADED, recorded
 
 

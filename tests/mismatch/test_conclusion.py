@@ -33,11 +33,11 @@ from exoid.physics.terms.device.backlash import Backlash
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.physics.terms.device.cuff_compliance import CuffCompliance
 from exoid.physics.terms.device.hard_stop import HardStop
-from exoid.physics.terms.device.quadratic_drag import QuadraticDrag
 from exoid.physics.terms.device.stribeck_friction import StribeckFriction
 from exoid.physics.terms.device.torque_bias import TorqueBias
 from exoid.physics.terms.tissue.hysteresis import Hysteresis
 from exoid.physics.terms.tissue.maxwell_element import MaxwellElement
+from exoid.physics.terms.tissue.quadratic_drag import QuadraticDrag
 from exoid.physics.terms.tissue.stiffness_rest_angle import StiffnessRestAngle
 from exoid.physics.terms.tissue.wobbling_mass import WobblingMass
 

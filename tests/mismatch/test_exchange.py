@@ -13,8 +13,8 @@ from exoid.mismatch.screen.optimise import settle_free
 from exoid.mismatch.search.exchange import exchanged
 from exoid.mismatch.search.found import Found
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
-from exoid.physics.terms.device.quadratic_drag import QuadraticDrag
 from exoid.physics.terms.device.stribeck_friction import StribeckFriction
+from exoid.physics.terms.tissue.quadratic_drag import QuadraticDrag
 
 
 @pytest.fixture(scope="module")

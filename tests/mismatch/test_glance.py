@@ -14,7 +14,7 @@ from exoid.mismatch.screen.optimise import bounded, settle_free
 from exoid.mismatch.search.glance import beside_free, nearest
 from exoid.mismatch.search.resample import steps
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
-from exoid.physics.terms.device.quadratic_drag import QuadraticDrag
+from exoid.physics.terms.tissue.quadratic_drag import QuadraticDrag
 from small_library import SMALL
 
 LEFT = np.array([0.05])  # N m s^2/rad^2: a brake as nobody would build it

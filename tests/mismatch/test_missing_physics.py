@@ -12,7 +12,7 @@ from exoid.mismatch.missing_physics import diagnose
 from exoid.physics.sensing.angle_offset import AngleOffset
 from exoid.physics.sensing.gyro_scale import GyroScale
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
-from exoid.physics.terms.device.quadratic_drag import QuadraticDrag
+from exoid.physics.terms.tissue.quadratic_drag import QuadraticDrag
 from exoid.recordings.recording import Recording, Segment, Subject
 from small_library import SMALL
 

@@ -9,8 +9,8 @@ from exoid.mismatch.search.search import strikes_in_reach
 from exoid.physics.terms.device.backlash import Backlash
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.physics.terms.device.hard_stop import HardStop
-from exoid.physics.terms.device.quadratic_drag import QuadraticDrag
 from exoid.physics.terms.device.sticking_backlash import StickingBacklash
+from exoid.physics.terms.tissue.quadratic_drag import QuadraticDrag
 from exoid.physics.terms.tissue.stiffness_rest_angle import StiffnessRestAngle
 from exoid.physics.terms.tissue.wobbling_mass import WobblingMass
 

@@ -24,6 +24,7 @@ NAMES = {
     "coulomb_friction",
     "load_friction",
     "stribeck_friction",
+    "power_drag",
     "quadratic_drag",
     "stiffness_rest_angle",
     "angle_offset",

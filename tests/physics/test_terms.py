@@ -570,6 +570,10 @@ BRAKES = {
     "load_friction": (load_level, {"share": 0.5}),
     "stribeck_friction": (stribeck_level, {"excess": 2.0}),
     "quadratic_drag": (lambda term, _, speed: term.coefficient * speed**2, {"coefficient": 1.0}),
+    "power_drag": (
+        lambda term, _, speed: term.coefficient * speed**term.power,
+        {"coefficient": 1.0, "power": 1.5},
+    ),
 }
 brakes = pytest.mark.parametrize("name", BRAKES)
 sizes = pytest.mark.parametrize("size", ["where a search begins", "large"])

@@ -10,7 +10,7 @@ import pytest
 from exoid.fitting.estimate import fit
 from exoid.physics.leg import LegModel
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
-from exoid.physics.terms.device.quadratic_drag import QuadraticDrag
+from exoid.physics.terms.tissue.quadratic_drag import QuadraticDrag
 from exoid.physics.torque import NoTorque
 from exoid.planning.candidate_recordings import drops_of_rig
 from exoid.planning.expected_information import mounting_prior

@@ -8,7 +8,7 @@ from bundled_session import LIKELY, LOADED, TRUTH, WEIGHT
 from exoid.online.model.model import Model
 from exoid.online.model.unknowns import Unknowns
 from exoid.physics.terms.device.coulomb_friction import CoulombFriction
-from exoid.physics.terms.device.quadratic_drag import QuadraticDrag
+from exoid.physics.terms.tissue.quadratic_drag import QuadraticDrag
 from exoid.watching.estimate.leg import Leg, LegDrop
 from exoid.watching.estimate.load import Load, Mass
 

@@ -1,0 +1,29 @@
+"""Drag that grows with another power of speed than its square."""
+
+import jax.numpy as jnp
+
+from exoid.physics.moment import Moment
+from exoid.physics.parameter import Parameter, parameter
+from exoid.physics.term import Memory, PhysicsTerm, Scalar
+from exoid.physics.terms.tissue.quadratic_drag import QuadraticDrag
+
+SLOW = 1e-3  # rad/s, below which it is in proportion to the rate
+
+
+class PowerDrag(PhysicsTerm):
+    """tau = -b phi' |phi'|^(p - 1), |phi'| in rad/s, p between that of damping and a cube."""
+
+    title = "drag that grows with a power of speed"
+    reference = QuadraticDrag.reference
+    explanation = (
+        "Fast movement is damped more than in proportion, by a power of speed that is not its "
+        "square."
+    )
+    isolate = QuadraticDrag.isolate
+
+    coefficient: Parameter = parameter("b", "N m s^2/rad^2", 0.0, 2.0, "drag at 1 rad/s", (0.02,))
+    power: Parameter = parameter("p", "1", 1.2, 3.0, "power of speed", (1.5,))
+
+    def torque(self, now: Moment, memory: Memory) -> Scalar:
+        rate = now.angular_velocity
+        return -self.coefficient * rate * jnp.hypot(rate, SLOW) ** (self.power - 1)
