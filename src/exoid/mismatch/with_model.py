@@ -124,7 +124,7 @@ def told_by(found: Diagnosis, after: FitResult) -> Diagnosis:
     booked, suspected = by_the_fits(found, after)
     more: dict[str, Any] = {"booked": booked, "suspected": suspected}
     if found.formula is not None:
-        more["formula"] = replace(found.formula, words=fitted_words(after.fitted_terms[0]))
+        more["formula"] = replace(found.formula, words=fitted_words(after.fitted_terms))
     return replace(found, after=after, parameters=parameters, inertia=inertia, **more)
 
 

@@ -1,5 +1,6 @@
 """A formula as a term of its own: fitted, simulated and proved like any other."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from types import new_class
 from typing import Any, ClassVar
@@ -13,7 +14,7 @@ from exoid.mismatch.novel.dictionary import Feature, reshaped
 from exoid.physics.library import MOST_PARAMETERS
 from exoid.physics.moment import Moment
 from exoid.physics.parameter import parameter
-from exoid.physics.term import PhysicsTerm
+from exoid.physics.term import PhysicsTerm, Term
 
 FAINT, ONCE = 0.01, 0.75  # of its largest square, where it pauses; of its sum, that acts at once
 LARGEST = 100.0  # of a coefficient, either way
@@ -116,6 +117,8 @@ def term_of(formula: Formula) -> type[PhysicsTerm]:
     return new_class("Formula", (PhysicsTerm,), {}, lambda namespace: namespace.update(body))
 
 
-def fitted_words(term: Any) -> str:
-    """The formula of such a term, with its own values."""
-    return type(term).formula.at(np.array([*map(float, jax.tree.leaves(term))])).words
+def fitted_words(terms: Sequence[Term]) -> str:
+    """The formula among fitted terms, with its own values; errors of sensors may be beside it."""
+    (term,) = (each for each in terms if hasattr(type(each), "formula"))
+    formula: Formula = type(term).formula  # pyright: ignore[reportAttributeAccessIssue]
+    return formula.at(np.array([*map(float, jax.tree.leaves(term))])).words

@@ -1,0 +1,19 @@
+"""A formula that was fitted, told with its own values."""
+
+from typing import Any
+
+import jax.numpy as jnp
+import numpy as np
+
+from exoid.mismatch.novel.dictionary import dictionary
+from exoid.mismatch.novel.formula import Formula, fitted_words, term_of
+from exoid.physics.sensing.gyro_scale import GyroScale
+
+
+def test_a_formula_is_found_behind_the_errors_of_sensors():
+    """As of a spring that creeps, recorded with a gyro whose scale is 0.4 % off."""
+    formula = Formula((next(iter(dictionary())),), np.array([1.0]), 0.97, 0.0)
+    made: Any = term_of(formula)
+    fitted = made(jnp.asarray(0.4), *map(jnp.asarray, formula.values[1:]))
+    words = fitted_words((GyroScale(jnp.asarray(0.004)), fitted))
+    assert words.startswith("tau = 0.4 ")
