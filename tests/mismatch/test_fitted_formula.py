@@ -15,5 +15,6 @@ def test_a_formula_is_found_behind_the_errors_of_sensors():
     formula = Formula((next(iter(dictionary())),), np.array([1.0]), 0.97, 0.0)
     made: Any = term_of(formula)
     fitted = made(jnp.asarray(0.4), *map(jnp.asarray, formula.values[1:]))
-    words = fitted_words((GyroScale(jnp.asarray(0.004)), fitted))
+    gyro: Any = GyroScale
+    words = fitted_words((gyro(jnp.asarray(0.004)), fitted))
     assert words.startswith("tau = 0.4 ")

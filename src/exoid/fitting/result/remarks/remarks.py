@@ -9,7 +9,7 @@ from exoid.fitting.misfit.missed import NOISY, Disturbance, Missed
 from exoid.fitting.model.belief import Belief
 from exoid.fitting.multistart.search_result import FEASIBLE, SearchResult, scale_told
 from exoid.fitting.result.remarks.anatomy_remarks import of_anatomy
-from exoid.fitting.result.remarks.late_gyro import of_late_gyro
+from exoid.fitting.result.remarks.gyro_remarks import of_late_gyro, of_unused_gyro
 from exoid.fitting.result.remarks.noise_remarks import noise_remarks
 from exoid.fitting.solve.problem import Problem
 from exoid.physics.leg import LegParameters
@@ -42,6 +42,7 @@ def remarks(problem: Problem, ended: SearchResult, at_bound: set[str]) -> list[s
         each = ", ".join(f"{one.name} {one.kind}" for one in guessed)
         said.append(f"the sidecar does not say how the leg was moved; by its motion: {each}.")
     said += of_filter(problem)
+    said += of_unused_gyro(problem.movements)
     said += of_memory(problem)
     said += of_late(problem)
     said += of_kept(problem)

@@ -1,4 +1,4 @@
-"""Does a gyro show what the encoder shows, but at another time? That is told without any leg."""
+"""What the user should know of the gyro: that it is late, or was not used."""
 
 from collections.abc import Sequence
 
@@ -11,8 +11,26 @@ from exoid.recordings.signal.local_line import local_line
 MOST = 0.5  # of the squares by which gyro and encoder differ, that their delay must explain
 
 
+def of_unused_gyro(movements: Sequence[Movement]) -> list[str]:
+    """That a gyro stands beside an angle that went through a filter, which it did not."""
+    unused = [
+        each.name
+        for each in movements
+        if each.filtered
+        and each.angular_velocity is None
+        and each.segment.raw_angular_velocity is not None
+    ]
+    if not unused:
+        return []
+    return [
+        f"the gyro of segment {', '.join(unused)} is not used: it is raw, and the angle beside it "
+        "(angle_rad) is said to have gone through the node's filter. If it did not, call that "
+        "column raw_angle_rad."
+    ]
+
+
 def of_late_gyro(movements: Sequence[Movement]) -> list[str]:
-    """That it does, and what to do."""
+    """That it shows the leg at another time than the encoder, and what to do."""
     late = late_gyro(movements)
     if late is None:
         return []

@@ -1,10 +1,10 @@
-"""A gyro that is later than the encoder is told from their motions alone."""
+"""A gyro that is later than the encoder, told from their motions alone; one that is not used."""
 
 import numpy as np
 import pytest
 
 from exoid.fitting.data.segment import movement
-from exoid.fitting.result.remarks.late_gyro import late_gyro, of_late_gyro
+from exoid.fitting.result.remarks.gyro_remarks import late_gyro, of_late_gyro, of_unused_gyro
 from exoid.recordings.recording import Protocol, Recording, Segment
 
 MIDDLE, SIZE, DECAY, RATE = -1.3, 0.9, 0.4, 5.5  # rad, rad, 1/s, rad/s
@@ -41,3 +41,15 @@ def test_the_user_is_told_when_and_what_to_do():
     assert "--with sensor_skew" in said
     assert "about 9.8 ms earlier" in of_late_gyro(swing(-0.01))[0]
     assert of_late_gyro(swing()) == []
+
+
+def test_a_raw_gyro_beside_a_filtered_angle_is_said_to_be_unused():
+    (swung,) = swing()
+    whole = swung.segment
+    segment = Segment(
+        whole.time, angle=whole.raw_angle, raw_angular_velocity=whole.raw_angular_velocity
+    )
+    each = movement(Recording((segment,), protocol=Protocol(kind="passive")), 0, "swing 0")
+    (said,) = of_unused_gyro([each])
+    assert "the gyro of segment swing 0 is not used" in said
+    assert of_unused_gyro([swung]) == []
