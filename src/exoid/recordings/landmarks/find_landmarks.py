@@ -101,8 +101,9 @@ def held(track: Track, release: Release, found: list[Peak]) -> NotAllowed | None
     return NotAllowed(
         f"no free fall: {times[late] - begin:.2f} s after it began to move the leg accelerates by "
         f"{np.degrees(-acceleration[late]):.0f} deg/s^2, just after the beginning by "
-        f"{np.degrees(-acceleration[0]):.0f}. A hand was still on it, a muscle held it, or the "
-        "thigh gave way. Let go at once, without a push"
+        f"{np.degrees(-acceleration[0]):.0f}. A hand was still on it, a muscle held it, the "
+        "thigh gave way, or a filter blurred it. Let go at once, without a push, and record the "
+        "angle unfiltered"
     )
 
 
