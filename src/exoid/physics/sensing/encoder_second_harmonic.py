@@ -16,7 +16,8 @@ class EncoderSecondHarmonic(SensorTerm):
     reference = "Monolithic Power AN142: field components of unequal size"
     explanation = (
         "The two components of the magnet's field are not equally strong where the chip sits (a "
-        "tilted magnet, iron nearby), so that the angle is stretched and shrunk twice per turn."
+        "tilted magnet, iron nearby), so that the angle is stretched and shrunk twice per turn. A "
+        "camera that does not look squarely at the leg's plane does the same."
     )
     isolate = "a full turn of the hinge on the bench, with iron and magnets far away"
     period = math.pi
