@@ -1,14 +1,19 @@
 """A diagnosis in words."""
 
 from dataclasses import replace
+from typing import Any
 
+import jax.numpy as jnp
 import pytest
 from diagnosis_by_hand import found, novel
 
 from exoid.fitting.misfit.uncertainty import Shares
 from exoid.fitting.result.fit_result import Estimate
 from exoid.mismatch.answer.diagnosis import Finding, Parameter
+from exoid.physics.sensing.gyro_scale import GyroScale
+from exoid.physics.terms.device.coulomb_friction import CoulombFriction
 from exoid.report.words.diagnosis.cause import parameter
+from exoid.report.words.diagnosis.leg import beside
 from exoid.report.words.diagnosis.sentences import sentences
 from exoid.report.words.diagnosis.verdict import headline
 
@@ -35,6 +40,19 @@ def test_what_the_fit_estimates_anyway_is_told_as_an_error_of_a_sensor():
     assert "chance of" not in said["How sure"]
     assert headline(one) == "Something is missing."
     assert "chance of" in sentences(one)["How sure"]
+
+
+def test_a_cause_that_the_fit_has_and_nobody_claims_is_said_to_be_uncertain():
+    """As a reflex beside a gyro's scale, in the place of which another does as well."""
+    gyro: Any = GyroScale
+    friction: Any = CoulombFriction
+    terms = (gyro(jnp.asarray(0.004)), friction(jnp.asarray(0.1)))
+    one = found()
+    both = ["coulomb_friction + gyro_scale", "coulomb_friction + quadratic_drag"]
+    fitted = replace(one, after=replace(one.fit, fitted_terms=terms), equivalent=both)
+    (said,) = beside(fitted)
+    assert said.startswith("Not certain: gyro scale.")
+    assert beside(replace(fitted, equivalent=both[:1])) == beside(one) == []
 
 
 INERTIA = Estimate("J", "inertia", "kg m^2", 0.45, 0.01, shares=Shares(1.0, 0.0, 0.0))

@@ -6,7 +6,7 @@ from exoid.mismatch.answer.diagnosis import Diagnosis, Tested
 from exoid.report.tables.leg import before_and_after
 from exoid.report.tables.table import Column, Table, print_table
 from exoid.report.words.diagnosis.asserted import is_chosen
-from exoid.report.words.diagnosis.leg import BESIDE
+from exoid.report.words.diagnosis.leg import beside
 from exoid.report.words.diagnosis.sentences import sentences
 from exoid.report.words.diagnosis.verdict import headline
 from exoid.report.words.text import (
@@ -41,8 +41,8 @@ def print_diagnosis(found: Diagnosis, console: Console) -> None:
     if found.after is not None:
         print_table(before_and_after(found.before, found.after), console)
         say(console, "± one standard error, with the part for what is still missing.")
-        if found.formula is not None:
-            say(console, BESIDE)
+        for each in beside(found):
+            say(console, each)
     if found.suspected:
         print_table(suspects(found), console)
         say(console, IN_ERRORS)

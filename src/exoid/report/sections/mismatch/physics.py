@@ -13,7 +13,7 @@ from exoid.report.tables.diagnosis import candidates, legend, suspects
 from exoid.report.tables.leg import before_and_after
 from exoid.report.tables.table import Table
 from exoid.report.words.diagnosis.cause import value
-from exoid.report.words.diagnosis.leg import BESIDE
+from exoid.report.words.diagnosis.leg import beside
 from exoid.report.words.diagnosis.sentences import sentences
 from exoid.report.words.diagnosis.verdict import verdict
 from exoid.report.words.text import in_words
@@ -45,8 +45,8 @@ def physics(case: Case) -> Iterator[Block]:
     yield parameters(found.parameters if found.verdict == "mismatch" else [])
     if found.after is not None:
         yield before_and_after(found.before, found.after)
-        if found.formula is not None:
-            yield element("p", BESIDE, "small")
+        for each in beside(found):
+            yield element("p", each, "small")
     if found.suspected:
         yield suspects(found)
     yield show_causes(found)

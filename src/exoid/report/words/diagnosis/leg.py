@@ -1,7 +1,9 @@
 """What a diagnosis says of the numbers of the leg."""
 
 from exoid.mismatch.answer.diagnosis import Diagnosis
-from exoid.report.words.text import quantity_words
+from exoid.physics.term import name_of
+from exoid.recordings.tables.sheet import listed
+from exoid.report.words.text import in_words, quantity_words
 
 SEEN = 0.01  # share of a number, from which on its change is worth a word
 USUAL = {  # of a leg, in their units
@@ -18,6 +20,24 @@ BESIDE = (
     "d, c and m l g are here beside the formula: what it has of the speed, the angle or gravity is "
     "not in them."
 )
+
+
+def beside(found: Diagnosis) -> list[str]:
+    """What the numbers of the fit with what was found stand beside: a formula, or causes that it
+    has and that are not certain.
+    """
+    if found.formula is not None:
+        return [BESIDE]
+    terms = [] if found.after is None else map(type, found.after.fitted_terms)
+    maybe = [
+        in_words(name)
+        for name in map(name_of, terms)
+        if name not in found.selected
+        and any(name not in each.split(" + ") for each in found.equivalent)
+    ]
+    if not maybe:
+        return []
+    return [f"Not certain: {listed(maybe)}. The numbers above are what they would be with it."]
 
 
 def booked(found: Diagnosis) -> str:
