@@ -60,7 +60,7 @@ def test_groups_that_cannot_be_compared_say_why(study):
     kept = study.recordings[of_one]
     rows = study.quantities[study.quantities["recording"].isin(kept["recording"])]
     first = said(study_of(kept, rows), by="group")[0]
-    assert first.startswith("All people are of one participant_group: control.")
+    assert first.startswith("All people are of one group: control.")
 
 
 def test_what_failed_has_its_most_frequent_reason(study):

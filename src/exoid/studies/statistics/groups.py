@@ -108,7 +108,8 @@ def complete(values: Values, columns: Sequence[str]) -> tuple[Frame, tuple[str, 
 
 def check(by: str, sizes: dict[str, int]) -> None:
     if len(sizes) < 2:
-        raise NotTold(f"All people are of one {by}: {', '.join(sizes)}.")
+        word = by.removeprefix("participant_")
+        raise NotTold(f"All people are of one {word}: {', '.join(sizes)}.")
     if len(sizes) > MOST_GROUPS:
         raise NotTold(f"{by!r} has {len(sizes)} groups: at most {MOST_GROUPS} are compared.")
     small = [name for name, people in sizes.items() if people < FEWEST]
