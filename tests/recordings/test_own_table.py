@@ -335,8 +335,12 @@ def refusal(path):
         (b"time_s,angle_rad\n,-0.1\n,-0.2\n", "line 2: time_s is missing"),
         (b"time_s,angle_rad\n0,\n1,\n", "has no angle"),
         (
-            b"time_s,segment,angle_rad\n0,1,0\n1,1,0\n",
-            "line 2, column segment: 1, where 0 is expected",
+            b"time_s,segment,angle_rad\n0,2,0\n1,2,0\n",
+            "line 2, column segment: 2, where 0 is expected",
+        ),
+        (
+            b"time_s,segment,angle_rad\n0,1,0\n1,1,0\n0,3,0\n1,3,0\n",
+            "line 4, column segment: 3, where 2 or 1 is expected",
         ),
         (
             b"time_s,segment,angle_rad\n0,0,0\n1,0,0\n0,2,0\n1,2,0\n",
@@ -352,6 +356,15 @@ def refusal(path):
 )
 def test_a_bad_table_is_refused_by_file_and_line(write, content, message):
     assert message in refusal(write(content, ""))
+
+
+def test_segments_may_count_from_one(write):
+    rows = "0,{0},-0.1\n1,{0},-0.2\n0,{1},-0.3\n1,{1},-0.4\n"
+    table = "time_s,segment,angle_rad\n" + rows
+    usual, _ = read_table(write(table.format(0, 1)))
+    found, notes = read_table(write(table.format(1, 2)))
+    assert_same(found, usual)
+    assert "segments count from 1 in this file" in notes[0]
 
 
 def test_a_bad_sample_of_a_later_segment_is_named_by_its_line(write):

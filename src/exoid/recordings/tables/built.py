@@ -14,23 +14,31 @@ from exoid.recordings.tables.assemble import Named
 from exoid.recordings.tables.sheet import Cells, Place
 from exoid.recordings.tables.sound_segments import Sound, sound
 
+FROM_ONE = "segments count from 1 in this file, and from 0 in what is said of them."
+
 
 def segment_starts(columns: Mapping[str, Cells], place: Place) -> np.ndarray:
     """The row at which each segment begins; without a column `segment` there is one."""
     if "segment" not in columns:
         return np.zeros(1, int)
-    number = np.asarray(columns["segment"])
+    said = np.asarray(columns["segment"])
+    number = said - from_one(columns)
     starts = np.concatenate([[0], np.flatnonzero(np.diff(number) != 0) + 1])
     wrong = np.flatnonzero(number[starts] != np.arange(starts.size))
     if wrong.size:
-        at = int(starts[wrong[0]])
-        value = "empty" if np.isnan(number[at]) else f"{number[at]:g}"
+        at, after = int(starts[wrong[0]]), wrong[0] + from_one(columns)
+        value = "empty" if np.isnan(number[at]) else f"{said[at]:g}"
         raise ValueError(
-            f"{place(at)}, column segment: {value}, where {wrong[0]}"
-            f"{f' or {wrong[0] - 1}' if wrong[0] else ''} is expected. Segments count 0, 1, 2, ... "
+            f"{place(at)}, column segment: {value}, where {after}"
+            f"{f' or {after - 1}' if wrong[0] else ''} is expected. Segments count 0, 1, 2, ... "
             "and the rows of each stand together: renumber or sort them."
         )
     return starts
+
+
+def from_one(columns: Mapping[str, Cells]) -> bool:
+    """Do its segments count from 1?"""
+    return "segment" in columns and bool(np.asarray(columns["segment"])[0] == 1)
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,10 +47,11 @@ class Built:
 
     samples: Recording
     kept: Sound
+    from_one: bool  # do segments of the table count from 1
 
     @property
     def notes(self) -> Notes:
-        return self.kept.notes
+        return (FROM_ONE, *self.kept.notes) if self.from_one else self.kept.notes
 
     def described(self, told: Mapping[str, Any]) -> Recording:
         """With what is told of it; of lists with an entry for each segment, those of the kept."""
@@ -60,7 +69,8 @@ def build(named: Named, subject: Subject) -> Built:
     segments = [cut(columns, slice(*rows)) for rows in zip(starts, stops, strict=True)]
     kept = sound(segments)
     try:
-        return Built(Recording(tuple(segments[n] for n in kept.numbers), subject), kept)
+        samples = Recording(tuple(segments[n] for n in kept.numbers), subject)
+        return Built(samples, kept, from_one(columns))
     except BadSample as error:
         place = named.place(int(starts[kept.numbers[error.segment]]) + error.sample)
         words = [source for own, source in named.sources.items() if str(error).startswith(own)]
