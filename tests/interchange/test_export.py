@@ -70,6 +70,16 @@ def test_a_cycle_is_driven_only_as_its_own_segment(fitted):
     assert time[-1] == pytest.approx(fitted.segments[2].time[-1], rel=1e-4)
 
 
+def test_a_drive_that_nothing_determines_is_said_to_be_none(fitted):
+    """As of a cycle that the simulation does not follow."""
+    drop, loaded, cycle = fitted.segments
+    lost = replace(cycle.torque_amplitude, value=None, reason="it is not followed")
+    told = replace(fitted, segments=[drop, loaded, replace(cycle, torque_amplitude=lost)])
+    said = "Its drive is not determined: it is not followed."
+    assert said in gather(told, 2).title
+    assert said not in (*gather(told, 1).title, *gather(fitted, 2).title)
+
+
 @pytest.mark.parametrize("form", ["mjcf", "urdf", "osim", "c", "python"])
 def test_a_saved_fit_gives_the_very_same_file(fitted, form, tmp_path):
     exoid.save_result(fitted, tmp_path / "fit.nc")

@@ -168,6 +168,9 @@ def titled(result: FitResult, each: SegmentFit, begun: Conditions, whole: bool) 
         lines.append(f"As in segment {called}.")
     else:
         lines.append(f"Without any added mass or torque; it begins as segment {called} did.")
+    push = each.torque_amplitude
+    if whole and push is not None and push.value is None:
+        lines.append(f"Its drive is not determined: {visible(push.reason or 'nothing tells it')}.")
     if result.astray is not None:
         lines.append(
             f"It does not follow its recording: {visible(result.astray)}. Trust no number."
