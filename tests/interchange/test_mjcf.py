@@ -27,6 +27,7 @@ REFUSED = {
     "maxwell_element": "it remembers",
     "moving_base": "it remembers",
     "polycentric_axis": "it hangs on the acceleration",
+    "power_drag": "it changes with the speed",
     "shaped_hysteresis": "it remembers",
     "stretch_reflex": "it remembers",
     "stribeck_friction": "it changes with the speed",

@@ -59,6 +59,7 @@ class Term(eqx.Module):
     living: ClassVar[bool] = False  # does it take a person's leg, so that no rig has it
     mechanical: ClassVar[bool] = False  # does only a rig have it, and no person's leg
     inertial: ClassVar[bool] = False  # does its torque hang on the acceleration
+    by_whole_drops: ClassVar[bool] = False  # can no sample by itself tell its numbers, but a drop
     period: ClassVar[float] = 0.0  # rad, after which what it shows repeats
     everyday: ClassVar[bool] = False  # does every gyro have some of it
     replaces: ClassVar[str] = ""  # what a fit estimates of every recording and the term is itself

@@ -169,6 +169,8 @@ def refused(term: type[Term]) -> str | None:
         return f"times the unknown stiffness it is a constant torque; ask for {term.same_torque}"
     if holds(term) and any(each.unit == "1" for _, each in declarations(term)):
         return "its friction is a share of a load that is estimated, too; fit the recording instead"
+    if term.by_whole_drops:
+        return "its numbers are told by whole drops only; fit the recording instead"
     if term.replaces or term.everyday:
         return "zero, bias, scale and delay of the sensors are always estimated"
     return None

@@ -20,10 +20,12 @@ class PowerDrag(PhysicsTerm):
         "square."
     )
     isolate = QuadraticDrag.isolate
+    by_whole_drops = True
 
     coefficient: Parameter = parameter("b", "N m s^2/rad^2", 0.0, 2.0, "drag at 1 rad/s", (0.02,))
     power: Parameter = parameter("p", "1", 1.2, 3.0, "power of speed", (1.5,))
 
     def torque(self, now: Moment, memory: Memory) -> Scalar:
         rate = now.angular_velocity
-        return -self.coefficient * rate * jnp.hypot(rate, SLOW) ** (self.power - 1)
+        grown = jnp.exp((self.power - 1) * jnp.log(rate**2 + SLOW**2) / 2)
+        return -self.coefficient * rate * grown

@@ -16,6 +16,7 @@ class SlackCubicStiffness(PhysicsTerm):
         "faster the farther it is from there."
     )
     isolate = CubicStiffness.isolate
+    by_whole_drops = True
 
     coefficient: Parameter = parameter("k_3", "N m/rad^3", -3.0, 10.0, "cubic stiffness", (0.2,))
     slack_angle: Parameter = parameter("phi_3", "rad", -1.6, 0.3, "where it is slack", (-0.6,))
