@@ -37,7 +37,7 @@ def beside(found: Diagnosis) -> list[str]:
     ]
     if not maybe:
         return []
-    return [f"Not certain: {listed(maybe)}. The numbers above are what they would be with it."]
+    return [f"Not certain: {listed(maybe)}. The numbers above are what they are with that."]
 
 
 def booked(found: Diagnosis) -> str:
