@@ -17,6 +17,7 @@ from exoid.recordings.conventions.file_clock import (
     wrong_clock,
 )
 from exoid.recordings.conventions.gyro_agreement import dead_gyro, wrong_sign, wrong_unit
+from exoid.recordings.conventions.lost_samples import without_lost_samples
 from exoid.recordings.conventions.mounting import settled, turned
 from exoid.recordings.conventions.other_leg import another_leg
 from exoid.recordings.conventions.thin import thinned
@@ -47,8 +48,9 @@ def understand(
     refuse(tiny(recording) or dead_gyro(recording) or wrong_unit(recording))
     notes = (*unlike_rate(recording), *notes)
     if not whole:
+        recording, lost = without_lost_samples(recording)
         recording, averaged = thinned(recording)
-        notes = (*notes, *averaged)
+        notes = (*notes, *lost, *averaged)
     found = cut_up(recording, cut, whole=whole)
     movements = found.recording
     refuse(wrong_convention(movements, cut=movements is not recording or not whole))

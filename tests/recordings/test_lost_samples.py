@@ -1,0 +1,56 @@
+"""Values that are repeated where nobody measured, and those of a leg at rest."""
+
+import numpy as np
+import pytest
+
+import exoid
+from exoid.recordings.conventions.lost_samples import lost, without_lost_samples
+
+TIME = 0.01 * np.arange(500)
+PHASE, FALL = 5.0 * TIME, np.exp(-0.6 * TIME)
+ANGLE = np.cos(PHASE) * FALL - 1.5
+RATE = -(5.0 * np.sin(PHASE) + 0.6 * np.cos(PHASE)) * FALL
+HOLE = slice(150, 190)
+
+
+def recorded(angle: np.ndarray, **subject: str) -> exoid.Recording:
+    segment = exoid.Segment(TIME, raw_angle=angle)
+    return exoid.Recording((segment,), subject=exoid.Subject(**subject))
+
+
+@pytest.mark.parametrize("value", [0.0, -3.0])
+def test_a_value_that_the_angle_jumps_to_is_none(value):
+    angle = ANGLE.copy()
+    angle[HOLE] = value
+    assert np.flatnonzero(lost(TIME, angle, None)).tolist() == list(range(500))[HOLE]
+
+
+def test_an_encoder_that_stands_still_is_told_by_its_gyro_or_by_where_it_goes_on():
+    angle = ANGLE.copy()
+    angle[HOLE] = angle[HOLE.start]
+    for rate in (RATE, None):
+        assert np.flatnonzero(lost(TIME, angle, rate)).tolist() == list(range(500))[HOLE]
+
+
+def test_what_a_coarse_encoder_shows_at_rest_stays():
+    held = np.concatenate([np.full(100, ANGLE[0]), ANGLE[:400]])
+    held[420:] = held[420]  # caught while it moves
+    resting = np.round(np.degrees(held)) * np.radians(1.0)
+    assert not lost(TIME, resting, np.full(TIME.size, np.radians(5.0))).any()  # a gyro's bias
+
+
+def test_a_slow_camera_on_a_leg_that_is_caught_loses_nothing():
+    angle = ANGLE[::5].copy()
+    angle[30:] = angle[29]
+    assert not lost(TIME[::5], angle, None).any()
+
+
+def test_it_is_said_where_and_a_rig_is_left_alone():
+    angle = ANGLE.copy()
+    angle[HOLE] = 0.0
+    mended, (note,) = without_lost_samples(recorded(angle))
+    assert np.isnan(mended.segments[0].best_angle).sum() == 40
+    assert note.startswith("40 samples of the angle between 1.50 and 1.89 s repeat a value")
+    same, notes = without_lost_samples(recorded(angle, kind="rig"))
+    assert notes == ()
+    assert same.segments[0].best_angle[HOLE.start] == 0.0
