@@ -78,7 +78,7 @@ def polished(prepared: PreparedRecording, start: Hypothesis, rival: float = np.i
     """
     if strikes(start):
         start = settle_free(prepared, start, by_encoder(prepared), rival=rival).candidate
-        for share in SHARES:
+        for share in SHARES if np.any(prepared.seen.velocity_weight) else ():
             eased = by_encoder(prepared, share)
             start = settle_free(prepared, start, eased, rounds=FEWER_ROUNDS).candidate
     found = settle_free(prepared, start, rival=rival)
