@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from exoid.fitting.data.time_jitter import TimeJitter
 from exoid.fitting.model.systematics import DECLARED_NOTHING, Systematics
 from exoid.recordings.conventions.jumps import Jump, jumps
 from exoid.recordings.filter.constants import UNTOLD
@@ -48,6 +49,8 @@ class Movement:
     filter_told: bool = True  # and does the recording say so?
     filter_step: float | None = None  # s, by the filter's own clock; None: the time between samples
     divisor: float | None = None  # rad, of the angle's residuals; None: its noise
+    angle_jitter: TimeJitter | None = None  # where the noise grows with speed
+    gyro_jitter: TimeJitter | None = None
 
     @property
     def angle_noise(self) -> float:

@@ -7,6 +7,7 @@ from scipy.interpolate import make_interp_spline
 from exoid.fitting.data.movement import Movement, smoothed_motion
 from exoid.fitting.data.observation import Clock, Observation
 from exoid.fitting.data.pace import parts_of, unhurried
+from exoid.fitting.data.time_jitter import TimeJitter
 from exoid.fitting.model.systematics import SOMEWHERE, beside_unplaced
 from exoid.physics.cycle_shape import cycle_shape
 from exoid.physics.motion.step import Drive
@@ -69,15 +70,20 @@ def one_observation(
     step = np.median(np.diff(grid))
     time = np.concatenate([grid, grid[-1] + step * np.arange(1, size - grid.size + 1)])
 
-    def placed(samples: Samples | None, noise: float) -> tuple[Samples, Samples]:
+    def placed(
+        samples: Samples | None, noise: float, jitter: TimeJitter | None
+    ) -> tuple[Samples, Samples]:
         value, weight = np.zeros(size), np.zeros(size)
         if samples is not None:
             known = ~np.isnan(samples)
-            value[at[known]], weight[at[known]] = samples[known], 1 / noise
+            unit = np.full(own.size, noise) if jitter is None else jitter.noise(own, samples)
+            value[at[known]], weight[at[known]] = samples[known], 1 / unit[known]
         return value, weight
 
-    angle, angle_weight = placed(each.angle, each.residual_unit)
-    velocity, velocity_weight = placed(each.angular_velocity, each.velocity_noise)
+    jitter = each.angle_jitter if each.divisor is None else None
+    angle, angle_weight = placed(each.angle, each.residual_unit, jitter)
+    gyro = each.angular_velocity, each.velocity_noise, each.gyro_jitter
+    velocity, velocity_weight = placed(*gyro)
     width = unhurried(each, GUIDE_WIDTH)
     guide, _ = smoothed_motion(each, width)
     slope = local_line(own, guide, width)[1]  # of the angle itself, whatever the gyro says

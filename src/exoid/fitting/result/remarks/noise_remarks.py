@@ -15,7 +15,22 @@ def noise_remarks(movements: list[Movement]) -> list[str]:
         said += of_channel(each.noise, f"angle{where}", "deg")
         if each.gyro_noise is not None:
             said += of_channel(each.gyro_noise, f"gyro{where}", "deg/s")
+        said += of_times(each, where)
     return said
+
+
+def of_times(movement: Movement, where: str) -> list[str]:
+    """That its times are off, by what scatters more where it changes faster."""
+    channels = {"angle": movement.angle_jitter, "gyro": movement.gyro_jitter}
+    found = {name: each.jitter for name, each in channels.items() if each is not None}
+    if not found:
+        return []
+    off = " and ".join(f"{1e3 * each:.2g} ms by the {name}" for name, each in found.items())
+    return [
+        f"the times{where} are off by {off} (one standard deviation): noise grows with how fast "
+        "the leg moves, and faster samples count less. Record times by the sensor's own clock; "
+        "images that blur look the same."
+    ]
 
 
 def of_channel(noise: Noise, channel: str, unit: str) -> list[str]:
