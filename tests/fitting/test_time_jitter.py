@@ -7,6 +7,7 @@ from scipy.integrate import solve_ivp
 import exoid
 from exoid.fitting.data.segment import movement
 from exoid.fitting.data.time_jitter import time_jitter
+from exoid.report.words.diagnosis.sentences import sentences
 
 GRAVITY, STIFFNESS, DAMPING = 27.752, 6.579, 1.0526  # over the inertia
 CLOCK = 0.01 * np.arange(500)
@@ -90,4 +91,6 @@ def test_errors_hold_and_it_is_said(leg):
 
 
 def test_nothing_is_missing_where_only_times_are_off(leg):
-    assert exoid.diagnose(recorded(leg, 2e-3, 1), multistart=4).verdict == "none"
+    found = exoid.diagnose(recorded(leg, 2e-3, 1), multistart=4)
+    assert found.verdict == "none"
+    assert "Times are off by" in sentences(found)["Sensors"]

@@ -21,16 +21,20 @@ def noise_remarks(movements: list[Movement]) -> list[str]:
 
 def of_times(movement: Movement, where: str) -> list[str]:
     """That its times are off, by what scatters more where it changes faster."""
-    channels = {"angle": movement.angle_jitter, "gyro": movement.gyro_jitter}
-    found = {name: each.jitter for name, each in channels.items() if each is not None}
-    if not found:
+    if not (off := times_off(movement)):
         return []
-    off = " and ".join(f"{1e3 * each:.2g} ms by the {name}" for name, each in found.items())
     return [
         f"the times{where} are off by {off} (one standard deviation): noise grows with how fast "
         "the leg moves, and faster samples count less. Record times by the sensor's own clock; "
         "images that blur look the same."
     ]
+
+
+def times_off(movement: Movement) -> str:
+    """By how much, as each channel tells; nothing where noise does not grow with speed."""
+    channels = {"angle": movement.angle_jitter, "gyro": movement.gyro_jitter}
+    each = [(name, one.jitter) for name, one in channels.items() if one is not None]
+    return " and ".join(f"{1e3 * jitter:.2g} ms by the {name}" for name, jitter in each)
 
 
 def of_channel(noise: Noise, channel: str, unit: str) -> list[str]:

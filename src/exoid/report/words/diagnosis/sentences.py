@@ -1,5 +1,6 @@
 """A diagnosis in sentences: what is missing, where, the proof, and what it had been booked as."""
 
+from exoid.fitting.result.remarks.noise_remarks import times_off
 from exoid.mismatch.answer.diagnosis import Diagnosis
 from exoid.report.words.diagnosis.asserted import only_sensors, parted
 from exoid.report.words.diagnosis.cause import explanations, for_inertia, named, parameter
@@ -49,10 +50,25 @@ def where(found: Diagnosis) -> str:
 
 
 def sensors(found: Diagnosis) -> str:
-    """What encoder and gyro say of each other."""
+    """What encoder and gyro say of each other, and of their times."""
+    return " ".join(filter(None, (of_each_other(found), of_times(found))))
+
+
+def of_each_other(found: Diagnosis) -> str:
     if not found.sensors:
         return "no gyro: encoder and gyro cannot be compared."
     clear = [each for each in found.sensors if each.clear]
     if not clear:
         return "encoder and gyro agree."
     return f"encoder and gyro differ as if by {', '.join(map(parameter, clear))}."
+
+
+def of_times(found: Diagnosis) -> str:
+    """How far times are off, each by its own; nothing where noise does not grow with speed."""
+    movements = found.before.basis.problem.movements if found.before.basis else []
+    off = next(filter(None, map(times_off, movements)), "")
+    return (
+        f"Times are off by {off} (one standard deviation): faster samples count less."
+        if off
+        else ""
+    )
