@@ -51,6 +51,9 @@ def test_a_fit_that_cannot_see_it_says_what_it_would_change(bent):
     assert found is not None
     assert f"m l g / J is {-found.gravity:.2g} 1/s^2 lower" in said
     assert f"c / J {found.stiffness:.2g} 1/s^2 higher" in said
+    for name, spread in found.spread.items():
+        assert bent.ratios[name].if_slack == pytest.approx(spread)
+    assert bent.ratios["damping_over_inertia"].if_slack is None
 
 
 def two_drops(slack, noise, gyro):

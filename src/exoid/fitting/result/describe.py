@@ -40,7 +40,12 @@ from exoid.fitting.result.fit_result import (
 from exoid.fitting.result.limiting_systematics import granted, limiting, suspicions
 from exoid.fitting.result.mountings import FIELDS, beyond_belief, estimate_mountings
 from exoid.fitting.result.remarks.remarks import limits_met, of_astray, remarks
-from exoid.fitting.result.remarks.slack_angle import LEANING, slack_angle_remarks
+from exoid.fitting.result.remarks.slack_angle import (
+    LEANING,
+    Leaning,
+    left_open,
+    slack_angle_remarks,
+)
 from exoid.fitting.result.untold import without_lost
 from exoid.fitting.solve.ask import around, finite, take
 from exoid.fitting.solve.problem import Problem
@@ -97,18 +102,29 @@ def describe(
         basis=basis,
     )
     told = without_lost(result)
-    return replace(told, notes=notes(told, basis, at_bound))
+    errors = [told.ratios[each].standard_error or 0.0 for each in LEANING]
+    slack = left_open(problem, ended, errors)
+    said = notes(told, basis, at_bound, slack)
+    return replace(told, ratios=with_slack(told.ratios, slack), notes=said)
 
 
-def notes(result: FitResult, basis: Basis, at_bound: set[str]) -> list[str]:
+def with_slack(ratios: dict[str, Estimate], found: Leaning | None) -> dict[str, Estimate]:
+    """The ratios, each with how far it is open for where the spring is slack."""
+    spread = {} if found is None else found.spread
+    return {
+        name: replace(each, if_slack=spread[name]) if name in spread else each
+        for name, each in ratios.items()
+    }
+
+
+def notes(result: FitResult, basis: Basis, at_bound: set[str], slack: Leaning | None) -> list[str]:
     """What the user should know of a fit, that it does not follow first."""
     problem, ended = basis.problem, basis.ended
-    errors = [result.ratios[each].standard_error or 0.0 for each in LEANING]
     return [
         *of_astray(result.astray, problem.belief, len(problem.recordings) > 1),
         *of_the_rest(result.segments, ended.disturbance),
         *remarks(problem, ended, at_bound),
-        *slack_angle_remarks(problem, ended, errors),
+        *slack_angle_remarks(slack),
         *suspicions(problem, result.mountings, ended.disturbance),
         *limiting({**result.parameters, **result.ratios}),
         *granted(problem),

@@ -39,6 +39,7 @@ class Estimate:
     reason: str | None = None  # why there is no value, or no error
     limited_by: dict[str, float] | None = None  # share of its variance that each systematic makes
     by_hand: Means | None = None  # fixed, bounded or expected by the user
+    if_slack: float | None = None  # error more, for a spring slack elsewhere than at full extension
 
     @property
     def determined_by(self) -> Source | None:

@@ -49,11 +49,17 @@ def ratios(result: FitResult) -> Table:
         "ratio": Column(list(result.ratios), on_page=[one.title for one in each]),
         "symbol": Column([one.symbol for one in each], symbols=True, head=""),
         "value": quantities_of(each),
-        "set by": set_by(each),
+        "if slack": [*map(if_slack, each)],
+        "set by": replace(set_by(each), spare=2, brief=[one.set_by or "" for one in each]),
         "limited by": Column([limited_by(one) for one in each], spare=1),  # a note says it, too
     }
     caption = "Ratios to the inertia: what motion alone can tell"
     return Table(caption, columns, "Ratios to the inertia, what motion can tell")
+
+
+def if_slack(each: Estimate) -> str:
+    """The error more that holds for a spring slack elsewhere than at full extension."""
+    return "" if each.if_slack is None else f"± {each.if_slack:.2g}"
 
 
 def terms(result: FitResult) -> Table:

@@ -33,6 +33,7 @@ class Leaning:
     stiffness: Annotated[float, "1/s^2"]
     seen: Annotated[float, "rad"]  # the rest angle that the recording shows
     told: Annotated[float, "rad"]  # the error with which it does so
+    shown: bool  # is that clear, beside all else that is missing?
 
     @property
     def spread(self) -> dict[str, float]:
@@ -44,43 +45,47 @@ class Leaning:
         return dict(zip(LEANING, np.abs([self.gravity, self.stiffness]) * usual, strict=True))
 
 
-def slack_angle_remarks(
-    problem: Problem, ended: SearchResult, errors: Sequence[float]
-) -> list[str]:
-    """Where another rest angle changes the `LEANING` ratios by more than these errors of them, and
-    the recording does not rule that out.
+def left_open(problem: Problem, ended: SearchResult, errors: Sequence[float]) -> Leaning | None:
+    """What the `LEANING` ratios lean on, where another rest angle changes them by more than these
+    errors of them, and the recording does not rule that out; else None.
     """
     found = leaning(problem, ended)
     if found is None:
-        return []
-    shown = found.told < TOLD and ended.disturbance.cause is None
-    off = np.array([*found.spread.values()] if shown else [found.gravity, found.stiffness])
+        return None
+    off = np.array([*found.spread.values()] if found.shown else [found.gravity, found.stiffness])
     least = np.array(errors)
-    if shown:
+    if found.shown:
         of_leg = (getattr(ended.point.shared, name) for name in ("gravity", "stiffness"))
         least = np.maximum(FELT * least, WORTH * np.array([*map(float, of_leg)]))
-    if (abs(off) < least).all():
+    return None if (abs(off) < least).all() else found
+
+
+def slack_angle_remarks(found: Leaning | None) -> list[str]:
+    """What of m l g / J and c / J is `left_open`."""
+    if found is None:
         return []
+    where = seen(found) if found.shown else bent(found)
     return [
-        "m l g / J and c / J hold for a spring that is slack at full extension (Eq. 9), and ± says "
-        f"nothing of that: {seen(found, *off) if shown else bent(*off)}. 'exoid diagnose' asks "
-        "where it is slack; the hanging angle without and with a known mass tells best."
+        "m l g / J and c / J hold for a spring that is slack at full extension (Eq. 9), and 'if "
+        f"slack' beside ± tells how well for others: {where}. 'exoid diagnose' asks where it is "
+        "slack; the hanging angle without and with a known mass tells best."
     ]
 
 
-def bent(gravity: float, stiffness: float) -> str:
-    """How far off both ratios [1/s^2] of a leg are whose spring is slack at BENT."""
-    changes = (
-        f"{abs(one):.2g} 1/s^2 {'higher' if one > 0 else 'lower'}" for one in (gravity, stiffness)
+def bent(found: Leaning) -> str:
+    """How far off both ratios of a leg are whose spring is slack at BENT."""
+    first, second = (
+        f"{abs(one):.2g} 1/s^2 {'higher' if one > 0 else 'lower'}"
+        for one in (found.gravity, found.stiffness)
     )
-    first, second = changes
     where = f"{np.degrees(BENT):.0f} deg of flexion"
     return f"of a leg whose spring is slack at {where} m l g / J is {first}, c / J {second}"
 
 
-def seen(found: Leaning, gravity: float, stiffness: float) -> str:
-    """Where the recording shows it slack, and how far off the ratios [1/s^2] may be for that."""
+def seen(found: Leaning) -> str:
+    """Where the recording shows it slack, and how far off the ratios may be for that."""
     angle, error = -np.degrees(found.seen), np.degrees(found.told)
+    gravity, stiffness = found.spread.values()
     return (
         f"by this recording it is slack at {angle:.2g} ± {error:.2g} deg of flexion, which leaves "
         f"m l g / J open by ± {gravity:.2g} 1/s^2, c / J by ± {stiffness:.2g} 1/s^2"
@@ -98,7 +103,8 @@ def leaning(problem: Problem, ended: SearchResult) -> Leaning | None:
     torque = -stiffness * BENT / max(1 - spring * BENT, 1 / STIFFER)
     told = left**-0.5 / stiffness if left > 0 else np.inf
     angle = seen / left / stiffness if left > 0 else 0.0
-    return Leaning(float(-gravity * torque), float(-spring * torque), angle, told)
+    shown = bool(told < TOLD) and ended.disturbance.cause is None
+    return Leaning(float(-gravity * torque), float(-spring * torque), angle, told, shown)
 
 
 def answer(problem: Problem, ended: SearchResult) -> tuple[np.ndarray, float, float]:
