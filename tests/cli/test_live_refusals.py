@@ -1,5 +1,7 @@
 """`exoid live` on bad options: one line that says what and where, and nothing written."""
 
+import sys
+
 import pytest
 from command_line import refusal
 
@@ -63,5 +65,6 @@ def test_a_page_without_its_packages_is_refused_in_one_line(command, monkeypatch
     done = command("live", EXAMPLE, "--serve")
     assert done.returncode == 2
     assert done.stderr.splitlines()[-1] == (
-        'exoid: a page is served by uvicorn, which is missing: pip install "exoid[live]"'
+        "exoid: a page is served by uvicorn, which is missing: in a clone of exoid, python3 -m pip "
+        f"--python {sys.executable} install '.[live]'"
     )

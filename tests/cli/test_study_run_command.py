@@ -81,7 +81,7 @@ def test_without_its_packages_a_study_names_the_one_extra_that_has_them(
     without = f"import sys; sys.modules[{lacking!r}] = None; from exoid.cli import main; main()"
     command = [sys.executable, "-c", without, "study", asked, *map(str, made)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
-    assert 'which is missing: pip install "exoid[study]"' in refusal(done)
+    assert "which is missing: in a clone of exoid, python3 -m pip --python" in refusal(done)
 
 
 def test_without_a_terminal_a_long_run_has_lines_and_a_short_one_none(

@@ -229,7 +229,7 @@ def test_segments_that_were_fitted_alone_have_no_posterior(fitted):
 
 def test_packages_that_are_missing_are_named(fitted, monkeypatch):
     monkeypatch.setattr(module, "find_spec", lambda name: None)
-    with pytest.raises(ValueError, match=r"pip install 'exoid\[posterior\]'"):
+    with pytest.raises(ValueError, match=r"install '\.\[posterior\]'"):
         sample(fitted)
 
 

@@ -1,5 +1,6 @@
 """Packages that only some files or results need: one that is missing is named, with its extra."""
 
+import sys
 from importlib.util import find_spec
 
 EXTRAS = {
@@ -21,4 +22,9 @@ def require(package: str, what: str, extra: str = "") -> None:
     """
     if find_spec(package) is None:
         extra = extra or EXTRAS[package]
-        raise ValueError(f'{what} by {package}, which is missing: pip install "exoid[{extra}]"')
+        raise ValueError(f"{what} by {package}, which is missing: {installing(extra)}")
+
+
+def installing(extra: str) -> str:
+    """How to install an extra beside the exoid that runs, whether its environment has pip or not."""
+    return f"in a clone of exoid, python3 -m pip --python {sys.executable} install '.[{extra}]'"

@@ -14,6 +14,7 @@ import jax
 import numpy as np
 from jaxtyping import Bool, Float
 
+from exoid.files.extras import installing
 from exoid.fitting.errors.nuts import move_chains
 from exoid.fitting.errors.posterior_density import Target, points, posed
 from exoid.fitting.misfit.uncertainty import ON_BOUND
@@ -26,7 +27,7 @@ from exoid.fitting.result.fit_result import Basis, FitResult
 from exoid.fitting.result.mountings import FIELDS, MOUNTING, outside
 
 PACKAGES = ("blackjax", "arviz", "h5netcdf")
-MISSING = "--posterior needs more packages: pip install 'exoid[posterior]'"
+MISSING = f"--posterior needs more packages: {installing('posterior')}"
 CANDIDATES = 10_000  # from the quadratic picture, among which the chains begin
 
 

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from exoid.files.extras import installing
 from exoid.files.foreign import ForeignError, read_apart
 from exoid.files.library_faults import is_ours, plain, quiet
 from exoid.recordings.can.frames import (
@@ -63,7 +64,7 @@ def read_log(path: Path) -> Log:
 def read_mf4(path: Path) -> Log:
     """The frames of an MF4 file, which asammdf parses in a process of its own."""
     if find_spec("asammdf") is None:
-        raise CanLogError(f'{path}: MF4 needs asammdf: pip install "exoid[mf4]"')
+        raise CanLogError(f"{path}: MF4 needs asammdf: {installing('mf4')}")
     try:
         columns = read_apart(
             read_frames, path, "Export it again, as MF4 or as BLF.", library="asammdf"
