@@ -26,5 +26,5 @@ def require(package: str, what: str, extra: str = "") -> None:
 
 
 def installing(extra: str) -> str:
-    """How to install an extra beside the exoid that runs, whether its environment has pip or not."""
+    """How to install an extra beside this exoid, whether its environment has pip or not."""
     return f"in a clone of exoid, python3 -m pip --python {sys.executable} install '.[{extra}]'"
